@@ -1,0 +1,45 @@
+// What a person can ask for, by key, terminal line, scenario or device button. One list, so that every way in can do everything.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace handrail {
+
+enum class Command : std::uint8_t {
+    Forward, Back,              // a tap is one step; held, walking
+    TurnLeft, TurnRight,
+    TiltUp, TiltDown,
+    ToggleForces,
+    SwitchFrame,                // Map <-> Walk
+    WhereAmI,
+    Heading,
+    WhatIsThis,                 // what the hand touches
+    Repeat,
+    StopSpeech,
+    StopEverything,             // F12: all force and sound
+    Home,
+    PlanView,
+    Help,
+    VerbosityCycle,
+    Leave,                      // Escape: asks once more at the top
+    // The hand without a device: the simulated hand's target moves.
+    HandForward, HandBack, HandLeft, HandRight, HandUp, HandDown, HandCentre,
+};
+
+// A row of the key table: the command, its word for terminals and scenarios, the default key and a line of help.
+struct CommandInfo {
+    Command command;
+    std::string_view word;       // "where", typed in a terminal
+    std::string_view key;        // "F2": default key, GLFW-like name; empty when it has none
+    bool hold;                   // acts as long as the key is down
+    std::string_view help;       // one sentence, spoken by help
+};
+
+std::span<const CommandInfo> command_table();
+const CommandInfo* find_command(std::string_view word);
+const CommandInfo& info(Command command);
+
+}  // namespace handrail

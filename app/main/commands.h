@@ -1,0 +1,56 @@
+// What the command line can do, one function per subcommand. Each returns the exit status: 0 ok, 1 the thing asked for failed, 2 wrong
+// usage. Errors go to `err` as one sentence a person can act on. main.cpp only parses and dispatches; tests call these directly.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "settings/settings.h"
+
+namespace handrail {
+
+// Options that every command takes.
+struct CommonArguments {
+    std::optional<double> map_scale_m_per_unit;      // --map-scale, default 1/32 for every .map
+};
+
+struct InfoArguments {
+    CommonArguments common;
+    std::filesystem::path world;
+    bool json = false;
+};
+int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err);
+
+struct TouchArguments {
+    CommonArguments common;
+    std::filesystem::path world, path_csv, out_csv;
+    double radius_m = 0.005;                         // --radius; 0 means 1e-5
+    double scale_world_m_per_hand_m = 1.0;           // --scale
+    std::optional<double> stiffness_n_per_m, damping_ns_per_m, friction_static, friction_kinetic;
+    std::optional<std::string> device;               // --device
+};
+int run_touch(const TouchArguments& arguments, std::ostream& out, std::ostream& err);
+
+struct ScenarioArguments {
+    std::vector<std::filesystem::path> paths;        // files, or folders of *.toml
+    std::optional<std::filesystem::path> junit;      // --junit
+};
+int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err);
+
+struct SettingsArguments {
+    bool explain = false;
+};
+int run_settings(const SettingsArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err);
+
+struct ExploreArguments {
+    CommonArguments common;
+    std::optional<std::filesystem::path> world;      // none: the bundled first world
+    bool no_window = false;                          // --no-window
+    std::optional<std::string> device;               // --device NAME|none
+};
+int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err);
+
+}  // namespace handrail

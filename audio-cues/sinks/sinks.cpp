@@ -1,0 +1,1 @@
+#include "audio-cues/plan/sinks.h"

@@ -1,0 +1,1 @@
+#include "haptic/compile/compile_haptic.h"

@@ -1,0 +1,21 @@
+// Scene -> HapticScene: the only haptic code that knows Scene. App or worker thread.
+#pragma once
+
+#include <memory>
+
+#include "haptic/render/haptic_scene.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+// Which values surfaces get that the file leaves open.
+enum class MaterialSource {
+    KeysOnly,  // only keys written in the world count (the `touch` contract)
+    Library,   // a named or guessed material brings its library values (exploring)
+};
+
+// Solids and movers become convex obstacles (boxes recognised as boxes), mesh triangles become sheets, liquids become volumes.
+// The generation is a number that differs for every compiled scene of this process.
+std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials);
+
+}  // namespace handrail

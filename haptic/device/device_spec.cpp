@@ -1,0 +1,1 @@
+#include "haptic/device/device_spec.h"

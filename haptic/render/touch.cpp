@@ -1,0 +1,1 @@
+#include "haptic/render/touch.h"

@@ -1,0 +1,1 @@
+#include "haptic/servo/servo_tick.h"

@@ -1,0 +1,43 @@
+// Errors that a person can act on. The world can be wrong (files, devices, users): functions that meet it return Result<T>.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace handrail {
+
+// One sentence fit to be spoken, with the place it concerns. line and column count from 1 in bytes; 0 means unknown.
+struct Error {
+    std::string file;
+    int line = 0;
+    int column = 0;
+    std::string message;
+
+    // "house.map, line 12, column 4: message", leaving out what is unknown.
+    std::string sentence() const;
+};
+
+template <class T>
+using Result = tl::expected<T, Error>;
+
+inline tl::unexpected<Error> fail(std::string message, std::string file = {}, int line = 0, int column = 0) {
+    return tl::unexpected<Error>(Error{std::move(file), line, column, std::move(message)});
+}
+
+enum class Severity { Warning, Error };
+
+// Something a reader met and how it went on. `message` says what was expected and found, `action` what was done about it.
+struct Diagnostic {
+    Severity severity = Severity::Warning;
+    std::string file;
+    int line = 0;
+    int column = 0;
+    std::string message;
+    std::string action;
+
+    // "house.map, line 4752, column 41: error: a face ends early. This brush was left out."
+    std::string sentence() const;
+};
+
+}  // namespace handrail

@@ -1,0 +1,12 @@
+// A bounded queue from one producer thread to one consumer thread. push() returns false when it is full and never allocates.
+#pragma once
+
+#include <boost/lockfree/spsc_queue.hpp>
+#include <cstddef>
+
+namespace handrail {
+
+template <class T, std::size_t Capacity>
+using SpscRing = boost::lockfree::spsc_queue<T, boost::lockfree::capacity<Capacity>>;
+
+}  // namespace handrail

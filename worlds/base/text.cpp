@@ -1,0 +1,53 @@
+#include "worlds/base/text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace handrail {
+
+std::string lower_ascii(std::string_view text) {
+    std::string out(text);
+    for (char& c : out)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return out;
+}
+
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates) {
+    const std::string a = lower_ascii(word);
+    std::size_t best = static_cast<std::size_t>(-1);
+    const std::string* found = nullptr;
+    std::vector<std::size_t> row;
+    for (const std::string& candidate : candidates) {
+        const std::string b = lower_ascii(candidate);
+        row.resize(b.size() + 1);
+        std::iota(row.begin(), row.end(), std::size_t{0});
+        for (std::size_t i = 1; i <= a.size(); ++i) {
+            std::size_t diagonal = row[0];
+            row[0] = i;
+            for (std::size_t j = 1; j <= b.size(); ++j) {
+                const std::size_t above = row[j];
+                row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+                diagonal = above;
+            }
+        }
+        if (row[b.size()] < best) {
+            best = row[b.size()];
+            found = &candidate;
+        }
+    }
+    return found ? *found : std::string{};
+}
+
+bool parse_finite(std::string_view text, double& value) {
+    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    double parsed = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(parsed)) return false;
+    value = parsed;
+    return true;
+}
+
+}  // namespace handrail

@@ -1,0 +1,20 @@
+// Small text helpers shared by readers, settings and the command line.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace handrail {
+
+// The candidate with the smallest edit distance to `word` (ASCII case ignored; ties: the first), for "did you mean ..." sentences.
+// Empty when there are no candidates.
+std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
+
+// ASCII lower case; other bytes stay as they are.
+std::string lower_ascii(std::string_view text);
+
+// A whole decimal number, independent of the locale; false for anything else, also for nan and infinity.
+bool parse_finite(std::string_view text, double& value);
+
+}  // namespace handrail

@@ -1,0 +1,52 @@
+// Convex solids and polygons as plain values. Pure data and pure functions: no thread, no state. World metres.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+// The points with dot(normal, p) == offset; normal has length 1 and points out of the solid it bounds.
+struct Plane {
+    Vec3 normal{0.0, 0.0, 1.0};
+    double offset_m = 0.0;
+};
+
+inline double signed_distance(const Plane& plane, const Vec3& point_m) noexcept { return glm::dot(plane.normal, point_m) - plane.offset_m; }
+
+// Axis-aligned box; empty (min > max) until something was included.
+struct Aabb {
+    Vec3 min_m{std::numeric_limits<double>::infinity()};
+    Vec3 max_m{-std::numeric_limits<double>::infinity()};
+
+    bool empty() const noexcept { return !(min_m.x <= max_m.x); }
+    void include(const Vec3& p) noexcept {
+        min_m = glm::min(min_m, p);
+        max_m = glm::max(max_m, p);
+    }
+    void include(const Aabb& b) noexcept {
+        min_m = glm::min(min_m, b.min_m);
+        max_m = glm::max(max_m, b.max_m);
+    }
+    Vec3 centre_m() const noexcept { return 0.5 * (min_m + max_m); }
+    Vec3 size_m() const noexcept { return max_m - min_m; }
+};
+
+// A flat convex polygon, counter-clockwise seen from the side its plane's normal points to. At least 3 points.
+struct Polygon {
+    std::vector<Vec3> points_m;
+};
+
+// A bounded intersection of half-spaces. faces[i] is the polygon of planes[i]: same size, planes that touch nothing are gone.
+struct ConvexSolid {
+    std::vector<Plane> planes;
+    std::vector<Polygon> faces;
+    Aabb bounds_m;
+};
+
+// True when the point is inside the solid grown by `grow_m` (every plane pushed out), border included.
+bool contains(const ConvexSolid& solid, const Vec3& point_m, double grow_m = 0.0) noexcept;
+
+}  // namespace handrail

@@ -1,0 +1,1 @@
+#include "worlds/readers/reader.h"

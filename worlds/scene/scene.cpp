@@ -1,0 +1,1 @@
+#include "worlds/scene/scene.h"

@@ -1,0 +1,132 @@
+// What a building is: solids, surfaces with names, volumes, starts. Built by a reader, then never changed: every view
+// (HapticScene, drawing, sound, walking) is compiled from it and refers to it by FeatureId. World metres, z up.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "worlds/base/feature_id.h"
+#include "worlds/base/result.h"
+#include "worlds/geometry/convex.h"
+#include "worlds/scene/material.h"
+
+namespace handrail {
+
+// Where in the source file something stands; 0 when unknown.
+struct SourcePlace {
+    int line = 0;
+    int entity = 0;
+};
+
+enum class FeatureKind { Wall, Floor, Ceiling, Slope, Object, Door, Button, Lift, Mover, Liquid, Trigger, Teleport };
+
+// Anything that has a name: a joined wall, the floor of a room, a table, a door, a pool.
+struct Feature {
+    FeatureKind kind = FeatureKind::Wall;
+    std::string name;                          // fit to be spoken, without the material: "north wall", "Table"
+    MaterialId material = kDefaultMaterial;
+    Vec3 normal{0.0};                          // outward, for walls, floors, ceilings and slopes; zero for objects
+    Aabb bounds_m;
+    double area_m2 = 0.0;                      // exposed area
+    bool landmark = false;                     // fixed and unique here
+    bool clue = false;                         // helpful, may change
+    std::string message;                       // spoken on entering a trigger; for others a longer description
+    std::string hinge;                         // side of a door's hinge: "north", "east", ... or empty
+    std::string handle;                        // side of a door's handle, likewise
+    SourcePlace source;
+};
+
+// What a convex solid does.
+enum class SolidRole : std::uint8_t {
+    Solid,     // stops hand and body
+    Mover,     // the same, and may move later: doors, lifts, buttons; stands as filed
+    BodyClip,  // stops the body, never the hand
+    Liquid,    // a volume to move through, felt by its viscosity
+    Trigger,   // a volume whose feature's message is spoken once on entering
+    Teleport,  // a doorway surface to elsewhere: not solid
+    Illusion,  // seen, not touched
+};
+
+// Shape named by the original's cs_name key (S222 to S224); the brushes themselves stay the touchable shape.
+enum class DynamicShape : std::uint8_t { None, Box, Sphere, Cylinder };
+
+struct Solid {
+    ConvexSolid shape;
+    SolidRole role = SolidRole::Solid;
+    DynamicShape dynamic = DynamicShape::None;
+    FeatureId feature = kNoFeature;               // for objects, movers and volumes: the whole; else kNoFeature
+    std::vector<FeatureId> face_features;         // size == shape.planes.size(); the name of what one touches there
+    std::vector<MaterialId> face_materials;       // size == shape.planes.size()
+    std::vector<bool> face_hidden;                // size == shape.planes.size(); wholly covered by other solids
+    std::optional<double> viscosity_ns_per_m;     // liquids only, of hand speed; none: no force
+    SourcePlace source;
+};
+
+// A triangle of a mesh file: a two-sided sheet without an inside. Degenerate ones are kept.
+struct MeshTriangle {
+    Vec3 a_m, b_m, c_m;
+    FeatureId feature = kNoFeature;
+    MaterialId material = kDefaultMaterial;
+};
+
+// Exposed surface for drawing, naming and area; hidden parts are gone.
+struct SurfacePolygon {
+    Polygon polygon;
+    Vec3 normal{0.0};
+    FeatureId feature = kNoFeature;
+    MaterialId material = kDefaultMaterial;
+    SolidRole role = SolidRole::Solid;
+};
+
+struct Start {
+    Vec3 feet_m{0.0};              // where the soles stand
+    double heading_rad = 0.0;
+    bool base = false;             // the start a single explorer takes first
+    std::string name;
+    SourcePlace source;
+};
+
+struct SoundSource {
+    Vec3 position_m{0.0};
+    std::string name;              // fit to be spoken: "computer hum"
+    std::string sound;             // which sound: the class name or the key `sound`
+};
+
+// What the reader understood, for the honesty report and `handrail info`. Counts as defined for `info --json`.
+struct ReadReport {
+    std::string format;            // "map", "obj"
+    int brushes = 0, polygons = 0, polygons_kept = 0, polygons_hidden = 0, triangles = 0;
+    int liquids = 0, movers = 0, doors = 0, starts = 0;
+    std::vector<std::string> guessed, simplified, left_out;  // sentences
+    std::vector<Diagnostic> warnings;                        // at most 20
+    int warnings_in_all = 0;                                 // all that were met
+};
+
+struct Scene {
+    std::string name;                          // fit to be spoken: the world's message, else the file name in words
+    std::string source_file;                   // as given
+    bool game_map = false;                     // game sizes for the body: 1.7 m tall, 0.57 m steps
+    double metres_per_unit = 1.0;
+    Aabb bounds_m;                             // of solids as they stand in the file
+    std::vector<Material> materials;           // [0] is the default wall
+    std::vector<Feature> features;             // indexed by FeatureId::value
+    std::vector<Solid> solids;
+    std::vector<MeshTriangle> triangles;
+    std::vector<SurfacePolygon> surfaces;
+    std::vector<Start> starts;                 // in file order; the base one is marked
+    std::vector<SoundSource> sounds;
+    ReadReport report;
+
+    const Feature* find(FeatureId id) const { return id.value < features.size() ? &features[id.value] : nullptr; }
+    const Material& material(MaterialId id) const { return materials[id < materials.size() ? id : kDefaultMaterial]; }
+};
+
+// "north wall, plaster" or "Table": the feature's name with its material where it has one. Empty for kNoFeature.
+std::string spoken_name(const Scene& scene, FeatureId id);
+
+// Checks sizes, indices and finiteness of a Scene that a reader or code built; says the first thing that is wrong.
+Result<void> validate(const Scene& scene);
+
+}  // namespace handrail
