@@ -1,1 +1,69 @@
 #include "haptic/device/device_spec.h"
+
+#include <array>
+#include <limits>
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+// Peak force, rating and radius of real models: the device profiles of CHAI3D 3.x, where nothing else is said. Damping 0.2 Ns/m and a
+// delay of 1 ms stand where nobody has published a measurement. Quanta: 450 dpi of the Touch from its data sheet; the Falcon's from its
+// kinematics, 0.06 mm at the middle. None of these was measured by us.
+constexpr std::array kSpecs{
+    // A device of mathematics: what replays use. No limit of force, no rate, reading and force at once.
+    DeviceSpec{"ideal", "ideal device", kNoLimit, 1000.0, 0.08, 0.0, 0.0, 0.0, 0.0},
+    // Simulated: a Touch and a Falcon as their profiles promise them.
+    DeviceSpec{"sim-t", "simulated Touch", 3.3, 400.0, 0.075, 0.2, 1e-3, 600.0, 0.055e-3},
+    DeviceSpec{"sim-f", "simulated Falcon", 8.0, 3000.0, 0.04, 0.2, 1e-3, 600.0, 0.06e-3},
+    // Real. 3D Systems, formerly SensAble.
+    DeviceSpec{"touch", "Touch", 3.3, 400.0, 0.075, 0.2, 1e-3, 600.0, 0.055e-3},
+    DeviceSpec{"omni", "Phantom Omni", 3.3, 700.0, 0.075, 0.2, 1e-3, 600.0, 0.055e-3},
+    // Radii of the next two: spheres inside the boxes of their data sheets, 160 x 120 x 120 mm and 381 x 267 x 191 mm.
+    DeviceSpec{"phantom-desktop", "Phantom Desktop", 7.9, 1000.0, 0.06, 0.2, 1e-3, 600.0},
+    DeviceSpec{"phantom-premium", "Phantom Premium 1.5", 8.5, 800.0, 0.095, 0.2, 1e-3, 600.0},
+    // Novint. CHAI3D rates it 8 N and 3000 N/m; its gain in newtons per motor count is unpublished, so an uncalibrated one is held at 3 N
+    // and 1000 N/m. Its serial chip answers 300 to 1000 times a second.
+    DeviceSpec{"falcon", "Falcon", 3.0, 1000.0, 0.04, 0.2, 1e-3, 300.0, 0.06e-3},
+    // Force Dimension. Their class shares one rated stiffness.
+    DeviceSpec{"omega", "omega", 12.0, 5000.0, 0.075, 0.2, 1e-3, 600.0},
+    DeviceSpec{"sigma", "sigma", 12.0, 5000.0, 0.075, 0.2, 1e-3, 600.0},
+    DeviceSpec{"lambda", "lambda", 12.0, 5000.0, 0.112, 0.2, 1e-3, 600.0},
+    DeviceSpec{"delta", "delta", 20.0, 5000.0, 0.15, 0.2, 1e-3, 600.0},
+    // Open hardware: its CHAI3D fork declares 5 N and 0.1 m; the rating is a guess until one is measured.
+    DeviceSpec{"wooden-haptics", "WoodenHaptics", 5.0, 1000.0, 0.1, 0.2, 1e-3, 600.0},
+};
+
+}  // namespace
+
+std::span<const DeviceSpec> device_specs() { return kSpecs; }
+
+const DeviceSpec* find_device_spec(std::string_view name) {
+    const std::string wanted = lower_ascii(name);
+    for (const DeviceSpec& spec : kSpecs)
+        if (spec.name == wanted) return &spec;
+    return nullptr;
+}
+
+std::vector<std::string> device_names() {
+    std::vector<std::string> names;
+    for (const DeviceSpec& spec : kSpecs) names.emplace_back(spec.name);
+    return names;
+}
+
+const DeviceSpec& ideal_device_spec() { return kSpecs.front(); }
+
+double effective_stiffness_n_per_m(const DeviceSpec& spec, double period_s, double damping_ns_per_m) noexcept {
+    constexpr double kLightGripNsPerM = 1.0;
+    constexpr double kDampingShare = 0.7;
+    constexpr double kSafety = 0.5;
+    constexpr double kDefaultWallFraction = 0.8;
+    const double damping = spec.device_damping_ns_per_m + kLightGripNsPerM + kDampingShare * damping_ns_per_m;
+    const double stable = kSafety * damping / (0.5 * period_s + spec.delay_s) / kDefaultWallFraction;
+    return stable < spec.rated_stiffness_n_per_m ? stable : spec.rated_stiffness_n_per_m;
+}
+
+}  // namespace handrail

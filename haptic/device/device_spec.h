@@ -1,32 +1,38 @@
-// Facts about device models as data: one row per model, no code. Sources stand beside each row.
+// Facts about device models as data: one row per model, no code. Sources stand beside each row. Immutable, any thread.
 #pragma once
 
-#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
-#include <string>
 
 namespace handrail {
 
 struct DeviceSpec {
-    std::string_view name;                     // as `--device` takes it, case-insensitive: "sim-t", "falcon"
-    std::string_view spoken_name;              // "simulated Touch"
-    double peak_force_n = 0.0;                 // infinity: none
-    double rated_stiffness_n_per_m = 1000.0;   // the 1.0 of every stiffness fraction, before the delay formula
-    double workspace_radius_m = 0.08;          // of a sphere the hand reaches, device frame
+    std::string_view name;                    // as `--device` takes it, case-insensitive: "sim-t", "falcon"
+    std::string_view spoken_name;             // "simulated Touch"
+    double peak_force_n = 0.0;                // infinity: none
+    double rated_stiffness_n_per_m = 1000.0;  // the 1.0 of every stiffness fraction, before the delay formula
+    double workspace_radius_m = 0.08;         // of a sphere the hand reaches, device frame
     double device_damping_ns_per_m = 0.2;
-    double delay_s = 1e-3;                     // t_d: from position read to force on the hand beyond the hold
-    double min_rate_hz = 600.0;                // slower than this for 20 ms fades the force
-    double encoder_quantum_m = 0.0;
+    double delay_s = 1e-3;           // t_d: from position read to force on the hand beyond the hold
+    double min_rate_hz = 600.0;      // slower than this for 20 ms fades the force; 0: never
+    double encoder_quantum_m = 0.0;  // step of the measured position along each axis; 0: not known or none
     bool kinesthetic = true;
 };
 
 std::span<const DeviceSpec> device_specs();
-// Exact, case-insensitive; nullptr when unknown.
+// Case-insensitive; nullptr when unknown.
 const DeviceSpec* find_device_spec(std::string_view name);
 std::vector<std::string> device_names();
 // No limits at all, rating 1000 N/m: what `touch` replays with by default.
 const DeviceSpec& ideal_device_spec();
+
+// The stiffness, in N per hand metre, that a fraction of 1 stands for: min(rating, 0.5 b_eff / (T/2 + t_d) / 0.8) with
+// b_eff = b_device + 1 Ns/m of a light grip + 0.7 B. Dividing by 0.8 puts the default wall (fraction 0.8) at half the highest stiffness
+// that stayed stable in simulations of a hand, a held force and a delay; a full wall (fraction 1) is then at five eighths of it.
+// period_s: measured time between device answers, > 0. damping_ns_per_m: B that the renderer adds along the normal, >= 0.
+// Sources: Colgate & Schenkel, Passivity of a class of sampled-data systems, 1997; Diolaiti et al., Stability of haptic rendering, 2006.
+double effective_stiffness_n_per_m(const DeviceSpec& spec, double period_s, double damping_ns_per_m) noexcept;
 
 }  // namespace handrail
