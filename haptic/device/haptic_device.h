@@ -12,24 +12,24 @@
 namespace handrail {
 
 struct DeviceSample {
-    Vec3 position_m{0.0};        // device frame; may be anything on a broken device, checked by servo_tick
-    std::uint32_t buttons = 0;   // bit 0 is the first
-    bool fresh = true;           // false when the device had no new answer for this tick
+    Vec3 position_m{0.0};       // device frame; may be anything on a broken device, checked by servo_tick
+    std::uint32_t buttons = 0;  // bit 0 is the first
+    bool fresh = true;          // false when the device had no new answer for this tick
     bool connected = true;
 };
 
 struct ForceCommand {
-    Vec3 force_n{0.0};           // on the hand, device frame
+    Vec3 force_n{0.0};  // on the hand, device frame
 };
 
 class HapticDevice {
 public:
     virtual ~HapticDevice() = default;
     virtual const DeviceSpec& spec() const = 0;
-    virtual Result<void> open() = 0;                            // app thread, before the servo starts
-    virtual DeviceSample read(double now_s) noexcept = 0;       // never blocks longer than 1 ms
+    virtual Result<void> open() = 0;                       // app thread, before the servo starts
+    virtual DeviceSample read(double now_s) noexcept = 0;  // never blocks longer than 1 ms
     virtual void write(const ForceCommand& command) noexcept = 0;
-    virtual void close() noexcept = 0;                          // zero force, then let go
+    virtual void close() noexcept = 0;  // zero force, then let go
 };
 
 }  // namespace handrail

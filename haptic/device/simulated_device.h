@@ -1,0 +1,95 @@
+// A force-feedback device made of equations, with the hand that holds it: what Handrail is driven by without hardware, in scenarios, in
+// tests and with mouse and keys. Deterministic: the same commands at the same times give the same samples, bit for bit.
+// Push and Rest use the hand of the closed-loop studies behind the stiffness rule: 0.3 kg and 3 Ns/m, on a device of 0.1 kg, its DeviceSpec's
+// damping and 0.05 N of dry friction. Follow is a hand that knows where it goes: a spring of 300 N/m, damped to a ratio of 0.8.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "haptic/device/haptic_device.h"
+#include "worlds/base/latest_value.h"
+
+namespace handrail {
+
+enum class HandMode : std::uint8_t {
+    Move,    // the device's point goes to target_m in a straight line at speed_m_per_s, whatever force acts, and stays exactly there
+    Follow,  // a hand that wants to be at target_m: spring of 300 N/m; mouse and keys
+    Push,    // a hand that presses with push_n and wants no place
+    Rest,    // Push, with a spring of 20 N/m towards target_m: an arm that leans
+};
+
+// What the simulated person does from now on. Device frame, metres and newtons.
+struct HandCommand {
+    HandMode mode = HandMode::Follow;
+    Vec3 target_m{0.0};
+    double speed_m_per_s = 0.0;  // Move only; 0 or less: there at once
+    Vec3 push_n{0.0};
+    std::uint32_t buttons = 0;
+};
+
+// Ways to break, for tests and scenarios. Each counts samples from the moment it is published; 0 is sound.
+struct DeviceTrouble {
+    int not_a_number_samples = 0;
+    int jump_samples = 0;  // jump_m is added to the position; negative: for good
+    Vec3 jump_m{0.0};
+    int silent_samples = 0;  // no new answer: the last position again, fresh = false; negative: for good
+    bool unplugged = false;
+};
+
+// Where the hand truly is and what it feels: no encoder step, no trouble. For drawing, scenarios and tests.
+struct HandState {
+    double time_s = 0.0;
+    Vec3 position_m{0.0};
+    Vec3 velocity_m_per_s{0.0};
+    Vec3 force_n{0.0};  // from the motors
+};
+
+// Between the thread that moves the hand and the servo thread; each value has one producer and one consumer.
+struct SimulatedHand {
+    LatestValue<HandCommand> command;    // app -> servo
+    LatestValue<DeviceTrouble> trouble;  // app -> servo
+    LatestValue<HandState> state;        // servo -> app
+};
+
+// Steps of at most 0.1 ms between reads, with the last written force held and, in modes other than Move, felt delay_s later.
+// The point never leaves the sphere of workspace_radius_m but by Move. About 0.5 us per 1 ms tick.
+class SimulatedDevice final : public HapticDevice {
+public:
+    // The hand starts at rest in `start_m`. `hand` is shared with whoever moves it; never null.
+    SimulatedDevice(const DeviceSpec& spec, std::shared_ptr<SimulatedHand> hand, const Vec3& start_m = Vec3(0.0));
+
+    const DeviceSpec& spec() const override { return spec_; }
+    Result<void> open() override;
+    DeviceSample read(double now_s) noexcept override;
+    void write(const ForceCommand& command) noexcept override;
+    void close() noexcept override;
+
+private:
+    struct HeldForce {
+        double from_s = 0.0;  // when the hand begins to feel it
+        Vec3 force_n{0.0};
+    };
+    static constexpr std::size_t kHeldForces = 64;  // 64 ms of delay at 1 kHz; older ones are lost first
+
+    void step(double to_s) noexcept;
+    Vec3 motor_force_n(double time_s) noexcept;
+    Vec3 measured_m() const noexcept;
+
+    DeviceSpec spec_;
+    std::shared_ptr<SimulatedHand> hand_;
+    // All below: servo thread only.
+    HandCommand command_;
+    DeviceTrouble trouble_;
+    bool started_ = false;
+    double time_s_ = 0.0;
+    Vec3 position_m_{0.0};
+    Vec3 velocity_m_per_s_{0.0};
+    Vec3 felt_n_{0.0};
+    Vec3 last_answer_m_{0.0};
+    std::array<HeldForce, kHeldForces> held_{};
+    std::size_t held_first_ = 0, held_count_ = 0;
+};
+
+}  // namespace handrail

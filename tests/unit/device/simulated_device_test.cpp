@@ -1,0 +1,180 @@
+#include "haptic/device/simulated_device.h"
+
+#include <vector>
+
+#include "tests/support/precompiled.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kTick = 1e-3;
+
+// A device without encoder steps and delay, so that the hand's own mechanics can be compared with formulas.
+DeviceSpec plain_spec() {
+    DeviceSpec spec = ideal_device_spec();
+    spec.workspace_radius_m = 1e3;
+    return spec;
+}
+
+struct Bench {
+    std::shared_ptr<SimulatedHand> hand = std::make_shared<SimulatedHand>();
+    SimulatedDevice device;
+    double now_s = 100.0;
+
+    explicit Bench(const DeviceSpec& spec, const Vec3& start_m = Vec3(0.0)) : device(spec, hand, start_m) {
+        EXPECT_TRUE(device.open());
+        device.read(now_s);
+    }
+    DeviceSample tick(const Vec3& force_n = Vec3(0.0)) {
+        device.write({force_n});
+        now_s += kTick;
+        return device.read(now_s);
+    }
+    HandState truth() {
+        hand->state.refresh();
+        return hand->state.read();
+    }
+};
+
+TEST(SimulatedDevice, move_puts_the_point_exactly_where_it_is_told_against_any_force) {
+    Bench bench(*find_device_spec("sim-t"));
+    const Vec3 target(0.0123456789, -0.01, 0.2);  // off the encoder's steps, and beyond the reach of a hand
+    bench.hand->command.publish({HandMode::Move, target, 0.0, Vec3(0.0), 1});
+    for (int i = 0; i < 10; ++i) {
+        const DeviceSample sample = bench.tick(Vec3(5, 5, 5));
+        EXPECT_EQ(sample.position_m, target);
+        EXPECT_EQ(sample.buttons, 1u);
+        EXPECT_TRUE(sample.fresh && sample.connected);
+    }
+}
+
+TEST(SimulatedDevice, move_with_a_speed_goes_straight_at_that_speed_and_stops_there) {
+    Bench bench(*find_device_spec("sim-t"));
+    const Vec3 target(0.03, 0.04, 0.0);  // 50 mm away: 500 ticks at 0.1 m/s
+    bench.hand->command.publish({HandMode::Move, target, 0.1, Vec3(0.0), 0});
+    for (int i = 1; i < 500; ++i) {
+        const DeviceSample sample = bench.tick();
+        ASSERT_NEAR(glm::length(sample.position_m), i * 1e-4, 1e-9);
+        ASSERT_NEAR(glm::length(glm::cross(sample.position_m, target)), 0.0, 1e-12);
+    }
+    bench.tick();
+    EXPECT_EQ(bench.tick().position_m, target);
+}
+
+TEST(SimulatedDevice, push_accelerates_a_hand_towards_push_over_damping) {
+    Bench bench(plain_spec());
+    bench.hand->command.publish({HandMode::Push, Vec3(0.0), 0.0, Vec3(0.35, 0, 0), 0});
+    for (int i = 0; i < 2000; ++i) bench.tick();
+    // 0.35 N less 0.05 N of dry friction over 3 Ns/m.
+    EXPECT_NEAR(bench.truth().velocity_m_per_s.x, 0.1, 1e-4);
+    EXPECT_NEAR(bench.truth().velocity_m_per_s.y, 0.0, 1e-12);
+}
+
+TEST(SimulatedDevice, dry_friction_holds_a_light_push) {
+    Bench bench(plain_spec());
+    bench.hand->command.publish({HandMode::Push, Vec3(0.0), 0.0, Vec3(0.049, 0, 0), 0});
+    for (int i = 0; i < 1000; ++i) bench.tick();
+    EXPECT_EQ(bench.truth().position_m, Vec3(0.0));
+}
+
+TEST(SimulatedDevice, rest_leans_on_a_soft_spring_and_follow_on_a_stiff_one) {
+    for (const auto& [mode, stiffness] : {std::pair{HandMode::Rest, 20.0}, std::pair{HandMode::Follow, 300.0}}) {
+        Bench bench(plain_spec());
+        bench.hand->command.publish({mode, Vec3(0.0), 0.0, Vec3(0.0), 0});
+        for (int i = 0; i < 5000; ++i) bench.tick(Vec3(0, 1, 0));
+        // 1 N from the motors, give or take the dry friction.
+        EXPECT_NEAR(bench.truth().position_m.y, 1.0 / stiffness, 0.0501 / stiffness);
+    }
+}
+
+TEST(SimulatedDevice, follows_its_target_with_little_overshoot) {
+    Bench bench(plain_spec());
+    bench.hand->command.publish({HandMode::Follow, Vec3(0.02, 0, 0), 0.0, Vec3(0.0), 0});
+    double farthest = 0.0;
+    for (int i = 0; i < 4000; ++i) farthest = std::max(farthest, bench.tick().position_m.x);
+    EXPECT_NEAR(bench.truth().position_m.x, 0.02, 2e-4);
+    EXPECT_GT(farthest, 0.019);
+    // Damping ratio 18 / (2 sqrt(300 * 0.4)) = 0.82: overshoot exp(-pi 0.82 / sqrt(1 - 0.82^2)) = 1.1 %, less what dry friction takes.
+    EXPECT_LT(farthest, 0.02 * 1.012);
+}
+
+TEST(SimulatedDevice, positions_come_in_encoder_steps_near_the_truth) {
+    const DeviceSpec& spec = *find_device_spec("sim-t");
+    Bench bench(spec);
+    bench.hand->command.publish({HandMode::Push, Vec3(0.0), 0.0, Vec3(0.3, 0.2, -0.1), 0});
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 measured = bench.tick().position_m;
+        const Vec3 truth = bench.truth().position_m;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double steps = measured[axis] / spec.encoder_quantum_m;
+            ASSERT_NEAR(steps, std::round(steps), 1e-9);
+            ASSERT_LE(std::abs(measured[axis] - truth[axis]), 0.5 * spec.encoder_quantum_m * (1 + 1e-9));
+        }
+    }
+}
+
+TEST(SimulatedDevice, stops_at_the_end_of_its_reach) {
+    const DeviceSpec& spec = *find_device_spec("sim-f");
+    Bench bench(spec);
+    bench.hand->command.publish({HandMode::Push, Vec3(0.0), 0.0, Vec3(3, 0, 0), 0});
+    for (int i = 0; i < 1000; ++i) bench.tick();
+    EXPECT_NEAR(bench.truth().position_m.x, spec.workspace_radius_m, 1e-12);
+    EXPECT_EQ(bench.truth().velocity_m_per_s, Vec3(0.0));
+}
+
+TEST(SimulatedDevice, a_force_is_felt_its_delay_later) {
+    DeviceSpec spec = plain_spec();
+    spec.delay_s = 2e-3;
+    Bench bench(spec);
+    bench.hand->command.publish({HandMode::Push, Vec3(0.0), 0.0, Vec3(0.0), 0});
+    bench.tick(Vec3(1, 0, 0));
+    bench.tick(Vec3(1, 0, 0));
+    EXPECT_EQ(bench.truth().position_m.x, 0.0);
+    bench.tick(Vec3(1, 0, 0));
+    EXPECT_GT(bench.truth().position_m.x, 0.0);
+}
+
+TEST(SimulatedDevice, has_the_troubles_it_is_given_and_no_others) {
+    Bench bench(*find_device_spec("sim-t"));
+    bench.hand->command.publish({HandMode::Move, Vec3(0.01, 0, 0), 0.0, Vec3(0.0), 0});
+    bench.tick();
+    DeviceTrouble trouble;
+    trouble.not_a_number_samples = 2;
+    bench.hand->trouble.publish(trouble);
+    EXPECT_FALSE(is_finite(bench.tick().position_m));
+    EXPECT_FALSE(is_finite(bench.tick().position_m));
+    EXPECT_EQ(bench.tick().position_m, Vec3(0.01, 0, 0));
+    trouble = {};
+    trouble.jump_samples = 1;
+    trouble.jump_m = Vec3(0, 0.05, 0);
+    bench.hand->trouble.publish(trouble);
+    EXPECT_EQ(bench.tick().position_m, Vec3(0.01, 0.05, 0));
+    EXPECT_EQ(bench.tick().position_m, Vec3(0.01, 0, 0));
+    trouble = {};
+    trouble.silent_samples = 3;
+    bench.hand->trouble.publish(trouble);
+    for (int i = 0; i < 3; ++i) EXPECT_FALSE(bench.tick().fresh);
+    EXPECT_TRUE(bench.tick().fresh);
+    trouble = {};
+    trouble.unplugged = true;
+    bench.hand->trouble.publish(trouble);
+    for (int i = 0; i < 3; ++i) EXPECT_FALSE(bench.tick().connected);
+    bench.hand->trouble.publish(DeviceTrouble{});
+    EXPECT_TRUE(bench.tick().connected);
+}
+
+TEST(SimulatedDevice, same_commands_give_the_same_samples_bit_for_bit) {
+    const auto run = [] {
+        Bench bench(*find_device_spec("sim-f"));
+        std::vector<Vec3> seen;
+        for (int i = 0; i < 2000; ++i) {
+            if (i % 17 == 0) bench.hand->command.publish({HandMode::Follow, Vec3(0.001 * (i % 13), 0.002 * (i % 5), 0), 0.0, Vec3(0.0), 0});
+            seen.push_back(bench.tick(Vec3(0.1 * (i % 3), 0, -0.2)).position_m);
+        }
+        return seen;
+    };
+    EXPECT_EQ(run(), run());
+}
+
+}  // namespace
+}  // namespace handrail
