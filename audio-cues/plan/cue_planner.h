@@ -2,9 +2,12 @@
 // time, so scenarios replay it exactly. One thread (the audio thread; in scenarios the only one).
 #pragma once
 
+#include <deque>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "audio-cues/plan/sinks.h"
@@ -15,25 +18,25 @@
 namespace handrail {
 
 enum class CueRequestKind : std::uint8_t {
-    Say,          // text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
-    Footstep,     // material, position
-    Bump,         // body met `feature` at `position`
-    WallTone,     // loudness by distance, at `position`; loudness 0: off
-    StopSpeech,   // Control key
-    SilenceAll,   // F12
-    Play,         // sound kind at position
-    Repeat,       // last utterance again
+    Say,         // text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
+    Footstep,    // material, position
+    Bump,        // body met `feature` at `position`; thud, and its name unless that was said within 5 s
+    WallTone,    // loudness by distance, at `position`; loudness 0: off
+    StopSpeech,  // Control key: the voice is silent and what waited to be said is dropped
+    SilenceAll,  // F12: voice and sounds; loops stay off until the next step, bump or touch
+    Play,        // sound kind at position
+    Repeat,      // last utterance again
 };
 
 // What the app asks to be heard; sent through a queue to the audio thread.
 struct CueRequest {
     CueRequestKind kind = CueRequestKind::Say;
-    double time_s = 0.0;
+    double time_s = 0.0;  // Answers of one and the same time are one reply: said one after the other
     std::string text;
     SpeechClass speech_class = SpeechClass::Answer;
     bool repeatable = false;
     SoundKind sound = SoundKind::Beep;
-    SoundClass material = SoundClass::Generic;
+    SoundClass material = SoundClass::Generic;  // Generic on a Bump: the material of `feature`
     FeatureId feature = kNoFeature;
     Vec3 position_m{0.0};
     double loudness = 1.0;
@@ -53,19 +56,81 @@ struct CueInputs {
     Listener listener;
 };
 
+// What is said of a thing that is touched or met, by Settings::Speech::verbosity:
+//   0 ""   1 "North wall"   2 "North wall, plaster", a door with the side of its handle   3 also hinge and description   4 also size.
+// Empty when the feature has no name. Two levels up is what a second press of the same question wants.
+std::string describe_feature(const Scene& scene, FeatureId id, int verbosity);
+
+// Speech. Names and hints are silent, in every sink, at verbosity 0 ("sounds only"); alarms and answers are said at every level, since
+// a person who asks is owed an answer. A text is not said twice within 5 s unless its request is `repeatable`. A name is said 40 ms
+// after the touch, the newest one only, so that a corner gives one name and not two halves; while an answer or alarm is speaking, it
+// waits and is dropped when the hand has left meanwhile.
+// Sounds. Loudness is the product of Settings::Sound; alarms never fall below 0.2. Contact sounds do not follow the 5 s rule; only the
+// same feature within 50 ms is chatter and is heard once.
 class CuePlanner {
 public:
     explicit CuePlanner(Settings settings);
     void set_settings(const Settings& settings);
-    void enter_world(std::shared_ptr<const Scene> scene);       // names and materials to speak of
-    // Handles all inputs in order and drives the sinks.
+    void enter_world(std::shared_ptr<const Scene> scene);  // names and materials to speak of; forgets what the hand touched
+    // Handles all inputs in order, contacts first, and drives the sinks, their tick() included. `now_s` never goes back.
     void tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech);
-    const std::vector<SpokenLine>& spoken() const { return spoken_; }   // at most the last 500 lines
+    // At the end: what still waits is written, so that text sinks hold every answer.
+    void flush(double now_s, SpeechSink& speech);
+    bool waiting() const { return !alarms_.empty() || !answers_.empty(); }
+    const std::vector<SpokenLine>& spoken() const { return spoken_; }  // at most the last kMaxSpoken lines
+    std::uint64_t spoken_in_all() const { return spoken_in_all_; }
+
+    static constexpr std::size_t kMaxSpoken = 500;
 
 private:
-    std::vector<SpokenLine> spoken_;
+    struct Waiting {
+        Utterance utterance;
+        double due_s = 0.0;    // not said before
+        double asked_s = 0.0;  // time of the request or event
+        bool repeatable = false;
+        FeatureId touched = kNoFeature;  // a name: dropped when this is no longer touched
+        double expires_s = 0.0;          // names only: kept that long even when the hand has left
+    };
+    struct RecentContact {
+        FeatureId feature;
+        double time_s = 0.0;
+    };
+
+    void on_contact(const ContactEvent& event, AudioSink& audio);
+    void on_request(const CueRequest& request, double now_s, AudioSink& audio, SpeechSink& speech);
+    void ask(const std::string& text, SpeechClass speech_class, double asked_s, bool repeatable);
+    void answer(Waiting waiting, double now_s, SpeechSink& speech);
+    void write_waiting(std::deque<Waiting>& queue, double now_s, SpeechSink& speech);
+    void name_touched(FeatureId feature, double time_s, double settle_s, double keep_s);
+    void touch(FeatureId feature);
+    bool is_touched(FeatureId feature) const;
+    void stop_slide(AudioSink& audio);
+    void speak_waiting(double now_s, SpeechSink& speech);
+    bool keep_line(const Waiting& waiting, double now_s);  // false: said within 5 s
+    void say_now(const Waiting& waiting, double now_s, SpeechSink& speech);
+    double volume_of(SoundKind kind) const;
+    void play(SoundCue cue, AudioSink& audio) const;
+    SoundClass sound_of(MaterialId material) const;
+
     Settings settings_;
     std::shared_ptr<const Scene> scene_;
+
+    std::vector<SpokenLine> spoken_;
+    std::uint64_t spoken_in_all_ = 0;
+    std::unordered_map<std::string, double> said_at_s_;  // texts of the last 5 s
+    std::deque<Waiting> alarms_, answers_;
+    std::optional<Waiting> name_, hint_;
+    SpeechClass speaking_class_ = SpeechClass::Ambient;  // of the last utterance; counts while the sink is speaking
+    double speaking_asked_s_ = 0.0;
+
+    std::vector<FeatureId> touched_;     // what the hand touches now
+    std::vector<RecentContact> recent_;  // contact sounds of the last 50 ms
+    bool sliding_ = false;
+    FeatureId slide_feature_;
+    double slide_s_ = 0.0;  // time of the last slide event
+    bool wall_tone_on_ = false;
+    bool hushed_ = false;  // after SilenceAll, until something happens
+    bool left_foot_ = false;
 };
 
 }  // namespace handrail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "worlds/base/vec.h"
@@ -9,7 +10,8 @@
 
 namespace handrail {
 
-// Who may interrupt whom: a class cuts itself short and everything after it in this list, never anything before it.
+// Who may interrupt whom: a class cuts itself short and everything after it in this list, never anything before it. Alarms alone wait
+// for each other, so that none is lost. CuePlanner keeps these rules; a sink that is told to say something always says it at once.
 enum class SpeechClass : std::uint8_t {
     Alarm,    // safety: cuts all
     Answer,   // reply to a key
@@ -18,36 +20,51 @@ enum class SpeechClass : std::uint8_t {
 };
 
 struct Utterance {
-    std::string text;
+    std::string text;  // one line of valid UTF-8 without control characters (see speakable)
     SpeechClass speech_class = SpeechClass::Answer;
+    double loudness = 1.0;  // 0 to 1; text sinks take no notice
 };
 
 class SpeechSink {
 public:
     virtual ~SpeechSink() = default;
-    virtual void say(const Utterance& utterance) = 0;   // returns at once; starts after interrupting what is running
-    virtual void stop() = 0;                            // silence at once, queue dropped
-    virtual bool speaking() const = 0;
+    virtual void say(const Utterance& utterance) = 0;      // returns at once; starts after interrupting what is running
+    virtual void write(const Utterance& /*utterance*/) {}  // text that is not voiced any more (its turn passed); for sinks that keep text
+    virtual void stop() = 0;                               // silence at once
+    virtual bool speaking() const = 0;                     // from the moment of say() until the last sample; text alone takes no time
+    virtual void tick(double /*now_s*/) {}                 // housekeeping, about every 5 ms
+    // A sentence about the sink itself, fit to be spoken ("There is no voice ..."); each is given once.
+    virtual std::optional<std::string> news() { return std::nullopt; }
 };
 
 enum class SoundKind : std::uint8_t {
-    Contact,    // hand meets a surface
-    Slide,      // loop while the hand slides
+    Contact,  // hand meets a surface
+    Slide,    // loop while the hand slides
     Footstep,
-    Bump,       // body meets a wall
-    WallTone,   // loop, soft, at the side of the nearest wall
+    Bump,      // body meets a wall
+    WallTone,  // loop, soft, at the side of the nearest wall
     Splash,
-    Denied, ForcesOn, ForcesOff, TurnTick, FrameSwitch, Arrived, Alarm, Beep,
+    // Earcons: heard in the middle of the head, wherever their position is.
+    Denied,
+    ForcesOn,
+    ForcesOff,
+    TurnTick,
+    FrameSwitch,
+    Arrived,
+    Alarm,
+    Beep,
 };
+inline constexpr int kSoundKinds = static_cast<int>(SoundKind::Beep) + 1;
+inline bool is_earcon(SoundKind kind) noexcept { return kind >= SoundKind::Denied; }
 
 // A sound at a place. Loops keep sounding under their kind until set_loop gives them volume 0.
 struct SoundCue {
     SoundKind kind = SoundKind::Contact;
     SoundClass material = SoundClass::Generic;
-    Vec3 position_m{0.0};          // world
-    double loudness = 1.0;         // 0 to 1
-    double pitch = 1.0;            // factor
-    double event_time_s = 0.0;     // when what it tells of happened; latency is counted from here
+    Vec3 position_m{0.0};       // world
+    double loudness = 1.0;      // 0 to 1
+    double pitch = 1.0;         // factor
+    double event_time_s = 0.0;  // when what it tells of happened; latency is counted from here
 };
 
 struct Listener {
@@ -59,10 +76,12 @@ class AudioSink {
 public:
     virtual ~AudioSink() = default;
     virtual void play(const SoundCue& cue) = 0;
-    virtual void set_loop(const SoundCue& cue) = 0;     // one loop per kind; loudness 0 fades it out
+    virtual void set_loop(const SoundCue& cue) = 0;  // one loop per kind; loudness 0 fades it out
     virtual void set_listener(const Listener& listener) = 0;
-    virtual void stop_all() = 0;                        // every sound but speech, at once, click-free
-    virtual void tick(double now_s) = 0;                // housekeeping, about every 5 ms
+    virtual void stop_all() = 0;          // every sound but speech, at once, click-free
+    virtual void tick(double now_s) = 0;  // housekeeping, about every 5 ms
+    // A sentence about the sink itself, fit to be spoken ("The sound device was lost ..."); each is given once.
+    virtual std::optional<std::string> news() { return std::nullopt; }
 };
 
 }  // namespace handrail

@@ -1,0 +1,81 @@
+// Sinks that keep what they are given instead of sounding: for scenarios and tests, on virtual time. One thread.
+// What they hold is what a person would have heard, as far as it can be told without samples; OpenALSink's tests measure those.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "audio-cues/plan/sinks.h"
+
+namespace handrail {
+
+// A sound as it would have started.
+struct HeardSound {
+    SoundCue cue;
+    double time_s = 0.0;     // stream time of its first sample
+    double latency_s = 0.0;  // time_s - cue.event_time_s
+};
+
+// The first sample of a sound stands at the start of the mixing period after play(): 256 samples at 48 kHz, as OpenALSink mixes.
+class RecordingAudio final : public AudioSink {
+public:
+    static constexpr double kPeriod_s = 256.0 / 48000.0;
+
+    void play(const SoundCue& cue) override;
+    void set_loop(const SoundCue& cue) override;
+    void set_listener(const Listener& listener) override { listener_ = listener; }
+    void stop_all() override;
+    void tick(double now_s) override { now_s_ = now_s; }
+
+    const std::vector<HeardSound>& sounds() const { return sounds_; }         // one-shots in order
+    const std::vector<HeardSound>& loop_changes() const { return changes_; }  // each call that changed a loop's loudness, pitch, place or material
+    std::optional<SoundCue> loop(SoundKind kind) const;                       // what sounds now under this kind
+    const std::vector<double>& silences_s() const { return silences_s_; }     // when stop_all was called
+    const Listener& listener() const { return listener_; }
+
+private:
+    HeardSound heard(const SoundCue& cue) const;
+
+    double now_s_ = 0.0;
+    Listener listener_;
+    std::vector<HeardSound> sounds_, changes_;
+    std::array<std::optional<SoundCue>, kSoundKinds> loops_;
+    std::vector<double> silences_s_;
+};
+
+// An utterance as it would have been spoken.
+struct HeardSpeech {
+    Utterance utterance;
+    double time_s = 0.0;
+    double end_s = 0.0;  // when it was over or cut
+    bool cut = false;    // by stop() or by another one
+    bool voiced = true;  // false: only written (its turn had passed)
+};
+
+// Speaks in no time by default; with a rate, each utterance lasts as long as a voice at that rate would take (0.1 s and its words).
+class RecordingSpeech final : public SpeechSink {
+public:
+    explicit RecordingSpeech(double words_per_minute = 0.0) : words_per_minute_(words_per_minute) {}
+
+    void say(const Utterance& utterance) override;
+    void write(const Utterance& utterance) override;
+    void stop() override;
+    bool speaking() const override;
+    void tick(double now_s) override { now_s_ = now_s; }
+
+    const std::vector<HeardSpeech>& lines() const { return lines_; }
+    const std::vector<double>& stops_s() const { return stops_s_; }  // when stop() was called
+
+private:
+    void cut();
+
+    double words_per_minute_;
+    double now_s_ = 0.0;
+    std::vector<HeardSpeech> lines_;
+    std::optional<std::size_t> voiced_;  // index of the last voiced line
+    std::vector<double> stops_s_;
+};
+
+}  // namespace handrail

@@ -1,1 +1,0 @@
-#include "audio-cues/plan/sinks.h"

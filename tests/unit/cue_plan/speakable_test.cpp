@@ -1,0 +1,43 @@
+#include "audio-cues/plan/speakable.h"
+
+#include <gtest/gtest.h>
+
+namespace handrail {
+namespace {
+
+TEST(Speakable, leaves_clean_text_unchanged) {
+    for (const char* text : {"", "north wall, plaster", "Café", "東京", "🚪 door"}) EXPECT_EQ(speakable(text), text);
+}
+
+TEST(Speakable, makes_one_line_of_several) {
+    EXPECT_EQ(speakable("  You need\r\nthe\tgold \n\n key\x7f "), "You need the gold key");
+    EXPECT_EQ(speakable(std::string_view("a\0b", 3)), "a b");
+    EXPECT_EQ(speakable("bell\x1b[2J"), "bell [2J");  // no escape sequence reaches a terminal
+    EXPECT_EQ(speakable("next\xc2\x85line"), "next line");
+}
+
+TEST(Speakable, reads_what_is_no_utf8_as_latin1) {
+    EXPECT_EQ(speakable("Caf\xe9"), "Café");
+    EXPECT_EQ(speakable("\xc0\xaf"), "À¯");              // overlong slash is not a slash
+    EXPECT_EQ(speakable("\xe6\x9d"), "æ");               // cut sequence: 9d is a control in Latin-1
+    EXPECT_EQ(speakable("\xed\xa0\x80x"), "í\u00a0 x");  // a surrogate is no character; 80 is a control
+}
+
+TEST(Speakable, gives_valid_utf8_for_every_pair_of_bytes) {
+    for (int a = 0; a < 256; ++a)
+        for (int b = 0; b < 256; ++b) {
+            const std::string text{static_cast<char>(a), static_cast<char>(b)};
+            const std::string once = speakable(text);
+            ASSERT_EQ(speakable(once), once) << a << " " << b;
+        }
+}
+
+TEST(SentenceCase, raises_the_first_ascii_letter_only) {
+    EXPECT_EQ(sentence_case("north wall"), "North wall");
+    EXPECT_EQ(sentence_case("Table"), "Table");
+    EXPECT_EQ(sentence_case("écran"), "écran");
+    EXPECT_EQ(sentence_case(""), "");
+}
+
+}  // namespace
+}  // namespace handrail
