@@ -1,0 +1,57 @@
+// Speech as text, always on: one UTF-8 line per announcement, "say: " or "alert: " before it, no cursor movement, so that screen
+// readers on a console, braille displays, pipes and logs can use it. One thread (the audio thread).
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "audio-cues/plan/sinks.h"
+
+namespace handrail {
+
+// Writes each line at once, unbuffered, to a file descriptor that stays the caller's (standard output: 1). Never waits and never raises
+// SIGPIPE: where the reader is slow, up to kMostBacklog bytes are kept for later ticks and lines beyond that are left out; where the
+// reader has gone, the sink goes quiet for good.
+class TextSpeech final : public SpeechSink {
+public:
+    static constexpr std::size_t kMostBacklog = 64 * 1024;
+
+    explicit TextSpeech(int file_descriptor) : fd_(file_descriptor) {}
+    ~TextSpeech() override;  // waits at most 0.2 s for a slow reader to take the rest
+    TextSpeech(const TextSpeech&) = delete;
+    TextSpeech& operator=(const TextSpeech&) = delete;
+
+    void say(const Utterance& utterance) override { write(utterance); }
+    void write(const Utterance& utterance) override;
+    void stop() override {}
+    bool speaking() const override { return false; }
+    void tick(double now_s) override;
+
+    bool reader_gone() const { return gone_; }
+
+private:
+    void drain(int timeout_ms);
+
+    int fd_;
+    bool gone_ = false;
+    std::string backlog_;
+};
+
+// Gives everything to each of several sinks, in order.
+class TeeSpeech final : public SpeechSink {
+public:
+    explicit TeeSpeech(std::vector<std::unique_ptr<SpeechSink>> sinks) : sinks_(std::move(sinks)) {}
+
+    void say(const Utterance& utterance) override;
+    void write(const Utterance& utterance) override;
+    void stop() override;
+    bool speaking() const override;  // any of them
+    void tick(double now_s) override;
+    std::optional<std::string> news() override;
+
+private:
+    std::vector<std::unique_ptr<SpeechSink>> sinks_;
+};
+
+}  // namespace handrail
