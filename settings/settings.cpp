@@ -1,1 +1,384 @@
 #include "settings/settings.h"
+
+#include <toml++/toml.h>
+
+#include <cstdlib>
+#include <map>
+#include <sstream>
+#include <unordered_map>
+
+#include "settings/table.h"
+#include "worlds/base/contract.h"
+#include "worlds/base/files.h"
+#include "worlds/base/overloaded.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kLongestFileBytes = std::size_t{1} << 20;
+constexpr std::string_view kDevicePrefix = "workspace.device.";
+constexpr std::string_view kKeysPrefix = "keys.";
+
+struct Entry {
+    SettingValue value;
+    std::string origin;
+};
+using Layer = std::map<std::string, Entry>;  // by full key; device and command names as they were written
+
+// A full key seen as an entry of one of the open families.
+struct DeviceKey {
+    std::string device;
+    const OverrideInfo* field;
+};
+
+std::optional<DeviceKey> split_device_key(std::string_view key) {
+    if (!key.starts_with(kDevicePrefix)) return std::nullopt;
+    key.remove_prefix(kDevicePrefix.size());
+    const std::size_t dot = key.rfind('.');
+    if (dot == std::string_view::npos || dot == 0) return std::nullopt;
+    std::string_view device = key.substr(0, dot);
+    if (device.size() > 2 && device.front() == '"' && device.back() == '"') device = device.substr(1, device.size() - 2);
+    if (device.find('"') != std::string_view::npos || !is_short_text(device)) return std::nullopt;
+    for (const OverrideInfo& info : override_table())
+        if (info.field == key.substr(dot + 1)) return DeviceKey{lower_ascii(device), &info};
+    return std::nullopt;
+}
+
+// One spelling for each key: device names in lower case.
+std::string canonical_key(std::string_view key) {
+    if (const auto device = split_device_key(key)) return fmt::format("{}{}.{}", kDevicePrefix, device->device, device->field->field);
+    return std::string(key);
+}
+
+bool is_command_word(std::string_view word) {
+    const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-'; };
+    return !word.empty() && word.size() <= 64 && std::all_of(word.begin(), word.end(), fits);
+}
+
+// Nothing for what no setting takes: lists, dates and times.
+std::optional<SettingValue> from_toml(const toml::node& node) {
+    if (const auto* v = node.as_boolean()) return v->get();
+    if (const auto* v = node.as_integer()) return v->get();
+    if (const auto* v = node.as_floating_point()) return v->get();
+    if (const auto* v = node.as_string()) return v->get();
+    return std::nullopt;
+}
+
+// As TOML writes it; numbers in the fewest digits that read back the same.
+std::string toml_text(const SettingValue& value) {
+    return std::visit(Overloaded{[](bool v) { return std::string(v ? "true" : "false"); }, [](std::int64_t v) { return fmt::format("{}", v); },
+                                 [](double v) {
+                                     const std::string digits = fmt::format("{}", v);
+                                     return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
+                                 },
+                                 [](const std::string& v) {
+                                     std::string text = "\"";
+                                     for (const char c : v) {
+                                         if (c == '"' || c == '\\') text += '\\';
+                                         text += c;
+                                     }
+                                     return text + '"';
+                                 }},
+                      value);
+}
+
+Result<toml::table> parse(const std::string& content, const fs::path& path) {
+    try {
+        return toml::parse(content, path.string());
+    } catch (const toml::parse_error& error) {
+        return fail(fmt::format("The settings file is damaged: {}.", std::string(error.description())), path.filename().string(),
+                    static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column));
+    }
+}
+
+// A guard against losing what a person wrote: true if `text` reads back as exactly this table.
+bool says_the_same(const std::string& text, const toml::table& table) {
+    try {
+        return toml::parse(text) == table;
+    } catch (const toml::parse_error&) {
+        return false;
+    }
+}
+
+// Puts one value into a table, making the tables on its way. A value that stands where a table is needed gives way.
+void put(toml::table& root, std::span<const std::string> path, const SettingValue& value) {
+    toml::table* table = &root;
+    for (const std::string& name : path.first(path.size() - 1)) {
+        toml::table* inner = (*table)[name].as_table();
+        if (!inner) {
+            table->insert_or_assign(name, toml::table{});
+            inner = (*table)[name].as_table();
+        }
+        table = inner;
+    }
+    std::visit([&](const auto& v) { table->insert_or_assign(path.back(), v); }, value);
+}
+
+// Where the `column`th character (from 1) of the `line`th line (from 1) starts in `text`.
+std::size_t offset_of(const std::string& text, const toml::source_position& place) {
+    std::size_t at = 0;
+    for (toml::source_index line = 1; line < place.line && at < text.size(); ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+    for (toml::source_index column = 1; column < place.column && at < text.size(); ++column) {
+        do ++at;
+        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80);
+    }
+    return at;
+}
+
+// The file's text with one value changed or added and everything else, comments too, as it was. Right for files written in the usual
+// way, with [tables]; the caller checks the outcome by reading it back.
+std::string with_value(std::string text, std::span<const std::string> path, const SettingValue& value) {
+    try {
+        const toml::table table = toml::parse(text);
+        const toml::node* node = &table;
+        for (const std::string& name : path) node = node && node->as_table() ? node->as_table()->get(name) : nullptr;
+        if (node) {
+            const std::size_t begin = offset_of(text, node->source().begin);
+            return text.replace(begin, offset_of(text, node->source().end) - begin, toml_text(value));
+        }
+    } catch (const toml::parse_error&) {
+        return text;
+    }
+    const bool device = path.size() == 4;
+    const std::string header = device ? fmt::format("[workspace.device.{}]", toml_text(path[2])) : fmt::format("[{}]", path[0]);
+    const std::string line = fmt::format("{} = {}\n", path.back(), toml_text(value));
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
+        if (std::string_view(text).substr(at, end - at).starts_with(header)) {
+            if (text[end - 1] != '\n') text += '\n';
+            return text.insert(text.find('\n', at) + 1, line);
+        }
+        at = end;
+    }
+    if (!text.empty() && text.back() != '\n') text += '\n';
+    return text + (text.empty() ? "" : "\n") + header + "\n" + line;
+}
+
+std::vector<std::string> path_of(std::string_view key) {
+    if (const auto device = split_device_key(key)) return {"workspace", "device", device->device, std::string(device->field->field)};
+    const std::size_t dot = key.find('.');
+    return {std::string(key.substr(0, dot)), std::string(key.substr(dot + 1))};
+}
+
+}  // namespace
+
+struct SettingsStore::Impl {
+    std::vector<std::string> command_words;
+    std::map<SettingSource, Layer> layers;  // weakest first
+    fs::path user_file;
+    Settings values;
+
+    // The names a person may have meant, for the sentence about an unknown one.
+    std::string nearest_key(std::string_view key) const {
+        std::vector<std::string> names;
+        if (key.starts_with(kDevicePrefix) && key.rfind('.') >= kDevicePrefix.size()) {
+            for (const OverrideInfo& info : override_table()) names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
+        } else {
+            for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
+            for (const std::string& word : command_words) names.push_back(fmt::format("{}{}", kKeysPrefix, word));
+        }
+        return nearest_name(key, names);
+    }
+
+    // Tries one entry on `target`; fails in one sentence.
+    Result<void> apply_to(Settings& target, const std::string& key, const SettingValue& value) const {
+        if (const SettingInfo* info = find_setting(key)) return apply(*info, value, target);
+        if (const auto device = split_device_key(key))
+            return number_in_range(key, *device->field->plain, value).map([&](double number) {
+                target.workspace.devices[device->device].*device->field->at = number;
+            });
+        if (key.starts_with(kKeysPrefix) && key.size() > kKeysPrefix.size()) {
+            const std::string word = key.substr(kKeysPrefix.size());
+            const bool known = std::find(command_words.begin(), command_words.end(), word) != command_words.end();
+            if (known || (command_words.empty() && is_command_word(word)))
+                return short_text(key, value).map([&](const std::string& text) { target.keys[word] = text; });
+        }
+        return fail(fmt::format("There is no setting {}; the nearest is {}.", key, nearest_key(key)));
+    }
+
+    Result<void> check(const std::string& key, const SettingValue& value, SettingSource source) const {
+        Settings scratch;
+        if (const Result<void> applied = apply_to(scratch, key, value); !applied) return applied;
+        if (source == SettingSource::World && !world_may_set(key))
+            return fail(fmt::format("A world may not set {}: forces, speech, sound and keys are yours alone.", key));
+        return {};
+    }
+
+    void rebuild() {
+        values = Settings{};
+        for (const auto& [source, layer] : layers)
+            for (const auto& [key, entry] : layer) {
+                const Result<void> applied = apply_to(values, key, entry.value);
+                contract_pre(applied.has_value());  // entries were checked on their way into the layer
+            }
+    }
+
+    void collect(const toml::table& table, const std::string& prefix, const fs::path& path, SettingSource source, Layer& layer,
+                 std::vector<Diagnostic>& problems) const {
+        for (const auto& [name, node] : table) {
+            // A dot inside a quoted name does not make a path; only devices may have one in their name.
+            const std::string_view plain = name.str();
+            const bool quoted = plain.find('.') != std::string_view::npos && prefix != kDevicePrefix;
+            const std::string key = canonical_key(quoted ? fmt::format("{}\"{}\"", prefix, plain) : fmt::format("{}{}", prefix, plain));
+            if (const toml::table* inner = node.as_table()) {
+                collect(*inner, key + ".", path, source, layer, problems);
+                continue;
+            }
+            const auto line = static_cast<int>(node.source().begin.line);
+            const std::optional<SettingValue> value = from_toml(node);
+            Result<void> checked = check(key, value.value_or(std::string{}), source);
+            if (const SettingInfo* info = find_setting(key); info && !value)
+                checked = fail(fmt::format("The setting {} is a list or a date, but must be {}.", key, range_of(*info)));
+            if (checked) {
+                layer[key] = {*value, fmt::format("{}:{}", path.string(), line)};
+            } else {
+                problems.push_back({Severity::Error, path.filename().string(), line, static_cast<int>(node.source().begin.column), checked.error().message,
+                                    "It is not used; the rest applies."});
+            }
+        }
+    }
+
+    // The strongest source that says something about this key.
+    std::pair<SettingSource, std::string> provenance(const std::string& key) const {
+        for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
+            if (const auto entry = layer->second.find(key); entry != layer->second.end()) return {layer->first, entry->second.origin};
+        return {SettingSource::Default, {}};
+    }
+};
+
+SettingsStore::SettingsStore(std::vector<std::string> command_words) : impl_(std::make_unique<Impl>()) { impl_->command_words = std::move(command_words); }
+SettingsStore::~SettingsStore() = default;
+SettingsStore::SettingsStore(SettingsStore&&) noexcept = default;
+SettingsStore& SettingsStore::operator=(SettingsStore&&) noexcept = default;
+
+const Settings& SettingsStore::values() const { return impl_->values; }
+
+std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSource source) {
+    contract_pre(source != SettingSource::Default);
+    if (source == SettingSource::UserFile) impl_->user_file = path;
+    std::error_code ec;
+    if (path.empty() || fs::status(path, ec).type() == fs::file_type::not_found) {
+        clear(source);
+        return {};
+    }
+    const Result<toml::table> table = read_whole_file(path, kLongestFileBytes).and_then([&](const std::string& content) { return parse(content, path); });
+    if (!table) {
+        const Error& e = table.error();
+        return {{Severity::Error, e.file, e.line, e.column, e.message, "None of it is used, and the file is left as it is."}};
+    }
+    std::vector<Diagnostic> problems;
+    Layer layer;
+    impl_->collect(*table, "", path, source, layer, problems);
+    // A TOML table is sorted by name; people read their file from the top.
+    std::stable_sort(problems.begin(), problems.end(), [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
+    impl_->layers[source] = std::move(layer);
+    impl_->rebuild();
+    return problems;
+}
+
+Result<void> SettingsStore::set(std::string_view key, std::string_view value, SettingSource source) {
+    contract_pre(source != SettingSource::Default);
+    const std::string name = canonical_key(key);
+    SettingValue parsed = std::string(value);
+    if (const SettingInfo* info = find_setting(name)) parsed = value_from_word(*info, value);
+    else if (const auto device = split_device_key(name)) parsed = value_from_word(*device->field->plain, value);
+    if (const Result<void> checked = impl_->check(name, parsed, source); !checked) return checked;
+    impl_->layers[source][name] = {std::move(parsed), source == SettingSource::CommandLine ? "--set" : ""};
+    impl_->rebuild();
+    return {};
+}
+
+Result<void> SettingsStore::set_assignment(std::string_view assignment, SettingSource source) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos || equals == 0)
+        return fail(fmt::format("\"{}\" is no setting and value; write it as key=value, such as workspace.scale=40.", assignment));
+    return set(assignment.substr(0, equals), assignment.substr(equals + 1), source);
+}
+
+void SettingsStore::clear(SettingSource source) {
+    impl_->layers.erase(source);
+    impl_->rebuild();
+}
+
+std::vector<SettingRow> SettingsStore::explain() const {
+    std::vector<SettingRow> rows;
+    const auto add = [&](const std::string& key, const SettingValue& value, std::string_view unit, std::string range, std::string_view meaning) {
+        const auto [source, origin] = impl_->provenance(key);
+        rows.push_back({key, toml_text(value), std::string(unit), std::move(range), std::string(meaning), source, origin});
+    };
+    for (const SettingInfo& info : settings_table()) add(std::string(info.key), current_value(info, impl_->values), info.unit, range_of(info), info.meaning);
+    std::map<std::string, SettingValue> family;  // effective entries of the open families, strongest layer last
+    for (const auto& [source, layer] : impl_->layers)
+        for (const auto& [key, entry] : layer)
+            if (!find_setting(key)) family[key] = entry.value;
+    for (const auto& [key, value] : family) {
+        if (const auto device = split_device_key(key))
+            add(key, value, device->field->plain->unit, range_of(*device->field->plain), device->field->plain->meaning);
+        else add(key, value, "", "a key's name", "The key of this command.");
+    }
+    return rows;
+}
+
+Result<void> SettingsStore::save_user_file() {
+    const auto live = impl_->layers.find(SettingSource::Live);
+    if (live == impl_->layers.end() || live->second.empty()) return {};
+    const fs::path& path = impl_->user_file;
+    if (path.empty()) return fail("The settings were not saved: no home folder is known to keep them in.");
+    // What the file holds now, not at the start: another editor may have changed it since.
+    std::string held;
+    std::error_code ec;
+    const auto not_saved = [](Error error) {
+        error.message += " The settings were not saved, and the file is left as it is.";
+        return tl::unexpected(std::move(error));
+    };
+    if (fs::status(path, ec).type() != fs::file_type::not_found) {
+        Result<std::string> content = read_whole_file(path, kLongestFileBytes);
+        if (!content) return not_saved(content.error());
+        held = std::move(*content);
+    }
+    Result<toml::table> table = parse(held, path);
+    if (!table) return not_saved(table.error());
+    std::string text = held;
+    for (const auto& [key, entry] : live->second) {
+        put(*table, path_of(key), entry.value);
+        text = with_value(text, path_of(key), entry.value);
+    }
+    if (!says_the_same(text, *table)) {  // a file written in an unusual way: its comments go, its meaning stays
+        std::ostringstream out;
+        out << toml::toml_formatter{*table, toml::format_flags::none} << "\n";
+        text = out.str();
+        if (!says_the_same(text, *table)) return not_saved({path.filename().string(), 0, 0, "Something in this file cannot be written back as it was."});
+    }
+    return write_file_atomically(path, text);
+}
+
+std::string_view source_name(SettingSource source) {
+    switch (source) {
+        case SettingSource::Default:
+            return "default";
+        case SettingSource::Shipped:
+            return "shipped with the program";
+        case SettingSource::UserFile:
+            return "your settings file";
+        case SettingSource::World:
+            return "world";
+        case SettingSource::CommandLine:
+            return "command line";
+        case SettingSource::Live:
+            return "changed now";
+    }
+    return "unknown";
+}
+
+fs::path user_settings_path() {
+    // The base directory specification says: only an absolute XDG_CONFIG_HOME counts.
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    if (config && config[0] == '/') return fs::path(config) / "handrail" / "settings.toml";
+    const char* home = std::getenv("HOME");
+    if (home && home[0] == '/') return fs::path(home) / ".config" / "handrail" / "settings.toml";
+    return {};
+}
+
+}  // namespace handrail

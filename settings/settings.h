@@ -14,42 +14,44 @@
 
 namespace handrail {
 
-enum class ForceCeiling { Light, Normal, Full };        // 1.2 N, 2.5 N, the device's own
-enum class FrameChoice { Map, Walk };                   // north up, or turning with the body
+enum class ForceCeiling { Light, Normal, Full };  // 1.2 N, 2.5 N, the device's own
+enum class FrameChoice { Map, Walk };             // north up, or turning with the body
 
 struct Settings {
     struct Workspace {
-        double scale = 60.0;                // world metres per hand metre, 1 to 500
-        double offset_ahead_m = 0.01;       // hand metres the workspace's middle lies ahead of the body, -0.1 to 0.1: further in front than behind
-        double offset_up_m = 0.0;           // hand metres, -0.1 to 0.1
-        double hand_height_m = 1.0;         // world metres of the workspace's middle above the soles, 0 to 2
+        double scale = 60.0;           // world metres per hand metre, 1 to 500
+        double offset_ahead_m = 0.01;  // hand metres the workspace's middle lies ahead of the body, -0.1 to 0.1: further in front than behind
+        double offset_up_m = 0.0;      // hand metres, -0.1 to 0.1
+        double hand_height_m = 1.0;    // world metres of the workspace's middle above the soles, 0 to 2
         FrameChoice frame = FrameChoice::Map;
         // Overrides by device name, as [workspace.device."falcon"] in the file; empty fields keep the values above.
-        struct Override { std::optional<double> scale, offset_ahead_m, offset_up_m, hand_height_m; };
+        struct Override {
+            std::optional<double> scale, offset_ahead_m, offset_up_m, hand_height_m;
+        };
         std::map<std::string, Override> devices;
     } workspace;
     struct Haptic {
-        double stiffness_fraction = 0.8;    // of the device's rating, 0 to 1; for surfaces that name none
-        double friction_mu = 0.3;           // 0 to 2
-        double damping_ns_per_m = 5.0;      // of hand speed, 0 to 20
-        double ball_diameter_mm = 4.0;      // felt, at scale 60, 1 to 10
+        double stiffness_fraction = 0.8;  // of the device's rating, 0 to 1; for surfaces that name none
+        double friction_mu = 0.3;         // 0 to 2
+        double damping_ns_per_m = 5.0;    // of hand speed, 0 to 20
+        double ball_diameter_mm = 4.0;    // felt, at scale 60, 1 to 10
         ForceCeiling ceiling = ForceCeiling::Normal;
-        std::string device = "auto";        // auto, none, or a device name
+        std::string device = "auto";  // auto, none, or a device name
     } haptic;
     struct Walk {
-        double step_length_m = 0.7;         // 0.2 to 1.5
-        double speed_m_per_s = 1.0;         // 0.2 to 3
-        double turn_deg = 22.5;             // one press of Left or Right; 1 to 90
-        double body_radius_m = 0.25;        // 0.1 to 0.6
+        double step_length_m = 0.7;   // 0.2 to 1.5
+        double speed_m_per_s = 1.0;   // 0.2 to 3
+        double turn_deg = 22.5;       // one press of Left or Right; 1 to 90
+        double body_radius_m = 0.25;  // 0.1 to 0.6
     } walk;
     struct Speech {
-        int rate_wpm = 175;                 // 80 to 450
-        int verbosity = 2;                  // 0 to 4
-        std::string voice = "en";           // espeak-ng voice name or language
-        bool distances_in_steps = true;     // else metres
+        int rate_wpm = 175;              // 80 to 450
+        int verbosity = 2;               // 0 to 4
+        std::string voice = "en";        // espeak-ng voice name or language
+        bool distances_in_steps = true;  // else metres
     } speech;
     struct Sound {
-        double volume = 1.0;                // 0 to 1, everything but alarms below 0.2
+        double volume = 1.0;  // 0 to 1, everything but alarms below 0.2
         double speech_volume = 1.0;
         double contact_volume = 0.8;
         double footstep_volume = 0.6;
@@ -63,38 +65,52 @@ struct Settings {
 enum class SettingSource { Default, Shipped, UserFile, World, CommandLine, Live };
 
 struct SettingRow {
-    std::string key;                        // "workspace.scale"
-    std::string value;                      // as TOML writes it
-    std::string unit;                       // "world metres per hand metre", or empty
-    std::string range;                      // "1 to 500"
-    std::string meaning;                    // one sentence
+    std::string key;      // "workspace.scale"
+    std::string value;    // as TOML writes it
+    std::string unit;     // "world metres per hand metre", or empty
+    std::string range;    // "1 to 500"
+    std::string meaning;  // one sentence
     SettingSource source = SettingSource::Default;
-    std::string origin;                     // file and line, "--set", or empty
+    std::string origin;  // file and line, "--set", or empty
 };
 
-// Settings with their provenance, and the person's file kept as it was written (comments lost, unknown keys kept) for saving.
+// Settings with their provenance. Every source keeps its own layer and the strongest one wins, whatever the order of loading; so
+// leaving a world gives back what it had changed. App thread only. Costs: reading a file is a few hundred microseconds; values() is free.
 class SettingsStore {
 public:
-    SettingsStore();
+    // command_words: what [keys] may name; any name is taken when there are none.
+    explicit SettingsStore(std::vector<std::string> command_words = {});
     ~SettingsStore();
     SettingsStore(SettingsStore&&) noexcept;
     SettingsStore& operator=(SettingsStore&&) noexcept;
 
     const Settings& values() const;
-    // Reads a TOML file on top of what is there. A damaged or unreadable file changes nothing; an unknown key, a wrong type or a value
-    // out of range is a diagnostic naming the nearest key or legal range, and the rest applies. A missing file is no problem.
+    // Reads a TOML file as the layer `source`, in place of what that layer held. A damaged or unreadable file changes nothing; an unknown
+    // key, a wrong type or a value out of range is a diagnostic naming the nearest key or legal range, and the rest applies. A missing
+    // file is no problem. A world may set only what world_may_set() allows: never a force or a speech setting.
     std::vector<Diagnostic> load_file(const std::filesystem::path& path, SettingSource source);
-    // "workspace.scale=40" from the command line or a live change. Fails naming the nearest key or the legal range.
+    // One setting, from the command line, a world's own key, or a live change. Fails naming the nearest key or the legal range.
     Result<void> set(std::string_view key, std::string_view value, SettingSource source);
-    // Every setting in table order.
+    // "workspace.scale=40", as --set takes it.
+    Result<void> set_assignment(std::string_view assignment, SettingSource source);
+    // Forgets what one source said, as when a world is left.
+    void clear(SettingSource source);
+    // Every setting in table order, then the entries of [workspace.device] and [keys].
     std::vector<SettingRow> explain() const;
-    // Saves what the person changed (live) plus what their file held, unknown keys too. A file that could not be read is never replaced.
+    // Saves live changes into the person's file, which keeps everything else it holds, unknown keys and comments too. Does nothing
+    // when there were no live changes. A file that cannot be read or understood is never replaced.
     Result<void> save_user_file();
 
 private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// True if a world file may set this key.
+bool world_may_set(std::string_view key);
+
+// "default", "world", ...
+std::string_view source_name(SettingSource source);
 
 // $XDG_CONFIG_HOME/handrail/settings.toml, else ~/.config/handrail/settings.toml; empty when neither is known.
 std::filesystem::path user_settings_path();

@@ -41,6 +41,24 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
     return found ? *found : std::string{};
 }
 
+bool is_utf8(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+        const unsigned first = byte(i);
+        const std::size_t extra = first < 0x80 ? 0 : first >> 5 == 6 ? 1 : first >> 4 == 14 ? 2 : first >> 3 == 30 ? 3 : text.size();
+        if (i + extra >= text.size()) return false;
+        unsigned code = extra == 0 ? first : first & (0x3fU >> extra);
+        for (std::size_t k = 1; k <= extra; ++k) {
+            if (byte(i + k) >> 6 != 2) return false;
+            code = code << 6 | (byte(i + k) & 0x3fU);
+        }
+        constexpr unsigned kLeast[] = {0, 0x80, 0x800, 0x10000};
+        if (code < kLeast[extra] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
+        i += extra + 1;
+    }
+    return true;
+}
+
 bool parse_finite(std::string_view text, double& value) {
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     double parsed = 0.0;

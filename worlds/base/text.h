@@ -14,6 +14,9 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
 // ASCII lower case; other bytes stay as they are.
 std::string lower_ascii(std::string_view text);
 
+// Well-formed UTF-8: no stray bytes, overlong forms, surrogates or values above U+10FFFF.
+bool is_utf8(std::string_view text);
+
 // A whole decimal number, independent of the locale; false for anything else, also for nan and infinity.
 bool parse_finite(std::string_view text, double& value);
 

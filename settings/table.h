@@ -1,0 +1,76 @@
+// The one table of settings: key, unit, range, default, meaning and where the value lives. Files, the command line, `handrail settings`
+// and its documentation all go through it. Private to this folder; app thread.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "settings/settings.h"
+#include "worlds/base/result.h"
+
+namespace handrail {
+
+// What TOML can say where a setting is expected; a whole number is kept apart from a decimal one.
+using SettingValue = std::variant<bool, std::int64_t, double, std::string>;
+
+struct NumberField {
+    double& (*at)(Settings&);
+    double least, most;
+};
+struct WholeField {
+    int& (*at)(Settings&);
+    int least, most;
+};
+struct SwitchField {
+    bool& (*at)(Settings&);
+};
+// One of a few words; `index` of the word in `words` is the enum's value.
+struct ChoiceField {
+    std::span<const std::string_view> words;
+    std::size_t (*get)(const Settings&);
+    void (*set)(Settings&, std::size_t);
+};
+// 1 to 64 printable characters.
+struct TextField {
+    std::string& (*at)(Settings&);
+    std::string_view range;
+};
+
+struct SettingInfo {
+    std::string_view key;
+    std::string_view unit;
+    std::string_view meaning;
+    bool world_may_set;
+    std::variant<NumberField, WholeField, SwitchField, ChoiceField, TextField> field;
+};
+
+std::span<const SettingInfo> settings_table();
+const SettingInfo* find_setting(std::string_view key);
+
+// Fields of [workspace.device."NAME"]; range and unit are those of the plain workspace setting of the same name.
+struct OverrideInfo {
+    std::string_view field;    // "scale"
+    const SettingInfo* plain;  // "workspace.scale"
+    std::optional<double> Settings::Workspace::Override::*at;
+};
+std::span<const OverrideInfo> override_table();
+
+// "1 to 500", "light, normal or full", "true or false".
+std::string range_of(const SettingInfo& info);
+// Writes the value into the settings, or fails in one sentence with the legal range and changes nothing.
+Result<void> apply(const SettingInfo& info, const SettingValue& value, Settings& settings);
+// A decimal number within the range of `plain`, named `key` in errors.
+Result<double> number_in_range(std::string_view key, const SettingInfo& plain, const SettingValue& value);
+// 1 to 64 printable characters of valid UTF-8.
+bool is_short_text(std::string_view text);
+// Fails unless `value` is 1 to 64 printable characters.
+Result<std::string> short_text(std::string_view key, const SettingValue& value);
+// The value as it now is.
+SettingValue current_value(const SettingInfo& info, const Settings& settings);
+// A word from a command line as the kind of value this setting takes; what does not fit comes back as text and is refused by apply.
+SettingValue value_from_word(const SettingInfo& info, std::string_view word);
+
+}  // namespace handrail

@@ -1,0 +1,15 @@
+// One factor for the length of long random walks, so that instrumented builds finish too.
+#pragma once
+
+namespace handrail::test {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr double kSanitizerScale = 0.1;
+#else
+inline constexpr double kSanitizerScale = 1.0;
+#endif
+
+// `count` under the factor, at least 1.
+inline constexpr int scaled(int count) { return static_cast<int>(count * kSanitizerScale) > 0 ? static_cast<int>(count * kSanitizerScale) : 1; }
+
+}  // namespace handrail::test
