@@ -50,6 +50,7 @@ struct ExploreArguments {
     std::optional<std::filesystem::path> world;      // none: the bundled first world
     bool no_window = false;                          // --no-window
     std::optional<std::string> device;               // --device NAME|none
+    std::vector<Diagnostic> settings_problems;       // met while reading the settings; to be spoken, not only printed
 };
 int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err);
 

@@ -1,8 +1,5 @@
 #include <iostream>
 
-#include "app/main/commands.h"
+#include "app/main/command_line.h"
 
-int main(int, char**) {
-    std::cerr << "The command line is being written.\n";
-    return 2;
-}
+int main(int argc, char** argv) { return handrail::run_command_line({argv + 1, argv + argc}, std::cout, std::cerr); }

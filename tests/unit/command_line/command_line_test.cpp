@@ -1,0 +1,151 @@
+#include "app/main/command_line.h"
+
+#include <clocale>
+#include <sstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+using testing::HasSubstr;
+using testing::StartsWith;
+
+using Words = std::vector<std::string>;
+
+template <class T>
+T parsed_as(const Words& words) {
+    ParsedCommandLine parsed = parse_command_line(words);
+    if (const auto* usage = std::get_if<UsageError>(&parsed)) ADD_FAILURE() << usage->sentence;
+    if (auto* call = std::get_if<T>(&parsed)) return *call;
+    ADD_FAILURE() << "another command, number " << parsed.index();
+    return {};
+}
+
+// Exit status 2, nothing on stdout and one sentence on stderr, which is returned.
+std::string refused(const Words& words) {
+    std::ostringstream out, err;
+    EXPECT_EQ(run_command_line(words, out, err), 2) << testing::PrintToString(words);
+    EXPECT_EQ(out.str(), "");
+    const std::string text = err.str();
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    EXPECT_TRUE(text.ends_with(".\n")) << text;
+    return text;
+}
+
+TEST(CommandLine, explores_a_world_with_every_option) {
+    const auto call = parsed_as<ExploreCall>({"my.map", "--no-window", "--device", "none", "--set", "workspace.scale=40", "--set=walk.turn_deg=45",
+                                              "--settings", "mine.toml", "--map-scale", "0.025"});
+    EXPECT_EQ(call.arguments.world, "my.map");
+    EXPECT_TRUE(call.arguments.no_window);
+    EXPECT_EQ(call.arguments.device, "none");
+    EXPECT_EQ(call.arguments.common.map_scale_m_per_unit, 0.025);
+    EXPECT_EQ(call.settings.file, "mine.toml");
+    EXPECT_EQ(call.settings.assignments, (Words{"workspace.scale=40", "walk.turn_deg=45"}));
+    EXPECT_FALSE(parsed_as<ExploreCall>({}).arguments.world);
+    EXPECT_EQ(parsed_as<ExploreCall>({"--set", "workspace.scale=40", "my.map"}).arguments.world, "my.map") << "--set takes one word only";
+}
+
+TEST(CommandLine, opens_a_world_named_like_a_command_by_its_path) {
+    EXPECT_EQ(parsed_as<ExploreCall>({"./info"}).arguments.world, "./info");
+    EXPECT_EQ(parsed_as<InfoArguments>({"info", "info"}).world, "info");
+}
+
+TEST(CommandLine, gives_info_touch_scenario_and_settings_their_arguments) {
+    const auto about = parsed_as<InfoArguments>({"info", "a.map", "--json", "--map-scale", "1"});
+    EXPECT_TRUE(about.json);
+    EXPECT_EQ(about.common.map_scale_m_per_unit, 1.0);
+    const auto touch = parsed_as<TouchArguments>({"touch",
+                                                  "a.map",
+                                                  "--path",
+                                                  "in.csv",
+                                                  "--out",
+                                                  "out.csv",
+                                                  "--radius",
+                                                  "0",
+                                                  "--stiffness",
+                                                  "500",
+                                                  "--damping",
+                                                  "2",
+                                                  "--friction-static",
+                                                  "0.5",
+                                                  "--friction-kinetic",
+                                                  "0.4",
+                                                  "--scale",
+                                                  "60",
+                                                  "--device",
+                                                  "falcon",
+                                                  "--map-scale",
+                                                  "1e-1"});
+    EXPECT_EQ(touch.radius_m, 0.0);
+    EXPECT_EQ(touch.stiffness_n_per_m, 500.0);
+    EXPECT_EQ(touch.damping_ns_per_m, 2.0);
+    EXPECT_EQ(touch.friction_static, 0.5);
+    EXPECT_EQ(touch.friction_kinetic, 0.4);
+    EXPECT_EQ(touch.scale_world_m_per_hand_m, 60.0);
+    EXPECT_EQ(touch.device, "falcon");
+    EXPECT_EQ(touch.common.map_scale_m_per_unit, 0.1);
+    const auto scenario = parsed_as<ScenarioArguments>({"scenario", "a.toml", "folder", "--junit", "out.xml"});
+    EXPECT_EQ(scenario.paths.size(), 2U);
+    EXPECT_EQ(scenario.junit, "out.xml");
+    EXPECT_TRUE(parsed_as<SettingsCall>({"settings", "--explain"}).arguments.explain);
+}
+
+TEST(CommandLine, lets_one_friction_option_set_both) {
+    const auto touch = parsed_as<TouchArguments>({"touch", "a", "--path", "i", "--out", "o", "--friction-kinetic", "0.4"});
+    EXPECT_EQ(touch.friction_static, 0.4);
+    EXPECT_FALSE(parsed_as<TouchArguments>({"touch", "a", "--path", "i", "--out", "o"}).friction_static);
+    EXPECT_THAT(refused({"touch", "a", "--path", "i", "--out", "o", "--friction-static", "0.3", "--friction-kinetic", "0.4"}),
+                HasSubstr("--friction-static (0.3)"));
+}
+
+TEST(CommandLine, refuses_numbers_that_are_negative_or_not_finite_or_no_numbers) {
+    for (const char* option : {"--radius", "--stiffness", "--damping", "--friction-static", "--friction-kinetic", "--scale", "--map-scale"})
+        for (const char* word : {"-1", "nan", "inf", "1e999", "1,5", "x", ""})
+            EXPECT_THAT(refused({"touch", "a", "--path", "i", "--out", "o", option, word}), HasSubstr(option));
+    EXPECT_THAT(refused({"touch", "a", "--path", "i", "--out", "o", "--scale", "0"}), HasSubstr("above 0"));
+    refused({"a.map", "--map-scale", "0"});
+}
+
+TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_with_2) {
+    EXPECT_THAT(refused({"info", "x.map", "--jsno"}), HasSubstr("the nearest is --json"));
+    EXPECT_THAT(refused({"x.map", "--no-windoe"}), HasSubstr("the nearest is --no-window"));
+    EXPECT_THAT(refused({"inof"}), HasSubstr("the nearest command is info"));
+    EXPECT_THAT(refused({"tuoch", "a.map", "--path", "x"}), HasSubstr("touch"));
+    EXPECT_THAT(refused({"x.map", "y.map"}), HasSubstr("\"y.map\""));
+    EXPECT_THAT(refused({"info"}), HasSubstr("WORLD"));
+    EXPECT_THAT(refused({"--device", "none", "info", "x.map"}), HasSubstr("--device"));
+    EXPECT_THAT(refused({"--set", "nonsense"}), HasSubstr("key=value"));
+    EXPECT_THAT(refused({"settings", "--set", "workspace.scael=4"}), HasSubstr("the nearest is workspace.scale"));
+}
+
+TEST(CommandLine, helps_with_every_command_and_says_its_version) {
+    for (const Words& words : {Words{"--help"}, {"info", "--help"}, {"touch", "-h"}, {"scenario", "--help"}, {"settings", "--help"}, {"--version"}}) {
+        std::ostringstream out, err;
+        EXPECT_EQ(run_command_line(words, out, err), 0);
+        EXPECT_THAT(out.str(), HasSubstr("handrail"));
+        EXPECT_EQ(err.str(), "");
+    }
+}
+
+// The person's language may write one and a half as 1,5; the command line and the files never do.
+TEST(CommandLine, reads_numbers_alike_in_every_language_setting) {
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    if (!std::setlocale(LC_ALL, "de_DE.UTF-8")) GTEST_SKIP() << "no German language setting on this machine";
+    EXPECT_EQ(parsed_as<InfoArguments>({"info", "a.map", "--map-scale", "0.5"}).common.map_scale_m_per_unit, 0.5);
+    std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(SettingsCommand, explains_every_setting_and_prints_problems_of_the_file) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.write("mine.toml", "[workspace]\nscale = 30\nscael = 1\n").string();
+    std::ostringstream out, err;
+    EXPECT_EQ(run_command_line({"settings", "--explain", "--settings", file, "--set", "speech.voice=de"}, out, err), 0);
+    EXPECT_THAT(out.str(), HasSubstr("workspace.scale = 30.0 world metres per hand metre (1 to 500), from: your settings file " + file + ":2."));
+    EXPECT_THAT(out.str(), HasSubstr("speech.voice = \"de\" (an espeak-ng voice or language), from: command line --set."));
+    EXPECT_THAT(err.str(), StartsWith("mine.toml, line 3"));
+    const std::string text = out.str();
+    EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), SettingsStore{}.explain().size());
+}
+
+}  // namespace
+}  // namespace handrail
