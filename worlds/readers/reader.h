@@ -13,15 +13,15 @@
 namespace handrail {
 
 struct ReadOptions {
-    double map_metres_per_unit = 1.0 / 32.0;            // for .map files (Quake: 1/32)
-    bool guess_materials = true;                        // from texture names; exploring yes, replay no
-    std::function<void(double fraction)> progress;      // 0 to 1, called from the reading thread; may be empty
+    double map_metres_per_unit = 1.0 / 32.0;        // for .map files (Quake: 1/32)
+    bool guess_materials = true;                    // from texture names; exploring yes, replay no
+    std::function<void(double fraction)> progress;  // 0 to 1, called from the reading thread; may be empty
 };
 
 // One map format: which files it takes and how it reads them. A table row, the MapReader seam.
 struct MapReader {
-    std::string_view name;                                                        // as in `info --json`: "map"
-    bool (*accepts)(const std::filesystem::path& path, std::string_view bytes);   // by ending and first bytes
+    std::string_view name;                                                       // as in `info --json`: "map"
+    bool (*accepts)(const std::filesystem::path& path, std::string_view bytes);  // by ending and first bytes
     Result<Scene> (*read)(std::string_view bytes, const std::string& file_name, const ReadOptions& options);
 };
 

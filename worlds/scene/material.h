@@ -16,7 +16,7 @@ enum class SoundClass { Plaster, Wood, Brick, Concrete, Tile, Carpet, Metal, Gla
 // One surface as the world gives it. What the file does not say stays empty: exploring then takes the library's values
 // (MaterialSpec below), replay takes the plain default wall (decisions of the touch contract).
 struct Material {
-    std::string name;                          // spoken, lower case: "plaster"; empty for the default wall
+    std::string name;  // spoken, lower case: "plaster"; empty for the default wall
     SoundClass sound = SoundClass::Generic;
     bool guessed = false;                      // true when only a texture name suggested it
     std::optional<double> stiffness_fraction;  // key `stiffness`, 0 to 1 of the device's rated stiffness

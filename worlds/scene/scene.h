@@ -25,16 +25,16 @@ enum class FeatureKind { Wall, Floor, Ceiling, Slope, Object, Door, Button, Lift
 // Anything that has a name: a joined wall, the floor of a room, a table, a door, a pool.
 struct Feature {
     FeatureKind kind = FeatureKind::Wall;
-    std::string name;                          // fit to be spoken, without the material: "north wall", "Table"
+    std::string name;  // fit to be spoken, without the material: "north wall", "Table"
     MaterialId material = kDefaultMaterial;
-    Vec3 normal{0.0};                          // outward, for walls, floors, ceilings and slopes; zero for objects
+    Vec3 normal{0.0};  // outward, for walls, floors, ceilings and slopes; zero for objects
     Aabb bounds_m;
-    double area_m2 = 0.0;                      // exposed area
-    bool landmark = false;                     // fixed and unique here
-    bool clue = false;                         // helpful, may change
-    std::string message;                       // spoken on entering a trigger; for others a longer description
-    std::string hinge;                         // side of a door's hinge: "north", "east", ... or empty
-    std::string handle;                        // side of a door's handle, likewise
+    double area_m2 = 0.0;   // exposed area
+    bool landmark = false;  // fixed and unique here
+    bool clue = false;      // helpful, may change
+    std::string message;    // spoken on entering a trigger; for others a longer description
+    std::string hinge;      // side of a door's hinge: "north", "east", ... or empty
+    std::string handle;     // side of a door's handle, likewise
     SourcePlace source;
 };
 
@@ -56,11 +56,11 @@ struct Solid {
     ConvexSolid shape;
     SolidRole role = SolidRole::Solid;
     DynamicShape dynamic = DynamicShape::None;
-    FeatureId feature = kNoFeature;               // for objects, movers and volumes: the whole; else kNoFeature
-    std::vector<FeatureId> face_features;         // size == shape.planes.size(); the name of what one touches there
-    std::vector<MaterialId> face_materials;       // size == shape.planes.size()
-    std::vector<bool> face_hidden;                // size == shape.planes.size(); wholly covered by other solids
-    std::optional<double> viscosity_ns_per_m;     // liquids only, of hand speed; none: no force
+    FeatureId feature = kNoFeature;            // for objects, movers and volumes: the whole; else kNoFeature
+    std::vector<FeatureId> face_features;      // size == shape.planes.size(); the name of what one touches there
+    std::vector<MaterialId> face_materials;    // size == shape.planes.size()
+    std::vector<bool> face_hidden;             // size == shape.planes.size(); wholly covered by other solids
+    std::optional<double> viscosity_ns_per_m;  // liquids only, of hand speed; none: no force
     SourcePlace source;
 };
 
@@ -81,22 +81,22 @@ struct SurfacePolygon {
 };
 
 struct Start {
-    Vec3 feet_m{0.0};              // where the soles stand
+    Vec3 feet_m{0.0};  // where the soles stand
     double heading_rad = 0.0;
-    bool base = false;             // the start a single explorer takes first
+    bool base = false;  // the start a single explorer takes first
     std::string name;
     SourcePlace source;
 };
 
 struct SoundSource {
     Vec3 position_m{0.0};
-    std::string name;              // fit to be spoken: "computer hum"
-    std::string sound;             // which sound: the class name or the key `sound`
+    std::string name;   // fit to be spoken: "computer hum"
+    std::string sound;  // which sound: the class name or the key `sound`
 };
 
 // What the reader understood, for the honesty report and `handrail info`. Counts as defined for `info --json`.
 struct ReadReport {
-    std::string format;            // "map", "obj"
+    std::string format;  // "map", "obj"
     int brushes = 0, polygons = 0, polygons_kept = 0, polygons_hidden = 0, triangles = 0;
     int liquids = 0, movers = 0, doors = 0, starts = 0;
     std::vector<std::string> guessed, simplified, left_out;  // sentences
@@ -105,17 +105,17 @@ struct ReadReport {
 };
 
 struct Scene {
-    std::string name;                          // fit to be spoken: the world's message, else the file name in words
-    std::string source_file;                   // as given
-    bool game_map = false;                     // game sizes for the body: 1.7 m tall, 0.57 m steps
+    std::string name;         // fit to be spoken: the world's message, else the file name in words
+    std::string source_file;  // as given
+    bool game_map = false;    // game sizes for the body: 1.7 m tall, 0.57 m steps
     double metres_per_unit = 1.0;
-    Aabb bounds_m;                             // of solids as they stand in the file
-    std::vector<Material> materials;           // [0] is the default wall
-    std::vector<Feature> features;             // indexed by FeatureId::value
+    Aabb bounds_m;                    // of solids as they stand in the file
+    std::vector<Material> materials;  // [0] is the default wall
+    std::vector<Feature> features;    // indexed by FeatureId::value
     std::vector<Solid> solids;
     std::vector<MeshTriangle> triangles;
     std::vector<SurfacePolygon> surfaces;
-    std::vector<Start> starts;                 // in file order; the base one is marked
+    std::vector<Start> starts;  // in file order; the base one is marked
     std::vector<SoundSource> sounds;
     ReadReport report;
 

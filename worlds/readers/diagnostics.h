@@ -1,0 +1,58 @@
+// Collects what a reader met: every loss is counted, the first 20 are kept in words. One reading thread.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "worlds/base/result.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+struct TextPlace {
+    int line = 0;
+    int column = 0;
+};
+
+class Diagnostics {
+public:
+    static constexpr std::size_t kMostKept = 20;  // more are counted only: they are heard one by one
+
+    explicit Diagnostics(std::string file) : file_(std::move(file)) {}
+
+    template <class... Args>
+    void warn(TextPlace place, std::string_view action, fmt::format_string<Args...> message, Args&&... args) {
+        add(Severity::Warning, place, action, message, std::forward<Args>(args)...);
+    }
+    template <class... Args>
+    void error(TextPlace place, std::string_view action, fmt::format_string<Args...> message, Args&&... args) {
+        add(Severity::Error, place, action, message, std::forward<Args>(args)...);
+    }
+
+    const std::vector<Diagnostic>& kept() const { return kept_; }
+    int in_all() const { return in_all_; }
+    void move_into(ReadReport& report) {
+        report.warnings = std::move(kept_);
+        report.warnings_in_all = in_all_;
+    }
+
+private:
+    template <class... Args>
+    void add(Severity severity, TextPlace place, std::string_view action, fmt::format_string<Args...> message, Args&&... args) {
+        ++in_all_;
+        if (kept_.size() >= kMostKept) return;
+        kept_.push_back({severity, file_, place.line, place.column, fmt::format(message, std::forward<Args>(args)...), std::string(action)});
+    }
+
+    std::string file_;
+    std::vector<Diagnostic> kept_;
+    int in_all_ = 0;
+};
+
+// At most `most` bytes of what was found, fit for a message: bytes that are no printable ASCII become question marks.
+std::string excerpt(std::string_view found, std::size_t most = 24);
+
+}  // namespace handrail

@@ -1,0 +1,374 @@
+#include "worlds/readers/map_syntax.h"
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+enum class TokenKind { End, Punctuation, Quoted, Word };
+
+struct Token {
+    TokenKind kind = TokenKind::End;
+    std::string_view text;
+    TextPlace place;
+
+    bool is(char c) const { return kind == TokenKind::Punctuation && text.front() == c; }
+};
+
+class Lexer {
+public:
+    Lexer(std::string_view bytes, Diagnostics& diagnostics) : bytes_(bytes), diagnostics_(diagnostics) {
+        if (bytes_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+        line_start_ = at_;
+    }
+
+    const Token& peek() {
+        if (!peeked_) {
+            token_ = lex();
+            peeked_ = true;
+        }
+        return token_;
+    }
+    Token take() {
+        peek();
+        peeked_ = false;
+        return token_;
+    }
+
+    // A texture's name runs to the next white space, whatever is in it, unless it is quoted. Nothing may have been peeked.
+    Token take_texture() {
+        while (at_ < bytes_.size() && is_blank(bytes_[at_])) step();
+        Token token{TokenKind::Word, {}, here()};
+        if (at_ >= bytes_.size()) return {TokenKind::End, {}, here()};
+        if (bytes_[at_] == '"') return quoted();
+        const std::size_t begin = at_;
+        while (at_ < bytes_.size() && !is_blank(bytes_[at_])) ++at_;
+        token.text = bytes_.substr(begin, at_ - begin);
+        return token;
+    }
+
+    // Leaves a damaged face: on to the end of the line, or to a closing brace that stands alone.
+    void skip_damaged_line() {
+        if (peeked_) rewind_to_token();
+        while (at_ < bytes_.size() && !is_line_end(bytes_[at_])) {
+            if (bytes_[at_] == '}' && stands_alone()) return;
+            ++at_;
+        }
+    }
+
+    // Leaves a block after its opening brace; only braces that stand alone count, since textures may begin with one.
+    void skip_block() {
+        if (peeked_) rewind_to_token();
+        for (int depth = 1; at_ < bytes_.size(); step()) {
+            const char c = bytes_[at_];
+            if (c == '/' && at_ + 1 < bytes_.size() && bytes_[at_ + 1] == '/') {
+                while (at_ + 1 < bytes_.size() && !is_line_end(bytes_[at_ + 1])) ++at_;
+            } else if ((c == '{' || c == '}') && stands_alone()) {
+                depth += c == '{' ? 1 : -1;
+                if (depth == 0) {
+                    ++at_;
+                    return;
+                }
+            }
+        }
+    }
+
+private:
+    TextPlace here() const { return {line_, static_cast<int>(at_ - line_start_) + 1}; }
+
+    // One byte on, counting lines: LF, CR LF and lone CR.
+    void step() {
+        const char c = bytes_[at_++];
+        if (c == '\n' || (c == '\r' && (at_ >= bytes_.size() || bytes_[at_] != '\n'))) {
+            ++line_;
+            line_start_ = at_;
+        }
+    }
+
+    bool stands_alone() const {
+        const auto separates = [](char c) { return is_blank(c) || c == '{' || c == '}' || c == '(' || c == ')' || c == '"'; };
+        return (at_ == 0 || separates(bytes_[at_ - 1])) && (at_ + 1 >= bytes_.size() || separates(bytes_[at_ + 1]));
+    }
+
+    // Takes back a token that was only looked at; tokens hold no line end, so the place is the token's own.
+    void rewind_to_token() {
+        peeked_ = false;
+        if (token_.kind == TokenKind::End) return;
+        at_ = static_cast<std::size_t>(token_.text.data() - bytes_.data()) - (token_.kind == TokenKind::Quoted ? 1 : 0);
+    }
+
+    void skip_blanks_and_comments() {
+        while (at_ < bytes_.size()) {
+            const char c = bytes_[at_];
+            if (is_blank(c)) {
+                step();
+            } else if (c == ';' || (c == '/' && at_ + 1 < bytes_.size() && bytes_[at_ + 1] == '/')) {
+                while (at_ < bytes_.size() && !is_line_end(bytes_[at_])) ++at_;
+            } else {
+                return;
+            }
+        }
+    }
+
+    Token lex() {
+        skip_blanks_and_comments();
+        if (at_ >= bytes_.size()) return {TokenKind::End, {}, here()};
+        const char c = bytes_[at_];
+        if (c == '"') return quoted();
+        Token token{TokenKind::Word, {}, here()};
+        const std::size_t begin = at_;
+        constexpr std::string_view kPunctuation = "{}()[]";
+        if (kPunctuation.find(c) != std::string_view::npos) {
+            token.kind = TokenKind::Punctuation;
+            ++at_;
+        } else {
+            while (at_ < bytes_.size() && !is_blank(bytes_[at_]) && bytes_[at_] != '"' && kPunctuation.find(bytes_[at_]) == std::string_view::npos) ++at_;
+        }
+        token.text = bytes_.substr(begin, at_ - begin);
+        return token;
+    }
+
+    // A quote after a backslash belongs to the string, unless white space and then a quote, a brace or the line's end follow it: "c:\a\".
+    bool closes_after_backslash(std::size_t quote) const {
+        std::size_t i = quote + 1;
+        while (i < bytes_.size() && is_blank(bytes_[i]) && !is_line_end(bytes_[i])) ++i;
+        if (i >= bytes_.size() || is_line_end(bytes_[i])) return true;
+        return i > quote + 1 && (bytes_[i] == '"' || bytes_[i] == '{' || bytes_[i] == '}');
+    }
+
+    Token quoted() {
+        Token token{TokenKind::Quoted, {}, here()};
+        const std::size_t begin = ++at_;
+        std::size_t end = begin;
+        while (end < bytes_.size() && !is_line_end(bytes_[end])) {
+            if (bytes_[end] == '"' && (end == begin || bytes_[end - 1] != '\\' || closes_after_backslash(end))) break;
+            ++end;
+        }
+        token.text = bytes_.substr(begin, end - begin);
+        at_ = end;
+        if (end < bytes_.size() && bytes_[end] == '"') ++at_;
+        else diagnostics_.warn(token.place, "It was taken to end with the line.", "a quoted text has no closing quote.");
+        return token;
+    }
+
+    std::string_view bytes_;
+    Diagnostics& diagnostics_;
+    std::size_t at_ = 0;
+    std::size_t line_start_ = 0;
+    int line_ = 1;
+    bool peeked_ = false;
+    Token token_;
+};
+
+class Parser {
+public:
+    static constexpr std::size_t kMostKeys = 1000;  // per entity; real ones have under 20
+
+    Parser(std::string_view bytes, Diagnostics& diagnostics) : lexer_(bytes, diagnostics), diagnostics_(diagnostics) {}
+
+    MapFile parse() {
+        for (;;) {
+            const Token token = lexer_.take();
+            if (token.kind == TokenKind::End) return std::move(file_);
+            if (token.is('{')) read_entity(token.place);
+            else if (!complained_outside_) {
+                complained_outside_ = true;  // once: a file of another kind would give thousands
+                diagnostics_.error(token.place, "It was passed over.", "expected an opening brace where an entity begins, found {}.", shown(token));
+            }
+        }
+    }
+
+private:
+    static std::string shown(const Token& token) { return token.kind == TokenKind::End ? "the end of the file" : "\"" + excerpt(token.text) + "\""; }
+
+    void read_entity(TextPlace place) {
+        MapEntity entity;
+        entity.place = place;
+        bool complained = false;
+        for (;;) {
+            const Token token = lexer_.peek();
+            if (token.is('(')) {  // faces right here: the file, or this part of it, holds brushes without an entity
+                if (!complained_bare_) diagnostics_.warn(token.place, "They were taken as the building itself.", "brushes stand outside of any entity.");
+                complained_bare_ = true;
+                read_faces(entity, place);
+                file_.entities.push_back(std::move(entity));
+                return;
+            }
+            lexer_.take();
+            if (token.is('}')) break;
+            if (token.kind == TokenKind::End) {
+                diagnostics_.error(token.place, "What was complete was kept.",
+                                   "the file ends inside the entity that begins in line {}. A closing brace is missing.", place.line);
+                break;
+            }
+            if (token.is('{')) {
+                read_brush(entity, token.place);
+            } else if (token.kind == TokenKind::Quoted && lexer_.peek().kind == TokenKind::Quoted) {
+                add_key(entity, token, lexer_.take());
+            } else if (!complained) {
+                complained = true;
+                if (token.kind == TokenKind::Quoted)
+                    diagnostics_.warn(token.place, "The key was left out.", "the key \"{}\" has no value in quotes.", excerpt(token.text));
+                else diagnostics_.error(token.place, "It was passed over.", "expected a key in quotes or a brush inside an entity, found {}.", shown(token));
+            }
+        }
+        if (!entity.keys.empty() || !entity.brushes.empty()) file_.entities.push_back(std::move(entity));
+    }
+
+    void add_key(MapEntity& entity, const Token& key, const Token& value) {
+        for (MapKey& known : entity.keys) {
+            if (known.key != key.text) continue;
+            diagnostics_.warn(key.place, "The last value was taken.", "the key \"{}\" is given twice.", excerpt(key.text));
+            known = {key.text, value.text, value.place};
+            return;
+        }
+        if (entity.keys.size() >= kMostKeys) {
+            diagnostics_.warn(key.place, "It was left out.", "this key is more than {} in one entity.", kMostKeys);
+            return;
+        }
+        entity.keys.push_back({key.text, value.text, value.place});
+    }
+
+    // After a brush's opening brace.
+    void read_brush(MapEntity& entity, TextPlace place) {
+        const Token first = lexer_.peek();
+        if (first.kind == TokenKind::Word) {
+            const bool curve = lower_ascii(first.text.substr(0, 8)).starts_with("patch");
+            ++(curve ? file_.curves : file_.primitives);
+            diagnostics_.warn(first.place, "It was left out.", "this part is written as {}, which is not read yet.",
+                              curve ? "a curved patch" : "\"" + excerpt(first.text) + "\"");
+            lexer_.skip_block();
+            return;
+        }
+        read_faces(entity, place);
+    }
+
+    // Faces up to and with the closing brace. One damaged face costs the brush, not the map.
+    void read_faces(MapEntity& entity, TextPlace place) {
+        MapBrush brush;
+        brush.place = place;
+        bool damaged = false;
+        ++file_.brushes;
+        for (;;) {
+            const Token& token = lexer_.peek();
+            if (token.is('(')) {
+                MapFace face;
+                if (read_face(face, damaged)) {
+                    brush.faces.push_back(face);
+                } else {
+                    damaged = true;
+                    lexer_.skip_damaged_line();
+                }
+                continue;
+            }
+            if (token.is('}')) {
+                lexer_.take();
+                break;
+            }
+            if (token.kind == TokenKind::End) {
+                diagnostics_.error(token.place, left_out(), "the file ends inside the brush that begins in line {}. A closing brace is missing.", place.line);
+                damaged = true;
+                break;
+            }
+            if (token.is('{') && !brush.faces.empty()) {
+                diagnostics_.error(token.place, "It was taken to end here.", "the brush that begins in line {} has no closing brace.", place.line);
+                break;
+            }
+            if (!damaged)
+                diagnostics_.error(token.place, left_out(), "expected a face or a closing brace in the brush that begins in line {}, found {}.", place.line,
+                                   shown(token));
+            damaged = true;
+            if (token.is('{')) {  // braces within braces: nothing here can be a brush
+                lexer_.take();
+                lexer_.skip_block();
+                lexer_.skip_block();
+                break;
+            }
+            lexer_.take();
+            lexer_.skip_damaged_line();
+        }
+        if (!damaged && brush.faces.empty()) {
+            diagnostics_.warn(place, "It was left out.", "this brush has no faces.");
+            damaged = true;
+        }
+        if (damaged) ++file_.brushes_damaged;
+        else entity.brushes.push_back(std::move(brush));
+    }
+
+    std::string left_out() const { return fmt::format("This brush was left out; {} brushes were read before it.", file_.brushes - file_.brushes_damaged - 1); }
+
+    // "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then numbers, or two axes in square brackets and numbers. Games add numbers: none is required.
+    bool read_face(MapFace& face, bool silent) {
+        face.place = lexer_.peek().place;
+        const auto refuse = [&](const Token& found, const std::string& expected) {
+            if (!silent) diagnostics_.error(found.place, left_out(), "a face ends early. Expected {}, found {}.", expected, shown(found));
+            return false;
+        };
+        for (int point = 0; point < 3; ++point) {
+            if (!lexer_.peek().is('(')) return refuse(lexer_.peek(), fmt::format("an opening bracket before point {}", point + 1));
+            lexer_.take();
+            for (int axis = 0; axis < 3; ++axis) {
+                const Token& number = lexer_.peek();
+                if (number.kind != TokenKind::Word || !parse_finite(number.text, face.points_units[static_cast<std::size_t>(point)][axis]))
+                    return refuse(number, fmt::format("a number in point {}", point + 1));
+                lexer_.take();
+            }
+            if (!lexer_.peek().is(')')) return refuse(lexer_.peek(), fmt::format("a closing bracket after point {}", point + 1));
+            lexer_.take();
+        }
+        const Token texture = lexer_.take_texture();
+        if (texture.kind == TokenKind::End) return refuse(texture, "a texture name");
+        face.texture = texture.text;
+        while (lexer_.peek().is('[') || lexer_.peek().is(']') || is_number(lexer_.peek())) lexer_.take();
+        return true;
+    }
+
+    static bool is_number(const Token& token) {
+        double ignored = 0.0;
+        return token.kind == TokenKind::Word && parse_finite(token.text, ignored);
+    }
+
+    Lexer lexer_;
+    Diagnostics& diagnostics_;
+    MapFile file_;
+    bool complained_outside_ = false;
+    bool complained_bare_ = false;
+};
+
+}  // namespace
+
+const MapKey* MapEntity::find(std::string_view key) const {
+    for (const MapKey& known : keys)
+        if (known.key == key) return &known;
+    return nullptr;
+}
+
+std::string_view MapEntity::value(std::string_view key) const {
+    const MapKey* found = find(key);
+    return found ? found->value : std::string_view{};
+}
+
+std::string unquoted(std::string_view raw) {
+    std::string text;
+    text.reserve(raw.size());
+    for (std::size_t i = 0; i < raw.size(); ++i) {
+        if (raw[i] == '\\' && i + 1 < raw.size() && raw[i + 1] == '"') continue;
+        text += raw[i];
+    }
+    return text;
+}
+
+std::string excerpt(std::string_view found, std::size_t most) {
+    std::string text(found.substr(0, most));
+    for (char& c : text)
+        if (c < ' ' || c > '~' || c == '"') c = '?';
+    if (found.size() > most) text += "...";
+    return text;
+}
+
+MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics) { return Parser(bytes, diagnostics).parse(); }
+
+}  // namespace handrail

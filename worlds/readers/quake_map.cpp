@@ -1,0 +1,650 @@
+// The meaning of a Quake-family .map: which brushes are solid, move, flow or trigger, what they are made of and what they are called.
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "worlds/base/text.h"
+#include "worlds/geometry/clip.h"
+#include "worlds/readers/map_syntax.h"
+#include "worlds/readers/reader.h"
+#include "worlds/readers/spoken_text.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kFarthestM = 1e6;             // replay and rendering take positions up to here
+constexpr double kOriginAboveSolesUnits = 24;  // a player's origin in these maps
+constexpr double kMostFriction = 2.0;          // rubber on rubber; more sticks the hand to the wall
+constexpr double kMostViscosityNsPerM = 100.0;
+
+// What the class of an entity makes of its brushes. The first row that fits counts; a name ending in * fits as a beginning.
+struct ClassRow {
+    std::string_view class_name;
+    SolidRole role;
+    FeatureKind kind;
+    std::string_view name;  // spoken where the map gives none; empty: by shape
+};
+constexpr std::array kClasses{
+    ClassRow{"func_door*", SolidRole::Mover, FeatureKind::Door, "door"},
+    ClassRow{"func_plat*", SolidRole::Mover, FeatureKind::Lift, "lift"},
+    ClassRow{"func_button", SolidRole::Mover, FeatureKind::Button, "button"},
+    ClassRow{"func_train", SolidRole::Mover, FeatureKind::Mover, "moving platform"},
+    ClassRow{"func_rotating", SolidRole::Mover, FeatureKind::Mover, "turning part"},
+    ClassRow{"func_illusionary", SolidRole::Illusion, FeatureKind::Object, "illusion"},
+    ClassRow{"trigger_teleport", SolidRole::Trigger, FeatureKind::Teleport, "teleporter"},
+    ClassRow{"trigger_changelevel", SolidRole::Trigger, FeatureKind::Trigger, "exit"},
+    ClassRow{"trigger_hurt", SolidRole::Trigger, FeatureKind::Trigger, "danger"},
+    ClassRow{"trigger_secret", SolidRole::Trigger, FeatureKind::Trigger, "secret place"},
+    ClassRow{"trigger_*", SolidRole::Trigger, FeatureKind::Trigger, "marked place"},
+    ClassRow{"func_episodegate", SolidRole::Solid, FeatureKind::Object, "gate"},
+    ClassRow{"func_bossgate", SolidRole::Solid, FeatureKind::Object, "gate"},
+};
+
+bool fits(std::string_view pattern, std::string_view name) {
+    return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1)) : name == pattern;
+}
+
+const ClassRow* class_row(std::string_view class_name) {
+    for (const ClassRow& row : kClasses)
+        if (fits(row.class_name, class_name)) return &row;
+    return nullptr;
+}
+
+// Part of the building itself: its brushes are joined and named by side unless the entity has a name of its own.
+bool is_structure(std::string_view class_name) {
+    return class_name.empty() || class_name == "worldspawn" || class_name == "func_group" || class_name.starts_with("func_detail");
+}
+
+struct SoundRow {
+    std::string_view class_name, name;
+};
+constexpr std::array kSounds{
+    SoundRow{"ambient_comp_hum", "computer hum"},
+    SoundRow{"ambient_drip", "dripping water"},
+    SoundRow{"ambient_drone", "machine drone"},
+    SoundRow{"ambient_flouro_buzz", "lamp buzzing"},
+    SoundRow{"ambient_light_buzz", "lamp buzzing"},
+    SoundRow{"ambient_suck_wind", "wind"},
+    SoundRow{"ambient_swamp*", "swamp"},
+    SoundRow{"ambient_thunder", "thunder"},
+};
+
+// What one texture says about the brush it covers.
+enum class TextureSense { Ordinary, Water, Slime, Lava, Teleport, Clip, Trigger, LeftOut };
+
+struct TextureFacts {
+    TextureSense sense = TextureSense::Ordinary;
+    bool sky = false;
+    const MaterialSpec* guess = nullptr;
+};
+
+TextureFacts facts_of_texture(std::string_view texture) {
+    std::string name = lower_ascii(texture.substr(0, 256));
+    if (const std::size_t slash = name.find_last_of("/\\"); slash != std::string::npos) name.erase(0, slash + 1);
+    TextureFacts facts;
+    if (name.starts_with('*') || name.starts_with('!')) {
+        const std::string_view liquid = std::string_view(name).substr(1);
+        facts.sense = liquid.starts_with("lava")    ? TextureSense::Lava
+                      : liquid.starts_with("slime") ? TextureSense::Slime
+                      : liquid.starts_with("tele")  ? TextureSense::Teleport
+                                                    : TextureSense::Water;
+    } else if (name == "clip") {
+        facts.sense = TextureSense::Clip;
+    } else if (name == "trigger" || name == "aaatrigger") {
+        facts.sense = TextureSense::Trigger;
+    } else if (name == "hint" || name == "skip" || name == "hintskip" || name == "origin") {
+        facts.sense = TextureSense::LeftOut;
+    } else if (name.starts_with("sky")) {
+        facts.sky = true;
+    } else {
+        facts.guess = guess_material(name);
+    }
+    return facts;
+}
+
+class MapSceneBuilder {
+public:
+    MapSceneBuilder(std::string_view bytes, const std::string& file_name, const ReadOptions& options)
+        : options_(options), units_(options.map_metres_per_unit), diagnostics_(file_name), file_(parse_map(bytes, diagnostics_)) {
+        scene_.source_file = file_name;
+        scene_.metres_per_unit = units_;
+        scene_.materials.emplace_back();
+        scene_.report.format = "map";
+    }
+
+    Result<Scene> build() {
+        progress(0.3);
+        for (std::size_t i = 0; i < file_.entities.size(); ++i) read_entity(file_.entities[i], static_cast<int>(i));
+        progress(0.5);
+        if (scene_.solids.empty()) return nothing_usable();
+        join_volumes();
+        derive_surfaces(scene_, looks_, units_);
+        progress(0.9);
+        choose_base();
+        name_world();
+        write_report();
+        progress(1.0);
+        return std::move(scene_);
+    }
+
+private:
+    // What an entity makes of its brushes.
+    struct Meaning {
+        SolidRole role = SolidRole::Solid;
+        DynamicShape dynamic = DynamicShape::None;
+        bool structure = false;  // not one thing: walls are named by side
+        bool liquid = false;     // cs_name liquid
+        Feature feature;         // used unless `structure`
+        std::optional<double> viscosity_ns_per_m;
+        std::string material;  // of the library, or empty
+        std::optional<double> stiffness_fraction, friction_mu;
+        SourcePlace source;
+    };
+    // A liquid, teleporter face or trigger brush of the building: touching ones of a kind become one.
+    struct Volume {
+        std::size_t solid = 0;
+        FeatureKind kind = FeatureKind::Liquid;
+        std::string_view name;
+    };
+
+    void progress(double fraction) const {
+        if (options_.progress) options_.progress(fraction);
+    }
+
+    // ---- keys ----
+
+    static std::string text_of(const MapEntity& entity, std::string_view key) { return spoken_text(unquoted(entity.value(key).substr(0, 4096))); }
+
+    // A number from `least` to `most`; what is no number is left out, what lies outside is moved to the nearest end, both with a warning.
+    std::optional<double> number_of(const MapEntity& entity, std::string_view key, double least, double most, std::string_view range) {
+        const MapKey* found = entity.find(key);
+        if (!found) return std::nullopt;
+        double value = 0.0;
+        if (!parse_finite(trimmed(found->value), value)) {
+            diagnostics_.warn(found->place, "The default was taken.", "the value \"{}\" of the key {} is no number. It takes {}.", excerpt(found->value), key,
+                              range);
+            return std::nullopt;
+        }
+        const double legal = std::clamp(value, least, most);
+        if (legal != value)
+            diagnostics_.warn(found->place, fmt::format("{} was taken.", legal), "the value {} of the key {} is out of range. It takes {}.", value, key, range);
+        return legal;
+    }
+
+    bool yes_no_of(const MapEntity& entity, std::string_view key) {
+        const MapKey* found = entity.find(key);
+        if (!found) return false;
+        const std::string value = lower_ascii(trimmed(found->value).substr(0, 16));
+        if (value == "1" || value == "yes" || value == "true") return true;
+        if (value == "0" || value == "no" || value == "false") return false;
+        double number = 1.0;
+        const bool yes = !parse_finite(value, number) || number > 0.5;
+        diagnostics_.warn(found->place, yes ? "1 was taken." : "0 was taken.", "the value \"{}\" of the key {} is neither 0 nor 1.", excerpt(found->value),
+                          key);
+        return yes;
+    }
+
+    std::string side_of_key(const MapEntity& entity, std::string_view key) {
+        static const std::vector<std::string> kSides{"north", "north-east", "east", "south-east", "south", "south-west",
+                                                     "west",  "north-west", "left", "right",      "top",   "bottom"};
+        const MapKey* found = entity.find(key);
+        if (!found) return {};
+        const std::string value = lower_ascii(trimmed(found->value).substr(0, 32));
+        if (std::find(kSides.begin(), kSides.end(), value) != kSides.end()) return value;
+        const std::string nearest = nearest_name(value, kSides);
+        diagnostics_.warn(found->place, fmt::format("{} was taken.", nearest), "the value \"{}\" of the key {} is no side such as north, east, left or top.",
+                          excerpt(found->value), key);
+        return nearest;
+    }
+
+    static std::string_view trimmed(std::string_view text) {
+        while (!text.empty() && static_cast<unsigned char>(text.front()) <= ' ') text.remove_prefix(1);
+        while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.remove_suffix(1);
+        return text;
+    }
+
+    // "x y z" in units.
+    std::optional<Vec3> vector_of(const MapEntity& entity, std::string_view key) {
+        const MapKey* found = entity.find(key);
+        if (!found) return std::nullopt;
+        std::string_view rest = found->value;
+        Vec3 v{0.0};
+        for (int axis = 0; axis < 3; ++axis) {
+            rest = trimmed(rest);
+            const std::size_t end = std::min(rest.find_first_of(" \t"), rest.size());
+            if (!parse_finite(rest.substr(0, end), v[axis]) || std::abs(v[axis] * units_) > kFarthestM) {
+                diagnostics_.warn(found->place, "This entity has no place.", "the value \"{}\" of the key {} is not three numbers.", excerpt(found->value),
+                                  key);
+                return std::nullopt;
+            }
+            rest.remove_prefix(end);
+        }
+        return v;
+    }
+
+    // ---- entities ----
+
+    void read_entity(const MapEntity& entity, int index) {
+        const std::string class_name = lower_ascii(entity.value("classname").substr(0, 64));
+        const bool world = class_name == "worldspawn";
+        if (world) saw_worldspawn_ = true;
+        note_kind_of_map(entity, class_name);
+        if (class_name.empty() && !entity.keys.empty())
+            diagnostics_.warn(entity.place, entity.brushes.empty() ? "It was left out." : "Its brushes were taken as part of the building.",
+                              "this entity has no classname.");
+        if (class_name == "misc_external_map" || class_name == "func_instance" || class_name == "misc_prefab" || entity.find("_external_map"))
+            diagnostics_.warn(entity.place, "That part is missing here.", "this entity stands for the content of another file.");
+        if (class_name.starts_with("info_player_")) read_start(entity, class_name, index);
+        if (class_name.starts_with("func_door")) ++scene_.report.doors;
+        if (entity.value("cs_name") == "PHANTOM" || entity.value("name") == "PHANTOM") {
+            left_out_cursor_ = true;
+            for (const MapBrush& brush : entity.brushes) counted_solid_of(brush);
+            return;
+        }
+        read_sound(entity, class_name);
+        if (world) {
+            world_name_ = text_of(entity, "name");
+            if (world_name_.empty()) world_name_ = text_of(entity, "message");
+        }
+        if (!entity.brushes.empty()) read_brushes(entity, class_name, index);
+        else if (!world && !class_name.empty() && !class_name.starts_with("info_player_") && class_name.find("light") != 0 &&
+                 !class_name.starts_with("ambient_"))
+            ++shapeless_things_;
+    }
+
+    void note_kind_of_map(const MapEntity& entity, const std::string& class_name) {
+        for (const std::string_view start :
+             {"info_player_deathmatch", "info_player_coop", "info_intermission", "monster_", "item_", "weapon_", "light", "ambient_", "trigger_changelevel"})
+            if (class_name.starts_with(start)) game_things_ = true;
+        if (class_name == "thing" || entity.find("cs_name")) building_things_ = true;
+        if (class_name != "worldspawn") return;
+        if (entity.find("wad") || entity.find("worldtype")) game_things_ = true;
+        if (entity.find("building")) stated_building_ = yes_no_of(entity, "building");
+    }
+
+    void read_start(const MapEntity& entity, const std::string& class_name, int index) {
+        ++scene_.report.starts;
+        const std::optional<Vec3> origin = vector_of(entity, "origin");
+        if (!origin) {
+            if (!entity.find("origin")) diagnostics_.warn(entity.place, "It was left out.", "this start has no origin.");
+            return;
+        }
+        Start start;
+        start.feet_m = (*origin - Vec3{0.0, 0.0, kOriginAboveSolesUnits}) * units_;
+        double angle_deg = 0.0;
+        if (entity.find("angle")) angle_deg = number_of(entity, "angle", -1e6, 1e6, "degrees").value_or(0.0);
+        else if (const std::optional<Vec3> angles = vector_of(entity, entity.find("angles") ? "angles" : "mangle")) angle_deg = angles->y;
+        if (angle_deg == -1.0 || angle_deg == -2.0) angle_deg = 0.0;  // these two mean up and down
+        start.heading_rad = std::remainder(radians_from_degrees(90.0 - angle_deg), 2.0 * kPi);
+        if (start.heading_rad < 0.0) start.heading_rad += 2.0 * kPi;
+        start.name = text_of(entity, "name");
+        start.base = class_name == "info_player_start";
+        start.source = {entity.place.line, index};
+        scene_.starts.push_back(std::move(start));
+    }
+
+    void choose_base() {
+        if (scene_.starts.empty()) return;
+        const auto first = std::find_if(scene_.starts.begin(), scene_.starts.end(), [](const Start& start) { return start.base; });
+        const auto chosen = first == scene_.starts.end() ? scene_.starts.begin() : first;
+        for (auto start = scene_.starts.begin(); start != scene_.starts.end(); ++start) {
+            start->base = start == chosen;
+            if (start->name.empty()) start->name = start->base ? "base" : "other start";
+        }
+    }
+
+    void read_sound(const MapEntity& entity, const std::string& class_name) {
+        const bool ambient = class_name.starts_with("ambient_");
+        const std::string sound = text_of(entity, "sound");
+        if (!ambient && sound.empty()) return;
+        SoundSource source;
+        source.sound = sound.empty() ? class_name : sound;
+        source.name = text_of(entity, "name");
+        for (const SoundRow& row : kSounds)
+            if (source.name.empty() && sound.empty() && fits(row.class_name, class_name)) source.name = row.name;
+        if (source.name.empty())
+            source.name = words_of_name(ambient && sound.empty() ? std::string_view(class_name).substr(8) : std::string_view(source.sound));
+        if (const std::optional<Vec3> origin = vector_of(entity, "origin")) {
+            source.position_m = *origin * units_;
+        } else {
+            Aabb box;
+            for (const MapBrush& brush : entity.brushes)
+                if (const BuiltSolid built = solid_of(brush, false); built.fault == SolidFault::None) box.include(built.solid.bounds_m);
+            if (box.empty()) return;
+            source.position_m = box.centre_m();
+        }
+        scene_.sounds.push_back(std::move(source));
+    }
+
+    Meaning meaning_of(const MapEntity& entity, const std::string& class_name, int index) {
+        Meaning meaning;
+        meaning.source = {entity.place.line, index};
+        Feature& feature = meaning.feature;
+        feature.kind = FeatureKind::Object;
+        feature.source = meaning.source;
+        const bool world = class_name == "worldspawn";
+        if (!world) {
+            feature.name = text_of(entity, "name");
+            feature.message = text_of(entity, "message");
+            feature.landmark = yes_no_of(entity, "landmark");
+            feature.clue = yes_no_of(entity, "clue");
+            feature.hinge = side_of_key(entity, "hinge");
+            feature.handle = side_of_key(entity, "handle");
+        }
+        meaning.structure = world || (is_structure(class_name) && feature.name.empty() && !feature.landmark && !feature.clue);
+        if (const ClassRow* row = class_row(class_name)) {
+            meaning.role = row->role;
+            feature.kind = row->kind;
+            if (feature.name.empty()) feature.name = row->name;
+        }
+        const std::string cs_name = world ? std::string{} : lower_ascii(entity.value("cs_name").substr(0, 256));
+        if (cs_name == "liquid") {
+            meaning.structure = false;
+            meaning.liquid = true;
+            meaning.role = SolidRole::Liquid;
+            feature.kind = FeatureKind::Liquid;
+            if (feature.name.empty()) feature.name = "liquid";
+        } else if (cs_name == "dynamic_box" || cs_name == "dynamic_sphere" || cs_name == "dynamic_cylinder") {
+            meaning.structure = false;
+            meaning.role = SolidRole::Mover;
+            meaning.dynamic = cs_name == "dynamic_box" ? DynamicShape::Box : cs_name == "dynamic_sphere" ? DynamicShape::Sphere : DynamicShape::Cylinder;
+            if (feature.name.empty()) feature.name = cs_name == "dynamic_box" ? "box" : cs_name == "dynamic_sphere" ? "ball" : "cylinder";
+        } else if (feature.name.empty() && !cs_name.empty()) {
+            feature.name = words_of_name(entity.value("cs_name"));
+        }
+        meaning.viscosity_ns_per_m = number_of(entity, "viscosity", 0.0, kMostViscosityNsPerM, "0 to 100 newton seconds per metre");
+        meaning.stiffness_fraction = number_of(entity, "stiffness", 0.0, 1.0, "0 to 1");
+        meaning.friction_mu = number_of(entity, "friction", 0.0, kMostFriction, "0 to 2");
+        if (const MapKey* key = entity.find("material")) {
+            if (const MaterialSpec* spec = find_material(trimmed(key->value).substr(0, 64))) {
+                meaning.material = spec->name;
+            } else {
+                std::vector<std::string> names;
+                for (const MaterialSpec& row : material_library()) names.emplace_back(row.name);
+                diagnostics_.warn(key->place, "The default was taken.", "there is no material \"{}\". The nearest name is {}.", excerpt(key->value),
+                                  nearest_name(key->value.substr(0, 64), names));
+            }
+        }
+        return meaning;
+    }
+
+    // ---- brushes ----
+
+    BuiltSolid solid_of(const MapBrush& brush, bool report) {
+        std::vector<Plane>& planes = planes_;
+        planes.clear();
+        face_of_plane_.clear();
+        Vec3 middle{0.0};
+        double farthest_m = 0.0;
+        int degenerate = 0;
+        for (std::uint32_t i = 0; i < brush.faces.size(); ++i) {
+            const MapFace& face = brush.faces[i];
+            std::array<Vec3, 3> p;
+            for (std::size_t k = 0; k < 3; ++k) {
+                p[k] = face.points_units[k] * units_;
+                farthest_m = std::max({farthest_m, std::abs(p[k].x), std::abs(p[k].y), std::abs(p[k].z)});
+            }
+            Plane plane;
+            if (!plane_from_clockwise(p[0], p[1], p[2], plane)) {
+                if (report && degenerate == 0)
+                    diagnostics_.warn(face.place, "The brush was tried without this face.", "the three points of this face lie on one line.");
+                ++degenerate;
+                continue;
+            }
+            planes.push_back(plane);
+            face_of_plane_.push_back(i);
+            middle += p[0];
+        }
+        if (farthest_m > kFarthestM) {
+            if (report) diagnostics_.warn(brush.place, "It was left out.", "this brush is more than a thousand kilometres away.");
+            BuiltSolid nothing;
+            nothing.fault = SolidFault::Open;
+            return nothing;
+        }
+        if (!planes.empty()) middle /= static_cast<double>(planes.size());
+        BuiltSolid built = solid_from_planes(planes, middle, 4.0 * farthest_m + 4096.0, {1e-6 * units_, 1e-4 * units_});
+        if (!report) return built;
+        if (built.fault == SolidFault::Empty) diagnostics_.warn(brush.place, "It was left out.", "this brush has no volume.");
+        if (built.fault == SolidFault::Open) diagnostics_.warn(brush.place, "It was left out.", "this brush is not closed; a face is missing.");
+        if (built.was_inside_out) diagnostics_.warn(brush.place, "It was turned round.", "this brush is inside out.");
+        if (built.fault == SolidFault::None) dropped_faces_ += built.planes_without_face;
+        return built;
+    }
+
+    BuiltSolid counted_solid_of(const MapBrush& brush) {
+        ++scene_.report.brushes;
+        BuiltSolid built = solid_of(brush, true);
+        if (built.fault != SolidFault::None) {
+            ++brushes_left_out_;
+            return built;
+        }
+        for (const Polygon& face : built.solid.faces) {
+            ++scene_.report.polygons;
+            scene_.report.triangles += static_cast<int>(face.points_m.size()) - 2;
+        }
+        return built;
+    }
+
+    const TextureFacts& facts_of(std::string_view texture) {
+        const auto [found, is_new] = textures_.try_emplace(texture);
+        if (is_new) found->second = facts_of_texture(texture);
+        return found->second;
+    }
+
+    // Special only when every face is: the first face then names the kind.
+    TextureSense sense_of(const MapBrush& brush) {
+        for (const MapFace& face : brush.faces)
+            if (facts_of(face.texture).sense == TextureSense::Ordinary) return TextureSense::Ordinary;
+        return facts_of(brush.faces.front().texture).sense;
+    }
+
+    void read_brushes(const MapEntity& entity, const std::string& class_name, int index) {
+        const Meaning meaning = meaning_of(entity, class_name, index);
+        FeatureId whole = kNoFeature;
+        bool moves = false;
+        for (const MapBrush& brush : entity.brushes) {
+            BuiltSolid built = counted_solid_of(brush);
+            if (built.fault != SolidFault::None) continue;
+            Solid solid;
+            solid.role = meaning.role;
+            solid.dynamic = meaning.dynamic;
+            solid.source = {brush.place.line, index};
+            FeatureKind volume_kind = FeatureKind::Liquid;
+            std::string_view volume_name;
+            const bool fixed_role = meaning.role == SolidRole::Trigger || meaning.role == SolidRole::Illusion || meaning.liquid;
+            switch (fixed_role ? TextureSense::Ordinary : sense_of(brush)) {
+                case TextureSense::Ordinary:
+                    break;
+                case TextureSense::Water:
+                    volume_name = "water";
+                    break;
+                case TextureSense::Slime:
+                    volume_name = "slime";
+                    break;
+                case TextureSense::Lava:
+                    volume_name = "lava";
+                    break;
+                case TextureSense::Teleport:
+                    volume_kind = FeatureKind::Teleport;
+                    volume_name = "teleporter";
+                    break;
+                case TextureSense::Trigger:
+                    volume_kind = FeatureKind::Trigger;
+                    volume_name = "marked place";
+                    break;
+                case TextureSense::Clip:
+                    solid.role = SolidRole::BodyClip;
+                    break;
+                case TextureSense::LeftOut:
+                    ++helper_brushes_;
+                    continue;
+            }
+            if (!volume_name.empty())
+                solid.role = volume_kind == FeatureKind::Liquid     ? SolidRole::Liquid
+                             : volume_kind == FeatureKind::Teleport ? SolidRole::Teleport
+                                                                    : SolidRole::Trigger;
+            if (solid.role == SolidRole::Liquid) {
+                ++scene_.report.liquids;
+                solid.viscosity_ns_per_m = meaning.viscosity_ns_per_m;
+            }
+            moves = moves || solid.role == SolidRole::Mover;
+            if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) scene_.bounds_m.include(built.solid.bounds_m);
+            if (meaning.structure) {
+                if (!volume_name.empty()) volumes_.push_back({scene_.solids.size(), volume_kind, volume_name});
+            } else {
+                if (!whole) whole = add_feature(meaning.feature);
+                Feature& feature = scene_.features[whole.value];
+                feature.bounds_m.include(built.solid.bounds_m);
+                if (feature.name.empty() && !volume_name.empty()) {
+                    feature.name = volume_name;
+                    feature.kind = volume_kind;
+                }
+                solid.feature = whole;
+            }
+            std::vector<FaceLook>& looks = looks_.emplace_back();
+            for (const std::uint32_t plane : built.plane_index) {
+                const TextureFacts& facts = facts_of(brush.faces[face_of_plane_[plane]].texture);
+                const bool touchable = solid.role == SolidRole::Solid || solid.role == SolidRole::Mover;
+                solid.face_materials.push_back(touchable ? material_of(meaning, facts, brush.faces[face_of_plane_[plane]].texture) : kDefaultMaterial);
+                looks.push_back(facts.sky ? kSkyLook : look_of(meaning, facts));
+            }
+            solid.shape = std::move(built.solid);
+            scene_.solids.push_back(std::move(solid));
+        }
+        if (moves) ++scene_.report.movers;
+        if (whole && scene_.features[whole.value].kind == FeatureKind::Door) {
+            Feature& door = scene_.features[whole.value];
+            const Vec3 size = door.bounds_m.size_m();
+            if (door.name == "door" && size.z < 0.5 * std::min(size.x, size.y)) door.name = "sliding floor";  // lies flat: a bridge or trapdoor
+        }
+    }
+
+    FeatureId add_feature(Feature feature) {
+        scene_.features.push_back(std::move(feature));
+        return {static_cast<std::uint32_t>(scene_.features.size() - 1)};
+    }
+
+    // ---- materials ----
+
+    static std::string_view guessed_name(const Meaning& meaning, const TextureFacts& facts) {
+        return meaning.material.empty() && facts.guess ? facts.guess->name : std::string_view{};
+    }
+
+    // Alike or not must not depend on whether guessing is on, or the same map would have other walls when replayed.
+    FaceLook look_of(const Meaning& meaning, const TextureFacts& facts) {
+        const std::string_view guess = guessed_name(meaning, facts);
+        const LookKey key{guess.empty() ? meaning.material : std::string(guess), meaning.stiffness_fraction, meaning.friction_mu};
+        return known_looks_.try_emplace(key, static_cast<FaceLook>(known_looks_.size())).first->second;
+    }
+
+    MaterialId material_of(const Meaning& meaning, const TextureFacts& facts, std::string_view texture) {
+        Material material;
+        material.stiffness_fraction = meaning.stiffness_fraction;
+        material.friction_mu = meaning.friction_mu;
+        material.name = meaning.material;
+        if (const std::string_view guess = guessed_name(meaning, facts); options_.guess_materials && !guess.empty()) {
+            material.name = guess;
+            material.guessed = true;
+            guessed_from_[material.name].insert(lower_ascii(texture.substr(0, 64)));
+        }
+        if (const MaterialSpec* spec = find_material(material.name)) material.sound = spec->sound;
+        return intern(scene_, material);
+    }
+
+    static MaterialId intern(Scene& scene, const Material& material) {
+        const auto same = [&](const Material& known) {
+            return known.name == material.name && known.guessed == material.guessed && known.stiffness_fraction == material.stiffness_fraction &&
+                   known.friction_mu == material.friction_mu;
+        };
+        const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), same);
+        if (found != scene.materials.end()) return static_cast<MaterialId>(found - scene.materials.begin());
+        if (scene.materials.size() >= 0xffff) return kDefaultMaterial;
+        scene.materials.push_back(material);
+        return static_cast<MaterialId>(scene.materials.size() - 1);
+    }
+
+    // ---- the whole ----
+
+    // Brushes of one pool are one pool.
+    void join_volumes() {
+        for (const Volume& volume : volumes_) {
+            Feature feature;
+            feature.kind = volume.kind;
+            feature.name = volume.name;
+            feature.bounds_m = scene_.solids[volume.solid].shape.bounds_m;
+            feature.source = scene_.solids[volume.solid].source;
+            scene_.solids[volume.solid].feature = add_feature(feature);
+        }
+    }
+
+    tl::unexpected<Error> nothing_usable() const {
+        std::string why = "Nothing to touch was found in this map.";
+        if (diagnostics_.kept().empty()) return fail(why + " It holds no brushes.", scene_.source_file);
+        const Diagnostic& first = diagnostics_.kept().front();
+        if (diagnostics_.in_all() == 1) why += " The problem: ";
+        else why += fmt::format(" {} problems; the first: ", diagnostics_.in_all());
+        return fail(why + first.message, scene_.source_file, first.line, first.column);
+    }
+
+    void name_world() {
+        scene_.name = world_name_.empty() ? words_of_name(scene_.source_file) : world_name_;
+        scene_.game_map = stated_building_ ? !*stated_building_ : game_things_ && !building_things_;
+        if (!saw_worldspawn_) diagnostics_.warn({}, "What is there was taken.", "this map has no worldspawn, the entity that holds the building.");
+    }
+
+    void write_report() {
+        ReadReport& report = scene_.report;
+        report.brushes += file_.brushes_damaged + file_.primitives;
+        for (const auto& [material, textures] : guessed_from_) {
+            std::string names;
+            int shown = 0;
+            for (const std::string& texture : textures)
+                if (shown++ < 3) names += (shown > 1 ? ", " : "") + excerpt(texture);
+            if (shown > 3) names += fmt::format(" and {} more", shown - 3);
+            report.guessed.push_back(
+                fmt::format("The material {} was guessed from the {} {}.", material, shown == 1 ? "texture name" : "texture names", names));
+        }
+        if (dropped_faces_ > 0) report.simplified.push_back(fmt::format("{} faces that repeat another or have no area were dropped.", dropped_faces_));
+        const auto left_out = [&](int count, std::string_view one, std::string_view many) {
+            if (count > 0) report.left_out.push_back(count == 1 ? fmt::format("One {} was left out.", one) : fmt::format("{} {} were left out.", count, many));
+        };
+        left_out(brushes_left_out_ + file_.brushes_damaged, "damaged brush", "damaged brushes");
+        left_out(file_.curves, "curved patch, which is not read yet,", "curved patches, which are not read yet,");
+        left_out(file_.primitives, "brush in a form that is not read yet", "brushes in a form that is not read yet");
+        left_out(helper_brushes_, "brush that only helps the map's compiler", "brushes that only help the map's compiler");
+        left_out(shapeless_things_, "thing without a shape in the file, such as an item or a creature,",
+                 "things without a shape in the file, such as items and creatures,");
+        if (left_out_cursor_) report.left_out.push_back("The object named PHANTOM was left out: it stands for the hand itself.");
+        diagnostics_.move_into(report);
+    }
+
+    using LookKey = std::tuple<std::string, std::optional<double>, std::optional<double>>;
+
+    const ReadOptions& options_;
+    double units_ = 1.0;  // metres per map unit
+    Diagnostics diagnostics_;
+    MapFile file_;
+    Scene scene_;
+    std::vector<std::vector<FaceLook>> looks_;  // one per solid
+    std::vector<Volume> volumes_;
+    std::map<std::string_view, TextureFacts> textures_;
+    std::map<LookKey, FaceLook> known_looks_;
+    std::map<std::string, std::set<std::string>> guessed_from_;
+    std::vector<Plane> planes_;                 // of the brush being built
+    std::vector<std::uint32_t> face_of_plane_;  // likewise
+    std::string world_name_;
+    std::optional<bool> stated_building_;
+    bool saw_worldspawn_ = false, game_things_ = false, building_things_ = false, left_out_cursor_ = false;
+    int dropped_faces_ = 0, brushes_left_out_ = 0, helper_brushes_ = 0, shapeless_things_ = 0;
+};
+
+}  // namespace
+
+Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
+    if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0)
+        return fail("The size of a map unit must be a positive number of metres.", file_name);
+    return MapSceneBuilder(bytes, file_name, options).build();
+}
+
+}  // namespace handrail

@@ -1,0 +1,81 @@
+#include "worlds/readers/spoken_text.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace handrail {
+namespace {
+
+constexpr std::size_t kMostBytes = 1000;  // about a minute of speech
+
+// Length of the UTF-8 character at `at`, 0 when there is none.
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(at);
+    const std::size_t length = first < 0x80 ? 1 : first >= 0xC2 && first < 0xE0 ? 2 : first >= 0xE0 && first < 0xF0 ? 3 : first >= 0xF0 && first < 0xF5 ? 4 : 0;
+    if (length == 0 || at + length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(at + i) & 0xC0) != 0x80) return 0;
+    if (length == 3 && ((first == 0xE0 && byte(at + 1) < 0xA0) || (first == 0xED && byte(at + 1) >= 0xA0))) return 0;
+    if (length == 4 && ((first == 0xF0 && byte(at + 1) < 0x90) || (first == 0xF4 && byte(at + 1) >= 0x90))) return 0;
+    return length;
+}
+
+bool is_utf8(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = utf8_length(text, at);
+        if (length == 0) return false;
+        at += length;
+    }
+    return true;
+}
+
+void add_latin1(std::string& text, unsigned char c) {
+    if (c < 0x80) {
+        text += static_cast<char>(c);
+        return;
+    }
+    text += static_cast<char>(0xC0 | (c >> 6));
+    text += static_cast<char>(0x80 | (c & 0x3F));
+}
+
+}  // namespace
+
+std::string spoken_text(std::string_view raw) {
+    std::string_view cut = raw.substr(0, kMostBytes);
+    if (cut.size() < raw.size())
+        while (!cut.empty() && (static_cast<unsigned char>(raw[cut.size()]) & 0xC0) == 0x80) cut.remove_suffix(1);
+    const bool utf8 = is_utf8(cut);
+    std::string text;
+    const auto blank = [&] {
+        if (!text.empty() && text.back() != ' ') text += ' ';
+    };
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+        const auto c = static_cast<unsigned char>(cut[i]);
+        if (c == '\\' && i + 1 < cut.size() && cut[i + 1] == 'n') {
+            while (!text.empty() && text.back() == ' ') text.pop_back();
+            if (!text.empty() && std::isalnum(static_cast<unsigned char>(text.back()))) text += ',';
+            blank();
+            ++i;
+        } else if (c <= ' ' || c == 0x7F || (!utf8 && c >= 0x80 && c < 0xA0)) {
+            blank();
+        } else if (utf8) {
+            text += static_cast<char>(c);
+        } else {
+            add_latin1(text, c);
+        }
+    }
+    while (!text.empty() && (text.back() == ' ' || text.back() == ',')) text.pop_back();
+    return text;
+}
+
+std::string words_of_name(std::string_view name) {
+    std::string text = spoken_text(name);
+    if (const std::size_t slash = text.find_last_of("/\\"); slash != std::string::npos) text.erase(0, slash + 1);
+    if (const std::size_t dot = text.rfind('.'); dot != std::string::npos && dot > 0 && text.size() - dot <= 5) text.erase(dot);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    std::replace(text.begin(), text.end(), '-', ' ');
+    return spoken_text(text);
+}
+
+}  // namespace handrail

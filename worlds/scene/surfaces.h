@@ -1,0 +1,26 @@
+// What a hand can reach of a Scene's solids, joined and named: the last step of building a Scene from solids. Loading thread.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+// How a face looks, for joining neighbours into one wall: faces with equal numbers are alike. kSkyLook stands for painted sky.
+using FaceLook = std::uint32_t;
+inline constexpr FaceLook kSkyLook = 0xffffffffU;
+
+// Expects scene.solids with shape, role, face_materials and, for named things and volumes, `feature`. Fills face_features, face_hidden and surfaces,
+// appends a Feature for every wall, floor and ceiling and gives the features of things their area, size and main material; a thing whose name is
+// empty gets one from its shape. `looks` has one entry per solid with one look per face.
+void derive_surfaces(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit);
+
+// "north-east" for a direction that points there; the eight sides of the compass.
+std::string_view compass_word(const Vec3& direction) noexcept;
+// What a thing without a name is called, by its size: "pillar", "low block".
+std::string shape_name(const Aabb& bounds_m);
+
+}  // namespace handrail
