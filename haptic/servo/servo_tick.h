@@ -2,67 +2,122 @@
 // servo thread, in scenarios and in tests. Never allocates, locks, throws, logs or reads a clock.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "haptic/device/haptic_device.h"
+#include "haptic/render/force_limiter.h"
 #include "haptic/render/touch.h"
+#include "haptic/servo/contact_tracker.h"
+#include "haptic/servo/rate_watch.h"
+#include "haptic/servo/workspace_map.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
 
-// Where the hand's workspace lies in the world at a moment; the servo interpolates between the last two it was given, so that a
-// walking body is felt smoothly. world = origin_m + rotate(heading_rad, S * device).
-struct WorkspacePose {
-    Vec3 origin_m{0.0};             // world place of the middle of the device's workspace
-    double heading_rad = 0.0;       // 0 in Map frame; the body's heading in Walk frame
-    double time_s = 0.0;            // when the body was there; poses arrive in rising time
-    std::uint32_t jump = 0;         // a new number: teleport, new world, scale change; not interpolated, force ramps in again
-};
-
-enum class Fault : std::uint8_t {
-    None, BadSample, Jump, Unplugged, DeviceSilent, LateLoop, Unhomed,
-};
-const char* fault_sentence(Fault fault);       // spoken: "The touch device was unplugged. Everything else goes on."
-
 struct ServoTuning {
+    // touch.rated_stiffness_n_per_m is what is asked for; the servo lowers it to effective_stiffness_n_per_m at the measured rate.
+    // A change of touch.world_m_per_hand_m is met like a jump of the workspace.
     TouchTuning touch;
-    double force_ceiling_n = 2.5;   // chosen by the person; the device's peak always holds too
-    bool forces_on = true;          // f key; ramps up over 1 s, down at once to zero within the fade time
-    bool panic = false;             // F12: zero on this very tick, until cleared
-    std::uint32_t confirm = 0;      // a new number lets a latched fault go (ramp of 1 s)
-};
-
-enum class ContactEventKind : std::uint8_t { Begin, Slide, End, EnterLiquid, LeaveLiquid, FaultRaised, FaultCleared };
-
-// What ears need to know of the hand, in order, each with its tick time.
-struct ContactEvent {
-    ContactEventKind kind = ContactEventKind::Begin;
-    double time_s = 0.0;
-    FeatureId feature = kNoFeature;
-    MaterialId material = kDefaultMaterial;
-    Vec3 position_m{0.0};           // world, at the proxy
-    double speed_m_per_s = 0.0;     // hand speed: approach for Begin, along the surface for Slide
-    double force_n = 0.0;
-    Fault fault = Fault::None;
+    double force_ceiling_n = 2.5;  // chosen by the person; the device's peak always holds too
+    bool forces_on = true;         // f key: ramps up over 1 s, fades away over 75 ms
+    bool panic = false;            // F12: zero on this very tick, until cleared
+    std::uint32_t confirm = 0;     // a new number lets a latched fault go (ramp of 1 s), if its cause is gone
 };
 
 // What the app and ears may know of the hand; published each tick.
 struct ToolState {
     double time_s = 0.0;
-    Vec3 hip_m{0.0}, proxy_m{0.0};            // world
-    Vec3 hand_m{0.0};                         // device frame
+    Vec3 hip_m{0.0}, proxy_m{0.0};  // world
+    Vec3 hand_m{0.0};               // device frame, the last good sample
     double ball_radius_m = 0.0;
-    Vec3 force_n{0.0};                        // commanded, world axes, after the limiter
-    double force_gain = 0.0;                  // ramp, 0 to 1
+    Vec3 force_n{0.0};        // commanded, world axes, after the limiter
+    double force_gain = 0.0;  // ramp, 0 to 1
     ContactSet contacts;
     FeatureId liquid = kNoFeature;
     std::uint32_t buttons = 0;
-    Fault fault = Fault::None;                // latched or present
-    double contact_s = 0.0;                   // contact time since start (break hint)
+    Fault fault = Fault::None;     // latched or present
+    bool fault_latched = false;    // needs a new ServoTuning::confirm
+    bool waiting_for_hand = true;  // no force until the hand has moved by 3 mm (since the start, or since it was plugged in again)
+    double contact_s = 0.0;        // contact time since start (break hint)
     std::uint64_t ticks = 0;
-    double rate_hz = 0.0;                     // measured over the last second
+    double rate_hz = 0.0;  // measured over the last second; 0 during the first
     std::uint32_t scene_generation = 0;
 };
+
+// Counted since the start.
+struct ServoCounters {
+    PeriodHistogram periods;
+    std::uint64_t bad_samples = 0;  // not finite, out of reach, or jumped
+    std::uint64_t held_gaps = 0;    // 5 to 25 ms without a tick or an answer: the force was held and resumed
+    std::uint64_t long_gaps = 0;    // longer: zero and a ramp
+    std::uint64_t lost_events = 0;
+};
+
+// Everything that lives from tick to tick. Allocates when created; then owned by one thread.
+class ServoState {
+public:
+    static constexpr double kJumpM = 0.020;  // farthest hand travel from one tick to the next
+    static constexpr int kBadSamplesLatch = 3;
+    static constexpr double kFirstMovementM = 0.003;
+    static constexpr double kShortGapS = 0.005;  // below: ordinary jitter of a thread
+    static constexpr double kLongGapS = 0.025;
+
+    explicit ServoState(const DeviceSpec& spec);
+
+    const DeviceSpec& spec() const noexcept { return spec_; }
+    const ToolState& tool() const noexcept { return tool_; }
+    const TickEvents& events() const noexcept { return events_; }  // of the last tick
+    const ServoCounters& counters() const noexcept { return counters_; }
+
+private:
+    friend ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose,
+                                   const DeviceSample& sample, double now_s) noexcept;
+
+    enum class Answer { None, Bad, Good };
+
+    void measure_rate(double dt_s) noexcept;
+    void raise(Fault fault, bool latched) noexcept;
+    void clear_fault() noexcept;
+    void confirm(const DeviceSample& sample, std::uint32_t number) noexcept;
+    void start_over() noexcept;
+    Answer judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
+    void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s) noexcept;
+    ForceFlow flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept;
+
+    DeviceSpec spec_;
+    TouchState touch_;
+    ForceLimiter limiter_;
+    PosePlayback playback_;
+    ContactTracker tracker_;
+    RateWatch rate_watch_;
+    TickEvents events_;
+    ToolState tool_;
+    ServoCounters counters_;
+
+    Fault fault_ = Fault::None;
+    bool fault_latched_ = false;
+    double window_start_s_ = 0.0;  // of the rate measurement
+    std::uint64_t window_ticks_ = 0;
+    double mean_period_s_ = 1e-3;  // between device answers, one pole of 1 s
+    double since_answer_s_ = 0.0;
+    double since_touch_s_ = 0.0;
+    double scale_ = 0.0;  // world metres per hand metre of the last tick
+    std::uint32_t confirm_seen_ = 0;
+    int bad_run_ = 0;  // bad answers in a row
+    Fault bad_kind_ = Fault::None;
+    bool trusts_last_ = false;  // tool_.hand_m is a place the next sample must be near
+    bool has_first_ = false;
+    Vec3 first_m_{0.0};  // where the hand was when it was first seen
+    double hurry_s_ = ForceLimiter::kFadeS;
+    Vec3 wanted_n_{0.0};  // device frame, before the limiter; held while the device is silent
+    bool goal_known_ = false;
+    Vec3 goal_m_{0.0};
+    Vec3 velocity_m_per_s_{0.0};  // hand metres, world axes, one pole at 50 Hz
+};
+
+// One tick. scene: null while there is none (no contact, no force). pose: the newest that is known, the same as before is fine.
+// now_s: the tick's time, the same clock as WorkspacePose::time_s; ticks come in rising time. Numbered stages stand in the source.
+ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
+                        double now_s) noexcept;
 
 }  // namespace handrail

@@ -1,0 +1,23 @@
+// What can go wrong with a live device, and the words for it. The sentences say what happened and what to do; any thread.
+#pragma once
+
+#include <cstdint>
+
+namespace handrail {
+
+enum class Fault : std::uint8_t {
+    None,
+    BadSample,     // three positions in a row that are no numbers or out of all reach; latched
+    Jump,          // three positions in a row that no hand can reach in a tick; latched
+    Unplugged,     // latched
+    DeviceSilent,  // no answer for 25 ms; the force comes back by itself with an answer
+    LateLoop,      // a rate too slow to hold a wall; latched
+    Stalled,       // one gap of the loop over 25 ms; the force comes back by itself
+    Unhomed,       // the device does not yet know where it is
+    BadForce,      // the renderer computed a force that is no number: our mistake; latched
+};
+
+// Fit to be spoken; empty for None.
+const char* fault_sentence(Fault fault);
+
+}  // namespace handrail

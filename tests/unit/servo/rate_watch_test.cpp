@@ -1,0 +1,76 @@
+#include "haptic/servo/rate_watch.h"
+
+#include <set>
+
+#include "haptic/servo/fault.h"
+#include "tests/support/precompiled.h"
+
+namespace handrail {
+namespace {
+
+// Seconds of equal periods until the watch speaks; -1 when it does not within a second.
+double time_to_notice(double period_s, double min_rate_hz) {
+    RateWatch watch;
+    for (double t = period_s; t < 1.0; t += period_s)
+        if (too_slow(watch, period_s, min_rate_hz)) return t;
+    return -1.0;
+}
+
+TEST(RateWatch, notices_a_rate_below_the_limit_after_20_ms) {
+    EXPECT_NEAR(time_to_notice(1.0 / 500, 600.0), 0.020, 1e-9);
+    EXPECT_NEAR(time_to_notice(1.0 / 550, 600.0), 0.020, 0.002);
+    EXPECT_NEAR(time_to_notice(1.0 / 100, 600.0), 0.020, 1e-9);
+    EXPECT_NEAR(time_to_notice(1.0 / 250, 300.0), 0.020, 0.004);
+}
+
+TEST(RateWatch, is_content_at_and_above_the_limit) {
+    EXPECT_EQ(time_to_notice(1.0 / 600, 600.0), -1.0);
+    EXPECT_EQ(time_to_notice(1e-3, 600.0), -1.0);
+    EXPECT_EQ(time_to_notice(1.0 / 350, 300.0), -1.0);
+    EXPECT_EQ(time_to_notice(0.1, 0.0), -1.0);
+}
+
+TEST(RateWatch, one_good_period_starts_the_count_again) {
+    RateWatch watch;
+    for (int i = 0; i < 1000; ++i) ASSERT_FALSE(too_slow(watch, i % 9 == 8 ? 1e-3 : 2e-3, 600.0));
+}
+
+TEST(RateWatch, a_single_gap_is_no_slow_rate_but_two_are) {
+    RateWatch watch;
+    EXPECT_FALSE(too_slow(watch, 0.024, 600.0));
+    RateWatch after_one = watch;
+    EXPECT_FALSE(too_slow(after_one, 0.002, 600.0));
+    EXPECT_FALSE(too_slow(after_one, 0.001, 600.0));
+    EXPECT_TRUE(too_slow(watch, 0.024, 600.0));
+    EXPECT_NEAR(watch.elapsed_s, 0.048, 1e-12);
+}
+
+TEST(PeriodHistogram, counts_every_period_in_the_bucket_that_holds_it) {
+    PeriodHistogram histogram;
+    for (int i = 0; i < 99; ++i) histogram.add(0.001);
+    histogram.add(0.0042);
+    EXPECT_EQ(histogram.total(), 100u);
+    EXPECT_EQ(histogram.quantile_s(0.5), 0.0011);
+    EXPECT_EQ(histogram.quantile_s(0.99), 0.0011);
+    EXPECT_EQ(histogram.quantile_s(1.0), 0.005);
+    EXPECT_EQ(histogram.worst_s, 0.0042);
+    histogram.add(7.0);
+    EXPECT_EQ(histogram.counts.back(), 1u);
+    EXPECT_EQ(histogram.quantile_s(1.0), 7.0);
+    EXPECT_EQ(PeriodHistogram{}.quantile_s(0.5), 0.0);
+}
+
+TEST(FaultSentence, every_fault_has_its_own_whole_sentence) {
+    std::set<std::string> seen;
+    for (const Fault fault :
+         {Fault::BadSample, Fault::Jump, Fault::Unplugged, Fault::DeviceSilent, Fault::LateLoop, Fault::Stalled, Fault::Unhomed, Fault::BadForce}) {
+        const std::string sentence = fault_sentence(fault);
+        EXPECT_TRUE(seen.insert(sentence).second) << sentence;
+        ASSERT_GT(sentence.size(), 20u);
+        EXPECT_EQ(sentence.back(), '.');
+    }
+    EXPECT_STREQ(fault_sentence(Fault::None), "");
+}
+
+}  // namespace
+}  // namespace handrail
