@@ -1,0 +1,149 @@
+#include "haptic/servo/servo_loop.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <algorithm>
+
+namespace handrail {
+namespace {
+
+constexpr int kRealTimePriority = 70;  // above sound (usually 20 to 60), below the kernel's own 99
+constexpr std::uint64_t kReportEveryTicks = 100;
+
+Scheduling ask_for_real_time() noexcept {
+    sched_param wish{};
+    wish.sched_priority = kRealTimePriority;
+    return pthread_setschedparam(pthread_self(), SCHED_FIFO, &wish) == 0 ? Scheduling::RealTime : Scheduling::Ordinary;
+}
+
+}  // namespace
+
+std::string scheduling_sentence(Scheduling scheduling) {
+    switch (scheduling) {
+        case Scheduling::NotStarted:
+            return "";
+        case Scheduling::RealTime:
+            return "Touch runs in real time.";
+        case Scheduling::Ordinary:
+            return "Touch runs without real-time priority, so a busy computer may interrupt it; an rtprio limit of 70 for this user would allow it.";
+    }
+    return "";
+}
+
+ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s)
+    : clock_(clock), period_s_(period_s), device_(std::move(device)), state_(device_->spec()) {}
+
+ServoLoop::~ServoLoop() { stop(); }
+
+Result<void> ServoLoop::open() {
+    if (open_) return {};
+    Result<void> opened = device_->open();
+    open_ = opened.has_value();
+    return opened;
+}
+
+void ServoLoop::start() {
+    if (!open_ || thread_.joinable()) return;
+    stop_asked_.store(false, std::memory_order_release);
+    thread_ = std::thread([this] { run(); });
+}
+
+void ServoLoop::stop() {
+    ask_to_stop();
+    if (thread_.joinable()) {
+        thread_.join();
+    } else if (open_) {
+        close();
+    }
+    open_ = false;
+    free_scenes();
+}
+
+void ServoLoop::close() noexcept {
+    device_->write({});
+    device_->close();
+    publish_report();
+}
+
+void ServoLoop::publish_report() noexcept {
+    counted_.counters = state_.counters();
+    counted_.counters.lost_events += ring_lost_;
+    report_.publish(counted_);
+}
+
+void ServoLoop::set_scene(std::shared_ptr<const HapticScene> scene) {
+    free_scenes();
+    const SceneHandle handle{scene.get(), ++last_scene_};
+    kept_.push_back({handle.number, std::move(scene)});
+    scene_.publish(handle);
+}
+
+void ServoLoop::free_scenes() {
+    const std::uint64_t in_use = scene_in_use_.load(std::memory_order_acquire);
+    std::erase_if(kept_, [in_use](const KeptScene& kept) { return kept.number < in_use; });
+}
+
+std::size_t ServoLoop::scenes_kept() {
+    free_scenes();
+    return kept_.size();
+}
+
+const ToolState& ServoLoop::tool() {
+    free_scenes();
+    tool_.refresh();
+    return tool_.read();
+}
+
+const ToolState& ServoLoop::tool_for_ears() {
+    tool_for_ears_.refresh();
+    return tool_for_ears_.read();
+}
+
+const ServoReport& ServoLoop::report() {
+    report_.refresh();
+    return report_.read();
+}
+
+bool ServoLoop::step() noexcept {
+    const double start_s = clock_.now_s();
+    scene_.refresh();
+    tuning_.refresh();
+    pose_.refresh();
+    const bool stopping = stop_asked_.load(std::memory_order_acquire);
+    ServoTuning tuning = tuning_.read();
+    if (stopping) tuning.forces_on = false;
+    const SceneHandle scene = scene_.read();
+
+    const DeviceSample sample = device_->read(start_s);
+    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s);
+    device_->write(command);
+
+    // Nothing of an older scene is looked at any more.
+    scene_in_use_.store(scene.number, std::memory_order_release);
+    for (const ContactEvent& event : state_.events())
+        if (!events_.push(event)) ++ring_lost_;
+    tool_.publish(state_.tool());
+    tool_for_ears_.publish(state_.tool());
+    counted_.durations.add(clock_.now_s() - start_s);
+    if (state_.tool().ticks % kReportEveryTicks == 0) publish_report();
+    return !(stopping && state_.tool().force_gain == 0.0);
+}
+
+void ServoLoop::run() noexcept {
+    counted_.scheduling = ask_for_real_time();
+    double next_s = clock_.now_s();
+    while (step()) {
+        next_s += period_s_;
+        const double now_s = clock_.now_s();
+        if (now_s >= next_s) {
+            // Late: missed ticks are not made up for in a burst, time goes on from here.
+            ++counted_.overruns;
+            next_s = now_s + period_s_;
+        }
+        clock_.sleep_until_s(next_s);
+    }
+    close();
+}
+
+}  // namespace handrail

@@ -1,0 +1,111 @@
+// Drives servo_tick: a thread with the device in its hands, paced by a Clock, and every hand-over to and from it. Nothing on the servo's side
+// waits, allocates or frees; a scene it has let go is freed by the app. Without start() the same loop is stepped by hand in virtual time,
+// and both ways give the same stream of ToolState to the bit.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "haptic/device/haptic_device.h"
+#include "haptic/servo/servo_tick.h"
+#include "worlds/base/clock.h"
+#include "worlds/base/latest_value.h"
+#include "worlds/base/result.h"
+#include "worlds/base/spsc_ring.h"
+
+namespace handrail {
+
+enum class Scheduling : std::uint8_t { NotStarted, RealTime, Ordinary };
+
+// Published ten times a second and once at the end.
+struct ServoReport {
+    ServoCounters counters;
+    DurationHistogram durations;  // of a tick with reading and writing the device, by the Clock
+    std::uint64_t overruns = 0;   // ticks after which the next one was already due
+    Scheduling scheduling = Scheduling::NotStarted;
+};
+
+class ServoLoop {
+public:
+    // 1024 events are 3.4 s of three surfaces slid along at once, so a stalled ear loses none of a short stall.
+    using EventRing = SpscRing<ContactEvent, 1024>;
+
+    // The clock outlives the loop.
+    ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s = 1e-3);
+    ~ServoLoop();
+    ServoLoop(const ServoLoop&) = delete;
+    ServoLoop& operator=(const ServoLoop&) = delete;
+
+    const DeviceSpec& device_spec() const { return device_->spec(); }
+
+    // App thread. open() comes first; start() makes the thread. stop() takes the force away over 75 ms, closes the device and joins;
+    // more often does no harm, and the destructor does it too.
+    Result<void> open();
+    void start();
+    void stop();
+
+    // App thread; felt from the next tick on. A null scene is none.
+    void set_scene(std::shared_ptr<const HapticScene> scene);
+    void set_tuning(const ServoTuning& tuning) { tuning_.publish(tuning); }
+    void set_pose(const WorkspacePose& pose) { pose_.publish(pose); }
+    // App thread: the newest of each, valid until the next call.
+    const ToolState& tool();
+    const ServoReport& report();
+    // App thread: how many scenes are kept because the servo may still read them.
+    std::size_t scenes_kept();
+
+    // Ears' thread.
+    EventRing& events() { return events_; }
+    const ToolState& tool_for_ears();
+
+    // One tick at the clock's time: the thread's body, or for the owner of virtual time. False when stop was asked for and the force is gone.
+    bool step() noexcept;
+    // Lets step() bring the force down; stop() does the same and waits.
+    void ask_to_stop() { stop_asked_.store(true, std::memory_order_release); }
+
+private:
+    struct SceneHandle {
+        const HapticScene* scene = nullptr;
+        std::uint64_t number = 0;  // rising; the servo says up to which it has come
+    };
+    struct KeptScene {
+        std::uint64_t number;
+        std::shared_ptr<const HapticScene> scene;
+    };
+
+    void run() noexcept;
+    void close() noexcept;
+    void publish_report() noexcept;
+    void free_scenes();
+
+    Clock& clock_;
+    const double period_s_;
+    std::unique_ptr<HapticDevice> device_;  // servo thread after start()
+    std::thread thread_;
+    bool open_ = false;
+    std::atomic<bool> stop_asked_{false};
+
+    std::vector<KeptScene> kept_;  // app thread only
+    std::uint64_t last_scene_ = 0;
+    std::atomic<std::uint64_t> scene_in_use_{0};
+
+    LatestValue<SceneHandle> scene_;
+    LatestValue<ServoTuning> tuning_;
+    LatestValue<WorkspacePose> pose_;
+    LatestValue<ToolState> tool_, tool_for_ears_;
+    LatestValue<ServoReport> report_;
+    EventRing events_;
+
+    // Servo thread only.
+    ServoState state_;
+    ServoReport counted_;
+    std::uint64_t ring_lost_ = 0;
+};
+
+// "Touch runs in real time." or what is missing for it, fit to be spoken or printed; empty before the start.
+std::string scheduling_sentence(Scheduling scheduling);
+
+}  // namespace handrail
