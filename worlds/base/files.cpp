@@ -54,10 +54,11 @@ Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes)
 
 Result<void> write_file_atomically(const fs::path& path, std::string_view content) {
     std::error_code ec;
+    // Link by link, since the last one may point to a file that is still to be made.
     fs::path target = path;
-    if (fs::is_symlink(target, ec)) {
-        const fs::path followed = fs::weakly_canonical(target, ec);
-        if (!ec) target = followed;
+    for (int links = 0; fs::is_symlink(target, ec); ++links) {
+        if (links == 40) return fail(fmt::format("This file could not be saved: {}.", reason(ELOOP)), path.filename().string());  // the system's own limit
+        target = target.parent_path() / fs::read_symlink(target, ec);
     }
     const std::string name = target.filename().string();
     const auto refused = [&](int error) { return fail(fmt::format("This file could not be saved: {}. The old one is unchanged.", reason(error)), name); };

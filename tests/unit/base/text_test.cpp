@@ -19,5 +19,35 @@ TEST(ParseFinite, takes_whole_numbers_only_and_refuses_nan_and_infinity) {
     for (const char* bad : {"", "nan", "inf", "1e999", "1,5", "12x", "--1", " 1"}) EXPECT_FALSE(parse_finite(bad, value)) << bad;
 }
 
+TEST(LowerAscii, leaves_bytes_beyond_ascii_alone) { EXPECT_EQ(lower_ascii("AbZ\xC3\x89[`"), "abz\xC3\x89[`"); }
+
+TEST(IsUtf8, takes_every_valid_length_and_refuses_every_kind_of_damage) {
+    for (const char* good : {"", "plain", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80", "\xED\x9F\xBF", "\xF4\x8F\xBF\xBF"})
+        EXPECT_TRUE(is_utf8(good)) << good;
+    // Stray continuation, cut short, overlong forms, a surrogate, above U+10FFFF, bytes that never occur.
+    for (const char* bad : {"\x80", "\xC3", "\xE2\x82", "a\xF0\x9F\x98", "\xC3(", "\xC0\xAF", "\xE0\x80\xAF", "\xF0\x80\x80\xAF", "\xED\xA0\x80",
+                            "\xF4\x90\x80\x80", "\xFE", "\xFF"})
+        EXPECT_FALSE(is_utf8(bad)) << testing::PrintToString(std::string(bad));
+}
+
+// Twin: the textbook recursion without any cleverness.
+std::size_t plain_distance(std::string_view a, std::string_view b) {
+    if (a.empty() || b.empty()) return a.size() + b.size();
+    return std::min(
+        {plain_distance(a.substr(1), b) + 1, plain_distance(a, b.substr(1)) + 1, plain_distance(a.substr(1), b.substr(1)) + (a[0] == b[0] ? 0U : 1U)});
+}
+
+TEST(NearestName, agrees_with_a_plain_recursion_on_all_short_words) {
+    std::vector<std::string> words{""};
+    for (std::size_t i = 0; i < 40; ++i)
+        for (const char c : {'a', 'b', 'c'}) words.push_back(words[i] + c);
+    for (const std::string& word : words) {
+        const std::vector<std::string> others(words.begin() + 1, words.begin() + 40);
+        std::size_t best = 100;
+        for (const std::string& other : others) best = std::min(best, plain_distance(word, other));
+        ASSERT_EQ(plain_distance(word, nearest_name(word, others)), best) << word;
+    }
+}
+
 }  // namespace
 }  // namespace handrail

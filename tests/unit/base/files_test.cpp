@@ -1,0 +1,104 @@
+#include "worlds/base/files.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+namespace fs = std::filesystem;
+using test::content_of;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+std::size_t files_in(const fs::path& folder) { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator{})); }
+
+TEST(ReadWholeFile, gives_every_byte_as_it_is) {
+    const TemporaryFolder folder;
+    const std::string bytes("a\0\r\n\xff", 5);
+    EXPECT_EQ(read_whole_file(folder.write("some", bytes)).value(), bytes);
+    EXPECT_EQ(read_whole_file(folder.write("empty", "")).value(), "");
+    const std::string big(300'001, 'x');
+    EXPECT_EQ(read_whole_file(folder.write("big", big)).value(), big);
+}
+
+TEST(ReadWholeFile, names_the_file_and_says_why_it_cannot) {
+    const TemporaryFolder folder;
+    EXPECT_THAT(read_whole_file(folder.path() / "none.map").error().sentence(), testing::StartsWith("none.map: This file cannot be opened: No such file"));
+    EXPECT_THAT(read_whole_file(folder.path()).error().message, HasSubstr("folder"));
+    EXPECT_EQ(read_whole_file(folder.write("long", std::string(5, 'x')), 5).value().size(), 5U);
+    EXPECT_THAT(read_whole_file(folder.write("long", std::string(6, 'x')), 5).error().message, HasSubstr("larger"));
+}
+
+TEST(WriteFileAtomically, replaces_the_whole_file_and_leaves_nothing_beside_it) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("file", "a much longer old text");
+    ASSERT_TRUE(write_file_atomically(file, "new"));
+    EXPECT_EQ(content_of(file), "new");
+    ASSERT_TRUE(write_file_atomically(file, ""));
+    EXPECT_EQ(content_of(file), "");
+    EXPECT_EQ(files_in(folder.path()), 1U);
+}
+
+TEST(WriteFileAtomically, makes_missing_folders) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(write_file_atomically(folder.path() / "a" / "b" / "file", "x"));
+    EXPECT_EQ(content_of(folder.path() / "a" / "b" / "file"), "x");
+    const Result<void> through_a_file = write_file_atomically(folder.path() / "a" / "b" / "file" / "below", "x");
+    EXPECT_THAT(through_a_file.error().sentence(), HasSubstr("could not be saved"));
+}
+
+TEST(WriteFileAtomically, keeps_permission_bits_and_gives_new_files_ordinary_ones) {
+    const TemporaryFolder folder;
+    const fs::path secret = folder.write("secret", "old");
+    fs::permissions(secret, fs::perms::owner_read | fs::perms::owner_write);
+    ASSERT_TRUE(write_file_atomically(secret, "new"));
+    EXPECT_EQ(fs::status(secret).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    ASSERT_TRUE(write_file_atomically(folder.path() / "fresh", "new"));
+    EXPECT_EQ(fs::status(folder.path() / "fresh").permissions() & fs::perms::owner_all, fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(WriteFileAtomically, follows_a_symbolic_link_so_that_it_stays_a_link) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder.path() / "real");
+    const fs::path target = folder.write("real/file", "old");
+    fs::create_symlink("real/file", folder.path() / "link");
+    fs::create_symlink("link", folder.path() / "link-to-link");
+    ASSERT_TRUE(write_file_atomically(folder.path() / "link-to-link", "new"));
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "link"));
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "link-to-link"));
+    EXPECT_EQ(content_of(target), "new");
+    fs::create_symlink("real/later", folder.path() / "dangling");
+    ASSERT_TRUE(write_file_atomically(folder.path() / "dangling", "made"));
+    EXPECT_EQ(content_of(folder.path() / "real" / "later"), "made");
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "dangling"));
+    fs::create_symlink("circle", folder.path() / "circle");
+    EXPECT_FALSE(write_file_atomically(folder.path() / "circle", "x"));
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "circle"));
+}
+
+// In a child process that has given up being root, since root may write anywhere.
+TEST(WriteFileAtomically, leaves_the_old_file_and_says_so_when_the_folder_is_read_only) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("file", "old");
+    ASSERT_EQ(::chmod(folder.path().c_str(), 0555), 0);
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        if (::geteuid() == 0 && (::setgid(65534) != 0 || ::setuid(65534) != 0)) ::_exit(3);
+        const Result<void> written = write_file_atomically(file, "new");
+        ::_exit(written ? 1 : written.error().message.find("Permission denied") == std::string::npos ? 2 : 0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 0) << "1: written all the same, 2: another reason, 3: root could not step down";
+    EXPECT_EQ(content_of(file), "old");
+    EXPECT_EQ(files_in(folder.path()), 1U);
+}
+
+}  // namespace
+}  // namespace handrail
