@@ -1,0 +1,169 @@
+// The shape of the project, read from its own files: which folder may include which, what lies at the top, what no file may name.
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+namespace fs = std::filesystem;
+
+const fs::path kRoot = HANDRAIL_SOURCE_DIR;
+
+// Files of the project, by git where there is a repository (an unpacked archive has none: then everything but build output).
+std::vector<std::string> project_files() {
+    std::vector<std::string> files;
+    const std::string command = "git -c safe.directory='*' -C '" + kRoot.string() + "' ls-files 2>/dev/null";
+    if (FILE* pipe = ::popen(command.c_str(), "r")) {
+        std::array<char, 4096> line{};
+        while (std::fgets(line.data(), line.size(), pipe)) files.push_back(std::string(line.data(), std::string_view(line.data()).find('\n')));
+        ::pclose(pipe);
+    }
+    if (!files.empty()) return files;
+    for (auto it = fs::recursive_directory_iterator(kRoot); it != fs::recursive_directory_iterator(); ++it) {
+        const std::string name = it->path().lexically_relative(kRoot).string();
+        if (name == "build" || name == ".git" || name == ".cache") it.disable_recursion_pending();
+        else if (it->is_regular_file()) files.push_back(name);
+    }
+    return files;
+}
+
+bool is_source(const std::string& file) { return file.ends_with(".h") || file.ends_with(".cpp"); }
+
+// What each folder may include besides itself, everything it links passed on. The same as the table in docs/architecture.md.
+const std::map<std::string, std::vector<std::string>> kMayLink{
+    {"worlds/base", {}},
+    {"worlds/geometry", {"worlds/base"}},
+    {"settings", {"worlds/base"}},
+    {"worlds/scene", {"worlds/base", "worlds/geometry"}},
+    {"worlds/readers", {"worlds/scene"}},
+    {"haptic/render", {"worlds/geometry", "settings"}},
+    {"haptic/compile", {"haptic/render", "worlds/scene"}},
+    {"haptic/device", {"worlds/base", "settings"}},
+    {"haptic/servo", {"haptic/render", "haptic/device"}},
+    {"audio-cues/plan", {"worlds/scene", "settings", "haptic/servo"}},
+    {"audio-cues/sinks", {"audio-cues/plan"}},
+    {"app/core", {"worlds/readers", "settings", "haptic/compile", "haptic/servo", "audio-cues/plan"}},
+    {"app/terminal", {"app/core"}},
+    {"app/window", {"app/core"}},
+    {"app/main", {"app/core", "app/terminal", "app/window", "audio-cues/sinks"}},
+};
+
+void reach(const std::string& folder, std::set<std::string>& reached) {
+    if (!reached.insert(folder).second) return;
+    for (const std::string& next : kMayLink.at(folder)) reach(next, reached);
+}
+
+// "worlds/base" of "worlds/base/text.h", "settings" of "settings/table.h".
+std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
+
+// Quoted includes of one source text.
+std::vector<std::string> includes_of(const std::string& text) {
+    static const std::regex kInclude(R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re", std::regex::multiline);
+    std::vector<std::string> found;
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), kInclude); it != std::sregex_iterator(); ++it) found.push_back((*it)[1]);
+    return found;
+}
+
+// Nothing, or why this file may not include that one.
+std::string refusal(const std::string& file, const std::string& included) {
+    const std::string from = folder_of(file), to = folder_of(included);
+    if (!kMayLink.contains(from)) return file + " lies in a folder that the table does not list: " + from;
+    if (!kMayLink.contains(to)) return file + " includes \"" + included + "\", which is in no listed folder; write the path from the project's root";
+    std::set<std::string> reached;
+    reach(from, reached);
+    return reached.contains(to) ? "" : file + " includes " + included + ", but " + from + " may not know " + to;
+}
+
+TEST(IncludeDirection, holds_in_every_source_file_of_the_program) {
+    std::size_t looked_at = 0;
+    for (const std::string& file : project_files()) {
+        if (!is_source(file) || file.starts_with("tests/")) continue;
+        const std::string text = test::content_of(kRoot / file);
+        if (text.empty()) continue;  // deleted, not committed yet
+        ++looked_at;
+        EXPECT_TRUE(kMayLink.contains(folder_of(file))) << file << " lies in a folder that the table does not list";
+        for (const std::string& included : includes_of(text)) EXPECT_EQ(refusal(file, included), "");
+    }
+    EXPECT_GT(looked_at, 40U) << "the project's files were not found";
+}
+
+TEST(IncludeDirection, is_seen_to_be_broken_by_this_test) {
+    EXPECT_EQ(includes_of("#pragma once\n  #  include \"a/b.h\"\n#include <vector>\n// #include \"c.h\"\n"), std::vector<std::string>{"a/b.h"});
+    EXPECT_NE(refusal("haptic/render/touch.cpp", "worlds/scene/scene.h"), "");
+    EXPECT_NE(refusal("app/core/core.cpp", "app/window/window.h"), "");
+    EXPECT_NE(refusal("app/core/core.cpp", "audio-cues/sinks/openal_sink.h"), "");
+    EXPECT_NE(refusal("worlds/new/file.cpp", "worlds/base/text.h"), "");
+    EXPECT_NE(refusal("worlds/base/text.cpp", "text.h"), "");
+    EXPECT_EQ(refusal("app/core/core.cpp", "worlds/base/text.h"), "");
+}
+
+// handrail_library(NAME FOLDER LINK ... PRIVATE ...) in the CMake lists: a folder links no library of a folder it may not know.
+TEST(IncludeDirection, holds_in_the_link_lines_too) {
+    static const std::regex kLibrary(R"(handrail_library\(\s*(handrail_\w+)\s+([\w/-]+)([^)]*)\))");
+    std::map<std::string, std::string> folder_by_library;
+    std::vector<std::pair<std::string, std::string>> links;  // folder, library
+    for (const std::string& file : project_files()) {
+        if (!file.ends_with("CMakeLists.txt") || file == "CMakeLists.txt" || file.starts_with("tests/")) continue;
+        const std::string text = test::content_of(kRoot / file);
+        for (auto it = std::sregex_iterator(text.begin(), text.end(), kLibrary); it != std::sregex_iterator(); ++it) {
+            folder_by_library[(*it)[1]] = (*it)[2];
+            std::istringstream words((*it)[3]);
+            for (std::string word; words >> word;)
+                if (word.starts_with("handrail_")) links.emplace_back((*it)[2], word);
+        }
+    }
+    EXPECT_GE(folder_by_library.size(), 10U) << "the CMake lists were not understood";
+    for (const auto& [folder, library] : links) {
+        ASSERT_TRUE(folder_by_library.contains(library)) << library;
+        EXPECT_EQ(refusal(folder + "/CMakeLists.txt", folder_by_library[library] + "/x.h"), "");
+    }
+}
+
+TEST(IncludeDirection, is_written_in_the_architecture_document_too) {
+    const fs::path document = kRoot / "docs" / "architecture.md";
+    const std::string text = test::content_of(document);
+    for (const auto& [folder, links] : kMayLink) {
+        std::string row = "| " + folder + " | ";
+        for (std::size_t i = 0; i < links.size(); ++i) row += (i ? ", " : "") + links[i];
+        if (links.empty()) row += "nothing of ours";
+        EXPECT_NE(text.find(row + " |"), std::string::npos) << "docs/architecture.md lacks the row: " << row << " |";
+    }
+}
+
+TEST(TopLevel, holds_only_the_names_that_belong_there) {
+    const std::set<std::string> allowed{".ci",     ".clang-format", ".gitignore", "CMakeLists.txt", "CMakePresets.json",
+                                        "LICENSE", "README.md",     "app",        "audio-cues",     "docs",
+                                        "haptic",  "run",           "settings",   "tests",          "worlds"};
+    for (const std::string& file : project_files()) EXPECT_TRUE(allowed.contains(file.substr(0, file.find('/')))) << file;
+}
+
+// Where a developer's folders lie is nobody else's business and breaks on every other machine. System folders that Debian promises are fine.
+const std::regex& machine_path() {
+    static const std::regex kPath(R"((^|[\s"'=(:`])/(home|root|work|mnt|media|Users|workspace)/[A-Za-z0-9_.-])", std::regex::multiline);
+    return kPath;
+}
+
+TEST(Files, name_no_folder_of_one_machine) {
+    for (const std::string& file : project_files()) {
+        std::error_code ec;
+        if (!fs::is_regular_file(kRoot / file, ec) || fs::file_size(kRoot / file, ec) > 2'000'000 || file.ends_with(".png")) continue;
+        std::smatch found;
+        std::istringstream lines(test::content_of(kRoot / file));
+        int number = 0;
+        for (std::string line; std::getline(lines, line);) {
+            ++number;
+            EXPECT_FALSE(line.size() < 2000 && std::regex_search(line, found, machine_path())) << file << ":" << number << ": " << line;
+        }
+    }
+    EXPECT_TRUE(std::regex_search(std::string("see \"/ho") + "me/ann/x\"", machine_path()));
+    EXPECT_FALSE(std::regex_search(std::string("/usr/share/fonts and worlds/maps"), machine_path()));
+}
+
+}  // namespace
+}  // namespace handrail
