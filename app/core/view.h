@@ -25,6 +25,8 @@ struct ViewState {
     bool north_up = true;                     // Map frame
     std::string last_spoken;                  // large text
     std::vector<Vec3> path_m;                 // walked path, oldest first
+
+    bool operator==(const ViewState&) const = default;
 };
 
 }  // namespace handrail

@@ -1,1 +1,174 @@
-#include "app/core/view.h"
+#include "app/window/window.h"
+
+#include <X11/Xlib.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/window/renderer.h"
+
+// As GLFW's own header of native access declares it; that one asks for more X headers than we need.
+extern "C" Display* glfwGetX11Display();
+
+namespace handrail {
+namespace {
+
+std::string glfw_problem() {
+    const char* description = nullptr;
+    glfwGetError(&description);
+    return description ? description : "no reason was given";
+}
+
+}  // namespace
+
+class Window::Impl {
+public:
+    Result<void> open(const WindowOptions& options) {
+        if (glfwInit() != GLFW_TRUE)
+            return fail(fmt::format("There is no display; the picture is left out and everything else works in the terminal ({}).", glfw_problem()));
+        initialised_ = true;
+        // Without a handler Xlib ends the whole program when the display goes away, and the hand would be let go of without a ramp.
+        XSetIOErrorExitHandler(glfwGetX11Display(), &Impl::display_lost, this);
+
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        // Some displays offer OpenGL through EGL only.
+        for (const int way : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
+            glfwWindowHint(GLFW_CONTEXT_CREATION_API, way);
+            window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+            if (window_) break;
+        }
+        if (!window_) return fail(fmt::format("There is no picture; the display offers no OpenGL 3.3 ({}).", glfw_problem()));
+        glfwMakeContextCurrent(window_);
+        glfwSwapInterval(0);
+        auto renderer = Renderer::create();
+        if (!renderer) return tl::unexpected(renderer.error());
+        renderer_ = std::move(*renderer);
+
+        glfwSetWindowUserPointer(window_, this);
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) { self(w).take_key(key, action, mods); });
+        glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) { self(w).take_focus(focused == GLFW_TRUE); });
+        glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).events_.emplace_back(CloseRequest{}); });
+        glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).shown_.reset(); });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { self(w).take_button(); });
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).take_cursor(x, y); });
+        glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double notches) { self(w).take_wheel(notches); });
+        return {};
+    }
+
+    ~Impl() {
+        if (display_lost_) {
+            // Every further call would speak to a display that is gone. What the server held went with it; the rest goes with the process.
+            static_cast<void>(renderer_.release());
+            return;
+        }
+        renderer_.reset();
+        if (window_) glfwDestroyWindow(window_);
+        if (initialised_) glfwTerminate();
+    }
+
+    std::vector<WindowEvent> poll() {
+        if (!display_lost_) glfwPollEvents();
+        if (display_lost_ && !told_of_loss_) {
+            told_of_loss_ = true;
+            for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
+            events_.emplace_back(CloseRequest{});
+        }
+        return std::exchange(events_, {});
+    }
+
+    void draw(const ViewState& view) {
+        if (display_lost_) return;
+        const PixelSize size = framebuffer_size();
+        if (shown_ && *shown_ == view && size == shown_size_) return;
+        renderer_->draw(view, size);
+        glfwSwapBuffers(window_);
+        shown_ = view;
+        shown_size_ = size;
+    }
+
+    Picture picture(const ViewState& view) {
+        if (display_lost_) return {};
+        const PixelSize size = framebuffer_size();
+        renderer_->draw(view, size);
+        return Renderer::read_back(size);
+    }
+
+private:
+    static Impl& self(GLFWwindow* window) { return *static_cast<Impl*>(glfwGetWindowUserPointer(window)); }
+
+    static void display_lost(Display*, void* impl) { static_cast<Impl*>(impl)->display_lost_ = true; }
+
+    PixelSize framebuffer_size() const {
+        PixelSize size;
+        glfwGetFramebufferSize(window_, &size.width, &size.height);
+        return size;
+    }
+
+    void take_key(int key, int action, int mods) {
+        for (KeyEvent& event : keys_.take(key, action, mods)) events_.emplace_back(std::move(event));
+    }
+
+    void take_focus(bool focused) {
+        events_.emplace_back(FocusChange{focused});
+        if (focused) return;
+        // GLFW reports the releases after this, too; by then the tracker holds nothing any more.
+        for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
+    }
+
+    void take_button() {
+        keys_.other_input();
+        glfwGetCursorPos(window_, &cursor_x_, &cursor_y_);
+    }
+
+    void take_cursor(double x, double y) {
+        const double right_m = kHandMetresPerPixel * (x - cursor_x_), away_m = kHandMetresPerPixel * (cursor_y_ - y);
+        cursor_x_ = x;
+        cursor_y_ = y;
+        if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) move_hand({right_m, away_m, 0.0});
+        else if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) move_hand({right_m, 0.0, away_m});
+    }
+
+    void take_wheel(double notches) {
+        keys_.other_input();
+        move_hand({0.0, 0.0, kHandMetresPerNotch * notches});
+    }
+
+    // Motions that follow each other are one.
+    void move_hand(const Vec3& by_m) {
+        if (!events_.empty())
+            if (auto* last = std::get_if<HandMotion>(&events_.back())) {
+                last->by_m += by_m;
+                return;
+            }
+        events_.emplace_back(HandMotion{by_m});
+    }
+
+    bool initialised_ = false;
+    GLFWwindow* window_ = nullptr;
+    std::unique_ptr<Renderer> renderer_;
+    KeyTracker keys_;
+    std::vector<WindowEvent> events_;
+    double cursor_x_ = 0.0, cursor_y_ = 0.0;
+    std::optional<ViewState> shown_;  // what stands in the window; none when it must be drawn again
+    PixelSize shown_size_;
+    bool display_lost_ = false;
+    bool told_of_loss_ = false;
+};
+
+Window::Window(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Window::~Window() = default;
+
+Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
+    auto impl = std::make_unique<Impl>();
+    if (auto opened = impl->open(options); !opened) return tl::unexpected(opened.error());
+    return std::unique_ptr<Window>(new Window(std::move(impl)));
+}
+
+std::vector<WindowEvent> Window::poll() { return impl_->poll(); }
+void Window::draw(const ViewState& view) { impl_->draw(view); }
+Picture Window::picture(const ViewState& view) { return impl_->picture(view); }
+
+}  // namespace handrail

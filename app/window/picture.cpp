@@ -1,0 +1,18 @@
+#include "app/window/picture.h"
+
+#include <png.h>
+
+namespace handrail {
+
+Result<void> save_png(const Picture& picture, const std::filesystem::path& path) {
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    image.width = static_cast<png_uint_32>(picture.width);
+    image.height = static_cast<png_uint_32>(picture.height);
+    image.format = PNG_FORMAT_RGB;
+    if (png_image_write_to_file(&image, path.c_str(), 0, picture.rgb.data(), 0, nullptr) == 0)
+        return fail(fmt::format("The picture could not be saved: {}", image.message), path.string());
+    return {};
+}
+
+}  // namespace handrail

@@ -1,0 +1,27 @@
+// A picture of the window in memory and as a PNG file. Plain value.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "worlds/base/result.h"
+
+namespace handrail {
+
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgb;  // width * height * 3, top row first
+
+    std::array<std::uint8_t, 3> at(int x, int y) const {
+        const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+        return {rgb[i], rgb[i + 1], rgb[i + 2]};
+    }
+};
+
+// Fails with a sentence where the file cannot be written.
+Result<void> save_png(const Picture& picture, const std::filesystem::path& path);
+
+}  // namespace handrail

@@ -1,0 +1,64 @@
+// The real window: keys, mouse and focus in, a picture out, for people with low vision and sighted helpers. Everything in it can also be had by
+// touch, sound and the terminal. App thread only (GLFW wants the main one); at most one Window at a time.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/core/view.h"
+#include "app/window/keys.h"
+#include "app/window/picture.h"
+#include "worlds/base/result.h"
+
+namespace handrail {
+
+// The simulated hand was moved with the mouse: hand metres to the right, forward and up. Dragging with the left button moves it in the level
+// plane, with the right button right and up; a notch of the wheel is one kHandMetresPerNotch up.
+struct HandMotion {
+    Vec3 by_m{0.0};
+};
+inline constexpr double kHandMetresPerPixel = 0.0002;  // 15 cm, a device's reach, across 750 pixels
+inline constexpr double kHandMetresPerNotch = 0.005;
+
+struct FocusChange {
+    bool focused = false;
+};
+
+// The person closed the window, or the display went away. The window stays until it is destroyed.
+struct CloseRequest {};
+
+using WindowEvent = std::variant<KeyEvent, HandMotion, FocusChange, CloseRequest>;
+
+struct WindowOptions {
+    std::string title = "Handrail";
+    int width = 960;  // of the inside, in screen coordinates
+    int height = 720;
+};
+
+class Window {
+public:
+    // Fails with one sentence: "There is no display; ..." where none can be reached, else what the graphics driver lacks. About 0.2 s.
+    static Result<std::unique_ptr<Window>> open(const WindowOptions& options = {});
+    ~Window();
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    // What happened since the last call, in order. Never waits. When the focus goes, releases of all held keys come after its FocusChange.
+    std::vector<WindowEvent> poll();
+
+    // Shows the view. Costs nothing when neither it nor the window changed since the last call. Does not wait for the screen's refresh,
+    // because the same thread also feeds ears and hand: call it at most as often as pictures are wanted.
+    void draw(const ViewState& view);
+
+    // The view as draw() shows it.
+    Picture picture(const ViewState& view);
+
+private:
+    class Impl;
+    explicit Window(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace handrail

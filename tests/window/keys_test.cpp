@@ -1,0 +1,95 @@
+#include "app/window/keys.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <set>
+
+namespace handrail::test {
+namespace {
+
+using Events = std::vector<KeyEvent>;
+
+TEST(KeyName, names_places_on_the_keyboard_and_puts_modifiers_before_them) {
+    EXPECT_EQ(key_name(GLFW_KEY_UP, 0), "Up");
+    EXPECT_EQ(key_name(GLFW_KEY_PAGE_DOWN, 0), "PageDown");
+    EXPECT_EQ(key_name(GLFW_KEY_F, 0), "F");
+    EXPECT_EQ(key_name(GLFW_KEY_F12, 0), "F12");
+    EXPECT_EQ(key_name(GLFW_KEY_GRAVE_ACCENT, 0), "Grave");
+    EXPECT_EQ(key_name(GLFW_KEY_1, GLFW_MOD_SHIFT), "Shift+1");
+    EXPECT_EQ(key_name(GLFW_KEY_LEFT, GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT), "Control+Alt+Shift+Left");
+    EXPECT_EQ(key_name(GLFW_KEY_RIGHT_CONTROL, GLFW_MOD_CONTROL), "Control");
+    EXPECT_EQ(key_name(GLFW_KEY_F, GLFW_MOD_CAPS_LOCK | GLFW_MOD_NUM_LOCK), "F") << "locks are no modifiers";
+    EXPECT_EQ(key_name(GLFW_KEY_UNKNOWN, 0), std::nullopt);
+    EXPECT_EQ(key_name(GLFW_KEY_LEFT_SUPER, 0), std::nullopt) << "the desktop's own key";
+}
+
+TEST(KeyNames, are_unique_and_every_one_is_made_by_some_key) {
+    const std::set<std::string_view> names(key_names().begin(), key_names().end());
+    EXPECT_EQ(names.size(), key_names().size());
+    std::set<std::string> made;
+    for (int key = GLFW_KEY_SPACE; key <= GLFW_KEY_LAST; ++key)
+        if (const auto name = key_name(key, 0)) made.insert(*name);
+    EXPECT_EQ(made, std::set<std::string>(names.begin(), names.end()));
+}
+
+TEST(KeyTracker, tells_press_repeat_and_release_apart) {
+    KeyTracker keys;
+    EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_PRESS, 0), (Events{{"Up", KeyAction::Press}}));
+    EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_REPEAT, 0), (Events{{"Up", KeyAction::Repeat}}));
+    EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_RELEASE, 0), (Events{{"Up", KeyAction::Release}}));
+    EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_RELEASE, 0), Events{}) << "a release without its press is of no use";
+}
+
+TEST(KeyTracker, gives_a_release_the_name_of_its_press) {
+    KeyTracker keys;
+    keys.take(GLFW_KEY_UP, GLFW_PRESS, 0);
+    keys.take(GLFW_KEY_LEFT_SHIFT, GLFW_PRESS, GLFW_MOD_SHIFT);
+    EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_REPEAT, GLFW_MOD_SHIFT), (Events{{"Up", KeyAction::Repeat}}));
+    EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_RELEASE, GLFW_MOD_SHIFT), (Events{{"Up", KeyAction::Release}}));
+}
+
+TEST(KeyTracker, control_alone_acts_when_it_comes_up) {
+    KeyTracker keys;
+    EXPECT_EQ(keys.take(GLFW_KEY_RIGHT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL), Events{});
+    EXPECT_EQ(keys.take(GLFW_KEY_RIGHT_CONTROL, GLFW_REPEAT, GLFW_MOD_CONTROL), Events{});
+    EXPECT_EQ(keys.take(GLFW_KEY_RIGHT_CONTROL, GLFW_RELEASE, 0), (Events{{"Control", KeyAction::Press}, {"Control", KeyAction::Release}}));
+}
+
+TEST(KeyTracker, control_with_another_key_or_the_mouse_is_not_control_alone) {
+    KeyTracker keys;
+    keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL);
+    EXPECT_EQ(keys.take(GLFW_KEY_C, GLFW_PRESS, GLFW_MOD_CONTROL), (Events{{"Control+C", KeyAction::Press}}));
+    EXPECT_EQ(keys.take(GLFW_KEY_C, GLFW_RELEASE, GLFW_MOD_CONTROL), (Events{{"Control+C", KeyAction::Release}}));
+    EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0), Events{});
+
+    keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL);
+    keys.other_input();
+    EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0), Events{});
+
+    keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL);
+    keys.take(GLFW_KEY_LEFT_SHIFT, GLFW_PRESS, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
+    EXPECT_EQ(keys.take(GLFW_KEY_LEFT_SHIFT, GLFW_RELEASE, GLFW_MOD_CONTROL), Events{});
+    EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0), Events{});
+}
+
+TEST(KeyTracker, control_silences_while_a_walking_key_is_held) {
+    KeyTracker keys;
+    keys.take(GLFW_KEY_UP, GLFW_PRESS, 0);
+    keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL);
+    keys.take(GLFW_KEY_UP, GLFW_REPEAT, GLFW_MOD_CONTROL);
+    EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0).size(), 2U);
+}
+
+TEST(KeyTracker, lets_go_of_everything_when_the_keyboard_is_lost) {
+    KeyTracker keys;
+    keys.take(GLFW_KEY_UP, GLFW_PRESS, 0);
+    keys.take(GLFW_KEY_LEFT, GLFW_PRESS, GLFW_MOD_SHIFT);
+    keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL);
+    EXPECT_EQ(keys.let_go(), (Events{{"Up", KeyAction::Release}, {"Shift+Left", KeyAction::Release}}));
+    EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_RELEASE, 0), Events{});
+    EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0), Events{}) << "leaving by Control+Alt+arrow must not silence speech";
+}
+
+}  // namespace
+}  // namespace handrail::test

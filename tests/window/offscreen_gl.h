@@ -1,0 +1,29 @@
+// An OpenGL context without any display, and a framebuffer to draw into: pictures can be tested on a machine without a screen.
+#pragma once
+
+#include <memory>
+
+#include "app/window/renderer.h"
+
+namespace handrail::test {
+
+class OffscreenGl {
+public:
+    // Null where the driver cannot do it; the test then skips.
+    static std::unique_ptr<OffscreenGl> open(PixelSize size);
+    ~OffscreenGl();
+    OffscreenGl(const OffscreenGl&) = delete;
+    OffscreenGl& operator=(const OffscreenGl&) = delete;
+
+    Picture draw(Renderer& renderer, const ViewState& view);
+
+private:
+    OffscreenGl() = default;
+    void* display_ = nullptr;
+    void* context_ = nullptr;
+    unsigned framebuffer_ = 0;
+    unsigned planes_[2] = {0, 0};
+    PixelSize size_;
+};
+
+}  // namespace handrail::test

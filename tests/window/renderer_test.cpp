@@ -1,0 +1,332 @@
+#include "app/window/renderer.h"
+
+#include <filesystem>
+
+#include "app/window/draw_mesh.h"
+#include "tests/window/offscreen_gl.h"
+#include "tests/window/small_room.h"
+
+namespace handrail::test {
+namespace {
+
+constexpr PixelSize kSize{960, 720};
+constexpr double kPictureHeight_px = 580.0;  // 720 less two lines of 60 and margins of 10 above and below
+constexpr double kBandTop_px = kPictureHeight_px;
+
+using Rgb = std::array<std::uint8_t, 3>;
+
+bool red(const Rgb& c) { return c[0] > 140 && c[1] < 60 && c[2] < 60; }
+bool green(const Rgb& c) { return c[1] > 140 && c[0] < 60 && c[2] < 90; }
+bool white(const Rgb& c) { return c[0] > 250 && c[1] > 250 && c[2] > 250; }
+bool black(const Rgb& c) { return c[0] < 5 && c[1] < 5 && c[2] < 5; }
+bool yellow(const Rgb& c) { return c[0] > 230 && c[1] > 230 && c[2] < 40; }
+bool cyan(const Rgb& c) { return c[0] < 40 && c[1] > 230 && c[2] > 230; }
+
+struct Counted {
+    int count = 0;
+    Vec2 mean_px{0.0};
+};
+
+template <class Test>
+Counted count(const Picture& picture, Test test, double top_px = 0.0, double bottom_px = kPictureHeight_px) {
+    Counted found;
+    for (int y = static_cast<int>(top_px); y < static_cast<int>(bottom_px); ++y)
+        for (int x = 0; x < picture.width; ++x)
+            if (test(picture.at(x, y))) {
+                ++found.count;
+                found.mean_px += Vec2(x + 0.5, y + 0.5);
+            }
+    if (found.count) found.mean_px /= found.count;
+    return found;
+}
+
+class RendererTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        gl_ = OffscreenGl::open(kSize);
+        if (!gl_) GTEST_SKIP() << "this machine cannot draw without a display (EGL surfaceless)";
+        auto created = Renderer::create();
+        ASSERT_TRUE(created.has_value()) << created.error().sentence();
+        renderer_ = std::move(*created);
+    }
+
+    Picture draw(const ViewState& view) {
+        Picture picture = gl_->draw(*renderer_, view);
+        last_ = picture;
+        return picture;
+    }
+
+    void TearDown() override {
+        if (!HasFailure() || last_.rgb.empty()) return;
+        const auto path =
+            std::filesystem::temp_directory_path() / fmt::format("handrail_{}.png", ::testing::UnitTest::GetInstance()->current_test_info()->name());
+        if (save_png(last_, path)) std::cout << "last picture: " << path << "\n";
+    }
+
+    // Where a point of the world stands in the picture: the pinhole camera, worked out apart from the code under test.
+    static Vec2 pixel_of(const ViewState& view, const Vec3& world_m) {
+        const Vec3 to = world_m - view.eyes_m;
+        const double ahead = glm::dot(to, forward_of_heading(view.heading_rad)), right = glm::dot(to, right_of_heading(view.heading_rad));
+        const double depth = ahead * std::cos(view.tilt_rad) + to.z * std::sin(view.tilt_rad);
+        const double up = to.z * std::cos(view.tilt_rad) - ahead * std::sin(view.tilt_rad);
+        const double focal_px = 0.5 * kPictureHeight_px / std::tan(radians_from_degrees(30.0));
+        return {0.5 * kSize.width + focal_px * right / depth, 0.5 * kPictureHeight_px - focal_px * up / depth};
+    }
+    static Rgb at(const Picture& picture, const Vec2& px) { return picture.at(static_cast<int>(px.x), static_cast<int>(px.y)); }
+    static double brightness(const Picture& picture, const ViewState& view, const Vec3& world_m) { return luminance(at(picture, pixel_of(view, world_m))); }
+
+    std::unique_ptr<OffscreenGl> gl_;
+    std::unique_ptr<Renderer> renderer_;
+    Picture last_;
+};
+
+TEST_F(RendererTest, walls_ceiling_and_floor_differ_in_brightness_alone) {
+    const ViewState view = view_in(small_room(), 3.5, 0.3, 0.0);
+    const Picture picture = draw(view);
+    const double wall = brightness(picture, view, {3.5, 4.0, 1.5});
+    const double ceiling = brightness(picture, view, {3.5, 3.0, 2.5});
+    const double floor = brightness(picture, view, {3.5, 3.0, 0.0});
+    const double east_wall = brightness(picture, view, {6.0, 3.0, 1.5});
+    EXPECT_GT(wall, ceiling + 40.0);
+    EXPECT_GT(ceiling, floor + 40.0);
+    EXPECT_GT(east_wall, wall + 20.0);
+}
+
+TEST_F(RendererTest, a_corner_has_a_white_line_with_black_beside_it) {
+    const ViewState view = view_in(small_room(), 3.5, 0.3, 0.0);
+    const Picture picture = draw(view);
+    const Vec2 corner = pixel_of(view, {6.0, 4.0, 1.6});
+    int whites = 0, blacks = 0;
+    for (int x = static_cast<int>(corner.x) - 6; x <= static_cast<int>(corner.x) + 6; ++x) {
+        whites += white(picture.at(x, static_cast<int>(corner.y)));
+        blacks += black(picture.at(x, static_cast<int>(corner.y)));
+    }
+    EXPECT_GE(whites, 1);
+    EXPECT_GE(blacks, 2);
+}
+
+TEST_F(RendererTest, a_door_has_upright_stripes_and_is_brighter_than_its_wall) {
+    const ViewState view = view_in(small_room(), 3.5, 2.0, 90.0);
+    const Picture picture = draw(view);
+    const double wall = brightness(picture, view, {6.0, 3.4, 1.5});
+    const Vec2 left = pixel_of(view, {5.9, 2.4, 1.2}), right = pixel_of(view, {5.9, 1.6, 1.2});
+    double brightest = 0.0;
+    int changes = 0;
+    bool was_bright = luminance(at(picture, left)) > 160.0;
+    for (double x = left.x; x < right.x; ++x) {
+        const double here = luminance(at(picture, {x, left.y}));
+        brightest = std::max(brightest, here);
+        if ((here > 160.0) != was_bright) {
+            was_bright = !was_bright;
+            ++changes;
+        }
+    }
+    EXPECT_GT(brightest, wall + 20.0);
+    EXPECT_GE(changes, 5) << "0.8 m of stripes 0.12 m wide";
+}
+
+TEST_F(RendererTest, what_lies_under_water_shines_through) {
+    auto with_bright_bottom = std::make_shared<Scene>(*small_room());
+    add_box(*with_bright_bottom, {0.5, 0.5, 0.0}, {2.0, 1.5, 0.01}, FeatureKind::Object);
+    ViewState view = view_in(small_room(), 1.2, 3.0, 180.0);
+    view.tilt_rad = -0.6;
+    const Vec3 in_water(1.2, 1.0, 0.05), on_floor(3.2, 1.5, 0.0);
+    const Picture dark = draw(view);
+    const double water = brightness(dark, view, in_water);
+    EXPECT_GT(std::abs(water - brightness(dark, view, on_floor)), 10.0);
+    view.scene = with_bright_bottom;
+    EXPECT_GT(brightness(draw(view), view, in_water), water + 15.0);
+}
+
+TEST_F(RendererTest, ball_is_green_when_free_and_red_inside_a_white_ring_when_touching) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.show_hand = true;
+    view.proxy_m = {3.6, 2.0, 1.4};
+    const Vec2 expected = pixel_of(view, view.proxy_m);
+    const Picture free = draw(view);
+    const Counted greens = count(free, green);
+    EXPECT_GT(greens.count, 100);
+    EXPECT_LT(glm::distance(greens.mean_px, expected), 2.0);
+    EXPECT_EQ(count(free, red).count, 0);
+
+    view.touching = true;
+    const Picture touching = draw(view);
+    const Counted reds = count(touching, red);
+    EXPECT_NEAR(reds.count, greens.count, 0.25 * greens.count);
+    EXPECT_LT(glm::distance(reds.mean_px, expected), 2.0);
+    EXPECT_EQ(count(touching, green).count, 0);
+    EXPECT_GT(count(touching, white).count, count(free, white).count + greens.count) << "the ring tells the contact to those who see no red";
+}
+
+TEST_F(RendererTest, ball_is_hollow_while_forces_are_off_and_gone_without_a_hand) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.show_hand = true;
+    view.proxy_m = {3.6, 2.0, 1.4};
+    const Vec2 middle = pixel_of(view, view.proxy_m);
+    EXPECT_TRUE(green(at(draw(view), middle)));
+    view.forces_on = false;
+    const Picture hollow = draw(view);
+    EXPECT_FALSE(green(at(hollow, middle)));
+    EXPECT_GT(count(hollow, green).count, 50);
+    view.show_hand = false;
+    EXPECT_EQ(count(draw(view), green).count, 0);
+}
+
+TEST_F(RendererTest, a_wall_between_eye_and_ball_hides_it) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.show_hand = true;
+    view.proxy_m = {3.6, 5.0, 1.6};
+    EXPECT_EQ(count(draw(view), green).count, 0);
+}
+
+TEST_F(RendererTest, a_building_a_thousand_kilometres_from_the_origin_looks_the_same) {
+    ViewState near = view_in(small_room(), 3.5, 1.0, 20.0);
+    ViewState far = view_in(small_room({1e6, -1e6, 4000.0}), 3.5, 1.0, 20.0);
+    const Picture a = draw(near), b = draw(far);
+    int different = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); i += 3) different += std::abs(a.rgb[i + 1] - b.rgb[i + 1]) > 8;
+    EXPECT_LT(different, a.width * a.height / 500);
+}
+
+TEST_F(RendererTest, tilting_up_brings_the_ceiling_to_the_middle) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    const double ahead = luminance(at(draw(view), {480.5, 290.5}));
+    view.tilt_rad = radians_from_degrees(60.0);
+    EXPECT_NEAR(luminance(at(draw(view), {480.5, 290.5})), 0.36 * 255.0, 3.0);
+    EXPECT_GT(ahead, 150.0);
+}
+
+TEST_F(RendererTest, another_scene_replaces_the_first) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    const double wall = luminance(at(draw(view), {480.5, 290.5}));
+    auto with_screen = std::make_shared<Scene>(*view.scene);
+    add_box(*with_screen, {2.0, 2.0, 0.0}, {5.0, 2.1, 2.4}, FeatureKind::Door, SolidRole::Mover);
+    view.scene = with_screen;
+    EXPECT_GT(std::abs(luminance(at(draw(view), {480.5, 290.5})) - wall), 20.0);
+}
+
+// Rows of the band in which something white stands.
+std::pair<int, int> text_rows(const Picture& picture, double top_px) {
+    int first = -1, last = -1;
+    for (int y = static_cast<int>(top_px); y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            if (white(picture.at(x, y))) {
+                if (first < 0) first = y;
+                last = y;
+                break;
+            }
+    return {first, last};
+}
+
+TEST_F(RendererTest, last_spoken_line_stands_in_letters_of_a_twelfth_of_the_window_on_black) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    const Picture silent = draw(view);
+    EXPECT_EQ(count(silent, black, kBandTop_px, kSize.height).count, kSize.width * 140);
+    view.last_spoken = "High wall";
+    const auto [first, last] = text_rows(draw(view), kBandTop_px);
+    ASSERT_GE(first, 0);
+    // From the top of H to the foot of g: capital height and descender of DejaVu Sans are 0.73 + 0.24 of 1.16 line heights.
+    EXPECT_GT(last - first, 0.75 * kTextLinePart * kSize.height);
+    EXPECT_LT(last - first, 1.0 * kTextLinePart * kSize.height);
+}
+
+TEST_F(RendererTest, another_line_looks_different_and_letters_with_accents_are_known) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    std::vector<Picture> pictures;
+    for (const char* text : {"u", "ü", "é", "ł", "ж", "?", "\xEF\xBF\xBD"}) {
+        view.last_spoken = text;
+        pictures.push_back(draw(view));
+        EXPECT_GT(count(pictures.back(), white, kBandTop_px, kSize.height).count, 30) << text;
+    }
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            if (i == 6 && j == 5) continue;  // an unknown letter may be shown as a question mark
+            EXPECT_NE(pictures[i].rgb, pictures[j].rgb) << i << " looks like " << j;
+        }
+}
+
+TEST_F(RendererTest, a_long_line_wraps_and_a_very_long_one_leaves_a_quarter_of_the_picture) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    const auto band_top = [&](int words) {
+        view.last_spoken.clear();
+        for (int i = 0; i < words; ++i) view.last_spoken += "corridor ";
+        return text_rows(draw(view), 0.25 * kSize.height).first;
+    };
+    // Outlines of the room are white too, so look at what changes: the first row that is black from side to side.
+    const auto black_rows = [&](int words) {
+        band_top(words);
+        int rows = 0;
+        for (int y = 0; y < kSize.height; ++y) rows += black(last_.at(2, y)) && black(last_.at(kSize.width - 3, y));
+        return rows;
+    };
+    EXPECT_EQ(black_rows(2), 140);
+    const int four_lines = black_rows(10);
+    EXPECT_GT(four_lines, 140);
+    EXPECT_LT(four_lines, 6 * 60);
+    EXPECT_EQ(black_rows(300), 9 * 60 + 20);
+}
+
+TEST_F(RendererTest, a_window_of_a_few_pixels_is_survived) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.last_spoken = "Wall, plaster.";
+    for (const PixelSize size : {PixelSize{1, 1}, PixelSize{3, 200}, PixelSize{200, 3}, PixelSize{0, 10}})
+        for (const bool plan : {false, true}) {
+            view.plan_view = plan;
+            renderer_->draw(view, size);
+        }
+    view.plan_view = false;
+    EXPECT_GT(luminance(at(draw(view), {480.5, 290.5})), 100.0);
+}
+
+TEST_F(RendererTest, plan_shows_an_arrow_that_turns_with_the_heading) {
+    ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
+    view.plan_view = true;
+    view.feet_m = view.eyes_m = {3.0, 2.0, 0.0};
+    // The room is 6.4 by 4.4 m; the feet stand in its middle, which is the picture's.
+    const Vec2 feet_px(480.0, 290.0);
+    const auto tip = [&](double heading_degrees) {
+        view.heading_rad = radians_from_degrees(heading_degrees);
+        const Picture picture = draw(view);
+        Vec2 farthest(0.0);
+        int yellows = 0;
+        for (int y = 0; y < static_cast<int>(kPictureHeight_px); ++y)
+            for (int x = 0; x < picture.width; ++x)
+                if (yellow(picture.at(x, y))) {
+                    ++yellows;
+                    const Vec2 from(x + 0.5 - feet_px.x, y + 0.5 - feet_px.y);
+                    if (glm::length(from) > glm::length(farthest)) farthest = from;
+                }
+        EXPECT_GT(yellows, 150) << heading_degrees;
+        return farthest;
+    };
+    const Vec2 north = tip(0.0), east = tip(90.0), south = tip(180.0);
+    EXPECT_LT(north.y, -15.0);
+    EXPECT_NEAR(north.x, 0.0, 3.0);
+    EXPECT_GT(east.x, 15.0);
+    EXPECT_NEAR(east.y, 0.0, 3.0);
+    EXPECT_GT(south.y, 15.0);
+    view.north_up = false;  // Walk: the world turns, the arrow stands
+    EXPECT_LT(tip(90.0).y, -15.0);
+    EXPECT_LT(tip(200.0).y, -15.0);
+}
+
+TEST_F(RendererTest, plan_shows_walls_full_doors_open_and_the_walked_path) {
+    ViewState view = view_in(small_room(), 3.0, 2.0, 0.0);
+    view.plan_view = true;
+    const Picture before = draw(view);
+    // Shown whole: 0.94 * 580 px for 4.4 m, less than the 100 px per metre at which it stops.
+    const auto px = [](double x_m, double y_m) { return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0)); };
+    EXPECT_NEAR(luminance(at(before, px(3.0, 4.1))), 200.0, 2.0);
+    EXPECT_TRUE(black(at(before, px(4.0, 3.0))));
+    EXPECT_TRUE(black(at(before, px(5.95, 1.6)))) << "a door is not filled";
+    EXPECT_EQ(count(before, cyan).count, 0);
+    view.path_m = {{3.0, 1.0, 0.0}, {5.0, 1.0, 0.0}, {5.0, 3.0, 0.0}};
+    const Picture after = draw(view);
+    EXPECT_TRUE(cyan(at(after, px(4.0, 1.0))));
+    EXPECT_TRUE(cyan(at(after, px(5.0, 2.0))));
+    EXPECT_TRUE(cyan(at(after, px(4.5, 2.75)))) << "from the last step kept to the feet";
+    EXPECT_GT(count(before, white).count, 300) << "scale and north";
+}
+
+}  // namespace
+}  // namespace handrail::test
