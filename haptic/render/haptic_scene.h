@@ -1,13 +1,17 @@
-// The haptic view of a building: what a hand can touch and nothing else. Immutable once compiled, so the servo thread reads it
+// The haptic view of a building: what a hand can touch and nothing else. Immutable once built, so the servo thread reads it
 // without locks. World metres in double, stored relative to origin_m so that far-away buildings lose nothing.
-// Features are named by FeatureId; ask Scene on the app thread for words. Built by compile_haptic (haptic/compile).
+// Features are named by FeatureId; ask Scene on the app thread for words. Built by compile_haptic (haptic/compile) through HapticSceneBuilder.
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
+#include "worlds/geometry/bvh.h"
+#include "worlds/geometry/closest_point.h"
 #include "worlds/geometry/convex.h"
 
 namespace handrail {
@@ -19,6 +23,76 @@ struct HapticMaterial {
     double friction_kinetic = -1.0;
 };
 
-struct HapticScene;  // completed by the owner of haptic/render
+// What is touched where: the answer to "which surface is this?".
+struct SurfaceLabel {
+    FeatureId feature = kNoFeature;
+    MaterialId material = kDefaultMaterial;
+    bool hidden = false;  // wholly covered by other solids; names nothing while another face can
+};
+
+enum class ObstacleKind : std::uint8_t {
+    Triangle,  // two-sided sheet, no inside
+    Box,       // axis-aligned
+    Brush,     // convex solid given by its planes
+};
+
+// One convex thing that stops the proxy.
+struct Obstacle {
+    ObstacleKind kind = ObstacleKind::Triangle;
+    std::uint32_t shape = 0;        // into triangles, boxes; for a brush the first of its planes
+    std::uint32_t planes = 0;       // of a brush
+    std::uint32_t first_label = 0;  // triangle 1, box 6 (-x +x -y +y -z +z), brush one per plane
+};
+
+// A volume to move through. A point in it is felt by its viscosity, in Ns/m of hand speed.
+struct LiquidVolume {
+    std::vector<Plane> planes;
+    std::vector<bool> hidden;  // per plane: covered, so no surface of the liquid
+    FeatureId feature = kNoFeature;
+    double viscosity_ns_per_m = 0.0;  // 0: no force
+};
+
+struct HapticScene {
+    std::uint32_t generation = 0;  // differs for every scene built in this process
+    Vec3 origin_m{0.0};            // world place of the local zero; everything below is local
+    std::vector<Obstacle> obstacles;
+    std::vector<TriangleShape> triangles;
+    std::vector<Aabb> boxes;
+    std::vector<Plane> planes;
+    std::vector<SurfaceLabel> labels;
+    Bvh obstacle_bvh;                       // item i is obstacles[i]
+    std::vector<LiquidVolume> liquids;      // in the file's order
+    Bvh liquid_bvh;                         // item i is liquids[i]
+    std::vector<HapticMaterial> materials;  // same order as Scene::materials; entry 0 is the default wall
+
+    // Local coordinates. Never empty of meaning: index < obstacles.size().
+    ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
+    bool solid(std::uint32_t obstacle) const noexcept { return obstacles[obstacle].kind != ObstacleKind::Triangle; }
+    // The label of the face that looks most along `normal`, hidden faces last.
+    const SurfaceLabel& surface(std::uint32_t obstacle, const Vec3& normal) const noexcept;
+    const HapticMaterial& material(MaterialId id) const noexcept { return materials[id < materials.size() ? id : kDefaultMaterial]; }
+};
+
+// Collects world-coordinate shapes, then builds the scene. Off the real-time path; one thread.
+class HapticSceneBuilder {
+public:
+    // Entry 0 is the default wall; an empty list is given one.
+    explicit HapticSceneBuilder(std::vector<HapticMaterial> materials = {});
+
+    void add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label = {});
+    // One label for all faces, or six: -x +x -y +y -z +z.
+    void add_box(const Aabb& box_m, std::span<const SurfaceLabel> labels);
+    void add_box(const Aabb& box_m, const SurfaceLabel& label = {}) { add_box(box_m, std::span(&label, 1)); }
+    // A bounded convex solid; labels: one per plane or one for all. Becomes a box when it is an axis-aligned one.
+    void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels);
+    void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, const SurfaceLabel& label = {}) { add_solid(planes, bounds_m, std::span(&label, 1)); }
+    void add_liquid(LiquidVolume liquid, const Aabb& bounds_m);
+
+    std::shared_ptr<const HapticScene> build();
+
+private:
+    HapticScene scene_;
+    std::vector<Aabb> obstacle_bounds_, liquid_bounds_;
+};
 
 }  // namespace handrail

@@ -1,0 +1,144 @@
+#include "haptic/render/haptic_scene.h"
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace handrail {
+namespace {
+
+// Bounds of brushes come from computed corners; this much more makes sure that no rounding hides a solid from the hierarchy.
+constexpr double kBoundsSlack = 1e-9;
+// Below this distance from the world's zero neighbouring doubles are at most 2e-13 m apart, so nothing is gained by moving the origin.
+constexpr double kNearZero_m = 1024.0;
+
+Aabb grown(Aabb box) {
+    const double largest = std::max(
+        {1.0, std::abs(box.min_m.x), std::abs(box.min_m.y), std::abs(box.min_m.z), std::abs(box.max_m.x), std::abs(box.max_m.y), std::abs(box.max_m.z)});
+    box.min_m -= Vec3(kBoundsSlack * largest);
+    box.max_m += Vec3(kBoundsSlack * largest);
+    return box;
+}
+
+// 0 to 5 for -x +x -y +y -z +z; -1 for a slanted plane.
+int axis_side(const Vec3& normal) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (std::abs(normal[axis]) == 1.0 && normal[(axis + 1) % 3] == 0.0 && normal[(axis + 2) % 3] == 0.0) return 2 * axis + (normal[axis] > 0.0 ? 1 : 0);
+    return -1;
+}
+
+}  // namespace
+
+ClosestPoint HapticScene::closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept {
+    const Obstacle& o = obstacles[obstacle];
+    switch (o.kind) {
+        case ObstacleKind::Triangle:
+            return closest_point(triangles[o.shape], local_m);
+        case ObstacleKind::Box:
+            return closest_point(boxes[o.shape], local_m);
+        case ObstacleKind::Brush:
+            break;
+    }
+    return closest_point(std::span(planes).subspan(o.shape, o.planes), local_m);
+}
+
+const SurfaceLabel& HapticScene::surface(std::uint32_t obstacle, const Vec3& normal) const noexcept {
+    const Obstacle& o = obstacles[obstacle];
+    if (o.kind == ObstacleKind::Triangle) return labels[o.first_label];
+    const std::uint32_t faces = o.kind == ObstacleKind::Box ? 6 : o.planes;
+    std::uint32_t best = 0;
+    double best_along = -std::numeric_limits<double>::infinity();
+    for (std::uint32_t face = 0; face < faces; ++face) {
+        double along =
+            o.kind == ObstacleKind::Box ? (face % 2 == 1 ? 1.0 : -1.0) * normal[static_cast<int>(face / 2)] : glm::dot(planes[o.shape + face].normal, normal);
+        if (labels[o.first_label + face].hidden) along -= 4.0;
+        if (along > best_along) {
+            best_along = along;
+            best = face;
+        }
+    }
+    return labels[o.first_label + best];
+}
+
+HapticSceneBuilder::HapticSceneBuilder(std::vector<HapticMaterial> materials) {
+    scene_.materials = std::move(materials);
+    if (scene_.materials.empty()) scene_.materials.emplace_back();
+}
+
+void HapticSceneBuilder::add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label) {
+    const auto first_label = static_cast<std::uint32_t>(scene_.labels.size());
+    scene_.labels.push_back(label);
+    scene_.obstacles.push_back({ObstacleKind::Triangle, static_cast<std::uint32_t>(scene_.triangles.size()), 0, first_label});
+    scene_.triangles.push_back({a_m, b_m, c_m});
+    Aabb bounds;
+    bounds.include(a_m);
+    bounds.include(b_m);
+    bounds.include(c_m);
+    obstacle_bounds_.push_back(bounds);
+}
+
+void HapticSceneBuilder::add_box(const Aabb& box_m, std::span<const SurfaceLabel> labels) {
+    const auto first_label = static_cast<std::uint32_t>(scene_.labels.size());
+    for (std::size_t face = 0; face < 6; ++face) scene_.labels.push_back(labels[labels.size() == 6 ? face : 0]);
+    scene_.obstacles.push_back({ObstacleKind::Box, static_cast<std::uint32_t>(scene_.boxes.size()), 0, first_label});
+    scene_.boxes.push_back(box_m);
+    obstacle_bounds_.push_back(box_m);
+}
+
+void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels) {
+    const auto label_of = [&](std::size_t face) { return labels[labels.size() == planes.size() ? face : 0]; };
+    if (planes.size() == 6) {
+        std::array<bool, 6> seen{};
+        std::array<SurfaceLabel, 6> sides;
+        Aabb box;
+        bool axis_aligned = true;
+        for (std::size_t face = 0; face < 6 && axis_aligned; ++face) {
+            const int side = axis_side(planes[face].normal);
+            axis_aligned = side >= 0 && !seen[static_cast<std::size_t>(side)];
+            if (!axis_aligned) break;
+            seen[static_cast<std::size_t>(side)] = true;
+            sides[static_cast<std::size_t>(side)] = label_of(face);
+            (side % 2 == 1 ? box.max_m : box.min_m)[side / 2] = side % 2 == 1 ? planes[face].offset_m : -planes[face].offset_m;
+        }
+        if (axis_aligned) return add_box(box, sides);
+    }
+    const auto first_label = static_cast<std::uint32_t>(scene_.labels.size());
+    for (std::size_t face = 0; face < planes.size(); ++face) scene_.labels.push_back(label_of(face));
+    scene_.obstacles.push_back({ObstacleKind::Brush, static_cast<std::uint32_t>(scene_.planes.size()), static_cast<std::uint32_t>(planes.size()), first_label});
+    scene_.planes.insert(scene_.planes.end(), planes.begin(), planes.end());
+    obstacle_bounds_.push_back(grown(bounds_m));
+}
+
+void HapticSceneBuilder::add_liquid(LiquidVolume liquid, const Aabb& bounds_m) {
+    scene_.liquids.push_back(std::move(liquid));
+    liquid_bounds_.push_back(grown(bounds_m));
+}
+
+std::shared_ptr<const HapticScene> HapticSceneBuilder::build() {
+    // The one number that must differ between scenes wherever they are built; nothing else is shared.
+    static std::atomic<std::uint32_t> next_generation{1};
+    Aabb all;
+    for (const Aabb& box : obstacle_bounds_) all.include(box);
+    for (const Aabb& box : liquid_bounds_) all.include(box);
+    const auto far_from_zero = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kNearZero_m; };
+    if (!all.empty() && (far_from_zero(all.min_m) || far_from_zero(all.max_m))) scene_.origin_m = glm::round(all.centre_m());
+    const Vec3 origin = scene_.origin_m;
+    for (TriangleShape& t : scene_.triangles) t = make_triangle(t.a_m - origin, t.b_m - origin, t.c_m - origin);
+    const auto shift = [&origin](Aabb& box) {
+        box.min_m -= origin;
+        box.max_m -= origin;
+    };
+    const auto shift_plane = [&origin](Plane& plane) { plane.offset_m -= glm::dot(plane.normal, origin); };
+    for (Aabb& box : scene_.boxes) shift(box);
+    for (Plane& plane : scene_.planes) shift_plane(plane);
+    for (LiquidVolume& liquid : scene_.liquids)
+        for (Plane& plane : liquid.planes) shift_plane(plane);
+    for (Aabb& box : obstacle_bounds_) shift(box);
+    for (Aabb& box : liquid_bounds_) shift(box);
+    scene_.obstacle_bvh = Bvh(obstacle_bounds_);
+    scene_.liquid_bvh = Bvh(liquid_bounds_);
+    scene_.generation = next_generation.fetch_add(1);
+    return std::make_shared<const HapticScene>(std::move(scene_));
+}
+
+}  // namespace handrail

@@ -1,0 +1,59 @@
+// An independent judge of the touch renderer: long double, no hierarchy, no cache, no projection routine. Closest points of solids by trying
+// every face, every pair and every triple of planes; of triangles by barycentric coordinates and three segments. Slow on purpose.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "worlds/base/vec.h"
+#include "worlds/geometry/convex.h"
+
+namespace handrail::test {
+
+using LVec = glm::vec<3, long double>;
+
+struct Nearest {
+    LVec point{0.0L};
+    long double distance = 0.0L;  // negative inside a solid
+};
+
+Nearest nearest_on_segment(const LVec& a, const LVec& b, const LVec& p);
+Nearest nearest_on_triangle(const LVec& a, const LVec& b, const LVec& c, const LVec& p);
+// Every face, edge and corner tried; inside: the nearest plane.
+Nearest nearest_on_solid(const std::vector<Plane>& planes, const LVec& p);
+
+// The point nearest to `goal` among all that satisfy dot(n, x) >= b for each half-space, by trying every subset of at most three; nothing
+// when there is none.
+struct LHalfSpace {
+    LVec normal;
+    long double offset;
+};
+std::optional<LVec> project_by_enumeration(const std::vector<LHalfSpace>& walls, const LVec& goal, long double tolerance = 1e-13L);
+
+class BruteForce {
+public:
+    struct Thing {
+        bool solid = false;
+        LVec a{0.0L}, b{0.0L}, c{0.0L};  // triangle
+        std::vector<Plane> planes;       // solid
+        LVec centre{0.0L};               // ball around it, to leave out what is far
+        long double reach = 0.0L;
+    };
+    void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c);
+    void add_solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners);
+
+    const std::vector<Thing>& things() const { return things_; }
+    Nearest nearest(const Thing& thing, const LVec& p) const;
+    // Distance to the nearest of all things, or `far` where nothing is nearer than that.
+    long double distance(const Vec3& p, long double far = 1.0L) const;
+    // True when the segment comes nearer than `clearance` to nothing, told from `samples` points and the distance between them.
+    bool clear(const Vec3& from, const Vec3& to, long double clearance, int samples = 8) const;
+    // How far the first-order contact problem at c would still move the ball towards the goal: 0 at a true local optimum (KKT).
+    long double residual(const Vec3& c, const Vec3& goal, long double radius) const;
+
+private:
+    std::vector<Thing> things_;
+};
+
+}  // namespace handrail::test

@@ -1,0 +1,69 @@
+// Small worlds that are hard to touch, with a hand path through each: the cases every part of the touch renderer is judged by. The same world
+// goes to the renderer and to the brute-force judge, turned and moved at will.
+#pragma once
+
+#include <functional>
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "haptic/render/haptic_scene.h"
+#include "tests/support/brute_force.h"
+
+namespace handrail::test {
+
+// A turn about the origin, then a shift.
+struct Motion {
+    glm::dmat3 turn{1.0};
+    Vec3 shift_m{0.0};
+    Vec3 operator()(const Vec3& p) const { return turn * p + shift_m; }
+    Vec3 back(const Vec3& p) const { return glm::transpose(turn) * (p - shift_m); }
+};
+Motion random_turn(std::mt19937& random);
+
+class TouchWorld {
+public:
+    void triangle(const Vec3& a, const Vec3& b, const Vec3& c, FeatureId feature = kNoFeature);
+    void quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+    void box_of_triangles(const Vec3& low, const Vec3& high);
+    void box(const Vec3& low, const Vec3& high, FeatureId feature = kNoFeature);
+    // The same shape as box(), with a seventh plane that touches one corner, so that it stays a brush.
+    void brush_box(const Vec3& low, const Vec3& high);
+    // Planes of a bounded solid and points whose hull holds it.
+    void solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners, FeatureId feature = kNoFeature);
+    // A cube of half this size with `cuts` random planes through it.
+    void random_brush(std::mt19937& random, const Vec3& centre, double half_size, int cuts);
+    void random_triangles(std::mt19937& random, int count, double spread, double edge);
+
+    std::shared_ptr<const HapticScene> scene(const Motion& motion = {}) const;
+    BruteForce judge(const Motion& motion = {}) const;
+    TouchWorld shuffled_and_doubled(std::mt19937& random) const;
+    TouchWorld with_triangles_split(std::mt19937& random) const;
+
+private:
+    struct Shape {
+        bool is_triangle = false;
+        std::vector<Vec3> points;  // three of a triangle; corners of a solid
+        std::vector<Plane> planes;
+        FeatureId feature;
+    };
+    static Shape moved(const Shape& shape, const Motion& motion);
+    std::vector<Shape> shapes_;
+};
+
+// Goals at 1 kHz along way-points.
+std::vector<Vec3> hand_path(const std::vector<Vec3>& way_points_m, double speed_m_per_s);
+
+struct TouchCase {
+    std::string name;
+    TouchWorld world;
+    std::vector<Vec3> goals_m;
+    double radius_m = 0.005;
+    bool concave = false;  // free space is locally convex along the path: gain 1
+    bool tidy = true;      // one continuous answer: no soup, no raw slivers, no spike
+};
+std::vector<TouchCase> hard_cases(double radius_m = 0.005);
+
+}  // namespace handrail::test

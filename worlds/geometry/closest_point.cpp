@@ -1,0 +1,142 @@
+#include "worlds/geometry/closest_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "worlds/geometry/half_space_projection.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kSideless_m = 1e-12;       // nearer than this a direction to the query point is only rounding
+constexpr double kLowestTriangle_m = 1e-7;  // height over the longest edge below which a triangle is a segment
+
+Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
+    const Vec3 ab = b - a;
+    const double length2 = glm::dot(ab, ab);
+    const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
+    return t == 1.0 ? b : a + ab * t;
+}
+
+Vec3 any_perpendicular(const Vec3& v) noexcept {
+    const Vec3 axis = std::abs(v.x) <= std::abs(v.y) && std::abs(v.x) <= std::abs(v.z) ? Vec3(1, 0, 0)
+                      : std::abs(v.y) <= std::abs(v.z)                                 ? Vec3(0, 1, 0)
+                                                                                       : Vec3(0, 0, 1);
+    const Vec3 n = glm::cross(v, axis);
+    const double length = glm::length(n);
+    return length > 0.0 ? n / length : Vec3(0, 0, 1);
+}
+
+// The nearest corner to a point outside, with `sideless` as the normal where point and corner coincide.
+ClosestPoint from_corner(const Vec3& corner, const Vec3& p, const Vec3& sideless) noexcept {
+    const Vec3 away = p - corner;
+    const double distance = glm::length(away);
+    return {corner, distance > kSideless_m ? away / distance : sideless, distance};
+}
+
+}  // namespace
+
+TriangleShape make_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m) noexcept {
+    TriangleShape t{a_m, b_m, c_m};
+    const auto length2 = [](const Vec3& v) { return glm::dot(v, v); };
+    const double ab = length2(b_m - a_m), bc = length2(c_m - b_m), ca = length2(a_m - c_m);
+    if (bc > ab && bc >= ca) {
+        t.a_m = b_m, t.b_m = c_m, t.c_m = a_m;
+    } else if (ca > ab) {
+        t.a_m = c_m, t.b_m = a_m, t.c_m = b_m;
+    }
+    const Vec3 edge = t.b_m - t.a_m;
+    const Vec3 area = glm::cross(edge, t.c_m - t.a_m);
+    const double twice_area = glm::length(area), longest = glm::length(edge);
+    t.degenerate = !(longest > 0.0 && twice_area / longest > kLowestTriangle_m);
+    if (t.degenerate) return t;
+    t.normal = area / twice_area;
+    t.outward = {glm::cross(edge, t.normal), glm::cross(t.c_m - t.b_m, t.normal), glm::cross(t.a_m - t.c_m, t.normal)};
+    return t;
+}
+
+ClosestPoint closest_point(const TriangleShape& t, const Vec3& p) noexcept {
+    if (t.degenerate) return from_corner(closest_on_segment(t.a_m, t.b_m, p), p, any_perpendicular(t.b_m - t.a_m));
+    const Vec3 pa = p - t.a_m;
+    const double out_ab = glm::dot(pa, t.outward[0]);
+    const double out_bc = glm::dot(p - t.b_m, t.outward[1]);
+    const double out_ca = glm::dot(p - t.c_m, t.outward[2]);
+    if (out_ab <= 0.0 && out_bc <= 0.0 && out_ca <= 0.0) {
+        const double height = glm::dot(pa, t.normal);
+        return {p - t.normal * height, height < 0.0 ? -t.normal : t.normal, std::abs(height)};
+    }
+    Vec3 best{0.0};
+    double best2 = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const Vec3& a, const Vec3& b) {
+        const Vec3 q = closest_on_segment(a, b, p);
+        const double d2 = glm::dot(p - q, p - q);
+        if (d2 < best2) {
+            best2 = d2;
+            best = q;
+        }
+    };
+    if (out_ab > 0.0) consider(t.a_m, t.b_m);
+    if (out_bc > 0.0) consider(t.b_m, t.c_m);
+    if (out_ca > 0.0) consider(t.c_m, t.a_m);
+    ClosestPoint result = from_corner(best, p, t.normal);
+    // Over the very edge the direction is the face normal but for rounding; the exact one keeps neighbouring triangles of a plane equal.
+    const double along = glm::dot(result.normal, t.normal);
+    if (std::abs(along) > 1.0 - 8.0 * std::numeric_limits<double>::epsilon()) result.normal = along > 0.0 ? t.normal : -t.normal;
+    return result;
+}
+
+ClosestPoint closest_point(const Aabb& box, const Vec3& p) noexcept {
+    const Vec3 q = glm::clamp(p, box.min_m, box.max_m);
+    if (q != p) {
+        const Vec3 away = p - q;
+        const double distance = glm::length(away);
+        if (distance > kSideless_m) return {q, away / distance, distance};
+    }
+    // Inside, or too near to tell a direction: the face with the greatest (least negative) distance.
+    ClosestPoint best{q, Vec3(0, 0, 1), -std::numeric_limits<double>::infinity()};
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            const double distance = side < 0.0 ? box.min_m[axis] - p[axis] : p[axis] - box.max_m[axis];
+            if (distance <= best.distance_m) continue;
+            best.distance_m = distance;
+            best.normal = Vec3(0.0);
+            best.normal[axis] = side;
+            best.point_m = p;
+            best.point_m[axis] = side < 0.0 ? box.min_m[axis] : box.max_m[axis];
+        }
+    }
+    return best;
+}
+
+ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& p) noexcept {
+    double deepest = -std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    for (std::size_t i = 0; i < solid.size(); ++i) {
+        const double distance = signed_distance(solid[i], p);
+        if (distance > deepest) {
+            deepest = distance;
+            nearest = i;
+        }
+    }
+    const ClosestPoint on_plane{p - solid[nearest].normal * deepest, solid[nearest].normal, deepest};
+    if (deepest <= kSideless_m) return on_plane;
+    ProjectionBasis basis;
+    const bool solved = project_on_half_spaces(
+        Vec3(0.0), static_cast<int>(solid.size()),
+        [&](int i) {
+            const Plane& plane = solid[static_cast<std::size_t>(i)];
+            return HalfSpace{-plane.normal, signed_distance(plane, p)};
+        },
+        basis);
+    // A plane of the solid always supports it, so the fallback is a legal, only less tight, answer.
+    if (!solved || basis.count == 0) return on_plane;
+    if (basis.count == 1) {
+        const Plane& plane = solid[static_cast<std::size_t>(basis.index[0])];
+        const double distance = signed_distance(plane, p);
+        return {p - plane.normal * distance, plane.normal, distance};
+    }
+    return from_corner(p + basis.point_m, p, solid[nearest].normal);
+}
+
+}  // namespace handrail

@@ -1,0 +1,43 @@
+// Closest points of convex shapes, as the touch renderer needs them: with the unit normal of a plane that supports the shape there, so that
+// the plane bounds the whole shape wherever the query point was. Pure functions, any thread, no allocation, double precision.
+// Cost on a 2.5 GHz core: about 10 to 60 ns each. Every routine has a brute-force twin in tests/unit/geometry_touch.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "worlds/base/vec.h"
+#include "worlds/geometry/convex.h"
+
+namespace handrail {
+
+struct ClosestPoint {
+    Vec3 point_m{0.0};           // of the shape's surface
+    Vec3 normal{0.0, 0.0, 1.0};  // unit, away from the shape; dot(normal, o) <= dot(normal, point_m) for every point o of the shape
+    double distance_m = 0.0;     // negative inside solids
+};
+
+// A triangle prepared for queries: a two-sided sheet. One that is lower than 1e-7 m over its longest edge is that edge, which also covers
+// triangles of no area, needles and points (error at most 1e-7 m).
+struct TriangleShape {
+    Vec3 a_m{0.0}, b_m{0.0}, c_m{0.0};  // ab is the longest edge
+    Vec3 normal{0.0};                   // zero when degenerate
+    std::array<Vec3, 3> outward{};      // in the plane, out of edges ab, bc, ca; not of unit length
+    bool degenerate = true;
+};
+TriangleShape make_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m) noexcept;
+
+// Nearer than 1e-12 m the side cannot be told: the triangle's own normal is given.
+ClosestPoint closest_point(const TriangleShape& triangle, const Vec3& point_m) noexcept;
+// Axis-aligned. Inside, the nearest face.
+ClosestPoint closest_point(const Aabb& box, const Vec3& point_m) noexcept;
+// A bounded convex solid given by its planes (at least 4). Inside, the nearest plane.
+ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& point_m) noexcept;
+
+// Squared distance from a point to a box; 0 inside.
+inline double distance_squared(const Aabb& box, const Vec3& p) noexcept {
+    const Vec3 d = glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0));
+    return glm::dot(d, d);
+}
+
+}  // namespace handrail
