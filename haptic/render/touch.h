@@ -14,6 +14,8 @@
 
 namespace handrail {
 
+class ProxySolver;
+
 // What the person, the device and the scale ask of the renderer. Plain values; the app publishes a new one when something changes.
 struct TouchTuning {
     double radius_m = 0.005;                         // ball, world metres; 0 is run as 1e-5
@@ -74,6 +76,9 @@ public:
     void reset_filters() noexcept;
     // The frame of the hand moved with everything in it (teleport excepted): shifts nothing; documented here because walking
     // needs no call - the goal simply moves.
+
+    // The ball itself, for checks: its path, candidates and gatherings of the last tick.
+    const ProxySolver& solver() const noexcept;
 
     struct Impl;
     Impl& impl() noexcept { return *impl_; }

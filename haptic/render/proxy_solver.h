@@ -1,0 +1,125 @@
+// The free-cell proxy: a ball kept outside a set of convex obstacles. Each candidate obstacle owns one cut, a half-space that supports it; any
+// cut of a still obstacle is valid for ever, so the ball may move freely in the intersection of the cuts: no swept test is needed at any speed,
+// overlapping, doubled and cracked geometry needs no special case, and stopping anywhere on the path is safe. One move projects the goal on
+// the intersection, renews the cuts that act, and repeats until they truly touch. Candidates come from a cache that is refreshed inside the
+// move, decided by the samples alone.
+// Owned by TouchState, one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in world metres.
+// Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The haptic display of complex graphical
+// environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy renewal: docs/architecture.md.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "haptic/render/haptic_scene.h"
+#include "worlds/geometry/half_space_projection.h"
+
+namespace handrail {
+
+class ProxySolver {
+public:
+    static constexpr int kMaxCandidates = 1024;        // 32 kB of cuts; beyond it the nearest are kept and Step::truncated is set
+    static constexpr int kComfortableCandidates = 48;  // more make the margin shrink first: each costs 15 instructions in every scan
+    static constexpr int kMaxIterations = 64;
+    static constexpr int kMaxGhosts = 256;
+    static constexpr double kSmallestRadius_m = 1e-5;
+
+    struct Request {
+        Vec3 goal_m{0.0};  // world
+        double radius_m = 0.005;
+        double path_cap_m = 0.0;    // longest way the ball may run in this move
+        double margin_m = 0.02;     // wish: how far the ball may go before candidates are gathered again
+        double growth_m = 0.0;      // how much a shrunken ball grows in this move
+        double ghost_exit_m = 0.0;  // beyond the radius: how far the goal must be out before a ghost is solid again
+    };
+
+    // One surface that holds the ball.
+    struct Hold {
+        std::uint32_t obstacle = 0;
+        Vec3 normal{0.0};
+        double multiplier_m = 0.0;
+    };
+
+    struct Step {
+        std::array<Hold, 3> holds{};
+        int count = 0;
+        int iterations = 0;
+        bool converged = true, truncated = false, capped = false, ghosted = false;
+    };
+
+    ProxySolver();
+
+    // The next move starts at its goal.
+    void reset() noexcept;
+    const Step& move(const HapticScene& scene, const Request& request) noexcept;
+    // After move(): the friction cone. Walks back along the path until the ball is reach_m from where the goal pulls it, or to its start.
+    void hold_back(const HapticScene& scene, double reach_m) noexcept;
+
+    // After move(). From the goal to the ball (zero, exactly, in free space), from where the ball was before the move to where it is now,
+    // and the same pull without friction or speed cap: where surfaces alone would let the ball go.
+    Vec3 offset_m() const noexcept { return ball_m_ - goal_m_; }
+    Vec3 slide_m() const noexcept { return ball_m_ - path_[0]; }
+    Vec3 press_m() const noexcept { return basis_.point_m - goal_m_; }
+    double radius_m() const noexcept { return radius_m_; }
+    Vec3 local_m() const noexcept { return anchor_m_ + ball_m_; }  // in the scene's own coordinates
+    Vec3 world_m() const noexcept { return scene_origin_m_ + anchor_m_ + ball_m_; }
+    // For checks: every point of the last path, in world metres.
+    int path_size() const noexcept { return path_size_; }
+    Vec3 path_m(int i) const noexcept { return scene_origin_m_ + anchor_m_ + path_[static_cast<std::size_t>(i)]; }
+    // For checks: the candidates with their cuts (in the scene's own coordinates), and gatherings since the reset.
+    int candidates() const noexcept { return count_; }
+    std::uint32_t candidate(int i) const noexcept { return obstacles_[static_cast<std::size_t>(i)]; }
+    HalfSpace cut(int i) const noexcept {
+        const HalfSpace& cut = cuts_[static_cast<std::size_t>(i)];
+        return {cut.normal, cut.offset_m + glm::dot(cut.normal, anchor_m_)};
+    }
+    std::uint64_t gatherings() const noexcept { return gatherings_; }
+
+private:
+    struct Candidate {
+        std::uint32_t obstacle;
+        double distance_m;
+        HalfSpace cut;
+    };
+
+    void place(const HapticScene& scene, const Vec3& local_m, double radius_m) noexcept;
+    void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
+    bool gather_nearest(const HapticScene& scene, const Vec3& at, double reach_m, std::size_t most) noexcept;
+    void release_ghosts(const HapticScene& scene, const Vec3& goal_local_m, double radius_m, double exit_m) noexcept;
+    bool is_ghost(std::uint32_t obstacle) const noexcept;
+    void grow(const HapticScene& scene, double radius_m, double growth_m) noexcept;
+    bool project() noexcept;
+    bool renew_holding_cuts(const HapticScene& scene) noexcept;
+    bool arc_step(const HapticScene& scene, double way_left_m) noexcept;
+    double fraction_inside(const Vec3& step) const noexcept;
+    HalfSpace support(const HapticScene& scene, int candidate, const Vec3& at, double& distance_m) const noexcept;
+    // The cut with the ball's radius: what the ball's centre must satisfy.
+    HalfSpace wall(int i) const noexcept {
+        const HalfSpace& cut = cuts_[static_cast<std::size_t>(i)];
+        return {cut.normal, cut.offset_m + radius_m_};
+    }
+
+    // Vectors below are relative to anchor_m_, the ball's place (scene coordinates) when candidates were last gathered: short numbers, so
+    // rounding does not grow with the building.
+    std::vector<HalfSpace> cuts_;              // supports of the bare obstacles: without the ball's radius, which may grow
+    std::vector<std::uint32_t> obstacles_;     // of the cuts
+    std::vector<std::uint64_t> looked_ahead_;  // move number in which the cut was last renewed from ahead
+    std::vector<Candidate> nearest_;           // heap of gather_nearest
+    std::size_t nearest_count_ = 0;
+    std::vector<std::uint32_t> ghosts_;
+    int ghost_count_ = 0;
+    int count_ = 0;
+    double known_m_ = -1.0;  // every obstacle nearer to the anchor than this is a candidate
+    ProjectionBasis basis_;
+    Vec3 scene_origin_m_{0.0}, anchor_m_{0.0}, ball_m_{0.0}, goal_m_{0.0};
+    double radius_m_ = 0.0;
+    const HapticScene* scene_ = nullptr;  // only compared, together with the generation
+    std::uint32_t generation_ = 0;
+    bool placed_ = false;
+    std::uint64_t moves_ = 0, gatherings_ = 0;
+    std::array<Vec3, 2 * kMaxIterations + 4> path_{};
+    int path_size_ = 0;
+    Step step_;
+};
+
+}  // namespace handrail
