@@ -1,0 +1,92 @@
+#include "haptic/compile/compile_haptic.h"
+
+namespace handrail {
+namespace {
+
+Solid box_solid(const Vec3& low, const Vec3& high, SolidRole role, FeatureId feature, MaterialId material = kDefaultMaterial) {
+    Solid solid;
+    solid.role = role;
+    solid.feature = feature;
+    solid.shape.bounds_m = {low, high};
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 n(0.0);
+        n[axis] = 1.0;
+        solid.shape.planes.push_back({n, high[axis]});
+        solid.shape.planes.push_back({-n, -low[axis]});
+    }
+    solid.face_features.assign(6, kNoFeature);
+    solid.face_materials.assign(6, material);
+    solid.face_hidden.assign(6, false);
+    return solid;
+}
+
+TEST(CompileHaptic, makes_obstacles_of_solids_and_movers_volumes_of_liquids_and_nothing_of_the_rest) {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.features.resize(10);
+    for (const SolidRole role :
+         {SolidRole::Solid, SolidRole::Mover, SolidRole::BodyClip, SolidRole::Liquid, SolidRole::Trigger, SolidRole::Teleport, SolidRole::Illusion})
+        scene.solids.push_back(box_solid({0, 0, 0}, {1, 1, 1}, role, FeatureId{static_cast<std::uint32_t>(role)}));
+    scene.solids[3].viscosity_ns_per_m = 2.5;
+    scene.triangles.push_back({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, FeatureId{9}, 0});
+    const auto compiled = compile_haptic(scene, MaterialSource::KeysOnly);
+    EXPECT_EQ(compiled->boxes.size(), 2U) << "axis-aligned brushes are boxes";
+    EXPECT_EQ(compiled->planes.size(), 0U);
+    EXPECT_EQ(compiled->triangles.size(), 1U);
+    EXPECT_EQ(compiled->obstacles.size(), 3U);
+    ASSERT_EQ(compiled->liquids.size(), 1U);
+    EXPECT_EQ(compiled->liquids[0].viscosity_ns_per_m, 2.5);
+    EXPECT_EQ(compiled->liquids[0].feature, FeatureId{static_cast<std::uint32_t>(SolidRole::Liquid)});
+    EXPECT_EQ(compiled->surface(1, {0, 0, 1}).feature, FeatureId{static_cast<std::uint32_t>(SolidRole::Mover)});
+    EXPECT_EQ(compiled->surface(2, {0, 0, 1}).feature, FeatureId{9});
+}
+
+TEST(CompileHaptic, keeps_slanted_solids_as_brushes_and_names_their_faces) {
+    Scene scene;
+    scene.materials.resize(3);
+    Solid wedge = box_solid({0, 0, 0}, {1, 1, 1}, SolidRole::Solid, kNoFeature);
+    wedge.shape.planes.push_back({glm::normalize(Vec3(1, 0, 1)), 1.0});
+    wedge.face_features.push_back(FeatureId{4});
+    wedge.face_materials.push_back(2);
+    wedge.face_hidden.push_back(false);
+    scene.solids.push_back(wedge);
+    const auto compiled = compile_haptic(scene, MaterialSource::KeysOnly);
+    ASSERT_EQ(compiled->planes.size(), 7U);
+    EXPECT_EQ(compiled->surface(0, glm::normalize(Vec3(1, 0, 1))).feature, FeatureId{4});
+    EXPECT_EQ(compiled->surface(0, glm::normalize(Vec3(1, 0, 1))).material, 2);
+    EXPECT_EQ(compiled->surface(0, {0, 0, -1}).feature, kNoFeature);
+}
+
+TEST(CompileHaptic, takes_only_written_keys_for_replay_and_library_values_below_them_for_exploring) {
+    Scene scene;
+    scene.materials.resize(3);
+    scene.materials[1].stiffness_fraction = 0.25;
+    const MaterialSpec& row = material_library().empty() ? throw std::runtime_error("no materials") : material_library().front();
+    scene.materials[2].name = std::string(row.name);
+    scene.materials[2].friction_mu = 0.77;
+    const auto keys = compile_haptic(scene, MaterialSource::KeysOnly);
+    ASSERT_EQ(keys->materials.size(), 3U);
+    EXPECT_LT(keys->materials[0].stiffness_fraction, 0.0);
+    EXPECT_EQ(keys->materials[1].stiffness_fraction, 0.25);
+    EXPECT_LT(keys->materials[2].stiffness_fraction, 0.0);
+    EXPECT_EQ(keys->materials[2].friction_kinetic, 0.77);
+    const auto library = compile_haptic(scene, MaterialSource::Library);
+    EXPECT_EQ(library->materials[2].stiffness_fraction, row.stiffness_fraction);
+    EXPECT_EQ(library->materials[2].friction_static, 0.77);
+    EXPECT_NE(keys->generation, library->generation);
+}
+
+TEST(CompileHaptic, moves_the_origin_only_into_buildings_far_away) {
+    Scene near, far;
+    near.materials.resize(1);
+    far.materials.resize(1);
+    near.solids.push_back(box_solid({-900, 0, 0}, {900, 1, 1}, SolidRole::Solid, kNoFeature));
+    far.solids.push_back(box_solid({500000, 0, 0}, {500001, 1, 1}, SolidRole::Solid, kNoFeature));
+    EXPECT_EQ(compile_haptic(near, MaterialSource::KeysOnly)->origin_m, Vec3(0.0));
+    const auto moved = compile_haptic(far, MaterialSource::KeysOnly);
+    EXPECT_NEAR(moved->origin_m.x, 500000.5, 1.0);
+    EXPECT_NEAR(moved->origin_m.x + moved->boxes[0].max_m.x, 500001.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace handrail
