@@ -1,0 +1,214 @@
+// What must hold on every tick of every world: the list of invariants in docs/architecture.md, judged by brute force.
+#include "tests/property/replay.h"
+
+namespace handrail::test {
+namespace {
+
+// Cases by index, so that a failure names its case and a seed can be given again.
+class EveryCase : public testing::TestWithParam<std::size_t> {
+protected:
+    TouchCase case_ = hard_cases()[GetParam()];
+    std::uint32_t seed_ = static_cast<std::uint32_t>(1000 + GetParam());
+    std::mt19937 random_{seed_};
+
+    // Judging solids by enumeration is slow: fewer ticks of those.
+    std::size_t stride() const {
+        double work = 0.0;
+        const BruteForce judge = case_.world.judge();
+        for (const BruteForce::Thing& t : judge.things()) {
+            const double n = static_cast<double>(t.planes.size());
+            work += t.solid ? n * n * n * n / 24 + n * n : 8.0;
+        }
+        return static_cast<std::size_t>(1.0 + work * static_cast<double>(case_.goals_m.size()) * 8 / (2e7 * kSanitizerScale));
+    }
+};
+
+TEST_P(EveryCase, keeps_the_ball_and_its_whole_path_outside_everything) {  // I1, I2, I3
+    for (const bool turned : {false, true}) {
+        Motion motion = turned ? random_turn(random_) : Motion{};
+        if (turned) motion.shift_m = {12.3, -4.5, 6.7};
+        SCOPED_TRACE(fmt::format("{}, seed {}, turned {}", case_.name, seed_, turned));
+        const BruteForce judge = case_.world.judge(motion);
+        const std::size_t every = stride();
+        double deepest = 0.0;
+        replay(*case_.world.scene(motion), case_.goals_m, motion, plain_tuning(case_.radius_m),
+               [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+                   ASSERT_TRUE(is_finite(r.proxy_m) && is_finite(r.force_n)) << i;
+                   if (i % every != 0) return;
+                   for (int k = 1; k < solver.path_size(); ++k)
+                       for (int s = 0; s <= 8; ++s) {
+                           const Vec3 p = solver.path_m(k - 1) + (solver.path_m(k) - solver.path_m(k - 1)) * (s / 8.0);
+                           deepest = std::max(deepest, static_cast<double>(r.radius_m - judge.distance(p, 0.02L)));
+                       }
+                   deepest = std::max(deepest, static_cast<double>(r.radius_m - judge.distance(r.proxy_m, 0.02L)));
+               });
+        EXPECT_LE(deepest, 1e-9);
+    }
+}
+
+TEST_P(EveryCase, owns_only_cuts_that_contain_the_ball_and_support_their_obstacle) {  // I4
+    const Motion motion = random_turn(random_);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
+    const auto scene = case_.world.scene(motion);
+    replay(*scene, case_.goals_m, motion, plain_tuning(case_.radius_m), [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+        if (i % 37 != 0) return;
+        for (int k = 0; k < solver.candidates(); ++k) {
+            const HalfSpace cut = solver.cut(k);
+            ASSERT_NEAR(glm::length(cut.normal), 1.0, 1e-12);
+            ASSERT_GE(glm::dot(cut.normal, solver.local_m()) - cut.offset_m, r.radius_m - 1e-9);
+            const Obstacle& o = scene->obstacles[solver.candidate(k)];
+            if (o.kind == ObstacleKind::Triangle) {
+                const TriangleShape& t = scene->triangles[o.shape];
+                for (const Vec3& corner : {t.a_m, t.b_m, t.c_m}) ASSERT_LE(glm::dot(cut.normal, corner), cut.offset_m + (t.degenerate ? 2e-7 : 1e-9));
+            } else {
+                // Points of the solid: what random places are nearest to.
+                for (int s = 0; s < 4; ++s) {
+                    const Vec3 far = solver.local_m() + Vec3(random_() % 200 / 1e3 - .1, random_() % 200 / 1e3 - .1, random_() % 200 / 1e3 - .1);
+                    const ClosestPoint q = scene->closest(solver.candidate(k), far);
+                    ASSERT_LE(glm::dot(cut.normal, q.distance_m > 0.0 ? q.point_m : far), cut.offset_m + 1e-9);
+                }
+            }
+        }
+    });
+}
+
+TEST_P(EveryCase, never_moves_away_from_the_hand) {  // I5
+    SCOPED_TRACE(case_.name);
+    for (const bool capped : {false, true}) {
+        Vec3 before = case_.goals_m.front();
+        double worst = 0.0;
+        replay(*case_.world.scene(), case_.goals_m, {}, capped ? plain_tuning(case_.radius_m) : uncapped_tuning(case_.radius_m),
+               [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+                   worst = std::max(worst, glm::length(r.proxy_m - goal) - glm::length(before - goal));
+                   before = r.proxy_m;
+               });
+        EXPECT_LE(worst, 1e-9) << "capped " << capped;
+    }
+}
+
+TEST_P(EveryCase, stops_where_no_contact_would_let_it_go_on) {  // I6
+    const Motion motion = random_turn(random_);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
+    const BruteForce judge = case_.world.judge(motion);
+    const std::size_t every = stride() * 4 + 3;
+    std::size_t off = 0, judged = 0, unfinished = 0;
+    double worst_finished = 0.0;
+    replay(*case_.world.scene(motion), case_.goals_m, motion, uncapped_tuning(case_.radius_m),
+           [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+               if (!r.contacts.converged) ++unfinished;
+               if ((r.contacts.converged && i % every != 0) || r.contacts.count == 0) return;
+               ++judged;
+               const double residual = static_cast<double>(judge.residual(r.proxy_m, goal, r.radius_m));
+               if (residual > 1e-5) ++off;
+               if (r.contacts.converged) worst_finished = std::max(worst_finished, residual);
+           });
+    EXPECT_LE(worst_finished, 1e-5) << judged << " ticks judged";
+    EXPECT_LE(off, 1 + case_.goals_m.size() / 1000) << unfinished << " unfinished";
+    RecordProperty("unfinished", static_cast<int>(unfinished));
+}
+
+TEST_P(EveryCase, stays_where_it_is_when_the_hand_does) {  // I7
+    SCOPED_TRACE(case_.name);
+    const auto scene = case_.world.scene();
+    TouchState state;
+    double worst = 0.0;
+    for (const Vec3& goal : case_.goals_m) {
+        const TouchResult once = touch_tick(state, *scene, uncapped_tuning(case_.radius_m), goal, 1e-3);
+        const TouchResult twice = touch_tick(state, *scene, uncapped_tuning(case_.radius_m), goal, 1e-3);
+        if (once.contacts.converged && twice.contacts.converged) worst = std::max(worst, glm::length(once.proxy_m - twice.proxy_m));
+    }
+    EXPECT_LE(worst, case_.tidy ? 1e-8 : 2e-5);
+}
+
+TEST_P(EveryCase, follows_exactly_and_without_force_in_free_space) {  // I8
+    SCOPED_TRACE(case_.name);
+    const BruteForce judge = case_.world.judge();
+    Vec3 last_goal = case_.goals_m.front();
+    bool stood_at_goal = true;
+    std::size_t free_ticks = 0;
+    replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
+           [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+               if (stood_at_goal && r.radius_m == std::max(case_.radius_m, 1e-5) && i % 5 == 0 && judge.clear(last_goal, goal, case_.radius_m + 1e-9L, 1)) {
+                   ++free_ticks;
+                   EXPECT_EQ(r.proxy_m, goal);
+                   EXPECT_EQ(r.force_n, Vec3(0.0));
+                   EXPECT_EQ(r.contacts.count, 0);
+               }
+               stood_at_goal = r.proxy_m == goal;
+               last_goal = goal;
+           });
+    EXPECT_GT(free_ticks, 0U);
+}
+
+TEST_P(EveryCase, gains_nothing_in_hollow_places) {  // I9
+    if (!case_.concave) GTEST_SKIP() << case_.name << " has convex edges";
+    const Motion motion = random_turn(random_);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
+    Vec3 last_goal = motion(case_.goals_m.front()), last_ball = last_goal;
+    double worst = 0.0;
+    replay(*case_.world.scene(motion), case_.goals_m, motion, uncapped_tuning(case_.radius_m),
+           [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+               worst = std::max(worst, glm::length((r.proxy_m - goal) - (last_ball - last_goal)) - glm::length(goal - last_goal));
+               last_goal = goal;
+               last_ball = r.proxy_m;
+           });
+    EXPECT_LE(worst, 1e-8);
+}
+
+TEST_P(EveryCase, runs_no_further_per_tick_than_the_cap) {  // I10
+    SCOPED_TRACE(case_.name);
+    Vec3 last_goal = case_.goals_m.front();
+    replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
+           [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver& solver) {
+               double way = 0.0;
+               for (int k = 1; k < solver.path_size(); ++k) way += glm::length(solver.path_m(k) - solver.path_m(k - 1));
+               EXPECT_LE(way, std::max(0.5e-3, 2.0 * glm::length(goal - last_goal)) + 1e-12);
+               EXPECT_LE(glm::length(r.slide_m), way + 1e-12);
+               last_goal = goal;
+           });
+}
+
+TEST_P(EveryCase, feels_the_same_far_from_the_origin) {  // I13
+    SCOPED_TRACE(case_.name);
+    const TouchTuning tuning = uncapped_tuning(case_.radius_m);
+    const Trace here = trace(case_.world, case_.goals_m, {}, tuning);
+    for (const auto& [far, tolerance] : {std::pair{1e3, 1e-10}, {1e6, 1e-8}}) {
+        Motion motion;
+        motion.shift_m = {far * 0.9, 0.63 * far, 0.27 * far};
+        const double worst = largest_difference(here, trace(case_.world, case_.goals_m, motion, tuning));
+        // The world itself is rounded to 1e-13 m and 1e-10 m there; edges and crevices multiply that.
+        if (case_.tidy) {
+            EXPECT_LE(worst, case_.concave ? tolerance * 4 : tolerance * 1e3) << far;
+        }
+        RecordProperty(fmt::format("shift_{:.0e}", far), fmt::format("{:.1e}", worst));
+    }
+}
+
+TEST_P(EveryCase, does_not_care_in_which_order_or_how_often_things_are_listed) {  // I14
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
+    const TouchTuning tuning = uncapped_tuning(case_.radius_m);
+    const Trace once = trace(case_.world, case_.goals_m, {}, tuning);
+    const double worst = largest_difference(once, trace(case_.world.shuffled_and_doubled(random_), case_.goals_m, {}, tuning));
+    if (case_.tidy) {
+        EXPECT_LE(worst, 1e-8);
+    }
+    RecordProperty("worst", fmt::format("{:.1e}", worst));
+}
+
+TEST_P(EveryCase, feels_finer_triangles_as_the_same_surface) {  // I15
+    if (!case_.tidy) GTEST_SKIP() << case_.name << " has several equally good answers";
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
+    const TouchTuning tuning = uncapped_tuning(case_.radius_m);
+    const Trace coarse = trace(case_.world, case_.goals_m, {}, tuning);
+    EXPECT_LE(largest_difference(coarse, trace(case_.world.with_triangles_split(random_), case_.goals_m, {}, tuning)), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(HardCases, EveryCase, testing::Range(std::size_t{0}, hard_cases().size()), [](const auto& which) {
+    std::string name = hard_cases()[which.param].name;
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+    return name;
+});
+
+}  // namespace
+}  // namespace handrail::test

@@ -1,0 +1,62 @@
+// Drives touch_tick along a path and hands every tick to a check.
+#pragma once
+
+#include "haptic/render/proxy_solver.h"
+#include "haptic/render/touch.h"
+#include "tests/support/scale.h"
+#include "tests/support/touch_worlds.h"
+
+namespace handrail::test {
+
+inline TouchTuning plain_tuning(double radius_m) {
+    TouchTuning tuning;
+    tuning.radius_m = radius_m;
+    tuning.rated_stiffness_n_per_m = 1000.0;
+    tuning.default_stiffness_fraction = 1.0;  // 1 kN/m: a millimetre is a newton
+    return tuning;
+}
+
+// Without the slide-speed cap: the solver alone.
+inline TouchTuning uncapped_tuning(double radius_m) {
+    TouchTuning tuning = plain_tuning(radius_m);
+    tuning.slide_cap_hand_m = 1.0;
+    return tuning;
+}
+
+template <class Check>
+void replay(const HapticScene& scene, const std::vector<Vec3>& goals_m, const Motion& motion, const TouchTuning& tuning, Check&& check) {
+    TouchState state;
+    for (std::size_t i = 0; i < goals_m.size(); ++i) {
+        const Vec3 goal = motion(goals_m[i]);
+        const TouchResult result = touch_tick(state, scene, tuning, goal, 1e-3);
+        check(i, goal, result, state.solver());
+    }
+}
+
+// Where the ball was on each tick, turned back into the world's own frame, and whether the solver had settled there.
+struct Trace {
+    std::vector<Vec3> balls_m;
+    std::vector<bool> settled;
+};
+
+inline Trace trace(const TouchWorld& world, const std::vector<Vec3>& goals_m, const Motion& motion, const TouchTuning& tuning) {
+    Trace out;
+    replay(*world.scene(motion), goals_m, motion, tuning, [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) {
+        out.balls_m.push_back(motion.back(r.proxy_m));
+        out.settled.push_back(r.contacts.converged);
+    });
+    return out;
+}
+
+// Over the ticks on which both had settled; at least 99 % must have.
+inline double largest_difference(const Trace& a, const Trace& b) {
+    double worst = 0.0;
+    std::size_t unsettled = 0;
+    for (std::size_t i = 0; i < a.balls_m.size(); ++i) {
+        if (!a.settled[i] || !b.settled[i]) ++unsettled;
+        else worst = std::max(worst, glm::length(a.balls_m[i] - b.balls_m[i]));
+    }
+    return unsettled * 100 <= a.balls_m.size() ? worst : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace handrail::test
