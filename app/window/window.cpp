@@ -13,6 +13,9 @@ extern "C" Display* glfwGetX11Display();
 namespace handrail {
 namespace {
 
+// After a change of size drivers may still present a buffer of the old one.
+constexpr int kFramesToSettle = 3;
+
 std::string glfw_problem() {
     const char* description = nullptr;
     glfwGetError(&description);
@@ -27,7 +30,8 @@ public:
         if (glfwInit() != GLFW_TRUE)
             return fail(fmt::format("There is no display; the picture is left out and everything else works in the terminal ({}).", glfw_problem()));
         initialised_ = true;
-        // Without a handler Xlib ends the whole program when the display goes away, and the hand would be let go of without a ramp.
+        // Left alone, Xlib ends the whole program when the display goes away, and the hand would be let go of without a ramp.
+        XSetIOErrorHandler([](Display*) { return 0; });
         XSetIOErrorExitHandler(glfwGetX11Display(), &Impl::display_lost, this);
 
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -52,21 +56,18 @@ public:
         glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) { self(w).take_focus(focused == GLFW_TRUE); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).events_.emplace_back(CloseRequest{}); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).shown_.reset(); });
-        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { self(w).take_button(); });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { self(w).keys_.other_input(); });
         glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) { self(w).take_cursor(x, y); });
         glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double notches) { self(w).take_wheel(notches); });
         return {};
     }
 
     ~Impl() {
-        if (display_lost_) {
-            // Every further call would speak to a display that is gone. What the server held went with it; the rest goes with the process.
-            static_cast<void>(renderer_.release());
-            return;
-        }
         renderer_.reset();
         if (window_) glfwDestroyWindow(window_);
-        if (initialised_) glfwTerminate();
+        if (!initialised_) return;
+        glfwTerminate();
+        XSetIOErrorHandler(nullptr);
     }
 
     std::vector<WindowEvent> poll() {
@@ -82,9 +83,11 @@ public:
     void draw(const ViewState& view) {
         if (display_lost_) return;
         const PixelSize size = framebuffer_size();
-        if (shown_ && *shown_ == view && size == shown_size_) return;
+        if (size != shown_size_) frames_in_size_ = 0;
+        if (shown_ && *shown_ == view && frames_in_size_ >= kFramesToSettle) return;
         renderer_->draw(view, size);
         glfwSwapBuffers(window_);
+        ++frames_in_size_;
         shown_ = view;
         shown_size_ = size;
     }
@@ -118,15 +121,9 @@ private:
         for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
     }
 
-    void take_button() {
-        keys_.other_input();
-        glfwGetCursorPos(window_, &cursor_x_, &cursor_y_);
-    }
-
     void take_cursor(double x, double y) {
-        const double right_m = kHandMetresPerPixel * (x - cursor_x_), away_m = kHandMetresPerPixel * (cursor_y_ - y);
-        cursor_x_ = x;
-        cursor_y_ = y;
+        const Vec2 from = std::exchange(cursor_, Vec2(x, y)).value_or(Vec2(x, y));
+        const double right_m = kHandMetresPerPixel * (x - from.x), away_m = kHandMetresPerPixel * (from.y - y);
         if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS) move_hand({right_m, away_m, 0.0});
         else if (glfwGetMouseButton(window_, GLFW_MOUSE_BUTTON_RIGHT) == GLFW_PRESS) move_hand({right_m, 0.0, away_m});
     }
@@ -151,9 +148,10 @@ private:
     std::unique_ptr<Renderer> renderer_;
     KeyTracker keys_;
     std::vector<WindowEvent> events_;
-    double cursor_x_ = 0.0, cursor_y_ = 0.0;
+    std::optional<Vec2> cursor_;      // where the last motion event put it; asking GLFW would give where it is by now
     std::optional<ViewState> shown_;  // what stands in the window; none when it must be drawn again
     PixelSize shown_size_;
+    int frames_in_size_ = 0;
     bool display_lost_ = false;
     bool told_of_loss_ = false;
 };

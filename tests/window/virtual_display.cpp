@@ -1,0 +1,60 @@
+#include "tests/window/virtual_display.h"
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace handrail::test {
+namespace {
+
+bool installed(const char* program) {
+    for (const char* folder : {"/usr/bin/", "/usr/local/bin/"})
+        if (::access((std::string(folder) + program).c_str(), X_OK) == 0) return true;
+    return false;
+}
+
+}  // namespace
+
+std::unique_ptr<VirtualDisplay> VirtualDisplay::start() {
+    if (!installed("Xvfb") || !installed("xdotool")) return nullptr;
+    int ready[2];
+    if (::pipe(ready) != 0) return nullptr;
+    const pid_t parent = ::getpid();
+    const pid_t server = ::fork();
+    if (server < 0) return nullptr;
+    if (server == 0) {
+        ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that dies leaves no server behind
+        if (::getppid() != parent) ::_exit(1);
+        ::close(ready[0]);
+        const std::string number_to = std::to_string(ready[1]);
+        ::execlp("Xvfb", "Xvfb", "-displayfd", number_to.c_str(), "-screen", "0", "1024x768x24", "-nolisten", "tcp", static_cast<char*>(nullptr));
+        ::_exit(127);
+    }
+    ::close(ready[1]);
+    // The server writes its display's number and a line end once it takes connections, and closes the pipe when it cannot start.
+    std::string number;
+    for (char c = 0; ::read(ready[0], &c, 1) == 1 && c != '\n';) number += c;
+    ::close(ready[0]);
+    std::unique_ptr<VirtualDisplay> display(new VirtualDisplay(server));
+    if (number.empty()) return nullptr;
+    ::setenv("DISPLAY", (":" + number).c_str(), 1);
+    ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+    return display;
+}
+
+VirtualDisplay::~VirtualDisplay() { kill(); }
+
+bool VirtualDisplay::xdotool(const std::string& words) const { return std::system(("timeout 20 xdotool " + words).c_str()) == 0; }
+
+void VirtualDisplay::kill() {
+    if (server_ <= 0) return;
+    ::kill(server_, SIGKILL);
+    ::waitpid(server_, nullptr, 0);
+    server_ = 0;
+}
+
+}  // namespace handrail::test

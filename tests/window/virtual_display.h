@@ -1,0 +1,29 @@
+// An X server of the test's own (Xvfb) with software OpenGL, and hands that press its keys (xdotool).
+#pragma once
+
+#include <sys/types.h>
+
+#include <memory>
+#include <string>
+
+namespace handrail::test {
+
+class VirtualDisplay {
+public:
+    // Starts the server on a free display number and points DISPLAY at it. Null where Xvfb or xdotool is not installed; the test then skips.
+    static std::unique_ptr<VirtualDisplay> start();
+    ~VirtualDisplay();
+    VirtualDisplay(const VirtualDisplay&) = delete;
+    VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+
+    // Runs "xdotool WORDS"; false when it fails or takes longer than 20 s.
+    bool xdotool(const std::string& words) const;
+    // Ends the server as a log-out does.
+    void kill();
+
+private:
+    explicit VirtualDisplay(pid_t server) : server_(server) {}
+    pid_t server_ = 0;
+};
+
+}  // namespace handrail::test

@@ -1,0 +1,264 @@
+#include "app/window/window.h"
+
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "tests/window/small_room.h"
+#include "tests/window/virtual_display.h"
+
+namespace handrail {
+
+void PrintTo(const KeyEvent& event, std::ostream* out) {
+    *out << event.key << (event.action == KeyAction::Press ? " down" : event.action == KeyAction::Repeat ? " again" : " up");
+}
+
+}  // namespace handrail
+
+namespace handrail::test {
+namespace {
+
+TEST(WindowOpen, says_that_there_is_no_display) {
+    ::unsetenv("DISPLAY");
+    ::unsetenv("WAYLAND_DISPLAY");
+    const auto window = Window::open();
+    ASSERT_FALSE(window.has_value());
+    EXPECT_TRUE(window.error().message.starts_with("There is no display; ")) << window.error().message;
+}
+
+TEST(WindowOpen, says_so_when_the_display_does_not_answer_and_can_be_tried_again) {
+    ::setenv("DISPLAY", ":65000", 1);
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        const auto window = Window::open();
+        ASSERT_FALSE(window.has_value());
+        EXPECT_TRUE(window.error().message.starts_with("There is no display; ")) << window.error().message;
+    }
+}
+
+class WindowTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        display_ = VirtualDisplay::start();
+        if (!display_) GTEST_SKIP() << "Xvfb or xdotool is not installed, so no window can be tried";
+        auto opened = Window::open();
+        ASSERT_TRUE(opened.has_value()) << opened.error().sentence();
+        window_ = std::move(*opened);
+        // Nothing else gives out the keyboard here, there is no window manager.
+        ASSERT_TRUE(display_->xdotool("search --sync --onlyvisible --name '^Handrail$' windowfocus --sync"));
+        window_->poll();
+    }
+
+    // Collects events until the condition holds; what a person would wait for comes within a moment, 20 s are for a machine under load.
+    template <class Condition>
+    bool wait_for(Condition condition) {
+        for (int i = 0; i < 4000; ++i) {
+            for (WindowEvent& event : window_->poll()) events_.push_back(std::move(event));
+            if (condition()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return false;
+    }
+
+    std::vector<KeyEvent> keys() const {
+        std::vector<KeyEvent> keys;
+        for (const WindowEvent& event : events_)
+            if (const auto* key = std::get_if<KeyEvent>(&event)) keys.push_back(*key);
+        return keys;
+    }
+
+    template <class T>
+    std::size_t count() const {
+        return static_cast<std::size_t>(std::count_if(events_.begin(), events_.end(), [](const WindowEvent& e) { return std::holds_alternative<T>(e); }));
+    }
+
+    Vec3 hand_motion_m() const {
+        Vec3 sum(0.0);
+        for (const WindowEvent& event : events_)
+            if (const auto* motion = std::get_if<HandMotion>(&event)) sum += motion->by_m;
+        return sum;
+    }
+
+    std::unique_ptr<VirtualDisplay> display_;
+    std::unique_ptr<Window> window_;
+    std::vector<WindowEvent> events_;
+};
+
+// A second client of the X server, to see and do what a desktop sees and does.
+class Desktop {
+public:
+    Desktop() : display_(XOpenDisplay(nullptr)) {
+        ::Window root = 0, parent = 0, *children = nullptr;
+        unsigned count = 0;
+        if (!display_ || !XQueryTree(display_, DefaultRootWindow(display_), &root, &parent, &children, &count)) return;
+        for (unsigned i = 0; i < count; ++i) {
+            char* name = nullptr;
+            if (XFetchName(display_, children[i], &name) && name && std::string(name) == "Handrail") handrail_ = children[i];
+            if (name) XFree(name);
+        }
+        if (children) XFree(children);
+    }
+    ~Desktop() {
+        if (display_) XCloseDisplay(display_);
+    }
+    Desktop(const Desktop&) = delete;
+    Desktop& operator=(const Desktop&) = delete;
+
+    bool found() const { return handrail_ != 0; }
+
+    void press_close_button() {
+        XClientMessageEvent message{};
+        message.type = ClientMessage;
+        message.window = handrail_;
+        message.message_type = XInternAtom(display_, "WM_PROTOCOLS", False);
+        message.format = 32;
+        message.data.l[0] = static_cast<long>(XInternAtom(display_, "WM_DELETE_WINDOW", False));
+        XEvent event{};
+        event.xclient = message;
+        XSendEvent(display_, handrail_, False, NoEventMask, &event);
+        XFlush(display_);
+    }
+
+    void take_keyboard_away() {
+        XSetInputFocus(display_, None, RevertToNone, CurrentTime);
+        XSync(display_, False);
+    }
+
+    Picture what_stands_on_the_screen() {
+        XWindowAttributes size{};
+        XGetWindowAttributes(display_, handrail_, &size);
+        XImage* image = XGetImage(display_, handrail_, 0, 0, static_cast<unsigned>(size.width), static_cast<unsigned>(size.height), AllPlanes, ZPixmap);
+        Picture picture{size.width, size.height, {}};
+        for (int y = 0; image && y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) {
+                const unsigned long rgb = XGetPixel(image, x, y);
+                for (const int shift : {16, 8, 0}) picture.rgb.push_back(static_cast<std::uint8_t>(rgb >> shift));
+            }
+        if (image) XDestroyImage(image);
+        return picture;
+    }
+
+    void resize(unsigned width, unsigned height) {
+        XResizeWindow(display_, handrail_, width, height);
+        XSync(display_, False);
+    }
+
+private:
+    Display* display_ = nullptr;
+    ::Window handrail_ = 0;
+};
+
+KeyEvent press(const char* key) { return {key, KeyAction::Press}; }
+KeyEvent release(const char* key) { return {key, KeyAction::Release}; }
+
+TEST_F(WindowTest, takes_keys_by_their_names) {
+    ASSERT_TRUE(display_->xdotool("key Up F2 Prior f grave Escape Control_L shift+Left"));
+    ASSERT_TRUE(wait_for([&] { return !keys().empty() && keys().back() == release("Shift+Left"); }));
+    EXPECT_EQ(keys(), (std::vector<KeyEvent>{press("Up"), release("Up"), press("F2"), release("F2"), press("PageUp"), release("PageUp"), press("F"),
+                                             release("F"), press("Grave"), release("Grave"), press("Escape"), release("Escape"), press("Control"),
+                                             release("Control"), press("Shift+Left"), release("Shift+Left")}));
+}
+
+TEST_F(WindowTest, tells_repeats_of_a_held_key_and_control_with_another_key_apart) {
+    ASSERT_TRUE(display_->xdotool("keydown Up"));
+    ASSERT_TRUE(wait_for([&] { return keys().size() >= 3; })) << "the server repeats after 0.66 s";
+    ASSERT_TRUE(display_->xdotool("keyup Up key ctrl+c"));
+    ASSERT_TRUE(wait_for([&] { return !keys().empty() && keys().back() == release("Control+C"); }));
+    const auto all = keys();
+    EXPECT_EQ(all.front(), press("Up"));
+    EXPECT_EQ(all[1], (KeyEvent{"Up", KeyAction::Repeat}));
+    EXPECT_EQ(std::count(all.begin(), all.end(), press("Up")), 1);
+    EXPECT_EQ(std::count(all.begin(), all.end(), release("Up")), 1);
+    EXPECT_EQ(std::count(all.begin(), all.end(), press("Control")), 0);
+}
+
+TEST_F(WindowTest, survives_keys_it_has_no_name_for) {
+    ASSERT_TRUE(display_->xdotool("key U263A Super_L F2"));
+    ASSERT_TRUE(wait_for([&] { return !keys().empty() && keys().back() == release("F2"); }));
+    EXPECT_EQ(keys(), (std::vector<KeyEvent>{press("F2"), release("F2")}));
+}
+
+TEST_F(WindowTest, moves_the_simulated_hand_with_the_mouse) {
+    ASSERT_TRUE(display_->xdotool("mousemove 400 400 mousedown 1 mousemove 500 350 mouseup 1 mousemove 600 600"));
+    ASSERT_TRUE(wait_for([&] { return glm::length(hand_motion_m()) > 0.02; }));
+    EXPECT_NEAR(hand_motion_m().x, 100 * kHandMetresPerPixel, 1e-9);
+    EXPECT_NEAR(hand_motion_m().y, 50 * kHandMetresPerPixel, 1e-9);
+    EXPECT_EQ(hand_motion_m().z, 0.0);
+    events_.clear();
+    ASSERT_TRUE(display_->xdotool("mousedown 3 mousemove 590 500 mouseup 3 click 4 click 4 click 5"));
+    ASSERT_TRUE(wait_for([&] { return hand_motion_m().z > 100 * kHandMetresPerPixel + 0.5 * kHandMetresPerNotch && hand_motion_m().x < 0.0; }));
+    EXPECT_NEAR(hand_motion_m().x, -10 * kHandMetresPerPixel, 1e-9);
+    EXPECT_EQ(hand_motion_m().y, 0.0);
+}
+
+TEST_F(WindowTest, asks_to_close_and_stays_until_it_is_let_go) {
+    Desktop desktop;
+    ASSERT_TRUE(desktop.found());
+    desktop.press_close_button();
+    ASSERT_TRUE(wait_for([&] { return count<CloseRequest>() == 1; }));
+    window_->draw(view_in(small_room(), 3.5, 1.0, 0.0));
+    EXPECT_TRUE(Desktop().found());
+    window_.reset();
+    EXPECT_FALSE(Desktop().found());
+}
+
+TEST_F(WindowTest, lets_go_of_held_keys_when_the_focus_goes_and_says_when_it_returns) {
+    ASSERT_TRUE(display_->xdotool("keydown Up"));
+    ASSERT_TRUE(wait_for([&] { return !keys().empty(); }));
+    Desktop().take_keyboard_away();
+    ASSERT_TRUE(wait_for([&] { return count<FocusChange>() == 1 && keys().back() == release("Up"); }));
+    const auto lost = std::find_if(events_.begin(), events_.end(), [](const WindowEvent& e) { return std::holds_alternative<FocusChange>(e); });
+    EXPECT_FALSE(std::get<FocusChange>(*lost).focused);
+    EXPECT_TRUE(std::holds_alternative<KeyEvent>(events_.back())) << "releases come after the news";
+    ASSERT_TRUE(display_->xdotool("keyup Up search --name '^Handrail$' windowfocus --sync"));
+    ASSERT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
+}
+
+TEST_F(WindowTest, shows_on_the_screen_what_it_drew_and_follows_its_size) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.last_spoken = "North wall, plaster.";
+    view.show_hand = true;
+    view.proxy_m = {3.6, 2.0, 1.4};
+    Desktop desktop;
+    ASSERT_TRUE(desktop.found());
+    const auto shown = [&](const ViewState& wanted) {
+        // A frame is on its way to the screen for a moment.
+        return wait_for([&] {
+            window_->draw(wanted);
+            const Picture screen = desktop.what_stands_on_the_screen();
+            return screen.rgb == window_->picture(wanted).rgb && !screen.rgb.empty();
+        });
+    };
+    EXPECT_TRUE(shown(view));
+    const Picture first = desktop.what_stands_on_the_screen();
+    EXPECT_EQ(first.width, 960);
+    view.touching = true;
+    view.last_spoken = "East wall, brick.";
+    EXPECT_TRUE(shown(view));
+    EXPECT_NE(desktop.what_stands_on_the_screen().rgb, first.rgb);
+    view.plan_view = true;
+    EXPECT_TRUE(shown(view));
+    desktop.resize(600, 500);
+    EXPECT_TRUE(shown(view));
+    EXPECT_EQ(desktop.what_stands_on_the_screen().width, 600);
+}
+
+TEST_F(WindowTest, outlives_its_display_and_asks_to_close) {
+    const ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    window_->draw(view);
+    ASSERT_TRUE(display_->xdotool("keydown Up"));
+    ASSERT_TRUE(wait_for([&] { return !keys().empty(); }));
+    display_->kill();
+    ASSERT_TRUE(wait_for([&] { return count<CloseRequest>() == 1; }));
+    EXPECT_EQ(keys().back(), release("Up"));
+    ViewState other = view;
+    other.touching = true;
+    window_->draw(other);
+    EXPECT_TRUE(window_->poll().empty()) << "told once";
+    window_.reset();
+}
+
+}  // namespace
+}  // namespace handrail::test
