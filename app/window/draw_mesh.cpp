@@ -120,31 +120,31 @@ private:
     std::vector<PlaneEdge> edges_;
 };
 
-struct DrawnPolygon {
-    Polygon polygon;
-    Vec3 normal;
-    FeatureId feature;
-    DrawLook look;
-};
-
 class MeshBuilder {
 public:
     explicit MeshBuilder(const Vec3& origin_m) { mesh_.origin_m = origin_m; }
 
-    void add(const Polygon& polygon, const Vec3& normal, FeatureId feature, const DrawLook& look) {
+    void add(const Polygon& polygon, const Vec3& normal, FeatureId feature, const DrawLook& look, bool both_sides) {
         const auto& points = polygon.points_m;
         if (points.size() < 3) return;
         const PlaneAxes axes = axes_of(normal);
         const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
+        Aabb bounds;
         for (const Vec3& point : points) {
             const Vec3 p = point - mesh_.origin_m;
+            bounds.include(p);
             mesh_.vertices.push_back({{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
                                       {static_cast<float>(glm::dot(p, axes.u)), static_cast<float>(glm::dot(p, axes.v))},
                                       look.rgb,
                                       look.pattern});
         }
-        auto& indices = look.translucent ? mesh_.translucent : mesh_.opaque;
-        for (std::uint32_t i = 1; i + 1 < points.size(); ++i) indices.insert(indices.end(), {first, first + i, first + i + 1});
+        Part& part = part_at(bounds.centre_m());
+        if (!look.translucent) part.bounds_m.include(bounds);
+        auto& indices = look.translucent ? mesh_.translucent : part.opaque;
+        for (std::uint32_t i = 1; i + 1 < points.size(); ++i) {
+            indices.insert(indices.end(), {first, first + i, first + i + 1});
+            if (both_sides) indices.insert(indices.end(), {first, first + i + 1, first + i});
+        }
 
         // Rounding can put two coplanar pieces under different keys; then a line is drawn between them, which does no harm.
         const Vec3 local = points.front() - mesh_.origin_m;
@@ -154,12 +154,38 @@ public:
     }
 
     DrawMesh finish() {
-        for (const auto& [key, outline] : outlines_) outline.append_open_edges(mesh_.edges);
+        std::vector<DrawEdge> edges;
+        for (const auto& [key, outline] : outlines_) outline.append_open_edges(edges);
+        for (const DrawEdge& edge : edges) {
+            const Vec3 a(edge.a_m[0], edge.a_m[1], edge.a_m[2]), b(edge.b_m[0], edge.b_m[1], edge.b_m[2]);
+            Part& part = part_at(0.5 * (a + b));
+            part.bounds_m.include(a);
+            part.bounds_m.include(b);
+            part.edges.push_back(edge);
+        }
+        for (const auto& [cell, part] : parts_) {
+            if (part.bounds_m.empty()) continue;
+            mesh_.chunks.push_back({part.bounds_m, static_cast<std::uint32_t>(mesh_.opaque.size()), static_cast<std::uint32_t>(part.opaque.size()),
+                                    static_cast<std::uint32_t>(mesh_.edges.size()), static_cast<std::uint32_t>(part.edges.size())});
+            mesh_.opaque.insert(mesh_.opaque.end(), part.opaque.begin(), part.opaque.end());
+            mesh_.edges.insert(mesh_.edges.end(), part.edges.begin(), part.edges.end());
+        }
         return std::move(mesh_);
     }
 
 private:
+    struct Part {
+        Aabb bounds_m;
+        std::vector<std::uint32_t> opaque;
+        std::vector<DrawEdge> edges;
+    };
+    Part& part_at(const Vec3& local_m) {
+        const glm::dvec3 cell = glm::floor(local_m / kChunk_m);
+        return parts_[{std::llround(cell.x), std::llround(cell.y), std::llround(cell.z)}];
+    }
+
     DrawMesh mesh_;
+    std::map<std::array<std::int64_t, 3>, Part> parts_;
     std::map<std::tuple<std::uint32_t, std::int64_t, std::int64_t, std::int64_t, std::int64_t>, Outline> outlines_;
 };
 
@@ -214,14 +240,14 @@ DrawMesh build_draw_mesh(const Scene& scene) {
     MeshBuilder builder(bounds.empty() ? Vec3(0.0) : bounds.centre_m());
     for (const SurfacePolygon& surface : scene.surfaces) {
         if (surface.role == SolidRole::Trigger || surface.role == SolidRole::BodyClip) continue;
-        builder.add(surface.polygon, surface.normal, surface.feature, look_of(kind_of(surface.feature), surface.role, surface.normal));
+        builder.add(surface.polygon, surface.normal, surface.feature, look_of(kind_of(surface.feature), surface.role, surface.normal), false);
     }
     for (const MeshTriangle& triangle : scene.triangles) {
         const Vec3 across = glm::cross(triangle.b_m - triangle.a_m, triangle.c_m - triangle.a_m);
         const double twice_area_m2 = glm::length(across);
         if (twice_area_m2 < 1e-12) continue;  // a needle has nothing to see
         const Vec3 normal = across / twice_area_m2;
-        builder.add({{triangle.a_m, triangle.b_m, triangle.c_m}}, normal, triangle.feature, look_of(kind_of(triangle.feature), SolidRole::Solid, normal));
+        builder.add({{triangle.a_m, triangle.b_m, triangle.c_m}}, normal, triangle.feature, look_of(kind_of(triangle.feature), SolidRole::Solid, normal), true);
     }
     return builder.finish();
 }

@@ -51,33 +51,28 @@ std::vector<Vec2> section_at(const ConvexSolid& solid, double height_m) {
 
 PlanCut cut_plan(const Scene& scene, double feet_height_m) {
     PlanCut cut{feet_height_m, {}, {}};
-    const double height_m = feet_height_m + kPlanCutAboveFeet_m;
-    std::vector<PlanShape> standing;
+    const double cut_m = feet_height_m + kPlanCutAboveFeet_m;
+    const double deepest_m = feet_height_m - kPlanDeep_m;
+    const double low_m = feet_height_m + kPlanLowAboveFeet_m;
+    const auto add = [&](PlanKind kind, const Solid& solid, double height_m) {
+        PlanShape shape{kind, section_at(solid.shape, height_m)};
+        if (!shape.outline_m.empty()) cut.shapes.push_back(std::move(shape));
+    };
     for (const Solid& solid : scene.solids) {
         if (solid.role == SolidRole::BodyClip || solid.role == SolidRole::Trigger) continue;
-        const Aabb& bounds = solid.shape.bounds_m;
-        if (bounds.min_m.z <= height_m && bounds.max_m.z > height_m) {
-            PlanShape shape{kind_of(scene, solid), section_at(solid.shape, height_m)};
-            if (!shape.outline_m.empty()) standing.push_back(std::move(shape));
-        } else if (bounds.max_m.z > feet_height_m + kPlanLowAboveFeet_m && bounds.max_m.z <= height_m) {
-            const PlanKind kind = solid.role == SolidRole::Liquid ? PlanKind::Liquid : PlanKind::Low;
-            const double lowest_m = std::max(bounds.min_m.z, feet_height_m);
-            PlanShape shape{kind, section_at(solid.shape, 0.5 * (lowest_m + bounds.max_m.z))};
-            if (!shape.outline_m.empty()) cut.shapes.push_back(std::move(shape));
-        } else if (solid.role == SolidRole::Liquid && bounds.max_m.z <= height_m && bounds.max_m.z > feet_height_m - kPlanCutAboveFeet_m) {
-            // A pool whose surface lies a little below the feet is seen from its rim.
-            PlanShape shape{PlanKind::Liquid, section_at(solid.shape, bounds.centre_m().z)};
-            if (!shape.outline_m.empty()) cut.shapes.push_back(std::move(shape));
-        }
+        const double bottom_m = solid.shape.bounds_m.min_m.z, top_m = solid.shape.bounds_m.max_m.z;
+        if (bottom_m > cut_m || top_m <= deepest_m) continue;
+        const double below_top_m = 0.5 * (std::max(bottom_m, deepest_m) + top_m);
+        if (top_m > cut_m) add(kind_of(scene, solid), solid, cut_m);
+        else if (solid.role == SolidRole::Liquid) add(PlanKind::Liquid, solid, below_top_m);
+        else add(top_m > low_m ? PlanKind::Low : PlanKind::Floor, solid, below_top_m);
     }
-    // Doors last: they stand in openings of walls and must not be covered by a frame that overlaps them.
-    std::stable_sort(standing.begin(), standing.end(), [](const PlanShape& a, const PlanShape& b) { return a.kind < b.kind; });
-    std::move(standing.begin(), standing.end(), std::back_inserter(cut.shapes));
+    std::stable_sort(cut.shapes.begin(), cut.shapes.end(), [](const PlanShape& a, const PlanShape& b) { return a.kind < b.kind; });
 
     std::vector<Vec2> points;
     for (const MeshTriangle& triangle : scene.triangles) {
         points.clear();
-        append_crossings({triangle.a_m, triangle.b_m, triangle.c_m}, height_m, points);
+        append_crossings({triangle.a_m, triangle.b_m, triangle.c_m}, cut_m, points);
         if (points.size() == 2) cut.sheets_m.push_back({points[0], points[1]});
     }
     return cut;

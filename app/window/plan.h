@@ -12,7 +12,10 @@ namespace handrail {
 inline constexpr double kPlanCutAboveFeet_m = 1.0;  // where a hand is; walls and doors are cut here
 inline constexpr double kPlanLowAboveFeet_m = 0.1;  // anything that reaches higher, but not to the cut, is shown as low
 
-enum class PlanKind { Wall, Object, Door, Mover, Liquid, Low };
+inline constexpr double kPlanDeep_m = 1.0;  // floors and pools this far below the feet belong to the storey
+
+// In the order in which they are drawn: what stands in or over something comes after it.
+enum class PlanKind { Floor, Low, Wall, Object, Liquid, Door, Mover };
 
 // Convex, counter-clockwise seen from above, at least 3 corners.
 struct PlanShape {
@@ -22,7 +25,7 @@ struct PlanShape {
 
 struct PlanCut {
     double feet_height_m = 0.0;
-    std::vector<PlanShape> shapes;              // low things first, so that what stands over them is drawn later
+    std::vector<PlanShape> shapes;              // by kind
     std::vector<std::array<Vec2, 2>> sheets_m;  // mesh triangles at the cut's height
 };
 

@@ -61,8 +61,8 @@ void main() {
     shown = vec4(colour * (1.0 - 0.6 * dark), opacity);
 })";
 
-// A line of a given width in pixels: four corners from the two ends, cut at the near plane and drawn a little towards the eye,
-// so that the surfaces it borders do not hide it. Core profiles draw lines one pixel wide only.
+// A line of a given width in pixels: four corners from the two ends, cut in front of the eye and drawn a little towards it, so that the
+// surfaces it borders do not hide it. Core profiles draw lines one pixel wide only.
 constexpr const char* kEdgeVertex = R"(#version 330 core
 layout(location = 0) in vec3 a_m;
 layout(location = 1) in vec3 b_m;
@@ -70,31 +70,33 @@ uniform mat4 clip_from_eye;
 uniform vec3 origin_from_eye_m;
 uniform vec2 half_size_px;
 uniform float half_width_px;
-uniform float pull;
-uniform float near_m;
+noperspective out float across;
+const float pull = 0.995;
+const float nearest_m = 0.1;
 void main() {
     int corner = gl_VertexID & 3;
     vec4 a = clip_from_eye * vec4((a_m + origin_from_eye_m) * pull, 1.0);
     vec4 b = clip_from_eye * vec4((b_m + origin_from_eye_m) * pull, 1.0);
-    if (a.w < near_m && b.w < near_m) {
+    across = (corner & 1) == 0 ? 1.0 : -1.0;
+    if (a.w < nearest_m && b.w < nearest_m) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
         return;
     }
-    if (a.w < near_m) a = mix(a, b, (near_m - a.w) / (b.w - a.w));
-    else if (b.w < near_m) b = mix(b, a, (near_m - b.w) / (a.w - b.w));
+    if (a.w < nearest_m) a = mix(a, b, (nearest_m - a.w) / (b.w - a.w));
+    else if (b.w < nearest_m) b = mix(b, a, (nearest_m - b.w) / (a.w - b.w));
     vec2 along = b.xy / b.w * half_size_px - a.xy / a.w * half_size_px;
     along = dot(along, along) > 1e-12 ? normalize(along) : vec2(1.0, 0.0);
-    vec2 across = vec2(-along.y, along.x);
+    vec2 sideways = vec2(-along.y, along.x) * across;
     vec4 end = corner < 2 ? a : b;
-    vec2 by_px = ((corner & 1) == 0 ? across : -across) + (corner < 2 ? -along : along);
-    end.xy += by_px * half_width_px / half_size_px * end.w;
+    end.xy += (sideways + (corner < 2 ? -along : along)) * half_width_px / half_size_px * end.w;
     gl_Position = end;
 })";
 
-constexpr const char* kFlatFragment = R"(#version 330 core
-uniform vec3 colour;
+// Black with a white core: one of the two stands out on any surface.
+constexpr const char* kEdgeFragment = R"(#version 330 core
+noperspective in float across;
 out vec4 shown;
-void main() { shown = vec4(colour, 1.0); })";
+void main() { shown = vec4(vec3(abs(across) < 0.34 ? 1.0 : 0.0), 1.0); })";
 
 constexpr const char* kBallVertex = R"(#version 330 core
 uniform mat4 clip_from_eye;
@@ -202,14 +204,15 @@ public:
     explicit UploadedScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
         const DrawMesh mesh = build_draw_mesh(*scene_);
         origin_m_ = mesh.origin_m;
-        for (const std::uint32_t index : mesh.opaque) reach_m_ = std::max(reach_m_, reach_of(mesh.vertices[index]));
+        for (const DrawChunk& chunk : mesh.chunks) reach_m_ = std::max({reach_m_, glm::length(chunk.bounds_m.min_m), glm::length(chunk.bounds_m.max_m)});
+        chunks_ = mesh.chunks;
 
         surfaces_.bind();
         vertices_.fill(GL_ARRAY_BUFFER, mesh.vertices);
         std::vector<std::uint32_t> indices = mesh.opaque;
         indices.insert(indices.end(), mesh.translucent.begin(), mesh.translucent.end());
         indices_.fill(GL_ELEMENT_ARRAY_BUFFER, indices);
-        opaque_count_ = static_cast<GLsizei>(mesh.opaque.size());
+        opaque_count_ = mesh.opaque.size();
         translucent_count_ = static_cast<GLsizei>(mesh.translucent.size());
         const auto stride = static_cast<GLsizei>(sizeof(DrawVertex));
         for (GLuint i = 0; i < 4; ++i) glEnableVertexAttribArray(i);
@@ -231,7 +234,6 @@ public:
         edges_.bind();
         edge_vertices_.fill(GL_ARRAY_BUFFER, corners);
         edge_indices_.fill(GL_ELEMENT_ARRAY_BUFFER, corner_indices);
-        edge_count_ = static_cast<GLsizei>(corner_indices.size());
         for (GLuint i = 0; i < 2; ++i) glEnableVertexAttribArray(i);
         glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(DrawEdge), byte_offset(offsetof(DrawEdge, a_m)));
         glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, sizeof(DrawEdge), byte_offset(offsetof(DrawEdge, b_m)));
@@ -241,9 +243,27 @@ public:
     const Scene* scene() const { return scene_.get(); }
     const Vec3& origin_m() const { return origin_m_; }
     double reach_m() const { return reach_m_; }  // of what is drawn, from the origin
-    void draw_opaque() const { draw(surfaces_, opaque_count_, 0); }
-    void draw_translucent() const { draw(surfaces_, translucent_count_, static_cast<std::size_t>(opaque_count_)); }
-    void draw_edges() const { draw(edges_, edge_count_, 0); }
+    // The chunks that the view may show, nearest first, so that near walls spare the card the painting of what they hide.
+    void choose(const Vec3& origin_from_eye_m, const std::array<Vec3, 5>& inward_normals) {
+        chosen_.clear();
+        for (const DrawChunk& chunk : chunks_) {
+            const Vec3 centre = chunk.bounds_m.centre_m() + origin_from_eye_m, half = 0.5 * chunk.bounds_m.size_m();
+            const bool outside = std::any_of(inward_normals.begin(), inward_normals.end(),
+                                             [&](const Vec3& normal) { return glm::dot(normal, centre) + glm::dot(glm::abs(normal), half) < 0.0; });
+            if (!outside) chosen_.emplace_back(glm::length(glm::max(glm::abs(centre) - half, Vec3(0.0))), &chunk);
+        }
+        std::sort(chosen_.begin(), chosen_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    }
+    void draw_opaque() {
+        draw_chosen(surfaces_, [](const DrawChunk& chunk) { return std::pair(chunk.first_index, chunk.index_count); });
+    }
+    void draw_edges() {
+        draw_chosen(edges_, [](const DrawChunk& chunk) { return std::pair(6 * chunk.first_edge, 6 * chunk.edge_count); });
+    }
+    void draw_translucent() const {
+        surfaces_.bind();
+        glDrawElements(GL_TRIANGLES, translucent_count_, GL_UNSIGNED_INT, byte_offset(opaque_count_ * sizeof(std::uint32_t)));
+    }
 
     const PlanCut& plan(double feet_height_m) {
         // A step up or down is shown; the sway of walking on a slope does not cut the plan anew each frame.
@@ -252,10 +272,17 @@ public:
     }
 
 private:
-    static double reach_of(const DrawVertex& vertex) { return glm::length(glm::vec3(vertex.position_m[0], vertex.position_m[1], vertex.position_m[2])); }
-    static void draw(const GlVertexArray& array, GLsizei count, std::size_t first) {
+    template <class Range>
+    void draw_chosen(const GlVertexArray& array, Range range) {
+        counts_.clear();
+        offsets_.clear();
+        for (const auto& [distance_m, chunk] : chosen_) {
+            const auto [first, count] = range(*chunk);
+            counts_.push_back(static_cast<GLsizei>(count));
+            offsets_.push_back(byte_offset(first * sizeof(std::uint32_t)));
+        }
         array.bind();
-        glDrawElements(GL_TRIANGLES, count, GL_UNSIGNED_INT, byte_offset(first * sizeof(std::uint32_t)));
+        glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, offsets_.data(), static_cast<GLsizei>(counts_.size()));
     }
 
     std::shared_ptr<const Scene> scene_;  // kept, so that its address cannot come back as another scene
@@ -263,7 +290,12 @@ private:
     double reach_m_ = 0.0;
     GlVertexArray surfaces_, edges_;
     GlBuffer vertices_, indices_, edge_vertices_, edge_indices_;
-    GLsizei opaque_count_ = 0, translucent_count_ = 0, edge_count_ = 0;
+    std::size_t opaque_count_ = 0;
+    GLsizei translucent_count_ = 0;
+    std::vector<DrawChunk> chunks_;
+    std::vector<std::pair<double, const DrawChunk*>> chosen_;
+    std::vector<GLsizei> counts_;
+    std::vector<const void*> offsets_;
     std::optional<PlanCut> plan_;
 };
 
@@ -291,7 +323,7 @@ ImFont* load_font(ImFontAtlas& atlas) {
 class Renderer::Impl {
 public:
     Result<void> start() {
-        for (const auto& built : {surface_program_.build(kSurfaceVertex, kSurfaceFragment), edge_program_.build(kEdgeVertex, kFlatFragment),
+        for (const auto& built : {surface_program_.build(kSurfaceVertex, kSurfaceFragment), edge_program_.build(kEdgeVertex, kEdgeFragment),
                                   ball_program_.build(kBallVertex, kBallFragment)})
             if (!built) return built;
         imgui_ = ImGui::CreateContext();
@@ -356,27 +388,25 @@ private:
 
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_LEQUAL);
-        glDisable(GL_CULL_FACE);
         glDisable(GL_BLEND);
+        glEnable(GL_CULL_FACE);
+        // What the four sides of the picture and the plane of the eyes leave in sight.
+        const double half_high = std::tan(0.5 * kFieldOfView_rad), half_wide = aspect * half_high;
+        uploaded_->choose(origin_from_eye,
+                          {forward, forward * half_wide - right, forward * half_wide + right, forward * half_high - up, forward * half_high + up});
         surface_program_.use();
         surface_program_.set("clip_from_eye", clip_from_eye);
         surface_program_.set("origin_from_eye_m", glm::vec3(origin_from_eye));
         surface_program_.set("opacity", 1.0F);
         uploaded_->draw_opaque();
+        glDisable(GL_CULL_FACE);
 
-        // Black with a white core: one of the two stands out on any surface.
         edge_program_.use();
         edge_program_.set("clip_from_eye", clip_from_eye);
         edge_program_.set("origin_from_eye_m", glm::vec3(origin_from_eye));
         edge_program_.set("half_size_px", 0.5F * glm::vec2(picture.width, picture.height));
-        edge_program_.set("near_m", static_cast<float>(kNear_m));
-        const float width_px = std::max(3.0F, kEdgePart * static_cast<float>(picture.height));
-        for (const auto& [colour, part, pull] : {std::tuple(0.0F, 0.5F, 0.996F), std::tuple(1.0F, 1.0F / 6.0F, 0.994F)}) {
-            edge_program_.set("colour", glm::vec3(colour));
-            edge_program_.set("half_width_px", part * width_px);
-            edge_program_.set("pull", pull);
-            uploaded_->draw_edges();
-        }
+        edge_program_.set("half_width_px", std::max(1.5F, 0.5F * kEdgePart * static_cast<float>(picture.height)));
+        uploaded_->draw_edges();
 
         if (view.show_hand) draw_ball(view, clip_from_eye, right, up);
 
@@ -433,7 +463,7 @@ private:
 
     static constexpr ImU32 kWallColour = IM_COL32(200, 200, 200, 255);
 
-    // Kinds differ in filling and outline: walls full, objects darker with a light border, doors open with a cross, movers open, liquids hatched,
+    // Kinds differ in filling and outline: floors dark, walls full, objects darker with a light border, doors open with a cross, movers open, liquids hatched,
     // low things thin outlines.
     void draw_shape(ImDrawList& list, const PlanLayout& layout, const PlanShape& shape) {
         // ImGui smooths borders rightly when corners run clockwise as seen: the turned y axis makes them so.
@@ -451,6 +481,9 @@ private:
         const int count = static_cast<int>(points_.size());
         const ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 255);
         switch (shape.kind) {
+            case PlanKind::Floor:
+                list.AddConvexPolyFilled(points_.data(), count, IM_COL32(34, 42, 66, 255));
+                break;
             case PlanKind::Wall:
                 list.AddConvexPolyFilled(points_.data(), count, kWallColour);
                 break;

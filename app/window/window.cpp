@@ -85,8 +85,13 @@ public:
         const PixelSize size = framebuffer_size();
         if (size != shown_size_) frames_in_size_ = 0;
         if (shown_ && *shown_ == view && frames_in_size_ >= kFramesToSettle) return;
+        // Without a graphics card a picture can take longer than the time until the next one is due.
+        const double begin_s = glfwGetTime();
+        if (begin_s < rest_until_s_) return;
         renderer_->draw(view, size);
         glfwSwapBuffers(window_);
+        const double end_s = glfwGetTime();
+        rest_until_s_ = end_s + 2.0 * (end_s - begin_s);
         ++frames_in_size_;
         shown_ = view;
         shown_size_ = size;
@@ -152,6 +157,7 @@ private:
     std::optional<ViewState> shown_;  // what stands in the window; none when it must be drawn again
     PixelSize shown_size_;
     int frames_in_size_ = 0;
+    double rest_until_s_ = 0.0;  // GLFW's time
     bool display_lost_ = false;
     bool told_of_loss_ = false;
 };

@@ -48,8 +48,9 @@ public:
     // What happened since the last call, in order. Never waits. When the focus goes, releases of all held keys come after its FocusChange.
     std::vector<WindowEvent> poll();
 
-    // Shows the view. Costs nothing when neither it nor the window changed since the last call. Does not wait for the screen's refresh,
-    // because the same thread also feeds ears and hand: call it at most as often as pictures are wanted.
+    // Shows the view; call it each time round the loop. The same thread also feeds ears and hand, so this does not wait for the screen's
+    // refresh, costs nothing when neither view nor window changed, and where drawing is slow skips pictures so as to take at most a third
+    // of the time; what was skipped is shown by a later call.
     void draw(const ViewState& view);
 
     // The view as draw() shows it.

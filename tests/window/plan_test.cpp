@@ -36,14 +36,15 @@ TEST(SectionAt, of_a_pyramid_shrinks_with_height) {
 }
 
 TEST(CutPlan, shows_what_stands_at_hand_height_and_what_lies_below_it) {
-    // Of the room: four walls and the door are cut, the table is low, the water is a liquid; floor and ceiling are not shown.
+    // Of the room: four walls and the door are cut, the table is low, the water is a liquid, the floor is a floor; the ceiling is not shown.
     const PlanCut cut = cut_plan(*small_room(), 0.0);
     std::map<PlanKind, int> count;
     for (const PlanShape& shape : cut.shapes) {
         ++count[shape.kind];
         EXPECT_GT(area_m2(shape.outline_m), 0.0);
     }
-    EXPECT_EQ(count, (std::map<PlanKind, int>{{PlanKind::Wall, 4}, {PlanKind::Door, 1}, {PlanKind::Low, 1}, {PlanKind::Liquid, 1}}));
+    EXPECT_EQ(count, (std::map<PlanKind, int>{{PlanKind::Floor, 1}, {PlanKind::Wall, 4}, {PlanKind::Door, 1}, {PlanKind::Low, 1}, {PlanKind::Liquid, 1}}));
+    EXPECT_EQ(cut.shapes.front().kind, PlanKind::Floor) << "drawn first, under everything";
     EXPECT_EQ(cut.shapes.back().kind, PlanKind::Door) << "drawn over the wall it stands in";
 }
 
@@ -51,8 +52,10 @@ TEST(CutPlan, of_another_storey_shows_that_storey) {
     Scene scene = *small_room();
     add_box(scene, {1.0, 1.0, 2.7}, {2.0, 2.0, 5.0}, FeatureKind::Object);
     const PlanCut cut = cut_plan(scene, 2.7);
-    ASSERT_EQ(cut.shapes.size(), 1U);
-    EXPECT_EQ(cut.shapes[0].kind, PlanKind::Object);
+    // Below the feet end ceiling, four walls and the door; all of it is ground to this storey. Table and water lie too deep.
+    ASSERT_EQ(cut.shapes.size(), 7U);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(cut.shapes[i].kind, PlanKind::Floor);
+    EXPECT_EQ(cut.shapes[6].kind, PlanKind::Object);
 }
 
 TEST(CutPlan, cuts_sheets_into_lines) {
