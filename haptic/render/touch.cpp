@@ -222,8 +222,8 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
             const double speed2 = glm::dot(hand_step, hand_step) / (dt_s * dt_s);
             if (energy_j < 0.0 && speed2 > 0.0) damping += std::min(-energy_j / (dt_s * speed2), kLargestGuard_ns_per_m);
         }
-        const double damped = std::max(0.0, normal_force - damping * glm::dot(hand_speed_m_per_s, normal));
-        if (normal_force > 0.0) force += normal * (damped - normal_force);
+        // Bounded by the spring on both sides: a hand that arrives fast meets no step of damping times speed, and one that leaves is not held.
+        if (normal_force > 0.0) force += normal * std::clamp(-damping * glm::dot(hand_speed_m_per_s, normal), -normal_force, normal_force);
     }
     was_touching = touching;
     if (glm::dot(force, force) < kSmallestForce_n * kSmallestForce_n) force = Vec3(0.0);
