@@ -1,1 +1,258 @@
 #include "haptic/servo/servo_tick.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handrail {
+namespace {
+
+constexpr double kNominalPeriodS = 1e-3;
+constexpr double kShortestPeriodS = 1e-6;
+constexpr double kFarthestGoalM = 1e6;     // beyond it doubles are too coarse to feel
+constexpr double kFastestHandMPerS = 5.0;  // how much farther a hand may be after a gap than after a tick
+constexpr double kMeanPeriodPoleS = 1.0;
+constexpr double kVelocityPoleS = 1.0 / (2.0 * kPi * 50.0);
+constexpr double kRateWindowS = 1.0;
+constexpr double kZeroAfterSlowS = 0.095;  // of the 100 ms from the onset of a slow rate to zero force, less one tick of 5 ms
+constexpr double kLongestTouchStepS = 0.1;
+
+double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
+
+// Faults after which the place of the hand has nothing to do with its place before, or the renderer's state cannot be trusted.
+bool loses_place(Fault fault) noexcept { return fault == Fault::Unplugged || fault == Fault::Jump || fault == Fault::BadSample || fault == Fault::BadForce; }
+
+}  // namespace
+
+ServoState::ServoState(const DeviceSpec& spec) : spec_(spec) {}
+
+void ServoState::measure_rate(double dt_s) noexcept {
+    counters_.periods.add(dt_s);
+    ++window_ticks_;
+    const double window_s = tool_.time_s - window_start_s_;
+    if (window_s >= kRateWindowS) {
+        tool_.rate_hz = static_cast<double>(window_ticks_) / window_s;
+        window_start_s_ = tool_.time_s;
+        window_ticks_ = 0;
+    }
+}
+
+// A latched fault is kept until it is confirmed; only losing the device outweighs it.
+void ServoState::raise(Fault fault, bool latched) noexcept {
+    if (fault == fault_) {
+        fault_latched_ = fault_latched_ || latched;
+        return;
+    }
+    if (fault_latched_ && fault != Fault::Unplugged) return;
+    fault_ = fault;
+    fault_latched_ = latched;
+    events_.push({ContactEventKind::FaultRaised, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault});
+    if (loses_place(fault)) {
+        touch_.reset_filters();
+        velocity_m_per_s_ = Vec3(0.0);
+    }
+    if (fault == Fault::Unplugged) {
+        tracker_.clear(tool_.time_s, events_);
+        tool_.contacts = {};
+        tool_.liquid = kNoFeature;
+        tool_.buttons = 0;
+        tool_.waiting_for_hand = true;
+        has_first_ = false;
+        trusts_last_ = false;
+    }
+}
+
+void ServoState::clear_fault() noexcept {
+    events_.push({ContactEventKind::FaultCleared, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault_});
+    fault_ = Fault::None;
+    fault_latched_ = false;
+    rate_watch_ = {};
+}
+
+void ServoState::confirm(const DeviceSample& sample, std::uint32_t number) noexcept {
+    if (number == confirm_seen_) return;
+    confirm_seen_ = number;
+    if (!fault_latched_ || !sample.connected) return;
+    if (loses_place(fault_)) start_over();
+    clear_fault();
+    limiter_.restart();
+}
+
+// What was felt before no longer holds: the hand is elsewhere in the world, or in another one.
+void ServoState::start_over() noexcept {
+    touch_.reset();
+    tracker_.clear(tool_.time_s, events_);
+    limiter_.restart();
+    goal_known_ = false;
+    velocity_m_per_s_ = Vec3(0.0);
+    wanted_n_ = Vec3(0.0);
+    tool_.contacts = {};
+    tool_.liquid = kNoFeature;
+}
+
+ServoState::Answer ServoState::judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept {
+    since_answer_s_ += dt_s;
+    if (!sample.connected) {
+        raise(Fault::Unplugged, true);
+        return Answer::None;
+    }
+    if (!sample.fresh) {
+        if (since_answer_s_ > kLongGapS) raise(Fault::DeviceSilent, false);
+        if (bad_run_ > 0) limiter_.drop_out();
+        return Answer::None;
+    }
+    const double period_s = since_answer_s_;
+    since_answer_s_ = 0.0;
+
+    const double allowed_m = kJumpM + kFastestHandMPerS * std::max(0.0, period_s - 2.0 * kNominalPeriodS);
+    const bool finite = is_finite(sample.position_m);
+    const Vec3 goal_m = finite ? frame.to_world(sample.position_m, scale) : Vec3(std::numeric_limits<double>::infinity());
+    const bool in_reach = std::abs(goal_m.x) <= kFarthestGoalM && std::abs(goal_m.y) <= kFarthestGoalM && std::abs(goal_m.z) <= kFarthestGoalM;
+    const bool jumped = in_reach && trusts_last_ && !(length(sample.position_m - tool_.hand_m) <= allowed_m);
+    if (!in_reach || jumped) {
+        ++counters_.bad_samples;
+        bad_kind_ = jumped ? Fault::Jump : Fault::BadSample;
+        limiter_.drop_out();
+        if (++bad_run_ >= kBadSamplesLatch) {
+            raise(bad_kind_, true);
+            trusts_last_ = false;  // wherever it is next, it is watched from there
+        }
+        return Answer::Bad;
+    }
+    bad_run_ = 0;
+    trusts_last_ = true;
+    tool_.hand_m = sample.position_m;
+    tool_.hip_m = goal_m;
+    tool_.buttons = sample.buttons;
+    if (!has_first_) {
+        has_first_ = true;
+        first_m_ = sample.position_m;
+    } else if (tool_.waiting_for_hand && length(sample.position_m - first_m_) > kFirstMovementM) {
+        tool_.waiting_for_hand = false;
+    }
+
+    if (tool_.ticks > 0) {
+        const double counted_s = std::min(period_s, kLongGapS);
+        mean_period_s_ += (counted_s - mean_period_s_) * (counted_s / (kMeanPeriodPoleS + counted_s));
+        if (period_s >= kShortGapS && period_s <= kLongGapS) {
+            ++counters_.held_gaps;
+            limiter_.resume_after_gap();
+        }
+        if (too_slow(rate_watch_, period_s, spec_.min_rate_hz)) {
+            hurry_s_ = std::clamp(kZeroAfterSlowS - rate_watch_.elapsed_s, kShortGapS, ForceLimiter::kFadeS);
+            raise(Fault::LateLoop, true);
+        }
+    }
+    return Answer::Good;
+}
+
+void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s) noexcept {
+    TouchTuning touch = tuning.touch;
+    const double damping = touch.override_damping_ns_per_m >= 0.0 ? touch.override_damping_ns_per_m : touch.damping_ns_per_m;
+    const double stiffest = effective_stiffness_n_per_m(spec_, mean_period_s_, damping);
+    touch.rated_stiffness_n_per_m = std::min(touch.rated_stiffness_n_per_m, stiffest);
+    touch.override_stiffness_n_per_m = std::min(touch.override_stiffness_n_per_m, stiffest);
+
+    const double scale = touch.world_m_per_hand_m;
+    if (goal_known_) {
+        const Vec3 velocity = (goal_m - goal_m_) / (scale * dt_s);
+        velocity_m_per_s_ += (velocity - velocity_m_per_s_) * (dt_s / (kVelocityPoleS + dt_s));
+    }
+    goal_m_ = goal_m;
+    goal_known_ = true;
+
+    const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s);
+    wanted_n_ = frame.turn_to_device(result.force_n);
+    if (!is_finite(result.proxy_m)) {
+        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // let the limiter judge it
+        return;
+    }
+    tool_.proxy_m = result.proxy_m;
+    tool_.ball_radius_m = result.radius_m;
+    tool_.contacts = result.contacts;
+    tool_.liquid = result.liquid;
+    if (result.contacts.count > 0) tool_.contact_s += dt_s;
+    tracker_.update(result, velocity_m_per_s_, scale, tool_.time_s, dt_s, events_);
+}
+
+ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept {
+    fade_s = ForceLimiter::kFadeS;
+    if (tuning.panic || long_gap || !scene_present || tool_.waiting_for_hand) return ForceFlow::Cut;
+    if (fault_ == Fault::LateLoop) {
+        fade_s = hurry_s_;
+        return ForceFlow::Fade;
+    }
+    if (fault_ != Fault::None) return ForceFlow::Cut;
+    return tuning.forces_on ? ForceFlow::Run : ForceFlow::Fade;
+}
+
+ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
+                        double now_s) noexcept {
+    ServoState& s = state;
+    s.events_.count = 0;
+    s.events_.lost = 0;
+
+    // 1. Time.
+    const bool first = s.tool_.ticks == 0;
+    const double dt_s = first ? kNominalPeriodS : std::max(now_s - s.tool_.time_s, kShortestPeriodS);
+    s.tool_.time_s = now_s;
+    if (first) {
+        s.window_start_s_ = now_s;
+        s.confirm_seen_ = tuning.confirm;
+        s.scale_ = tuning.touch.world_m_per_hand_m;
+    } else {
+        s.measure_rate(dt_s);
+    }
+    const bool long_gap = dt_s > ServoState::kLongGapS;
+    if (long_gap) ++s.counters_.long_gaps;
+    s.confirm(sample, tuning.confirm);
+
+    // 2. The workspace in the world; what makes everything felt before invalid.
+    const bool jumped = s.playback_.give(pose, now_s);
+    const WorkspaceFrame frame = s.playback_.at(now_s, dt_s);
+    const double scale = tuning.touch.world_m_per_hand_m;
+    const std::uint32_t generation = scene ? scene->generation : 0;
+    if (jumped || scale != s.scale_ || (!scene && s.tool_.scene_generation != 0)) s.start_over();
+    if (generation != s.tool_.scene_generation) s.limiter_.restart();
+    s.scale_ = scale;
+    s.tool_.scene_generation = generation;
+
+    // 3. The sample.
+    const ServoState::Answer answer = s.judge(sample, frame, scale, dt_s);
+    if (long_gap) {
+        s.raise(Fault::Stalled, false);
+    } else if (answer == ServoState::Answer::Good && s.fault_ != Fault::None && !s.fault_latched_) {
+        s.clear_fault();
+    }
+
+    // 4. Touch.
+    s.since_touch_s_ = std::min(s.since_touch_s_ + dt_s, kLongestTouchStepS);
+    if (answer == ServoState::Answer::Good) {
+        if (scene) {
+            s.touch(*scene, tuning, frame, s.tool_.hip_m, s.since_touch_s_);
+        } else {
+            s.tool_.proxy_m = s.tool_.hip_m;
+            s.wanted_n_ = Vec3(0.0);
+        }
+        s.since_touch_s_ = 0.0;
+    }
+
+    // 5. The only way out.
+    double fade_s = 0.0;
+    const ForceFlow flow = s.flow(tuning, scene != nullptr, long_gap, fade_s);
+    const double ceiling_n = std::min(tuning.force_ceiling_n, s.spec_.peak_force_n);
+    const Vec3 force_n = s.limiter_.limit(s.wanted_n_, ceiling_n, flow, dt_s, fade_s);
+    if (s.limiter_.broken()) s.raise(Fault::BadForce, true);
+
+    // 6. What others may know.
+    ToolState& tool = s.tool_;
+    tool.force_n = frame.turn_to_world(force_n);
+    tool.force_gain = s.limiter_.gain();
+    tool.fault = s.fault_ != Fault::None ? s.fault_ : answer == ServoState::Answer::Bad ? s.bad_kind_ : Fault::None;
+    tool.fault_latched = s.fault_latched_;
+    ++tool.ticks;
+    s.counters_.lost_events += s.events_.lost;
+    return {force_n};
+}
+
+}  // namespace handrail
