@@ -83,7 +83,7 @@ struct TouchState::Impl {
     Vec3 last_force_n{0.0};
     bool was_touching = false;
 
-    TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s) noexcept;
+    TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m) noexcept;
     Vec3 liquid_force(const HapticScene& scene, const TouchTuning& tuning, const Vec3& hand_step_m, double dt_s, FeatureId& in) noexcept;
 };
 
@@ -136,10 +136,11 @@ Vec3 TouchState::Impl::liquid_force(const HapticScene& scene, const TouchTuning&
     return drag_offset_hand_m * kDragStiffness_n_per_m;
 }
 
-TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s) noexcept {
+TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m) noexcept {
     const double scale = tuning.world_m_per_hand_m;
     const Vec3 goal_step = has_goal ? goal_m - last_goal_m : Vec3(0.0);
-    const Vec3 hand_step = goal_step / scale;
+    const Vec3 hand_step = goal_step / scale;              // through the world
+    const Vec3 own_step = (goal_step - carried_m) / scale;  // of the hand itself, not of a workspace that walks with the body
     last_goal_m = goal_m;
     has_goal = true;
 
@@ -206,7 +207,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     // 4. Damping and passivity guard, along the normal only and never pulling into the surface.
     if (has_speed) {
         const double u = 2.0 * kPi * kSpeedPole_hz * dt_s;
-        hand_speed_m_per_s += (hand_step / dt_s - hand_speed_m_per_s) * (u / (1.0 + u));
+        hand_speed_m_per_s += (own_step / dt_s - hand_speed_m_per_s) * (u / (1.0 + u));
     } else {
         hand_speed_m_per_s = Vec3(0.0);
         has_speed = true;
@@ -218,8 +219,8 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         double damping = feel.damping_ns_per_m;
         if (tuning.passivity_guard) {
             if (!was_touching) energy_j = 0.0;
-            energy_j -= glm::dot(last_force_n, hand_step);
-            const double speed2 = glm::dot(hand_step, hand_step) / (dt_s * dt_s);
+            energy_j -= glm::dot(last_force_n, own_step);
+            const double speed2 = glm::dot(own_step, own_step) / (dt_s * dt_s);
             if (energy_j < 0.0 && speed2 > 0.0) damping += std::min(-energy_j / (dt_s * speed2), kLargestGuard_ns_per_m);
         }
         // Bounded by the spring on both sides: a hand that arrives fast meets no step of damping times speed, and one that leaves is not held.
@@ -260,8 +261,8 @@ void TouchState::reset_filters() noexcept {
 
 const ProxySolver& TouchState::solver() const noexcept { return impl_->solver; }
 
-TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s) noexcept {
-    return state.impl().tick(scene, tuning, goal_m, dt_s);
+TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m) noexcept {
+    return state.impl().tick(scene, tuning, goal_m, dt_s, carried_m);
 }
 
 }  // namespace handrail

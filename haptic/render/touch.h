@@ -89,6 +89,9 @@ private:
 
 // One tick. goal_m: the HIP (haptic interface point) in world metres, finite and within 1e6 m. dt_s: time since the last tick, > 0.
 // A scene with another address or generation than last time is met as a fresh candidate set around the old proxy.
-TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s) noexcept;
+// carried_m: how far a walking body carried the workspace since the last tick, world metres. The proxy and liquids meet the whole motion;
+// damping and the passivity guard only what the hand itself did, else every step of the body would knock in the hand (test: walking_*).
+TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s,
+                       const Vec3& carried_m = Vec3(0.0)) noexcept;
 
 }  // namespace handrail
