@@ -9,36 +9,45 @@
 namespace handrail {
 
 enum class Command : std::uint8_t {
-    Forward, Back,              // a tap is one step; held, walking
-    TurnLeft, TurnRight,
-    TiltUp, TiltDown,
+    Forward,
+    Back,  // a tap is one step; held, walking
+    TurnLeft,
+    TurnRight,
+    TiltUp,
+    TiltDown,
     ToggleForces,
-    SwitchFrame,                // Map <-> Walk
+    SwitchFrame,  // Map <-> Walk
     WhereAmI,
     Heading,
-    WhatIsThis,                 // what the hand touches
+    WhatIsThis,  // what the hand touches
     Repeat,
     StopSpeech,
-    StopEverything,             // F12: all force and sound
+    StopEverything,  // F12: all force and sound
     Home,
     PlanView,
     Help,
     VerbosityCycle,
-    Leave,                      // Escape: asks once more at the top
+    Leave,  // Escape: asks once more at the top
     // The hand without a device: the simulated hand's target moves.
-    HandForward, HandBack, HandLeft, HandRight, HandUp, HandDown, HandCentre,
+    HandForward,
+    HandBack,
+    HandLeft,
+    HandRight,
+    HandUp,
+    HandDown,
+    HandCentre,
 };
 
 // A row of the key table: the command, its word for terminals and scenarios, the default key and a line of help.
 struct CommandInfo {
     Command command;
-    std::string_view word;       // "where", typed in a terminal
-    std::string_view key;        // "F2": default key, GLFW-like name; empty when it has none
-    bool hold;                   // acts as long as the key is down
-    std::string_view help;       // one sentence, spoken by help
+    std::string_view word;  // "where", typed in a terminal
+    std::string_view key;   // default keys by name, separated by a blank: "F2 1"
+    bool hold;              // acts as long as the key is down
+    std::string_view help;  // one sentence, spoken by help
 };
 
-std::span<const CommandInfo> command_table();
+std::span<const CommandInfo> command_table();  // in the order of Command
 const CommandInfo* find_command(std::string_view word);
 const CommandInfo& info(Command command);
 

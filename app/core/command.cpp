@@ -1,0 +1,54 @@
+#include "app/core/command.h"
+
+#include <array>
+#include <string>
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+// The keys of arrows, PageUp and PageDown, F, Home and Escape are those of the original demo (S154, S166) and never change meaning.
+constexpr std::array kCommands{
+    CommandInfo{Command::Forward, "forward", "Up", true, "One step forward; held, walk."},
+    CommandInfo{Command::Back, "back", "Down", true, "One step back; held, walk backwards."},
+    CommandInfo{Command::TurnLeft, "left", "Left", true, "Turn left by one notch."},
+    CommandInfo{Command::TurnRight, "right", "Right", true, "Turn right by one notch."},
+    CommandInfo{Command::TiltUp, "tilt-up", "PageUp", true, "Look further up; for the picture only."},
+    CommandInfo{Command::TiltDown, "tilt-down", "PageDown", true, "Look further down; for the picture only."},
+    CommandInfo{Command::ToggleForces, "forces", "F Grave", false, "Forces on or off. On again also confirms after a fault."},
+    CommandInfo{Command::SwitchFrame, "frame", "F4", false, "Change between Map, north up, and Walk, turning with you."},
+    CommandInfo{Command::WhereAmI, "where", "F2 1", false, "Where am I, which way do I face, what is around."},
+    CommandInfo{Command::Heading, "heading", "C", false, "Which way do I face."},
+    CommandInfo{Command::WhatIsThis, "what", "E", false, "What is the hand touching; again for its size."},
+    CommandInfo{Command::Repeat, "repeat", "Space Q", false, "Say the last thing again."},
+    CommandInfo{Command::StopSpeech, "quiet", "Control", false, "Stop speaking."},
+    CommandInfo{Command::StopEverything, "stop", "F12", false, "Stop all force and all sound at once. F brings force back."},
+    CommandInfo{Command::Home, "home", "Home", false, "Go back to the base, where you started."},
+    CommandInfo{Command::PlanView, "plan", "F3", false, "Change the picture between first person and plan."},
+    CommandInfo{Command::Help, "help", "F1", false, "Say the keys."},
+    CommandInfo{Command::VerbosityCycle, "verbosity", "V", false, "How much is said: level 0 to 4."},
+    CommandInfo{Command::Leave, "leave", "Escape", false, "Leave; asks for a second press."},
+    CommandInfo{Command::HandForward, "hand-forward", "I", true, "Simulated hand away from you."},
+    CommandInfo{Command::HandBack, "hand-back", "K", true, "Simulated hand towards you."},
+    CommandInfo{Command::HandLeft, "hand-left", "J", true, "Simulated hand to the left."},
+    CommandInfo{Command::HandRight, "hand-right", "L", true, "Simulated hand to the right."},
+    CommandInfo{Command::HandUp, "hand-up", "U", true, "Simulated hand up."},
+    CommandInfo{Command::HandDown, "hand-down", "O", true, "Simulated hand down."},
+    CommandInfo{Command::HandCentre, "hand-centre", "P", false, "Simulated hand back to the middle of its reach."},
+};
+
+}  // namespace
+
+std::span<const CommandInfo> command_table() { return kCommands; }
+
+const CommandInfo* find_command(std::string_view word) {
+    const std::string lower = lower_ascii(word);
+    for (const CommandInfo& row : kCommands)
+        if (row.word == lower) return &row;
+    return nullptr;
+}
+
+const CommandInfo& info(Command command) { return kCommands[static_cast<std::size_t>(command)]; }
+
+}  // namespace handrail

@@ -1,0 +1,41 @@
+#include "app/core/command.h"
+
+#include <map>
+#include <set>
+
+#include "app/core/key_map.h"
+
+namespace handrail {
+namespace {
+
+TEST(CommandTable, lists_every_command_once_in_order) {
+    std::set<std::string_view> words;
+    for (std::size_t i = 0; i < command_table().size(); ++i) {
+        EXPECT_EQ(static_cast<std::size_t>(command_table()[i].command), i);
+        EXPECT_TRUE(words.insert(command_table()[i].word).second) << command_table()[i].word;
+        EXPECT_FALSE(command_table()[i].help.empty());
+    }
+}
+
+// The original's demo keys (S154, S166) keep their meaning for ever.
+TEST(KeyMap, keeps_the_keys_of_the_original) {
+    const KeyMap keys({});
+    const std::map<std::string, Command> original{{"Left", Command::TurnLeft},  {"Right", Command::TurnRight}, {"Up", Command::Forward},
+                                                  {"Down", Command::Back},      {"PageUp", Command::TiltUp},   {"PageDown", Command::TiltDown},
+                                                  {"F", Command::ToggleForces}, {"Escape", Command::Leave}};
+    for (const auto& [key, command] : original) EXPECT_EQ(keys.find(key), command) << key;
+}
+
+TEST(KeyMap, lets_the_person_change_keys_and_says_what_clashes) {
+    std::vector<std::string> problems;
+    const KeyMap keys({{"where", "W"}, {"wher", "X"}, {"heading", "E"}}, &problems);
+    EXPECT_EQ(keys.find("w"), Command::WhereAmI);
+    EXPECT_EQ(keys.find("F2"), std::nullopt);
+    EXPECT_EQ(keys.find("E"), Command::Heading);
+    ASSERT_EQ(problems.size(), 2U);
+    EXPECT_THAT(problems[0], testing::HasSubstr("Did you mean \"where\"?"));
+    EXPECT_THAT(problems[1], testing::HasSubstr("The key E"));
+}
+
+}  // namespace
+}  // namespace handrail
