@@ -1,0 +1,66 @@
+// What a body bumps into: the scene's solids as convex pieces, swept by an upright box-like body or a point. Immutable after it is built;
+// app thread. A trace is exact: the body's Minkowski sum with each convex piece is met by a moving point, so nothing is
+// tunnelled at any speed. Linear over pieces whose box meets the sweep.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+// An upright cylinder standing on its reference point; radius 0 and height 0 is a ray.
+struct BodyShape {
+    double radius_m = 0.0;
+    double height_m = 0.0;
+};
+
+struct TraceHit {
+    double fraction = 1.0;  // of the way, 1 when nothing was met
+    Vec3 end_m{0.0};        // where the reference point stops, kContactGap_m before the surface
+    Vec3 normal{0.0};       // of the surface that was met
+    FeatureId feature = kNoFeature;
+    MaterialId material = kDefaultMaterial;
+    bool hit = false;
+};
+
+class BodyWorld {
+public:
+    explicit BodyWorld(std::shared_ptr<const Scene> scene);
+
+    const Scene& scene() const { return *scene_; }
+    // Moves the body from one place towards another and stops at the first solid. A piece that the body already overlaps at the start is
+    // ignored, so that one can always walk out of it. `through_clips`: rays look through what only stops bodies.
+    TraceHit trace(const Vec3& from_m, const Vec3& to_m, const BodyShape& body, bool through_clips = false) const;
+    // True when a solid overlaps the body standing there.
+    bool blocked(const Vec3& feet_m, const BodyShape& body) const;
+    // Volumes of that role (Liquid, Trigger, Teleport) which the upright line feet..feet+height meets; feature ids in file order.
+    std::vector<FeatureId> volumes_at(const Vec3& feet_m, double height_m, SolidRole role) const;
+
+    static constexpr double kContactGap_m = 1e-4;  // a body stops this far from a surface, so that rounding never lets it in
+
+private:
+    struct Piece {
+        std::uint32_t first_plane = 0, plane_count = 0;
+        Aabb bounds_m;
+        bool clip_only = false;
+        std::uint32_t solid = 0;  // index of Scene::solids, or of triangles when `triangle`
+        bool triangle = false;
+    };
+    struct Bound {
+        Plane plane;
+        std::int32_t face = -1;  // index of the solid's plane; -1 for added bevels
+    };
+    void add_piece(const std::vector<Bound>& bounds, const Aabb& box, bool clip_only, std::uint32_t solid, bool triangle);
+    template <class Visit>
+    void visit_near(const Aabb& box, Visit visit) const;
+
+    std::shared_ptr<const Scene> scene_;
+    std::vector<Bound> bounds_;
+    std::vector<Piece> pieces_;         // sorted by bounds_m.min_m.x
+    std::vector<double> max_x_so_far_;  // running maximum of bounds_m.max_m.x, to find where a sweep's pieces begin
+};
+
+}  // namespace handrail

@@ -1,0 +1,57 @@
+#include "app/core/surroundings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handrail {
+
+std::optional<Seen> look(const BodyWorld& world, const Vec3& feet_m, double height_m, double bearing_rad, double range_m) {
+    const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
+    const TraceHit hit = world.trace(eye, eye + forward_of_heading(bearing_rad) * range_m, BodyShape{}, true);
+    if (!hit.hit) return std::nullopt;
+    return Seen{bearing_rad, hit.fraction * range_m, hit.feature, hit.end_m};
+}
+
+FreeSpace free_space(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad) {
+    const auto span = [&](double bearing) {
+        const auto one = look(world, feet_m, height_m, bearing), other = look(world, feet_m, height_m, bearing + kPi);
+        return one && other ? one->distance_m + other->distance_m : 0.0;
+    };
+    return {span(heading_rad + kPi / 2.0), span(heading_rad)};
+}
+
+std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, double height_m, std::size_t most) {
+    const Scene& scene = world.scene();
+    const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
+    std::vector<Seen> found;
+    for (std::uint32_t i = 0; i < scene.features.size(); ++i) {
+        const Feature& feature = scene.features[i];
+        const bool surface = feature.kind == FeatureKind::Wall || feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling ||
+                             feature.kind == FeatureKind::Slope;
+        if (feature.bounds_m.empty() || feature.kind == FeatureKind::Trigger || (surface && !feature.landmark && !feature.clue)) continue;
+        const Vec3 centre = feature.bounds_m.centre_m();
+        const Vec3 way = centre - eye;
+        const double distance = glm::length(way);
+        if (distance < 1e-6 || distance > kSightRange_m) continue;
+        const TraceHit hit = world.trace(eye, centre, BodyShape{}, true);
+        const bool volume = feature.kind == FeatureKind::Liquid || feature.kind == FeatureKind::Teleport;
+        if (hit.hit ? hit.feature.value != i : !volume) continue;
+        const Vec3 point = hit.hit ? hit.end_m : centre;
+        const double level = std::sqrt((point.x - eye.x) * (point.x - eye.x) + (point.y - eye.y) * (point.y - eye.y));
+        found.push_back({std::atan2(way.x, way.y), level, FeatureId{i}, point});
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Seen& a, const Seen& b) { return a.distance_m < b.distance_m; });
+    if (found.size() > most) found.resize(most);
+    return found;
+}
+
+std::optional<Seen> nearest_ahead(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad, double range_m) {
+    std::optional<Seen> nearest;
+    for (int i = -4; i <= 4; ++i) {
+        const auto seen = look(world, feet_m, height_m, heading_rad + i * kPi / 8.0, range_m);
+        if (seen && (!nearest || seen->distance_m < nearest->distance_m - 1e-9)) nearest = seen;
+    }
+    return nearest;
+}
+
+}  // namespace handrail

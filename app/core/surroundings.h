@@ -1,0 +1,36 @@
+// What lies around a body, by looking: rays through the scene, line of sight only. Pure functions over an immutable world; app thread.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/core/body_world.h"
+
+namespace handrail {
+
+// Something met in a direction.
+struct Seen {
+    double bearing_rad = 0.0;  // world heading of the direction
+    double distance_m = 0.0;   // from the middle of the body to the surface
+    FeatureId feature = kNoFeature;
+    Vec3 point_m{0.0};
+};
+
+inline constexpr double kSightRange_m = 100.0;
+
+// The first surface in that direction, level, at `height_m` above the soles; nothing within range: none.
+std::optional<Seen> look(const BodyWorld& world, const Vec3& feet_m, double height_m, double bearing_rad, double range_m = kSightRange_m);
+
+// Size of the free space around: width across the heading and depth along it; 0 where a side is open.
+struct FreeSpace {
+    double width_m = 0.0, depth_m = 0.0;
+};
+FreeSpace free_space(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad);
+
+// Doors, landmarks, clues, liquids and named objects in line of sight, nearest first, at most `most`.
+std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, double height_m, std::size_t most);
+
+// The nearest surface in the half circle ahead within range, for the wall tone.
+std::optional<Seen> nearest_ahead(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad, double range_m);
+
+}  // namespace handrail
