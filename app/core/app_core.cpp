@@ -1,0 +1,554 @@
+#include "app/core/app_core.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handrail {
+namespace {
+
+constexpr double kLookHeight_m = 1.0;        // rays for words and tones leave the body here, above most furniture
+constexpr double kTurnRate_rad_per_s = 2.6;  // 150 degrees a second: at scale 60 a hand at the rim moves 10 cm/s through the world
+constexpr double kTurnRepeat_s = 0.4;
+constexpr double kTiltRate_rad_per_s = 0.8;
+constexpr double kMostTilt_rad = 1.2;
+constexpr double kHandKeySpeed_m_per_s = 0.06;
+constexpr double kHandTap_m = 0.005;  // one tap of a hand key
+constexpr double kLeaveWindow_s = 5.0;
+constexpr double kToneRange_m = 2.0;
+constexpr double kBreakEvery_s = 15.0 * 60.0;
+constexpr double kMostPendingSteps = 8.0;
+constexpr std::size_t kMostPathPoints = 4000;
+
+}  // namespace
+
+AppCore::AppCore(const Settings& settings, const HandFacts& hand)
+    : settings_(settings), hand_(hand), keys_(settings.keys), held_(command_table().size(), false) {
+    lay_device_overrides();
+    std::vector<std::string> problems;
+    KeyMap(settings.keys, &problems);
+    for (std::string& problem : problems) say(std::move(problem), SpeechClass::Answer, 0.0);
+}
+
+void AppCore::lay_device_overrides() {
+    // The person's device overrides lie on top of the general workspace.
+    const auto found = settings_.workspace.devices.find(std::string(hand_.spec.name));
+    if (hand_.present && found != settings_.workspace.devices.end()) {
+        const Settings::Workspace::Override& own = found->second;
+        settings_.workspace.scale = own.scale.value_or(settings_.workspace.scale);
+        settings_.workspace.offset_ahead_m = own.offset_ahead_m.value_or(settings_.workspace.offset_ahead_m);
+        settings_.workspace.offset_up_m = own.offset_up_m.value_or(settings_.workspace.offset_up_m);
+        settings_.workspace.hand_height_m = own.hand_height_m.value_or(settings_.workspace.hand_height_m);
+    }
+}
+
+double AppCore::workspace_scale() const { return settings_.workspace.scale; }
+
+void AppCore::enter_world(std::shared_ptr<const Scene> scene, double now_s) {
+    Vec3 feet{0.0};
+    double heading = 0.0;
+    const auto base = std::find_if(scene->starts.begin(), scene->starts.end(), [](const Start& s) { return s.base; });
+    if (base != scene->starts.end()) {
+        feet = base->feet_m;
+        heading = base->heading_rad;
+    } else if (!scene->starts.empty()) {
+        feet = scene->starts.front().feet_m;
+        heading = scene->starts.front().heading_rad;
+    } else if (!scene->bounds_m.empty()) {
+        // No start in the file: in front of the south side's middle, on the ground, looking in.
+        const Vec3 centre = scene->bounds_m.centre_m();
+        feet = Vec3(centre.x, scene->bounds_m.min_m.y - 1.0, scene->bounds_m.min_m.z);
+    }
+    enter_world_at(std::move(scene), feet, heading, now_s);
+}
+
+void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad, double now_s) {
+    scene_ = std::move(scene);
+    haptic_scene_ = compile_haptic(*scene_, MaterialSource::Library);
+    walker_.reset();
+    body_world_ = std::make_unique<BodyWorld>(scene_);
+    walker_ = std::make_unique<Walker>(*body_world_, body_size(*scene_, settings_.walk.body_radius_m));
+    walker_->place(feet_m);
+    home_feet_m_ = walker_->state().feet_m;
+    home_heading_rad_ = heading_rad_ = heading_goal_rad_ = wrap_angle(heading_rad);
+    inside_.clear();
+    told_triggers_.clear();
+    path_m_.assign(1, home_feet_m_);
+    pending_way_m_ = since_footstep_m_ = 0.0;
+    blocked_ = false;
+    last_tick_s_ = now_s;
+
+    retune();
+    publish_pose(now_s, true);
+    say(entering_text(), SpeechClass::Answer, now_s);
+}
+
+void AppCore::retune() {
+    // Ball: felt diameter of the settings at scale 60, the same in the world at other scales, clamped to 2 to 6 mm in the hand and to
+    // a third of the narrowest door.
+    const double scale = workspace_scale();
+    const double felt_m = std::clamp(settings_.haptic.ball_diameter_mm * 1e-3 * 60.0 / scale, 0.002, 0.006);
+    double radius = 0.5 * felt_m * scale;
+    for (const Feature& feature : scene_->features)
+        if (feature.kind == FeatureKind::Door) {
+            const Vec3 size = feature.bounds_m.size_m();
+            radius = std::min(radius, std::max(size.x, size.y) / 6.0);
+        }
+    tuning_.touch = TouchTuning{};
+    tuning_.touch.radius_m = radius;
+    tuning_.touch.world_m_per_hand_m = scale;
+    tuning_.touch.default_stiffness_fraction = settings_.haptic.stiffness_fraction;
+    tuning_.touch.damping_ns_per_m = settings_.haptic.damping_ns_per_m;
+    tuning_.touch.default_friction_static = tuning_.touch.default_friction_kinetic = settings_.haptic.friction_mu;
+
+    if (hand_.present) tuning_.touch.rated_stiffness_n_per_m = hand_.spec.rated_stiffness_n_per_m;
+    switch (settings_.haptic.ceiling) {
+        case ForceCeiling::Light:
+            tuning_.force_ceiling_n = 1.2;
+            break;
+        case ForceCeiling::Normal:
+            tuning_.force_ceiling_n = 2.5;
+            break;
+        case ForceCeiling::Full:
+            tuning_.force_ceiling_n = hand_.spec.peak_force_n;
+            break;
+    }
+}
+
+void AppCore::change_settings(const Settings& settings, double now_s) {
+    settings_ = settings;
+    lay_device_overrides();
+    keys_ = KeyMap(settings_.keys);
+    if (!scene_) return;
+    retune();
+    publish_pose(now_s, true);
+}
+
+std::string AppCore::name_of(FeatureId feature) const {
+    const std::string name = spoken_name(*scene_, feature);
+    return name.empty() ? std::string("wall") : name;
+}
+
+std::string AppCore::entering_text() const {
+    const FreeSpace space = free_space(*body_world_, feet_m(), kLookHeight_m, heading_rad_);
+    std::string text = sentence_case(scene_->name) + ".";
+    if (space.width_m > 0.0 && space.depth_m > 0.0) text += fmt::format(" The space around you is {}.", size_words(space.width_m, space.depth_m, distances()));
+    const Vec3 size = scene_->bounds_m.empty() ? Vec3(0.0) : scene_->bounds_m.size_m();
+    if (size.x > 1.5 * space.width_m + 2.0 || size.y > 1.5 * space.depth_m + 2.0) text += fmt::format(" All of it is {:.0f} by {:.0f} metres.", size.x, size.y);
+    text += " " + where_am_i();
+    if (hand_.present && !hand_.simulated) text += " Reach forward slowly, or press Up to walk.";
+    else if (hand_.present) text += " Press Up to walk, I and K to move the simulated hand.";
+    else text += " Press Up to walk a step.";
+    text += " F2 tells where you are, F1 the keys.";
+    return text;
+}
+
+std::string AppCore::where_am_i() const {
+    const bool home = glm::length(feet_m() - home_feet_m_) < 0.5 * settings_.walk.step_length_m;
+    std::string text = fmt::format("You are {}, facing {}.", home ? "at the base" : fmt::format("in {}", scene_->name), compass_words(heading_rad_));
+    const double bearings[4] = {0.0, kPi / 2.0, kPi, -kPi / 2.0};
+    for (const double turn : bearings) {
+        const double bearing = heading_rad_ + turn;
+        const auto seen = look(*body_world_, feet_m(), kLookHeight_m, bearing);
+        const std::string where = sentence_case(relative_words(bearing, heading_rad_));
+        if (seen) text += fmt::format(" {}: {}, {}.", where, name_of(seen->feature), distance_words(seen->distance_m, distances()));
+        else text += fmt::format(" {}: open.", where);
+    }
+    const auto things = things_in_sight(*body_world_, feet_m(), kLookHeight_m, 4);
+    for (const Seen& thing : things)
+        text += fmt::format(" {}, {}, {}.", sentence_case(name_of(thing.feature)), distance_words(thing.distance_m, distances()),
+                            relative_words(thing.bearing_rad, heading_rad_));
+    return text;
+}
+
+std::string AppCore::help_text() const {
+    std::string text;
+    for (const CommandInfo& row : command_table()) {
+        const std::string keys = keys_.keys_of(row.command);
+        if (!keys.empty()) text += fmt::format("{}: {} ", keys, row.help);
+    }
+    return text;
+}
+
+void AppCore::say(std::string text, SpeechClass speech_class, double now_s) {
+    CueRequest request;
+    request.kind = CueRequestKind::Say;
+    request.time_s = now_s;
+    request.text = std::move(text);
+    request.speech_class = speech_class;
+    request.repeatable = speech_class == SpeechClass::Answer;
+    cue(std::move(request));
+}
+
+void AppCore::answer(std::string text, double now_s) { say(std::move(text), SpeechClass::Answer, now_s); }
+
+void AppCore::press(Command command, double now_s) {
+    if (held(command)) return;
+    if (info(command).hold) held_[static_cast<std::size_t>(command)] = true;
+    act(command, now_s);
+}
+
+void AppCore::release(Command command) { held_[static_cast<std::size_t>(command)] = false; }
+
+void AppCore::set_focus(bool focused) {
+    focused_ = focused;
+    if (!focused) std::fill(held_.begin(), held_.end(), false);
+    tuning_.forces_on = forces_wanted_ && focused_;
+}
+
+bool AppCore::idle() const {
+    const bool walking = walker_ && (pending_way_m_ != 0.0 || !walker_->state().on_ground);
+    return !walking && heading_rad_ == heading_goal_rad_ && std::none_of(held_.begin(), held_.end(), [](bool down) { return down; });
+}
+
+void AppCore::act(Command command, double now_s) {
+    if (!scene_) return;
+    const double notch = radians_from_degrees(settings_.walk.turn_deg);
+    const auto step = [&](double sign) {
+        if (pending_way_m_ * sign < 0.0) pending_way_m_ = 0.0;
+        const double most = kMostPendingSteps * settings_.walk.step_length_m;
+        pending_way_m_ = std::clamp(pending_way_m_ + sign * settings_.walk.step_length_m, -most, most);
+        blocked_ = false;
+    };
+    const auto turn_by = [&](double by) {
+        heading_goal_rad_ = wrap_angle(std::round((heading_goal_rad_ + by) / notch) * notch);
+        last_turn_repeat_s_ = now_s;
+        CueRequest tick;
+        tick.kind = CueRequestKind::Play;
+        tick.sound = SoundKind::TurnTick;
+        tick.time_s = now_s;
+        tick.position_m = feet_m() + Vec3(0.0, 0.0, walker_->size().eye_height_m) + forward_of_heading(heading_goal_rad_);
+        cue(std::move(tick));
+        answer(sentence_case(compass_words(heading_goal_rad_)), now_s);
+    };
+    switch (command) {
+        case Command::Forward:
+            step(1.0);
+            break;
+        case Command::Back:
+            step(-1.0);
+            break;
+        case Command::TurnLeft:
+            turn_by(-notch);
+            break;
+        case Command::TurnRight:
+            turn_by(notch);
+            break;
+        case Command::TiltUp:
+        case Command::TiltDown:
+            break;
+        case Command::ToggleForces:
+            toggle_forces(now_s);
+            break;
+        case Command::SwitchFrame: {
+            const bool to_walk = settings_.workspace.frame == FrameChoice::Map;
+            settings_.workspace.frame = to_walk ? FrameChoice::Walk : FrameChoice::Map;
+            setting_changes_.emplace_back("workspace.frame", to_walk ? "walk" : "map");
+            publish_pose(now_s, true);
+            CueRequest sound;
+            sound.kind = CueRequestKind::Play;
+            sound.sound = SoundKind::FrameSwitch;
+            sound.time_s = now_s;
+            sound.position_m = listener().ears_m;
+            cue(std::move(sound));
+            answer(to_walk ? "Walk, turning with you" : "Map, north up", now_s);
+            break;
+        }
+        case Command::WhereAmI:
+            answer(where_am_i(), now_s);
+            break;
+        case Command::Heading:
+            answer(
+                fmt::format("Facing {}, {:.0f} degrees", compass_words(heading_goal_rad_), std::fmod(degrees_from_radians(heading_goal_rad_) + 360.0, 360.0)),
+                now_s);
+            break;
+        case Command::WhatIsThis:
+            describe_touched(now_s);
+            break;
+        case Command::Repeat:
+        case Command::StopSpeech: {
+            CueRequest request;
+            request.kind = command == Command::Repeat ? CueRequestKind::Repeat : CueRequestKind::StopSpeech;
+            request.time_s = now_s;
+            cue(std::move(request));
+            break;
+        }
+        case Command::StopEverything: {
+            tuning_.panic = true;
+            tone_loudness_ = 0.0;
+            pending_way_m_ = 0.0;
+            CueRequest request;
+            request.kind = CueRequestKind::SilenceAll;
+            request.time_s = now_s;
+            cue(std::move(request));
+            break;
+        }
+        case Command::Home:
+            go_home(now_s);
+            break;
+        case Command::PlanView:
+            plan_view_ = !plan_view_;
+            answer(plan_view_ ? "Plan" : "First person", now_s);
+            break;
+        case Command::Help:
+            answer(help_text(), now_s);
+            break;
+        case Command::VerbosityCycle:
+            settings_.speech.verbosity = (settings_.speech.verbosity + 1) % 5;
+            setting_changes_.emplace_back("speech.verbosity", fmt::format("{}", settings_.speech.verbosity));
+            answer(fmt::format("Level {}", settings_.speech.verbosity), now_s);
+            break;
+        case Command::Leave:
+            if (now_s - leave_asked_s_ <= kLeaveWindow_s) {
+                wants_to_leave_ = true;
+                answer("Goodbye.", now_s);
+            } else {
+                leave_asked_s_ = now_s;
+                answer("Press Escape again to leave.", now_s);
+            }
+            break;
+        case Command::HandCentre:
+            hand_target_m_ = Vec3(0.0);
+            break;
+        case Command::HandForward:
+            move_hand({0.0, kHandTap_m, 0.0});
+            break;
+        case Command::HandBack:
+            move_hand({0.0, -kHandTap_m, 0.0});
+            break;
+        case Command::HandLeft:
+            move_hand({-kHandTap_m, 0.0, 0.0});
+            break;
+        case Command::HandRight:
+            move_hand({kHandTap_m, 0.0, 0.0});
+            break;
+        case Command::HandUp:
+            move_hand({0.0, 0.0, kHandTap_m});
+            break;
+        case Command::HandDown:
+            move_hand({0.0, 0.0, -kHandTap_m});
+            break;
+    }
+}
+
+void AppCore::toggle_forces(double now_s) {
+    const bool wake = tuning_.panic || tool_.fault != Fault::None || !forces_wanted_;
+    tuning_.panic = false;
+    forces_wanted_ = wake;
+    tuning_.forces_on = forces_wanted_ && focused_;
+    if (wake) ++tuning_.confirm;
+    CueRequest sound;
+    sound.kind = CueRequestKind::Play;
+    sound.sound = wake ? SoundKind::ForcesOn : SoundKind::ForcesOff;
+    sound.time_s = now_s;
+    sound.position_m = listener().ears_m;
+    cue(std::move(sound));
+    answer(wake ? "Forces on" : "Forces off", now_s);
+}
+
+void AppCore::describe_touched(double now_s) {
+    if (tool_.contacts.count == 0) {
+        described_ = kNoFeature;
+        answer(hand_.present ? "The hand touches nothing." : "There is no touch device. F2 tells what is around you.", now_s);
+        return;
+    }
+    const FeatureId id = tool_.contacts.contacts[tool_.contacts.strongest].feature;
+    std::string text = sentence_case(name_of(id));
+    const Feature* feature = scene_->find(id);
+    if (feature && described_ == id) {
+        const Vec3 size = feature->bounds_m.size_m();
+        text += fmt::format(". {} high {:.1f} metres.", size_words(std::max(size.x, size.y), std::min(size.x, size.y), DistanceWords{false, 1.0}), size.z);
+        if (!feature->message.empty()) text += " " + feature->message;
+        if (!feature->handle.empty()) text += fmt::format(" Handle on the {} side.", feature->handle);
+        if (!feature->hinge.empty()) text += fmt::format(" Hinge on the {} side.", feature->hinge);
+    }
+    described_ = id;
+    answer(std::move(text), now_s);
+}
+
+void AppCore::place(const Vec3& feet_m, double heading_rad, double now_s) {
+    walker_->place(feet_m);
+    heading_rad_ = heading_goal_rad_ = wrap_angle(heading_rad);
+    pending_way_m_ = since_footstep_m_ = 0.0;
+    blocked_ = false;
+    path_m_.push_back(walker_->state().feet_m);
+    publish_pose(now_s, true);
+}
+
+void AppCore::go_home(double now_s) {
+    place(home_feet_m_, home_heading_rad_, now_s);
+    answer(fmt::format("Base. Facing {}.", compass_words(heading_rad_)), now_s);
+}
+
+void AppCore::move_hand(const Vec3& by_device_m) {
+    if (!is_finite(by_device_m)) return;
+    hand_target_m_ += by_device_m;
+    const double reach = hand_.present ? hand_.spec.workspace_radius_m : 0.0;
+    const double length = glm::length(hand_target_m_);
+    if (length > reach) hand_target_m_ *= reach / length;
+}
+
+void AppCore::move_hand_by_keys(double dt_s) {
+    const auto sign = [&](Command plus, Command minus) { return (held(plus) ? 1.0 : 0.0) - (held(minus) ? 1.0 : 0.0); };
+    const Vec3 way{sign(Command::HandRight, Command::HandLeft), sign(Command::HandForward, Command::HandBack), sign(Command::HandUp, Command::HandDown)};
+    if (way != Vec3(0.0)) move_hand(way * (kHandKeySpeed_m_per_s * dt_s));
+}
+
+void AppCore::tick(double now_s, const ToolState& tool) {
+    tool_ = tool;
+    if (!scene_) return;
+    const double dt_s = std::clamp(now_s - last_tick_s_, 0.0, 0.1);
+    last_tick_s_ = now_s;
+    if (dt_s > 0.0) {
+        turn(dt_s);
+        if (held(Command::TurnLeft) != held(Command::TurnRight) && now_s - last_turn_repeat_s_ >= kTurnRepeat_s)
+            act(held(Command::TurnLeft) ? Command::TurnLeft : Command::TurnRight, now_s);
+        const double tilt = (held(Command::TiltUp) ? 1.0 : 0.0) - (held(Command::TiltDown) ? 1.0 : 0.0);
+        tilt_rad_ = std::clamp(tilt_rad_ + tilt * kTiltRate_rad_per_s * dt_s, -kMostTilt_rad, kMostTilt_rad);
+        move_hand_by_keys(dt_s);
+        walk(now_s, dt_s);
+    }
+    notice_volumes(now_s);
+    tone_of_walls(now_s);
+    publish_pose(now_s, false);
+    if (tool.contact_s >= (breaks_told_ + 1.0) * kBreakEvery_s) {
+        breaks_told_ = std::floor(tool.contact_s / kBreakEvery_s);
+        say(fmt::format("You have been touching for {}. A short break is good for arm and hand.", minutes_words(tool.contact_s)), SpeechClass::Ambient, now_s);
+    }
+}
+
+void AppCore::turn(double dt_s) {
+    const double left = wrap_angle(heading_goal_rad_ - heading_rad_);
+    const double most = kTurnRate_rad_per_s * dt_s;
+    heading_rad_ = std::abs(left) <= most ? heading_goal_rad_ : wrap_angle(heading_rad_ + std::copysign(most, left));
+}
+
+void AppCore::walk(double now_s, double dt_s) {
+    const double keys = (held(Command::Forward) ? 1.0 : 0.0) - (held(Command::Back) ? 1.0 : 0.0);
+    double way = 0.0;  // this tick, signed along the heading
+    const double stride = settings_.walk.speed_m_per_s * dt_s;
+    if (keys != 0.0) way = keys * stride;
+    else way = std::clamp(pending_way_m_, -stride, stride);
+    if (way * pending_way_m_ > 0.0) pending_way_m_ -= std::copysign(std::min(std::abs(way), std::abs(pending_way_m_)), pending_way_m_);
+
+    const Vec3 wish = forward_of_heading(heading_rad_) * (way / dt_s);
+    const WalkResult walked = walker_->tick(wish, dt_s);
+    const Vec3 feet = feet_m();
+    if (glm::length(feet - path_m_.back()) > 0.25) {
+        if (path_m_.size() >= kMostPathPoints) path_m_.erase(path_m_.begin(), path_m_.begin() + kMostPathPoints / 4);
+        path_m_.push_back(feet);
+    }
+
+    since_footstep_m_ += walked.walked_m;
+    if (since_footstep_m_ >= settings_.walk.step_length_m - 1e-6 || walked.landed || walked.climbed_m > 0.1) {
+        since_footstep_m_ = std::max(0.0, since_footstep_m_ - settings_.walk.step_length_m);
+        if (walked.landed || walked.climbed_m > 0.1) since_footstep_m_ = 0.0;
+        CueRequest step;
+        step.kind = CueRequestKind::Footstep;
+        step.time_s = now_s;
+        step.material = scene_->material(walked.ground_material).sound;
+        step.feature = walked.ground;
+        step.position_m = feet;
+        cue(std::move(step));
+    }
+    if (walked.landed) say(fmt::format("You fell {:.1f} metres.", walked.fell_m), SpeechClass::Answer, now_s);
+
+    if (walked.bump) {
+        pending_way_m_ = 0.0;
+        if (!blocked_) {
+            since_footstep_m_ = 0.0;
+            CueRequest bump;
+            bump.kind = CueRequestKind::Bump;
+            bump.time_s = now_s;
+            bump.feature = walked.bump->feature;
+            bump.material = scene_->material(walked.bump->material).sound;
+            bump.position_m = feet + Vec3(0.0, 0.0, kLookHeight_m) - walked.bump->normal * walker_->size().radius_m;
+            cue(std::move(bump));
+        }
+        blocked_ = true;
+    } else if (way != 0.0 && walked.walked_m > 0.9 * std::abs(way)) {
+        blocked_ = false;
+    }
+    // Out of the world: back to the base instead of falling for ever.
+    if (!scene_->bounds_m.empty() && feet.z < scene_->bounds_m.min_m.z - 20.0) {
+        say("You fell out of the world.", SpeechClass::Answer, now_s);
+        go_home(now_s);
+    }
+}
+
+void AppCore::notice_volumes(double now_s) {
+    std::vector<FeatureId> now = body_world_->volumes_at(feet_m(), walker_->size().height_m, SolidRole::Trigger);
+    for (const FeatureId liquid : body_world_->volumes_at(feet_m(), walker_->size().height_m, SolidRole::Liquid)) now.push_back(liquid);
+    for (const FeatureId id : now) {
+        const Feature* feature = scene_->find(id);
+        if (!feature || std::find(inside_.begin(), inside_.end(), id) != inside_.end()) continue;
+        if (feature->kind == FeatureKind::Liquid) {
+            CueRequest splash;
+            splash.kind = CueRequestKind::Play;
+            splash.sound = SoundKind::Splash;
+            splash.material = SoundClass::Water;
+            splash.time_s = now_s;
+            splash.position_m = feet_m();
+            cue(std::move(splash));
+            say(sentence_case(name_of(id)), SpeechClass::Contact, now_s);
+        } else if (!feature->message.empty() && std::find(told_triggers_.begin(), told_triggers_.end(), id) == told_triggers_.end()) {
+            told_triggers_.push_back(id);
+            say(feature->message, SpeechClass::Answer, now_s);
+        }
+    }
+    inside_ = std::move(now);
+}
+
+void AppCore::tone_of_walls(double now_s) {
+    double loudness = 0.0;
+    Vec3 place = feet_m();
+    if (settings_.sound.wall_tone && !tuning_.panic) {
+        const double radius = walker_->size().radius_m;
+        const auto wall = nearest_ahead(*body_world_, feet_m(), kLookHeight_m, heading_rad_, radius + kToneRange_m);
+        if (wall) {
+            loudness = std::clamp(1.0 - (wall->distance_m - radius) / kToneRange_m, 0.0, 1.0);
+            place = wall->point_m;
+        }
+    }
+    if (loudness == tone_loudness_) return;
+    tone_loudness_ = loudness;
+    CueRequest tone;
+    tone.kind = CueRequestKind::WallTone;
+    tone.time_s = now_s;
+    tone.loudness = loudness;
+    tone.position_m = place;
+    cue(std::move(tone));
+}
+
+void AppCore::publish_pose(double now_s, bool jump) {
+    const Settings::Workspace& workspace = settings_.workspace;
+    const double heading = workspace.frame == FrameChoice::Walk ? heading_rad_ : 0.0;
+    pose_.heading_rad = heading;
+    pose_.origin_m = feet_m() + Vec3(0.0, 0.0, workspace.hand_height_m + workspace.offset_up_m * workspace.scale) +
+                     forward_of_heading(heading) * (workspace.offset_ahead_m * workspace.scale);
+    pose_.time_s = now_s;
+    if (jump) ++pose_.jump;
+}
+
+Listener AppCore::listener() const { return {feet_m() + Vec3(0.0, 0.0, walker_ ? walker_->size().eye_height_m : 1.6), heading_rad_}; }
+
+ViewState AppCore::view(const ToolState& tool, const std::string& last_spoken) const {
+    ViewState view;
+    view.scene = scene_;
+    view.feet_m = feet_m();
+    view.eyes_m = view.feet_m + Vec3(0.0, 0.0, walker_->size().eye_height_m);
+    view.heading_rad = heading_rad_;
+    view.tilt_rad = tilt_rad_;
+    view.show_hand = hand_.present;
+    view.proxy_m = tool.proxy_m;
+    view.ball_radius_m = tool.ball_radius_m;
+    view.touching = tool.contacts.count > 0;
+    view.plan_view = plan_view_;
+    view.forces_on = tuning_.forces_on && !tuning_.panic;
+    view.north_up = settings_.workspace.frame == FrameChoice::Map;
+    view.last_spoken = last_spoken;
+    view.path_m = path_m_;
+    return view;
+}
+
+}  // namespace handrail
