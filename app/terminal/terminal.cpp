@@ -1,1 +1,80 @@
-#include "app/core/command.h"
+#include "app/terminal/terminal.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::size_t kLongestLine = 4096;
+constexpr int kMostTimes = 1000;
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view kBlank = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(kBlank);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+}  // namespace
+
+Result<TerminalLine> parse_terminal_line(std::string_view line) {
+    line = trimmed(line);
+    if (line.empty()) return TerminalLine{};
+    const std::size_t blank = line.find_first_of(" \t");
+    const std::string word = lower_ascii(line.substr(0, blank));
+    const std::string_view rest = blank == std::string_view::npos ? std::string_view{} : trimmed(line.substr(blank));
+    TerminalLine parsed;
+    if (word == "quit" || word == "exit") {
+        parsed.leave = true;
+    } else if (const CommandInfo* row = find_command(word)) {
+        parsed.command = row->command;
+    } else {
+        std::vector<std::string> known{"quit"};
+        for (const CommandInfo& candidate : command_table()) known.emplace_back(candidate.word);
+        return fail(fmt::format("There is no command \"{}\". Did you mean \"{}\"? Type help for all of them.", word, nearest_name(word, known)));
+    }
+    if (!rest.empty()) {
+        const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), parsed.times);
+        if (error != std::errc{} || end != rest.data() + rest.size() || parsed.times < 1 || parsed.times > kMostTimes)
+            return fail(fmt::format("After \"{}\" only a count from 1 to {} may stand.", word, kMostTimes));
+    }
+    return parsed;
+}
+
+std::string terminal_help() {
+    std::string text = "Type a word and Enter.";
+    for (const CommandInfo& row : command_table()) text += fmt::format(" {}: {}", row.word, row.help);
+    text += " quit: Leave at once. A count may follow: forward 5.";
+    return text;
+}
+
+std::vector<std::string> LineInput::take() {
+    std::vector<std::string> lines;
+    while (!ended_) {
+        pollfd wait{descriptor_, POLLIN, 0};
+        const int ready = ::poll(&wait, 1, 0);
+        if (ready == 0 || (ready < 0 && errno == EINTR)) break;
+        char block[4096];
+        const ssize_t got = ready < 0 ? -1 : ::read(descriptor_, block, sizeof block);
+        if (got < 0 && (errno == EINTR || errno == EAGAIN)) break;
+        if (got <= 0) {
+            ended_ = true;
+            if (!partial_.empty()) lines.push_back(std::exchange(partial_, {}));
+            break;
+        }
+        for (ssize_t i = 0; i < got; ++i) {
+            if (block[i] == '\n') lines.push_back(std::exchange(partial_, {}));
+            else if (partial_.size() < kLongestLine) partial_ += block[i];
+        }
+    }
+    return lines;
+}
+
+}  // namespace handrail

@@ -1,0 +1,41 @@
+// The program by lines of text: the same commands that keys give, typed as words, for a console screen reader, a pipe or a test. App thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/core/command.h"
+#include "worlds/base/result.h"
+
+namespace handrail {
+
+// One line understood: a command done `times` times, or the end.
+struct TerminalLine {
+    std::optional<Command> command;  // none: an empty line
+    int times = 1;                   // "forward 5"
+    bool leave = false;              // "quit" or "exit": leaves without asking
+};
+
+// Understands "word" or "word count"; an unknown word fails naming the nearest, a bad count says what it takes.
+Result<TerminalLine> parse_terminal_line(std::string_view line);
+
+// "Type a word and Enter: forward, back, ...": said once at the start and by "help".
+std::string terminal_help();
+
+// Lines from a file descriptor without ever blocking. Owns nothing.
+class LineInput {
+public:
+    explicit LineInput(int descriptor) : descriptor_(descriptor) {}
+    // The lines that have arrived since the last call, without their line ends. Lines over 4096 bytes are cut there.
+    std::vector<std::string> take();
+    bool ended() const { return ended_; }  // end of input or an error: no more lines will come
+
+private:
+    int descriptor_;
+    std::string partial_;
+    bool ended_ = false;
+};
+
+}  // namespace handrail
