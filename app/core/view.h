@@ -11,20 +11,20 @@
 namespace handrail {
 
 struct ViewState {
-    std::shared_ptr<const Scene> scene;       // a new pointer when another world was entered
+    std::shared_ptr<const Scene> scene;  // a new pointer when another world was entered
     Vec3 eyes_m{0.0};
     double heading_rad = 0.0;
-    double tilt_rad = 0.0;                    // up is positive
+    double tilt_rad = 0.0;  // up is positive
     Vec3 feet_m{0.0};
-    bool show_hand = false;                   // there is a device or a simulated hand
+    bool show_hand = false;  // there is a device or a simulated hand
     Vec3 proxy_m{0.0};
     double ball_radius_m = 0.005;
-    bool touching = false;                    // red, else green
-    bool plan_view = false;                   // F3
+    bool touching = false;   // red, else green
+    bool plan_view = false;  // F3
     bool forces_on = true;
-    bool north_up = true;                     // Map frame
-    std::string last_spoken;                  // large text
-    std::vector<Vec3> path_m;                 // walked path, oldest first
+    bool north_up = true;      // Map frame
+    std::string last_spoken;   // large text
+    std::vector<Vec3> path_m;  // walked path, oldest first
 
     bool operator==(const ViewState&) const = default;
 };

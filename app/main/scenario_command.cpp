@@ -1,10 +1,150 @@
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+
+#include "app/core/headless_session.h"
 #include "app/main/commands.h"
+#include "app/main/world_files.h"
+#include "audio-cues/sinks/recording_sinks.h"
+#include "worlds/base/files.h"
+#include "worlds/readers/reader.h"
 
 namespace handrail {
+namespace {
 
-int run_scenarios(const ScenarioArguments&, std::ostream&, std::ostream& err) {
-    err << "The command scenario is being written.\n";
-    return 1;
+namespace fs = std::filesystem;
+
+struct Outcome {
+    std::string name;  // the file
+    std::string title;
+    std::vector<std::string> failures;  // empty: all held
+    double virtual_s = 0.0;
+};
+
+// The files to run, folders opened one level deep, in name order; fails for a path that is neither.
+Result<std::vector<fs::path>> scenario_files(const std::vector<fs::path>& paths) {
+    std::vector<fs::path> files;
+    for (const fs::path& path : paths) {
+        std::error_code ec;
+        if (fs::is_directory(path, ec)) {
+            std::vector<fs::path> inside;
+            for (const auto& entry : fs::directory_iterator(path, ec))
+                if (entry.path().extension() == ".toml") inside.push_back(entry.path());
+            if (inside.empty()) return fail("This folder holds no scenario file (*.toml).", path.filename().string());
+            std::sort(inside.begin(), inside.end());
+            files.insert(files.end(), inside.begin(), inside.end());
+        } else if (fs::is_regular_file(path, ec)) {
+            files.push_back(path);
+        } else {
+            return fail("There is no such scenario file or folder.", path.string());
+        }
+    }
+    return files;
+}
+
+// What the recording sinks heard, in the form expectations are checked against.
+void note_heard(const RecordingAudio& audio, const RecordingSpeech& speech, SessionLog& log) {
+    for (const HeardSound& sound : audio.sounds()) log.sounds.push_back({sound.time_s, sound.cue, false});
+    for (const HeardSound& change : audio.loop_changes()) log.sounds.push_back({change.time_s, change.cue, true});
+    std::stable_sort(log.sounds.begin(), log.sounds.end(), [](const LoggedSound& a, const LoggedSound& b) { return a.time_s < b.time_s; });
+    for (const HeardSpeech& line : speech.lines()) log.lines.push_back({line.time_s, line.utterance.text});
+}
+
+Outcome run_one(const Scenario& scenario) {
+    Outcome outcome{scenario.file.filename().string(), scenario.title, {}, 0.0};
+    auto scene = read_world(scenario.world);
+    if (!scene) {
+        outcome.failures.push_back(scene.error().sentence());
+        return outcome;
+    }
+    const auto shared = std::make_shared<const Scene>(std::move(*scene));
+    RecordingAudio audio;
+    RecordingSpeech speech;
+    auto log = run_scenario(scenario, shared, audio, speech);
+    if (!log) {
+        outcome.failures.push_back(log.error().sentence());
+        return outcome;
+    }
+    note_heard(audio, speech, *log);
+    outcome.virtual_s = log->end_s;
+    outcome.failures = failures(scenario, *log, *shared);
+    return outcome;
+}
+
+std::string xml_text(const std::string& text) {
+    std::string out;
+    for (const char c : text) switch (c) {
+            case '<':
+                out += "&lt;";
+                break;
+            case '>':
+                out += "&gt;";
+                break;
+            case '&':
+                out += "&amp;";
+                break;
+            case '"':
+                out += "&quot;";
+                break;
+            default:
+                out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+        }
+    return out;
+}
+
+std::string junit_xml(const std::vector<Outcome>& outcomes) {
+    const auto failed = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return !o.failures.empty(); });
+    std::string xml = fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"handrail scenarios\" tests=\"{}\" failures=\"{}\">\n",
+                                  outcomes.size(), failed);
+    for (const Outcome& o : outcomes) {
+        xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(o.name), xml_text(o.title), o.virtual_s);
+        if (o.failures.empty()) {
+            xml += "/>\n";
+            continue;
+        }
+        xml += ">\n";
+        for (const std::string& failure : o.failures) xml += fmt::format("    <failure message=\"{}\"/>\n", xml_text(failure));
+        xml += "  </testcase>\n";
+    }
+    return xml + "</testsuite>\n";
+}
+
+}  // namespace
+
+int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err) {
+    const auto files = scenario_files(arguments.paths);
+    if (!files) {
+        fmt::print(err, "{}\n", files.error().sentence());
+        return 2;
+    }
+    // All files are read before any runs: a bad one means that nothing was run.
+    std::vector<Scenario> scenarios;
+    for (const fs::path& file : *files) {
+        auto scenario = read_scenario(file, {world_folder()});
+        if (!scenario) {
+            fmt::print(err, "{}\n", scenario.error().sentence());
+            return 2;
+        }
+        scenarios.push_back(std::move(*scenario));
+    }
+    std::vector<Outcome> outcomes;
+    for (const Scenario& scenario : scenarios) {
+        outcomes.push_back(run_one(scenario));
+        const Outcome& o = outcomes.back();
+        fmt::print(out, "{}: {} ({}, {:.1f} virtual seconds)\n", o.failures.empty() ? "holds" : "FAILS", o.title, o.name, o.virtual_s);
+        for (const std::string& failure : o.failures) fmt::print(out, "  {}\n", failure);
+        out.flush();
+    }
+    const auto failed = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return !o.failures.empty(); });
+    fmt::print(out, "{} of {} scenarios hold.\n", outcomes.size() - static_cast<std::size_t>(failed), outcomes.size());
+    if (arguments.junit) {
+        if (const auto written = write_file_atomically(*arguments.junit, junit_xml(outcomes)); !written) {
+            fmt::print(err, "{}\n", written.error().sentence());
+            return 1;
+        }
+    }
+    return failed == 0 ? 0 : 1;
 }
 
 }  // namespace handrail

@@ -1,0 +1,56 @@
+// The whole program on a virtual clock in one thread: servo a thousand times a second, cues two hundred times, the app sixty times. What the
+// threads do in a real session happens here in a fixed order, so the same input gives the same output. For scenarios and tests.
+#pragma once
+
+#include <memory>
+
+#include "app/core/app_core.h"
+#include "app/core/scenario.h"
+#include "app/core/session_log.h"
+#include "haptic/device/simulated_device.h"
+#include "haptic/servo/servo_tick.h"
+
+namespace handrail {
+
+class HeadlessSession {
+public:
+    // The sinks are told everything in virtual time and must outlive the session. A hand that is not present gets no servo.
+    HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech);
+
+    AppCore& app() { return app_; }
+    SimulatedHand& hand() { return *hand_; }
+    const HandFacts& facts() const { return facts_; }
+    const ToolState& tool() const { return tool_; }
+    double now_s() const { return static_cast<double>(milliseconds_) * 1e-3; }
+    void change_settings(const Settings& settings);
+    // The servo runs only every n-th millisecond from now on, as on a machine that is too slow.
+    void slow_servo(int every_ms) { servo_every_ms_ = every_ms; }
+    // One millisecond of everything.
+    void advance();
+
+private:
+    void servo();
+    void cues();
+
+    AppCore app_;
+    HandFacts facts_;
+    AudioSink& audio_;
+    SpeechSink& speech_;
+    CuePlanner planner_;
+    std::shared_ptr<const Scene> heard_scene_;
+    std::shared_ptr<SimulatedHand> hand_;
+    std::unique_ptr<SimulatedDevice> device_;
+    ServoState servo_state_;
+    ToolState tool_;
+    std::vector<ContactEvent> contacts_;
+    std::vector<CueRequest> requests_;
+    long milliseconds_ = 0;
+    long frames_ = 0;
+    int servo_every_ms_ = 1;
+};
+
+// Runs a scenario in its world from start to end and keeps what happened. Fails only where the scenario itself asks for something impossible: an
+// unknown device or setting.
+Result<SessionLog> run_scenario(const Scenario& scenario, std::shared_ptr<const Scene> scene, AudioSink& audio, SpeechSink& speech);
+
+}  // namespace handrail

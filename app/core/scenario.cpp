@@ -1,0 +1,370 @@
+#include "app/core/scenario.h"
+
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <array>
+#include <limits>
+#include <set>
+
+#include "audio-cues/plan/sinks.h"
+#include "worlds/base/files.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kSoundNames{"contact",   "slide",      "footstep", "bump",         "wall tone", "splash", "denied",
+                                 "forces on", "forces off", "turn",     "frame switch", "arrived",   "alarm",  "beep"};
+constexpr std::array kMaterialNames{"plaster", "wood", "brick", "concrete", "tile", "carpet", "metal", "glass", "stone", "rubber", "grass", "water", "generic"};
+
+// Thrown inside this file only, so that the reading code can be a list of what is wanted; read_scenario turns it into a Result.
+struct Bad {
+    int line;
+    std::string message;
+};
+
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+// A table whose every key must be asked for by the time done() is called.
+class Fields {
+public:
+    Fields(const toml::table& table, std::string what) : table_(table), what_(std::move(what)) {}
+    int line() const { return line_of(table_); }
+    bool has(const char* key) {
+        asked_.insert(key);
+        return table_.contains(key);
+    }
+    double number(const char* key, double low, double high) {
+        const toml::node& node = need(key);
+        const auto value = node.value<double>();
+        if (!value || !(node.is_number()) || !(*value >= low && *value <= high))
+            throw Bad{line_of(node), fmt::format("\"{}\" must be a number from {} to {}.", key, low, high)};
+        return *value;
+    }
+    double number_or(const char* key, double otherwise, double low, double high) { return has(key) ? number(key, low, high) : otherwise; }
+    std::string text(const char* key) {
+        const toml::node& node = need(key);
+        if (!node.is_string() || node.value<std::string>()->empty()) throw Bad{line_of(node), fmt::format("\"{}\" must be a text in quotes.", key)};
+        return *node.value<std::string>();
+    }
+    bool flag(const char* key) {
+        const toml::node& node = need(key);
+        if (!node.is_boolean()) throw Bad{line_of(node), fmt::format("\"{}\" must be true or false.", key)};
+        return *node.value<bool>();
+    }
+    // Three numbers; `any` is written "any" and becomes NaN where allowed.
+    Vec3 vector(const char* key, bool allow_any = false) {
+        const toml::array* list = need(key).as_array();
+        if (!list || list->size() != 3) throw Bad{line_of(need(key)), fmt::format("\"{}\" must be three numbers in brackets.", key)};
+        Vec3 v{0.0};
+        for (int i = 0; i < 3; ++i) {
+            const toml::node& node = *list->get(static_cast<std::size_t>(i));
+            if (allow_any && node.is_string() && *node.value<std::string>() == "any") v[i] = std::numeric_limits<double>::quiet_NaN();
+            else if (node.is_number() && std::isfinite(*node.value<double>())) v[i] = *node.value<double>();
+            else throw Bad{line_of(node), fmt::format("\"{}\" must be three finite numbers in brackets.", key)};
+        }
+        return v;
+    }
+    std::array<double, 2> range(const char* key) {
+        const toml::array* list = need(key).as_array();
+        if (!list || list->size() != 2 || !list->get(0)->is_number() || !list->get(1)->is_number())
+            throw Bad{line_of(need(key)), fmt::format("\"{}\" must be two numbers in brackets, lowest first.", key)};
+        const std::array<double, 2> r{*list->get(0)->value<double>(), *list->get(1)->value<double>()};
+        if (!(r[0] <= r[1])) throw Bad{line_of(*list), fmt::format("\"{}\" must have its lower number first.", key)};
+        return r;
+    }
+    const toml::node& node(const char* key) { return need(key); }
+    void done() const {
+        std::vector<std::string> known(asked_.begin(), asked_.end());
+        for (const auto& [key, node] : table_)
+            if (!asked_.contains(std::string(key.str())))
+                throw Bad{line_of(node), fmt::format("{} has no \"{}\". Did you mean \"{}\"?", what_, key.str(), nearest_name(key.str(), known))};
+    }
+
+private:
+    const toml::node& need(const char* key) {
+        asked_.insert(key);
+        const toml::node* node = table_.get(key);
+        if (!node) throw Bad{line_of(table_), fmt::format("{} needs \"{}\".", what_, key)};
+        return *node;
+    }
+    const toml::table& table_;
+    std::string what_;
+    std::set<std::string> asked_;
+};
+
+Command command_named(Fields& fields, const char* key) {
+    const std::string word = fields.text(key);
+    if (const CommandInfo* row = find_command(word)) return row->command;
+    std::vector<std::string> known;
+    for (const CommandInfo& row : command_table()) known.emplace_back(row.word);
+    throw Bad{line_of(fields.node(key)), fmt::format("There is no command \"{}\". Did you mean \"{}\"?", word, nearest_name(word, known))};
+}
+
+constexpr double kLongest_s = 3600.0;
+
+ScenarioAction read_action(const toml::table& table) {
+    Fields fields(table, "An action");
+    ScenarioAction action;
+    action.line = fields.line();
+    int kinds = 0;
+    const auto is = [&](const char* key) { return fields.has(key) && (++kinds, true); };
+    if (is("press")) action.step = TapCommand{command_named(fields, "press")};
+    if (is("hold")) action.step = HoldCommand{command_named(fields, "hold"), fields.number("for_s", 0.0, kLongest_s)};
+    if (is("wait_s")) action.step = Wait{fields.number("wait_s", 0.0, kLongest_s)};
+    if (is("move_to")) action.step = MoveHand{fields.vector("move_to"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), false};
+    if (is("move_by")) action.step = MoveHand{fields.vector("move_by"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), true};
+    if (is("push_n")) action.step = PushHand{fields.vector("push_n"), fields.number("for_s", 0.0, kLongest_s)};
+    if (is("rest_at")) action.step = RestHand{fields.vector("rest_at"), fields.number("for_s", 0.0, kLongest_s)};
+    if (is("trouble")) {
+        const std::string kind = fields.text("trouble");
+        static const std::vector<std::string> kinds_known{"nan", "jump", "freeze", "unplug", "late"};
+        if (std::find(kinds_known.begin(), kinds_known.end(), kind) == kinds_known.end())
+            throw Bad{line_of(fields.node("trouble")), fmt::format("There is no trouble \"{}\". Did you mean \"{}\"?", kind, nearest_name(kind, kinds_known))};
+        action.step = ScenarioTrouble{kind, fields.number("for_s", 0.0, kLongest_s)};
+    }
+    if (is("place")) action.step = PlaceBody{fields.vector("place"), radians_from_degrees(fields.number_or("heading_deg", 0.0, -360.0, 360.0))};
+    if (is("set")) {
+        const std::string pair = fields.text("set");
+        const std::size_t equals = pair.find('=');
+        if (equals == std::string::npos) throw Bad{line_of(fields.node("set")), "\"set\" must read key=value."};
+        action.step = ChangeSetting{pair.substr(0, equals), pair.substr(equals + 1)};
+    }
+    if (fields.has("name")) action.name = fields.text("name");
+    if (fields.has("at_s")) action.at_s = fields.number("at_s", 0.0, kLongest_s);
+    if (fields.has("meanwhile")) action.meanwhile = fields.flag("meanwhile");
+    fields.done();
+    if (kinds != 1)
+        throw Bad{action.line, "An action must hold exactly one of press, hold, wait_s, move_to, move_by, sweep_at, push_n, rest_at, trouble, place, set."};
+    return action;
+}
+
+// The moves that one sweep stands for.
+std::vector<ScenarioAction> read_sweep(const toml::table& table) {
+    Fields fields(table, "A sweep");
+    const Vec3 at = fields.vector("sweep_at");
+    const double from_deg = fields.number("from_deg", -360.0, 360.0), to_deg = fields.number("to_deg", -360.0, 720.0);
+    const int angles = static_cast<int>(fields.number("angles", 1.0, 360.0));
+    const double reach_m = fields.number("reach_m", 0.0, 1e3), depth_m = fields.number("depth_m", 0.0, 1e3);
+    const double speed = fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0);
+    const std::string name = fields.has("name") ? fields.text("name") : std::string{};
+    fields.done();
+    std::vector<ScenarioAction> moves;
+    for (int i = 0; i < angles; ++i) {
+        const double heading = radians_from_degrees(from_deg + (angles > 1 ? (to_deg - from_deg) * i / (angles - 1) : 0.0));
+        const Vec3 away = forward_of_heading(heading);
+        for (const Vec3& to : {at + away * reach_m, at - away * depth_m, at + away * reach_m}) {
+            ScenarioAction move;
+            move.step = MoveHand{to, speed, false};
+            move.line = fields.line();
+            moves.push_back(move);
+        }
+    }
+    if (!name.empty()) {
+        moves.front().name = name;
+        moves.back().name = name + " last";
+    }
+    return moves;
+}
+
+Moment read_moment(Fields& fields, const char* key, const std::set<std::string>& names) {
+    const toml::node& node = fields.node(key);
+    if (node.is_number()) return Moment{{}, false, fields.number(key, 0.0, kLongest_s)};
+    Moment moment;
+    moment.action = fields.text(key);
+    if (moment.action.ends_with(" ends")) {
+        moment.at_end = true;
+        moment.action.resize(moment.action.size() - 5);
+    }
+    if (!names.contains(moment.action))
+        throw Bad{line_of(node), fmt::format("No action is named \"{}\". Did you mean \"{}\"?", moment.action,
+                                             nearest_name(moment.action, std::vector<std::string>(names.begin(), names.end())))};
+    return moment;
+}
+
+template <std::size_t N>
+void must_be_one_of(const std::string& word, const std::array<const char*, N>& known, int line, const char* what) {
+    if (std::find(known.begin(), known.end(), word) != known.end()) return;
+    throw Bad{line,
+              fmt::format("There is no {} \"{}\". Did you mean \"{}\"?", what, word, nearest_name(word, std::vector<std::string>(known.begin(), known.end())))};
+}
+
+Expectation read_expectation(const toml::table& table, const std::set<std::string>& names) {
+    Fields fields(table, "An expectation");
+    Expectation e;
+    e.line = fields.line();
+    int kinds = 0;
+    const auto is = [&](const char* key, Check check) {
+        if (!fields.has(key)) return false;
+        ++kinds;
+        e.check = check;
+        return true;
+    };
+    const auto sound = [&](const char* key) {
+        e.text = fields.text(key);
+        must_be_one_of(e.text, kSoundNames, e.line, "sound");
+        if (fields.has("material")) {
+            e.material = fields.text("material");
+            must_be_one_of(e.material, kMaterialNames, e.line, "sound material");
+        }
+    };
+    const auto place = [&](const char* key) {
+        e.vector = fields.vector(key, true);
+        e.has_vector = true;
+        e.tolerance = fields.number("within_m", 0.0, 1e6);
+        e.always = false;
+    };
+    if (is("say", Check::Say)) e.text = fields.text("say");
+    if (is("not_say", Check::NotSay)) e.text = fields.text("not_say");
+    if (is("sound", Check::Sound)) {
+        sound("sound");
+        e.high = fields.number_or("latency_ms", -1.0, 0.0, 10000.0);
+    }
+    if (is("not_sound", Check::NotSound)) sound("not_sound");
+    if (is("sound_rising", Check::SoundRising)) sound("sound_rising");
+    if (is("force_n", Check::Force)) {
+        const auto range = fields.range("force_n");
+        e.low = range[0];
+        e.high = range[1];
+        if (fields.has("direction")) {
+            e.vector = fields.vector("direction");
+            e.has_vector = true;
+            const double length = glm::length(e.vector);
+            if (!(length > 0.0)) throw Bad{e.line, "\"direction\" must not be zero."};
+            e.vector /= length;
+        }
+    }
+    if (is("force_step_n", Check::ForceStep)) e.high = fields.number("force_step_n", 0.0, 1e6);
+    if (is("force_line_n", Check::ForceLine)) {
+        e.high = fields.number("force_line_n", 0.0, 1e6);
+        e.from_hz = e.to_hz = fields.number("hz", 0.1, 500.0);
+    }
+    if (is("force_band_n", Check::ForceBand)) {
+        e.high = fields.number("force_band_n", 0.0, 1e6);
+        e.from_hz = fields.number("from_hz", 0.1, 500.0);
+        e.to_hz = fields.number("to_hz", 0.1, 500.0);
+    }
+    if (is("force_rising", Check::ForceRising)) fields.flag("force_rising");
+    if (is("body_at", Check::BodyAt)) place("body_at");
+    if (is("hip_at", Check::HipAt)) place("hip_at");
+    if (is("proxy_at", Check::ProxyAt)) place("proxy_at");
+    if (is("heading_deg", Check::Heading)) {
+        e.low = fields.number("heading_deg", -360.0, 360.0);
+        e.tolerance = fields.number_or("within_deg", 0.5, 0.0, 180.0);
+        e.always = false;
+    }
+    if (is("penetration_m", Check::Penetration)) e.high = fields.number("penetration_m", 0.0, 1e6);
+    if (is("touching", Check::Touching)) {
+        e.text = fields.text("touching");
+        e.always = false;
+    }
+    if (is("free", Check::Free)) fields.flag("free");
+    if (fields.has("times")) e.times = static_cast<int>(fields.number("times", 0.0, 1e6));
+    if (fields.has("always")) e.always = fields.flag("always");
+    if (fields.has("after")) e.from = read_moment(fields, "after", names);
+    if (fields.has("delay_s")) e.from.offset_s += fields.number("delay_s", 0.0, kLongest_s);
+    if (fields.has("before")) {
+        e.to = read_moment(fields, "before", names);
+        e.has_to = true;
+    }
+    if (fields.has("within_s")) {
+        if (e.has_to) throw Bad{e.line, "Give \"before\" or \"within_s\", not both."};
+        e.to = e.from;
+        e.to.offset_s += fields.number("within_s", 0.0, kLongest_s);
+        e.has_to = true;
+    }
+    fields.done();
+    if (kinds != 1) throw Bad{e.line, "An expectation must hold exactly one thing to check, such as say, sound, force_n, body_at or touching."};
+    return e;
+}
+
+fs::path find_world(const std::string& name, const fs::path& beside, const std::vector<fs::path>& folders, int line) {
+    std::vector<fs::path> places{beside, beside / "worlds"};
+    places.insert(places.end(), folders.begin(), folders.end());
+    for (const fs::path& folder : places)
+        if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
+    throw Bad{line, fmt::format("The world \"{}\" is neither beside this file nor among the program's worlds.", name)};
+}
+
+std::string toml_text(const toml::node& node) {
+    if (node.is_string()) return *node.value<std::string>();
+    if (node.is_boolean()) return *node.value<bool>() ? "true" : "false";
+    if (node.is_integer()) return fmt::format("{}", *node.value<std::int64_t>());
+    if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
+    throw Bad{line_of(node), "A setting must be a text, a number, true or false."};
+}
+
+Scenario read_table(const toml::table& table, const fs::path& file, const std::vector<fs::path>& folders) {
+    Fields fields(table, "A scenario");
+    Scenario scenario;
+    scenario.file = file;
+    scenario.title = fields.text("title");
+    scenario.world = find_world(fields.text("world"), file.parent_path(), folders, line_of(fields.node("world")));
+    if (fields.has("device")) scenario.device = fields.text("device");
+    if (fields.has("covers")) {
+    }  // for readers: which requirements the file shows
+    if (fields.has("start")) {
+        const toml::table* start = fields.node("start").as_table();
+        if (!start) throw Bad{line_of(fields.node("start")), "\"start\" must be a table with \"feet\" and \"heading_deg\"."};
+        Fields inner(*start, "A start");
+        scenario.has_start = true;
+        scenario.start_feet_m = inner.vector("feet");
+        scenario.start_heading_rad = radians_from_degrees(inner.number_or("heading_deg", 0.0, -360.0, 360.0));
+        inner.done();
+    }
+    if (fields.has("tail_s")) scenario.tail_s = fields.number("tail_s", 0.0, kLongest_s);
+    if (fields.has("settings")) {
+        const toml::table* settings = fields.node("settings").as_table();
+        if (!settings) throw Bad{line_of(fields.node("settings")), "\"settings\" must be a table."};
+        for (const auto& [key, node] : *settings) scenario.settings[std::string(key.str())] = toml_text(node);
+    }
+    const auto each = [&](const char* key, auto&& visit) {
+        if (!fields.has(key)) return;
+        const toml::array* list = fields.node(key).as_array();
+        if (!list) throw Bad{line_of(fields.node(key)), fmt::format("\"{}\" must be written as [[{}]].", key, key)};
+        for (const toml::node& node : *list) {
+            const toml::table* item = node.as_table();
+            if (!item) throw Bad{line_of(node), fmt::format("\"{}\" must be written as [[{}]].", key, key)};
+            visit(*item);
+        }
+    };
+    std::set<std::string> names;
+    each("do", [&](const toml::table& item) {
+        std::vector<ScenarioAction> actions;
+        if (item.contains("sweep_at")) actions = read_sweep(item);
+        else actions.push_back(read_action(item));
+        for (ScenarioAction& action : actions) {
+            if (!action.name.empty() && !names.insert(action.name).second) throw Bad{line_of(item), fmt::format("Two actions are named \"{}\".", action.name)};
+            scenario.actions.push_back(std::move(action));
+        }
+    });
+    each("expect", [&](const toml::table& item) { scenario.expectations.push_back(read_expectation(item, names)); });
+    fields.done();
+    if (scenario.expectations.empty()) throw Bad{0, "This scenario expects nothing; add at least one [[expect]]."};
+    return scenario;
+}
+
+}  // namespace
+
+std::string_view sound_name(int sound_kind) { return kSoundNames.at(static_cast<std::size_t>(sound_kind)); }
+std::string_view material_sound_name(int sound_class) { return kMaterialNames.at(static_cast<std::size_t>(sound_class)); }
+
+Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>& world_folders) {
+    const auto text = read_whole_file(file, std::size_t{1} << 24);
+    if (!text) return tl::unexpected(text.error());
+    const std::string name = file.filename().string();
+    try {
+        const toml::table table = toml::parse(*text, name);
+        return read_table(table, file, world_folders);
+    } catch (const toml::parse_error& error) {
+        return fail(fmt::format("This is not valid TOML: {}.", error.description()), name, static_cast<int>(error.source().begin.line),
+                    static_cast<int>(error.source().begin.column));
+    } catch (const Bad& bad) {
+        return fail(bad.message, name, bad.line);
+    }
+}
+
+}  // namespace handrail

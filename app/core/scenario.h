@@ -1,0 +1,131 @@
+// Scenario files: a world, a start, actions in time and what must come of them, in TOML that people can read. Parsing only; the runner
+// stands in scenario_run.h. The format is described in docs/scenarios.md.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/core/command.h"
+#include "worlds/base/result.h"
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+struct TapCommand {
+    Command command;
+};  // press = "forward"
+struct HoldCommand {
+    Command command;
+    double for_s;
+};  // hold = "forward", for_s = 3
+struct Wait {
+    double for_s;
+};  // wait_s = 1
+struct MoveHand {
+    Vec3 to_m;
+    double speed_m_per_s;
+    bool relative;
+};  // move_to / move_by: world metres, exactly; speed of the hand
+struct PushHand {
+    Vec3 force_n;
+    double for_s;
+};  // push_n, for_s: on a free hand, device axes
+struct RestHand {
+    Vec3 at_m;
+    double for_s;
+};  // rest_at, for_s: a hand that springs to a world place
+struct ScenarioTrouble {
+    std::string kind;
+    double for_s;
+};  // trouble = "nan" | "jump" | "freeze" | "unplug" | "late"
+struct PlaceBody {
+    Vec3 feet_m;
+    double heading_rad;
+};  // place, heading_deg: the body is somewhere else
+struct ChangeSetting {
+    std::string key, value;
+};  // set = "workspace.scale=30": restarts the world at the same place
+
+using ScenarioStep = std::variant<TapCommand, HoldCommand, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, PlaceBody, ChangeSetting>;
+
+struct ScenarioAction {
+    std::string name;  // for after/before; may be empty
+    ScenarioStep step = Wait{0.0};
+    std::optional<double> at_s;  // else when the action before it ends
+    bool meanwhile = false;      // starts together with the action before it
+    int line = 0;
+};
+
+// A moment: seconds, or the start or end of a named action.
+struct Moment {
+    std::string action;  // empty: `offset_s` counts from the scenario's start
+    bool at_end = false;
+    double offset_s = 0.0;
+};
+
+enum class Check {
+    Say,     // say: words in order in one line; times (exact) or at least once
+    NotSay,  // not_say
+    Sound,   // sound, material; latency_ms: from event to start
+    NotSound,
+    Force,        // force_n = [min, max] of the magnitude, or along `direction`
+    ForceStep,    // force_step_n: largest change between ticks
+    ForceLine,    // force_line_n with hz: amplitude at that frequency
+    ForceBand,    // force_band_n with from_hz, to_hz: largest amplitude of any line there
+    ForceRising,  // force_rising = true: never falls by more than 1e-9 N between ticks
+    BodyAt,
+    HipAt,
+    ProxyAt,
+    Heading,
+    Penetration,  // penetration_m: deepest overlap of ball and solids
+    Touching,     // touching: name of what is touched
+    Free,         // free = true: nothing is touched, force zero
+    SoundRising,  // sound_rising = "wall tone": its loudness never falls and grows
+};
+
+struct Expectation {
+    Check check = Check::Say;
+    std::string text;      // words, sound name, feature name
+    std::string material;  // sounds
+    std::optional<int> times;
+    double low = 0.0, high = 0.0;  // force range, limits
+    Vec3 vector{0.0};              // direction or place; NaN components are not looked at
+    bool has_vector = false;
+    double tolerance = 0.0;
+    double from_hz = 0.0, to_hz = 0.0;
+    bool always = true;  // in the whole window; else at least once
+    Moment from, to;
+    bool has_to = false;
+    int line = 0;
+};
+
+struct Scenario {
+    std::string title;
+    std::filesystem::path file;
+    std::filesystem::path world;  // as found
+    std::string device = "none";
+    bool has_start = false;
+    Vec3 start_feet_m{0.0};
+    double start_heading_rad = 0.0;
+    std::map<std::string, std::string> settings;
+    std::vector<ScenarioAction> actions;
+    std::vector<Expectation> expectations;
+    double tail_s = 1.0;  // time after the last action
+};
+
+// An action `sweep_at` in the file stands for moves: for each of `angles` headings from from_deg to to_deg the hand starts reach_m away
+// from the place in that direction, goes straight through the place to depth_m behind it, and back.
+
+// Reads one file. World names are looked for beside the file, below it, then in `world_folders`. Any mistake - an unknown key, a wrong
+// type, a name that no action has - fails with its line; nothing is half read.
+Result<Scenario> read_scenario(const std::filesystem::path& file, const std::vector<std::filesystem::path>& world_folders);
+
+// Sound names as scenarios write them: "contact", "wall tone"; empty for kinds that none may expect.
+std::string_view sound_name(int sound_kind);
+std::string_view material_sound_name(int sound_class);
+
+}  // namespace handrail

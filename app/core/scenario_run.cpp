@@ -1,0 +1,192 @@
+// Plays a scenario's actions into a headless session. The session itself stands in headless_session.cpp.
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/headless_session.h"
+#include "haptic/servo/workspace_map.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kTap_s = 0.1;           // how long a tapped key stays down
+constexpr double kJumpTrouble_m = 0.05;  // more than a hand can move in a tick
+
+// An action on its way.
+struct Running {
+    const ScenarioAction* action = nullptr;
+    double start_s = 0.0, end_s = 0.0;
+    bool started = false, ended = false;
+};
+
+class Player {
+public:
+    Player(const Scenario& scenario, HeadlessSession& session, SettingsStore& settings) : scenario_(scenario), session_(session), settings_(settings) {
+        for (const ScenarioAction& action : scenario.actions) runs_.push_back({&action, 0.0, 0.0, false, false});
+    }
+
+    // Starts and ends what is due at the session's time.
+    Result<void> step() {
+        const double now = session_.now_s();
+        for (std::size_t i = 0; i < runs_.size(); ++i) {
+            Running& run = runs_[i];
+            if (run.started && !run.ended && now >= run.end_s - 1e-9) {
+                run.ended = true;
+                end(*run.action);
+            }
+            if (run.started) continue;
+            const bool due = run.action->at_s ? now >= *run.action->at_s - 1e-9 : i == 0 || (run.action->meanwhile ? runs_[i - 1].started : runs_[i - 1].ended);
+            if (!due) continue;
+            run.started = true;
+            run.start_s = now;
+            const auto duration = begin(*run.action);
+            if (!duration) return tl::unexpected(duration.error());
+            run.end_s = now + *duration;
+        }
+        return {};
+    }
+    bool done() const {
+        return std::all_of(runs_.begin(), runs_.end(), [](const Running& run) { return run.ended; });
+    }
+    void note_times(SessionLog& log) const {
+        for (const Running& run : runs_)
+            if (!run.action->name.empty()) log.action_times[run.action->name] = {run.start_s, run.end_s};
+    }
+
+private:
+    // World place -> device place, by the workspace as it is now.
+    Vec3 in_device(const Vec3& world_m) {
+        const WorkspacePose& pose = session_.app().pose();
+        const WorkspaceFrame frame = frame_of(pose.origin_m, pose.heading_rad);
+        return frame.turn_to_device(world_m - pose.origin_m) / session_.app().tuning().touch.world_m_per_hand_m;
+    }
+    Vec3 hand_now() {
+        session_.hand().state.refresh();
+        return session_.hand().state.read().position_m;
+    }
+    void command_hand(const HandCommand& command) { session_.hand().command.publish(command); }
+
+    // Begins an action; how long it takes, in seconds.
+    Result<double> begin(const ScenarioAction& action) {
+        const double now = session_.now_s();
+        if (const auto* tap = std::get_if<TapCommand>(&action.step)) {
+            session_.app().press(tap->command, now);
+            return kTap_s;
+        }
+        if (const auto* hold = std::get_if<HoldCommand>(&action.step)) {
+            session_.app().press(hold->command, now);
+            return hold->for_s;
+        }
+        if (const auto* wait = std::get_if<Wait>(&action.step)) return wait->for_s;
+        if (const auto* move = std::get_if<MoveHand>(&action.step)) {
+            const Vec3 from = hand_now();
+            const Vec3 to = move->relative ? from + in_device(session_.app().pose().origin_m + move->to_m) : in_device(move->to_m);
+            HandCommand command;
+            command.mode = HandMode::Move;
+            command.target_m = to;
+            command.speed_m_per_s = move->speed_m_per_s;
+            command_hand(command);
+            return glm::length(to - from) / move->speed_m_per_s;
+        }
+        if (const auto* push = std::get_if<PushHand>(&action.step)) {
+            HandCommand command;
+            command.mode = HandMode::Push;
+            command.push_n = push->force_n;
+            command_hand(command);
+            return push->for_s;
+        }
+        if (const auto* rest = std::get_if<RestHand>(&action.step)) {
+            HandCommand command;
+            command.mode = HandMode::Rest;
+            command.target_m = in_device(rest->at_m);
+            command_hand(command);
+            return rest->for_s;
+        }
+        if (const auto* trouble = std::get_if<ScenarioTrouble>(&action.step)) {
+            const int samples = static_cast<int>(std::lround(trouble->for_s * 1e3));
+            DeviceTrouble device;
+            if (trouble->kind == "nan") device.not_a_number_samples = samples;
+            if (trouble->kind == "jump") device.jump_samples = samples, device.jump_m = Vec3(kJumpTrouble_m, 0.0, 0.0);
+            if (trouble->kind == "freeze") device.silent_samples = samples;
+            if (trouble->kind == "unplug") device.unplugged = true;
+            if (trouble->kind == "late") session_.slow_servo(2);
+            session_.hand().trouble.publish(device);
+            return trouble->for_s;
+        }
+        if (const auto* place = std::get_if<PlaceBody>(&action.step)) session_.app().place(place->feet_m, place->heading_rad, now);
+        if (const auto* change = std::get_if<ChangeSetting>(&action.step)) {
+            if (const auto set = settings_.set(change->key, change->value, SettingSource::Live); !set)
+                return fail(set.error().message, scenario_.file.filename().string(), action.line);
+            session_.change_settings(settings_.values());
+        }
+        return 0.0;
+    }
+
+    void end(const ScenarioAction& action) {
+        if (const auto* tap = std::get_if<TapCommand>(&action.step)) session_.app().release(tap->command);
+        if (const auto* hold = std::get_if<HoldCommand>(&action.step)) session_.app().release(hold->command);
+        if (std::get_if<PushHand>(&action.step)) {
+            HandCommand still;
+            still.mode = HandMode::Move;
+            still.target_m = hand_now();
+            command_hand(still);
+        }
+        if (const auto* trouble = std::get_if<ScenarioTrouble>(&action.step)) {
+            if (trouble->kind == "late") session_.slow_servo(1);
+            session_.hand().trouble.publish(DeviceTrouble{});
+        }
+    }
+
+    const Scenario& scenario_;
+    HeadlessSession& session_;
+    SettingsStore& settings_;
+    std::vector<Running> runs_;
+};
+
+constexpr double kLongestRun_s = 3600.0;
+
+}  // namespace
+
+Result<SessionLog> run_scenario(const Scenario& scenario, std::shared_ptr<const Scene> scene, AudioSink& audio, SpeechSink& speech) {
+    const std::string file = scenario.file.filename().string();
+    SettingsStore settings;
+    for (const auto& [key, value] : scenario.settings)
+        if (const auto set = settings.set(key, value, SettingSource::CommandLine); !set) return fail(set.error().message, file);
+    HandFacts facts;
+    if (scenario.device != "none") {
+        const DeviceSpec* spec = find_device_spec(scenario.device);
+        if (!spec)
+            return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", scenario.device, nearest_name(scenario.device, device_names())), file);
+        facts = {true, true, *spec};
+    }
+    HeadlessSession session(settings.values(), facts, audio, speech);
+    if (scenario.has_start) session.app().enter_world_at(scene, scenario.start_feet_m, scenario.start_heading_rad, 0.0);
+    else session.app().enter_world(scene, 0.0);
+
+    SessionLog log;
+    Player player(scenario, session, settings);
+    double last_action_s = 0.0;
+    while (session.now_s() < kLongestRun_s) {
+        if (const auto stepped = player.step(); !stepped) return tl::unexpected(stepped.error());
+        if (!player.done()) last_action_s = session.now_s();
+        else if (session.now_s() >= last_action_s + scenario.tail_s) break;
+        session.advance();
+        const ToolState& tool = session.tool();
+        LoggedTick tick;
+        tick.time_s = session.now_s();
+        tick.force_n = tool.force_n;
+        tick.hip_m = tool.hip_m;
+        tick.proxy_m = tool.proxy_m;
+        tick.radius_m = tool.ball_radius_m;
+        tick.contact = tool.contacts.count > 0;
+        if (tick.contact) tick.touched = tool.contacts.contacts[tool.contacts.strongest].feature;
+        tick.feet_m = session.app().feet_m();
+        tick.heading_rad = session.app().heading_rad();
+        log.ticks.push_back(tick);
+    }
+    player.note_times(log);
+    log.end_s = session.now_s();
+    return log;
+}
+
+}  // namespace handrail

@@ -1,0 +1,339 @@
+#include "app/core/session_log.h"
+
+#include <fmt/format.h>
+
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/core/words.h"
+
+namespace handrail {
+namespace {
+
+std::vector<std::string> words_of(const std::string& text) {
+    std::vector<std::string> words;
+    std::string word;
+    const auto flush = [&] {
+        if (!word.empty()) words.push_back(std::exchange(word, {}));
+    };
+    for (const char c : text) {
+        const unsigned char u = static_cast<unsigned char>(c);
+        if (std::isalnum(u) || u >= 128 || c == '-') word += static_cast<char>(std::tolower(u));
+        else flush();
+    }
+    flush();
+    return words;
+}
+
+// How deep the ball overlaps the nearest solid or sheet: brute force over planes, independent of the renderer. Negative: clearance is
+// not measured, so 0 is "not at all".
+double overlap_m(const Scene& scene, const Vec3& centre_m, double radius_m) {
+    double deepest = 0.0;
+    for (const Solid& solid : scene.solids) {
+        if (solid.role != SolidRole::Solid && solid.role != SolidRole::Mover) continue;
+        const Aabb& box = solid.shape.bounds_m;
+        if (glm::any(glm::lessThan(centre_m, box.min_m - radius_m)) || glm::any(glm::greaterThan(centre_m, box.max_m + radius_m))) continue;
+        // Distance from the centre to the convex solid by alternating projection onto its violated planes (Dykstra): slow and simple.
+        double outside = -std::numeric_limits<double>::infinity();
+        for (const Plane& plane : solid.shape.planes) outside = std::max(outside, signed_distance(plane, centre_m));
+        if (outside <= 0.0) {
+            deepest = std::max(deepest, radius_m - outside);
+            continue;
+        }
+        if (outside >= radius_m) continue;
+        std::vector<Vec3> correction(solid.shape.planes.size(), Vec3(0.0));
+        Vec3 x = centre_m;
+        for (int round = 0; round < 200; ++round)
+            for (std::size_t i = 0; i < solid.shape.planes.size(); ++i) {
+                const Vec3 y = x + correction[i];
+                const Vec3 projected = y - solid.shape.planes[i].normal * std::max(0.0, signed_distance(solid.shape.planes[i], y));
+                correction[i] = y - projected;
+                x = projected;
+            }
+        deepest = std::max(deepest, radius_m - glm::length(x - centre_m));
+    }
+    return deepest;
+}
+
+struct Window {
+    double from_s, to_s;
+    bool has(double t) const { return t >= from_s - 1e-9 && t <= to_s + 1e-9; }
+};
+
+std::string shown(const Vec3& v) { return fmt::format("({:.4f}, {:.4f}, {:.4f})", v.x, v.y, v.z); }
+
+class Checker {
+public:
+    Checker(const Scenario& scenario, const SessionLog& log, const Scene& scene, const Expectation& e) : log_(log), scene_(scene), e_(e) {
+        window_ = {moment(e.from), e.has_to ? moment(e.to) : log.end_s};
+        where_ = fmt::format("{} line {}, {:.3f} to {:.3f} s", scenario.file.filename().string(), e.line, window_.from_s, window_.to_s);
+    }
+
+    // Empty when the expectation holds.
+    std::string failure() const {
+        switch (e_.check) {
+            case Check::Say:
+                return say(true);
+            case Check::NotSay:
+                return say(false);
+            case Check::Sound:
+                return sound();
+            case Check::NotSound:
+                return sound();
+            case Check::SoundRising:
+                return sound_rising();
+            case Check::Force:
+                return each_tick(
+                    [&](const LoggedTick& t) {
+                        const double n = e_.has_vector ? glm::dot(t.force_n, e_.vector) : glm::length(t.force_n);
+                        return n >= e_.low && n <= e_.high ? std::string() : fmt::format("force {:.4f} N {}", n, shown(t.force_n));
+                    },
+                    fmt::format("force {} to {} N", e_.low, e_.high));
+            case Check::ForceStep:
+                return force_step();
+            case Check::ForceLine:
+            case Check::ForceBand:
+                return force_lines();
+            case Check::ForceRising:
+                return force_rising();
+            case Check::BodyAt:
+                return place("body", [](const LoggedTick& t) { return t.feet_m; });
+            case Check::HipAt:
+                return place("hand", [](const LoggedTick& t) { return t.hip_m; });
+            case Check::ProxyAt:
+                return place("proxy", [](const LoggedTick& t) { return t.proxy_m; });
+            case Check::Heading:
+                return each_tick(
+                    [&](const LoggedTick& t) {
+                        const double off = degrees_from_radians(std::abs(wrap_angle(t.heading_rad - radians_from_degrees(e_.low))));
+                        return off <= e_.tolerance ? std::string() : fmt::format("heading {:.2f} degrees", degrees_from_radians(t.heading_rad));
+                    },
+                    fmt::format("heading {} degrees", e_.low));
+            case Check::Penetration:
+                return each_tick(
+                    [&](const LoggedTick& t) {
+                        const double depth = overlap_m(scene_, t.proxy_m, t.radius_m);
+                        return depth <= e_.high ? std::string() : fmt::format("{:.6f} m deep at {}", depth, shown(t.proxy_m));
+                    },
+                    fmt::format("penetration of at most {} m", e_.high));
+            case Check::Touching:
+                return each_tick(
+                    [&](const LoggedTick& t) {
+                        const std::string name = t.contact ? spoken_name(scene_, t.touched) : std::string("nothing");
+                        return words_in_order(e_.text, name) ? std::string() : fmt::format("touching {}", name.empty() ? "something without a name" : name);
+                    },
+                    fmt::format("touching \"{}\"", e_.text));
+            case Check::Free:
+                return each_tick(
+                    [&](const LoggedTick& t) {
+                        return !t.contact && t.force_n == Vec3(0.0) ? std::string()
+                                                                    : fmt::format("force {} {}", shown(t.force_n), t.contact ? "in contact" : "");
+                    },
+                    "no contact and no force");
+        }
+        return {};
+    }
+
+private:
+    double moment(const Moment& m) const {
+        if (m.action.empty()) return m.offset_s;
+        const auto found = log_.action_times.find(m.action);
+        if (found == log_.action_times.end()) return m.offset_s;
+        return (m.at_end ? found->second.second : found->second.first) + m.offset_s;
+    }
+    std::string fail(const std::string& expected, const std::string& seen) const { return fmt::format("{}: expected {}; seen: {}.", where_, expected, seen); }
+
+    std::string say(bool wanted) const {
+        int found = 0;
+        std::string others;
+        for (const LoggedLine& line : log_.lines) {
+            if (!window_.has(line.time_s)) continue;
+            if (words_in_order(e_.text, line.text)) ++found;
+            if (others.size() < 600) others += fmt::format(" {:.3f} s \"{}\"", line.time_s, line.text);
+        }
+        const int least = wanted ? e_.times.value_or(1) : 0;
+        const bool holds = wanted ? (e_.times ? found == least : found >= 1) : found == 0;
+        if (holds) return {};
+        return fail(fmt::format("\"{}\" {}", e_.text, wanted ? fmt::format("{} {} times", e_.times ? "exactly" : "at least", least) : "never"),
+                    fmt::format("{} times; said:{}", found, others.empty() ? " nothing" : others));
+    }
+
+    bool is_wanted(const LoggedSound& s) const {
+        return sound_name(static_cast<int>(s.cue.kind)) == e_.text &&
+               (e_.material.empty() || material_sound_name(static_cast<int>(s.cue.material)) == e_.material);
+    }
+
+    std::string sound() const {
+        int found = 0;
+        double latest_ms = 0.0;
+        std::string others;
+        for (const LoggedSound& s : log_.sounds) {
+            if (!window_.has(s.time_s)) continue;
+            if (is_wanted(s)) {
+                ++found;
+                latest_ms = std::max(latest_ms, (s.time_s - s.cue.event_time_s) * 1e3);
+            } else if (!s.loop && others.size() < 400) {
+                others += fmt::format(" {:.3f} s {} of {}", s.time_s, sound_name(static_cast<int>(s.cue.kind)),
+                                      material_sound_name(static_cast<int>(s.cue.material)));
+            }
+        }
+        const bool wanted = e_.check == Check::Sound;
+        const std::string what = fmt::format("sound \"{}\"{}", e_.text, e_.material.empty() ? "" : " of " + e_.material);
+        if (wanted ? (e_.times ? found != *e_.times : found < 1) : found != 0)
+            return fail(fmt::format("{} {}", what, wanted ? (e_.times ? fmt::format("exactly {} times", *e_.times) : "at least once") : "never"),
+                        fmt::format("{} times; others:{}", found, others.empty() ? " none" : others));
+        if (wanted && e_.high > 0.0 && latest_ms > e_.high)
+            return fail(fmt::format("{} within {} ms", what, e_.high), fmt::format("{:.1f} ms after its event", latest_ms));
+        return {};
+    }
+
+    std::string sound_rising() const {
+        double last = -1.0, first = -1.0;
+        for (const LoggedSound& s : log_.sounds) {
+            if (!window_.has(s.time_s) || !is_wanted(s)) continue;
+            if (first < 0.0) first = s.cue.loudness;
+            if (s.cue.loudness < last - 1e-9)
+                return fail(fmt::format("\"{}\" to grow", e_.text), fmt::format("it fell from {:.3f} to {:.3f} at {:.3f} s", last, s.cue.loudness, s.time_s));
+            last = s.cue.loudness;
+        }
+        if (first < 0.0 || !(last > first))
+            return fail(fmt::format("\"{}\" to grow", e_.text), first < 0.0 ? "it was not heard" : fmt::format("{:.3f} all the time", first));
+        return {};
+    }
+
+    template <class Test>
+    std::string each_tick(Test test, const std::string& expected) const {
+        std::string last;
+        double last_s = 0.0;
+        bool any_tick = false;
+        for (const LoggedTick& t : log_.ticks) {
+            if (!window_.has(t.time_s)) continue;
+            any_tick = true;
+            const std::string wrong = test(t);
+            if (wrong.empty() && !e_.always) return {};
+            if (!wrong.empty() && e_.always) return fail(expected + " all the time", fmt::format("{} at {:.3f} s", wrong, t.time_s));
+            last = wrong;
+            last_s = t.time_s;
+        }
+        if (!any_tick) return fail(expected, "the window holds no tick");
+        if (e_.always) return {};
+        return fail(expected + " at some time", fmt::format("at the end {} ({:.3f} s)", last, last_s));
+    }
+
+    std::string force_step() const {
+        const LoggedTick* before = nullptr;
+        double worst = 0.0, when = 0.0;
+        for (const LoggedTick& t : log_.ticks) {
+            if (!window_.has(t.time_s)) continue;
+            if (before) {
+                const double step = glm::length(t.force_n - before->force_n);
+                if (step > worst) {
+                    worst = step;
+                    when = t.time_s;
+                }
+            }
+            before = &t;
+        }
+        return worst <= e_.high ? std::string()
+                                : fail(fmt::format("force changes of at most {} N between ticks", e_.high), fmt::format("{:.4f} N at {:.3f} s", worst, when));
+    }
+
+    std::string force_lines() const {
+        double worst = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            std::vector<double> samples;
+            for (const LoggedTick& t : log_.ticks)
+                if (window_.has(t.time_s)) samples.push_back(t.force_n[axis]);
+            worst = std::max(worst, line_amplitude(samples, 1e-3, e_.from_hz, e_.to_hz));
+        }
+        return worst <= e_.high ? std::string()
+                                : fail(fmt::format("at most {} N between {} and {} Hz", e_.high, e_.from_hz, e_.to_hz), fmt::format("{:.4f} N", worst));
+    }
+
+    std::string force_rising() const {
+        const LoggedTick* before = nullptr;
+        for (const LoggedTick& t : log_.ticks) {
+            if (!window_.has(t.time_s)) continue;
+            if (before && glm::length(t.force_n) < glm::length(before->force_n) - 1e-9)
+                return fail("force that only rises",
+                            fmt::format("{:.5f} N after {:.5f} N at {:.3f} s", glm::length(t.force_n), glm::length(before->force_n), t.time_s));
+            before = &t;
+        }
+        return {};
+    }
+
+    template <class Where>
+    std::string place(const char* what, Where where) const {
+        return each_tick(
+            [&](const LoggedTick& t) {
+                double off = 0.0;
+                for (int axis = 0; axis < 3; ++axis)
+                    if (!std::isnan(e_.vector[axis])) off = std::max(off, std::abs(where(t)[axis] - e_.vector[axis]));
+                return off <= e_.tolerance ? std::string() : fmt::format("{} at {}", what, shown(where(t)));
+            },
+            fmt::format("{} within {} m of {}", what, e_.tolerance, shown(e_.vector)));
+    }
+
+    const SessionLog& log_;
+    const Scene& scene_;
+    const Expectation& e_;
+    Window window_{};
+    std::string where_;
+};
+
+}  // namespace
+
+bool words_in_order(const std::string& wanted, const std::string& line) {
+    const auto want = words_of(wanted), have = words_of(line);
+    std::size_t next = 0;
+    for (const std::string& word : have)
+        if (next < want.size() && word == want[next]) ++next;
+    return next == want.size();
+}
+
+double line_amplitude(const std::vector<double>& samples, double dt_s, double from_hz, double to_hz) {
+    const std::size_t n = samples.size();
+    if (n < 16) return 0.0;
+    // Least-squares straight line out, Hann window in.
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double x = static_cast<double>(i);
+        sx += x, sy += samples[i], sxx += x * x, sxy += x * samples[i];
+    }
+    const double count = static_cast<double>(n);
+    const double slope = (count * sxy - sx * sy) / (count * sxx - sx * sx), offset = (sy - slope * sx) / count;
+    std::vector<double> windowed(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double hann = 0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(i) / (count - 1.0));
+        windowed[i] = (samples[i] - offset - slope * static_cast<double>(i)) * hann;
+    }
+    const double spacing_hz = 1.0 / (count * dt_s);
+    double worst = 0.0;
+    for (double hz = from_hz; hz <= to_hz + 1e-9; hz += spacing_hz) {
+        // Goertzel's recurrence: one frequency in one pass.
+        const double w = 2.0 * kPi * hz * dt_s, k = 2.0 * std::cos(w);
+        double s1 = 0.0, s2 = 0.0;
+        for (const double v : windowed) {
+            const double s0 = v + k * s1 - s2;
+            s2 = s1;
+            s1 = s0;
+        }
+        const double power = s1 * s1 + s2 * s2 - k * s1 * s2;
+        worst = std::max(worst, 4.0 * std::sqrt(std::max(0.0, power)) / count);
+    }
+    return worst;
+}
+
+std::vector<std::string> failures(const Scenario& scenario, const SessionLog& log, const Scene& scene) {
+    std::vector<std::string> found;
+    for (const Expectation& e : scenario.expectations) {
+        const std::string failure = Checker(scenario, log, scene, e).failure();
+        if (!failure.empty()) found.push_back(failure);
+    }
+    return found;
+}
+
+}  // namespace handrail
