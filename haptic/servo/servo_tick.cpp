@@ -154,14 +154,17 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     touch.override_stiffness_n_per_m = std::min(touch.override_stiffness_n_per_m, stiffest);
 
     const double scale = touch.world_m_per_hand_m;
+    Vec3 carried_m{0.0};
     if (goal_known_) {
+        carried_m = frame.to_world(hand_at_goal_m_, scale) - goal_m_;
         const Vec3 velocity = (goal_m - goal_m_) / (scale * dt_s);
         velocity_m_per_s_ += (velocity - velocity_m_per_s_) * (dt_s / (kVelocityPoleS + dt_s));
     }
     goal_m_ = goal_m;
+    hand_at_goal_m_ = tool_.hand_m;
     goal_known_ = true;
 
-    const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s);
+    const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s, carried_m);
     wanted_n_ = frame.turn_to_device(result.force_n);
     if (!is_finite(result.proxy_m)) {
         wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // let the limiter judge it

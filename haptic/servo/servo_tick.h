@@ -112,6 +112,7 @@ private:
     Vec3 wanted_n_{0.0};  // device frame, before the limiter; held while the device is silent
     bool goal_known_ = false;
     Vec3 goal_m_{0.0};
+    Vec3 hand_at_goal_m_{0.0};  // device frame, where the hand was when the goal was goal_m_
     Vec3 velocity_m_per_s_{0.0};  // hand metres, world axes, one pole at 50 Hz
 };
 
