@@ -158,7 +158,7 @@ std::optional<UsageError> check_touch(TouchArguments& touch) {
     return std::nullopt;
 }
 
-// Loads the settings a command was asked to run with. Empty result and a sentence on `err` for wrong usage.
+// The person's settings with what the command line changes. Nothing, and a sentence on `err`, for wrong usage.
 std::optional<SettingsStore> load_settings(const SettingsOptions& options, std::vector<Diagnostic>& problems, std::ostream& err) {
     SettingsStore settings;
     problems = settings.load_file(options.file.value_or(user_settings_path()), SettingSource::UserFile);
@@ -168,6 +168,16 @@ std::optional<SettingsStore> load_settings(const SettingsOptions& options, std::
             return std::nullopt;
         }
     return settings;
+}
+
+int explore(ExploreCall& call, std::ostream& out, std::ostream& err) {
+    std::vector<Diagnostic>& problems = call.arguments.settings_problems;
+    std::optional<SettingsStore> settings = load_settings(call.settings, problems, err);
+    if (!settings) return 2;
+    if (call.arguments.world)  // house.settings.toml beside house.map
+        for (Diagnostic& problem : settings->load_file(fs::path(*call.arguments.world).replace_extension(".settings.toml"), SettingSource::World))
+            problems.push_back(std::move(problem));
+    return run_explore(call.arguments, *settings, out, err);
 }
 
 }  // namespace
@@ -205,28 +215,25 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
 int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
     std::vector<Diagnostic> problems;
     ParsedCommandLine parsed = parse_command_line(words);
-    return std::visit(Overloaded{[&](ExploreCall& call) {
-                                     std::optional<SettingsStore> settings = load_settings(call.settings, call.arguments.settings_problems, err);
-                                     return settings ? run_explore(call.arguments, *settings, out, err) : 2;
-                                 },
-                                 [&](const InfoArguments& arguments) { return run_info(arguments, out, err); },
-                                 [&](const TouchArguments& arguments) { return run_touch(arguments, out, err); },
-                                 [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err); },
-                                 [&](const SettingsCall& call) {
-                                     std::optional<SettingsStore> settings = load_settings(call.settings, problems, err);
-                                     if (!settings) return 2;
-                                     for (const Diagnostic& problem : problems) err << problem.sentence() << "\n";
-                                     return run_settings(call.arguments, *settings, out, err);
-                                 },
-                                 [&](const PrintedText& printed) {
-                                     out << printed.text << std::flush;
-                                     return 0;
-                                 },
-                                 [&](const UsageError& error) {
-                                     err << error.sentence << "\n";
-                                     return 2;
-                                 }},
-                      parsed);
+    return std::visit(
+        Overloaded{[&](ExploreCall& call) { return explore(call, out, err); }, [&](const InfoArguments& arguments) { return run_info(arguments, out, err); },
+                   [&](const TouchArguments& arguments) { return run_touch(arguments, out, err); },
+                   [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err); },
+                   [&](const SettingsCall& call) {
+                       std::optional<SettingsStore> settings = load_settings(call.settings, problems, err);
+                       if (!settings) return 2;
+                       for (const Diagnostic& problem : problems) err << problem.sentence() << "\n";
+                       return run_settings(call.arguments, *settings, out, err);
+                   },
+                   [&](const PrintedText& printed) {
+                       out << printed.text << std::flush;
+                       return 0;
+                   },
+                   [&](const UsageError& error) {
+                       err << error.sentence << "\n";
+                       return 2;
+                   }},
+        parsed);
 }
 
 }  // namespace handrail
