@@ -1,0 +1,59 @@
+// The guides say what the code does: their tables are compared with the tables in the code, row by row.
+#include <regex>
+#include <set>
+
+#include "settings/settings.h"
+#include "tests/unit/docs/table_rows.h"
+#include "worlds/scene/material.h"
+
+namespace handrail {
+namespace {
+using testing::UnorderedElementsAreArray;
+
+using test::table_rows;
+
+const std::filesystem::path kRoot = HANDRAIL_SOURCE_DIR;
+
+TEST(SettingsGuide, lists_every_setting_as_the_program_explains_it) {
+    std::vector<std::string> expected;
+    for (const SettingRow& row : SettingsStore{}.explain())
+        expected.push_back(fmt::format("| {} | {} | {} | {} | {} | {} |", row.key, row.value, row.range, row.unit.empty() ? "-" : row.unit,
+                                       world_may_set(row.key) ? "yes" : "no", row.meaning));
+    EXPECT_THAT(table_rows("settings.md", "| Key | Default |"), UnorderedElementsAreArray(expected));
+}
+
+TEST(MapAuthorsGuide, lists_every_material_with_its_stiffness_and_friction) {
+    std::vector<std::string> expected;
+    for (const MaterialSpec& material : material_library())
+        expected.push_back(fmt::format("| {} | {} | {} |", material.name, material.stiffness_fraction, material.friction_mu));
+    EXPECT_THAT(table_rows("map-authors-guide.md", "| Material | Stiffness |"), UnorderedElementsAreArray(expected));
+}
+
+// The reader asks for its keys by name; every name it asks for must have a row, and every row must be asked for.
+TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
+    static const std::regex kAsked(R"re((?:entity\.find|entity\.value|text_of|yes_no_of|number_of|side_of_key|vector_of)\((?:entity, *)?"([a-z_]+)")re");
+    const std::string source = test::content_of(kRoot / "worlds" / "readers" / "quake_map.cpp");
+    std::set<std::string> asked;
+    for (auto it = std::sregex_iterator(source.begin(), source.end(), kAsked); it != std::sregex_iterator(); ++it) asked.insert((*it)[1]);
+    asked.erase("_external_map");  // content of another program, left out and said
+    EXPECT_GE(asked.size(), 10U) << "the reader's source was not understood";
+    std::set<std::string> listed;
+    for (const std::string& row : table_rows("map-authors-guide.md", "| Key | On |")) listed.insert(row.substr(2, row.find(' ', 2) - 2));
+    EXPECT_EQ(listed, asked);
+}
+
+TEST(Documents, link_only_to_files_that_exist) {
+    static const std::regex kLink(R"re(\]\(([^)#:]+)(#[^)]*)?\))re");
+    std::vector<std::filesystem::path> documents{kRoot / "README.md"};
+    for (const auto& entry : std::filesystem::directory_iterator(kRoot / "docs"))
+        if (entry.path().extension() == ".md") documents.push_back(entry.path());
+    EXPECT_GE(documents.size(), 8U);
+    for (const auto& document : documents) {
+        const std::string text = test::content_of(document);
+        for (auto it = std::sregex_iterator(text.begin(), text.end(), kLink); it != std::sregex_iterator(); ++it)
+            EXPECT_TRUE(std::filesystem::exists(document.parent_path() / (*it)[1].str())) << document << " links to " << (*it)[1];
+    }
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,26 @@
+// Tables of the guides, as their rows.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+
+// The rows of the table whose head line starts with `head`, without the line of dashes.
+inline std::vector<std::string> table_rows(const std::string& document, const std::string& head) {
+    std::istringstream lines(test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "docs" / document));
+    std::vector<std::string> rows;
+    bool inside = false;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with(head)) inside = true;
+        else if (inside && !line.starts_with("|")) break;
+        else if (inside && !line.starts_with("|---")) rows.push_back(line);
+    }
+    EXPECT_TRUE(inside) << document << " has no table that starts with: " << head;
+    return rows;
+}
+
+}  // namespace handrail::test
