@@ -259,15 +259,16 @@ TEST(LoadSettings, survives_a_file_cut_at_every_byte_and_every_byte_replaced) {
     const TemporaryFolder folder;
     const std::string whole =
         "[workspace]\nscale = 30 # \xC3\xA9\n[workspace.device.\"a.b\"]\nscale = 4e1\n[keys]\nwhere = 'F2'\n[speech]\nvoice = \"\"\"de\"\"\"\n";
+    SettingsStore judge;
     const auto load = [&](const std::string& text) {
         SettingsStore store;
         const auto problems = store.load_file(folder.write("settings.toml", text), SettingSource::UserFile);
-        for (const SettingRow& row : store.explain()) EXPECT_TRUE(SettingsStore{}.set(row.key, row.value, SettingSource::Live)) << row.key << "=" << row.value;
+        for (const SettingRow& row : store.explain()) EXPECT_TRUE(judge.set(row.key, row.value, SettingSource::Live)) << row.key << "=" << row.value;
         for (const std::string& sentence : sentences(problems)) EXPECT_THAT(sentence, HasSubstr("settings.toml, line ")) << text;
     };
     for (std::size_t cut = 0; cut <= whole.size(); ++cut) load(whole.substr(0, cut));
     for (std::size_t at = 0; at < whole.size(); ++at)
-        for (const char c : {'\0', '"', '[', '.', '\n', '\xff', '9'}) {
+        for (const char c : {'\0', '"', '.', '\xff'}) {
             std::string text = whole;
             text[at] = c;
             load(text);
