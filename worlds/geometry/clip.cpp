@@ -12,7 +12,7 @@ constexpr double kSameDirection = 1e-10;  // 1 - dot of two normals that repeat 
 // Sets the coordinate that an axis-aligned plane fixes.
 void snap_to(Vec3& point_m, const Plane& plane) noexcept {
     for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(plane.normal[axis]) == 1.0) point_m[axis] = plane.normal[axis] * plane.offset_m;
+        if (std::abs(plane.normal[axis]) == 1.0) point_m[axis] = plane.normal[axis] * plane.offset_m + 0.0;  // + 0.0: never minus zero
 }
 
 // A square on the plane, counter-clockwise seen from its front.
@@ -152,7 +152,7 @@ bool plane_from_clockwise(const Vec3& p0_m, const Vec3& p1_m, const Vec3& p2_m, 
         plane.normal = Vec3{0.0};
         plane.normal[axis] = sign;
     }
-    plane.offset_m = glm::dot(plane.normal, p0_m);
+    plane.offset_m = glm::dot(plane.normal, p0_m) + 0.0;
     return true;
 }
 

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "worlds/base/text.h"
-#include "worlds/geometry/clip.h"
+#include "worlds/geometry/exposed_surface.h"
 #include "worlds/readers/map_syntax.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
@@ -566,15 +566,29 @@ private:
 
     // ---- the whole ----
 
-    // Brushes of one pool are one pool.
+    // Touching brushes of one kind are one pool.
     void join_volumes() {
-        for (const Volume& volume : volumes_) {
+        std::vector<Aabb> boxes;
+        for (const Volume& volume : volumes_) boxes.push_back(grown(scene_.solids[volume.solid].shape.bounds_m, 1e-3 * units_));
+        const BoxIndex index(boxes);
+        DisjointSets pools(volumes_.size());
+        std::vector<std::uint32_t> near;
+        for (std::uint32_t i = 0; i < volumes_.size(); ++i) {
+            index.find(boxes[i], near);
+            for (const std::uint32_t j : near)
+                if (volumes_[i].name == volumes_[j].name) pools.join(i, j);
+        }
+        for (std::uint32_t i = 0; i < volumes_.size(); ++i) {
+            Solid& solid = scene_.solids[volumes_[i].solid];
+            if (const std::uint32_t root = pools.find(i); root != i) {
+                solid.feature = scene_.solids[volumes_[root].solid].feature;
+                continue;
+            }
             Feature feature;
-            feature.kind = volume.kind;
-            feature.name = volume.name;
-            feature.bounds_m = scene_.solids[volume.solid].shape.bounds_m;
-            feature.source = scene_.solids[volume.solid].source;
-            scene_.solids[volume.solid].feature = add_feature(feature);
+            feature.kind = volumes_[i].kind;
+            feature.name = volumes_[i].name;
+            feature.source = solid.source;
+            solid.feature = add_feature(feature);
         }
     }
 

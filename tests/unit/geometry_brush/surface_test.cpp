@@ -1,0 +1,230 @@
+#include <random>
+
+#include "tests/support/scale.h"
+#include "worlds/geometry/exposed_surface.h"
+
+namespace handrail {
+namespace {
+
+constexpr CutTolerance kTolerance{1e-6, 1e-5};
+
+ConvexSolid solid(const std::vector<Plane>& planes) {
+    BuiltSolid built = solid_from_planes(planes, {0, 0, 0}, 1000.0);
+    EXPECT_EQ(built.fault, SolidFault::None);
+    return built.solid;
+}
+
+ConvexSolid box(const Vec3& low, const Vec3& high) {
+    return solid({{{1, 0, 0}, high.x}, {{-1, 0, 0}, -low.x}, {{0, 1, 0}, high.y}, {{0, -1, 0}, -low.y}, {{0, 0, 1}, high.z}, {{0, 0, -1}, -low.z}});
+}
+
+std::vector<ExposedPiece> exposed(const std::vector<ConvexSolid>& shapes) {
+    std::vector<SurfaceSolid> solids;
+    std::vector<Aabb> boxes;
+    for (const ConvexSolid& shape : shapes) {
+        solids.push_back({&shape});
+        boxes.push_back(shape.bounds_m);
+    }
+    return exposed_surface(solids, BoxIndex(boxes), kTolerance);
+}
+
+double total_area(const std::vector<ExposedPiece>& pieces) {
+    double sum = 0.0;
+    for (const ExposedPiece& piece : pieces) sum += area_m2(piece.polygon);
+    return sum;
+}
+
+// How deep a point lies inside a polygon of its plane; negative outside.
+double depth_in(const Polygon& polygon, const Vec3& normal, const Vec3& p) {
+    double depth = 1e9;
+    const std::size_t n = polygon.points_m.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const Vec3 edge = polygon.points_m[(i + 1) % n] - polygon.points_m[i];
+        depth = std::min(depth, glm::dot(glm::cross(normal, glm::normalize(edge)), p - polygon.points_m[i]));
+    }
+    return depth;
+}
+
+Vec3 random_point_in(const Polygon& polygon, std::mt19937& random) {
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    Vec3 sum{0.0};
+    double weights = 0.0;
+    for (const Vec3& p : polygon.points_m) {
+        const double w = -std::log(unit(random) + 1e-12);
+        sum += w * p;
+        weights += w;
+    }
+    return sum / weights;
+}
+
+TEST(ExposedSurface, loses_both_sides_of_a_contact_and_one_of_two_equal_faces) {
+    // Two unit cubes side by side: 12 faces, the contact's two are gone.
+    const auto side_by_side = exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})});
+    EXPECT_EQ(side_by_side.size(), 10U);
+    EXPECT_DOUBLE_EQ(total_area(side_by_side), 10.0);
+    // The same cube twice: one cube.
+    EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1})})), 6.0);
+    // A cube on a plate: the plate's top loses what the cube stands on, the cube its bottom.
+    EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {4, 4, 1}), box({1, 1, 1}, {2, 2, 2})})), 16.0 + 15.0 + 16.0 + 5.0);
+    // A cube wholly inside another shows nothing.
+    EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2})})), 96.0);
+    // Corners that meet in a point or an edge cover nothing.
+    EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), box({1, 1, 0}, {2, 2, 1})})), 16.0);
+}
+
+TEST(ExposedSurface, lets_doors_and_liquids_cover_nothing_of_the_wall) {
+    const ConvexSolid wall = box({0, 0, 0}, {1, 1, 1}), other = box({1, 0, 0}, {2, 1, 1});
+    const std::vector<Aabb> boxes{wall.bounds_m, other.bounds_m};
+    const std::vector<SurfaceSolid> door{{&wall, 0}, {&other, 1}};
+    EXPECT_DOUBLE_EQ(total_area(exposed_surface(door, BoxIndex(boxes), kTolerance)), 12.0);
+    const std::vector<SurfaceSolid> water{{&wall}, {&other, 0, false}};
+    EXPECT_DOUBLE_EQ(total_area(exposed_surface(water, BoxIndex(boxes), kTolerance)), 11.0);
+}
+
+// Brute-force twin over boxes on a coarse grid, where faces coincide by the dozen: a point of a face is exposed exactly once when the space right
+// before it is free of all solids, and never otherwise.
+TEST(ExposedSurface, agrees_with_brute_force_on_boxes_with_coinciding_faces) {
+    const int rounds = test::scaled(60);
+    for (int seed = 0; seed < rounds; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(static_cast<unsigned>(seed));
+        std::uniform_int_distribution<int> place(0, 5), extent(1, 4);
+        std::vector<ConvexSolid> shapes;
+        for (int i = 0; i < 12; ++i) {
+            const Vec3 low{place(random), place(random), place(random)};
+            shapes.push_back(box(low, low + Vec3{extent(random), extent(random), extent(random)}));
+        }
+        const std::vector<ExposedPiece> pieces = exposed(shapes);
+        double expected_area = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double sign : {1.0, -1.0})
+                for (int i = 0; i < 10; ++i)
+                    for (int j = 0; j < 10; ++j)
+                        for (int k = 0; k < 10; ++k) {
+                            Vec3 normal{0.0}, p{0.0};
+                            normal[axis] = sign;
+                            p[axis] = i;
+                            p[(axis + 1) % 3] = j + 0.5;
+                            p[(axis + 2) % 3] = k + 0.5;
+                            const auto in_any = [&](const Vec3& q) {
+                                return std::any_of(shapes.begin(), shapes.end(), [&](const ConvexSolid& shape) { return contains(shape, q); });
+                            };
+                            const int expected = in_any(p - 0.1 * normal) && !in_any(p + 0.1 * normal) ? 1 : 0;
+                            expected_area += expected;
+                            int found = 0;
+                            for (const ExposedPiece& piece : pieces) {
+                                const Plane& plane = shapes[piece.solid].planes[piece.face];
+                                if (glm::dot(plane.normal, normal) > 0.5 && std::abs(signed_distance(plane, p)) < 1e-9 &&
+                                    depth_in(piece.polygon, normal, p) > 0.0)
+                                    ++found;
+                            }
+                            ASSERT_EQ(found, expected) << p.x << ' ' << p.y << ' ' << p.z << " axis " << axis << " sign " << sign;
+                        }
+        EXPECT_NEAR(total_area(pieces), expected_area, 1e-9);
+        std::vector<ConvexSolid> shuffled = shapes;
+        std::shuffle(shuffled.begin(), shuffled.end(), random);
+        EXPECT_NEAR(total_area(exposed(shuffled)), expected_area, 1e-9) << "the order of solids changed the surface";
+    }
+}
+
+TEST(ExposedSurface, agrees_with_brute_force_on_tilted_solids) {
+    const int rounds = test::scaled(60);
+    for (int seed = 0; seed < rounds; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(static_cast<unsigned>(seed));
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> place(-2.0, 2.0);
+        std::vector<ConvexSolid> shapes;
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 middle{place(random), place(random), place(random)};
+            std::vector<Plane> planes;
+            for (int axis = 0; axis < 3; ++axis)
+                for (const double sign : {1.0, -1.0}) {
+                    Vec3 n{0.2 * normal(random), 0.2 * normal(random), 0.2 * normal(random)};
+                    n[axis] += sign;
+                    n = glm::normalize(n);
+                    planes.push_back({n, glm::dot(n, middle) + 1.0});
+                }
+            shapes.push_back(solid(planes));
+        }
+        const std::vector<ExposedPiece> pieces = exposed(shapes);
+        for (std::uint32_t s = 0; s < shapes.size(); ++s)
+            for (std::uint32_t f = 0; f < shapes[s].faces.size(); ++f)
+                for (int sample = 0; sample < 40; ++sample) {
+                    const Vec3 p = random_point_in(shapes[s].faces[f], random);
+                    bool covered = false, unsure = false;
+                    for (std::uint32_t other = 0; other < shapes.size(); ++other) {
+                        if (other == s) continue;
+                        covered = covered || contains(shapes[other], p);
+                        unsure = unsure || contains(shapes[other], p, 1e-4) != contains(shapes[other], p, -1e-4);
+                    }
+                    if (unsure) continue;
+                    int found = 0;
+                    bool on_edge = false;
+                    for (const ExposedPiece& piece : pieces) {
+                        if (piece.solid != s || piece.face != f) continue;
+                        const double depth = depth_in(piece.polygon, shapes[s].planes[f].normal, p);
+                        on_edge = on_edge || std::abs(depth) < 1e-4;
+                        if (depth > 0.0) ++found;
+                    }
+                    if (!on_edge) {
+                        ASSERT_EQ(found, covered ? 0 : 1) << "solid " << s << " face " << f;
+                    }
+                }
+    }
+}
+
+Polygon square(double x0, double y0, double x1, double y1) { return {{{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}}; }
+
+std::vector<std::uint32_t> joined(const std::vector<Polygon>& polygons, const std::vector<std::uint64_t>& looks = {}) {
+    std::vector<FlatPiece> pieces;
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        FlatPiece piece;
+        piece.polygon = &polygons[i];
+        piece.plane = {{0, 0, 1}, polygons[i].points_m.front().z};
+        piece.look = looks.empty() ? 0 : looks[i];
+        piece.face = i;
+        pieces.push_back(piece);
+    }
+    return joined_surfaces(pieces, 1e-4);
+}
+
+TEST(JoinedSurfaces, joins_along_edges_and_t_junctions_but_not_at_corners) {
+    using testing::ElementsAre;
+    EXPECT_THAT(joined({square(0, 0, 1, 1), square(1, 0, 2, 1)}), ElementsAre(0, 0));
+    EXPECT_THAT(joined({square(0, 0, 1, 3), square(1, 1, 2, 2)}), ElementsAre(0, 0));
+    EXPECT_THAT(joined({square(0, 0, 1, 1), square(1, 1, 2, 2)}), ElementsAre(0, 1));
+    EXPECT_THAT(joined({square(0, 0, 1, 1), square(1.001, 0, 2, 1)}), ElementsAre(0, 1));
+    EXPECT_THAT(joined({square(0, 0, 1, 1), square(2, 0, 3, 1), square(1, 0, 2, 1)}), ElementsAre(0, 0, 0));
+    EXPECT_THAT(joined({square(0, 0, 1, 1), square(1, 0, 2, 1)}, {1, 2}), ElementsAre(0, 1));
+    Polygon higher = square(1, 0, 2, 1);
+    for (Vec3& p : higher.points_m) p.z = 0.01;
+    EXPECT_THAT(joined({square(0, 0, 1, 1), higher}), ElementsAre(0, 1));
+}
+
+TEST(BoxIndex, finds_what_brute_force_finds) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> place(0.0, 10.0), extent(0.0, 2.0);
+    const auto random_box = [&] {
+        const Vec3 low{place(random), place(random), place(random)};
+        return Aabb{low, low + Vec3{extent(random), extent(random), extent(random)}};
+    };
+    std::vector<Aabb> boxes;
+    for (int i = 0; i < 300; ++i) boxes.push_back(random_box());
+    boxes.emplace_back();  // an empty box is never found
+    const BoxIndex index(boxes);
+    std::vector<std::uint32_t> found, expected;
+    for (int i = 0; i < 300; ++i) {
+        const Aabb query = random_box();
+        index.find(query, found);
+        expected.clear();
+        for (std::uint32_t b = 0; b < boxes.size(); ++b)
+            if (overlap(query, boxes[b])) expected.push_back(b);
+        EXPECT_EQ(found, expected);
+    }
+    index.find(Aabb{}, found);
+    EXPECT_TRUE(found.empty());
+}
+
+}  // namespace
+}  // namespace handrail
