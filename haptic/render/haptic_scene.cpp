@@ -1,5 +1,7 @@
 #include "haptic/render/haptic_scene.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>

@@ -95,8 +95,13 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
     known_m_ = reach_m;
     if (!gather_nearest(scene, at, reach_m, kComfortableCandidates)) {
         known_m_ = nearest_[0].distance_m;
-        if (known_m_ < needed_m) known_m_ = gather_nearest(scene, at, reach_m, kMaxCandidates) ? reach_m : nearest_[0].distance_m;
+        if (known_m_ < needed_m) {
+            const bool complete = gather_nearest(scene, at, reach_m, kMaxCandidates);
+            known_m_ = complete ? reach_m : nearest_[0].distance_m;
+            step_.truncated = step_.truncated || known_m_ < needed_m;
+        }
     }
+    for (int i = 0; i < path_size_; ++i) path_[static_cast<std::size_t>(i)] -= ball_m_;
     anchor_m_ = at;
     ball_m_ = Vec3(0.0);
     basis_.count = 0;
@@ -246,27 +251,35 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     if (ghost_count_ > 0) release_ghosts(scene, goal_local, radius, request.ghost_exit_m);
     step_.ghosted = ghost_count_ > 0;
 
-    // Everything the ball can meet on this move lies within its path's length and its radius.
+    // Everything the ball can meet on this move lies within its path's length and its radius. Where that is more than fits, the move is made in
+    // stages, each as far as the candidates are known.
+    const double margin = std::max(request.margin_m, 2.0 * request.path_cap_m);
     double way_left = request.path_cap_m;
-    if (!(glm::length(ball_m_) + way_left + radius <= known_m_)) gather(scene, radius + std::max(request.margin_m, 2.0 * way_left), radius + way_left);
-    const double known_way = std::max(0.0, known_m_ - radius - glm::length(ball_m_));
-    step_.truncated = known_way < way_left;
-    way_left = std::min(way_left, known_way);
-
+    path_size_ = 0;
+    if (glm::length(ball_m_) + way_left + radius > known_m_) gather(scene, radius + margin, radius + way_left);
     goal_m_ = goal_local - anchor_m_;
     grow(scene, radius, request.growth_m);
     path_[0] = ball_m_;
     path_size_ = 1;
     step_.converged = false;
+    int stages_left = kMaxStages;
     while (step_.iterations < kMaxIterations) {
         ++step_.iterations;
         const bool solved = project();
         Vec3 way = basis_.point_m - ball_m_;
         if (!solved) way *= fraction_inside(way);
         const double length = glm::length(way);
-        if (length > way_left) {
-            ball_m_ += way * (way_left / length);
+        const double known_way = known_m_ - radius - glm::length(ball_m_);
+        if (length > 0.0 && length > std::min(way_left, known_way)) {
+            const double part = std::clamp(known_way, 0.0, way_left);
+            ball_m_ += way * (part / length);
             path_[static_cast<std::size_t>(path_size_++)] = ball_m_;
+            way_left -= part;
+            if (way_left > 0.0 && stages_left-- > 0) {
+                gather(scene, radius + margin, radius + way_left);
+                goal_m_ = goal_local - anchor_m_;
+                if (known_m_ > radius) continue;
+            }
             step_.capped = true;
             break;
         }
@@ -281,7 +294,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
             step_.converged = solved;
             break;
         }
-        if (solved && arc_step(scene, way_left)) {
+        if (solved && arc_step(scene, std::min(way_left, known_m_ - radius - glm::length(ball_m_)))) {
             step_.converged = true;
             break;
         }

@@ -8,6 +8,7 @@
 // environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy renewal: docs/architecture.md.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,7 @@ public:
     static constexpr int kComfortableCandidates = 48;  // more make the margin shrink first: each costs 15 instructions in every scan
     static constexpr int kMaxIterations = 64;
     static constexpr int kMaxGhosts = 256;
+    static constexpr int kMaxStages = 8;  // gatherings within one move, for leaps through crowded places
     static constexpr double kSmallestRadius_m = 1e-5;
 
     struct Request {

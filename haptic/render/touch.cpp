@@ -1,7 +1,9 @@
 #include "haptic/render/touch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 
 #include "haptic/render/proxy_solver.h"
 

@@ -1,0 +1,65 @@
+// touch_tick neither allocates nor frees: every way to operator new and delete in this program is counted.
+#include <cstdlib>
+#include <new>
+
+#include "haptic/render/touch.h"
+#include "tests/support/touch_worlds.h"
+
+namespace {
+thread_local long allocations = 0;
+void* counted(std::size_t size) {
+    ++allocations;
+    if (void* p = std::malloc(size ? size : 1)) return p;
+    throw std::bad_alloc();
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(size); }
+void* operator new[](std::size_t size) { return counted(size); }
+void operator delete(void* p) noexcept {
+    ++allocations;
+    std::free(p);
+}
+void operator delete[](void* p) noexcept {
+    ++allocations;
+    std::free(p);
+}
+void operator delete(void* p, std::size_t) noexcept {
+    ++allocations;
+    std::free(p);
+}
+void operator delete[](void* p, std::size_t) noexcept {
+    ++allocations;
+    std::free(p);
+}
+
+namespace handrail::test {
+namespace {
+
+TEST(TouchTick, never_allocates_or_frees) {
+    long during = 0;
+    for (const TouchCase& c : hard_cases()) {
+        const auto scene = c.world.scene();
+        TouchState state;
+        TouchTuning tuning;
+        tuning.radius_m = c.radius_m;
+        tuning.damping_ns_per_m = 5.0;
+        tuning.passivity_guard = true;
+        tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
+        for (const Vec3& goal : c.goals_m) {
+            const long before = allocations;
+            touch_tick(state, *scene, tuning, goal, 1e-3);
+            during += allocations - before;
+        }
+        const long before = allocations;
+        state.reset_filters();
+        state.reset();
+        touch_tick(state, *scene, tuning, c.goals_m.front(), 1e-3);
+        during += allocations - before;
+    }
+    EXPECT_EQ(during, 0);
+    EXPECT_GT(allocations, 1000) << "the count itself works";
+}
+
+}  // namespace
+}  // namespace handrail::test
