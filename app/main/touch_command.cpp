@@ -1,10 +1,220 @@
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
 #include "app/main/commands.h"
+#include "haptic/compile/compile_haptic.h"
+#include "haptic/device/device_spec.h"
+#include "haptic/render/touch.h"
+#include "worlds/base/files.h"
+#include "worlds/base/text.h"
+#include "worlds/readers/reader.h"
 
 namespace handrail {
+namespace {
 
-int run_touch(const TouchArguments&, std::ostream&, std::ostream& err) {
-    err << "The command touch is being written.\n";
-    return 1;
+constexpr double kFarthest_m = 1e6;
+constexpr double kFirstTick_s = 1e-3;
+constexpr double kJump_hand_m = 0.020;  // farthest hand travel between two rows that a device is believed
+
+struct PathRow {
+    double t_s = 0.0;
+    Vec3 position_m{0.0};
+};
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+    return text;
+}
+
+// A number, `nan` or `inf` as a device fault may have left it. Numbers too large for a double stay out of range, too small ones are 0.
+bool parse_cell(std::string_view cell, double& value) {
+    cell = trimmed(cell);
+    if (cell.starts_with('+')) {
+        cell.remove_prefix(1);
+        if (cell.starts_with('-')) return false;
+    }
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+    if (cell.empty() || end != cell.data() + cell.size()) return false;
+    if (error == std::errc::result_out_of_range) {
+        const bool tiny = cell.find("e-") != std::string_view::npos || cell.find("E-") != std::string_view::npos;
+        value = tiny ? 0.0 : std::copysign(std::numeric_limits<double>::max(), cell.front() == '-' ? -1.0 : 1.0);
+        return true;
+    }
+    return error == std::errc{};
+}
+
+std::vector<std::string_view> cells_of(std::string_view line) {
+    std::vector<std::string_view> cells;
+    for (;;) {
+        const std::size_t comma = line.find(',');
+        cells.push_back(trimmed(line.substr(0, comma)));
+        if (comma == std::string_view::npos) return cells;
+        line.remove_prefix(comma + 1);
+    }
+}
+
+Result<std::vector<PathRow>> parse_path(std::string_view text, const std::string& file) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    std::vector<PathRow> rows;
+    bool has_header = false;
+    for (int line_number = 1; !text.empty(); ++line_number) {
+        const std::size_t end = text.find('\n');
+        const std::string_view line = trimmed(text.substr(0, end));
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        if (line.empty()) continue;
+        const std::vector<std::string_view> cells = cells_of(line);
+        if (!has_header) {
+            if (cells != std::vector<std::string_view>{"t", "x", "y", "z"})
+                return fail("A hand path starts with the header t,x,y,z; this file does not.", file, line_number);
+            has_header = true;
+            continue;
+        }
+        if (cells.size() != 4) return fail(fmt::format("A row of a hand path has four numbers, t,x,y,z; this one has {}.", cells.size()), file, line_number);
+        std::array<double, 4> numbers{};
+        for (std::size_t i = 0; i < 4; ++i)
+            if (!parse_cell(cells[i], numbers[i])) return fail(fmt::format("\"{}\" is not a number.", cells[i]), file, line_number);
+        if (!std::isfinite(numbers[0])) return fail("The time of this row is not a finite number.", file, line_number);
+        if (!rows.empty() && !(numbers[0] > rows.back().t_s))
+            return fail("Time must rise from row to row; here it stands still or runs back.", file, line_number);
+        rows.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}});
+    }
+    if (!has_header) return fail("A hand path starts with the header t,x,y,z; this file is empty.", file, 1);
+    return rows;
+}
+
+// The shortest decimal that reads back as the same double; zero never has a sign.
+void append_number(std::string& out, double value) {
+    if (std::isnan(value)) {
+        out += "nan";
+        return;
+    }
+    std::array<char, 32> digits;
+    const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value == 0.0 ? 0.0 : value);
+    out.append(digits.data(), written.ptr);
+}
+
+// RFC 4180: quoted where the text holds a comma, a quote or a line break.
+void append_text(std::string& out, std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+        out += text;
+        return;
+    }
+    out += '"';
+    for (const char c : text) {
+        out += c;
+        if (c == '"') out += c;
+    }
+    out += '"';
+}
+
+// What may be wrong with a row before the renderer sees it.
+class RowChecks {
+public:
+    // jump_m: infinity when no device's limits apply.
+    explicit RowChecks(double jump_m) : jump_m_(jump_m) {}
+
+    // Fault name, or empty. A row is believed when it lies near the last good row (after a spike) or near the row before (after a real jump).
+    const char* judge(const Vec3& p) {
+        if (!is_finite(p)) return "not_finite";
+        if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest_m) return "out_of_range";
+        const bool jumped = has_last_ && glm::length(p - last_m_) > jump_m_ && glm::length(p - last_good_m_) > jump_m_;
+        last_m_ = p;
+        if (jumped) return "jump";
+        has_last_ = true;
+        last_good_m_ = p;
+        return "";
+    }
+
+private:
+    double jump_m_;
+    bool has_last_ = false;
+    Vec3 last_m_{0.0}, last_good_m_{0.0};
+};
+
+TouchTuning tuning_of(const TouchArguments& arguments, const DeviceSpec& device) {
+    TouchTuning tuning;
+    tuning.radius_m = arguments.radius_m;
+    tuning.world_m_per_hand_m = arguments.scale_world_m_per_hand_m;
+    tuning.rated_stiffness_n_per_m = device.rated_stiffness_n_per_m;
+    constexpr double kNotGiven = -1.0;
+    tuning.override_stiffness_n_per_m = arguments.stiffness_n_per_m.value_or(kNotGiven);
+    tuning.override_damping_ns_per_m = arguments.damping_ns_per_m.value_or(kNotGiven);
+    // One friction option sets both.
+    tuning.override_friction_static = arguments.friction_static.value_or(arguments.friction_kinetic.value_or(kNotGiven));
+    tuning.override_friction_kinetic = arguments.friction_kinetic.value_or(arguments.friction_static.value_or(kNotGiven));
+    return tuning;
+}
+
+std::string replay(const Scene& scene, const std::vector<PathRow>& rows, const TouchTuning& tuning, const DeviceSpec* limits) {
+    const std::shared_ptr<const HapticScene> haptic = compile_haptic(scene, MaterialSource::KeysOnly);
+    TouchState state;
+    RowChecks checks(limits ? kJump_hand_m * tuning.world_m_per_hand_m : std::numeric_limits<double>::infinity());
+    Vec3 proxy_m(0.0);
+    std::string out = "t,x,y,z,px,py,pz,fx,fy,fz,contacts,feature,fault,tick_ns\n";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const PathRow& row = rows[i];
+        const char* fault = checks.judge(row.position_m);
+        Vec3 force_n(0.0);
+        int contacts = 0;
+        std::string feature;
+        long long tick_ns = 0;
+        if (*fault != '\0') {
+            state.reset_filters();
+        } else {
+            const double dt_s = i > 0 ? row.t_s - rows[i - 1].t_s : kFirstTick_s;
+            const auto start = std::chrono::steady_clock::now();
+            const TouchResult result = touch_tick(state, *haptic, tuning, row.position_m, dt_s);
+            tick_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - start).count();
+            proxy_m = result.proxy_m;
+            force_n = result.force_n;
+            const double length = glm::length(force_n);
+            if (limits && length > limits->peak_force_n) force_n *= limits->peak_force_n / length;
+            contacts = result.contacts.count;
+            if (contacts > 0) feature = spoken_name(scene, result.contacts.contacts[result.contacts.strongest].feature);
+        }
+        append_number(out, row.t_s);
+        for (const Vec3& v : {row.position_m, proxy_m, force_n})
+            for (int axis = 0; axis < 3; ++axis) {
+                out += ',';
+                append_number(out, v[axis]);
+            }
+        out += fmt::format(",{},", contacts);
+        append_text(out, feature);
+        out += fmt::format(",{},{}\n", fault, tick_ns);
+    }
+    return out;
+}
+
+}  // namespace
+
+int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err) {
+    const DeviceSpec* limits = nullptr;
+    if (arguments.device) {
+        limits = find_device_spec(*arguments.device);
+        if (!limits) {
+            err << fmt::format("There is no device model named {}. Known ones are {}.\n", *arguments.device, fmt::join(device_names(), ", "));
+            return 2;
+        }
+    }
+    const auto refuse = [&err](const Error& error) {
+        err << error.sentence() << '\n';
+        return 1;
+    };
+    ReadOptions options;
+    options.guess_materials = false;
+    if (arguments.common.map_scale_m_per_unit) options.map_metres_per_unit = *arguments.common.map_scale_m_per_unit;
+    const Result<Scene> scene = read_world(arguments.world, options);
+    if (!scene) return refuse(scene.error());
+    const Result<std::string> text = read_whole_file(arguments.path_csv);
+    if (!text) return refuse(text.error());
+    const Result<std::vector<PathRow>> rows = parse_path(*text, arguments.path_csv.filename().string());
+    if (!rows) return refuse(rows.error());
+    const std::string result = replay(*scene, *rows, tuning_of(arguments, limits ? *limits : ideal_device_spec()), limits);
+    const Result<void> written = write_file_atomically(arguments.out_csv, result);
+    return written ? 0 : refuse(written.error());
 }
 
 }  // namespace handrail
