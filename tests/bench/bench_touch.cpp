@@ -1,0 +1,53 @@
+// Google Benchmark of one touch tick on small worlds and, where it is present, in a real map. Times are reported, never asserted.
+#include <benchmark/benchmark.h>
+
+#include "haptic/compile/compile_haptic.h"
+#include "tests/bench/walk.h"
+#include "tests/support/real_worlds.h"
+#include "tests/support/touch_worlds.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail::test {
+namespace {
+
+void replay_ticks(benchmark::State& bench, const HapticScene& scene, const std::vector<Vec3>& goals, double radius_m) {
+    TouchState state;
+    TouchTuning tuning;
+    tuning.radius_m = radius_m;
+    std::size_t i = 0;
+    for (auto _ : bench) {
+        benchmark::DoNotOptimize(touch_tick(state, scene, tuning, goals[i], 1e-3));
+        if (++i == goals.size()) {
+            i = 0;
+            state.reset();
+        }
+    }
+}
+
+void register_all() {
+    for (const TouchCase& c : hard_cases())
+        benchmark::RegisterBenchmark(("tick/" + c.name).c_str(),
+                                     [c](benchmark::State& bench) { replay_ticks(bench, *c.world.scene(), c.goals_m, c.radius_m); });
+    const auto path = real_world("quake-e1m1.map");
+    if (!path) return;
+    const Result<Scene> scene = read_world(*path);
+    if (!scene || scene->starts.empty()) return;
+    const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
+    const auto goals = std::make_shared<std::vector<Vec3>>(record_walk(*haptic, TouchTuning{}, scene->starts.front().feet_m + Vec3(0, 0, 1.0), 20000));
+    benchmark::RegisterBenchmark("tick/walk in quake-e1m1", [=](benchmark::State& bench) { replay_ticks(bench, *haptic, *goals, 0.005); });
+    benchmark::RegisterBenchmark("compile/quake-e1m1", [scene](benchmark::State& bench) {
+        for (auto _ : bench) benchmark::DoNotOptimize(compile_haptic(*scene, MaterialSource::KeysOnly));
+    });
+}
+
+}  // namespace
+}  // namespace handrail::test
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+    handrail::test::register_all();
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}

@@ -1,0 +1,62 @@
+// Walks and touches through quake-e1m1.map at a ball of 5 mm and scale 1. Under callgrind, instructions.sh counts touch_tick alone.
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+
+#include "haptic/compile/compile_haptic.h"
+#include "tests/bench/walk.h"
+#include "tests/support/real_worlds.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail::test {
+namespace {
+
+struct Tally {
+    double checksum = 0.0;
+    long touching = 0, gatherings = 0, worst_iterations = 0;
+};
+
+// The name that callgrind is told to count from and to: nothing else is in it.
+[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals, TouchState& state) {
+    Tally tally;
+    for (const Vec3& goal : goals) {
+        const TouchResult r = touch_tick(state, scene, tuning, goal, 1e-3);
+        tally.checksum += r.force_n.x;
+        tally.touching += r.contacts.count > 0;
+        tally.worst_iterations = std::max<long>(tally.worst_iterations, r.contacts.iterations);
+    }
+    return tally;
+}
+
+int run(int ticks) {
+    const auto path = real_world("quake-e1m1.map");
+    if (!path) {
+        std::cout << "Skipped: quake-e1m1.map is not here; set HANDRAIL_REAL_WORLDS to the folder that holds it.\n";
+        return 77;
+    }
+    ReadOptions options;
+    options.guess_materials = false;
+    const Result<Scene> scene = read_world(*path, options);
+    if (!scene || scene->starts.empty()) {
+        std::cerr << (scene ? std::string("The map has no start.") : scene.error().sentence()) << '\n';
+        return 1;
+    }
+    const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
+    TouchTuning tuning;
+    tuning.damping_ns_per_m = 5.0;
+    tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
+    const std::vector<Vec3> goals = record_walk(*haptic, tuning, scene->starts.front().feet_m + Vec3(0, 0, 1.0), ticks);
+    TouchState state;
+    const auto begin = std::chrono::steady_clock::now();
+    const Tally tally = measured_ticks(*haptic, tuning, goals, state);
+    const double ns = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
+    std::cout << fmt::format("{} obstacles, {} ticks, {:.1f} % touching, {:.0f} ns per tick, at most {} rounds, ended {:.1f} m from the start, checksum {}\n",
+                             haptic->obstacles.size(), ticks, 100.0 * static_cast<double>(tally.touching) / ticks, ns / ticks, tally.worst_iterations,
+                             glm::length(goals.back() - goals.front()), tally.checksum);
+    return 0;
+}
+
+}  // namespace
+}  // namespace handrail::test
+
+int main(int argc, char** argv) { return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 60000); }

@@ -1,0 +1,45 @@
+// A hand that walks through a building and feels its way along walls, floors and things: the path that instruction counts and benchmarks are
+// taken from. The recipe below is the recording: the same scene gives the same path on every machine.
+#pragma once
+
+#include <random>
+
+#include "haptic/render/touch.h"
+
+namespace handrail::test {
+
+// Goals at 1 kHz from `start_m`: at walking speed (1 m/s) straight on until something is met, then at 0.25 m/s and up to 3 mm deep along it, in a new
+// direction every 0.4 to 1.6 s or when the ball is stuck. Three directions of four keep to the surface, the fourth may lead away from it.
+inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning& tuning, const Vec3& start_m, int ticks) {
+    constexpr double kDepth_m = 3e-3, kWalk_m = 1e-3, kFeel_m = 2.5e-4, kStuck_m = 2.5e-5;  // per tick
+    std::mt19937 random(1996);
+    const auto unit = [&random] { return static_cast<double>(random()) / 4294967296.0; };
+    TouchState state;
+    std::vector<Vec3> goals;
+    Vec3 goal = start_m, ball = start_m, direction(1, 0, 0), normal(0.0);
+    int left = 1, stuck = 0;
+    for (int i = 0; i < ticks; ++i) {
+        if (left <= 0 || stuck > 100) {
+            do direction = Vec3(2 * unit() - 1, 2 * unit() - 1, 2 * unit() - 1);
+            while (glm::dot(direction, direction) < 0.1 || glm::dot(direction, direction) > 1.0);
+            if (random() % 4 != 0) direction -= normal * (glm::dot(direction, normal) + 0.3 * glm::length(direction));
+            direction = glm::normalize(direction);
+            left = 400 + static_cast<int>(1200 * unit());
+            stuck = 0;
+        }
+        const bool touching = normal != Vec3(0.0);
+        goal += direction * (touching ? kFeel_m : kWalk_m);
+        const double depth = glm::length(goal - ball);
+        if (touching && depth > kDepth_m) goal = ball + (goal - ball) * (kDepth_m / depth);
+        goals.push_back(goal);
+        const TouchResult r = touch_tick(state, scene, tuning, goal, 1e-3);
+        const bool holds = r.contacts.count > 0;
+        normal = holds ? r.contacts.contacts[r.contacts.strongest].normal : Vec3(0.0);
+        left -= holds ? 1 : 0;
+        stuck = glm::length(r.slide_m) < kStuck_m ? stuck + 1 : 0;
+        ball = r.proxy_m;
+    }
+    return goals;
+}
+
+}  // namespace handrail::test
