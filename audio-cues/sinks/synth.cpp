@@ -1,0 +1,335 @@
+#include "audio-cues/sinks/synth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kRate = kSampleRate_hz;
+constexpr double kPeak = 0.5;
+
+std::size_t samples_of(double seconds) { return static_cast<std::size_t>(std::lround(seconds * kRate)); }
+
+// How the modes of a thing lie above its lowest one.
+enum class Body { Bar, Plate, Block };
+constexpr std::array<std::array<double, 6>, 3> kModeRatios{{
+    {1.0, 2.756, 5.404, 8.933, 13.34, 18.64},  // free bar (Fletcher & Rossing, The physics of musical instruments, 1998)
+    {1.0, 1.594, 2.136, 2.296, 2.653, 2.918},  // plate, near those of a round membrane: dense and inharmonic
+    {1.0, 1.38, 1.71, 2.03, 2.44, 2.87},       // compact solid, modes close together
+}};
+
+// What a material sounds like. Chosen by ear of the literature and then spread so that every two differ in brightness or ring by a
+// third or more (test: every_two_materials_differ_when_struck); people have yet to judge them.
+struct Timbre {
+    Body body;
+    double lowest_hz;     // of the struck thing's modes
+    double ring_s;        // until the lowest mode has fallen by 60 dB
+    double damping;       // how much faster each higher mode dies
+    double noise;         // share of the burst, 0 to 1
+    double noise_hz;      // its upper edge
+    double noise_s;       // until it has fallen by 60 dB
+    double stroke_hz;     // middle of the stroking noise
+    double grains_per_s;  // bumps met while stroking; 0: smooth
+};
+
+constexpr std::array<Timbre, kSoundClasses> kTimbres{{
+    /* Plaster  */ {Body::Plate, 260.0, 0.12, 0.5, 0.45, 2200.0, 0.05, 1400.0, 30.0},
+    /* Wood     */ {Body::Bar, 430.0, 0.22, 0.9, 0.20, 3000.0, 0.03, 900.0, 45.0},
+    /* Brick    */ {Body::Block, 730.0, 0.085, 0.4, 0.75, 4300.0, 0.075, 2350.0, 160.0},
+    /* Concrete */ {Body::Block, 370.0, 0.045, 0.4, 0.60, 3200.0, 0.035, 1850.0, 90.0},
+    /* Tile     */ {Body::Plate, 2300.0, 0.16, 0.5, 0.30, 9000.0, 0.02, 4200.0, 8.0},
+    /* Carpet   */ {Body::Block, 95.0, 0.05, 0.6, 0.85, 480.0, 0.19, 450.0, 0.0},
+    /* Metal    */ {Body::Bar, 880.0, 1.10, 0.25, 0.10, 9000.0, 0.02, 3500.0, 4.0},
+    /* Glass    */ {Body::Plate, 3100.0, 0.50, 0.3, 0.10, 12000.0, 0.01, 5600.0, 0.0},
+    /* Stone    */ {Body::Block, 1700.0, 0.07, 0.4, 0.40, 8500.0, 0.025, 3100.0, 60.0},
+    /* Rubber   */ {Body::Block, 130.0, 0.14, 0.8, 0.08, 900.0, 0.02, 300.0, 14.0},
+    /* Grass    */ {Body::Block, 300.0, 0.02, 0.5, 0.98, 9500.0, 0.24, 5000.0, 220.0},
+    /* Water    */ {Body::Bar, 560.0, 0.30, 1.5, 0.35, 1800.0, 0.14, 700.0, 25.0},
+    /* Generic  */ {Body::Plate, 720.0, 0.14, 0.6, 0.35, 4800.0, 0.03, 1600.0, 0.0},
+}};
+
+const Timbre& timbre_of(SoundClass material) { return kTimbres[static_cast<std::size_t>(material)]; }
+
+// White noise, -1 to 1. The engine's sequence is fixed by the language standard, so every run hears the same.
+class Noise {
+public:
+    explicit Noise(unsigned seed) : engine_(seed + 1U) {}
+    double operator()() { return 2.0 * uniform() - 1.0; }
+    double uniform() { return static_cast<double>(engine_() - std::minstd_rand::min()) / static_cast<double>(std::minstd_rand::max() - 1U); }
+
+private:
+    std::minstd_rand engine_;
+};
+
+unsigned seed_of(SoundKind kind, SoundClass material) { return static_cast<unsigned>(kind) * 64U + static_cast<unsigned>(material); }
+
+// Two-pole band pass with its peak at 1 (state variable filter, Chamberlin 1985). Stable for centre below a sixth of the rate.
+class BandPass {
+public:
+    BandPass(double centre_hz, double q) : f_(2.0 * std::sin(kPi * std::min(centre_hz, kRate / 7.0) / kRate)), damping_(1.0 / q) {}
+    double operator()(double in) {
+        low_ += f_ * band_;
+        const double high = in - low_ - damping_ * band_;
+        band_ += f_ * high;
+        return damping_ * band_;
+    }
+
+private:
+    double f_, damping_;
+    double low_ = 0.0, band_ = 0.0;
+};
+
+class LowPass {
+public:
+    explicit LowPass(double edge_hz) : a_(1.0 - std::exp(-2.0 * kPi * edge_hz / kRate)) {}
+    double operator()(double in) { return y_ += a_ * (in - y_); }
+
+private:
+    double a_;
+    double y_ = 0.0;
+};
+
+// Factor per sample that falls by 60 dB in `ring_s`.
+double decay_per_sample(double ring_s) { return std::pow(10.0, -3.0 / (ring_s * kRate)); }
+
+// Adds a decaying tone, made by a recursion of two multiplications per sample.
+void add_mode(std::vector<float>& out, std::size_t from, double hz, double ring_s, double level) {
+    if (hz > 0.45 * kRate) return;
+    const double decay = decay_per_sample(ring_s), w = 2.0 * kPi * hz / kRate;
+    const double a = 2.0 * decay * std::cos(w), b = decay * decay;
+    double y1 = level * decay * std::sin(w), y2 = 0.0;
+    const std::size_t end = std::min(out.size(), from + samples_of(ring_s));
+    for (std::size_t i = from; i < end; ++i) {
+        out[i] += static_cast<float>(y1);
+        const double y = a * y1 - b * y2;
+        y2 = y1;
+        y1 = y;
+    }
+}
+
+void add_noise_burst(std::vector<float>& out, std::size_t from, double edge_hz, double ring_s, double level, Noise& noise) {
+    LowPass soft(edge_hz), softer(edge_hz);
+    const double decay = decay_per_sample(ring_s);
+    // A low edge lets little of white noise through; this keeps bursts of all edges about equally strong.
+    const double evened = level * std::sqrt(0.5 * kRate / edge_hz);
+    double envelope = evened;
+    const std::size_t end = std::min(out.size(), from + samples_of(ring_s));
+    for (std::size_t i = from; i < end; ++i, envelope *= decay) out[i] += static_cast<float>(envelope * softer(soft(noise())));
+}
+
+// A blow on a thing: `deeper` scales its pitch down and its ring up, as for a larger part of it.
+void add_impact(std::vector<float>& out, std::size_t from, const Timbre& timbre, double deeper, double level, Noise& noise) {
+    const auto& ratios = kModeRatios[static_cast<std::size_t>(timbre.body)];
+    for (std::size_t k = 0; k < ratios.size(); ++k) {
+        const double rank = static_cast<double>(k);
+        add_mode(out, from, timbre.lowest_hz * ratios[k] / deeper, timbre.ring_s * deeper / (1.0 + timbre.damping * rank),
+                 level * (1.0 - timbre.noise) / (1.0 + 0.7 * rank));
+    }
+    add_noise_burst(out, from, timbre.noise_hz / deeper, timbre.noise_s * deeper, level * timbre.noise, noise);
+}
+
+// Takes the sound to its peak, starts it within half a millisecond and ends it without a step.
+void finish(std::vector<float>& out, double peak) {
+    float highest = 1e-9F;
+    for (const float s : out) highest = std::max(highest, std::abs(s));
+    const double gain = peak / static_cast<double>(highest);
+    const std::size_t attack = std::min(out.size(), samples_of(0.0005)), release = std::min(out.size(), samples_of(0.01));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        double g = gain;
+        if (i < attack) g *= static_cast<double>(i + 1) / static_cast<double>(attack);
+        const std::size_t left = out.size() - 1 - i;
+        if (left < release) g *= static_cast<double>(left) / static_cast<double>(release);
+        out[i] = static_cast<float>(g * static_cast<double>(out[i]));
+    }
+}
+
+double longest_ring_s(const Timbre& timbre) { return std::max(timbre.ring_s, timbre.noise_s); }
+
+std::vector<float> contact(SoundClass material, Noise& noise) {
+    const Timbre& timbre = timbre_of(material);
+    std::vector<float> out(samples_of(longest_ring_s(timbre) + 0.02));
+    add_impact(out, 0, timbre, 1.0, 1.0, noise);
+    finish(out, kPeak);
+    return out;
+}
+
+// Heel, and the ball of the foot 90 ms later; on soft ground the shoe itself is heard, on loose ground its grains.
+std::vector<float> footstep(SoundClass material, Noise& noise) {
+    const Timbre& timbre = timbre_of(material);
+    const double ring_s = std::min(longest_ring_s(timbre) * 1.4, 0.35);
+    std::vector<float> out(samples_of(0.09 + ring_s + 0.08));
+    add_impact(out, 0, timbre, 1.4, 1.0, noise);
+    add_impact(out, samples_of(0.09), timbre, 1.2, 0.5, noise);
+    add_mode(out, 0, 85.0, 0.09, 0.2);  // weight on the heel
+    finish(out, kPeak);
+    return out;
+}
+
+// The body's own dull weight, and of the wall what a shoulder makes it say.
+std::vector<float> bump(SoundClass material, Noise& noise) {
+    const Timbre& timbre = timbre_of(material);
+    std::vector<float> out(samples_of(std::max(0.25, std::min(0.6, longest_ring_s(timbre) * 1.8)) + 0.02));
+    add_mode(out, 0, 68.0, 0.24, 1.0);
+    add_mode(out, 0, 112.0, 0.16, 0.5);
+    add_impact(out, 0, timbre, 1.8, 0.6, noise);
+    finish(out, kPeak);
+    return out;
+}
+
+// Makes `length` samples of a longer signal repeat without a seam: its surplus is cross-faded into the start at equal power.
+void close_loop(std::vector<float>& out, std::size_t length) {
+    const std::size_t surplus = out.size() - length;
+    for (std::size_t i = 0; i < surplus; ++i) {
+        const double t = (static_cast<double>(i) + 0.5) / static_cast<double>(surplus) * 0.5 * kPi;
+        out[i] = static_cast<float>(std::sin(t) * static_cast<double>(out[i]) + std::cos(t) * static_cast<double>(out[length + i]));
+    }
+    out.resize(length);
+}
+
+void scale_to_peak(std::vector<float>& out, double peak) {
+    float highest = 1e-9F;
+    for (const float s : out) highest = std::max(highest, std::abs(s));
+    for (float& s : out) s *= static_cast<float>(peak) / highest;
+}
+
+std::vector<float> slide(SoundClass material, Noise& noise) {
+    const Timbre& timbre = timbre_of(material);
+    const std::size_t length = samples_of(1.0);
+    std::vector<float> out(length + samples_of(0.1));
+    BandPass band(timbre.stroke_hz, 0.8);
+    const double grain_chance = timbre.grains_per_s / kRate, grain_decay = decay_per_sample(0.02);
+    double grain = timbre.grains_per_s > 0.0 ? 0.0 : 1.0;
+    for (float& s : out) {
+        if (noise.uniform() < grain_chance) grain = 0.5 + 0.5 * noise.uniform();
+        s = static_cast<float>(band(noise()) * (0.3 + 0.7 * grain));
+        if (timbre.grains_per_s > 0.0) grain *= grain_decay;
+    }
+    close_loop(out, length);
+    scale_to_peak(out, 0.6 * kPeak);
+    return out;
+}
+
+// A soft hum with breath in it: the hum is heard as one thing, the breath tells where it is (both ears need energy above 1.5 kHz).
+std::vector<float> wall_tone(Noise& noise) {
+    const std::size_t length = samples_of(1.0);
+    std::vector<float> out(length + samples_of(0.1));
+    BandPass breath(2200.0, 0.7);
+    for (float& s : out) s = static_cast<float>(0.9 * breath(noise()));
+    close_loop(out, length);
+    for (int harmonic = 1; harmonic <= 6; ++harmonic) {  // whole periods in one second, so the hum has no seam
+        const double w = 2.0 * kPi * 180.0 * harmonic / kRate;
+        for (std::size_t i = 0; i < length; ++i) out[i] += static_cast<float>(0.5 / harmonic * std::sin(w * static_cast<double>(i)));
+    }
+    scale_to_peak(out, 0.6 * kPeak);
+    return out;
+}
+
+// A broad burst and rising bubbles (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4), 2005).
+std::vector<float> splash(Noise& noise) {
+    std::vector<float> out(samples_of(0.7));
+    add_noise_burst(out, 0, 3500.0, 0.45, 0.5, noise);
+    for (int bubble = 0; bubble < 14; ++bubble) {
+        const auto from = static_cast<std::size_t>((0.02 + 0.45 * noise.uniform()) * kRate);
+        const double hz = 500.0 + 1400.0 * noise.uniform(), ring_s = 0.04 + 0.08 * noise.uniform(), level = 0.15 + 0.25 * noise.uniform();
+        double phase = 0.0, envelope = level;
+        const double decay = decay_per_sample(ring_s);
+        const std::size_t end = std::min(out.size(), from + samples_of(ring_s));
+        for (std::size_t i = from; i < end; ++i, envelope *= decay) {
+            const double age = static_cast<double>(i - from) / kRate / ring_s;
+            phase += 2.0 * kPi * hz * (1.0 + 0.4 * age) / kRate;
+            out[i] += static_cast<float>(envelope * std::sin(phase));
+        }
+    }
+    finish(out, kPeak);
+    return out;
+}
+
+// Earcons differ in rhythm first and in pitch second, so that they survive a mild hearing loss.
+std::vector<float> earcon(SoundKind kind) {
+    switch (kind) {
+        case SoundKind::Denied:
+            return synthesise_notes(std::array{Note{0.0, 0.07, 196.0, 1.0}, Note{0.11, 0.11, 165.0, 1.0}});
+        case SoundKind::ForcesOn:
+            return synthesise_notes(std::array{Note{0.0, 0.08, 523.0, 0.8}, Note{0.08, 0.16, 784.0, 1.0}});
+        case SoundKind::ForcesOff:
+            return synthesise_notes(std::array{Note{0.0, 0.08, 784.0, 1.0}, Note{0.08, 0.16, 523.0, 0.8}});
+        case SoundKind::TurnTick:
+            return synthesise_notes(std::array{Note{0.0, 0.03, 1300.0, 0.7}});
+        case SoundKind::FrameSwitch:
+            return synthesise_notes(std::array{Note{0.0, 0.06, 600.0, 0.8}, Note{0.06, 0.06, 900.0, 1.0}, Note{0.12, 0.1, 600.0, 0.8}});
+        case SoundKind::Arrived:
+            return synthesise_notes(std::array{Note{0.0, 0.06, 784.0, 0.8}, Note{0.09, 0.06, 988.0, 0.9}, Note{0.18, 0.2, 1175.0, 1.0}});
+        case SoundKind::Alarm:
+            return synthesise_notes(
+                std::array{Note{0.0, 0.11, 1047.0, 1.0}, Note{0.13, 0.11, 740.0, 1.0}, Note{0.26, 0.11, 1047.0, 1.0}, Note{0.39, 0.16, 740.0, 1.0}});
+        default:
+            return synthesise_notes(std::array{Note{0.0, 0.1, 1000.0, 0.8}});
+    }
+}
+
+}  // namespace
+
+bool varies_by_material(SoundKind kind) {
+    return kind == SoundKind::Contact || kind == SoundKind::Slide || kind == SoundKind::Footstep || kind == SoundKind::Bump;
+}
+
+bool is_loop(SoundKind kind) { return kind == SoundKind::Slide || kind == SoundKind::WallTone; }
+
+std::vector<float> synthesise(SoundKind kind, SoundClass material) {
+    Noise noise(seed_of(kind, varies_by_material(kind) ? material : SoundClass::Generic));
+    switch (kind) {
+        case SoundKind::Contact:
+            return contact(material, noise);
+        case SoundKind::Slide:
+            return slide(material, noise);
+        case SoundKind::Footstep:
+            return footstep(material, noise);
+        case SoundKind::Bump:
+            return bump(material, noise);
+        case SoundKind::WallTone:
+            return wall_tone(noise);
+        case SoundKind::Splash:
+            return splash(noise);
+        default:
+            return earcon(kind);
+    }
+}
+
+std::vector<float> synthesise_notes(std::span<const Note> notes) {
+    double end_s = 0.0;
+    for (const Note& note : notes) end_s = std::max(end_s, note.start_s + note.length_s);
+    std::vector<float> out(samples_of(end_s) + 1);
+    for (const Note& note : notes) {
+        const std::size_t from = samples_of(note.start_s), length = samples_of(note.length_s);
+        const double edge = std::min(0.25 * note.length_s, 0.006) * kRate;
+        for (std::size_t i = 0; i < length && from + i < out.size(); ++i) {
+            const double t = static_cast<double>(i), left = static_cast<double>(length - i), w = 2.0 * kPi * note.pitch_hz / kRate;
+            const double envelope = note.level * std::min({1.0, t / edge, left / edge});
+            out[from + i] += static_cast<float>(kPeak * envelope * (0.75 * std::sin(w * t) + 0.2 * std::sin(2.0 * w * t) + 0.05 * std::sin(3.0 * w * t)));
+        }
+    }
+    return out;
+}
+
+SoundBank::SoundBank() : sounds_(size()) {
+    for (int k = 0; k < kSoundKinds; ++k) {
+        const auto kind = static_cast<SoundKind>(k);
+        for (int m = 0; m < kSoundClasses; ++m) {
+            const auto material = static_cast<SoundClass>(m);
+            std::vector<float>& sound = sounds_[index(kind, material)];
+            if (sound.empty()) sound = synthesise(kind, material);
+        }
+    }
+}
+
+std::size_t SoundBank::index(SoundKind kind, SoundClass material) {
+    const auto column = varies_by_material(kind) ? static_cast<std::size_t>(material) : 0U;
+    return static_cast<std::size_t>(kind) * kSoundClasses + column;
+}
+
+}  // namespace handrail

@@ -1,0 +1,47 @@
+// Every sound of the program, computed: what a material sounds like when it is struck, stroked, stepped on or run into, and the earcons.
+// Pure functions of their arguments, so the same sound is the same samples on every machine and run. Mono, 48 kHz, peak at most 0.5.
+// Cost: all of them together about 60 ms once, 5 MB (see the test's printed figure).
+// Struck things are a few decaying modes and a burst of noise: van den Doel & Pai, The sounds of physical shapes, Presence 7(4), 1998.
+// Stroked things are filtered noise with grains: van den Doel, Kry & Pai, FoleyAutomatic, SIGGRAPH 2001.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "audio-cues/plan/sinks.h"
+
+namespace handrail {
+
+inline constexpr int kSampleRate_hz = 48000;
+inline constexpr int kSoundClasses = static_cast<int>(SoundClass::Generic) + 1;
+
+// True for sounds that differ by material; the others take no notice of it.
+bool varies_by_material(SoundKind kind);
+// True for sounds that are made to be repeated without a seam.
+bool is_loop(SoundKind kind);
+
+std::vector<float> synthesise(SoundKind kind, SoundClass material);
+
+// A tone of an earcon.
+struct Note {
+    double start_s = 0.0;
+    double length_s = 0.1;
+    double pitch_hz = 1000.0;
+    double level = 1.0;  // 0 to 1
+};
+std::vector<float> synthesise_notes(std::span<const Note> notes);
+
+// All sounds, made once. Immutable; any thread.
+class SoundBank {
+public:
+    SoundBank();
+    std::span<const float> sound(SoundKind kind, SoundClass material) const { return sounds_[index(kind, material)]; }
+    // Where sound() stands in the bank: the same for all materials of a kind that does not vary. Less than size().
+    static std::size_t index(SoundKind kind, SoundClass material);
+    static constexpr std::size_t size() { return static_cast<std::size_t>(kSoundKinds) * kSoundClasses; }
+
+private:
+    std::vector<std::vector<float>> sounds_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,145 @@
+#include "audio-cues/sinks/synth.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <complex>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+namespace {
+
+// What an ear tells sounds apart by, each from its definition.
+struct Character {
+    double centroid_hz = 0.0;  // balance point of the power spectrum between 60 Hz and 16 kHz
+    double decay_s = 0.0;      // until 99 % of the energy has come
+};
+
+double band_power(std::span<const float> x, double hz) {
+    const std::complex<double> turn = std::polar(1.0, -2.0 * kPi * hz / kSampleRate_hz);
+    std::complex<double> phase = 1.0, sum = 0.0;
+    for (const float s : x) {
+        sum += static_cast<double>(s) * phase;
+        phase *= turn;
+    }
+    return std::norm(sum);
+}
+
+Character character_of(std::span<const float> x) {
+    Character c;
+    double weighted = 0.0, power = 0.0;
+    for (double hz = 60.0; hz < 16000.0; hz *= 1.02) {
+        const double p = band_power(x, hz) * hz;  // a band of constant ratio is as wide as its pitch
+        weighted += p * std::log(hz);
+        power += p;
+    }
+    c.centroid_hz = std::exp(weighted / power);
+    double energy = 0.0, part = 0.0;
+    for (const float s : x) energy += static_cast<double>(s) * static_cast<double>(s);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        part += static_cast<double>(x[i]) * static_cast<double>(x[i]);
+        if (part < 0.99 * energy) c.decay_s = static_cast<double>(i + 1) / kSampleRate_hz;
+    }
+    return c;
+}
+
+double ratio(double a, double b) { return std::max(a, b) / std::min(a, b); }
+
+void expect_all_pairs_differ(SoundKind kind, double least) {
+    std::vector<Character> all;
+    for (int m = 0; m < kSoundClasses; ++m) {
+        all.push_back(character_of(synthesise(kind, static_cast<SoundClass>(m))));
+        std::cout << "    material " << m << ": centroid " << std::lround(all.back().centroid_hz) << " Hz, ring " << std::lround(1e3 * all.back().decay_s)
+                  << " ms\n";
+    }
+    for (std::size_t a = 0; a < all.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            EXPECT_GE(std::max(ratio(all[a].centroid_hz, all[b].centroid_hz), ratio(all[a].decay_s, all[b].decay_s)), least) << a << " and " << b;
+}
+
+TEST(Synth, every_two_materials_differ_when_struck) { expect_all_pairs_differ(SoundKind::Contact, 1.33); }
+TEST(Synth, every_two_materials_differ_when_stepped_on) { expect_all_pairs_differ(SoundKind::Footstep, 1.15); }
+
+TEST(Synth, every_two_materials_differ_when_stroked) {
+    // Loops do not ring; besides brightness they differ in roughness: how much the loudness varies from one 10 ms to the next.
+    struct Stroke {
+        double centroid_hz, roughness;
+    };
+    std::vector<Stroke> all;
+    for (int m = 0; m < kSoundClasses; ++m) {
+        const std::vector<float> x = synthesise(SoundKind::Slide, static_cast<SoundClass>(m));
+        std::vector<double> levels;
+        for (std::size_t i = 0; i + 480 <= x.size(); i += 480) {
+            double e = 0.0;
+            for (std::size_t j = i; j < i + 480; ++j) e += static_cast<double>(x[j]) * static_cast<double>(x[j]);
+            levels.push_back(std::sqrt(e / 480.0));
+        }
+        double mean = 0.0, spread = 0.0;
+        for (const double l : levels) mean += l / static_cast<double>(levels.size());
+        for (const double l : levels) spread += (l - mean) * (l - mean) / static_cast<double>(levels.size());
+        all.push_back({character_of(std::span(x).first(12000)).centroid_hz, std::sqrt(spread) / mean});
+        std::cout << "    material " << m << ": centroid " << std::lround(all.back().centroid_hz) << " Hz, roughness " << all.back().roughness << '\n';
+    }
+    for (std::size_t a = 0; a < all.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b)
+            EXPECT_GE(std::max(ratio(all[a].centroid_hz, all[b].centroid_hz), ratio(all[a].roughness, all[b].roughness)), 1.2) << a << " and " << b;
+}
+
+class EverySound : public ::testing::TestWithParam<int> {};
+
+TEST_P(EverySound, is_finite_in_range_and_the_same_each_time) {
+    const auto kind = static_cast<SoundKind>(GetParam());
+    for (int m = 0; m < kSoundClasses; ++m) {
+        const std::vector<float> x = synthesise(kind, static_cast<SoundClass>(m));
+        float peak = 0.0F;
+        for (const float s : x) {
+            ASSERT_TRUE(std::isfinite(s));
+            peak = std::max(peak, std::abs(s));
+        }
+        EXPECT_LE(peak, 0.5F + 1e-6F);
+        EXPECT_GE(peak, 0.2F);
+        EXPECT_EQ(x, synthesise(kind, static_cast<SoundClass>(m)));
+        if (!varies_by_material(kind)) break;
+    }
+}
+
+TEST_P(EverySound, is_loud_within_3_ms_and_begins_and_ends_without_a_step) {
+    const auto kind = static_cast<SoundKind>(GetParam());
+    const std::vector<float> x = synthesise(kind, SoundClass::Plaster);
+    if (is_loop(kind)) {
+        // The step over the seam is no larger than those inside.
+        float largest = 0.0F;
+        for (std::size_t i = 1; i < x.size(); ++i) largest = std::max(largest, std::abs(x[i] - x[i - 1]));
+        EXPECT_LE(std::abs(x.front() - x.back()), largest);
+        return;
+    }
+    EXPECT_LE(std::abs(x.front()), 0.05F);
+    EXPECT_LE(std::abs(x.back()), 0.005F);
+    float early = 0.0F;
+    for (std::size_t i = 0; i < 144; ++i) early = std::max(early, std::abs(x[i]));
+    EXPECT_GE(early, 0.05F);
+}
+
+INSTANTIATE_TEST_SUITE_P(Synth, EverySound, ::testing::Range(0, kSoundKinds));
+
+TEST(Synth, bank_holds_every_sound) {
+    const auto before = std::chrono::steady_clock::now();
+    const SoundBank bank;
+    const double spent_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+    std::size_t samples = 0;
+    for (int k = 0; k < kSoundKinds; ++k)
+        for (int m = 0; m < kSoundClasses; ++m) {
+            const auto kind = static_cast<SoundKind>(k);
+            const auto material = static_cast<SoundClass>(m);
+            ASSERT_FALSE(bank.sound(kind, material).empty());
+            if (varies_by_material(kind) || m == 0) samples += bank.sound(kind, material).size();
+        }
+    const auto glass = bank.sound(SoundKind::Contact, SoundClass::Glass);
+    EXPECT_EQ(std::vector<float>(glass.begin(), glass.end()), synthesise(SoundKind::Contact, SoundClass::Glass));
+    std::cout << "    all sounds: " << std::lround(spent_ms) << " ms, " << samples * sizeof(float) / 1000 << " kB\n";
+}
+
+}  // namespace
+}  // namespace handrail
