@@ -1,0 +1,543 @@
+#include "audio-cues/plan/cue_planner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+
+#include "audio-cues/sinks/recording_sinks.h"
+
+namespace handrail {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+enum : std::uint32_t { kNorth, kFloor, kDoor, kPool, kNameless };
+
+Feature feature(FeatureKind kind, std::string name, MaterialId material, Vec3 min_m, Vec3 max_m) {
+    Feature f;
+    f.kind = kind;
+    f.name = std::move(name);
+    f.material = material;
+    f.bounds_m = {min_m, max_m};
+    return f;
+}
+
+// A room of 6 by 4 metres: a plaster wall, a carpet floor, an oak door, a pool, and something without a name.
+std::shared_ptr<const Scene> room() {
+    auto scene = std::make_shared<Scene>();
+    scene->materials.resize(4);
+    scene->materials[1].name = "plaster";
+    scene->materials[1].sound = SoundClass::Plaster;
+    scene->materials[2].name = "carpet";
+    scene->materials[2].sound = SoundClass::Carpet;
+    scene->materials[3].name = "wood";
+    scene->materials[3].sound = SoundClass::Wood;
+    scene->features = {feature(FeatureKind::Wall, "north wall", 1, {0, 4, 0}, {6, 4.2, 2.6}), feature(FeatureKind::Floor, "floor", 2, {0, 0, -0.2}, {6, 4, 0}),
+                       feature(FeatureKind::Door, "door", 3, {2.5, -0.2, 0}, {3.5, 0, 2}),
+                       feature(FeatureKind::Liquid, "pool", kDefaultMaterial, {1, 1, -1}, {2, 2, 0}),
+                       feature(FeatureKind::Object, "", kDefaultMaterial, {0, 0, 0}, {1, 1, 1})};
+    scene->features[kDoor].handle = "east";
+    scene->features[kDoor].hinge = "west";
+    scene->features[kDoor].message = "It leads to the yard.";
+    return scene;
+}
+
+// A planner with its sinks on virtual time, ticked every 5 ms as the audio thread does it.
+class CuePlannerTest : public ::testing::Test {
+protected:
+    explicit CuePlannerTest(double words_per_minute = 0.0) : speech(words_per_minute) { planner.enter_world(room()); }
+
+    void set(const std::function<void(Settings&)>& change) {
+        change(settings);
+        planner.set_settings(settings);
+    }
+    void tick(std::vector<ContactEvent> contacts = {}, std::vector<CueRequest> requests = {}) {
+        planner.tick({.now_s = now_s, .contacts = contacts, .requests = requests, .listener = {}}, audio, speech);
+        now_s += 0.005;
+    }
+    void wait(double seconds) {
+        for (const double end_s = now_s + seconds; now_s < end_s;) tick();
+    }
+    ContactEvent event(ContactEventKind kind, std::uint32_t id, double speed_m_per_s = 0.1) const {
+        ContactEvent e;
+        e.kind = kind;
+        e.time_s = now_s;
+        e.feature = FeatureId{id};
+        if (id < room_->features.size()) e.material = room_->features[id].material;
+        e.position_m = {1.0, 2.0, 3.0};
+        e.speed_m_per_s = speed_m_per_s;
+        return e;
+    }
+    void begin(std::uint32_t id) { tick({event(ContactEventKind::Begin, id)}); }
+    void end(std::uint32_t id) { tick({event(ContactEventKind::End, id)}); }
+    static CueRequest request(CueRequestKind kind) {
+        CueRequest r;
+        r.kind = kind;
+        return r;
+    }
+    static CueRequest text(std::string words, SpeechClass speech_class = SpeechClass::Answer, bool repeatable = false) {
+        CueRequest r;
+        r.text = std::move(words);
+        r.speech_class = speech_class;
+        r.repeatable = repeatable;
+        return r;
+    }
+    std::vector<std::string> said(bool voiced_only = false) const {
+        std::vector<std::string> texts;
+        for (const HeardSpeech& line : speech.lines())
+            if (line.voiced || !voiced_only) texts.push_back(line.utterance.text);
+        return texts;
+    }
+    std::vector<SoundKind> heard() const {
+        std::vector<SoundKind> kinds;
+        for (const HeardSound& sound : audio.sounds()) kinds.push_back(sound.cue.kind);
+        return kinds;
+    }
+
+    double now_s = 1.0;
+    Settings settings;
+    std::shared_ptr<const Scene> room_ = room();
+    RecordingAudio audio;
+    RecordingSpeech speech;
+    CuePlanner planner{Settings{}};
+};
+
+// The same with a voice that takes its time: 240 words a minute, so a word lasts 0.25 s.
+class CuePlannerWithVoice : public CuePlannerTest {
+protected:
+    CuePlannerWithVoice() : CuePlannerTest(240.0) {}
+};
+
+TEST_F(CuePlannerTest, names_what_is_touched_with_its_material_within_120_ms) {
+    const double touched_s = now_s;
+    begin(kNorth);
+    wait(0.2);
+    ASSERT_THAT(said(), ElementsAre("North wall, plaster"));
+    EXPECT_LE(speech.lines()[0].time_s - touched_s, 0.120);
+    EXPECT_EQ(speech.lines()[0].utterance.speech_class, SpeechClass::Contact);
+}
+
+TEST_F(CuePlannerTest, plays_the_materials_contact_sound_at_the_hand_within_15_ms) {
+    const ContactEvent touch = event(ContactEventKind::Begin, kFloor);
+    tick({touch});
+    ASSERT_THAT(heard(), ElementsAre(SoundKind::Contact));
+    const HeardSound& sound = audio.sounds()[0];
+    EXPECT_EQ(sound.cue.material, SoundClass::Carpet);
+    EXPECT_EQ(sound.cue.position_m, touch.position_m);
+    EXPECT_EQ(sound.cue.event_time_s, touch.time_s);
+    EXPECT_GE(sound.latency_s, 0.0);
+    EXPECT_LE(sound.latency_s, 0.015);
+}
+
+TEST_F(CuePlannerTest, second_touch_within_5_s_is_a_knock_without_speech) {
+    for (int touch = 0; touch < 5; ++touch) {  // at 0, 1, ... 4 s
+        begin(kNorth);
+        wait(0.5);
+        end(kNorth);
+        wait(0.495);
+    }
+    EXPECT_THAT(said(), ElementsAre("North wall, plaster"));
+    EXPECT_EQ(heard().size(), 5U);
+    wait(1.0);
+    begin(kNorth);
+    wait(0.1);
+    EXPECT_THAT(said(), ElementsAre("North wall, plaster", "North wall, plaster"));
+}
+
+TEST_F(CuePlannerTest, nothing_is_said_twice_within_5_s_whatever_happens) {
+    std::uint64_t state = 7;
+    const auto random = [&](std::uint64_t below) {
+        return static_cast<std::uint32_t>((state = state * 6364136223846793005ULL + 1442695040888963407ULL) >> 33U) % below;
+    };
+    for (int i = 0; i < 4000; ++i) {
+        const auto id = static_cast<std::uint32_t>(random(4));
+        switch (random(6)) {
+            case 0:
+                begin(id);
+                break;
+            case 1:
+                end(id);
+                break;
+            case 2:
+                tick({event(ContactEventKind::Slide, id, 0.001 * static_cast<double>(random(300)))});
+                break;
+            case 3:
+                tick({}, {text("Answer", SpeechClass::Answer)});
+                break;
+            case 4: {
+                CueRequest bump = request(CueRequestKind::Bump);
+                bump.feature = FeatureId{id};
+                tick({}, {bump});
+                break;
+            }
+            default:
+                wait(0.05);
+        }
+    }
+    std::map<std::string, double> last;
+    for (const HeardSpeech& line : speech.lines()) {
+        const auto found = last.find(line.utterance.text);
+        if (found != last.end()) {
+            ASSERT_GE(line.time_s - found->second, 5.0 - 1e-9) << line.utterance.text;
+        }
+        last[line.utterance.text] = line.time_s;
+    }
+    EXPECT_EQ(last.size(), 5U);  // four names and the answer were said at all
+}
+
+TEST_F(CuePlannerTest, chatter_of_one_feature_within_50_ms_sounds_once) {
+    for (int i = 0; i < 8; ++i) {  // every 5 ms
+        begin(kNorth);
+        tick({event(ContactEventKind::End, kNorth)});
+        now_s -= 0.005;
+    }
+    EXPECT_EQ(heard().size(), 1U);
+    wait(0.05);
+    begin(kNorth);
+    EXPECT_EQ(heard().size(), 2U);
+}
+
+TEST_F(CuePlannerTest, corner_gives_two_knocks_and_the_newest_name_only) {
+    tick({event(ContactEventKind::Begin, kFloor), event(ContactEventKind::Begin, kNorth)});
+    wait(0.2);
+    EXPECT_THAT(heard(), ElementsAre(SoundKind::Contact, SoundKind::Contact));
+    EXPECT_THAT(said(), ElementsAre("North wall, plaster"));
+}
+
+TEST_F(CuePlannerTest, hand_trembling_between_two_surfaces_still_hears_a_name_within_120_ms) {
+    for (int i = 0; i < 24; ++i) begin(i % 2 == 0 ? kNorth : kFloor);  // every 5 ms for 120 ms
+    EXPECT_THAT(said(), ::testing::Not(IsEmpty()));
+}
+
+TEST_F(CuePlannerTest, tap_shorter_than_the_settling_time_is_still_named) {
+    begin(kNorth);
+    end(kNorth);
+    wait(0.2);
+    EXPECT_THAT(said(), ElementsAre("North wall, plaster"));
+}
+
+TEST_F(CuePlannerTest, sliding_onto_another_thing_names_it_without_a_knock) {
+    begin(kNorth);
+    wait(0.1);
+    tick({event(ContactEventKind::Slide, kDoor)});
+    wait(0.1);
+    EXPECT_THAT(said(), ElementsAre("North wall, plaster", "Door, wood, handle on the east side"));
+    EXPECT_EQ(heard().size(), 1U);
+}
+
+TEST_F(CuePlannerTest, slide_loop_follows_speed_and_ends_with_the_slide) {
+    begin(kNorth);
+    tick({event(ContactEventKind::Slide, kNorth, 0.05)});
+    const auto slow = audio.loop(SoundKind::Slide);
+    tick({event(ContactEventKind::Slide, kNorth, 0.2)});
+    const auto fast = audio.loop(SoundKind::Slide);
+    ASSERT_TRUE(slow && fast);
+    EXPECT_GT(fast->loudness, slow->loudness);
+    EXPECT_GT(fast->pitch, slow->pitch);
+    EXPECT_EQ(fast->material, SoundClass::Plaster);
+    end(kNorth);
+    EXPECT_FALSE(audio.loop(SoundKind::Slide));
+
+    tick({event(ContactEventKind::Slide, kFloor, 0.2)});
+    ASSERT_TRUE(audio.loop(SoundKind::Slide));
+    wait(0.2);  // the hand rests: no more events
+    EXPECT_FALSE(audio.loop(SoundKind::Slide));
+    tick({event(ContactEventKind::Slide, kFloor, 0.001)});
+    EXPECT_FALSE(audio.loop(SoundKind::Slide)) << "1 mm/s is inaudible";
+}
+
+TEST_F(CuePlannerTest, harder_blow_is_louder) {
+    tick({event(ContactEventKind::Begin, kNorth, 0.01)});
+    wait(0.1);
+    tick({event(ContactEventKind::Begin, kNorth, 0.3)});
+    ASSERT_EQ(audio.sounds().size(), 2U);
+    EXPECT_GT(audio.sounds()[0].cue.loudness, 0.0);
+    EXPECT_GT(audio.sounds()[1].cue.loudness, 1.5 * audio.sounds()[0].cue.loudness);
+}
+
+TEST_F(CuePlannerTest, bump_names_what_it_met_and_further_bumps_are_thuds_only) {
+    CueRequest bump = request(CueRequestKind::Bump);
+    bump.feature = FeatureId{kNorth};
+    for (int i = 0; i < 4; ++i) {
+        tick({}, {bump});
+        wait(1.0);
+    }
+    EXPECT_THAT(said(), ElementsAre("North wall, plaster"));
+    EXPECT_THAT(heard(), ElementsAre(SoundKind::Bump, SoundKind::Bump, SoundKind::Bump, SoundKind::Bump));
+    EXPECT_EQ(audio.sounds()[0].cue.material, SoundClass::Plaster);
+}
+
+TEST_F(CuePlannerTest, footsteps_sound_like_the_floor_and_the_feet_differ) {
+    CueRequest step = request(CueRequestKind::Footstep);
+    step.material = SoundClass::Tile;
+    step.position_m = {3.0, 0.5, 0.0};
+    tick({}, {step});
+    tick({}, {step});
+    ASSERT_THAT(heard(), ElementsAre(SoundKind::Footstep, SoundKind::Footstep));
+    EXPECT_EQ(audio.sounds()[0].cue.material, SoundClass::Tile);
+    EXPECT_EQ(audio.sounds()[0].cue.position_m, step.position_m);
+    EXPECT_NE(audio.sounds()[0].cue.pitch, audio.sounds()[1].cue.pitch);
+    EXPECT_THAT(said(), IsEmpty());
+}
+
+TEST_F(CuePlannerTest, entering_a_liquid_splashes_and_names_it) {
+    tick({event(ContactEventKind::EnterLiquid, kPool)});
+    wait(0.1);
+    tick({event(ContactEventKind::LeaveLiquid, kPool)});
+    wait(0.1);
+    EXPECT_THAT(said(), ElementsAre("Pool"));
+    ASSERT_THAT(heard(), ElementsAre(SoundKind::Splash, SoundKind::Splash));
+    EXPECT_GT(audio.sounds()[0].cue.loudness, audio.sounds()[1].cue.loudness);
+}
+
+TEST_F(CuePlannerTest, fault_sounds_and_speaks_as_an_alarm) {
+    ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
+    fault.fault = Fault::Unplugged;
+    tick({fault});
+    ASSERT_EQ(speech.lines().size(), 1U);
+    EXPECT_EQ(speech.lines()[0].utterance.text, fault_sentence(Fault::Unplugged));
+    EXPECT_EQ(speech.lines()[0].utterance.speech_class, SpeechClass::Alarm);
+    EXPECT_THAT(heard(), ElementsAre(SoundKind::Alarm));
+}
+
+TEST_F(CuePlannerTest, alarms_never_fall_below_a_fifth_of_full_loudness) {
+    set([](Settings& s) { s.sound.volume = 0.0; });
+    ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
+    fault.fault = Fault::LateLoop;
+    tick({fault, event(ContactEventKind::Begin, kNorth)});
+    wait(0.1);
+    ASSERT_THAT(heard(), ElementsAre(SoundKind::Alarm)) << "contact sounds follow the volume down to nothing";
+    EXPECT_DOUBLE_EQ(audio.sounds()[0].cue.loudness, 0.2);
+    ASSERT_EQ(speech.lines().size(), 2U);
+    EXPECT_DOUBLE_EQ(speech.lines()[0].utterance.loudness, 0.2);
+    EXPECT_DOUBLE_EQ(speech.lines()[1].utterance.loudness, 0.0);
+}
+
+TEST_F(CuePlannerTest, each_kind_of_sound_follows_its_own_volume) {
+    set([](Settings& s) {
+        s.sound.volume = 0.5;
+        s.sound.contact_volume = 0.4;
+        s.sound.footstep_volume = 0.2;
+        s.sound.wall_tone_volume = 0.6;
+    });
+    CueRequest tone = request(CueRequestKind::WallTone);
+    tone.loudness = 0.5;
+    tick({event(ContactEventKind::Begin, kNorth, 1.0)}, {request(CueRequestKind::Footstep), tone, request(CueRequestKind::Play)});
+    ASSERT_THAT(heard(), ElementsAre(SoundKind::Contact, SoundKind::Footstep, SoundKind::Beep));
+    EXPECT_DOUBLE_EQ(audio.sounds()[0].cue.loudness, 0.5 * 0.4);
+    EXPECT_DOUBLE_EQ(audio.sounds()[1].cue.loudness, 0.5 * 0.2);
+    EXPECT_DOUBLE_EQ(audio.sounds()[2].cue.loudness, 0.5);
+    ASSERT_TRUE(audio.loop(SoundKind::WallTone));
+    EXPECT_DOUBLE_EQ(audio.loop(SoundKind::WallTone)->loudness, 0.5 * 0.6 * 0.5);
+}
+
+TEST_F(CuePlannerTest, verbosity_0_is_sounds_only_but_answers_and_alarms_are_said) {
+    set([](Settings& s) { s.speech.verbosity = 0; });
+    CueRequest bump = request(CueRequestKind::Bump);
+    bump.feature = FeatureId{kDoor};
+    tick({event(ContactEventKind::Begin, kNorth)}, {bump, text("Try the door", SpeechClass::Ambient)});
+    wait(0.2);
+    EXPECT_THAT(said(), IsEmpty());
+    EXPECT_THAT(heard(), ElementsAre(SoundKind::Contact, SoundKind::Bump));
+    tick({}, {text("You face north"), text("The touch device is hot", SpeechClass::Alarm)});
+    EXPECT_THAT(said(), ElementsAre("The touch device is hot", "You face north"));
+}
+
+TEST_F(CuePlannerTest, higher_verbosity_says_more) {
+    const auto scene = room();
+    const FeatureId door{kDoor}, wall{kNorth}, floor{kFloor};
+    EXPECT_EQ(describe_feature(*scene, door, 0), "");
+    EXPECT_EQ(describe_feature(*scene, door, 1), "Door");
+    EXPECT_EQ(describe_feature(*scene, door, 2), "Door, wood, handle on the east side");
+    EXPECT_EQ(describe_feature(*scene, door, 3), "Door, wood, handle on the east side, hinged on the west side. It leads to the yard.");
+    EXPECT_EQ(describe_feature(*scene, door, 4),
+              "Door, wood, handle on the east side, hinged on the west side. 1 metre wide, 2 metres high. It leads to the yard.");
+    EXPECT_EQ(describe_feature(*scene, wall, 4), "North wall, plaster. 6 metres wide, 2.6 metres high.");
+    EXPECT_EQ(describe_feature(*scene, floor, 4), "Floor, carpet. 6 by 4 metres.");
+    EXPECT_EQ(describe_feature(*scene, FeatureId{kNameless}, 4), "");
+    EXPECT_EQ(describe_feature(*scene, kNoFeature, 4), "");
+}
+
+TEST_F(CuePlannerTest, repeat_says_the_last_line_word_for_word_at_once) {
+    tick({}, {request(CueRequestKind::Repeat)});
+    tick({}, {text("You are at the door, facing north")});
+    tick({}, {request(CueRequestKind::Repeat)});
+    tick({}, {request(CueRequestKind::Repeat)});
+    EXPECT_THAT(said(), ElementsAre("Nothing has been said yet.", "You are at the door, facing north", "You are at the door, facing north",
+                                    "You are at the door, facing north"));
+}
+
+TEST_F(CuePlannerTest, repeatable_answers_are_not_held_back) {
+    for (int i = 0; i < 3; ++i) tick({}, {text("Facing north", SpeechClass::Answer, true)});
+    for (int i = 0; i < 3; ++i) tick({}, {text("Saved", SpeechClass::Answer, false)});
+    EXPECT_THAT(said(), ElementsAre("Facing north", "Facing north", "Facing north", "Saved"));
+}
+
+TEST_F(CuePlannerTest, silence_stops_voice_sounds_and_loops_until_something_happens_again) {
+    CueRequest tone = request(CueRequestKind::WallTone);
+    tick({event(ContactEventKind::Slide, kNorth, 0.2)}, {tone});
+    ASSERT_TRUE(audio.loop(SoundKind::WallTone) && audio.loop(SoundKind::Slide));
+    tick({}, {request(CueRequestKind::SilenceAll)});
+    EXPECT_EQ(speech.stops_s().size(), 1U);
+    EXPECT_EQ(audio.silences_s().size(), 1U);
+    tick({event(ContactEventKind::Slide, kNorth, 0.2)}, {tone});
+    wait(0.2);
+    EXPECT_FALSE(audio.loop(SoundKind::WallTone));
+    EXPECT_FALSE(audio.loop(SoundKind::Slide));
+    EXPECT_THAT(said(), IsEmpty()) << "the name that was waiting is gone too";
+    tick({}, {request(CueRequestKind::Footstep), tone});
+    EXPECT_TRUE(audio.loop(SoundKind::WallTone));
+}
+
+TEST_F(CuePlannerTest, switching_the_wall_tone_off_silences_it) {
+    tick({}, {request(CueRequestKind::WallTone)});
+    ASSERT_TRUE(audio.loop(SoundKind::WallTone));
+    set([](Settings& s) { s.sound.wall_tone = false; });
+    tick();
+    EXPECT_FALSE(audio.loop(SoundKind::WallTone));
+    tick({}, {request(CueRequestKind::WallTone)});
+    EXPECT_FALSE(audio.loop(SoundKind::WallTone));
+}
+
+TEST_F(CuePlannerTest, keeps_the_last_500_lines) {
+    for (int i = 0; i < 620; ++i) tick({}, {text(fmt::format("Line {}", i))});
+    ASSERT_EQ(planner.spoken().size(), 500U);
+    EXPECT_EQ(planner.spoken().front().text, "Line 120");
+    EXPECT_EQ(planner.spoken().back().text, "Line 619");
+    EXPECT_EQ(planner.spoken_in_all(), 620U);
+}
+
+TEST_F(CuePlannerTest, says_nothing_of_a_thing_without_a_name_and_survives_having_no_world) {
+    begin(kNameless);
+    begin(4711);  // not in this world
+    wait(0.1);
+    CuePlanner empty{Settings{}};
+    const std::vector<ContactEvent> touch{event(ContactEventKind::Begin, kNorth)};
+    empty.tick({.now_s = now_s, .contacts = touch, .requests = {}, .listener = {}}, audio, speech);
+    empty.tick({.now_s = now_s + 1.0, .contacts = {}, .requests = {}, .listener = {}}, audio, speech);
+    EXPECT_THAT(said(), IsEmpty());
+    EXPECT_EQ(heard().size(), 3U);
+}
+
+TEST_F(CuePlannerTest, text_of_a_map_reaches_the_sinks_as_one_clean_line) {
+    tick({}, {text(" You need\nthe gold k\xe9y ")});
+    EXPECT_THAT(said(), ElementsAre("You need the gold kéy"));
+}
+
+TEST_F(CuePlannerWithVoice, alarm_cuts_an_answer_and_an_answer_waits_for_an_alarm) {
+    tick({}, {text("You are in a long room with four doors")});
+    wait(0.3);
+    tick({}, {text("The touch device was unplugged", SpeechClass::Alarm)});
+    tick({}, {text("Facing north")});
+    EXPECT_TRUE(speech.lines()[0].cut);
+    EXPECT_THAT(said(), ElementsAre("You are in a long room with four doors", "The touch device was unplugged"));
+    wait(3.0);
+    ASSERT_EQ(speech.lines().size(), 3U);
+    EXPECT_FALSE(speech.lines()[1].cut);
+    EXPECT_EQ(speech.lines()[2].utterance.text, "Facing north");
+}
+
+TEST_F(CuePlannerWithVoice, alarms_wait_for_each_other) {
+    tick({}, {text("First alarm", SpeechClass::Alarm), text("Second alarm", SpeechClass::Alarm)});
+    wait(3.0);
+    ASSERT_THAT(said(), ElementsAre("First alarm", "Second alarm"));
+    EXPECT_FALSE(speech.lines()[0].cut);
+}
+
+TEST_F(CuePlannerWithVoice, newer_answer_cuts_an_older_one_but_parts_of_one_reply_follow_each_other) {
+    tick({}, {text("One"), text("Two")});
+    wait(2.0);
+    ASSERT_THAT(said(), ElementsAre("One", "Two"));
+    EXPECT_FALSE(speech.lines()[0].cut);
+    tick({}, {text("Three is a long answer"), text("Four")});
+    wait(0.1);
+    tick({}, {text("Five")});
+    wait(1.0);
+    EXPECT_THAT(said(true), ElementsAre("One", "Two", "Three is a long answer", "Five"));
+    EXPECT_TRUE(speech.lines()[2].cut);
+    EXPECT_THAT(said(), ElementsAre("One", "Two", "Three is a long answer", "Four", "Five")) << "what was not voiced is still written";
+}
+
+TEST_F(CuePlannerWithVoice, touch_never_cuts_an_answer_and_waits_while_the_hand_stays) {
+    tick({}, {text("You are at the door")});
+    begin(kNorth);
+    wait(0.5);
+    EXPECT_THAT(said(), ElementsAre("You are at the door"));
+    wait(1.5);
+    ASSERT_THAT(said(), ElementsAre("You are at the door", "North wall, plaster"));
+    EXPECT_FALSE(speech.lines()[0].cut);
+}
+
+TEST_F(CuePlannerWithVoice, name_is_dropped_when_the_hand_has_left_before_its_turn) {
+    tick({}, {text("You are at the door of a very long and very wide room")});
+    begin(kNorth);
+    wait(0.2);
+    end(kNorth);
+    wait(6.0);
+    EXPECT_THAT(said(), ElementsAre("You are at the door of a very long and very wide room"));
+}
+
+TEST_F(CuePlannerWithVoice, newer_name_cuts_an_older_one) {
+    begin(kNorth);
+    wait(0.15);
+    begin(kDoor);
+    wait(0.15);
+    ASSERT_THAT(said(), ElementsAre("North wall, plaster", "Door, wood, handle on the east side"));
+    EXPECT_TRUE(speech.lines()[0].cut);
+}
+
+TEST_F(CuePlannerWithVoice, hint_is_dropped_when_anything_else_speaks) {
+    tick({}, {text("You are at the door")});
+    tick({}, {text("Time for a break", SpeechClass::Ambient)});
+    wait(5.0);
+    EXPECT_THAT(said(), ElementsAre("You are at the door"));
+    tick({}, {text("Time for a break", SpeechClass::Ambient)});
+    EXPECT_THAT(said(), ElementsAre("You are at the door", "Time for a break"));
+}
+
+TEST_F(CuePlannerWithVoice, stop_key_silences_the_voice_in_that_tick_and_leaves_sounds) {
+    tick({}, {text("One is long enough to be cut"), text("Two")});
+    tick({event(ContactEventKind::Slide, kNorth, 0.2)}, {request(CueRequestKind::StopSpeech)});
+    EXPECT_FALSE(speech.speaking());
+    wait(3.0);
+    EXPECT_THAT(said(true), ElementsAre("One is long enough to be cut"));
+    EXPECT_THAT(said(), ElementsAre("One is long enough to be cut", "Two")) << "still there to be read";
+    EXPECT_TRUE(audio.silences_s().empty());
+}
+
+TEST_F(CuePlannerWithVoice, flush_writes_every_answer_that_still_waits) {
+    tick({}, {text("One"), text("Two"), text("Three")});
+    EXPECT_TRUE(planner.waiting());
+    planner.flush(now_s, speech);
+    EXPECT_FALSE(planner.waiting());
+    EXPECT_THAT(said(), ElementsAre("One", "Two", "Three"));
+}
+
+TEST_F(CuePlannerTest, same_inputs_give_the_same_speech_and_sound) {
+    const auto run = [&](RecordingAudio& a, RecordingSpeech& s) {
+        CuePlanner p{Settings{}};
+        p.enter_world(room());
+        for (int i = 0; i < 400; ++i) {
+            const auto kind = static_cast<ContactEventKind>(i * 7 % 3);
+            std::vector<ContactEvent> events{event(kind, static_cast<std::uint32_t>(i * 5 % 4), 0.001 * i)};
+            events[0].time_s = 0.005 * i;
+            p.tick({.now_s = 0.005 * i, .contacts = events, .requests = {}, .listener = {}}, a, s);
+        }
+    };
+    RecordingAudio audio2;
+    RecordingSpeech speech2;
+    run(audio, speech);
+    run(audio2, speech2);
+    ASSERT_EQ(speech.lines().size(), speech2.lines().size());
+    ASSERT_GT(speech.lines().size(), 0U);
+    for (std::size_t i = 0; i < speech.lines().size(); ++i) EXPECT_EQ(speech.lines()[i].utterance.text, speech2.lines()[i].utterance.text);
+    ASSERT_EQ(audio.sounds().size(), audio2.sounds().size());
+    for (std::size_t i = 0; i < audio.sounds().size(); ++i) EXPECT_EQ(audio.sounds()[i].cue.loudness, audio2.sounds()[i].cue.loudness);
+    EXPECT_EQ(audio.loop_changes().size(), audio2.loop_changes().size());
+}
+
+}  // namespace
+}  // namespace handrail
