@@ -16,6 +16,7 @@ constexpr double kChatter_s = 0.050;             // the same feature again withi
 constexpr double kKeepName_s = 0.5;              // a tap is still named when the voice is free this soon
 constexpr double kKeepBump_s = 2.0;              // longer for a bump: the body does not leave by itself
 constexpr double kSlideSilent_s = 0.15;          // no slide event for this long: the hand rests
+constexpr double kSlideOwner_s = 0.05;           // events come every 10 ms while a surface is slid along
 constexpr double kSlideSlowest_m_per_s = 0.004;  // of hand travel; slower is inaudible
 constexpr double kFastTouch_m_per_s = 0.3;       // of hand travel; a brisk tap, full loudness
 constexpr double kAlarmFloor = 0.2;              // settings: everything but alarms may fall below
@@ -162,6 +163,8 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
                 touch(event.feature);
                 name_touched(event.feature, event.time_s, kSettle_s, kKeepName_s);
             }
+            // In a corner two surfaces are slid along at once; one of them is heard until it stops, not both in turn.
+            if (sliding_ && event.feature != slide_feature_ && event.time_s - slide_s_ < kSlideOwner_s) return;
             slide_s_ = event.time_s;
             slide_feature_ = event.feature;
             if (hushed_ || event.speed_m_per_s < kSlideSlowest_m_per_s) return stop_slide(audio);

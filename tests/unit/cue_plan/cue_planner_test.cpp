@@ -249,6 +249,19 @@ TEST_F(CuePlannerTest, slide_loop_follows_speed_and_ends_with_the_slide) {
     EXPECT_FALSE(audio.loop(SoundKind::Slide)) << "1 mm/s is inaudible";
 }
 
+TEST_F(CuePlannerTest, two_surfaces_slid_along_at_once_give_one_steady_loop) {
+    tick({event(ContactEventKind::Begin, kNorth), event(ContactEventKind::Begin, kFloor)});
+    for (int i = 0; i < 40; ++i) {
+        tick({event(ContactEventKind::Slide, kNorth, 0.2), event(ContactEventKind::Slide, kFloor, 0.2)});
+        ASSERT_TRUE(audio.loop(SoundKind::Slide));
+        EXPECT_EQ(audio.loop(SoundKind::Slide)->material, SoundClass::Plaster);
+    }
+    end(kNorth);
+    tick({event(ContactEventKind::Slide, kFloor, 0.2)});
+    ASSERT_TRUE(audio.loop(SoundKind::Slide));
+    EXPECT_EQ(audio.loop(SoundKind::Slide)->material, SoundClass::Carpet);
+}
+
 TEST_F(CuePlannerTest, harder_blow_is_louder) {
     tick({event(ContactEventKind::Begin, kNorth, 0.01)});
     wait(0.1);

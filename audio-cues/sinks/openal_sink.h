@@ -1,0 +1,63 @@
+// Sounds at their places and a voice in the middle, through OpenAL Soft at 48 kHz, with head-related filtering for headphones where
+// the device allows it. One owner: the thread that ticks it (the audio thread); only VoiceChannel is shared.
+// With no sound card it plays into OpenAL's loopback device and throws the samples away at the pace of time, so that nothing else
+// changes; description() and news() say so. A device that is lost while playing is replaced by the default one, or by loopback until
+// one is back. Cost: about 1 % of a core; opening synthesises the sound bank (synth.h).
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "audio-cues/plan/sinks.h"
+#include "audio-cues/sinks/voice_channel.h"
+#include "worlds/base/result.h"
+
+namespace handrail {
+
+class OpenALSink final : public AudioSink {
+public:
+    enum class Output {
+        Device,    // the sound card, else loopback paced by tick()
+        OnDemand,  // loopback; samples are made by render() only, for tests
+    };
+    struct Options {
+        Output output = Output::Device;
+        std::string device = {};                     // OpenAL's name of a playback device; empty: the default one
+        bool hrtf = true;                            // false: plain stereo, for loudspeakers
+        std::function<bool()> still_connected = {};  // stands in for the device's own report, so that a test can pull the plug
+    };
+    // At most this many sounds besides the voice; the least important or oldest gives way (product.md G17).
+    static constexpr int kMostSounds = 3;
+    static constexpr double kDuckingDb = -9.0;  // sounds but alarms, while the voice speaks
+    // A sound keeps its loudness to this distance and loses half of it by three times that: the hand may touch far from the ears.
+    static constexpr double kNear_m = 2.0;
+
+    // Sets ALSOFT_CONF for the moment of opening (256 samples x 2 periods) unless the person has set it: call before other threads read
+    // the environment. Fails only where OpenAL has no loopback device.
+    static Result<std::unique_ptr<OpenALSink>> open(std::shared_ptr<VoiceChannel> voice, const Options& options);
+    ~OpenALSink() override;
+
+    void play(const SoundCue& cue) override;
+    void set_loop(const SoundCue& cue) override;
+    void set_listener(const Listener& listener) override;
+    void stop_all() override;  // fades within one mixing period of 5.3 ms
+    void tick(double now_s) override;
+    std::optional<std::string> news() override;
+
+    // "Sound goes to Built-in Audio, for headphones."
+    std::string description() const;
+    bool has_device() const;     // false: on loopback
+    int sounds_playing() const;  // as of the last tick, the voice not counted
+    // OnDemand only: the next `frames` of the mix, left and right in turn. Valid until the next call.
+    std::span<const float> render(int frames);
+
+private:
+    struct Impl;
+    explicit OpenALSink(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace handrail
