@@ -1,0 +1,230 @@
+#include "audio-cues/sinks/espeak_speech.h"
+
+#include <espeak-ng/espeak_ng.h>
+#include <espeak-ng/speak_lib.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <future>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace handrail {
+namespace {
+
+constexpr std::size_t kPiece = 4096;  // samples sent on at once: 0.19 s, made in about 1 ms; the sink plays pieces without a gap
+
+// The library has one state per process; these mirror it. Whoever has set `library_taken` may use the other and the library.
+// It is never terminated: espeak_Terminate can wait for ever for a thread that has not yet begun to listen (seen with 1.51).
+std::atomic<bool> library_taken{false};
+bool library_ready = false;
+
+// What the callback needs while one text is being spoken. Voice thread only.
+struct Synthesis {
+    VoiceChannel* channel = nullptr;
+    VoiceChannel::Ticket ticket = 0;
+    std::vector<std::int16_t> piece;
+
+    // False when the utterance has been cut.
+    bool send() {
+        const bool wanted = channel->append(ticket, piece);
+        piece.clear();
+        return wanted;
+    }
+};
+
+// espeak-ng calls this with samples every 20 ms of speech; 1 ends the synthesis.
+int on_samples(short* samples, int count, espeak_EVENT* events) {
+    auto* synthesis = static_cast<Synthesis*>(events->user_data);
+    if (synthesis == nullptr) return 0;
+    if (samples != nullptr && count > 0) synthesis->piece.insert(synthesis->piece.end(), samples, samples + count);
+    if (synthesis->piece.size() < kPiece && !synthesis->channel->cut(synthesis->ticket)) return 0;
+    return synthesis->send() ? 0 : 1;
+}
+
+std::string status_words(espeak_ng_STATUS status) {
+    std::array<char, 256> words{};
+    espeak_ng_GetStatusCodeMessage(status, words.data(), words.size());
+    return words.data();
+}
+
+}  // namespace
+
+struct EspeakSpeech::Impl {
+    struct Job {
+        std::string text;
+        VoiceChannel::Ticket ticket = 0;
+    };
+
+    std::shared_ptr<VoiceChannel> channel;
+    int rate_hz = 0;  // set before open() returns
+
+    std::mutex mutex;  // guards the five below
+    std::condition_variable changed;
+    std::optional<Job> job;  // the newest only: saying cuts
+    VoiceSettings settings;
+    bool new_settings = false;
+    bool quit = false;
+    std::optional<std::string> news;
+
+    std::thread thread;  // the only one that calls espeak-ng
+
+    void run(std::promise<Result<void>> ready) {
+        Result<void> started = start_library();
+        const bool usable = started.has_value();
+        ready.set_value(std::move(started));
+        if (usable) speak_jobs();
+    }
+
+    Result<void> start_library() {
+        if (!library_ready) {
+            espeak_ng_InitializePath(nullptr);
+            espeak_ng_ERROR_CONTEXT context = nullptr;
+            espeak_ng_STATUS status = espeak_ng_Initialize(&context);
+            espeak_ng_ClearErrorContext(&context);
+            if (status == ENS_OK) status = espeak_ng_InitializeOutput(ENOUTPUT_MODE_SYNCHRONOUS, 0, nullptr);
+            if (status != ENS_OK) return fail(fmt::format("The embedded voice cannot start: {}. Is espeak-ng-data installed?", status_words(status)));
+            library_ready = true;
+        }
+        rate_hz = espeak_ng_GetSampleRate();
+        espeak_SetSynthCallback(&on_samples);
+        apply(settings);
+        return {};
+    }
+
+    // A language ("en", "pt-br") or one of the library's own names; English where it knows neither.
+    void apply(const VoiceSettings& wanted) {
+        if (!choose(wanted.voice)) {
+            choose("en");
+            const std::lock_guard lock(mutex);
+            news = fmt::format("There is no voice named {}; English is used.", wanted.voice);
+        }
+        espeak_SetParameter(espeakRATE, std::clamp(wanted.rate_wpm, espeakRATE_MINIMUM, espeakRATE_MAXIMUM), 0);
+    }
+
+    static bool choose(const std::string& voice) {
+        if (espeak_ng_SetVoiceByName(voice.c_str()) == ENS_OK) return true;
+        // Asked for a language it does not have, the library takes another one and reports success.
+        espeak_VOICE properties{};
+        properties.languages = voice.c_str();
+        if (espeak_ng_SetVoiceByProperties(&properties) != ENS_OK) return false;
+        const espeak_VOICE* chosen = espeak_GetCurrentVoice();
+        const std::string language = voice.substr(0, voice.find('-'));
+        return chosen != nullptr && chosen->languages != nullptr && std::string_view(chosen->languages).substr(1).starts_with(language);  // [0] is a priority
+    }
+
+    void speak_jobs() {
+        Synthesis synthesis{.channel = channel.get(), .ticket = 0, .piece = {}};
+        for (;;) {
+            Job next;
+            std::optional<VoiceSettings> changed_settings;
+            {
+                std::unique_lock lock(mutex);
+                changed.wait(lock, [&] { return job || quit; });
+                if (quit) return;
+                next = *std::exchange(job, std::nullopt);
+                if (std::exchange(new_settings, false)) changed_settings = settings;
+            }
+            if (changed_settings) apply(*changed_settings);
+            synthesis.ticket = next.ticket;
+            synthesis.piece.clear();
+            espeak_ng_Synthesize(next.text.c_str(), next.text.size() + 1, 0, POS_CHARACTER, 0, espeakCHARS_UTF8, nullptr, &synthesis);
+            synthesis.send();
+            channel->end(next.ticket);
+        }
+    }
+};
+
+EspeakSpeech::EspeakSpeech(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+Result<std::unique_ptr<EspeakSpeech>> EspeakSpeech::open(std::shared_ptr<VoiceChannel> channel, const VoiceSettings& settings) {
+    if (library_taken.exchange(true)) return fail("The embedded voice is already in use.");
+    auto impl = std::make_unique<Impl>();
+    impl->channel = std::move(channel);
+    impl->settings = settings;
+    std::promise<Result<void>> ready;
+    std::future<Result<void>> started = ready.get_future();
+    impl->thread = std::thread([state = impl.get(), promise = std::move(ready)]() mutable { state->run(std::move(promise)); });
+    if (auto result = started.get(); !result) {
+        impl->thread.join();
+        library_taken = false;
+        return tl::unexpected(result.error());
+    }
+    return std::unique_ptr<EspeakSpeech>(new EspeakSpeech(std::move(impl)));
+}
+
+EspeakSpeech::~EspeakSpeech() {
+    stop();
+    {
+        const std::lock_guard lock(impl_->mutex);
+        impl_->quit = true;
+    }
+    impl_->changed.notify_one();
+    impl_->thread.join();
+    library_taken = false;
+}
+
+void EspeakSpeech::say(const Utterance& utterance) {
+    // Beginning on the channel here cuts the utterance before and makes speaking() true from now on.
+    const VoiceChannel::Ticket ticket = impl_->channel->begin(impl_->rate_hz, utterance.loudness);
+    {
+        const std::lock_guard lock(impl_->mutex);
+        impl_->job = Impl::Job{utterance.text, ticket};
+    }
+    impl_->changed.notify_one();
+}
+
+void EspeakSpeech::stop() {
+    {
+        const std::lock_guard lock(impl_->mutex);
+        impl_->job.reset();
+    }
+    impl_->channel->stop();
+}
+
+bool EspeakSpeech::speaking() const { return impl_->channel->playing(); }
+
+std::optional<std::string> EspeakSpeech::news() {
+    const std::lock_guard lock(impl_->mutex);
+    return std::exchange(impl_->news, std::nullopt);
+}
+
+void EspeakSpeech::set_voice(const VoiceSettings& settings) {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->settings = settings;
+    impl_->new_settings = true;
+}
+
+std::span<const Note> BeepSpeech::pattern(SpeechClass speech_class) {
+    static constexpr std::array<Note, 4> kAlarm{{{0.0, 0.07, 1200.0, 1.0}, {0.1, 0.07, 1200.0, 1.0}, {0.2, 0.07, 1200.0, 1.0}, {0.3, 0.14, 1200.0, 1.0}}};
+    static constexpr std::array<Note, 2> kAnswer{{{0.0, 0.06, 880.0, 0.8}, {0.1, 0.06, 1100.0, 0.8}}};
+    static constexpr std::array<Note, 1> kContact{{{0.0, 0.05, 700.0, 0.7}}};
+    static constexpr std::array<Note, 1> kAmbient{{{0.0, 0.12, 350.0, 0.5}}};
+    switch (speech_class) {
+        case SpeechClass::Alarm:
+            return kAlarm;
+        case SpeechClass::Answer:
+            return kAnswer;
+        case SpeechClass::Contact:
+            return kContact;
+        case SpeechClass::Ambient:
+            break;
+    }
+    return kAmbient;
+}
+
+void BeepSpeech::say(const Utterance& utterance) {
+    std::vector<std::int16_t> samples;
+    for (const float s : synthesise_notes(pattern(utterance.speech_class))) samples.push_back(static_cast<std::int16_t>(std::lround(32767.0F * s)));
+    const VoiceChannel::Ticket ticket = channel_->begin(kSampleRate_hz, utterance.loudness);
+    channel_->append(ticket, samples);
+    channel_->end(ticket);
+}
+
+}  // namespace handrail
