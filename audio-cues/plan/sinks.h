@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "settings/settings.h"
 #include "worlds/base/vec.h"
 #include "worlds/scene/material.h"
 
@@ -28,11 +29,12 @@ struct Utterance {
 class SpeechSink {
 public:
     virtual ~SpeechSink() = default;
-    virtual void say(const Utterance& utterance) = 0;      // returns at once; starts after interrupting what is running
-    virtual void write(const Utterance& /*utterance*/) {}  // text that is not voiced any more (its turn passed); for sinks that keep text
-    virtual void stop() = 0;                               // silence at once
-    virtual bool speaking() const = 0;                     // from the moment of say() until the last sample; text alone takes no time
-    virtual void tick(double /*now_s*/) {}                 // housekeeping, about every 5 ms
+    virtual void say(const Utterance& utterance) = 0;                 // returns at once; starts after interrupting what is running
+    virtual void write(const Utterance& /*utterance*/) {}             // text that is not voiced any more (its turn passed); for sinks that keep text
+    virtual void stop() = 0;                                          // silence at once
+    virtual bool speaking() const = 0;                                // from the moment of say() until the last sample; text alone takes no time
+    virtual void tick(double /*now_s*/) {}                            // housekeeping, about every 5 ms
+    virtual void set_speech(const Settings::Speech& /*settings*/) {}  // rate and voice, from the next utterance on
     // A sentence about the sink itself, fit to be spoken ("There is no voice ..."); each is given once.
     virtual std::optional<std::string> news() { return std::nullopt; }
 };

@@ -68,7 +68,7 @@ struct EspeakSpeech::Impl {
     std::mutex mutex;  // guards the five below
     std::condition_variable changed;
     std::optional<Job> job;  // the newest only: saying cuts
-    VoiceSettings settings;
+    Settings::Speech settings;
     bool new_settings = false;
     bool quit = false;
     std::optional<std::string> news;
@@ -99,7 +99,7 @@ struct EspeakSpeech::Impl {
     }
 
     // A language ("en", "pt-br") or one of the library's own names; English where it knows neither.
-    void apply(const VoiceSettings& wanted) {
+    void apply(const Settings::Speech& wanted) {
         if (!choose(wanted.voice)) {
             choose("en");
             const std::lock_guard lock(mutex);
@@ -123,7 +123,7 @@ struct EspeakSpeech::Impl {
         Synthesis synthesis{.channel = channel.get(), .ticket = 0, .piece = {}};
         for (;;) {
             Job next;
-            std::optional<VoiceSettings> changed_settings;
+            std::optional<Settings::Speech> changed_settings;
             {
                 std::unique_lock lock(mutex);
                 changed.wait(lock, [&] { return job || quit; });
@@ -143,7 +143,7 @@ struct EspeakSpeech::Impl {
 
 EspeakSpeech::EspeakSpeech(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Result<std::unique_ptr<EspeakSpeech>> EspeakSpeech::open(std::shared_ptr<VoiceChannel> channel, const VoiceSettings& settings) {
+Result<std::unique_ptr<EspeakSpeech>> EspeakSpeech::open(std::shared_ptr<VoiceChannel> channel, const Settings::Speech& settings) {
     if (library_taken.exchange(true)) return fail("The embedded voice is already in use.");
     auto impl = std::make_unique<Impl>();
     impl->channel = std::move(channel);
@@ -195,7 +195,7 @@ std::optional<std::string> EspeakSpeech::news() {
     return std::exchange(impl_->news, std::nullopt);
 }
 
-void EspeakSpeech::set_voice(const VoiceSettings& settings) {
+void EspeakSpeech::set_speech(const Settings::Speech& settings) {
     const std::lock_guard lock(impl_->mutex);
     impl_->settings = settings;
     impl_->new_settings = true;
@@ -225,6 +225,12 @@ void BeepSpeech::say(const Utterance& utterance) {
     const VoiceChannel::Ticket ticket = channel_->begin(kSampleRate_hz, utterance.loudness);
     channel_->append(ticket, samples);
     channel_->end(ticket);
+}
+
+std::unique_ptr<SpeechSink> open_voice(const std::shared_ptr<VoiceChannel>& channel, const Settings::Speech& settings) {
+    auto opened = EspeakSpeech::open(channel, settings);
+    if (opened) return std::move(*opened);
+    return std::make_unique<BeepSpeech>(channel, opened.error().sentence() + " Beeps tell that there is text to read.");
 }
 
 }  // namespace handrail

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "audio-cues/plan/sinks.h"
 #include "audio-cues/sinks/synth.h"
@@ -15,25 +16,20 @@
 
 namespace handrail {
 
-struct VoiceSettings {
-    int rate_wpm = 175;        // 80 to 450
-    std::string voice = "en";  // espeak-ng voice name or language
-};
-
-// Owned and called by the audio thread; set_voice by any.
+// Owned and called by the audio thread.
 class EspeakSpeech final : public SpeechSink {
 public:
     // Starts the thread and waits until the voice is ready (about 3 ms). Fails with a sentence when its data is missing, or when there
     // is another EspeakSpeech: the library keeps its state in globals, and for the same reason stays loaded until the process ends. An unknown voice gives
     // English and news().
-    static Result<std::unique_ptr<EspeakSpeech>> open(std::shared_ptr<VoiceChannel> channel, const VoiceSettings& settings);
+    static Result<std::unique_ptr<EspeakSpeech>> open(std::shared_ptr<VoiceChannel> channel, const Settings::Speech& settings);
     ~EspeakSpeech() override;
 
     void say(const Utterance& utterance) override;
     void stop() override;
     bool speaking() const override;
     std::optional<std::string> news() override;
-    void set_voice(const VoiceSettings& settings);  // from the next utterance on
+    void set_speech(const Settings::Speech& settings) override;
 
 private:
     struct Impl;
@@ -45,16 +41,22 @@ private:
 // something to read. Owned by the audio thread.
 class BeepSpeech final : public SpeechSink {
 public:
-    explicit BeepSpeech(std::shared_ptr<VoiceChannel> channel) : channel_(std::move(channel)) {}
+    // `news` is said once: why there is no voice.
+    BeepSpeech(std::shared_ptr<VoiceChannel> channel, std::string news) : channel_(std::move(channel)), news_(std::move(news)) {}
 
     void say(const Utterance& utterance) override;
     void stop() override { channel_->stop(); }
     bool speaking() const override { return channel_->playing(); }
+    std::optional<std::string> news() override { return std::exchange(news_, std::nullopt); }
 
     static std::span<const Note> pattern(SpeechClass speech_class);
 
 private:
     std::shared_ptr<VoiceChannel> channel_;
+    std::optional<std::string> news_;
 };
+
+// The embedded voice, or beeps that say why there is none.
+std::unique_ptr<SpeechSink> open_voice(const std::shared_ptr<VoiceChannel>& channel, const Settings::Speech& settings);
 
 }  // namespace handrail

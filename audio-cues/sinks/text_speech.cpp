@@ -87,6 +87,10 @@ void TeeSpeech::tick(double now_s) {
     for (const auto& sink : sinks_) sink->tick(now_s);
 }
 
+void TeeSpeech::set_speech(const Settings::Speech& settings) {
+    for (const auto& sink : sinks_) sink->set_speech(settings);
+}
+
 std::optional<std::string> TeeSpeech::news() {
     for (const auto& sink : sinks_)
         if (auto sentence = sink->news()) return sentence;

@@ -48,6 +48,7 @@ public:
     void stop() override;
     bool speaking() const override;  // any of them
     void tick(double now_s) override;
+    void set_speech(const Settings::Speech& settings) override;
     std::optional<std::string> news() override;
 
 private:

@@ -95,13 +95,17 @@ TEST_F(EspeakSpeechTest, newer_text_cuts_an_older_one) {
 TEST_F(EspeakSpeechTest, rate_and_voice_follow_the_settings) {
     const std::string text = "You are at the door of the long room, facing north";
     const double slow_s = hear(text).length_s();
-    speech->set_voice({.rate_wpm = 350});
+    Settings::Speech settings;
+    settings.rate_wpm = 350;
+    speech->set_speech(settings);
     EXPECT_LT(hear(text).length_s(), slow_s / 1.5);
     EXPECT_EQ(speech->news(), std::nullopt);
-    speech->set_voice({.rate_wpm = 350, .voice = "no-such-voice"});
+    settings.voice = "no-such-voice";
+    speech->set_speech(settings);
     EXPECT_GT(hear(text).length_s(), 0.5) << "English instead";
     EXPECT_EQ(speech->news(), "There is no voice named no-such-voice; English is used.");
-    speech->set_voice({.rate_wpm = 350, .voice = "en-gb"});
+    settings.voice = "en-gb";
+    speech->set_speech(settings);
     hear(text);
     EXPECT_EQ(speech->news(), std::nullopt);
 }
@@ -147,9 +151,20 @@ TEST_F(EspeakSpeechTest, is_heard_through_the_sound_sink_within_50_ms_of_stream_
     EXPECT_NEAR(now_s, spoken.length_s(), 0.03);
 }
 
+TEST_F(EspeakSpeechTest, without_a_voice_there_are_beeps_and_the_reason) {
+    const auto other = std::make_shared<VoiceChannel>();
+    const auto fallback = open_voice(other, {});  // the one voice is taken
+    EXPECT_EQ(fallback->news(), "The embedded voice is already in use. Beeps tell that there is text to read.");
+    fallback->say({.text = "Door"});
+    EXPECT_TRUE(fallback->speaking());
+    EXPECT_FALSE(other->take().samples.empty());
+}
+
 TEST(BeepSpeech, every_class_has_its_own_rhythm) {
     const auto channel = std::make_shared<VoiceChannel>();
-    BeepSpeech speech(channel);
+    BeepSpeech speech(channel, "There is no voice.");
+    EXPECT_EQ(speech.news(), "There is no voice.");
+    EXPECT_EQ(speech.news(), std::nullopt);
     std::vector<std::vector<std::int16_t>> patterns;
     for (const SpeechClass c : {SpeechClass::Alarm, SpeechClass::Answer, SpeechClass::Contact, SpeechClass::Ambient}) {
         speech.say({.text = "Text", .speech_class = c});

@@ -1,0 +1,96 @@
+#include "audio-cues/sinks/audio_thread.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace handrail {
+
+AudioThread::AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock, ContactRing* contacts, const Settings& settings)
+    : clock_(clock), contacts_(contacts), audio_(std::move(audio)), speech_(std::move(speech)), planner_(settings) {}
+
+AudioThread::~AudioThread() { stop(); }
+
+void AudioThread::start() {
+    if (!thread_.joinable() && !stopped_) thread_ = std::thread([this] { run(); });
+}
+
+void AudioThread::stop(double finish_speech_s) {
+    if (std::exchange(stopped_, true)) return;
+    finish_speech_s_ = finish_speech_s;
+    stop_asked_.store(true, std::memory_order_release);
+    if (thread_.joinable()) thread_.join();
+    else run();  // never started, or stepped by its owner: the last words are due all the same
+}
+
+void AudioThread::post(CueRequest request) {
+    const std::lock_guard lock(mutex_);
+    inbox_.requests.push_back(std::move(request));
+}
+
+void AudioThread::set_settings(const Settings& settings) {
+    const std::lock_guard lock(mutex_);
+    inbox_.settings = settings;
+}
+
+void AudioThread::enter_world(std::shared_ptr<const Scene> scene) {
+    const std::lock_guard lock(mutex_);
+    inbox_.scene = std::move(scene);
+}
+
+std::vector<SpokenLine> AudioThread::take_spoken() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(outbox_, {});
+}
+
+void AudioThread::step() {
+    Inbox inbox;
+    {
+        const std::lock_guard lock(mutex_);
+        std::swap(inbox, inbox_);
+    }
+    if (inbox.settings) {
+        planner_.set_settings(*inbox.settings);
+        speech_->set_speech(inbox.settings->speech);
+    }
+    if (inbox.scene) planner_.enter_world(std::move(*inbox.scene));
+    events_.clear();
+    if (contacts_ != nullptr) contacts_->consume_all([&](const ContactEvent& event) { events_.push_back(event); });
+    listener_.refresh();
+    planner_.tick({.now_s = clock_.now_s(), .contacts = events_, .requests = inbox.requests, .listener = listener_.read()}, *audio_, *speech_);
+    publish();
+}
+
+void AudioThread::publish() {
+    const std::vector<SpokenLine>& spoken = planner_.spoken();
+    const auto fresh = static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(planner_.spoken_in_all() - published_, spoken.size()));
+    published_ = planner_.spoken_in_all();
+    if (fresh == 0) return;
+    const std::lock_guard lock(mutex_);
+    outbox_.insert(outbox_.end(), spoken.end() - fresh, spoken.end());
+}
+
+void AudioThread::run() {
+    double next_s = clock_.now_s();
+    const auto step_and_sleep = [&] {
+        step();
+        // After a stall the missed ticks are not made up for.
+        next_s = std::max(next_s + kPeriod_s, clock_.now_s());
+        clock_.sleep_until_s(next_s);
+    };
+    while (!stop_asked_.load(std::memory_order_acquire)) step_and_sleep();
+    step();  // what was posted before stop()
+    const double patience_s = clock_.now_s() + finish_speech_s_;
+    while ((speech_->speaking() || planner_.waiting()) && clock_.now_s() < patience_s) step_and_sleep();
+    planner_.flush(clock_.now_s(), *speech_);
+    publish();
+    speech_->stop();
+    audio_->stop_all();
+    for (const double end_s = clock_.now_s() + kFade_s; clock_.now_s() < end_s;) {
+        audio_->tick(clock_.now_s());
+        speech_->tick(clock_.now_s());
+        next_s = std::max(next_s + kPeriod_s, clock_.now_s());
+        clock_.sleep_until_s(next_s);
+    }
+}
+
+}  // namespace handrail

@@ -1,0 +1,79 @@
+// The loop of the ears: 200 times a second it takes what the hand met and what the app asks for, and lets CuePlanner drive the sinks.
+// It owns the planner and both sinks from start() to stop(); the app thread owns this object and everything marked so below.
+// step() is the whole body of the loop, so the owner of virtual time needs no thread.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "audio-cues/plan/cue_planner.h"
+#include "audio-cues/plan/sinks.h"
+#include "settings/settings.h"
+#include "worlds/base/clock.h"
+#include "worlds/base/latest_value.h"
+#include "worlds/base/spsc_ring.h"
+
+namespace handrail {
+
+class AudioThread {
+public:
+    using ContactRing = SpscRing<ContactEvent, 1024>;  // ServoLoop::EventRing
+    static constexpr double kPeriod_s = 0.005;
+    static constexpr double kFade_s = 0.030;  // ticks on for this long at the end, so that nothing clicks
+
+    // Clock and ring outlive this object; the ring may be null where there is no hand. The clock is the one that times contact events.
+    AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock, ContactRing* contacts, const Settings& settings);
+    ~AudioThread();
+    AudioThread(const AudioThread&) = delete;
+    AudioThread& operator=(const AudioThread&) = delete;
+
+    // App thread. stop() takes everything posted before it, waits at most that long for the voice to finish, writes what it could not
+    // say, fades and joins; more often does no harm, and the destructor does it too.
+    void start();
+    void stop(double finish_speech_s = 0.0);
+
+    // App thread; each holds a mutex for microseconds at most.
+    void post(CueRequest request);
+    void set_settings(const Settings& settings);
+    void enter_world(std::shared_ptr<const Scene> scene);
+    std::vector<SpokenLine> take_spoken();  // what was said since the last call, oldest first
+    void set_listener(const Listener& listener) { listener_.publish(listener); }
+
+    // One tick at the clock's time: the thread's body, or for the owner of virtual time.
+    void step();
+
+private:
+    struct Inbox {
+        std::vector<CueRequest> requests;
+        std::optional<Settings> settings;
+        std::optional<std::shared_ptr<const Scene>> scene;
+    };
+
+    void run();
+    void publish();
+
+    Clock& clock_;
+    std::thread thread_;  // app thread
+    std::atomic<bool> stop_asked_{false};
+    double finish_speech_s_ = 0.0;  // written before stop_asked_
+    bool stopped_ = false;          // app thread
+
+    std::mutex mutex_;  // guards inbox_ and outbox_
+    Inbox inbox_;
+    std::vector<SpokenLine> outbox_;
+    LatestValue<Listener> listener_;  // app thread to audio thread
+    ContactRing* contacts_;           // servo thread to audio thread
+
+    // Audio thread only while it runs.
+    std::unique_ptr<AudioSink> audio_;
+    std::unique_ptr<SpeechSink> speech_;
+    CuePlanner planner_;
+    std::vector<ContactEvent> events_;  // of this tick; kept for its memory
+    std::uint64_t published_ = 0;       // of planner_.spoken_in_all()
+};
+
+}  // namespace handrail

@@ -1,0 +1,32 @@
+#include "audio-cues/sinks/sound_outputs.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+
+namespace handrail {
+namespace {
+
+TEST(SoundOutputs, text_is_written_and_something_sounds_or_says_why_not) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe(ends.data()), 0);
+    SoundOutputs outputs = open_sound_outputs({}, ends[1]);
+    ASSERT_TRUE(outputs.audio && outputs.speech);
+    const bool silent = outputs.audio->news().has_value();
+    outputs.audio->tick(1.0);
+    outputs.audio->play({.kind = SoundKind::Beep});
+    outputs.speech->say({.text = "Welcome"});
+    EXPECT_EQ(outputs.speech->speaking(), !silent) << "where nothing is heard, nobody waits for the voice";
+    std::array<char, 64> text{};
+    const ssize_t got = ::read(ends[0], text.data(), text.size());
+    EXPECT_EQ(std::string(text.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0))), "say: Welcome\n");
+    outputs.speech->stop();
+    outputs = {};
+    ::close(ends[0]);
+    ::close(ends[1]);
+}
+
+}  // namespace
+}  // namespace handrail
