@@ -1,0 +1,94 @@
+#include <csignal>
+
+#include "tests/support/real_worlds.h"
+#include "tests/support/run_program.h"
+
+namespace handrail::test {
+namespace {
+
+using testing::HasSubstr;
+
+ProgramRun explore(std::vector<std::string> arguments, const std::string& input, ProgramCall call = {}) {
+    arguments.insert(arguments.begin(), HANDRAIL_PROGRAM);
+    call.arguments = std::move(arguments);
+    call.input = input;
+    return run_program(call);
+}
+
+TEST(Explore, without_anything_says_what_is_missing_where_one_is_and_ends_well) {
+    const ProgramRun run = explore({}, "");
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("say: "));
+    EXPECT_THAT(run.out, HasSubstr("There is no display"));
+    EXPECT_THAT(run.out, HasSubstr("No touch device was found"));
+    EXPECT_THAT(run.out, HasSubstr("First room."));
+    EXPECT_THAT(run.out, HasSubstr("facing north"));
+}
+
+TEST(Explore, a_real_map_is_entered_too) {
+    const auto world = real_world("quake-e1m1.map");
+    if (!world) GTEST_SKIP() << "the real worlds are not here";
+    const ProgramRun run = explore({world->string()}, "");
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("You are at the base"));
+}
+
+TEST(Explore, commands_from_standard_input_are_carried_out_in_order) {
+    const ProgramRun run = explore({"--no-window"}, "forward 5\nwhere\nright 2\nheading\nwheer\nquit\nforward\n");
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    const std::size_t wall = run.out.find("North wall, plaster");
+    const std::size_t where = run.out.find("Ahead: north wall, plaster, 1 step");
+    const std::size_t heading = run.out.find("Facing north-east, 45 degrees");
+    EXPECT_NE(wall, std::string::npos) << run.out;
+    EXPECT_NE(where, std::string::npos) << run.out;
+    EXPECT_NE(heading, std::string::npos) << run.out;
+    EXPECT_LT(wall, where);
+    EXPECT_LT(where, heading);
+    EXPECT_THAT(run.out, HasSubstr("Did you mean \"where\"?"));
+}
+
+TEST(Explore, a_simulated_hand_moved_by_words_touches_the_wall) {
+    const ProgramRun run = explore({"--no-window"}, "hand-forward 13\nwhat\nquit\n");
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("North wall, plaster"));
+}
+
+TEST(Explore, signals_end_it_as_well_as_a_person_does) {
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        ProgramCall call;
+        call.close_input = false;
+        call.signal_when_said = number;
+        call.signal_after = "facing north";
+        const ProgramRun run = explore({"--no-window"}, "", call);
+        EXPECT_FALSE(run.timed_out);
+        EXPECT_EQ(run.exit_status, 0) << "signal " << number << ": " << run.err;
+    }
+}
+
+TEST(Explore, a_world_that_cannot_be_read_is_one_sentence_and_status_1) {
+    const ProgramRun gone = explore({"--no-window", "/nowhere/gone.map"}, "");
+    EXPECT_EQ(gone.exit_status, 1);
+    EXPECT_THAT(gone.err, HasSubstr("gone.map"));
+    EXPECT_EQ(std::count(gone.err.begin(), gone.err.end(), '\n'), 1) << gone.err;
+}
+
+TEST(Explore, an_unknown_device_names_the_nearest) {
+    const ProgramRun run = explore({"--no-window", "--device", "sim-x"}, "");
+    EXPECT_NE(run.exit_status, 0);
+    EXPECT_THAT(run.err, HasSubstr("sim-"));
+}
+
+TEST(Explore, settings_changed_by_a_command_are_saved_at_the_end) {
+    char folder[] = "/tmp/handrail-test-settings-XXXXXX";
+    ASSERT_TRUE(::mkdtemp(folder));
+    ProgramCall call;
+    call.environment["XDG_CONFIG_HOME"] = folder;
+    const ProgramRun first = explore({"--no-window"}, "frame\nquit\n", call);
+    EXPECT_EQ(first.exit_status, 0) << first.err;
+    const ProgramRun second = explore({"settings", "--explain"}, "", call);
+    EXPECT_THAT(second.out, HasSubstr("walk"));
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace handrail::test

@@ -1,0 +1,29 @@
+// Starts a program of ours as a person's shell would: a home of its own, no display, no screen reader, its words on standard output.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace handrail::test {
+
+struct ProgramRun {
+    int exit_status = -1;        // 128 + signal number when a signal ended it
+    std::string out, err;
+    bool timed_out = false;      // it was killed after the time allowed
+};
+
+struct ProgramCall {
+    std::vector<std::string> arguments;                // the first is the program's path
+    std::string input;                                 // fed to standard input, then closed
+    bool close_input = true;                           // false: standard input stays open until the program ends
+    std::map<std::string, std::string> environment;    // set on top; an empty value removes
+    int signal_when_said = 0;                          // sent once `signal_after` stands in the output
+    std::string signal_after;
+    double allowed_s = 120.0;
+};
+
+// Sound goes to a null device (ALSOFT_DRIVERS=null) and HOME is a fresh folder unless the call says otherwise.
+ProgramRun run_program(const ProgramCall& call);
+
+}  // namespace handrail::test
