@@ -184,6 +184,13 @@ void AppCore::answer(std::string text, double now_s) { say(std::move(text), Spee
 
 void AppCore::press(Command command, double now_s) {
     if (held(command)) return;
+    // Any key interrupts what is being said; Repeat wants it again, and Stop says so itself.
+    if (command != Command::Repeat && command != Command::StopSpeech && command != Command::StopEverything) {
+        CueRequest quiet;
+        quiet.kind = CueRequestKind::StopSpeech;
+        quiet.time_s = now_s;
+        cue(std::move(quiet));
+    }
     if (info(command).hold) held_[static_cast<std::size_t>(command)] = true;
     act(command, now_s);
 }

@@ -31,7 +31,7 @@ namespace {
 constexpr double kFrame_s = 1.0 / 60.0;
 constexpr double kProgressEvery_s = 2.0;
 constexpr double kHandSettles_s = 0.15;
-constexpr double kLastWords_s = 3.0;      // how long the end waits for what is being said
+constexpr double kLastWords_s = 3.0;  // how long the end waits for what is being said
 
 // Set by SIGINT, SIGTERM and SIGHUP; the loop looks at it each frame. A plain flag is all that a signal handler may touch.
 std::atomic<bool> end_asked{false};
@@ -65,7 +65,8 @@ Result<HandFacts> choose_hand(const std::string& wanted, std::vector<std::string
     }
     const DeviceSpec* spec = find_device_spec(wanted == "auto" ? "sim-t" : wanted);
     if (!spec) return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", wanted, nearest_name(wanted, device_names())));
-    if (wanted != "auto" && !spec->name.starts_with("sim-")) return fail(fmt::format("The {} cannot be driven yet. Use sim-t, sim-f or none.", spec->spoken_name));
+    if (wanted != "auto" && !spec->name.starts_with("sim-"))
+        return fail(fmt::format("The {} cannot be driven yet. Use sim-t, sim-f or none.", spec->spoken_name));
     if (wanted == "auto") news.push_back("No touch device was found. A simulated hand follows the mouse and the keys.");
     return HandFacts{true, true, *spec};
 }
@@ -95,7 +96,7 @@ struct Ears {
     bool audible = false;  // there is a sound card: last words are worth waiting for
 };
 
-Ears make_ears(const Settings& settings, ServoLoop* servo, std::vector<std::string>& news) {
+Ears make_ears(const Settings& settings, Clock& clock, ServoLoop* servo, std::vector<std::string>& news) {
     auto voice_channel = std::make_shared<VoiceChannel>();
     std::vector<std::unique_ptr<SpeechSink>> speech;
     speech.push_back(std::make_unique<TextSpeech>(STDOUT_FILENO));
@@ -105,20 +106,13 @@ Ears make_ears(const Settings& settings, ServoLoop* servo, std::vector<std::stri
         ears.audible = (*sink)->has_device();
         news.push_back((*sink)->description());
         audio = std::move(*sink);
-        VoiceSettings voice;
-        voice.rate_wpm = settings.speech.rate_wpm;
-        voice.voice = settings.speech.voice;
-        if (auto speaker = EspeakSpeech::open(voice_channel, voice); speaker) {
-            speech.push_back(std::move(*speaker));
-        } else {
-            news.push_back(speaker.error().message);
-            speech.push_back(std::make_unique<BeepSpeech>(voice_channel));
-        }
+        speech.push_back(open_voice(voice_channel, settings.speech));
     } else {
         news.push_back(sink.error().message);
         audio = std::make_unique<RecordingAudio>();
     }
-    ears.thread = std::make_unique<AudioThread>(settings, std::move(audio), std::make_unique<TeeSpeech>(std::move(speech)), servo);
+    ears.thread =
+        std::make_unique<AudioThread>(std::move(audio), std::make_unique<TeeSpeech>(std::move(speech)), clock, servo ? &servo->events() : nullptr, settings);
     return ears;
 }
 
@@ -144,7 +138,7 @@ public:
                 hand = HandFacts{};
             }
         }
-        ears_ = make_ears(settings_.values(), servo_.get(), news);
+        ears_ = make_ears(settings_.values(), clock_, servo_.get(), news);
         app_ = std::make_unique<AppCore>(settings_.values(), *hand);
         for (const Diagnostic& problem : arguments_.settings_problems) news.push_back(problem.sentence());
         open_window(news);
@@ -203,7 +197,8 @@ private:
         if (ended()) return false;
         const ReadReport& report = scene->report;
         if (report.warnings_in_all > 0)
-            say(fmt::format("{} {} in this file; the first: {}", report.warnings_in_all, report.warnings_in_all == 1 ? "problem" : "problems", report.warnings.front().sentence()));
+            say(fmt::format("{} {} in this file; the first: {}", report.warnings_in_all, report.warnings_in_all == 1 ? "problem" : "problems",
+                            report.warnings.front().sentence()));
         app_->enter_world(std::make_shared<const Scene>(std::move(*scene)), clock_.now_s());
         ears_.thread->enter_world(app_->scene());
         if (servo_) servo_->set_scene(app_->haptic_scene());
@@ -219,7 +214,8 @@ private:
             if (servo_) tool_ = servo_->tool();
             app_->tick(now_s, tool_);
             hand_over();
-            if (window_) window_->draw(app_->view(tool_, ears_.thread->last_spoken()));
+            for (SpokenLine& line : ears_.thread->take_spoken()) last_spoken_ = std::move(line.text);
+            if (window_) window_->draw(app_->view(tool_, last_spoken_));
             next_s = std::max(next_s + kFrame_s, now_s);
             clock_.sleep_until_s(next_s);
         }
@@ -228,7 +224,7 @@ private:
 
     // To the servo and the ears, what this frame changed.
     void hand_over() {
-        for (CueRequest& cue : app_->take_cues()) ears_.thread->request(std::move(cue));
+        for (CueRequest& cue : app_->take_cues()) ears_.thread->post(std::move(cue));
         if (app_->scene()) ears_.thread->set_listener(app_->listener());
         bool changed = false;
         for (const auto& [key, value] : app_->take_setting_changes()) changed |= settings_.set(key, value, SettingSource::Live).has_value();
@@ -299,7 +295,7 @@ private:
     void finish(std::ostream& err) {
         if (servo_) servo_->stop();
         hand_over();
-        ears_.thread->finish(ears_.audible && !end_asked ? kLastWords_s : 0.0);
+        ears_.thread->stop(ears_.audible && !end_asked ? kLastWords_s : 0.0);
         if (const auto saved = settings_.save_user_file(); !saved) fmt::print(err, "{}\n", saved.error().sentence());
     }
 
@@ -318,11 +314,14 @@ private:
     int repeat_left_ = 0;
     double settle_until_s_ = 0.0;
     ToolState tool_;
+    std::string last_spoken_;
     bool closed_ = false;
 };
 
 }  // namespace
 
-int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream&, std::ostream& err) { return Exploration(arguments, settings).run(err); }
+int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream&, std::ostream& err) {
+    return Exploration(arguments, settings).run(err);
+}
 
 }  // namespace handrail

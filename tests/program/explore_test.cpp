@@ -9,7 +9,7 @@ namespace {
 using testing::HasSubstr;
 
 ProgramRun explore(std::vector<std::string> arguments, const std::string& input, ProgramCall call = {}) {
-    arguments.insert(arguments.begin(), HANDRAIL_PROGRAM);
+    call.program = HANDRAIL_PROGRAM;
     call.arguments = std::move(arguments);
     call.input = input;
     return run_program(call);
@@ -37,7 +37,7 @@ TEST(Explore, commands_from_standard_input_are_carried_out_in_order) {
     const ProgramRun run = explore({"--no-window"}, "forward 5\nwhere\nright 2\nheading\nwheer\nquit\nforward\n");
     EXPECT_EQ(run.exit_status, 0) << run.err;
     const std::size_t wall = run.out.find("North wall, plaster");
-    const std::size_t where = run.out.find("Ahead: north wall, plaster, 1 step");
+    const std::size_t where = run.out.find("Ahead: north wall, plaster, close by");
     const std::size_t heading = run.out.find("Facing north-east, 45 degrees");
     EXPECT_NE(wall, std::string::npos) << run.out;
     EXPECT_NE(where, std::string::npos) << run.out;

@@ -28,13 +28,13 @@ bool drain(int fd, std::string& into) {
 ProgramRun run_program(const ProgramCall& call) {
     char home[] = "/tmp/handrail-test-home-XXXXXX";
     if (!::mkdtemp(home)) return {};
-    std::map<std::string, std::string> environment{{"HOME", home}, {"XDG_CONFIG_HOME", ""}, {"DISPLAY", ""},         {"WAYLAND_DISPLAY", ""},
+    std::map<std::string, std::string> environment{{"HOME", home},  {"XDG_CONFIG_HOME", ""}, {"DISPLAY", ""},           {"WAYLAND_DISPLAY", ""},
                                                    {"LC_ALL", "C"}, {"NO_AT_BRIDGE", "1"},   {"ALSOFT_DRIVERS", "null"}};
     for (const auto& [name, value] : call.environment) environment[name] = value;
 
     int in[2], out[2], err[2];
     if (::pipe(in) != 0 || ::pipe(out) != 0 || ::pipe(err) != 0) return {};
-    std::vector<char*> words;
+    std::vector<char*> words{const_cast<char*>(call.program.c_str())};
     for (const std::string& word : call.arguments) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
     const pid_t child = ::fork();
@@ -54,7 +54,8 @@ ProgramRun run_program(const ProgramCall& call) {
     ::close(out[1]);
     ::close(err[1]);
     ::signal(SIGPIPE, SIG_IGN);
-    if (!call.input.empty() && ::write(in[1], call.input.data(), call.input.size()) < 0) {}
+    if (!call.input.empty() && ::write(in[1], call.input.data(), call.input.size()) < 0) {
+    }
     if (call.close_input) ::close(in[1]);
 
     ProgramRun run;

@@ -8,17 +8,18 @@
 namespace handrail::test {
 
 struct ProgramRun {
-    int exit_status = -1;        // 128 + signal number when a signal ended it
+    int exit_status = -1;  // 128 + signal number when a signal ended it
     std::string out, err;
-    bool timed_out = false;      // it was killed after the time allowed
+    bool timed_out = false;  // it was killed after the time allowed
 };
 
 struct ProgramCall {
-    std::vector<std::string> arguments;                // the first is the program's path
-    std::string input;                                 // fed to standard input, then closed
-    bool close_input = true;                           // false: standard input stays open until the program ends
-    std::map<std::string, std::string> environment;    // set on top; an empty value removes
-    int signal_when_said = 0;                          // sent once `signal_after` stands in the output
+    std::string program;  // its path
+    std::vector<std::string> arguments;
+    std::string input;                               // fed to standard input, then closed
+    bool close_input = true;                         // false: standard input stays open until the program ends
+    std::map<std::string, std::string> environment;  // set on top; an empty value removes
+    int signal_when_said = 0;                        // sent once `signal_after` stands in the output
     std::string signal_after;
     double allowed_s = 120.0;
 };
