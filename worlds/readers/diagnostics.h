@@ -12,6 +12,8 @@
 
 namespace handrail {
 
+inline constexpr double kFarthestM = 1e6;  // no coordinate in a file may lie further out: replay and rendering take positions up to here
+
 struct TextPlace {
     int line = 0;
     int column = 0;
@@ -54,5 +56,8 @@ private:
 
 // At most `most` bytes of what was found, fit for a message: bytes that are no printable ASCII become question marks.
 std::string excerpt(std::string_view found, std::size_t most = 24);
+
+// The failure of a file that holds nothing usable, with the first problem where there was one: "... in this map. It holds no brushes."
+tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world, std::string_view parts);
 
 }  // namespace handrail

@@ -8,6 +8,17 @@ namespace {
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
+constexpr std::string_view kPunctuation = "{}()[]";
+
+// A table, since a line may be a hundred megabytes long.
+constexpr std::array<bool, 256> kEndsWord = [] {
+    std::array<bool, 256> ends{};
+    for (std::size_t c = 0; c <= ' '; ++c) ends[c] = true;
+    for (const char c : kPunctuation) ends[static_cast<unsigned char>(c)] = true;
+    ends[static_cast<unsigned char>('"')] = true;
+    return ends;
+}();
+
 enum class TokenKind { End, Punctuation, Quoted, Word };
 
 struct Token {
@@ -120,12 +131,11 @@ private:
         if (c == '"') return quoted();
         Token token{TokenKind::Word, {}, here()};
         const std::size_t begin = at_;
-        constexpr std::string_view kPunctuation = "{}()[]";
         if (kPunctuation.find(c) != std::string_view::npos) {
             token.kind = TokenKind::Punctuation;
             ++at_;
         } else {
-            while (at_ < bytes_.size() && !is_blank(bytes_[at_]) && bytes_[at_] != '"' && kPunctuation.find(bytes_[at_]) == std::string_view::npos) ++at_;
+            while (at_ < bytes_.size() && !kEndsWord[static_cast<unsigned char>(bytes_[at_])]) ++at_;
         }
         token.text = bytes_.substr(begin, at_ - begin);
         return token;
@@ -358,14 +368,6 @@ std::string unquoted(std::string_view raw) {
         if (raw[i] == '\\' && i + 1 < raw.size() && raw[i + 1] == '"') continue;
         text += raw[i];
     }
-    return text;
-}
-
-std::string excerpt(std::string_view found, std::size_t most) {
-    std::string text(found.substr(0, most));
-    for (char& c : text)
-        if (c < ' ' || c > '~' || c == '"') c = '?';
-    if (found.size() > most) text += "...";
     return text;
 }
 

@@ -117,7 +117,7 @@ public:
         progress(0.3);
         for (std::size_t i = 0; i < file_.entities.size(); ++i) read_entity(file_.entities[i], static_cast<int>(i));
         progress(0.5);
-        if (scene_.solids.empty()) return nothing_usable();
+        if (scene_.solids.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "map", "brushes");
         join_volumes();
         derive_surfaces(scene_, looks_, units_);
         progress(0.9);
@@ -549,19 +549,7 @@ private:
             guessed_from_[material.name].insert(lower_ascii(texture.substr(0, 64)));
         }
         if (const MaterialSpec* spec = find_material(material.name)) material.sound = spec->sound;
-        return intern(scene_, material);
-    }
-
-    static MaterialId intern(Scene& scene, const Material& material) {
-        const auto same = [&](const Material& known) {
-            return known.name == material.name && known.guessed == material.guessed && known.stiffness_fraction == material.stiffness_fraction &&
-                   known.friction_mu == material.friction_mu;
-        };
-        const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), same);
-        if (found != scene.materials.end()) return static_cast<MaterialId>(found - scene.materials.begin());
-        if (scene.materials.size() >= 0xffff) return kDefaultMaterial;
-        scene.materials.push_back(material);
-        return static_cast<MaterialId>(scene.materials.size() - 1);
+        return material_id(scene_, material);
     }
 
     // ---- the whole ----
@@ -592,15 +580,6 @@ private:
         }
     }
 
-    tl::unexpected<Error> nothing_usable() const {
-        std::string why = "Nothing to touch was found in this map.";
-        if (diagnostics_.kept().empty()) return fail(why + " It holds no brushes.", scene_.source_file);
-        const Diagnostic& first = diagnostics_.kept().front();
-        if (diagnostics_.in_all() == 1) why += " The problem: ";
-        else why += fmt::format(" {} problems; the first: ", diagnostics_.in_all());
-        return fail(why + first.message, scene_.source_file, first.line, first.column);
-    }
-
     void name_world() {
         scene_.name = world_name_.empty() ? words_of_name(scene_.source_file) : world_name_;
         scene_.game_map = stated_building_ ? !*stated_building_ : game_things_ && !building_things_;
@@ -619,7 +598,9 @@ private:
             report.guessed.push_back(
                 fmt::format("The material {} was guessed from the {} {}.", material, shown == 1 ? "texture name" : "texture names", names));
         }
-        if (dropped_faces_ > 0) report.simplified.push_back(fmt::format("{} faces that repeat another or have no area were dropped.", dropped_faces_));
+        if (dropped_faces_ > 0)
+            report.simplified.push_back(dropped_faces_ == 1 ? "One face that repeats another or has no area was dropped."
+                                                            : fmt::format("{} faces that repeat another or have no area were dropped.", dropped_faces_));
         const auto left_out = [&](int count, std::string_view one, std::string_view many) {
             if (count > 0) report.left_out.push_back(count == 1 ? fmt::format("One {} was left out.", one) : fmt::format("{} {} were left out.", count, many));
         };

@@ -12,6 +12,7 @@ bool ends_in(const fs::path& path, std::string_view ending) { return lower_ascii
 
 constexpr std::array kReaders{
     MapReader{"map", [](const fs::path& path, std::string_view) { return ends_in(path, ".map"); }, read_quake_map},
+    MapReader{"obj", [](const fs::path& path, std::string_view) { return ends_in(path, ".obj"); }, read_obj},
 };
 
 // Files that are often given by mistake, told by their first bytes, and what to do then.

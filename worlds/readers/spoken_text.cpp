@@ -54,7 +54,7 @@ std::string spoken_text(std::string_view raw) {
         const auto c = static_cast<unsigned char>(cut[i]);
         if (c == '\\' && i + 1 < cut.size() && cut[i + 1] == 'n') {
             while (!text.empty() && text.back() == ' ') text.pop_back();
-            if (!text.empty() && std::isalnum(static_cast<unsigned char>(text.back()))) text += ',';
+            if (const auto last = static_cast<unsigned char>(text.empty() ? '.' : text.back()); last >= 0x80 || std::isalnum(last)) text += ',';
             blank();
             ++i;
         } else if (c <= ' ' || c == 0x7F || (!utf8 && c >= 0x80 && c < 0xA0)) {

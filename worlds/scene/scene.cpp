@@ -13,6 +13,18 @@ std::string spoken_name(const Scene& scene, FeatureId id) {
     return feature->name + ", " + material;
 }
 
+MaterialId material_id(Scene& scene, const Material& material) {
+    const auto same = [&](const Material& known) {
+        return known.name == material.name && known.guessed == material.guessed && known.stiffness_fraction == material.stiffness_fraction &&
+               known.friction_mu == material.friction_mu;
+    };
+    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), same);
+    if (found != scene.materials.end()) return static_cast<MaterialId>(found - scene.materials.begin());
+    if (scene.materials.size() >= std::numeric_limits<MaterialId>::max()) return kDefaultMaterial;
+    scene.materials.push_back(material);
+    return static_cast<MaterialId>(scene.materials.size() - 1);
+}
+
 Result<void> validate(const Scene& scene) {
     const auto wrong = [&](const std::string& message, int line) { return fail(message, scene.source_file, line); };
     const auto known = [&](FeatureId id) { return !id || id.value < scene.features.size(); };

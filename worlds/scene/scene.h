@@ -126,6 +126,9 @@ struct Scene {
 // "north wall, plaster" or "Table": the feature's name with its material where it has one. Empty for kNoFeature.
 std::string spoken_name(const Scene& scene, FeatureId id);
 
+// The number of this material in the scene, which gets it if it is new. Readers only. The default wall once there are too many to count.
+MaterialId material_id(Scene& scene, const Material& material);
+
 // Checks sizes, indices and finiteness of a Scene that a reader or code built; says the first thing that is wrong.
 Result<void> validate(const Scene& scene);
 

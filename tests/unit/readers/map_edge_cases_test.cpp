@@ -1,0 +1,257 @@
+// Every case that real editors, other games and accidents put into a .map file.
+#include "tests/support/map_text.h"
+#include "worlds/readers/map_syntax.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+using test::box_brush;
+using test::entity;
+using test::key;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kCube = box_brush(0, 0, 0, 64, 64, 64);
+
+struct Reading {
+    Scene scene;
+    std::vector<std::string> said;  // the warnings as they are heard
+};
+
+Reading read(const std::string& text) {
+    Result<Scene> scene = read_quake_map(text, "test.map");
+    EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().sentence());
+    Reading reading;
+    if (!scene) return reading;
+    const Result<void> valid = validate(*scene);
+    EXPECT_TRUE(valid.has_value()) << (valid ? "" : valid.error().sentence());
+    reading.scene = std::move(*scene);
+    for (const Diagnostic& warning : reading.scene.report.warnings) reading.said.push_back(warning.sentence());
+    return reading;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) text.replace(at, from.size(), to);
+    return text;
+}
+
+TEST(MapEdgeCases, comments_of_both_kinds_are_skipped_but_a_semicolon_in_a_texture_is_a_letter) {
+    const std::string text =
+        "// first\n; QuArK\n" + replaced(entity("worldspawn", "// between } {\n", box_brush(0, 0, 0, 64, 64, 64, "odd;name")), "1 1\n", "1 1 //TX1\n; note\n");
+    const Reading reading = read(text);
+    EXPECT_THAT(reading.said, IsEmpty());
+    EXPECT_EQ(reading.scene.solids.size(), 1U);
+    Diagnostics diagnostics("test.map");
+    EXPECT_EQ(parse_map(text, diagnostics).entities.at(0).brushes.at(0).faces.at(0).texture, "odd;name");
+}
+
+TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_rightly) {
+    const std::string text = replaced(entity("worldspawn", key("a", "1") + key("a", "2"), kCube), " ", "\t");
+    for (const std::string end : {"\n", "\r\n", "\r"})
+        for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
+            const Reading reading = read(mark + replaced(text, "\n", end));
+            EXPECT_THAT(reading.said, ElementsAre("test.map, line 4, column 1: warning: the key \"a\" is given twice. The last value was taken."));
+            EXPECT_EQ(reading.scene.solids.size(), 1U);
+        }
+    const Reading no_newline = read(text.substr(0, text.size() - 1));
+    EXPECT_EQ(no_newline.scene.report.warnings_in_all, 1);
+}
+
+TEST(MapEdgeCases, textures_may_have_any_name_up_to_white_space_or_in_quotes) {
+    for (const std::string texture : {"{grille", "}odd", "*a", "+0slip", "#x", "a;b", "(paren", "!b", "a/b/c", "128", "__TB_empty", "//x", "\"with blanks\"",
+                                      "\"say \\\"x\\\" y\"", "a)b", "[x"}) {
+        const Reading reading = read(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 64, texture) + kCube));
+        EXPECT_THAT(reading.said, IsEmpty()) << texture;
+        EXPECT_EQ(reading.scene.solids.size(), 2U) << texture;
+        EXPECT_EQ(reading.scene.report.polygons, 12) << texture;
+    }
+}
+
+TEST(MapEdgeCases, escaped_quotes_and_trailing_backslashes_are_told_apart) {
+    Diagnostics diagnostics("test.map");
+    const MapFile file = parse_map("{\n\"a\" \"say \\\"hi\\\"!\"\n\"wad\" \"c:\\a\\\"\n\"b\" \"x\\ny\"\n\"c\\\" \"d\\\" \"e\" \"f\"}", diagnostics);
+    EXPECT_EQ(diagnostics.in_all(), 0);
+    const MapEntity& only = file.entities.at(0);
+    EXPECT_EQ(unquoted(only.value("a")), "say \"hi\"!");
+    EXPECT_EQ(unquoted(only.value("wad")), "c:\\a\\");
+    EXPECT_EQ(only.value("b"), "x\\ny");
+    EXPECT_EQ(only.value("c\\"), "d\\");
+    EXPECT_EQ(only.value("e"), "f");
+}
+
+TEST(MapEdgeCases, bytes_above_127_become_utf8_and_a_line_break_a_pause) {
+    EXPECT_EQ(read(entity("worldspawn", key("message", "Caf\xE9\\nB\xFCro"), kCube)).scene.name, "Caf\xC3\xA9, B\xC3\xBCro");
+    EXPECT_EQ(read(entity("worldspawn", key("message", "Caf\xC3\xA9.\\n\\nOpen"), kCube)).scene.name, "Caf\xC3\xA9. Open");
+    EXPECT_EQ(read(entity("worldspawn", {}, kCube)).scene.name, "test") << "without a message the file's name";
+}
+
+TEST(MapEdgeCases, numbers_may_have_signs_decimals_exponents_and_trailing_dots) {
+    std::string brush = replaced(replaced(kCube, " 64 ", " +6.4e1 "), "( 0 ", "( -0. ");
+    const Reading reading = read(entity("worldspawn", {}, brush));
+    EXPECT_THAT(reading.said, IsEmpty());
+    EXPECT_EQ(reading.scene.bounds_m.max_m, Vec3(2, 2, 2));
+    const Reading off_grid = read(entity("worldspawn", {}, box_brush(0.1234567890123, 0.5, 1e-3, 63.9999999, 64.123, 64)));
+    EXPECT_THAT(off_grid.said, IsEmpty());
+    EXPECT_DOUBLE_EQ(off_grid.scene.bounds_m.min_m.x, 0.1234567890123 / 32);
+    for (const std::string bad : {"nan", "inf", "-inf", "1e999", "0x10", "1,5", "--1"}) {
+        const Reading damaged = read(entity("worldspawn", {}, kCube + replaced(kCube, "( 64 0 0 )", "( 64 " + bad + " 0 )")));
+        EXPECT_EQ(damaged.scene.solids.size(), 1U) << bad;
+        ASSERT_EQ(damaged.said.size(), 1U) << bad;
+        EXPECT_THAT(damaged.said[0], testing::StartsWith("test.map, line 13, column 6: error: a face ends early. Expected a number in point 1, found \"" + bad +
+                                                         "\". This brush was left out; 1 brushes"))
+            << bad;
+    }
+}
+
+TEST(MapEdgeCases, a_face_whose_points_lie_on_a_line_costs_only_that_face) {
+    const std::string line = "( 0 0 0 ) ( 1 1 1 ) ( 2 2 2 ) plain 0 0 0 1 1\n", point = "( 5 5 5 ) ( 5 5 5 ) ( 5 5 5 ) plain 0 0 0 1 1\n";
+    for (const std::string& bad : {line, point}) {
+        const Reading reading = read(entity("worldspawn", {}, replaced(kCube, "}\n", bad + "}\n")));
+        EXPECT_EQ(reading.scene.solids.size(), 1U);
+        EXPECT_EQ(reading.scene.report.polygons, 6);
+        EXPECT_THAT(reading.said,
+                    ElementsAre("test.map, line 10, column 1: warning: the three points of this face lie on one line. The brush was tried without this face."));
+    }
+}
+
+TEST(MapEdgeCases, open_empty_and_inside_out_brushes_are_named_by_line_and_the_rest_loads) {
+    std::string missing = kCube;
+    missing.erase(missing.find("( 64 "), missing.find('\n', missing.find("( 64 ")) - missing.find("( 64 ") + 1);
+    EXPECT_THAT(read(entity("worldspawn", {}, kCube + missing)).said, ElementsAre(HasSubstr("line 11, column 1: warning: this brush is not closed")));
+    EXPECT_THAT(read(entity("worldspawn", {}, kCube + replaced(kCube, "}\n", "( 0 0 -9 ) ( 0 64 -9 ) ( 64 0 -9 ) t\n}\n"))).said,
+                ElementsAre(HasSubstr("this brush has no volume. It was left out.")));
+    EXPECT_THAT(read(entity("worldspawn", {}, kCube + "{\n}\n")).said, ElementsAre(HasSubstr("line 11, column 1: warning: this brush has no faces")));
+    std::string turned;
+    for (std::size_t at = 0; at < kCube.size();) {
+        const std::size_t end = kCube.find('\n', at) + 1;
+        std::string row = kCube.substr(at, end - at);
+        if (row[0] == '(') {  // the first two points change places
+            const std::size_t first = row.find(')') + 2, second = row.find(')', first) + 2;
+            row = row.substr(first, second - first) + row.substr(0, first) + row.substr(second);
+        }
+        turned += row;
+        at = end;
+    }
+    const Reading inside_out = read(entity("worldspawn", {}, turned));
+    EXPECT_THAT(inside_out.said, ElementsAre(HasSubstr("line 3, column 1: warning: this brush is inside out. It was turned round.")));
+    EXPECT_EQ(inside_out.scene.bounds_m.max_m, Vec3(2, 2, 2));
+}
+
+TEST(MapEdgeCases, faces_that_lose_their_area_are_dropped_quietly_and_counted) {
+    const std::string beyond = "( 0 0 90 ) ( 0 64 90 ) ( 64 0 90 ) plain 0 0 0 1 1\n";
+    const Reading reading = read(entity("worldspawn", {}, replaced(kCube, "}\n", beyond + "}\n")));
+    EXPECT_THAT(reading.said, IsEmpty());
+    EXPECT_EQ(reading.scene.report.polygons, 6);
+    EXPECT_THAT(reading.scene.report.simplified, ElementsAre("One face that repeats another or has no area was dropped."));
+    EXPECT_EQ(read(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 0.01))).scene.solids.size(), 1U) << "nearly flat";
+}
+
+TEST(MapEdgeCases, forms_of_other_games_are_skipped_to_their_brace_with_a_warning) {
+    const std::string patch = "{\npatchDef2\n{\ncommon/{odd\n( 3 3 0 0 0 )\n(\n( ( 0 0 0 0 0 ) ( 1 0 0 0 0 ) )\n)\n}\n}\n";
+    const std::string primitive = "{\nbrushDef\n{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"x\" 0 0 0\n}\n}\n";
+    const Reading reading = read(entity("worldspawn", {}, patch + kCube + primitive + kCube));
+    EXPECT_EQ(reading.scene.solids.size(), 2U);
+    EXPECT_THAT(reading.said,
+                ElementsAre(HasSubstr("line 4, column 1: warning: this part is written as a curved patch"), HasSubstr("written as \"brushDef\"")));
+    EXPECT_EQ(reading.scene.report.brushes, 3);
+    EXPECT_EQ(reading.scene.report.left_out.size(), 2U);
+}
+
+TEST(MapEdgeCases, standard_and_valve_faces_mix_and_extra_numbers_are_no_error) {
+    std::string brush = kCube;
+    brush.replace(brush.find("plain 0 0 0 1 1"), 15, "plain [ 0 1 0 -16 ] [ 0 0 -1 8.5e0 ] 45 1 1");
+    brush.replace(brush.rfind("plain 0 0 0 1 1"), 15, "plain 0 0 0 1 1 134217728 0 0");
+    const Reading reading = read(entity("worldspawn", {}, brush + replaced(kCube, "plain 0 0 0 1 1", "plain")));
+    EXPECT_THAT(reading.said, IsEmpty());
+    EXPECT_EQ(reading.scene.solids.size(), 2U);
+}
+
+TEST(MapEdgeCases, what_misses_a_class_a_world_or_an_entity_is_taken_and_said) {
+    EXPECT_THAT(read("{\n\"a\" \"b\"\n" + kCube + "}\n" + entity("worldspawn")).said,
+                ElementsAre(HasSubstr("line 1, column 1: warning: this entity has no classname. Its brushes were taken")));
+    EXPECT_THAT(read(entity("func_wall", {}, kCube)).said, ElementsAre(HasSubstr("this map has no worldspawn")));
+    EXPECT_THAT(read("{\n" + kCube + "\"classname\" \"worldspawn\"\n}\n").said, IsEmpty()) << "brushes before keys";
+    const Reading bare = read(kCube + kCube);
+    EXPECT_EQ(bare.scene.solids.size(), 2U);
+    EXPECT_THAT(bare.said, testing::Contains(HasSubstr("brushes stand outside of any entity. They were taken as the building itself.")));
+}
+
+TEST(MapEdgeCases, content_of_other_files_is_said_to_be_missing) {
+    EXPECT_THAT(read(entity("worldspawn", {}, kCube) + entity("misc_external_map", key("_external_map", "a.map"))).said,
+                ElementsAre(HasSubstr("this entity stands for the content of another file. That part is missing here.")));
+}
+
+TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
+    const std::string whole = entity("worldspawn", {}, kCube + kCube + kCube);
+    EXPECT_THAT(read(whole.substr(0, whole.rfind('}'))).said,
+                ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A closing brace is missing. What was complete was kept.")));
+    std::string open = whole;
+    open.erase(open.find("}\n"), 2);  // the first brush's
+    const Reading reading = read(open);
+    EXPECT_EQ(reading.scene.solids.size(), 3U);
+    EXPECT_THAT(reading.said, ElementsAre(HasSubstr("the brush that begins in line 3 has no closing brace. It was taken to end here.")));
+}
+
+TEST(MapEdgeCases, lists_twenty_warnings_and_counts_all) {
+    std::string brushes = kCube;
+    for (int i = 0; i < 50; ++i) brushes += "{\n}\n";
+    const Reading reading = read(entity("worldspawn", {}, brushes));
+    EXPECT_EQ(reading.said.size(), 20U);
+    EXPECT_EQ(reading.scene.report.warnings_in_all, 50);
+}
+
+TEST(MapEdgeCases, unknown_keys_are_data_and_odd_values_of_known_ones_are_moved_to_the_nearest_legal) {
+    const auto with = [](const std::string& keys) { return read(entity("worldspawn", {}, kCube) + entity("thing", keys, kCube)); };
+    EXPECT_THAT(with(key("_tb_id", "3") + key("anything", "at all")).said, IsEmpty());
+    const Reading low = with(key("friction", "-1") + key("landmark", "2") + key("hinge", "nort") + key("cs_name", "liquid") + key("viscosity", "1e9"));
+    EXPECT_EQ(low.said.size(), 4U);
+    EXPECT_EQ(low.scene.solids.at(1).viscosity_ns_per_m, 100.0);
+    const Feature& feature = *low.scene.find(low.scene.solids.at(1).feature);
+    EXPECT_TRUE(feature.landmark);
+    EXPECT_EQ(feature.hinge, "north");
+    EXPECT_THAT(read(entity("worldspawn", {}, kCube) + entity("info_player_start", key("origin", "1 2"))).said, ElementsAre(HasSubstr("is not three numbers")));
+}
+
+TEST(MapEdgeCases, liquids_keep_their_viscosity_and_sounds_their_place) {
+    const Reading reading =
+        read(entity("worldspawn", {}, kCube) + entity("thing", key("cs_name", "liquid") + key("viscosity", "2.5") + key("name", "Basin"), kCube) +
+             entity("ambient_comp_hum", key("origin", "32 64 96")) +
+             entity("info_null", key("origin", "0 0 0") + key("sound", "clock_tick") + key("name", "Clock")));
+    EXPECT_EQ(reading.scene.solids.at(1).viscosity_ns_per_m, 2.5);
+    EXPECT_EQ(reading.scene.find(reading.scene.solids.at(1).feature)->name, "Basin");
+    ASSERT_EQ(reading.scene.sounds.size(), 2U);
+    EXPECT_EQ(reading.scene.sounds[0].name, "computer hum");
+    EXPECT_EQ(reading.scene.sounds[0].sound, "ambient_comp_hum");
+    EXPECT_EQ(reading.scene.sounds[0].position_m, Vec3(1, 2, 3));
+    EXPECT_EQ(reading.scene.sounds[1].name, "Clock");
+    EXPECT_EQ(reading.scene.sounds[1].sound, "clock_tick");
+}
+
+TEST(MapEdgeCases, guessing_can_be_switched_off_without_changing_the_walls) {
+    const std::string text = entity("worldspawn", {}, box_brush(0, 0, 0, 128, 16, 96, "brick1") + box_brush(128, 0, 0, 256, 16, 96, "wood1"));
+    ReadOptions plain;
+    plain.guess_materials = false;
+    const Result<Scene> guessed = read_quake_map(text, "test.map"), unguessed = read_quake_map(text, "test.map", plain);
+    ASSERT_TRUE(guessed && unguessed);
+    EXPECT_EQ(guessed->features.size(), unguessed->features.size());
+    EXPECT_EQ(guessed->materials.size(), 3U);
+    EXPECT_EQ(unguessed->materials.size(), 1U);
+    EXPECT_TRUE(unguessed->report.guessed.empty());
+}
+
+TEST(MapEdgeCases, fails_only_when_nothing_is_left_and_says_the_first_reason) {
+    const auto sentence = [](const std::string& text) {
+        const Result<Scene> scene = read_quake_map(text, "test.map");
+        return scene ? std::string("read") : scene.error().sentence();
+    };
+    EXPECT_EQ(sentence(""), "test.map: Nothing to touch was found in this map. It holds no brushes.");
+    EXPECT_EQ(sentence(entity("worldspawn")), "test.map: Nothing to touch was found in this map. It holds no brushes.");
+    EXPECT_THAT(sentence("hello"),
+                testing::StartsWith("test.map, line 1, column 1: Nothing to touch was found in this map. The problem: expected an opening brace"));
+    EXPECT_THAT(sentence(entity("worldspawn", {}, "{\n}\n{\n}\n")), HasSubstr("2 problems; the first: this brush has no faces."));
+}
+
+}  // namespace
+}  // namespace handrail

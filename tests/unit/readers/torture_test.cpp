@@ -1,0 +1,138 @@
+// Files no editor writes: the reader must end, in time, with a Scene that holds together or with a sentence.
+#include <random>
+
+#include "tests/support/map_text.h"
+#include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+using test::box_brush;
+using test::entity;
+
+// Reads, and checks what came out; returns the number of solids.
+std::size_t survive(std::string_view bytes) {
+    const Result<Scene> scene = read_quake_map(bytes, "torture.map");
+    if (!scene) {
+        EXPECT_FALSE(scene.error().message.empty());
+        return 0;
+    }
+    const Result<void> valid = validate(*scene);
+    EXPECT_TRUE(valid.has_value()) << valid.error().sentence();
+    EXPECT_LE(scene->report.warnings.size(), 20U);
+    EXPECT_GE(scene->report.warnings_in_all, static_cast<int>(scene->report.warnings.size()));
+    return scene->solids.size();
+}
+
+const std::string kSmall =
+    "// small\n" + entity("worldspawn", "\"message\" \"a \\\"b\\\"\"\n", box_brush(0, 0, 0, 64, 64, 64, "{x") + box_brush(64, 0, 0, 96, 64, 64, "*water")) +
+    entity("func_door", "\"name\" \"D\"\n", box_brush(0, 64, 0, 64, 80, 64, "\"q r\"")) + entity("info_player_start", "\"origin\" \"1 2 3\"\n");
+
+TEST(Torture, a_map_cut_at_every_byte) {
+    std::size_t most = 0;
+    for (std::size_t length = 0; length <= kSmall.size(); ++length) {
+        const std::size_t solids = survive(std::string_view(kSmall).substr(0, length));
+        EXPECT_GE(solids, most) << "a longer file lost what a shorter one had, at byte " << length;
+        most = std::max(most, solids);
+    }
+    EXPECT_EQ(most, 3U);
+}
+
+TEST(Torture, real_maps_cut_at_every_97th_byte) {
+    // Every place of the small one; of the larger ones places spread over the file, since reading each cut whole would take hours.
+    for (const char* name :
+         {"agtut01.map", "agdm01.map", "house.map", "office.map", "quake-e1m1.map", "quake-start.map", "quake-dm3.map", "agtut03.map", "agtut05.map"}) {
+        const auto path = test::real_world(name);
+        if (!path) GTEST_SKIP() << "the real worlds are not here";
+        const std::string bytes = test::content_of(*path);
+        const std::size_t cuts = bytes.size() / 97, tried = static_cast<std::size_t>(test::scaled(bytes.size() < 20000 ? 150 : 8));
+        const std::size_t step = std::max<std::size_t>(1, cuts / tried) * 97;
+        for (std::size_t length = 97; length < bytes.size(); length += step) survive(std::string_view(bytes).substr(0, length));
+    }
+}
+
+TEST(Torture, two_hundred_thousand_braces) {
+    EXPECT_EQ(survive(std::string(200000, '{')), 0U);
+    EXPECT_EQ(survive(std::string(200000, '}')), 0U);
+    std::string pairs;
+    for (int i = 0; i < 100000; ++i) pairs += "{}";
+    EXPECT_EQ(survive(pairs), 0U);
+    EXPECT_EQ(survive(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 64)) + std::string(200000, '{')), 1U);
+}
+
+TEST(Torture, lines_of_a_hundred_megabytes) {
+    const std::size_t length = static_cast<std::size_t>(100e6 * test::kSanitizerScale * test::kSanitizerScale);
+    EXPECT_EQ(survive(std::string(length, 'x')), 0U);
+    EXPECT_EQ(survive("{\n\"a\" \"" + std::string(length / 4, 'x')), 0U);
+    EXPECT_EQ(
+        survive(entity("worldspawn", "\"message\" \"" + std::string(length / 4, '\\') + "\"\n", box_brush(0, 0, 0, 64, 64, 64, std::string(length / 40, 'x')))),
+        1U);
+}
+
+TEST(Torture, random_bytes_and_random_tokens) {
+    std::mt19937 random(1);
+    for (int round = 0; round < test::scaled(300); ++round) {
+        std::string bytes(random() % 4000, '\0');
+        for (char& c : bytes) c = static_cast<char>(random());
+        survive(bytes);
+    }
+    const std::vector<std::string> tokens{"{",
+                                          "}",
+                                          "(",
+                                          ")",
+                                          "[",
+                                          "]",
+                                          "\"",
+                                          "\\\"",
+                                          "\n",
+                                          "\r",
+                                          " ",
+                                          "//",
+                                          ";",
+                                          "0",
+                                          "64",
+                                          "-1e9",
+                                          "1e300",
+                                          "tex",
+                                          "*water",
+                                          "patchDef2",
+                                          "brushDef",
+                                          "\"classname\" \"worldspawn\"\n",
+                                          "\"cs_name\" \"liquid\"\n",
+                                          "( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) t 0 0 0 1 1\n",
+                                          box_brush(0, 0, 0, 64, 64, 64)};
+    for (int round = 0; round < test::scaled(2000); ++round) {
+        std::string text = "{\n";
+        for (int i = 0; i < 60; ++i) text += tokens[random() % tokens.size()] + (random() % 3 ? " " : "");
+        survive(text);
+    }
+}
+
+TEST(Torture, random_planes_through_a_small_grid) {
+    // Needles, wedges, repeated and opposite planes, empty and open brushes, by the thousand and on top of each other.
+    std::mt19937 random(2);
+    for (int round = 0; round < test::scaled(60); ++round) {
+        std::string brushes = box_brush(0, 0, 0, 8, 8, 8);
+        for (int b = 0; b < 40; ++b) {
+            brushes += "{\n";
+            for (int f = 0; f < 4 + static_cast<int>(random() % 8); ++f) {
+                for (int p = 0; p < 3; ++p) brushes += fmt::format("( {} {} {} ) ", random() % 9, random() % 9, random() % 9);
+                brushes += "t 0 0 0 1 1\n";
+            }
+            brushes += "}\n";
+        }
+        EXPECT_GE(survive(entity("worldspawn", {}, brushes)), 1U);
+    }
+}
+
+TEST(Torture, far_and_tiny_coordinates) {
+    for (const double far : {1e4, 1e6, 3e7, 1e9, 1e150, 1e300})
+        for (const double size : {1e-6, 1e-3, 1.0, 1e4})
+            survive(entity("worldspawn", {}, box_brush(far, far, far, far + size, far + size, far + size) + box_brush(0, 0, 0, 64, 64, 64)));
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,273 @@
+// Wavefront .obj meshes: triangles as two-sided sheets. Damage is reported by line and the rest loads.
+#include <charconv>
+#include <map>
+
+#include "worlds/base/text.h"
+#include "worlds/readers/diagnostics.h"
+#include "worlds/readers/reader.h"
+#include "worlds/readers/spoken_text.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::size_t kMostCorners = 4096;  // of one polygon; splitting a larger one would take minutes
+
+double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+// Cuts a polygon into triangles of corner numbers: an ear at a time, so that concave ones come out right. What has no ears left (twisted or without
+// area) is cut as a fan. Always corners - 2 triangles. O(corners squared) for convex polygons.
+std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec3>& corners_m) {
+    Vec3 normal{0.0};
+    for (std::size_t i = 1; i + 1 < corners_m.size(); ++i) normal += glm::cross(corners_m[i] - corners_m[0], corners_m[i + 1] - corners_m[0]);
+    // Seen along the axis nearest to the normal, from the side where the corners run counter-clockwise.
+    const Vec3 size = glm::abs(normal);
+    const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
+    std::vector<Vec2> flat;
+    for (const Vec3& p : corners_m) flat.emplace_back(p[(axis + 1) % 3], p[(axis + 2) % 3] * (normal[axis] < 0.0 ? -1.0 : 1.0));
+
+    std::vector<std::size_t> ring(corners_m.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = i;
+    std::vector<std::array<std::size_t, 3>> triangles;
+    const auto is_ear = [&](std::size_t at) {
+        const std::size_t a = ring[(at + ring.size() - 1) % ring.size()], b = ring[at], c = ring[(at + 1) % ring.size()];
+        if (twice_area(flat[a], flat[b], flat[c]) <= 0.0) return false;
+        return std::none_of(ring.begin(), ring.end(), [&](std::size_t p) {
+            if (p == a || p == b || p == c) return false;
+            return twice_area(flat[a], flat[b], flat[p]) >= 0.0 && twice_area(flat[b], flat[c], flat[p]) >= 0.0 && twice_area(flat[c], flat[a], flat[p]) >= 0.0;
+        });
+    };
+    while (ring.size() > 3) {
+        std::size_t ear = 1;  // without any ear: the next corner, which makes a fan
+        for (std::size_t at = 0; at < ring.size(); ++at) {
+            if (!is_ear(at)) continue;
+            ear = at;
+            break;
+        }
+        triangles.push_back({ring[(ear + ring.size() - 1) % ring.size()], ring[ear], ring[(ear + 1) % ring.size()]});
+        ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(ear));
+    }
+    triangles.push_back({ring[0], ring[1], ring[2]});
+    return triangles;
+}
+
+class ObjSceneBuilder {
+public:
+    ObjSceneBuilder(std::string_view bytes, const std::string& file_name, const ReadOptions& options)
+        : options_(options), bytes_(bytes), diagnostics_(file_name) {
+        scene_.source_file = file_name;
+        scene_.name = words_of_name(file_name);
+        scene_.materials.emplace_back();
+        scene_.report.format = "obj";
+    }
+
+    Result<Scene> build() {
+        if (bytes_.starts_with("\xEF\xBB\xBF")) at_ = 3;
+        while (next_line()) read_line();
+        if (scene_.triangles.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "mesh", "faces");
+        ReadReport& report = scene_.report;
+        report.polygons_kept = report.polygons;
+        report.triangles = static_cast<int>(scene_.triangles.size());
+        if (curves_ > 0) report.left_out.push_back(fmt::format("{} lines, points or curves were left out: only faces can be touched.", curves_));
+        if (faces_left_out_ > 0)
+            report.left_out.push_back(faces_left_out_ == 1 ? "One damaged face was left out."
+                                                           : fmt::format("{} damaged faces were left out.", faces_left_out_));
+        for (const auto& [material, from] : guessed_from_)
+            report.guessed.push_back(fmt::format("The material {} was guessed from the name {}.", material, excerpt(from)));
+        name_main_materials();
+        diagnostics_.move_into(report);
+        if (options_.progress) options_.progress(1.0);
+        return std::move(scene_);
+    }
+
+private:
+    // Moves to the next line, of which LF, CR LF or CR is the end; a backslash at a line's end joins the next to it.
+    bool next_line() {
+        if (at_ >= bytes_.size()) return false;
+        words_.clear();
+        line_ = next_line_;
+        std::size_t begin = at_;
+        for (bool more = true; more;) {
+            const std::size_t end = std::min(bytes_.find_first_of("\r\n", begin), bytes_.size());
+            std::string_view text = bytes_.substr(begin, end - begin);
+            text = text.substr(0, text.find('#'));
+            more = text.ends_with('\\') && end < bytes_.size();
+            if (more) text.remove_suffix(1);
+            add_words(text);
+            begin = end < bytes_.size() && bytes_[end] == '\r' && end + 1 < bytes_.size() && bytes_[end + 1] == '\n' ? end + 2 : end + 1;
+            ++next_line_;
+        }
+        at_ = begin;
+        return true;
+    }
+
+    struct Word {
+        std::string_view text;
+        int column = 0;
+    };
+
+    void add_words(std::string_view text) {
+        for (std::size_t i = 0; i < text.size();) {
+            const auto blank = [&](std::size_t k) { return static_cast<unsigned char>(text[k]) <= ' '; };
+            if (blank(i)) {
+                ++i;
+                continue;
+            }
+            std::size_t end = i;
+            while (end < text.size() && !blank(end)) ++end;
+            words_.push_back({text.substr(i, end - i), static_cast<int>(i) + 1});
+            i = end;
+        }
+    }
+
+    TextPlace place(std::size_t word) const { return {line_, word < words_.size() ? words_[word].column : 0}; }
+
+    void read_line() {
+        if (words_.empty()) return;
+        const std::string_view what = words_[0].text;
+        if (what == "v") read_vertex();
+        else if (what == "f") read_face();
+        else if (what == "o" || what == "g") name_ = rest_of_line();
+        else if (what == "usemtl") material_ = material_of(rest_of_line());
+        else if (what == "l" || what == "p" || what == "curv" || what == "surf") ++curves_;
+        else if (what != "vt" && what != "vn" && what != "vp" && what != "s" && what != "mtllib" && !complained_unknown_) {
+            complained_unknown_ = true;  // once: a file of another kind would give thousands
+            diagnostics_.warn(place(0), "It was passed over.", "\"{}\" is no statement of an obj file.", excerpt(what));
+        }
+    }
+
+    std::string rest_of_line() const {
+        std::string text;
+        for (std::size_t i = 1; i < words_.size() && text.size() < 256; ++i) text += (i > 1 ? " " : "") + std::string(words_[i].text.substr(0, 256));
+        return text;
+    }
+
+    void read_vertex() {
+        Vertex vertex;
+        vertex.good = words_.size() >= 4;
+        if (!vertex.good) diagnostics_.warn(place(0), "Faces that use it are left out.", "this point has fewer than three numbers.");
+        for (int axis = 0; vertex.good && axis < 3; ++axis) {
+            const Word& word = words_[static_cast<std::size_t>(axis) + 1];
+            vertex.good = parse_finite(word.text, vertex.at_m[axis]) && std::abs(vertex.at_m[axis]) <= kFarthestM;
+            if (!vertex.good)
+                diagnostics_.warn({line_, word.column}, "Faces that use this point are left out.", "expected a number of at most a million, found \"{}\".",
+                                  excerpt(word.text));
+        }
+        vertices_.push_back(vertex);
+    }
+
+    // The point a corner "7", "7/1/3" or "-1" stands for; what is wrong is said.
+    const Vec3* corner(const Word& word) {
+        long long number = 0;
+        const std::string_view text = word.text.substr(0, word.text.find('/'));
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        const auto count = static_cast<long long>(vertices_.size());
+        const auto refuse = [&](const std::string& why) -> const Vec3* {
+            diagnostics_.warn({line_, word.column}, "The face was left out.", "{}", why);
+            return nullptr;
+        };
+        if (error != std::errc{} || end != text.data() + text.size())
+            return refuse(fmt::format("expected the number of a point, found \"{}\".", excerpt(word.text)));
+        const long long index = number < 0 ? count + number : number - 1;
+        if (number == 0 || index < 0 || index >= count) return refuse(fmt::format("there is no point {}; {} were read so far.", number, count));
+        const Vertex& vertex = vertices_[static_cast<std::size_t>(index)];
+        if (!vertex.good) return refuse(fmt::format("point {} is damaged.", index + 1));
+        return &vertex.at_m;
+    }
+
+    void read_face() {
+        std::vector<Vec3> corners_m;
+        const bool fits = words_.size() >= 4 && words_.size() <= kMostCorners + 1;
+        if (!fits) diagnostics_.warn(place(0), "It was left out.", "this face has {} corners. It needs 3 to {}.", words_.size() - 1, kMostCorners);
+        for (std::size_t i = 1; fits && i < words_.size(); ++i) {
+            const Vec3* at_m = corner(words_[i]);
+            if (!at_m) break;
+            corners_m.push_back(*at_m);
+        }
+        if (!fits || corners_m.size() + 1 < words_.size()) {
+            ++faces_left_out_;
+            return;
+        }
+        ++scene_.report.polygons;
+        const FeatureId id = feature_of(name_);
+        Feature& feature = scene_.features[id.value];
+        for (const auto& [a, b, c] : triangles_of(corners_m)) {
+            scene_.triangles.push_back({corners_m[a], corners_m[b], corners_m[c], id, material_});
+            const double area = 0.5 * glm::length(glm::cross(corners_m[b] - corners_m[a], corners_m[c] - corners_m[a]));
+            feature.area_m2 += area;
+            areas_m2_[{id.value, material_}] += area;
+        }
+        for (const Vec3& p : corners_m) {
+            feature.bounds_m.include(p);
+            scene_.bounds_m.include(p);
+        }
+    }
+
+    FeatureId feature_of(const std::string& name) {
+        const auto [found, is_new] = features_.try_emplace(name, FeatureId{static_cast<std::uint32_t>(scene_.features.size())});
+        if (!is_new) return found->second;
+        Feature feature;
+        feature.kind = FeatureKind::Object;
+        feature.name = name.empty() || name == "default" || name == "off" ? scene_.name : words_of_name(name);
+        if (feature.name.empty()) feature.name = "surface";
+        feature.source.line = line_;
+        scene_.features.push_back(std::move(feature));
+        return found->second;
+    }
+
+    MaterialId material_of(const std::string& name) {
+        const auto [known, is_new] = materials_.try_emplace(name, kDefaultMaterial);
+        if (!is_new) return known->second;
+        Material material;
+        const MaterialSpec* spec = find_material(name);
+        if (!spec && options_.guess_materials) {
+            spec = guess_material(name);
+            material.guessed = spec != nullptr;
+        }
+        if (!spec) return kDefaultMaterial;
+        material.name = spec->name;
+        material.sound = spec->sound;
+        if (material.guessed) guessed_from_.try_emplace(material.name, name);
+        known->second = material_id(scene_, material);
+        return known->second;
+    }
+
+    void name_main_materials() {
+        std::map<std::uint32_t, double> most_m2;
+        for (const auto& [what, area] : areas_m2_) {
+            double& most = most_m2.try_emplace(what.first, -1.0).first->second;
+            if (area <= most) continue;
+            most = area;
+            scene_.features[what.first].material = what.second;
+        }
+    }
+
+    struct Vertex {
+        Vec3 at_m{0.0};
+        bool good = false;
+    };
+
+    const ReadOptions& options_;
+    std::string_view bytes_;
+    Diagnostics diagnostics_;
+    Scene scene_;
+    std::size_t at_ = 0;
+    int line_ = 0, next_line_ = 1;
+    std::vector<Word> words_;  // of the current line
+    std::vector<Vertex> vertices_;
+    std::string name_;                        // of the current object or group
+    MaterialId material_ = kDefaultMaterial;  // current
+    std::map<std::string, FeatureId> features_;
+    std::map<std::string, MaterialId> materials_;
+    std::map<std::string, std::string> guessed_from_;
+    std::map<std::pair<std::uint32_t, MaterialId>, double> areas_m2_;
+    int curves_ = 0, faces_left_out_ = 0;
+    bool complained_unknown_ = false;
+};
+
+}  // namespace
+
+Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
+    return ObjSceneBuilder(bytes, file_name, options).build();
+}
+
+}  // namespace handrail
