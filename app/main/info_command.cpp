@@ -1,10 +1,139 @@
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
 #include "app/main/commands.h"
+#include "worlds/base/clock.h"
+#include "worlds/readers/reader.h"
 
 namespace handrail {
+namespace {
 
-int run_info(const InfoArguments&, std::ostream&, std::ostream& err) {
-    err << "The command info is being written.\n";
-    return 1;
+using Json = nlohmann::ordered_json;
+
+struct Cost {
+    double load_s = 0.0;
+    std::int64_t peak_memory_bytes = 0;  // of the whole process
+};
+
+std::int64_t peak_memory_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return std::int64_t{usage.ru_maxrss} * 1024;
+}
+
+Json vector_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+std::vector<std::string> material_names(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const Material& material : scene.materials)
+        if (!material.name.empty() && std::find(names.begin(), names.end(), material.name) == names.end()) names.push_back(material.name);
+    return names;
+}
+
+Json json_of(const Scene& scene, const Cost& cost) {
+    const ReadReport& report = scene.report;
+    const Aabb bounds = scene.bounds_m.empty() ? Aabb{Vec3{0.0}, Vec3{0.0}} : scene.bounds_m;
+    Json warnings = Json::array();
+    for (const Diagnostic& warning : report.warnings)
+        warnings.push_back({{"file", warning.file},
+                            {"line", warning.line},
+                            {"column", warning.column},
+                            {"message", warning.action.empty() ? warning.message : warning.message + " " + warning.action}});
+    return {{"name", scene.name},
+            {"format", report.format},
+            {"brushes", report.brushes},
+            {"polygons", report.polygons},
+            {"polygons_hidden", report.polygons_hidden},
+            {"polygons_kept", report.polygons_kept},
+            {"triangles", report.triangles},
+            {"liquids", report.liquids},
+            {"movers", report.movers},
+            {"starts", report.starts},
+            {"spaces", 0},
+            {"doors", report.doors},
+            {"windows", 0},
+            {"stairs", 0},
+            {"storeys", 0},
+            {"furnishings", 0},
+            {"portals", 0},
+            {"largest_connected_spaces", 0},
+            {"features", scene.features.size()},
+            {"materials", material_names(scene)},
+            {"openings", 0},
+            {"openings_cut", 0},
+            {"guessed", report.guessed},
+            {"simplified", report.simplified},
+            {"left_out", report.left_out},
+            {"warnings", std::move(warnings)},
+            {"warnings_in_all", report.warnings_in_all},
+            {"bounds_min_m", vector_of(bounds.min_m)},
+            {"bounds_max_m", vector_of(bounds.max_m)},
+            {"scale_m_per_unit", scene.metres_per_unit},
+            {"game_map", scene.game_map},
+            {"load_s", cost.load_s},
+            {"peak_memory_bytes", cost.peak_memory_bytes}};
+}
+
+std::string counted(int count, std::string_view one, std::string_view many) { return fmt::format("{} {}", count, count == 1 ? one : many); }
+
+// Sentences to be heard one after another, the important first.
+void tell(const Scene& scene, const Cost& cost, std::ostream& out) {
+    const ReadReport& report = scene.report;
+    const Vec3 size = scene.bounds_m.empty() ? Vec3{0.0} : scene.bounds_m.size_m();
+    out << fmt::format("{}, from {}.\n", scene.name, scene.source_file);
+    out << fmt::format("It is {:.1f} metres from west to east, {:.1f} from south to north, and {:.1f} high. One unit of the file is {} metres.\n", size.x,
+                       size.y, size.z, scene.metres_per_unit);
+    out << fmt::format("{} with a name to touch, {}, {}, {}, {}.\n", counted(static_cast<int>(scene.features.size()), "thing", "things"),
+                       counted(report.doors, "door", "doors"), counted(report.movers, "moving part", "moving parts"),
+                       counted(report.liquids, "liquid", "liquids"), counted(report.starts, "start", "starts"));
+    out << fmt::format("The file holds {}, {} and {}. {} are wholly covered by others, {} can be felt.\n", counted(report.brushes, "brush", "brushes"),
+                       counted(report.polygons, "face", "faces"), counted(report.triangles, "triangle", "triangles"), report.polygons_hidden,
+                       report.polygons_kept);
+    const std::vector<std::string> materials = material_names(scene);
+    out << (materials.empty() ? "No materials are named.\n" : fmt::format("Materials: {}.\n", fmt::join(materials, ", ")));
+    const auto list = [&](std::string_view title, const std::vector<std::string>& sentences) {
+        if (sentences.empty()) return;
+        out << title << ":\n";
+        for (const std::string& sentence : sentences) out << "  " << sentence << '\n';
+    };
+    list("Guessed", report.guessed);
+    list("Simplified", report.simplified);
+    list("Left out", report.left_out);
+    if (report.warnings_in_all == 0) {
+        out << "No problems.\n";
+    } else {
+        out << (report.warnings_in_all == 1 ? "1 problem:\n" : fmt::format("{} problems:\n", report.warnings_in_all));
+        for (const Diagnostic& warning : report.warnings) out << "  " << warning.sentence() << '\n';
+        if (const auto more = report.warnings_in_all - static_cast<int>(report.warnings.size()); more > 0) out << fmt::format("  And {} more.\n", more);
+    }
+    out << fmt::format("Loaded in {:.2f} seconds with {} megabytes of memory.\n", cost.load_s, (cost.peak_memory_bytes + (1 << 19)) >> 20);
+}
+
+}  // namespace
+
+int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err) {
+    ReadOptions options;
+    if (arguments.common.map_scale_m_per_unit) options.map_metres_per_unit = *arguments.common.map_scale_m_per_unit;
+    if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0) {
+        err << "The map scale must be a positive number of metres per unit.\n";
+        return 2;
+    }
+    const SteadyClock clock;
+    const double begun_s = clock.now_s();
+    Result<Scene> scene = read_world(arguments.world, options);
+    const Cost cost{clock.now_s() - begun_s, peak_memory_bytes()};
+    if (!scene) {
+        err << scene.error().sentence() << '\n';
+        return 1;
+    }
+    if (const Result<void> valid = validate(*scene); !valid) {
+        err << valid.error().sentence() << '\n';
+        return 1;
+    }
+    if (arguments.json) out << json_of(*scene, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    else tell(*scene, cost, out);
+    return 0;
 }
 
 }  // namespace handrail

@@ -1,0 +1,115 @@
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/main/commands.h"
+#include "tests/support/map_text.h"
+#include "tests/support/real_worlds.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+
+struct Outcome {
+    int status = -1;
+    std::string out, err;
+};
+
+Outcome info(const std::filesystem::path& world, bool json, std::optional<double> scale = std::nullopt) {
+    InfoArguments arguments;
+    arguments.world = world;
+    arguments.json = json;
+    arguments.common.map_scale_m_per_unit = scale;
+    std::ostringstream out, err;
+    Outcome run;
+    run.status = run_info(arguments, out, err);
+    run.out = out.str();
+    run.err = err.str();
+    return run;
+}
+
+const std::string kMap = test::entity("worldspawn", test::key("message", "A small room"),
+                                      test::room_brushes(0, 0, 0, 256, 192, 96, 16, "brick1") + test::box_brush(0, 0, 0, 64, 64, 8, "*water1") + "{\n}\n") +
+                         test::entity("func_door", {}, test::box_brush(100, 192, 0, 132, 208, 64, "wood1")) +
+                         test::entity("info_player_start", test::key("origin", "128 96 24"));
+
+TEST(InfoCommand, prints_every_key_as_one_json_object) {
+    const test::TemporaryFolder folder;
+    const Outcome run = info(folder.write("room.map", kMap), true);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const nlohmann::json json = nlohmann::json::parse(run.out);
+    for (const char* number :
+         {"brushes",  "polygons", "polygons_hidden", "polygons_kept",    "triangles", "liquids",          "movers",  "starts",
+          "spaces",   "doors",    "windows",         "stairs",           "storeys",   "furnishings",      "portals", "largest_connected_spaces",
+          "features", "openings", "openings_cut",    "scale_m_per_unit", "load_s",    "peak_memory_bytes"})
+        EXPECT_TRUE(json.contains(number) && json[number].is_number()) << number;
+    for (const char* list : {"materials", "guessed", "simplified", "left_out", "warnings", "bounds_min_m", "bounds_max_m"})
+        EXPECT_TRUE(json.contains(list) && json[list].is_array()) << list;
+    EXPECT_EQ(json["format"], "map");
+    EXPECT_EQ(json["brushes"], 9);    // six walls, water, one empty, the door
+    EXPECT_EQ(json["polygons"], 48);  // eight boxes
+    EXPECT_EQ(json["triangles"], 96);
+    EXPECT_EQ(json["liquids"], 1);
+    EXPECT_EQ(json["movers"], 1);
+    EXPECT_EQ(json["doors"], 1);
+    EXPECT_EQ(json["starts"], 1);
+    EXPECT_EQ(json["features"], 8);  // four walls, floor, ceiling, water, door
+    EXPECT_EQ(json["materials"], nlohmann::json({"brick", "wood"}));
+    EXPECT_EQ(json["bounds_min_m"], nlohmann::json({-0.5, -0.5, -0.5}));
+    EXPECT_EQ(json["scale_m_per_unit"], 1.0 / 32.0);
+    EXPECT_EQ(json["guessed"].size(), 2U);
+    ASSERT_EQ(json["warnings"].size(), 1U);
+    EXPECT_EQ(json["warnings"][0]["file"], "room.map");
+    EXPECT_EQ(json["warnings"][0]["line"], 60);  // after class and message three lines, seven boxes of eight lines, from line 4
+    EXPECT_EQ(json["warnings"][0]["column"], 1);
+    EXPECT_GT(json["peak_memory_bytes"].get<double>(), 1e5);
+    EXPECT_EQ(nlohmann::json::parse(info(folder.path() / "room.map", true, 0.01).out)["scale_m_per_unit"], 0.01);
+}
+
+TEST(InfoCommand, tells_the_same_in_sentences) {
+    const test::TemporaryFolder folder;
+    const Outcome run = info(folder.write("room.map", kMap), false);
+    EXPECT_EQ(run.status, 0);
+    for (const char* said :
+         {"A small room, from room.map.\n", "9.0 metres from west to east, 7.0 from south to north, and 4.0 high",
+          "8 things with a name to touch, 1 door, 1 moving part, 1 liquid, 1 start.", "Materials: brick, wood.", "The material brick was guessed",
+          "1 problem:\n  room.map, line 60, column 1: warning: this brush has no faces. It was left out.", "Loaded in "})
+        EXPECT_THAT(run.out, testing::HasSubstr(said));
+}
+
+TEST(InfoCommand, fails_with_one_sentence_and_nothing_on_stdout) {
+    const test::TemporaryFolder folder;
+    for (const bool json : {false, true}) {
+        const Outcome missing = info(folder.path() / "none.map", json);
+        EXPECT_EQ(missing.status, 1);
+        EXPECT_EQ(missing.out, "");
+        EXPECT_EQ(missing.err, "none.map: This file cannot be opened: No such file or directory.\n");
+        EXPECT_EQ(info(folder.write("empty.map", "{\n}\n"), json).status, 1);
+    }
+    EXPECT_EQ(info(folder.write("room.map", kMap), true, -1.0).status, 2);
+}
+
+TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
+    struct Expected {
+        const char* file;
+        int brushes, polygons, triangles, doors;
+    };
+    for (const Expected& expected :
+         {Expected{"quake-e1m1.map", 1257, 7523, 15006, 21}, Expected{"quake-start.map", 1274, 7578, 14990, 5}, Expected{"quake-dm3.map", 726, 4296, 8472, 0},
+          Expected{"office.map", 150, 896, 1784, 8}, Expected{"agtut05.map", 199, 1135, 2150, 4}}) {
+        const auto path = test::real_world(expected.file);
+        if (!path) GTEST_SKIP() << "the real worlds are not here";
+        const nlohmann::json json = nlohmann::json::parse(info(*path, true).out);
+        EXPECT_EQ(json["brushes"], expected.brushes) << expected.file;
+        EXPECT_EQ(json["polygons"], expected.polygons) << expected.file;
+        EXPECT_EQ(json["triangles"], expected.triangles) << expected.file;
+        EXPECT_EQ(json["doors"], expected.doors) << expected.file;
+        EXPECT_EQ(json["warnings_in_all"], 0) << expected.file;
+        // Between 16 and 43 percent of a map's surface is hidden; of polygons about a third.
+        EXPECT_GT(json["polygons_hidden"].get<double>(), 0.2 * expected.polygons) << expected.file;
+        EXPECT_EQ(json["polygons_hidden"].get<int>() + json["polygons_kept"].get<int>(), expected.polygons) << expected.file;
+    }
+}
+
+}  // namespace
+}  // namespace handrail
