@@ -25,7 +25,18 @@ struct MapReader {
     Result<Scene> (*read)(std::string_view bytes, const std::string& file_name, const ReadOptions& options);
 };
 
+// Quake-family .map, Standard and Valve 220. Keys of our own, on any entity that has brushes unless said otherwise:
+//   name       spoken name; on worldspawn the world's. All brushes of an entity with a name are one thing.
+//   material   a name of material_library(); stiffness 0 to 1 of what the device can render; friction 0 to 2 (Coulomb's mu)
+//   landmark, clue   0 or 1;   hinge, handle   north, north-east, ... or left, right, top, bottom (doors)
+//   message    a longer description; of a trigger: spoken on entering it
+//   cs_name    liquid, dynamic_box, dynamic_sphere, dynamic_cylinder; else a name;   viscosity 0 to 100 Ns/m of hand speed (liquids)
+//   sound      makes the entity a sound source (with an origin, or at the middle of its brushes); ambient_* classes are sources without it
+//   building   on worldspawn: 1 a building with the body of a person, 0 a game map. Without it a map with game things (wad or worldtype on
+//              worldspawn; lights, items, monsters, weapons, ambients, deathmatch starts) is a game map, unless it has a `thing` or a cs_name.
+// A start's origin lies 24 units above the soles; info_player_start is the base, else the first start.
 Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
+// Wavefront .obj: z up, metres. `o` and `g` name features, `usemtl` materials. Fills Scene::triangles, not Scene::surfaces.
 Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
 // Reads any file that one of the readers accepts. Fails with one sentence fit to be spoken when it is missing, unreadable,

@@ -1,5 +1,6 @@
 // Every case that real editors, other games and accidents put into a .map file.
 #include "tests/support/map_text.h"
+#include "tests/unit/readers/reading.h"
 #include "worlds/readers/map_syntax.h"
 #include "worlds/readers/reader.h"
 
@@ -9,28 +10,14 @@ namespace {
 using test::box_brush;
 using test::entity;
 using test::key;
+using test::Reading;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
 const std::string kCube = box_brush(0, 0, 0, 64, 64, 64);
 
-struct Reading {
-    Scene scene;
-    std::vector<std::string> said;  // the warnings as they are heard
-};
-
-Reading read(const std::string& text) {
-    Result<Scene> scene = read_quake_map(text, "test.map");
-    EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().sentence());
-    Reading reading;
-    if (!scene) return reading;
-    const Result<void> valid = validate(*scene);
-    EXPECT_TRUE(valid.has_value()) << (valid ? "" : valid.error().sentence());
-    reading.scene = std::move(*scene);
-    for (const Diagnostic& warning : reading.scene.report.warnings) reading.said.push_back(warning.sentence());
-    return reading;
-}
+Reading read(const std::string& text) { return test::reading_of(read_quake_map(text, "test.map")); }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) text.replace(at, from.size(), to);
@@ -52,7 +39,8 @@ TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_right
     for (const std::string end : {"\n", "\r\n", "\r"})
         for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
             const Reading reading = read(mark + replaced(text, "\n", end));
-            EXPECT_THAT(reading.said, ElementsAre("test.map, line 4, column 1: warning: the key \"a\" is given twice. The last value was taken."));
+            EXPECT_THAT(reading.said, ElementsAre("test.map, line 4, column 1: warning: the key \"a\" is "
+                                                  "given twice. The last value was taken."));
             EXPECT_EQ(reading.scene.solids.size(), 1U);
         }
     const Reading no_newline = read(text.substr(0, text.size() - 1));
@@ -71,7 +59,10 @@ TEST(MapEdgeCases, textures_may_have_any_name_up_to_white_space_or_in_quotes) {
 
 TEST(MapEdgeCases, escaped_quotes_and_trailing_backslashes_are_told_apart) {
     Diagnostics diagnostics("test.map");
-    const MapFile file = parse_map("{\n\"a\" \"say \\\"hi\\\"!\"\n\"wad\" \"c:\\a\\\"\n\"b\" \"x\\ny\"\n\"c\\\" \"d\\\" \"e\" \"f\"}", diagnostics);
+    const MapFile file = parse_map(
+        "{\n\"a\" \"say \\\"hi\\\"!\"\n\"wad\" \"c:\\a\\\"\n\"b\" "
+        "\"x\\ny\"\n\"c\\\" \"d\\\" \"e\" \"f\"}",
+        diagnostics);
     EXPECT_EQ(diagnostics.in_all(), 0);
     const MapEntity& only = file.entities.at(0);
     EXPECT_EQ(unquoted(only.value("a")), "say \"hi\"!");
@@ -99,8 +90,9 @@ TEST(MapEdgeCases, numbers_may_have_signs_decimals_exponents_and_trailing_dots) 
         const Reading damaged = read(entity("worldspawn", {}, kCube + replaced(kCube, "( 64 0 0 )", "( 64 " + bad + " 0 )")));
         EXPECT_EQ(damaged.scene.solids.size(), 1U) << bad;
         ASSERT_EQ(damaged.said.size(), 1U) << bad;
-        EXPECT_THAT(damaged.said[0], testing::StartsWith("test.map, line 13, column 6: error: a face ends early. Expected a number in point 1, found \"" + bad +
-                                                         "\". This brush was left out; 1 brushes"))
+        EXPECT_THAT(damaged.said[0], testing::StartsWith("test.map, line 13, column 6: error: a face ends "
+                                                         "early. Expected a number in point 1, found \"" +
+                                                         bad + "\". This brush was left out; 1 brushes"))
             << bad;
     }
 }
@@ -111,8 +103,8 @@ TEST(MapEdgeCases, a_face_whose_points_lie_on_a_line_costs_only_that_face) {
         const Reading reading = read(entity("worldspawn", {}, replaced(kCube, "}\n", bad + "}\n")));
         EXPECT_EQ(reading.scene.solids.size(), 1U);
         EXPECT_EQ(reading.scene.report.polygons, 6);
-        EXPECT_THAT(reading.said,
-                    ElementsAre("test.map, line 10, column 1: warning: the three points of this face lie on one line. The brush was tried without this face."));
+        EXPECT_THAT(reading.said, ElementsAre("test.map, line 10, column 1: warning: the three points of this "
+                                              "face lie on one line. The brush was tried without this face."));
     }
 }
 
@@ -135,7 +127,8 @@ TEST(MapEdgeCases, open_empty_and_inside_out_brushes_are_named_by_line_and_the_r
         at = end;
     }
     const Reading inside_out = read(entity("worldspawn", {}, turned));
-    EXPECT_THAT(inside_out.said, ElementsAre(HasSubstr("line 3, column 1: warning: this brush is inside out. It was turned round.")));
+    EXPECT_THAT(inside_out.said, ElementsAre(HasSubstr("line 3, column 1: warning: this brush is "
+                                                       "inside out. It was turned round.")));
     EXPECT_EQ(inside_out.scene.bounds_m.max_m, Vec3(2, 2, 2));
 }
 
@@ -149,12 +142,17 @@ TEST(MapEdgeCases, faces_that_lose_their_area_are_dropped_quietly_and_counted) {
 }
 
 TEST(MapEdgeCases, forms_of_other_games_are_skipped_to_their_brace_with_a_warning) {
-    const std::string patch = "{\npatchDef2\n{\ncommon/{odd\n( 3 3 0 0 0 )\n(\n( ( 0 0 0 0 0 ) ( 1 0 0 0 0 ) )\n)\n}\n}\n";
-    const std::string primitive = "{\nbrushDef\n{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) ( ( 1 0 0 ) ( 0 1 0 ) ) \"x\" 0 0 0\n}\n}\n";
+    const std::string patch =
+        "{\npatchDef2\n{\ncommon/{odd\n( 3 3 0 0 0 )\n(\n( "
+        "( 0 0 0 0 0 ) ( 1 0 0 0 0 ) )\n)\n}\n}\n";
+    const std::string primitive =
+        "{\nbrushDef\n{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) "
+        "( ( 1 0 0 ) ( 0 1 0 ) ) \"x\" 0 0 0\n}\n}\n";
     const Reading reading = read(entity("worldspawn", {}, patch + kCube + primitive + kCube));
     EXPECT_EQ(reading.scene.solids.size(), 2U);
-    EXPECT_THAT(reading.said,
-                ElementsAre(HasSubstr("line 4, column 1: warning: this part is written as a curved patch"), HasSubstr("written as \"brushDef\"")));
+    EXPECT_THAT(reading.said, ElementsAre(HasSubstr("line 4, column 1: warning: this part is "
+                                                    "written as a curved patch"),
+                                          HasSubstr("written as \"brushDef\"")));
     EXPECT_EQ(reading.scene.report.brushes, 3);
     EXPECT_EQ(reading.scene.report.left_out.size(), 2U);
 }
@@ -169,29 +167,32 @@ TEST(MapEdgeCases, standard_and_valve_faces_mix_and_extra_numbers_are_no_error) 
 }
 
 TEST(MapEdgeCases, what_misses_a_class_a_world_or_an_entity_is_taken_and_said) {
-    EXPECT_THAT(read("{\n\"a\" \"b\"\n" + kCube + "}\n" + entity("worldspawn")).said,
-                ElementsAre(HasSubstr("line 1, column 1: warning: this entity has no classname. Its brushes were taken")));
+    EXPECT_THAT(read("{\n\"a\" \"b\"\n" + kCube + "}\n" + entity("worldspawn")).said, ElementsAre(HasSubstr("line 1, column 1: warning: this entity has no "
+                                                                                                            "classname. Its brushes were taken")));
     EXPECT_THAT(read(entity("func_wall", {}, kCube)).said, ElementsAre(HasSubstr("this map has no worldspawn")));
     EXPECT_THAT(read("{\n" + kCube + "\"classname\" \"worldspawn\"\n}\n").said, IsEmpty()) << "brushes before keys";
     const Reading bare = read(kCube + kCube);
     EXPECT_EQ(bare.scene.solids.size(), 2U);
-    EXPECT_THAT(bare.said, testing::Contains(HasSubstr("brushes stand outside of any entity. They were taken as the building itself.")));
+    EXPECT_THAT(bare.said, testing::Contains(HasSubstr("brushes stand outside of any entity. They were "
+                                                       "taken as the building itself.")));
 }
 
 TEST(MapEdgeCases, content_of_other_files_is_said_to_be_missing) {
     EXPECT_THAT(read(entity("worldspawn", {}, kCube) + entity("misc_external_map", key("_external_map", "a.map"))).said,
-                ElementsAre(HasSubstr("this entity stands for the content of another file. That part is missing here.")));
+                ElementsAre(HasSubstr("this entity stands for the content of another "
+                                      "file. That part is missing here.")));
 }
 
 TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
     const std::string whole = entity("worldspawn", {}, kCube + kCube + kCube);
-    EXPECT_THAT(read(whole.substr(0, whole.rfind('}'))).said,
-                ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A closing brace is missing. What was complete was kept.")));
+    EXPECT_THAT(read(whole.substr(0, whole.rfind('}'))).said, ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A "
+                                                                                    "closing brace is missing. What was complete was kept.")));
     std::string open = whole;
     open.erase(open.find("}\n"), 2);  // the first brush's
     const Reading reading = read(open);
     EXPECT_EQ(reading.scene.solids.size(), 3U);
-    EXPECT_THAT(reading.said, ElementsAre(HasSubstr("the brush that begins in line 3 has no closing brace. It was taken to end here.")));
+    EXPECT_THAT(reading.said, ElementsAre(HasSubstr("the brush that begins in line 3 has no "
+                                                    "closing brace. It was taken to end here.")));
 }
 
 TEST(MapEdgeCases, lists_twenty_warnings_and_counts_all) {
@@ -248,8 +249,8 @@ TEST(MapEdgeCases, fails_only_when_nothing_is_left_and_says_the_first_reason) {
     };
     EXPECT_EQ(sentence(""), "test.map: Nothing to touch was found in this map. It holds no brushes.");
     EXPECT_EQ(sentence(entity("worldspawn")), "test.map: Nothing to touch was found in this map. It holds no brushes.");
-    EXPECT_THAT(sentence("hello"),
-                testing::StartsWith("test.map, line 1, column 1: Nothing to touch was found in this map. The problem: expected an opening brace"));
+    EXPECT_THAT(sentence("hello"), testing::StartsWith("test.map, line 1, column 1: Nothing to touch was found in "
+                                                       "this map. The problem: expected an opening brace"));
     EXPECT_THAT(sentence(entity("worldspawn", {}, "{\n}\n{\n}\n")), HasSubstr("2 problems; the first: this brush has no faces."));
 }
 

@@ -1,31 +1,18 @@
 #include <random>
 
 #include "tests/support/scale.h"
+#include "tests/unit/readers/reading.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace {
 
+using test::Reading;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-struct Reading {
-    Scene scene;
-    std::vector<std::string> said;
-};
-
-Reading read(const std::string& text, const ReadOptions& options = {}) {
-    Result<Scene> scene = read_obj(text, "test.obj", options);
-    EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().sentence());
-    Reading reading;
-    if (!scene) return reading;
-    const Result<void> valid = validate(*scene);
-    EXPECT_TRUE(valid.has_value()) << (valid ? "" : valid.error().sentence());
-    reading.scene = std::move(*scene);
-    for (const Diagnostic& warning : reading.scene.report.warnings) reading.said.push_back(warning.sentence());
-    return reading;
-}
+Reading read(const std::string& text, const ReadOptions& options = {}) { return test::reading_of(read_obj(text, "test.obj", options)); }
 
 double area(const Scene& scene) {
     double sum = 0.0;
@@ -47,7 +34,8 @@ TEST(ReadObj, splits_polygons_keeps_coordinates_and_counts) {
 }
 
 TEST(ReadObj, cuts_concave_polygons_into_ears) {
-    // An arrow head: 3 units of area, and no triangle may cover the notch around (1, 0.5).
+    // An arrow head: 3 units of area, and no triangle may cover the notch around
+    // (1, 0.5).
     const Reading reading = read("v 0 0 0\nv 1 1 0\nv 2 0 0\nv 1 4 0\nf 1 2 3 4\n");
     EXPECT_EQ(reading.scene.triangles.size(), 2U);
     EXPECT_DOUBLE_EQ(area(reading.scene), 3.0);
@@ -85,20 +73,25 @@ TEST(ReadObj, takes_negative_indices_line_endings_and_continued_lines) {
         std::string text = "v 0 0 0" + end + "v 1 0 0" + end + "v 0 1 0 # corner" + end + "f -3 \\" + end + "-2 -1" + end + "f 1 2 9";
         const Reading reading = read(text);
         EXPECT_EQ(reading.scene.triangles.size(), 1U);
-        EXPECT_THAT(reading.said, ElementsAre("test.obj, line 6, column 7: warning: there is no point 9; 3 were read so far. The face was left out."));
+        EXPECT_THAT(reading.said, ElementsAre("test.obj, line 6, column 7: warning: there is no point 9; "
+                                              "3 were read so far. The face was left out."));
     }
 }
 
 TEST(ReadObj, warns_by_line_of_bad_indices_and_numbers_and_loads_the_rest) {
-    const Reading reading =
-        read(kSquare + "v nan 0 0\nv 1 2\nv 1e7 0 0\nf 1 2 3\nf 1 2 5\nf 0 1 2\nf 1 2 -9\nf 1 2\nf 1 x 3\nf 1 2 99999999999999999999\nf 1 3 4\n");
+    const Reading reading = read(kSquare +
+                                 "v nan 0 0\nv 1 2\nv 1e7 0 0\nf 1 2 3\nf 1 2 5\nf 0 1 2\nf 1 2 "
+                                 "-9\nf 1 2\nf 1 x 3\nf 1 2 99999999999999999999\nf 1 3 4\n");
     EXPECT_EQ(reading.scene.triangles.size(), 2U);
     EXPECT_THAT(reading.said,
-                ElementsAre(HasSubstr("line 5, column 3: warning: expected a number of at most a million, found \"nan\""),
+                ElementsAre(HasSubstr("line 5, column 3: warning: expected a number of at most a "
+                                      "million, found \"nan\""),
                             HasSubstr("line 6, column 1: warning: this point has fewer"), HasSubstr("line 7, column 3"),
                             HasSubstr("line 9, column 7: warning: point 5 is damaged"), HasSubstr("line 10, column 3: warning: there is no point 0"),
                             HasSubstr("line 11, column 7: warning: there is no point -9"), HasSubstr("line 12, column 1: warning: this face has 2 corners"),
-                            HasSubstr("line 13, column 5: warning: expected the number of a point, found \"x\""), HasSubstr("line 14, column 7")));
+                            HasSubstr("line 13, column 5: warning: expected the number of a "
+                                      "point, found \"x\""),
+                            HasSubstr("line 14, column 7")));
     EXPECT_THAT(reading.scene.report.left_out, ElementsAre("6 damaged faces were left out."));
 }
 
@@ -109,7 +102,9 @@ TEST(ReadObj, keeps_degenerate_duplicate_and_crossing_faces) {
 }
 
 TEST(ReadObj, names_features_by_object_and_group_and_surfaces_by_material) {
-    const Reading reading = read(kSquare + "o Kitchen_Table.001\nusemtl Wood\nf 1 2 3\nusemtl t_brick_2\nf 1 3 4\ng Lamp\nusemtl none\nf 1 2 4\n");
+    const Reading reading = read(kSquare +
+                                 "o Kitchen_Table.001\nusemtl Wood\nf 1 2 3\nusemtl "
+                                 "t_brick_2\nf 1 3 4\ng Lamp\nusemtl none\nf 1 2 4\n");
     ASSERT_EQ(reading.scene.features.size(), 2U);
     EXPECT_EQ(reading.scene.features[0].name, "Kitchen Table");
     EXPECT_EQ(spoken_name(reading.scene, reading.scene.triangles[2].feature), "Lamp");

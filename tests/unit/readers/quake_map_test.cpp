@@ -1,5 +1,6 @@
 #include "tests/support/map_text.h"
 #include "tests/support/real_worlds.h"
+#include "tests/unit/readers/reading.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
@@ -9,14 +10,7 @@ using test::box_brush;
 using test::entity;
 using test::key;
 
-Scene read(const std::string& text, const ReadOptions& options = {}) {
-    Result<Scene> scene = read_quake_map(text, "test.map", options);
-    EXPECT_TRUE(scene.has_value()) << (scene ? "" : scene.error().sentence());
-    if (!scene) return {};
-    const Result<void> valid = validate(*scene);
-    EXPECT_TRUE(valid.has_value()) << (valid ? "" : valid.error().sentence());
-    return std::move(*scene);
-}
+Scene read(const std::string& text, const ReadOptions& options = {}) { return test::reading_of(read_quake_map(text, "test.map", options)).scene; }
 
 const std::string kCube = box_brush(0, 0, 0, 64, 64, 64);
 
@@ -94,7 +88,8 @@ TEST(ReadQuakeMap, puts_starts_on_their_feet_facing_their_heading_and_chooses_on
     EXPECT_FALSE(scene.starts[0].base);
     EXPECT_TRUE(scene.starts[1].base);
     EXPECT_EQ(scene.starts[1].feet_m, Vec3(1, 2, 1));
-    EXPECT_NEAR(scene.starts[1].heading_rad, kPi / 2, 1e-12);  // angle 0 faces east
+    EXPECT_NEAR(scene.starts[1].heading_rad, kPi / 2,
+                1e-12);  // angle 0 faces east
 }
 
 TEST(ReadQuakeMap, knows_a_game_map_from_a_building) {
@@ -107,13 +102,16 @@ TEST(ReadQuakeMap, knows_a_game_map_from_a_building) {
 
 TEST(ReadQuakeMap, takes_the_nearest_legal_value_and_says_where) {
     const Scene scene = read(entity("worldspawn", {}, kCube) +
-                             "{\n\"classname\" \"thing\"\n\"stiffness\" \"1.5\"\n\"friction\" \"much\"\n\"material\" \"plastre\"\n" + kCube + "}\n");
+                             "{\n\"classname\" \"thing\"\n\"stiffness\" \"1.5\"\n\"friction\" "
+                             "\"much\"\n\"material\" \"plastre\"\n" +
+                             kCube + "}\n");
     ASSERT_EQ(scene.report.warnings.size(), 3U);
     std::vector<std::string> said;
     for (const Diagnostic& warning : scene.report.warnings) said.push_back(warning.sentence());
-    EXPECT_THAT(said,
-                testing::Contains("test.map, line 14, column 13: warning: the value 1.5 of the key stiffness is out of range. It takes 0 to 1. 1 was taken."));
-    EXPECT_THAT(said, testing::Contains(testing::HasSubstr("line 15, column 12: warning: the value \"much\" of the key friction is no number.")));
+    EXPECT_THAT(said, testing::Contains("test.map, line 14, column 13: warning: the value 1.5 of the key "
+                                        "stiffness is out of range. It takes 0 to 1. 1 was taken."));
+    EXPECT_THAT(said, testing::Contains(testing::HasSubstr("line 15, column 12: warning: the value \"much\" of "
+                                                           "the key friction is no number.")));
     EXPECT_THAT(said, testing::Contains(testing::HasSubstr("there is no material \"plastre\". The nearest name is plaster.")));
     const Material& material = scene.material(scene.solids.at(1).face_materials.at(0));
     EXPECT_EQ(material.stiffness_fraction, 1.0);
