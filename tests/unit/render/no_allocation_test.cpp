@@ -16,22 +16,20 @@ void* counted(std::size_t size) {
 
 void* operator new(std::size_t size) { return counted(size); }
 void* operator new[](std::size_t size) { return counted(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    ++allocations;
+    return std::malloc(size ? size : 1);
+}
+void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept { return ::operator new(size, tag); }
+void operator delete(void* p, const std::nothrow_t&) noexcept { ::operator delete(p); }
+void operator delete[](void* p, const std::nothrow_t&) noexcept { ::operator delete(p); }
 void operator delete(void* p) noexcept {
     ++allocations;
     std::free(p);
 }
-void operator delete[](void* p) noexcept {
-    ++allocations;
-    std::free(p);
-}
-void operator delete(void* p, std::size_t) noexcept {
-    ++allocations;
-    std::free(p);
-}
-void operator delete[](void* p, std::size_t) noexcept {
-    ++allocations;
-    std::free(p);
-}
+void operator delete[](void* p) noexcept { ::operator delete(p); }
+void operator delete(void* p, std::size_t) noexcept { ::operator delete(p); }
+void operator delete[](void* p, std::size_t) noexcept { ::operator delete(p); }
 
 namespace handrail::test {
 namespace {
