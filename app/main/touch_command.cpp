@@ -198,6 +198,7 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err)
             err << fmt::format("There is no device model named {}. Known ones are {}.\n", *arguments.device, fmt::join(device_names(), ", "));
             return 2;
         }
+        if (limits->name == ideal_device_spec().name) limits = nullptr;  // it has none
     }
     const auto refuse = [&err](const Error& error) {
         err << error.sentence() << '\n';
