@@ -1,0 +1,228 @@
+// The hard cases with the numbers that are expected of them, worked out by hand beside each.
+#include "tests/property/replay.h"
+
+namespace handrail::test {
+namespace {
+
+TouchCase case_named(const std::string& prefix, double radius_m = 0.005) {
+    for (const TouchCase& c : hard_cases(radius_m))
+        if (c.name.starts_with(prefix + " ")) return c;
+    ADD_FAILURE() << "no case " << prefix;
+    return {};
+}
+
+// Every tick of a case, in the world's own frame, as it stands and turned and moved by three seeds.
+template <class Check>
+void everywhere(const TouchCase& c, const TouchTuning& tuning, Check&& check) {
+    for (const std::uint32_t seed : {0U, 21U, 22U, 23U}) {
+        std::mt19937 random(seed);
+        Motion motion = seed == 0 ? Motion{} : random_turn(random);
+        if (seed != 0) motion.shift_m = {seed * 1.7, seed * -3.1, seed * 0.4};
+        SCOPED_TRACE(fmt::format("{}, seed {}", c.name, seed));
+        replay(*c.world.scene(motion), c.goals_m, motion, tuning,
+               [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver&) { check(i, c.goals_m[i], motion.back(r.proxy_m), r); });
+    }
+}
+
+// The ball where the hand stands at `goal` (a way-point of the case), in the world's own frame.
+std::vector<Vec3> balls_at(const TouchCase& c, const TouchTuning& tuning, const Vec3& goal) {
+    std::vector<Vec3> found;
+    everywhere(c, tuning, [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
+        if (glm::length(g - goal) < 1e-12) found.push_back(ball);
+    });
+    EXPECT_FALSE(found.empty());
+    return found;
+}
+
+TEST(HardCase, T1_T8_T10_planes_however_cut_doubled_or_littered_are_one_plane) {
+    for (const char* name : {"T1", "T8", "T10"}) {
+        const TouchCase c = case_named(name);
+        everywhere(c, plain_tuning(c.radius_m), [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult& r) {
+            const bool wall = std::string(name) == "T8" && g.x > 0.02 - c.radius_m;
+            if (g.z < c.radius_m) {
+                ASSERT_NEAR(ball.z, c.radius_m, 1e-9) << i;
+            }
+            if (!wall) {
+                ASSERT_NEAR(ball.x, g.x, 1e-8);
+                ASSERT_NEAR(ball.y, g.y, 1e-8);
+                // One round for each of the three triangles that meet at a T-junction and one to see that it is done; doubled and flat ones add theirs.
+                if (std::string(name) == "T1") {
+                    ASSERT_LE(r.contacts.iterations, 4);
+                }
+            } else {
+                ASSERT_NEAR(ball.x, 0.02 - c.radius_m, 1e-8);
+            }
+        });
+    }
+}
+
+TEST(HardCase, T2_a_ball_sinks_into_a_crack_by_its_sagitta_and_no_more) {
+    for (const double radius : {0.005, 0.003}) {
+        for (const auto& [name, w] : {std::pair{"T2a", 1e-5}, {"T2b", 1e-4}, {"T2c", 5e-4}, {"T2d", 1e-3}}) {
+            const TouchCase c = case_named(name, radius);
+            Vec3 last(0.0), last_goal(0.0);
+            double lowest = 1.0;
+            everywhere(c, plain_tuning(radius), [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult&) {
+                lowest = std::min(lowest, ball.z);
+                if (i > 0) {
+                    ASSERT_LE(glm::length((ball - g) - (last - last_goal)), 1.6e-3);
+                }
+                last = ball;
+                last_goal = g;
+            });
+            EXPECT_GE(lowest, std::sqrt(radius * radius - w * w / 4) - 1e-9) << name;
+        }
+    }
+    const TouchCase point = case_named("T2a", 1e-5);
+    everywhere(point, plain_tuning(1e-5), [&](std::size_t, const Vec3&, const Vec3& ball, const TouchResult&) { ASSERT_GE(ball.z, 0.0); });
+}
+
+TEST(HardCase, T3_T4_corners_of_overlapping_boxes_are_sharp_in_every_representation) {
+    for (const Vec3& ball : balls_at(case_named("T3"), plain_tuning(0.005), {.025, .001, -.008})) {
+        EXPECT_NEAR(ball.x, 0.005, 1e-9);
+        EXPECT_NEAR(ball.y, 0.001, 1e-9);
+        EXPECT_NEAR(ball.z, 0.005, 1e-9);
+    }
+    for (const char* name : {"T4a", "T4b", "T4c"})
+        for (const Vec3& ball : balls_at(case_named(name), plain_tuning(0.005), {.025, .03, -.008}))
+            EXPECT_LE(glm::length(ball - Vec3(.005, .015, .005)), 1e-9) << name;
+    const TouchCase triangles = case_named("T4a"), boxes = case_named("T4b"), brushes = case_named("T4c");
+    const Trace expected = trace(boxes.world, boxes.goals_m, {}, plain_tuning(0.005));
+    EXPECT_LE(largest_difference(expected, trace(triangles.world, boxes.goals_m, {}, plain_tuning(0.005))), 1e-9);
+    EXPECT_LE(largest_difference(expected, trace(brushes.world, boxes.goals_m, {}, plain_tuning(0.005))), 1e-9);
+}
+
+TEST(HardCase, T5_a_ball_rests_in_a_crevice_where_both_sides_hold_it) {
+    for (const auto& [name, degrees] : {std::pair{"T5a", 10.0}, {"T5b", 2.0}, {"T5c", 0.5}}) {
+        const TouchCase c = case_named(name);
+        const double half = radians_from_degrees(degrees) / 2, rest = c.radius_m / std::sin(half);
+        for (const Vec3& goal : {Vec3(-.004, .01, rest + .02 - .06), Vec3(.0005, 0, rest + .02 - .06)})
+            for (const Vec3& ball : balls_at(c, plain_tuning(c.radius_m), goal)) {
+                EXPECT_NEAR(ball.z, rest, 1e-8) << name;
+                EXPECT_NEAR(ball.x, 0.0, 1e-8);
+                EXPECT_NEAR(ball.y, goal.y, 1e-8);
+            }
+        // Encoder steps of 0.06 mm are not made worse by the walls.
+        std::vector<Vec3> coarse = c.goals_m;
+        for (Vec3& g : coarse) g = glm::round(g / 6e-5) * 6e-5;
+        Vec3 last_ball = coarse[0], last_goal = coarse[0];
+        replay(*c.world.scene(), coarse, {}, uncapped_tuning(c.radius_m), [&](std::size_t, const Vec3& g, const TouchResult& r, const ProxySolver&) {
+            ASSERT_LE(glm::length(r.proxy_m - last_ball), glm::length(g - last_goal) + 1e-8);
+            last_ball = r.proxy_m;
+            last_goal = g;
+        });
+    }
+}
+
+TEST(HardCase, T6_T7_slipping_off_an_edge_or_spike_never_jumps_more_than_the_cap) {
+    for (const char* name : {"T6", "T7"}) {
+        for (TouchCase& c : hard_cases()) {
+            if (!c.name.starts_with(name)) continue;
+            Vec3 last(0.0), last_goal(0.0);
+            everywhere(c, plain_tuning(c.radius_m), [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult&) {
+                if (i > 0) {
+                    ASSERT_LE(glm::length(ball - last), std::max(0.5e-3, 2 * glm::length(g - last_goal)) + 1e-9);
+                }
+                last = ball;
+                last_goal = g;
+            });
+        }
+    }
+}
+
+TEST(HardCase, T9_raw_slivers_lag_by_a_third_of_a_millimetre_at_most) {
+    for (const char* name : {"T9a", "T9b", "T9c"}) {
+        const TouchCase c = case_named(name);
+        everywhere(c, plain_tuning(c.radius_m), [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
+            ASSERT_GE(ball.z, c.radius_m - 1e-9);
+            if (g.z < c.radius_m) {
+                ASSERT_LE(glm::length(ball - Vec3(g.x, g.y, c.radius_m)), 3e-4);
+            }
+        });
+    }
+}
+
+TEST(HardCase, T11_T12_a_thin_wall_and_a_sheet_hold_at_5_metres_per_second_from_either_side) {
+    for (const char* name : {"T11a", "T11b", "T12"}) {
+        TouchCase c = case_named(name);
+        const double rest = std::string(name) == "T12" ? 0.005 : 0.00505;
+        for (const double side : {1.0, -1.0}) {
+            if (side < 0.0)
+                for (Vec3& g : c.goals_m) g.x = -g.x;
+            everywhere(c, plain_tuning(c.radius_m), [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
+                ASSERT_LE(ball.x * side, -rest + 1e-9);
+                if (g.x * side > -rest) {
+                    ASSERT_NEAR(ball.x * side, -rest, 1e-9);
+                }
+            });
+        }
+    }
+}
+
+TEST(HardCase, T13_stalls_of_the_hand_change_neither_side_nor_the_resting_place) {
+    for (const char* name : {"T13a", "T13b"}) {
+        const TouchCase c = case_named(name);
+        // Held at the deepest place of both: the corner (0.005, y, 0.005), reached from any stalls.
+        std::vector<Vec3> goals{{-.02, 0, .02}, {-.02, 0, -.04}, {.04, .01, -.04}};
+        for (int i = 0; i < 200; ++i) goals.emplace_back(.04, .03, -.04);
+        const Trace held = trace(c.world, goals, {}, plain_tuning(c.radius_m));
+        EXPECT_LE(glm::length(held.balls_m.back() - Vec3(.005, .03, .005)), 1e-8) << name;
+    }
+}
+
+TEST(HardCase, T16_random_soups_and_heaps_let_nothing_in_whatever_the_seed) {
+    const auto seed0 = static_cast<std::uint32_t>(std::random_device{}());
+    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(scaled(8)); ++k) {
+        const std::uint32_t seed = seed0 + k;
+        std::mt19937 random(seed);
+        TouchCase c;
+        if (k % 2 == 0) c.world.random_triangles(random, 120, .03, .015);
+        else
+            for (int i = 0; i < 20; ++i)
+                c.world.random_brush(random, {(random() % 800) / 1e4 - .04, (random() % 800) / 1e4 - .04, (random() % 800) / 1e4 - .04},
+                                     .005 + (random() % 150) / 1e4, 3);
+        c.radius_m = k % 4 < 2 ? 0.005 : 1e-5;
+        std::vector<Vec3> way{{0, 0, .09}};
+        for (int i = 0; i < 12; ++i) way.push_back({(random() % 1000) / 1e4 - .05, (random() % 1000) / 1e4 - .05, (random() % 1000) / 1e4 - .05});
+        const BruteForce judge = c.world.judge();
+        Vec3 before = way[0];
+        replay(*c.world.scene(), hand_path(way, 0.5), {}, plain_tuning(c.radius_m),
+               [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+                   if (i % 7 == 0) {
+                       ASSERT_GE(judge.distance(r.proxy_m), r.radius_m - 1e-9L) << "seed " << seed << " tick " << i;
+                   }
+                   ASSERT_LE(glm::length(r.proxy_m - goal), glm::length(before - goal) + 1e-9) << "seed " << seed << " tick " << i;
+                   ASSERT_LE(r.contacts.iterations, 64);
+                   before = r.proxy_m;
+               });
+    }
+}
+
+// I11: work given to the hand over a closed loop, at 1 kN/m.
+TEST(HardCase, closed_loops_give_the_hand_no_energy) {
+    for (const TouchCase& c : hard_cases()) {
+        for (const double mu : {0.0, 0.4}) {
+            TouchTuning tuning = plain_tuning(c.radius_m);
+            tuning.default_friction_static = tuning.default_friction_kinetic = mu;
+            double energy = 0.0, longest = 0.0;
+            int events = 1;
+            bool touched = false;
+            Vec3 last_goal(0.0), last_force(0.0);
+            replay(*c.world.scene(), c.goals_m, {}, tuning, [&](std::size_t i, const Vec3& g, const TouchResult& r, const ProxySolver&) {
+                if (i > 0) {
+                    energy += glm::dot((r.force_n + last_force) * 0.5, g - last_goal);
+                    longest = std::max(longest, glm::length(g - last_goal));
+                }
+                if ((r.contacts.count > 0) != touched) ++events;
+                touched = r.contacts.count > 0;
+                last_goal = g;
+                last_force = r.force_n;
+            });
+            // The trapezoid's own error: one part of a step at each begin and end of contact.
+            EXPECT_LE(energy, events * 1000.0 * longest * longest / 8 + 1e-6) << c.name << " mu " << mu;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace handrail::test
