@@ -19,7 +19,7 @@ namespace {
 constexpr double kFieldOfView_rad = kPi / 3.0;  // upright
 constexpr double kNear_m = 0.02;
 constexpr double kSmallestBallPart = 0.02;  // of its distance: a ball of 5 mm stays in sight across a room
-constexpr float kEdgePart = 1.0F / 140.0F;  // width of an outline, of the picture's height; the white core is a third of it
+constexpr float kEdgePart = 1.0F / 100.0F;  // width of an outline, of the picture's height; the white core is a third of it
 constexpr float kFontBaked_px = 64.0F;
 
 constexpr const char* kSurfaceVertex = R"(#version 330 core
@@ -70,7 +70,7 @@ uniform mat4 clip_from_eye;
 uniform vec3 origin_from_eye_m;
 uniform vec2 half_size_px;
 uniform float half_width_px;
-noperspective out float across;
+out float across;
 const float pull = 0.995;
 const float nearest_m = 0.1;
 void main() {
@@ -88,13 +88,14 @@ void main() {
     along = dot(along, along) > 1e-12 ? normalize(along) : vec2(1.0, 0.0);
     vec2 sideways = vec2(-along.y, along.x) * across;
     vec4 end = corner < 2 ? a : b;
-    end.xy += (sideways + (corner < 2 ? -along : along)) * half_width_px / half_size_px * end.w;
+    end /= end.w;   // both ends lie in front of the eye, so the card need not, and clipping cannot bend `across`
+    end.xy += (sideways + (corner < 2 ? -along : along)) * half_width_px / half_size_px;
     gl_Position = end;
 })";
 
 // Black with a white core: one of the two stands out on any surface.
 constexpr const char* kEdgeFragment = R"(#version 330 core
-noperspective in float across;
+in float across;
 out vec4 shown;
 void main() { shown = vec4(vec3(abs(across) < 0.34 ? 1.0 : 0.0), 1.0); })";
 

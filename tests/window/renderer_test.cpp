@@ -109,6 +109,22 @@ TEST_F(RendererTest, a_corner_has_a_white_line_with_black_beside_it) {
     EXPECT_GE(blacks, 2);
 }
 
+TEST_F(RendererTest, a_line_that_runs_on_below_the_eye_keeps_its_white_core) {
+    ViewState view = view_in(small_room(), 1.0, 1.0, 0.0);
+    view.tilt_rad = -0.5;
+    const Picture picture = draw(view);
+    int seen = 0;
+    for (double y_m = 1.5; y_m < 4.0; y_m += 0.1) {  // where floor and west wall meet
+        const Vec2 px = pixel_of(view, {0.0, y_m, 0.0});
+        if (px.x < 10 || px.y < 10 || px.y > kPictureHeight_px - 10) continue;
+        ++seen;
+        int whites = 0;
+        for (int dx = -5; dx <= 5; ++dx) whites += white(at(picture, px + Vec2(dx, 0.0)));
+        EXPECT_GE(whites, 1) << y_m << " m north";
+    }
+    EXPECT_GE(seen, 10);
+}
+
 TEST_F(RendererTest, a_door_has_upright_stripes_and_is_brighter_than_its_wall) {
     const ViewState view = view_in(small_room(), 3.5, 2.0, 90.0);
     const Picture picture = draw(view);
