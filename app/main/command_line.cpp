@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/core/command.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
 
@@ -160,7 +161,9 @@ std::optional<UsageError> check_touch(TouchArguments& touch) {
 
 // The person's settings with what the command line changes. Nothing, and a sentence on `err`, for wrong usage.
 std::optional<SettingsStore> load_settings(const SettingsOptions& options, std::vector<Diagnostic>& problems, std::ostream& err) {
-    SettingsStore settings;
+    std::vector<std::string> words;
+    for (const CommandInfo& command : command_table()) words.emplace_back(command.word);
+    SettingsStore settings(std::move(words));
     problems = settings.load_file(options.file.value_or(user_settings_path()), SettingSource::UserFile);
     for (const std::string& assignment : options.assignments)
         if (const Result<void> set = settings.set_assignment(assignment, SettingSource::CommandLine); !set) {

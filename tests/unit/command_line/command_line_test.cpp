@@ -116,6 +116,7 @@ TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_
     EXPECT_THAT(refused({"--device", "none", "info", "x.map"}), HasSubstr("--device"));
     EXPECT_THAT(refused({"--set", "nonsense"}), HasSubstr("key=value"));
     EXPECT_THAT(refused({"settings", "--set", "workspace.scael=4"}), HasSubstr("the nearest is workspace.scale"));
+    EXPECT_THAT(refused({"settings", "--set", "keys.wheer=F5"}), HasSubstr("the nearest is keys.where"));
 }
 
 TEST(CommandLine, helps_with_every_command_and_says_its_version) {

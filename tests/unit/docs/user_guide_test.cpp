@@ -1,0 +1,20 @@
+#include "app/core/command.h"
+#include "tests/unit/docs/table_rows.h"
+
+namespace handrail {
+namespace {
+using test::table_rows;
+using testing::UnorderedElementsAreArray;
+
+TEST(UserGuide, lists_every_command_with_its_keys_and_nothing_else) {
+    std::vector<std::string> expected;
+    for (const CommandInfo& command : command_table()) {
+        std::string keys(command.key);
+        for (std::size_t at = keys.find(' '); at != std::string::npos; at = keys.find(' ', at + 4)) keys.replace(at, 1, " or ");
+        expected.push_back(fmt::format("| {} | {} | {} |", command.word, keys, command.help));
+    }
+    EXPECT_THAT(table_rows("user-guide.md", "| Command | Keys |"), UnorderedElementsAreArray(expected));
+}
+
+}  // namespace
+}  // namespace handrail
