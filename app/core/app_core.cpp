@@ -19,6 +19,8 @@ constexpr double kToneRange_m = 2.0;
 constexpr double kBreakEvery_s = 15.0 * 60.0;
 constexpr double kMostPendingSteps = 8.0;
 constexpr std::size_t kMostPathPoints = 4000;
+constexpr std::size_t kMostThings = 24;     // looked at for "where am I"
+constexpr std::size_t kMostThingsTold = 4;  // and spoken of
 
 }  // namespace
 
@@ -154,10 +156,15 @@ std::string AppCore::where_am_i() const {
         if (seen) text += fmt::format(" {}: {}, {}.", where, name_of(seen->feature), distance_words(seen->distance_m, distances()));
         else text += fmt::format(" {}: open.", where);
     }
-    const auto things = things_in_sight(*body_world_, feet_m(), kLookHeight_m, 4);
-    for (const Seen& thing : things)
-        text += fmt::format(" {}, {}, {}.", sentence_case(name_of(thing.feature)), distance_words(thing.distance_m, distances()),
-                            relative_words(thing.bearing_rad, heading_rad_));
+    std::vector<std::string> told;  // of several with one name the nearest
+    for (const Seen& thing : things_in_sight(*body_world_, feet_m(), kLookHeight_m, kMostThings)) {
+        const std::string name = name_of(thing.feature);
+        if (told.size() == kMostThingsTold) break;
+        if (std::find(told.begin(), told.end(), name) != told.end()) continue;
+        told.push_back(name);
+        text +=
+            fmt::format(" {}, {}, {}.", sentence_case(name), distance_words(thing.distance_m, distances()), relative_words(thing.bearing_rad, heading_rad_));
+    }
     return text;
 }
 

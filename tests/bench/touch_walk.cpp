@@ -1,9 +1,11 @@
-// Walks and touches through quake-e1m1.map at a ball of 5 mm and scale 1. Under callgrind, instructions.sh counts touch_tick alone.
+// Walks and touches through quake-e1m1.map at a ball of 5 mm and scale 1. Under callgrind, instructions.sh counts the whole servo_tick (sample checks,
+// workspace, touch, events, limiter), or touch_tick alone with the word touch as second argument.
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
 
 #include "haptic/compile/compile_haptic.h"
+#include "haptic/servo/servo_tick.h"
 #include "tests/bench/walk.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"
@@ -28,7 +30,21 @@ struct Tally {
     return tally;
 }
 
-int run(int ticks) {
+[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const ServoTuning& tuning, const std::vector<Vec3>& goals, ServoState& state) {
+    Tally tally;
+    double now_s = 0.0;
+    for (const Vec3& goal : goals) {
+        DeviceSample sample;
+        sample.position_m = goal;  // scale 1 and a workspace at the origin: the hand is where the world is
+        const ForceCommand command = servo_tick(state, &scene, tuning, WorkspacePose{}, sample, now_s += 1e-3);
+        tally.checksum += command.force_n.x;
+        tally.touching += state.tool().contacts.count > 0;
+        tally.worst_iterations = std::max<long>(tally.worst_iterations, state.tool().contacts.iterations);
+    }
+    return tally;
+}
+
+int run(int ticks, bool touch_only) {
     const auto path = real_world("quake-e1m1.map");
     if (!path) {
         std::cout << "Skipped: quake-e1m1.map is not here; set HANDRAIL_REAL_WORLDS to the folder that holds it.\n";
@@ -46,9 +62,12 @@ int run(int ticks) {
     tuning.damping_ns_per_m = 5.0;
     tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
     const std::vector<Vec3> goals = record_walk(*haptic, tuning, scene->starts.front().feet_m + Vec3(0, 0, 1.0), ticks);
-    TouchState state;
+    TouchState touch_state;
+    ServoState servo_state(ideal_device_spec());
+    ServoTuning servo_tuning;
+    servo_tuning.touch = tuning;
     const auto begin = std::chrono::steady_clock::now();
-    const Tally tally = measured_ticks(*haptic, tuning, goals, state);
+    const Tally tally = touch_only ? measured_ticks(*haptic, tuning, goals, touch_state) : measured_ticks(*haptic, servo_tuning, goals, servo_state);
     const double ns = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
     std::cout << fmt::format("{} obstacles, {} ticks, {:.1f} % touching, {:.0f} ns per tick, at most {} rounds, ended {:.1f} m from the start, checksum {}\n",
                              haptic->obstacles.size(), ticks, 100.0 * static_cast<double>(tally.touching) / ticks, ns / ticks, tally.worst_iterations,
@@ -59,4 +78,4 @@ int run(int ticks) {
 }  // namespace
 }  // namespace handrail::test
 
-int main(int argc, char** argv) { return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 60000); }
+int main(int argc, char** argv) { return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 60000, argc > 2 && std::string(argv[2]) == "touch"); }
