@@ -8,7 +8,7 @@
 namespace handrail {
 namespace {
 
-// The keys of arrows, PageUp and PageDown, F, Home and Escape are those of the original demo (S154, S166) and never change meaning.
+// The keys of arrows, PageUp and PageDown, F, Home and Escape are those of the walking demo of the plugin that Handrail succeeds; they never change meaning.
 constexpr std::array kCommands{
     CommandInfo{Command::Forward, "forward", "Up", true, "One step forward; held, walk."},
     CommandInfo{Command::Back, "back", "Down", true, "One step back; held, walk backwards."},

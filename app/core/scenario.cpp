@@ -304,8 +304,6 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
     scenario.title = fields.text("title");
     scenario.world = find_world(fields.text("world"), file.parent_path(), folders, line_of(fields.node("world")));
     if (fields.has("device")) scenario.device = fields.text("device");
-    if (fields.has("covers")) {
-    }  // for readers: which requirements the file shows
     if (fields.has("start")) {
         const toml::table* start = fields.node("start").as_table();
         if (!start) throw Bad{line_of(fields.node("start")), "\"start\" must be a table with \"feet\" and \"heading_deg\"."};

@@ -29,7 +29,7 @@ public:
         bool hrtf = true;                            // false: plain stereo, for loudspeakers
         std::function<bool()> still_connected = {};  // stands in for the device's own report, so that a test can pull the plug
     };
-    // At most this many sounds besides the voice; the least important or oldest gives way (product.md G17).
+    // At most this many sounds besides the voice; the least important or oldest gives way.
     static constexpr int kMostSounds = 3;
     static constexpr double kDuckingDb = -9.0;  // sounds but alarms, while the voice speaks
     // A sound keeps its loudness to this distance and loses half of it by three times that: the hand may touch far from the ears.

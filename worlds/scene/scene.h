@@ -49,7 +49,7 @@ enum class SolidRole : std::uint8_t {
     Illusion,  // seen, not touched
 };
 
-// Shape named by the original's cs_name key (S222 to S224); the brushes themselves stay the touchable shape.
+// Shape named by the key cs_name of old maps (dynamic_box, dynamic_sphere, dynamic_cylinder); the brushes themselves stay the touchable shape.
 enum class DynamicShape : std::uint8_t { None, Box, Sphere, Cylinder };
 
 struct Solid {

@@ -17,7 +17,7 @@ TEST(CommandTable, lists_every_command_once_in_order) {
     }
 }
 
-// The original's demo keys (S154, S166) keep their meaning for ever.
+// The original's demo keys keep their meaning for ever.
 TEST(KeyMap, keeps_the_keys_of_the_original) {
     const KeyMap keys({});
     const std::map<std::string, Command> original{{"Left", Command::TurnLeft},  {"Right", Command::TurnRight}, {"Up", Command::Forward},
