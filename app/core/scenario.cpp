@@ -156,12 +156,8 @@ std::vector<ScenarioAction> read_sweep(const toml::table& table) {
     for (int i = 0; i < angles; ++i) {
         const double heading = radians_from_degrees(from_deg + (angles > 1 ? (to_deg - from_deg) * i / (angles - 1) : 0.0));
         const Vec3 away = forward_of_heading(heading);
-        for (const Vec3& to : {at + away * reach_m, at - away * depth_m, at + away * reach_m}) {
-            ScenarioAction move;
-            move.step = MoveHand{to, speed, false};
-            move.line = fields.line();
-            moves.push_back(move);
-        }
+        for (const Vec3& to : {at + away * reach_m, at - away * depth_m, at + away * reach_m})
+            moves.push_back({.name = {}, .step = MoveHand{to, speed, false}, .at_s = {}, .line = fields.line()});
     }
     if (!name.empty()) {
         moves.front().name = name;

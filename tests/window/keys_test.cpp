@@ -1,5 +1,9 @@
 #include "app/window/keys.h"
 
+#include <algorithm>
+
+#include "app/core/command.h"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -89,6 +93,20 @@ TEST(KeyTracker, lets_go_of_everything_when_the_keyboard_is_lost) {
     EXPECT_EQ(keys.let_go(), (Events{{"Up", KeyAction::Release}, {"Shift+Left", KeyAction::Release}}));
     EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_RELEASE, 0), Events{});
     EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0), Events{}) << "leaving by Control+Alt+arrow must not silence speech";
+}
+
+// Every default key, so that each command can be reached from the window.
+TEST(KeyNames, hold_every_key_of_the_command_table) {
+    ASSERT_FALSE(command_table().empty());
+    for (const CommandInfo& row : command_table()) {
+        std::string_view keys = row.key;
+        while (!keys.empty()) {
+            const std::size_t end = std::min(keys.find(' '), keys.size());
+            const std::string_view key = keys.substr(0, end);
+            keys.remove_prefix(std::min(end + 1, keys.size()));
+            EXPECT_NE(std::find(key_names().begin(), key_names().end(), key), key_names().end()) << key << " of " << row.word;
+        }
+    }
 }
 
 }  // namespace
