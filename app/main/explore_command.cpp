@@ -30,7 +30,7 @@ namespace {
 
 constexpr double kFrame_s = 1.0 / 60.0;
 constexpr double kProgressEvery_s = 2.0;
-constexpr double kHandSettles_s = 0.15;
+constexpr double kSettles_s = 0.2;
 constexpr double kLastWords_s = 3.0;  // how long the end waits for what is being said
 
 // Set by SIGINT, SIGTERM and SIGHUP; the loop looks at it each frame. A plain flag is all that a signal handler may touch.
@@ -258,7 +258,10 @@ private:
     // Lines are carried out one after the other, each when what the one before began is over, so that a script reads as it is lived.
     void take_lines(double now_s) {
         for (std::string& line : input_.take()) lines_.push_back(std::move(line));
-        if (repeat_left_ == 0 && !app_->idle()) return;
+        if (repeat_left_ == 0 && !app_->idle()) {
+            settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts
+            return;
+        }
         if (now_s < settle_until_s_) return;
         if (repeat_left_ > 0) {
             --repeat_left_;
@@ -288,7 +291,7 @@ private:
         app_->press(command, now_s);
         app_->release(command);
         // A hand that was told to move needs a moment to be there.
-        if (command >= Command::HandForward && command <= Command::HandCentre) settle_until_s_ = now_s + kHandSettles_s;
+        if (command >= Command::HandForward && command <= Command::HandCentre) settle_until_s_ = now_s + kSettles_s;
     }
 
     // Forces down first, then the last words, then the settings.

@@ -34,7 +34,7 @@ TEST(Explore, a_real_map_is_entered_too) {
 }
 
 TEST(Explore, commands_from_standard_input_are_carried_out_in_order) {
-    const ProgramRun run = explore({"--no-window"}, "forward 5\nwhere\nright 2\nheading\nwheer\nquit\nforward\n");
+    const ProgramRun run = explore({"--no-window", "--device", "none"}, "forward 5\nwhere\nright 2\nheading\nwheer\nquit\nforward\n");
     EXPECT_EQ(run.exit_status, 0) << run.err;
     const std::size_t wall = run.out.find("North wall, plaster");
     const std::size_t where = run.out.find("Ahead: north wall, plaster, close by");
