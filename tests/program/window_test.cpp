@@ -19,8 +19,11 @@ said() { i=0; until grep -q "$1" "$out/said"; do i=$((i+1)); [ $i -gt 600 ] && {
 out=$2
 "$1" >"$out/said" 2>"$out/errors" &
 pid=$!
-timeout 60 xdotool search --sync --name Handrail windowfocus --sync || exit 8
 said "facing north"
+tries=0
+until timeout 20 xdotool search --onlyvisible --name Handrail windowfocus --sync; do
+  tries=$((tries+1)); [ $tries -gt 30 ] && { kill $pid; exit 8; }; sleep 0.5
+done
 sleep 1; import -window root "$out/first.png"
 xdotool key F4; said "Walk, turning with you"
 xdotool key Right; said "North-east"
