@@ -7,8 +7,7 @@ namespace handrail::test {
 std::optional<std::filesystem::path> real_world(const std::string& file_name) {
     namespace fs = std::filesystem;
     const char* set = std::getenv("HANDRAIL_REAL_WORLDS");
-    const fs::path source_dir = fs::path(__FILE__).parent_path().parent_path().parent_path();
-    const fs::path folder = set ? fs::path(set) : source_dir.parent_path() / "shared" / "worlds";
+    const fs::path folder = set ? fs::path(set) : fs::path(HANDRAIL_SOURCE_DIR).parent_path() / "shared" / "worlds";
     const fs::path path = folder / file_name;
     if (!fs::exists(path)) return std::nullopt;
     return path;
