@@ -87,6 +87,7 @@ struct Grammar {
         scenario_app = app.add_subcommand("scenario", "run scenario files, or folders of them");
         scenario_app->add_option("PATH", scenario.paths, "files or folders")->required()->type_name("");
         scenario_app->add_option("--junit", scenario.junit, "write the results as JUnit XML")->type_name("FILE");
+        add_map_scale(*scenario_app, scenario.common);
 
         settings_app = app.add_subcommand("settings", "list every setting with its value");
         settings_app->add_flag("--explain", settings.arguments.explain, "with unit, range, meaning and where each value comes from");

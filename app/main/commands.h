@@ -9,12 +9,19 @@
 #include <vector>
 
 #include "settings/settings.h"
+#include "worlds/readers/reader.h"
 
 namespace handrail {
 
 // Options that every command takes.
 struct CommonArguments {
-    std::optional<double> map_scale_m_per_unit;      // --map-scale, default 1/32 for every .map
+    std::optional<double> map_scale_m_per_unit;  // --map-scale, default 1/32 for every .map
+
+    ReadOptions read_options() const {
+        ReadOptions options;
+        if (map_scale_m_per_unit) options.map_metres_per_unit = *map_scale_m_per_unit;
+        return options;
+    }
 };
 
 struct InfoArguments {
@@ -27,16 +34,17 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
 struct TouchArguments {
     CommonArguments common;
     std::filesystem::path world, path_csv, out_csv;
-    double radius_m = 0.005;                         // --radius; 0 means 1e-5
-    double scale_world_m_per_hand_m = 1.0;           // --scale
+    double radius_m = 0.005;                // --radius; 0 means 1e-5
+    double scale_world_m_per_hand_m = 1.0;  // --scale
     std::optional<double> stiffness_n_per_m, damping_ns_per_m, friction_static, friction_kinetic;
-    std::optional<std::string> device;               // --device
+    std::optional<std::string> device;  // --device
 };
 int run_touch(const TouchArguments& arguments, std::ostream& out, std::ostream& err);
 
 struct ScenarioArguments {
-    std::vector<std::filesystem::path> paths;        // files, or folders of *.toml
-    std::optional<std::filesystem::path> junit;      // --junit
+    CommonArguments common;
+    std::vector<std::filesystem::path> paths;    // files, or folders of *.toml
+    std::optional<std::filesystem::path> junit;  // --junit
 };
 int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err);
 
@@ -47,10 +55,10 @@ int run_settings(const SettingsArguments& arguments, SettingsStore& settings, st
 
 struct ExploreArguments {
     CommonArguments common;
-    std::optional<std::filesystem::path> world;      // none: the bundled first world
-    bool no_window = false;                          // --no-window
-    std::optional<std::string> device;               // --device NAME|none
-    std::vector<Diagnostic> settings_problems;       // met while reading the settings; to be spoken, not only printed
+    std::optional<std::filesystem::path> world;  // none: the bundled first world
+    bool no_window = false;                      // --no-window
+    std::optional<std::string> device;           // --device NAME|none
+    std::vector<Diagnostic> settings_problems;   // met while reading the settings; to be spoken, not only printed
 };
 int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err);
 

@@ -113,8 +113,7 @@ void tell(const Scene& scene, const Cost& cost, std::ostream& out) {
 }  // namespace
 
 int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err) {
-    ReadOptions options;
-    if (arguments.common.map_scale_m_per_unit) options.map_metres_per_unit = *arguments.common.map_scale_m_per_unit;
+    const ReadOptions options = arguments.common.read_options();
     if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0) {
         err << "The map scale must be a positive number of metres per unit.\n";
         return 2;

@@ -8,7 +8,6 @@
 #include "app/main/world_files.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "worlds/base/files.h"
-#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace {
@@ -51,9 +50,9 @@ void note_heard(const RecordingAudio& audio, const RecordingSpeech& speech, Sess
     for (const HeardSpeech& line : speech.lines()) log.lines.push_back({line.time_s, line.utterance.text});
 }
 
-Outcome run_one(const Scenario& scenario) {
+Outcome run_one(const Scenario& scenario, const ReadOptions& options) {
     Outcome outcome{scenario.file.filename().string(), scenario.title, {}, 0.0};
-    auto scene = read_world(scenario.world);
+    auto scene = read_world(scenario.world, options);
     if (!scene) {
         outcome.failures.push_back(scene.error().sentence());
         return outcome;
@@ -130,7 +129,7 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
     }
     std::vector<Outcome> outcomes;
     for (const Scenario& scenario : scenarios) {
-        outcomes.push_back(run_one(scenario));
+        outcomes.push_back(run_one(scenario, arguments.common.read_options()));
         const Outcome& o = outcomes.back();
         fmt::print(out, "{}: {} ({}, {:.1f} virtual seconds)\n", o.failures.empty() ? "holds" : "FAILS", o.title, o.name, o.virtual_s);
         for (const std::string& failure : o.failures) fmt::print(out, "  {}\n", failure);

@@ -204,9 +204,8 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err)
         err << error.sentence() << '\n';
         return 1;
     };
-    ReadOptions options;
+    ReadOptions options = arguments.common.read_options();
     options.guess_materials = false;
-    if (arguments.common.map_scale_m_per_unit) options.map_metres_per_unit = *arguments.common.map_scale_m_per_unit;
     const Result<Scene> scene = read_world(arguments.world, options);
     if (!scene) return refuse(scene.error());
     const Result<std::string> text = read_whole_file(arguments.path_csv);

@@ -84,9 +84,10 @@ TEST(CommandLine, gives_info_touch_scenario_and_settings_their_arguments) {
     EXPECT_EQ(touch.scale_world_m_per_hand_m, 60.0);
     EXPECT_EQ(touch.device, "falcon");
     EXPECT_EQ(touch.common.map_scale_m_per_unit, 0.1);
-    const auto scenario = parsed_as<ScenarioArguments>({"scenario", "a.toml", "folder", "--junit", "out.xml"});
+    const auto scenario = parsed_as<ScenarioArguments>({"scenario", "a.toml", "folder", "--junit", "out.xml", "--map-scale", "0.025"});
     EXPECT_EQ(scenario.paths.size(), 2U);
     EXPECT_EQ(scenario.junit, "out.xml");
+    EXPECT_EQ(scenario.common.map_scale_m_per_unit, 0.025);
     EXPECT_TRUE(parsed_as<SettingsCall>({"settings", "--explain"}).arguments.explain);
 }
 
