@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "worlds/scene/surfaces.h"
+
 namespace handrail {
 namespace {
 
@@ -21,15 +23,14 @@ constexpr double kMostPendingSteps = 8.0;
 constexpr std::size_t kMostPathPoints = 4000;
 constexpr std::size_t kMostThings = 24;     // looked at for "where am I"
 constexpr std::size_t kMostThingsTold = 4;  // and spoken of
+constexpr int kTellName = 2, kTellAll = 4;  // verbosity
 
 }  // namespace
 
 AppCore::AppCore(const Settings& settings, const HandFacts& hand)
     : settings_(settings), hand_(hand), keys_(settings.keys), held_(command_table().size(), false) {
     lay_device_overrides();
-    std::vector<std::string> problems;
-    KeyMap(settings.keys, &problems);
-    for (std::string& problem : problems) say(std::move(problem), SpeechClass::Answer, 0.0);
+    for (const std::string& problem : keys_.problems()) say(problem, SpeechClass::Answer, 0.0);
 }
 
 void AppCore::lay_device_overrides() {
@@ -43,8 +44,6 @@ void AppCore::lay_device_overrides() {
         settings_.workspace.hand_height_m = own.hand_height_m.value_or(settings_.workspace.hand_height_m);
     }
 }
-
-double AppCore::workspace_scale() const { return settings_.workspace.scale; }
 
 void AppCore::enter_world(std::shared_ptr<const Scene> scene, double now_s) {
     Vec3 feet{0.0};
@@ -88,7 +87,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
 void AppCore::retune() {
     // Ball: felt diameter of the settings at scale 60, the same in the world at other scales, clamped to 2 to 6 mm in the hand and to
     // a third of the narrowest door.
-    const double scale = workspace_scale();
+    const double scale = settings_.workspace.scale;
     const double felt_m = std::clamp(settings_.haptic.ball_diameter_mm * 1e-3 * 60.0 / scale, 0.002, 0.006);
     double radius = 0.5 * felt_m * scale;
     for (const Feature& feature : scene_->features)
@@ -147,7 +146,7 @@ std::string AppCore::entering_text() const {
 
 std::string AppCore::where_am_i() const {
     const bool home = glm::length(feet_m() - home_feet_m_) < 0.5 * settings_.walk.step_length_m;
-    std::string text = fmt::format("You are {}, facing {}.", home ? "at the base" : fmt::format("in {}", scene_->name), compass_words(heading_rad_));
+    std::string text = fmt::format("You are {}, facing {}.", home ? "at the base" : fmt::format("in {}", scene_->name), compass_word(heading_rad_));
     const double bearings[4] = {0.0, kPi / 2.0, kPi, -kPi / 2.0};
     for (const double turn : bearings) {
         const double bearing = heading_rad_ + turn;
@@ -233,7 +232,7 @@ void AppCore::act(Command command, double now_s) {
         tick.time_s = now_s;
         tick.position_m = feet_m() + Vec3(0.0, 0.0, walker_->size().eye_height_m) + forward_of_heading(heading_goal_rad_);
         cue(std::move(tick));
-        answer(sentence_case(compass_words(heading_goal_rad_)), now_s);
+        answer(sentence_case(std::string(compass_word(heading_goal_rad_))), now_s);
     };
     switch (command) {
         case Command::Forward:
@@ -272,9 +271,8 @@ void AppCore::act(Command command, double now_s) {
             answer(where_am_i(), now_s);
             break;
         case Command::Heading:
-            answer(
-                fmt::format("Facing {}, {:.0f} degrees", compass_words(heading_goal_rad_), std::fmod(degrees_from_radians(heading_goal_rad_) + 360.0, 360.0)),
-                now_s);
+            answer(fmt::format("Facing {}, {:.0f} degrees", compass_word(heading_goal_rad_), std::fmod(degrees_from_radians(heading_goal_rad_) + 360.0, 360.0)),
+                   now_s);
             break;
         case Command::WhatIsThis:
             describe_touched(now_s);
@@ -367,15 +365,9 @@ void AppCore::describe_touched(double now_s) {
         return;
     }
     const FeatureId id = tool_.contacts.contacts[tool_.contacts.strongest].feature;
-    std::string text = sentence_case(name_of(id));
-    const Feature* feature = scene_->find(id);
-    if (feature && described_ == id) {
-        const Vec3 size = feature->bounds_m.size_m();
-        text += fmt::format(". {} high {:.1f} metres.", size_words(std::max(size.x, size.y), std::min(size.x, size.y), DistanceWords{false, 1.0}), size.z);
-        if (!feature->message.empty()) text += " " + feature->message;
-        if (!feature->handle.empty()) text += fmt::format(" Handle on the {} side.", feature->handle);
-        if (!feature->hinge.empty()) text += fmt::format(" Hinge on the {} side.", feature->hinge);
-    }
+    // A person who asks is told the name at every verbosity, and everything there is to tell on asking again.
+    std::string text = describe_feature(*scene_, id, described_ == id ? kTellAll : std::max(kTellName, settings_.speech.verbosity));
+    if (text.empty()) text = sentence_case(name_of(id));
     described_ = id;
     answer(std::move(text), now_s);
 }
@@ -391,7 +383,7 @@ void AppCore::place(const Vec3& feet_m, double heading_rad, double now_s) {
 
 void AppCore::go_home(double now_s) {
     place(home_feet_m_, home_heading_rad_, now_s);
-    answer(fmt::format("Base. Facing {}.", compass_words(heading_rad_)), now_s);
+    answer(fmt::format("Base. Facing {}.", compass_word(heading_rad_)), now_s);
 }
 
 void AppCore::move_hand(const Vec3& by_device_m) {

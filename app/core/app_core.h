@@ -96,7 +96,6 @@ private:
     std::string name_of(FeatureId feature) const;
     DistanceWords distances() const { return {settings_.speech.distances_in_steps, settings_.walk.step_length_m}; }
     bool held(Command command) const { return held_[static_cast<std::size_t>(command)]; }
-    double workspace_scale() const;
 
     Settings settings_;
     HandFacts hand_;

@@ -18,10 +18,7 @@ std::vector<std::string> words_of(std::string_view text) {
 
 }  // namespace
 
-KeyMap::KeyMap(const std::map<std::string, std::string>& changes, std::vector<std::string>* problems) {
-    const auto complain = [&](std::string sentence) {
-        if (problems) problems->push_back(std::move(sentence));
-    };
+KeyMap::KeyMap(const std::map<std::string, std::string>& changes) {
     by_command_.resize(command_table().size());
     for (const CommandInfo& row : command_table()) by_command_[static_cast<std::size_t>(row.command)] = words_of(row.key);
 
@@ -30,7 +27,7 @@ KeyMap::KeyMap(const std::map<std::string, std::string>& changes, std::vector<st
         if (!row) {
             std::vector<std::string> known;
             for (const CommandInfo& candidate : command_table()) known.emplace_back(candidate.word);
-            complain(fmt::format("The settings give a key to \"{}\", which is no command. Did you mean \"{}\"?", word, nearest_name(word, known)));
+            problems_.push_back(fmt::format("The settings give a key to \"{}\", which is no command. Did you mean \"{}\"?", word, nearest_name(word, known)));
             continue;
         }
         by_command_[static_cast<std::size_t>(row->command)] = words_of(keys);
@@ -40,7 +37,7 @@ KeyMap::KeyMap(const std::map<std::string, std::string>& changes, std::vector<st
         for (const std::string& key : by_command_[static_cast<std::size_t>(row.command)]) {
             const auto [held, fresh] = by_key_.emplace(lower_ascii(key), row.command);
             if (!fresh && held->second != row.command)
-                complain(
+                problems_.push_back(
                     fmt::format("The key {} was asked to do both {} and {}. It does {}.", key, info(held->second).word, row.word, info(held->second).word));
         }
     };

@@ -8,13 +8,7 @@
 namespace handrail {
 namespace {
 
-constexpr std::array kCompass{"north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"};
 constexpr std::array kRelative{"ahead", "ahead right", "right", "behind right", "behind", "behind left", "left", "ahead left"};
-
-int eighth(double angle_rad) {
-    const int n = static_cast<int>(std::lround(angle_rad / (kPi / 4.0)));
-    return ((n % 8) + 8) % 8;
-}
 
 std::string metres_words(double distance_m) {
     const double half = std::round(distance_m * 2.0) / 2.0;
@@ -52,11 +46,7 @@ std::string size_words(double width_m, double depth_m, const DistanceWords& how)
     return text;
 }
 
-std::string compass_words(double heading_rad) { return kCompass[static_cast<std::size_t>(eighth(heading_rad))]; }
-
-std::string relative_words(double bearing_rad, double heading_rad) {
-    return kRelative[static_cast<std::size_t>(eighth(wrap_angle(bearing_rad - heading_rad)))];
-}
+std::string relative_words(double bearing_rad, double heading_rad) { return kRelative[nearest_eighth(wrap_angle(bearing_rad - heading_rad))]; }
 
 std::string minutes_words(double seconds) {
     const long minutes = std::lround(seconds / 60.0);

@@ -16,8 +16,6 @@ struct DistanceWords {
 std::string distance_words(double distance_m, const DistanceWords& how);
 // "6 by 4 metres, 9 by 6 steps".
 std::string size_words(double width_m, double depth_m, const DistanceWords& how);
-// One of eight: "north", "north-east", ...
-std::string compass_words(double heading_rad);
 // "ahead", "ahead right", "right", ...: the direction of `bearing_rad` for one who faces `heading_rad`.
 std::string relative_words(double bearing_rad, double heading_rad);
 // "12 minutes", "1 minute".

@@ -15,10 +15,7 @@
 #include "app/terminal/terminal.h"
 #include "app/window/window.h"
 #include "audio-cues/sinks/audio_thread.h"
-#include "audio-cues/sinks/espeak_speech.h"
-#include "audio-cues/sinks/openal_sink.h"
-#include "audio-cues/sinks/recording_sinks.h"
-#include "audio-cues/sinks/text_speech.h"
+#include "audio-cues/sinks/sound_outputs.h"
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_loop.h"
 #include "worlds/base/clock.h"
@@ -76,8 +73,7 @@ class WorldLoading {
 public:
     WorldLoading(const std::filesystem::path& path, const CommonArguments& common)
         : result_(std::async(std::launch::async, [this, path, common] {
-              ReadOptions options;
-              if (common.map_scale_m_per_unit) options.map_metres_per_unit = *common.map_scale_m_per_unit;
+              ReadOptions options = common.read_options();
               options.progress = [this](double fraction) { percent_.store(static_cast<int>(fraction * 100.0), std::memory_order_relaxed); };
               return read_world(path, options);
           })) {}
@@ -89,32 +85,6 @@ private:
     std::atomic<int> percent_{0};
     std::future<Result<Scene>> result_;
 };
-
-// What the person hears and reads: sinks by what the machine has, each lack told in a sentence.
-struct Ears {
-    std::unique_ptr<AudioThread> thread;
-    bool audible = false;  // there is a sound card: last words are worth waiting for
-};
-
-Ears make_ears(const Settings& settings, Clock& clock, ServoLoop* servo, std::vector<std::string>& news) {
-    auto voice_channel = std::make_shared<VoiceChannel>();
-    std::vector<std::unique_ptr<SpeechSink>> speech;
-    speech.push_back(std::make_unique<TextSpeech>(STDOUT_FILENO));
-    std::unique_ptr<AudioSink> audio;
-    Ears ears;
-    if (auto sink = OpenALSink::open(voice_channel, {}); sink) {
-        ears.audible = (*sink)->has_device();
-        news.push_back((*sink)->description());
-        audio = std::move(*sink);
-        speech.push_back(open_voice(voice_channel, settings.speech));
-    } else {
-        news.push_back(sink.error().message);
-        audio = std::make_unique<RecordingAudio>();
-    }
-    ears.thread =
-        std::make_unique<AudioThread>(std::move(audio), std::make_unique<TeeSpeech>(std::move(speech)), clock, servo ? &servo->events() : nullptr, settings);
-    return ears;
-}
 
 // One session with a person: owns every part, carries values between them about sixty times a second.
 class Exploration {
@@ -138,12 +108,12 @@ public:
                 hand = HandFacts{};
             }
         }
-        ears_ = make_ears(settings_.values(), clock_, servo_.get(), news);
+        open_ears(news);
         app_ = std::make_unique<AppCore>(settings_.values(), *hand);
         for (const Diagnostic& problem : arguments_.settings_problems) news.push_back(problem.sentence());
         open_window(news);
         say("Handrail. " + joined(news));
-        ears_.thread->start();
+        ears_->start();
         if (servo_) servo_->start();
 
         const int status = load_world(err) ? explore() : 1;
@@ -165,6 +135,14 @@ private:
     void say(std::string text) {
         app_->say(std::move(text), SpeechClass::Answer, clock_.now_s());
         hand_over();
+    }
+
+    void open_ears(std::vector<std::string>& news) {
+        SoundOutputs outputs = open_sound_outputs(settings_.values(), STDOUT_FILENO);
+        audible_ = outputs.audible;
+        news.push_back(std::move(outputs.description));
+        ears_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_, servo_ ? &servo_->events() : nullptr,
+                                              settings_.values());
     }
 
     void open_window(std::vector<std::string>& news) {
@@ -200,7 +178,7 @@ private:
             say(fmt::format("{} {} in this file; the first: {}", report.warnings_in_all, report.warnings_in_all == 1 ? "problem" : "problems",
                             report.warnings.front().sentence()));
         app_->enter_world(std::make_shared<const Scene>(std::move(*scene)), clock_.now_s());
-        ears_.thread->enter_world(app_->scene());
+        ears_->enter_world(app_->scene());
         if (servo_) servo_->set_scene(app_->haptic_scene());
         return true;
     }
@@ -214,7 +192,7 @@ private:
             if (servo_) tool_ = servo_->tool();
             app_->tick(now_s, tool_);
             hand_over();
-            for (SpokenLine& line : ears_.thread->take_spoken()) last_spoken_ = std::move(line.text);
+            for (SpokenLine& line : ears_->take_spoken()) last_spoken_ = std::move(line.text);
             if (window_) window_->draw(app_->view(tool_, last_spoken_));
             next_s = std::max(next_s + kFrame_s, now_s);
             clock_.sleep_until_s(next_s);
@@ -224,11 +202,11 @@ private:
 
     // To the servo and the ears, what this frame changed.
     void hand_over() {
-        for (CueRequest& cue : app_->take_cues()) ears_.thread->post(std::move(cue));
-        if (app_->scene()) ears_.thread->set_listener(app_->listener());
+        for (CueRequest& cue : app_->take_cues()) ears_->post(std::move(cue));
+        if (app_->scene()) ears_->set_listener(app_->listener());
         bool changed = false;
         for (const auto& [key, value] : app_->take_setting_changes()) changed |= settings_.set(key, value, SettingSource::Live).has_value();
-        if (changed) ears_.thread->set_settings(app_->settings());
+        if (changed) ears_->set_settings(app_->settings());
         if (!servo_ || !app_->scene()) return;
         servo_->set_tuning(app_->tuning());
         servo_->set_pose(app_->pose());
@@ -298,7 +276,7 @@ private:
     void finish(std::ostream& err) {
         if (servo_) servo_->stop();
         hand_over();
-        ears_.thread->stop(ears_.audible && !end_asked ? kLastWords_s : 0.0);
+        ears_->stop(audible_ && !end_asked ? kLastWords_s : 0.0);
         if (const auto saved = settings_.save_user_file(); !saved) fmt::print(err, "{}\n", saved.error().sentence());
     }
 
@@ -308,7 +286,8 @@ private:
     SteadyClock clock_;
     std::shared_ptr<SimulatedHand> simulated_;
     std::unique_ptr<ServoLoop> servo_;
-    Ears ears_;
+    std::unique_ptr<AudioThread> ears_;
+    bool audible_ = false;  // there is a sound device: last words are worth waiting for
     std::unique_ptr<AppCore> app_;
     std::unique_ptr<Window> window_;
     LineInput input_{STDIN_FILENO};

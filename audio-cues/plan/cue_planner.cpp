@@ -29,8 +29,9 @@ std::string metres(double length_m) {
 
 std::string size_sentence(const Feature& feature) {
     const Vec3 size = feature.bounds_m.max_m - feature.bounds_m.min_m;
-    const bool flat = feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling;
-    if (flat) return fmt::format("{:g} by {}.", std::round(size.x * 10.0) / 10.0, metres(size.y));
+    const auto area = [](double a_m, double b_m) { return fmt::format("{:g} by {}", std::round(a_m * 10.0) / 10.0, metres(b_m)); };
+    if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling) return area(size.x, size.y) + ".";
+    if (feature.kind == FeatureKind::Object) return fmt::format("{}, {} high.", area(std::max(size.x, size.y), std::min(size.x, size.y)), metres(size.z));
     return fmt::format("{} wide, {} high.", metres(std::max(size.x, size.y)), metres(size.z));
 }
 

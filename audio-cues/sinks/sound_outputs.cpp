@@ -39,7 +39,11 @@ SoundOutputs open_sound_outputs(const Settings& settings, int text_fd) {
     if (auto opened = OpenALSink::open(channel, {}); !opened) {
         outputs.audio = std::make_unique<SilentAudio>(fmt::format("There is no sound: {}", opened.error().sentence()));
     } else {
-        if ((*opened)->has_device()) voices.push_back(open_voice(channel, settings.speech));
+        outputs.audible = (*opened)->has_device();
+        if (outputs.audible) {
+            outputs.description = (*opened)->description();
+            voices.push_back(open_voice(channel, settings.speech));
+        }
         outputs.audio = std::move(*opened);
     }
     outputs.speech = std::make_unique<TeeSpeech>(std::move(voices));

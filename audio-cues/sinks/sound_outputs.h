@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "audio-cues/plan/sinks.h"
 #include "settings/settings.h"
@@ -11,6 +12,8 @@ namespace handrail {
 struct SoundOutputs {
     std::unique_ptr<AudioSink> audio;
     std::unique_ptr<SpeechSink> speech;
+    bool audible = false;     // there is a sound device
+    std::string description;  // "Sound goes to Built-in Audio, for headphones."; empty where the sinks' news() says what is missing
 };
 
 // Text on `text_fd` always. With a sound device: OpenAL, and the embedded voice, or its beeps where there is none. Without a device the

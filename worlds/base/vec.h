@@ -25,4 +25,7 @@ inline Vec3 forward_of_heading(double heading_rad) noexcept { return {std::sin(h
 // Unit vector to the right of a body with this heading.
 inline Vec3 right_of_heading(double heading_rad) noexcept { return {std::cos(heading_rad), -std::sin(heading_rad), 0.0}; }
 
+// Which eighth of a turn an angle is nearest to: 0 for none, 2 for a quarter clockwise; 0 to 7 for any angle.
+inline std::size_t nearest_eighth(double angle_rad) noexcept { return static_cast<std::size_t>((std::lround(angle_rad / (kPi / 4.0)) % 8 + 8) % 8); }
+
 }  // namespace handrail

@@ -419,11 +419,12 @@ private:
 
 }  // namespace
 
-std::string_view compass_word(const Vec3& direction) noexcept {
-    constexpr std::array<std::string_view, 8> kWords{"east", "north-east", "north", "north-west", "west", "south-west", "south", "south-east"};
-    const double eighths = std::atan2(direction.y, direction.x) / (kPi / 4.0);
-    return kWords[static_cast<std::size_t>(static_cast<int>(std::lround(eighths)) + 8) % 8];
+std::string_view compass_word(double heading_rad) noexcept {
+    constexpr std::array<std::string_view, 8> kWords{"north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"};
+    return kWords[nearest_eighth(heading_rad)];
 }
+
+std::string_view compass_word(const Vec3& direction) noexcept { return compass_word(std::atan2(direction.x, direction.y)); }
 
 std::string shape_name(const Aabb& bounds_m) {
     const Vec3 size = bounds_m.size_m();

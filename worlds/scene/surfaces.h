@@ -18,7 +18,8 @@ inline constexpr FaceLook kSkyLook = 0xffffffffU;
 // empty gets one from its shape. `looks` has one entry per solid with one look per face.
 void derive_surfaces(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit);
 
-// "north-east" for a direction that points there; the eight sides of the compass.
+// "north-east" for a heading or a direction that points there; the eight sides of the compass.
+std::string_view compass_word(double heading_rad) noexcept;
 std::string_view compass_word(const Vec3& direction) noexcept;
 // What a thing without a name is called, by its size: "pillar", "low block".
 std::string shape_name(const Aabb& bounds_m);

@@ -27,8 +27,8 @@ TEST(KeyMap, keeps_the_keys_of_the_original) {
 }
 
 TEST(KeyMap, lets_the_person_change_keys_and_says_what_clashes) {
-    std::vector<std::string> problems;
-    const KeyMap keys({{"where", "W"}, {"wher", "X"}, {"heading", "E"}}, &problems);
+    const KeyMap keys({{"where", "W"}, {"wher", "X"}, {"heading", "E"}});
+    const std::vector<std::string>& problems = keys.problems();
     EXPECT_EQ(keys.find("w"), Command::WhereAmI);
     EXPECT_EQ(keys.find("F2"), std::nullopt);
     EXPECT_EQ(keys.find("E"), Command::Heading);

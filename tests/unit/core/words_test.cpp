@@ -21,13 +21,6 @@ TEST(DistanceWords, are_half_metres_when_metres_are_chosen) {
 
 TEST(SizeWords, give_metres_and_steps) { EXPECT_EQ(size_words(6.0, 4.0, {true, 0.7}), "6 by 4 metres, 9 by 6 steps"); }
 
-TEST(CompassWords, name_the_nearest_of_eight_for_any_angle) {
-    EXPECT_EQ(compass_words(0.0), "north");
-    EXPECT_EQ(compass_words(radians_from_degrees(44.0)), "north-east");
-    EXPECT_EQ(compass_words(radians_from_degrees(-90.0)), "west");
-    EXPECT_EQ(compass_words(radians_from_degrees(360.0 * 5 + 180.0)), "south");
-}
-
 TEST(RelativeWords, are_seen_from_where_one_faces) {
     EXPECT_EQ(relative_words(0.0, radians_from_degrees(90.0)), "left");
     EXPECT_EQ(relative_words(radians_from_degrees(180.0), radians_from_degrees(-135.0)), "ahead left");

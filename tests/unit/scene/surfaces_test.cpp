@@ -138,9 +138,13 @@ TEST(Surfaces, slanted_walls_and_slopes_are_named_by_their_side) {
     const Scene scene = building(kRoom + corner + ramp);
     EXPECT_THAT(names(scene), testing::IsSupersetOf({"north-east wall", "slope rising north"}));
     EXPECT_EQ(met(scene, {6, 3, 1}, {8, 6, 1}), "north-east wall");
-    EXPECT_EQ(compass_word({1, 1, 0}), "north-east");
-    EXPECT_EQ(compass_word({-1, -0.1, 0}), "west");
-    EXPECT_EQ(compass_word({0.4, -1, 0}), "south");
+    EXPECT_EQ(compass_word(Vec3{1, 1, 0}), "north-east");
+    EXPECT_EQ(compass_word(Vec3{-1, -0.1, 0}), "west");
+    EXPECT_EQ(compass_word(Vec3{0.4, -1, 0}), "south");
+    EXPECT_EQ(compass_word(0.0), "north");
+    EXPECT_EQ(compass_word(radians_from_degrees(44.0)), "north-east");
+    EXPECT_EQ(compass_word(radians_from_degrees(-90.0)), "west");
+    EXPECT_EQ(compass_word(radians_from_degrees(360.0 * 5 + 180.0)), "south");
 }
 
 TEST(Surfaces, the_brushes_of_one_entity_are_one_named_thing) {

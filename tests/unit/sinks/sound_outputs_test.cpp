@@ -15,6 +15,8 @@ TEST(SoundOutputs, text_is_written_and_something_sounds_or_says_why_not) {
     SoundOutputs outputs = open_sound_outputs({}, ends[1]);
     ASSERT_TRUE(outputs.audio && outputs.speech);
     const bool silent = outputs.audio->news().has_value();
+    EXPECT_EQ(outputs.audible, !silent);
+    EXPECT_EQ(outputs.description.empty(), silent) << "told once, here or in the news";
     outputs.audio->tick(1.0);
     outputs.audio->play({.kind = SoundKind::Beep});
     outputs.speech->say({.text = "Welcome"});
