@@ -100,6 +100,7 @@ void AppCore::retune() {
     tuning_.touch.world_m_per_hand_m = scale;
     tuning_.touch.default_stiffness_fraction = settings_.haptic.stiffness_fraction;
     tuning_.touch.damping_ns_per_m = settings_.haptic.damping_ns_per_m;
+    tuning_.touch.passivity_guard = true;  // acts only on surfaces that are damped too little to need none
     tuning_.touch.default_friction_static = tuning_.touch.default_friction_kinetic = settings_.haptic.friction_mu;
 
     if (hand_.present) tuning_.touch.rated_stiffness_n_per_m = hand_.spec.rated_stiffness_n_per_m;

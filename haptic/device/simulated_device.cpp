@@ -27,15 +27,15 @@ bool take_one(int& samples) noexcept {
 }  // namespace
 
 SimulatedDevice::SimulatedDevice(const DeviceSpec& spec, std::shared_ptr<SimulatedHand> hand, const Vec3& start_m)
-    : spec_(spec), hand_(std::move(hand)), position_m_(start_m), last_answer_m_(start_m) {
+    : spec_(spec), hand_(std::move(hand)), body_{start_m, Vec3(0.0)}, last_answer_m_(start_m) {
     command_.target_m = start_m;
 }
 
 Result<void> SimulatedDevice::open() {
     started_ = false;
-    velocity_m_per_s_ = Vec3(0.0);
+    body_.velocity_m_per_s = Vec3(0.0);
     felt_n_ = Vec3(0.0);
-    held_count_ = 0;
+    held_.clear();
     return {};
 }
 
@@ -47,7 +47,7 @@ DeviceSample SimulatedDevice::read(double now_s) noexcept {
         started_ = true;
     }
     step(now_s);
-    hand_->state.publish({now_s, position_m_, velocity_m_per_s_, felt_n_});
+    hand_->state.publish({now_s, body_.position_m, body_.velocity_m_per_s, felt_n_});
 
     DeviceSample sample;
     sample.buttons = command_.buttons;
@@ -69,27 +69,15 @@ DeviceSample SimulatedDevice::read(double now_s) noexcept {
     return sample;
 }
 
-void SimulatedDevice::write(const ForceCommand& command) noexcept {
-    if (held_count_ == kHeldForces) {
-        held_first_ = (held_first_ + 1) % kHeldForces;
-        --held_count_;
-    }
-    held_[(held_first_ + held_count_) % kHeldForces] = {time_s_ + spec_.delay_s, command.force_n};
-    ++held_count_;
-}
+void SimulatedDevice::write(const ForceCommand& command) noexcept { held_.give(time_s_ + spec_.delay_s, command.force_n); }
 
 void SimulatedDevice::close() noexcept {
-    held_count_ = 0;
+    held_.clear();
     felt_n_ = Vec3(0.0);
 }
 
-// The newest force whose time has come; earlier ones are let go.
 Vec3 SimulatedDevice::motor_force_n(double time_s) noexcept {
-    while (held_count_ > 0 && held_[held_first_].from_s <= time_s + 1e-9) {
-        felt_n_ = held_[held_first_].force_n;
-        held_first_ = (held_first_ + 1) % kHeldForces;
-        --held_count_;
-    }
+    felt_n_ = held_.at(time_s);
     return trouble_.unplugged ? Vec3(0.0) : felt_n_;
 }
 
@@ -99,48 +87,34 @@ void SimulatedDevice::step(double to_s) noexcept {
 
     if (command_.mode == HandMode::Move) {
         const double gap_s = to_s - time_s_;
-        const Vec3 way = command_.target_m - position_m_;
+        Vec3& position = body_.position_m;
+        const Vec3 way = command_.target_m - position;
         const double distance_m = std::sqrt(glm::dot(way, way));
         const double reach_m = command_.speed_m_per_s * gap_s;
-        const Vec3 before = position_m_;
-        position_m_ = command_.speed_m_per_s > 0.0 && distance_m > reach_m ? position_m_ + way * (reach_m / distance_m) : command_.target_m;
-        velocity_m_per_s_ = command_.speed_m_per_s > 0.0 ? (position_m_ - before) / gap_s : Vec3(0.0);
+        const Vec3 before = position;
+        position = command_.speed_m_per_s > 0.0 && distance_m > reach_m ? position + way * (reach_m / distance_m) : command_.target_m;
+        body_.velocity_m_per_s = command_.speed_m_per_s > 0.0 ? (position - before) / gap_s : Vec3(0.0);
         motor_force_n(to_s);
         time_s_ = to_s;
         return;
     }
 
-    const double mass_kg = kHandMassKg + kDeviceMassKg;
-    const double damping = (command_.mode == HandMode::Follow ? kFollowDampingNsPerM : kHandDampingNsPerM) + spec_.device_damping_ns_per_m;
-    const double spring = command_.mode == HandMode::Follow ? kHandSpringNPerM : command_.mode == HandMode::Rest ? kRestSpringNPerM : 0.0;
+    HandMechanics mechanics;
+    mechanics.mass_kg = kHandMassKg + kDeviceMassKg;
+    mechanics.damping_ns_per_m = (command_.mode == HandMode::Follow ? kFollowDampingNsPerM : kHandDampingNsPerM) + spec_.device_damping_ns_per_m;
+    mechanics.spring_n_per_m = command_.mode == HandMode::Follow ? kHandSpringNPerM : command_.mode == HandMode::Rest ? kRestSpringNPerM : 0.0;
+    mechanics.dry_friction_n = kDryFrictionN;
+    mechanics.reach_m = spec_.workspace_radius_m;
     const Vec3 push_n = command_.mode == HandMode::Follow ? Vec3(0.0) : command_.push_n;
     const int steps = std::max(1, static_cast<int>(std::ceil((to_s - time_s_) / kSubstepS - 1e-6)));
     const double h = (to_s - time_s_) / steps;
     const double start_s = time_s_;
-    for (int i = 0; i < steps; ++i) {
-        const Vec3 force = motor_force_n(start_s + i * h) + push_n + spring * (command_.target_m - position_m_) - damping * velocity_m_per_s_;
-        Vec3 velocity = velocity_m_per_s_ + force * (h / mass_kg);
-        // Dry friction takes away speed but never turns it round: below its own impulse the device stands.
-        const double speed = std::sqrt(glm::dot(velocity, velocity));
-        const double taken = kDryFrictionN * h / mass_kg;
-        velocity = speed > taken ? velocity * (1.0 - taken / speed) : Vec3(0.0);
-        velocity_m_per_s_ = velocity;
-        position_m_ += velocity * h;
-        // End stops.
-        const double distance_m = std::sqrt(glm::dot(position_m_, position_m_));
-        if (distance_m > spec_.workspace_radius_m) {
-            const Vec3 outward = position_m_ / distance_m;
-            position_m_ = outward * spec_.workspace_radius_m;
-            velocity_m_per_s_ -= outward * std::max(0.0, glm::dot(velocity_m_per_s_, outward));
-        }
-    }
+    for (int i = 0; i < steps; ++i) advance_hand(body_, mechanics, command_.target_m, motor_force_n(start_s + i * h) + push_n, h);
     time_s_ = to_s;
 }
 
 Vec3 SimulatedDevice::measured_m() const noexcept {
-    const double q = spec_.encoder_quantum_m;
-    if (command_.mode == HandMode::Move || !(q > 0.0)) return position_m_;
-    return {std::round(position_m_.x / q) * q, std::round(position_m_.y / q) * q, std::round(position_m_.z / q) * q};
+    return command_.mode == HandMode::Move ? body_.position_m : encoded_m(body_.position_m, spec_.encoder_quantum_m);
 }
 
 }  // namespace handrail

@@ -4,10 +4,10 @@
 // damping and 0.05 N of dry friction. Follow is a hand that knows where it goes: a spring of 300 N/m, damped to a ratio of 0.8.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 
+#include "haptic/device/hand_dynamics.h"
 #include "haptic/device/haptic_device.h"
 #include "worlds/base/latest_value.h"
 
@@ -67,12 +67,6 @@ public:
     void close() noexcept override;
 
 private:
-    struct HeldForce {
-        double from_s = 0.0;  // when the hand begins to feel it
-        Vec3 force_n{0.0};
-    };
-    static constexpr std::size_t kHeldForces = 64;  // 64 ms of delay at 1 kHz; older ones are lost first
-
     void step(double to_s) noexcept;
     Vec3 motor_force_n(double time_s) noexcept;
     Vec3 measured_m() const noexcept;
@@ -84,12 +78,10 @@ private:
     DeviceTrouble trouble_;
     bool started_ = false;
     double time_s_ = 0.0;
-    Vec3 position_m_{0.0};
-    Vec3 velocity_m_per_s_{0.0};
+    HandBody body_;
     Vec3 felt_n_{0.0};
     Vec3 last_answer_m_{0.0};
-    std::array<HeldForce, kHeldForces> held_{};
-    std::size_t held_first_ = 0, held_count_ = 0;
+    HeldForces held_;
 };
 
 }  // namespace handrail

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "haptic/render/passivity_guard.h"
 #include "haptic/render/proxy_solver.h"
 
 namespace handrail {
@@ -23,9 +24,6 @@ constexpr double kSmallestForce_n = 1e-9;  // below it a force is rounding
 constexpr double kDragStiffness_n_per_m = 400.0;
 constexpr double kLargestDrag_n = 4.0;
 constexpr double kImmersion_hand_m = 0.01;  // half the depth over which a liquid's surface sets in
-
-// Time-domain passivity control: largest damping it adds.
-constexpr double kLargestGuard_ns_per_m = 20.0;
 
 // What the surfaces that hold the ball are like together, blended by how hard each holds, so that seams do not click.
 struct Feel {
@@ -81,9 +79,7 @@ struct TouchState::Impl {
     double grip = 1.0;             // 1: static friction, 0: kinetic
     Feel feel;                     // of the last contact; also for the way back to a goal that slipped off
     Vec3 drag_offset_hand_m{0.0};  // dragged point minus hand
-    double energy_j = 0.0;         // taken from the hand since contact began; negative: given
-    Vec3 last_force_n{0.0};
-    bool was_touching = false;
+    PassivityGuard guard;
 
     TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m) noexcept;
     Vec3 liquid_force(const HapticScene& scene, const TouchTuning& tuning, const Vec3& hand_step_m, double dt_s, FeatureId& in) noexcept;
@@ -215,23 +211,19 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         has_speed = true;
     }
     const bool touching = step.count > 0 && press_length > 0.0;
+    const bool guarding = tuning.passivity_guard && feel.damping_ns_per_m < PassivityGuard::kNotNeeded_ns_per_m;
     if (touching) {
         const Vec3 normal = press / press_length;
         const double normal_force = glm::dot(force, normal);
         double damping = feel.damping_ns_per_m;
-        if (tuning.passivity_guard) {
-            if (!was_touching) energy_j = 0.0;
-            energy_j -= glm::dot(last_force_n, own_step);
-            const double speed2 = glm::dot(own_step, own_step) / (dt_s * dt_s);
-            if (energy_j < 0.0 && speed2 > 0.0) damping += std::min(-energy_j / (dt_s * speed2), kLargestGuard_ns_per_m);
-        }
+        if (guarding) damping += guard.watch(own_step, dt_s, tuning.force_delay_s);
         // Bounded by the spring on both sides: a hand that arrives fast meets no step of damping times speed, and one that leaves is not held.
         if (normal_force > 0.0) force += normal * std::clamp(-damping * glm::dot(hand_speed_m_per_s, normal), -normal_force, normal_force);
     }
-    was_touching = touching;
+    if (guarding && !touching) guard.reset();
     if (glm::dot(force, force) < kSmallestForce_n * kSmallestForce_n) force = Vec3(0.0);
     result.contact_force_n = force;
-    last_force_n = force;
+    if (guarding) guard.given(force);
 
     // 5. Liquids.
     force += liquid_force(scene, tuning, hand_step, dt_s, result.liquid);
@@ -249,9 +241,7 @@ void TouchState::reset() noexcept {
     impl_->solver.reset();
     impl_->has_goal = false;
     impl_->grip = 1.0;
-    impl_->energy_j = 0.0;
-    impl_->last_force_n = Vec3(0.0);
-    impl_->was_touching = false;
+    impl_->guard = {};
     reset_filters();
 }
 

@@ -30,7 +30,8 @@ struct TouchTuning {
     double override_damping_ns_per_m = -1.0;         // >= 0: every surface
     double override_friction_static = -1.0;          // >= 0: every surface
     double override_friction_kinetic = -1.0;
-    bool passivity_guard = false;                    // time-domain passivity control (Hannaford & Ryu 2002)
+    bool passivity_guard = false;                    // damping where the loop gives energy, on surfaces damped by less than 2 Ns/m
+    double force_delay_s = 0.0;                      // from a force computed to the hand feeling it, beyond the hold; for the guard
 };
 
 struct Contact {

@@ -90,6 +90,10 @@ void ServoState::start_over() noexcept {
     tool_.liquid = kNoFeature;
 }
 
+// A long gap. One that comes again while the force still ramps in keeps it away until a whole ramp's time has passed without any: a wall that grows
+// stiffer while it is pressed feeds the hand, and with a gap every 400 ms it would do so for ever.
+void ServoState::lose_time() noexcept { keep_off_s_ = limiter_.gain() < 1.0 ? ForceLimiter::kRampS : 0.0; }
+
 ServoState::Answer ServoState::judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept {
     since_answer_s_ += dt_s;
     if (!sample.connected) {
@@ -97,7 +101,10 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
         return Answer::None;
     }
     if (!sample.fresh) {
-        if (since_answer_s_ > kLongGapS) raise(Fault::DeviceSilent, false);
+        if (since_answer_s_ > kLongGapS) {
+            if (fault_ != Fault::DeviceSilent) lose_time();
+            raise(Fault::DeviceSilent, false);
+        }
         if (bad_run_ > 0) limiter_.drop_out();
         return Answer::None;
     }
@@ -152,6 +159,7 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     const double stiffest = effective_stiffness_n_per_m(spec_, mean_period_s_, damping);
     touch.rated_stiffness_n_per_m = std::min(touch.rated_stiffness_n_per_m, stiffest);
     touch.override_stiffness_n_per_m = std::min(touch.override_stiffness_n_per_m, stiffest);
+    touch.force_delay_s = spec_.delay_s;
 
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
@@ -180,7 +188,7 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
 
 ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept {
     fade_s = ForceLimiter::kFadeS;
-    if (tuning.panic || long_gap || !scene_present || tool_.waiting_for_hand) return ForceFlow::Cut;
+    if (tuning.panic || long_gap || keep_off_s_ > 0.0 || !scene_present || tool_.waiting_for_hand) return ForceFlow::Cut;
     if (fault_ == Fault::LateLoop) {
         fade_s = hurry_s_;
         return ForceFlow::Fade;
@@ -207,7 +215,11 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
         s.measure_rate(dt_s);
     }
     const bool long_gap = dt_s > ServoState::kLongGapS;
-    if (long_gap) ++s.counters_.long_gaps;
+    s.keep_off_s_ -= dt_s;
+    if (long_gap) {
+        ++s.counters_.long_gaps;
+        s.lose_time();
+    }
     s.confirm(sample, tuning.confirm);
 
     // 2. The workspace in the world; what makes everything felt before invalid.

@@ -80,6 +80,7 @@ private:
     void clear_fault() noexcept;
     void confirm(const DeviceSample& sample, std::uint32_t number) noexcept;
     void start_over() noexcept;
+    void lose_time() noexcept;
     Answer judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
     void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s) noexcept;
     ForceFlow flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept;
@@ -101,6 +102,7 @@ private:
     double mean_period_s_ = 1e-3;  // between device answers, one pole of 1 s
     double since_answer_s_ = 0.0;
     double since_touch_s_ = 0.0;
+    double keep_off_s_ = 0.0;  // no force for so long yet: stalls came again during the ramp
     double scale_ = 0.0;  // world metres per hand metre of the last tick
     std::uint32_t confirm_seen_ = 0;
     int bad_run_ = 0;  // bad answers in a row
