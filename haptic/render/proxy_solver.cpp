@@ -256,14 +256,16 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     const double margin = std::max(request.margin_m, 2.0 * request.path_cap_m);
     double way_left = request.path_cap_m;
     path_size_ = 0;
-    if (glm::length(ball_m_) + way_left + radius > known_m_) gather(scene, radius + margin, radius + way_left);
+    const bool looks = request.most_rounds > 0;
+    if (looks && glm::length(ball_m_) + way_left + radius > known_m_) gather(scene, radius + margin, radius + way_left);
     goal_m_ = goal_local - anchor_m_;
-    grow(scene, radius, request.growth_m);
+    if (looks) grow(scene, radius, request.growth_m);
     path_[0] = ball_m_;
     path_size_ = 1;
     step_.converged = false;
-    int stages_left = kMaxStages;
-    while (step_.iterations < kMaxIterations) {
+    const int most_rounds = std::clamp(request.most_rounds, 1, kMaxIterations);
+    int stages_left = looks ? kMaxStages : 0;
+    while (step_.iterations < most_rounds) {
         ++step_.iterations;
         const bool solved = project();
         Vec3 way = basis_.point_m - ball_m_;
@@ -290,6 +292,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
             step_.converged = solved;
             break;
         }
+        if (!looks) break;
         if (!renew_holding_cuts(scene)) {
             step_.converged = solved;
             break;

@@ -33,6 +33,9 @@ public:
         double margin_m = 0.02;     // wish: how far the ball may go before candidates are gathered again
         double growth_m = 0.0;      // how much a shrunken ball grows in this move
         double ghost_exit_m = 0.0;  // beyond the radius: how far the goal must be out before a ghost is solid again
+        // At most this many rounds, up to kMaxIterations. Fewer never let the ball through anything, it only lags (tests: I17). 0: the cuts as
+        // they are, none renewed and none gathered, what a move with no time to look at the scene would do (tests: I18).
+        int most_rounds = kMaxIterations;
     };
 
     // One surface that holds the ball.

@@ -137,7 +137,7 @@ Vec3 TouchState::Impl::liquid_force(const HapticScene& scene, const TouchTuning&
 TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m) noexcept {
     const double scale = tuning.world_m_per_hand_m;
     const Vec3 goal_step = has_goal ? goal_m - last_goal_m : Vec3(0.0);
-    const Vec3 hand_step = goal_step / scale;              // through the world
+    const Vec3 hand_step = goal_step / scale;               // through the world
     const Vec3 own_step = (goal_step - carried_m) / scale;  // of the hand itself, not of a workspace that walks with the body
     last_goal_m = goal_m;
     has_goal = true;
@@ -150,6 +150,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     request.margin_m = kCandidateMargin_hand_m * scale;
     request.growth_m = kGrowth_hand_m_per_s * scale * dt_s;
     request.ghost_exit_m = kGhostExit_hand_m * scale;
+    request.most_rounds = tuning.most_rounds;
     const ProxySolver::Step& step = solver.move(scene, request);
 
     TouchResult result;
@@ -253,7 +254,8 @@ void TouchState::reset_filters() noexcept {
 
 const ProxySolver& TouchState::solver() const noexcept { return impl_->solver; }
 
-TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m) noexcept {
+TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s,
+                       const Vec3& carried_m) noexcept {
     return state.impl().tick(scene, tuning, goal_m, dt_s, carried_m);
 }
 

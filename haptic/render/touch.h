@@ -26,6 +26,7 @@ struct TouchTuning {
     double default_friction_static = 0.0;            // of surfaces that name none
     double default_friction_kinetic = 0.0;
     double slide_cap_hand_m = 0.5e-3;                // longest proxy path per tick, or twice the goal's step if that is longer
+    int most_rounds = 64;                            // of the solver; fewer are as safe and lag (ProxySolver::Request)
     double override_stiffness_n_per_m = -1.0;        // >= 0: every surface, in N per hand metre
     double override_damping_ns_per_m = -1.0;         // >= 0: every surface
     double override_friction_static = -1.0;          // >= 0: every surface

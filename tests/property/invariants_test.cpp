@@ -199,6 +199,65 @@ TEST_P(EveryCase, does_not_care_in_which_order_or_how_often_things_are_listed) {
     RecordProperty("worst", fmt::format("{:.1e}", worst));
 }
 
+// Nothing comes nearer to the ball's path than its radius; `tuning_of` gives the tuning of each tick. Returns the deepest overlap.
+template <class TuningOf>
+double deepest_overlap(const TouchCase& c, const Motion& motion, std::size_t every, TuningOf&& tuning_of) {
+    const BruteForce judge = c.world.judge(motion);
+    const auto scene = c.world.scene(motion);
+    TouchState state;
+    double deepest = 0.0;
+    for (std::size_t i = 0; i < c.goals_m.size(); ++i) {
+        const TouchResult r = touch_tick(state, *scene, tuning_of(i), motion(c.goals_m[i]), 1e-3);
+        if (i % every != 0) continue;
+        const ProxySolver& solver = state.solver();
+        for (int k = 1; k < solver.path_size(); ++k)
+            for (int s = 1; s <= 4; ++s) {
+                const Vec3 p = solver.path_m(k - 1) + (solver.path_m(k) - solver.path_m(k - 1)) * (s / 4.0);
+                deepest = std::max(deepest, static_cast<double>(r.radius_m - judge.distance(p, 0.02L)));
+            }
+    }
+    return deepest;
+}
+
+TEST_P(EveryCase, is_as_safe_when_it_is_stopped_early) {  // I17, with I1, I2, I3, I5
+    for (const int most_rounds : {1, 4}) {
+        const Motion motion = random_turn(random_);
+        SCOPED_TRACE(fmt::format("{}, seed {}, at most {} rounds", case_.name, seed_, most_rounds));
+        TouchTuning tuning = plain_tuning(case_.radius_m);
+        tuning.most_rounds = most_rounds;
+        EXPECT_LE(deepest_overlap(case_, motion, stride() * 2, [&](std::size_t) { return tuning; }), 1e-9);
+        Vec3 before = motion(case_.goals_m.front());
+        double away = 0.0;
+        replay(*case_.world.scene(motion), case_.goals_m, motion, tuning, [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+            ASSERT_TRUE(is_finite(r.proxy_m) && is_finite(r.force_n)) << i;
+            ASSERT_LE(r.contacts.iterations, most_rounds) << i;
+            away = std::max(away, glm::length(r.proxy_m - goal) - glm::length(before - goal));
+            before = r.proxy_m;
+        });
+        EXPECT_LE(away, 1e-9);
+    }
+}
+
+TEST_P(EveryCase, is_as_safe_on_cuts_that_are_fifty_milliseconds_old) {  // I18, with I2, I3
+    const Motion motion = random_turn(random_);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
+    const TouchTuning looking = plain_tuning(case_.radius_m);
+    TouchTuning blind = looking;
+    blind.most_rounds = 0;
+    // A stride that meets every phase of the fifty.
+    EXPECT_LE(deepest_overlap(case_, motion, stride() * 2 + 1, [&](std::size_t i) { return i % 50 == 0 ? looking : blind; }), 1e-9);
+}
+
+TEST_P(EveryCase, never_works_more_than_its_bound) {  // I16; that it takes no memory, lock or clock: unit_render, unit_servo_realtime
+    SCOPED_TRACE(case_.name);
+    replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
+           [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+               ASSERT_LE(r.contacts.iterations, 64) << i;
+               ASSERT_LE(solver.candidates(), ProxySolver::kMaxCandidates) << i;
+               ASSERT_LE(solver.path_size(), 2 * ProxySolver::kMaxIterations + 4) << i;
+           });
+}
+
 TEST_P(TidyCase, feels_finer_triangles_as_the_same_surface) {  // I15
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const TouchTuning tuning = uncapped_tuning(case_.radius_m);
