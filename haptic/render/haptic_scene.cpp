@@ -116,7 +116,20 @@ void HapticSceneBuilder::add_liquid(LiquidVolume liquid, const Aabb& bounds_m) {
     liquid_bounds_.push_back(grown(bounds_m));
 }
 
-std::shared_ptr<const HapticScene> HapticSceneBuilder::build() {
+bool HapticSceneBuilder::add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start, bool present) {
+    if (scene_.bodies.size() == HapticScene::kMostBodies) return false;
+    Aabb all = shape->obstacle_bvh.bounds();
+    double reach = 0.0;
+    if (!all.empty()) {
+        all.min_m += shape->origin_m;
+        all.max_m += shape->origin_m;
+        reach = glm::length(glm::max(glm::abs(all.min_m), glm::abs(all.max_m)));
+    }
+    scene_.bodies.push_back({feature, std::move(shape), start, present, reach});
+    return true;
+}
+
+std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world) {
     // The one number that must differ between scenes wherever they are built; nothing else is shared.
     static std::atomic<std::uint32_t> next_generation{1};
     Aabb all;
@@ -140,6 +153,7 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build() {
     scene_.obstacle_bvh = Bvh(obstacle_bounds_);
     scene_.liquid_bvh = Bvh(liquid_bounds_);
     scene_.generation = next_generation.fetch_add(1);
+    scene_.world = world != 0 ? world : scene_.generation;
     return std::make_shared<const HapticScene>(std::move(scene_));
 }
 

@@ -13,6 +13,7 @@
 #include "worlds/geometry/bvh.h"
 #include "worlds/geometry/closest_point.h"
 #include "worlds/geometry/convex.h"
+#include "worlds/geometry/placement.h"
 
 namespace handrail {
 
@@ -52,8 +53,31 @@ struct LiquidVolume {
     double viscosity_ns_per_m = 0.0;  // 0: no force
 };
 
+struct HapticScene;
+
+// A thing that may move, turn, grow, appear and vanish as one: a door leaf, a crate. Its obstacles stand in its own frame, each once however many
+// bodies share the shape; their labels' materials are the whole scene's.
+struct HapticBody {
+    FeatureId feature = kNoFeature;
+    std::shared_ptr<const HapticScene> shape;  // its obstacles; its own bodies, liquids and materials are not looked at
+    Placement start;                           // where it stands until a BodyPose says otherwise, world
+    bool present = true;                       // likewise
+    double reach_m = 0.0;                      // no point of it is farther from its frame's zero, own metres
+};
+
+// Where a body is at a tick.
+struct BodyPose {
+    Placement at;  // world
+    bool present = true;
+
+    bool operator==(const BodyPose&) const = default;
+};
+
 struct HapticScene {
+    static constexpr std::size_t kMostBodies = 128;
+
     std::uint32_t generation = 0;  // differs for every scene built in this process
+    std::uint32_t world = 0;       // the same for scenes that are one world with something added or removed; else the generation
     Vec3 origin_m{0.0};            // world place of the local zero; everything below is local
     std::vector<Obstacle> obstacles;
     std::vector<TriangleShape> triangles;
@@ -63,6 +87,7 @@ struct HapticScene {
     Bvh obstacle_bvh;                       // item i is obstacles[i]
     std::vector<LiquidVolume> liquids;      // in the file's order
     Bvh liquid_bvh;                         // item i is liquids[i]
+    std::vector<HapticBody> bodies;         // at most kMostBodies
     std::vector<HapticMaterial> materials;  // same order as Scene::materials; entry 0 is the default wall
 
     // Local coordinates. Never empty of meaning: index < obstacles.size().
@@ -87,8 +112,11 @@ public:
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels);
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, const SurfaceLabel& label = {}) { add_solid(planes, bounds_m, std::span(&label, 1)); }
     void add_liquid(LiquidVolume liquid, const Aabb& bounds_m);
+    // The shape comes from a builder of its own, in the body's frame. False, and nothing added, when there are kMostBodies already.
+    bool add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start, bool present = true);
 
-    std::shared_ptr<const HapticScene> build();
+    // world: HapticScene::world of the scene that this one replaces while it is touched; 0: another world.
+    std::shared_ptr<const HapticScene> build(std::uint32_t world = 0);
 
 private:
     HapticScene scene_;

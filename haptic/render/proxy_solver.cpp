@@ -12,6 +12,9 @@ constexpr double kFarthestLook_m = 4.0;  // free-space bounds beyond this save n
 // of a round room everything is equally near), this one visits a few nodes.
 constexpr double kLoose = 0.7;
 
+constexpr int kMostSubSteps = 64;  // of a body's way within one move; faster ones count as gone here and appeared there
+constexpr int kHurryMoves = 8;     // moves in which the ball reaches a goal that only a vanished thing kept it from
+
 bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t b) noexcept {
     return distance_a != distance_b ? distance_a < distance_b : a < b;
 }
@@ -19,7 +22,14 @@ bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t
 }  // namespace
 
 ProxySolver::ProxySolver()
-    : cuts_(kMaxCandidates), obstacles_(kMaxCandidates), looked_ahead_(kMaxCandidates), nearest_(kMaxCandidates + 1), ghosts_(kMaxGhosts) {}
+    : cuts_(kMaxCandidates),
+      obstacles_(kMaxCandidates),
+      owners_(kMaxCandidates, kStill),
+      own_cuts_(kMaxCandidates),
+      looked_ahead_(kMaxCandidates),
+      nearest_(kMaxCandidates + 1),
+      ghosts_(kMaxGhosts),
+      tracks_(HapticScene::kMostBodies) {}
 
 void ProxySolver::reset() noexcept {
     placed_ = false;
@@ -27,16 +37,45 @@ void ProxySolver::reset() noexcept {
     known_m_ = -1.0;
     ghost_count_ = 0;
     gatherings_ = 0;
+    carrier_ = kStill;
+    hurry_ = 0;
 }
 
-bool ProxySolver::is_ghost(std::uint32_t obstacle) const noexcept {
-    return std::find(ghosts_.begin(), ghosts_.begin() + ghost_count_, obstacle) != ghosts_.begin() + ghost_count_;
+bool ProxySolver::is_ghost(std::uint32_t obstacle, std::uint16_t body) const noexcept {
+    const auto end = ghosts_.begin() + ghost_count_;
+    return std::find_if(ghosts_.begin(), end, [&](const Ghost& g) { return g.obstacle == obstacle && g.body == body; }) != end;
+}
+
+ClosestPoint ProxySolver::closest_of_body(const HapticScene& scene, std::uint32_t obstacle, std::uint16_t body, const Vec3& local_m) const noexcept {
+    const HapticScene& shape = *scene.bodies[body].shape;
+    const PlacedFrame& frame = tracks_[body].frame;
+    ClosestPoint found = shape.closest(obstacle, frame.to_own(local_m) - shape.origin_m);
+    found.point_m = frame.to_world(found.point_m + shape.origin_m);
+    found.normal = frame.turned(found.normal);
+    found.distance_m *= frame.scale;
+    return found;
+}
+
+Vec3 ProxySolver::to_own(const HapticScene& scene, const Hold& hold, const Vec3& world_m) const noexcept {
+    const Vec3 local = world_m - scene.origin_m;
+    return hold.body == kStill ? local : tracks_[hold.body].frame.to_own(local) - scene.bodies[hold.body].shape->origin_m;
 }
 
 HalfSpace ProxySolver::support(const HapticScene& scene, int candidate, const Vec3& at, double& distance_m) const noexcept {
-    const ClosestPoint closest = scene.closest(obstacles_[static_cast<std::size_t>(candidate)], anchor_m_ + at);
-    distance_m = closest.distance_m;
-    return {closest.normal, glm::dot(closest.normal, closest.point_m - anchor_m_)};
+    const auto i = static_cast<std::size_t>(candidate);
+    const ClosestPoint found =
+        owners_[i] == kStill ? scene.closest(obstacles_[i], anchor_m_ + at) : closest_of_body(scene, obstacles_[i], owners_[i], anchor_m_ + at);
+    distance_m = found.distance_m;
+    return {found.normal, glm::dot(found.normal, found.point_m - anchor_m_)};
+}
+
+// A body's cut is kept in the body's frame too, where it stays valid however the body moves.
+void ProxySolver::keep_cut(int candidate, const HalfSpace& cut) noexcept {
+    const auto i = static_cast<std::size_t>(candidate);
+    cuts_[i] = cut;
+    if (owners_[i] == kStill) return;
+    const PlacedFrame& frame = tracks_[owners_[i]].frame;
+    own_cuts_[i] = {frame.turned_back(cut.normal), (cut.offset_m + glm::dot(cut.normal, anchor_m_ - frame.position_m)) / frame.scale};
 }
 
 // Starts the ball at a place: solids around it become ghosts, anything else nearer than the radius shrinks the ball.
@@ -45,14 +84,27 @@ void ProxySolver::place(const HapticScene& scene, const Vec3& local_m, double ra
     basis_.count = 0;
     known_m_ = -1.0;
     ghost_count_ = 0;
+    count_ = 0;
+    carrier_ = kStill;
     scene_origin_m_ = scene.origin_m;
     anchor_m_ = local_m;
     ball_m_ = Vec3(0.0);
     radius_m_ = radius_m;
-    scene.obstacle_bvh.within(local_m, radius_m, [&](std::uint32_t item, double&) {
-        const double distance = scene.closest(item, local_m).distance_m;
-        if (scene.solid(item) && distance <= 0.0) {
-            if (ghost_count_ < kMaxGhosts) ghosts_[static_cast<std::size_t>(ghost_count_++)] = item;
+    place_in(scene, kStill, radius_m);
+    for (std::size_t b = 0; b < body_count_; ++b) place_in(scene, static_cast<std::uint16_t>(b), radius_m);
+}
+
+// The same for the obstacles of one body that has just appeared, or of everything still.
+void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept {
+    if (body != kStill && !tracks_[body].present) return;
+    const HapticScene& shape = body == kStill ? scene : *scene.bodies[body].shape;
+    const Vec3 at = local_m();
+    const double scale = body == kStill ? 1.0 : tracks_[body].frame.scale;
+    const Vec3 own = body == kStill ? at : tracks_[body].frame.to_own(at) - shape.origin_m;
+    shape.obstacle_bvh.within(own, radius_m / scale, [&](std::uint32_t item, double&) {
+        const double distance = shape.closest(item, own).distance_m * scale;
+        if (shape.solid(item) && distance <= 0.0) {
+            if (ghost_count_ < kMaxGhosts) ghosts_[static_cast<std::size_t>(ghost_count_++)] = {item, body};
         } else {
             radius_m_ = std::min(radius_m_, std::max(distance, kSmallestRadius_m));
         }
@@ -61,23 +113,26 @@ void ProxySolver::place(const HapticScene& scene, const Vec3& local_m, double ra
 
 void ProxySolver::release_ghosts(const HapticScene& scene, const Vec3& goal_local_m, double radius_m, double exit_m) noexcept {
     for (int i = ghost_count_ - 1; i >= 0; --i) {
-        const std::uint32_t ghost = ghosts_[static_cast<std::size_t>(i)];
-        if (scene.closest(ghost, goal_local_m).distance_m <= radius_m + exit_m || scene.closest(ghost, local_m()).distance_m < radius_m) continue;
+        const Ghost ghost = ghosts_[static_cast<std::size_t>(i)];
+        const auto distance = [&](const Vec3& at) {
+            return (ghost.body == kStill ? scene.closest(ghost.obstacle, at) : closest_of_body(scene, ghost.obstacle, ghost.body, at)).distance_m;
+        };
+        if (distance(goal_local_m) <= radius_m + exit_m || distance(local_m()) < radius_m) continue;
         ghosts_[static_cast<std::size_t>(i)] = ghosts_[static_cast<std::size_t>(--ghost_count_)];
         known_m_ = -1.0;
     }
 }
 
-// The `most` nearest obstacles within reach into nearest_, as a heap with the farthest on top; false when there were more.
-bool ProxySolver::gather_nearest(const HapticScene& scene, const Vec3& at, double reach_m, std::size_t most) noexcept {
+// The `most` nearest obstacles of a shape within reach into nearest_, as a heap with the farthest on top; false when there were more. Own metres.
+bool ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, std::size_t most) noexcept {
     nearest_count_ = 0;
     bool complete = true;
     const auto less = [](const Candidate& a, const Candidate& b) { return nearer(a.distance_m, a.obstacle, b.distance_m, b.obstacle); };
-    scene.obstacle_bvh.within(at, reach_m, [&](std::uint32_t item, double& reach) {
-        if (ghost_count_ > 0 && is_ghost(item)) return;
-        const ClosestPoint closest = scene.closest(item, at);
-        if (closest.distance_m > reach) return;
-        nearest_[nearest_count_++] = {item, closest.distance_m, {closest.normal, glm::dot(closest.normal, closest.point_m - at)}};
+    shape.obstacle_bvh.within(at, reach_m, [&](std::uint32_t item, double& reach) {
+        if (ghost_count_ > 0 && is_ghost(item, body)) return;
+        const ClosestPoint found = shape.closest(item, at);
+        if (found.distance_m > reach) return;
+        nearest_[nearest_count_++] = {item, found.distance_m, {found.normal, glm::dot(found.normal, found.point_m - at)}};
         std::push_heap(nearest_.begin(), nearest_.begin() + static_cast<std::ptrdiff_t>(nearest_count_), less);
         if (nearest_count_ <= most) return;
         std::pop_heap(nearest_.begin(), nearest_.begin() + static_cast<std::ptrdiff_t>(nearest_count_), less);
@@ -88,37 +143,238 @@ bool ProxySolver::gather_nearest(const HapticScene& scene, const Vec3& at, doubl
     return complete;
 }
 
-// Makes every obstacle within reach_m of the ball a candidate, with a fresh cut; where that is too many, as far as the nearest go.
+// Adds the obstacles of one shape within reach_m of a place to the candidates, each with a fresh cut; where that is too many, as far as the
+// nearest go. Returns the distance up to which all are candidates. Own metres.
+double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m) noexcept {
+    const std::size_t room = static_cast<std::size_t>(kMaxCandidates - count_);
+    double known = reach_m;
+    if (!gather_nearest(shape, body, at, reach_m, std::min<std::size_t>(kComfortableCandidates, room))) {
+        known = nearest_count_ > 0 ? nearest_[0].distance_m : 0.0;
+        if (known < needed_m) {
+            const bool complete = gather_nearest(shape, body, at, reach_m, room);
+            known = complete ? reach_m : nearest_count_ > 0 ? nearest_[0].distance_m : 0.0;
+            step_.truncated = step_.truncated || known < needed_m;
+        }
+    }
+    for (std::size_t k = 0; k < nearest_count_; ++k) {
+        const auto i = static_cast<std::size_t>(count_++);
+        cuts_[i] = nearest_[k].cut;
+        obstacles_[i] = nearest_[k].obstacle;
+        owners_[i] = body;
+        looked_ahead_[i] = 0;
+    }
+    return known;
+}
+
+// Makes every obstacle within reach_m of the ball a candidate.
 void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed_m) noexcept {
     ++gatherings_;
     const Vec3 at = local_m();
-    known_m_ = reach_m;
-    if (!gather_nearest(scene, at, reach_m, kComfortableCandidates)) {
-        known_m_ = nearest_[0].distance_m;
-        if (known_m_ < needed_m) {
-            const bool complete = gather_nearest(scene, at, reach_m, kMaxCandidates);
-            known_m_ = complete ? reach_m : nearest_[0].distance_m;
-            step_.truncated = step_.truncated || known_m_ < needed_m;
-        }
-    }
     for (int i = 0; i < path_size_; ++i) path_[static_cast<std::size_t>(i)] -= ball_m_;
     anchor_m_ = at;
     ball_m_ = Vec3(0.0);
     basis_.count = 0;
-    count_ = static_cast<int>(nearest_count_);
-    for (std::size_t i = 0; i < nearest_count_; ++i) {
-        cuts_[i] = nearest_[i].cut;
-        obstacles_[i] = nearest_[i].obstacle;
-        looked_ahead_[i] = 0;
+    count_ = 0;
+    known_m_ = collect(scene, kStill, at, reach_m, needed_m);
+    if (count_ == 0) {
+        double best = std::max(kFarthestLook_m, 2.0 * reach_m);
+        scene.obstacle_bvh.within(at, kLoose * best, [&](std::uint32_t item, double& reach) {
+            if (ghost_count_ > 0 && is_ghost(item, kStill)) return;
+            best = std::min(best, scene.closest(item, at).distance_m);
+            reach = std::min(reach, kLoose * best);
+        });
+        known_m_ = std::max(reach_m, kLoose * best);
     }
-    if (count_ > 0) return;
-    double best = std::max(kFarthestLook_m, 2.0 * reach_m);
-    scene.obstacle_bvh.within(at, kLoose * best, [&](std::uint32_t item, double& reach) {
-        if (ghost_count_ > 0 && is_ghost(item)) return;
-        best = std::min(best, scene.closest(item, at).distance_m);
-        reach = std::min(reach, kLoose * best);
-    });
-    known_m_ = std::max(reach_m, kLoose * best);
+    for (std::size_t b = 0; b < body_count_; ++b) {
+        Track& track = tracks_[b];
+        if (!track.present) continue;
+        const PlacedFrame& frame = track.frame;
+        const HapticScene& shape = *scene.bodies[b].shape;
+        const Vec3 own = frame.to_own(at);
+        track.known_from_m = own;
+        // No part of it is nearer than this.
+        track.known_m = (glm::length(own) - scene.bodies[b].reach_m) * frame.scale;
+        if (track.known_m > reach_m) continue;
+        const int first = count_;
+        track.known_m = collect(shape, static_cast<std::uint16_t>(b), own - shape.origin_m, reach_m / frame.scale, needed_m / frame.scale) * frame.scale;
+        for (int i = first; i < count_; ++i) {
+            const HalfSpace cut = cuts_[static_cast<std::size_t>(i)];  // own axes and metres, from `own`
+            keep_cut(i, {frame.turned(cut.normal), cut.offset_m * frame.scale});
+        }
+    }
+}
+
+double ProxySolver::known_of_bodies(const Vec3& at_m, double known) const noexcept {
+    for (std::size_t b = 0; b < body_count_; ++b) {
+        const Track& track = tracks_[b];
+        if (track.present) known = std::min(known, track.known_m - glm::length(track.frame.to_own(anchor_m_ + at_m) - track.known_from_m) * track.frame.scale);
+    }
+    return known;
+}
+
+// ---- bodies ----
+
+// Takes every body as it stands, with no way in between.
+void ProxySolver::take_bodies(const HapticScene& scene, const Request& request) noexcept {
+    body_count_ = std::min(scene.bodies.size(), tracks_.size());
+    bodies_number_ = request.bodies_number;
+    for (std::size_t b = 0; b < body_count_; ++b) {
+        const BodyPose pose = wanted(scene, request, b);
+        tracks_[b] = {};
+        stand(scene, tracks_[b], pose.at);
+        tracks_[b].present = pose.present;
+    }
+}
+
+BodyPose ProxySolver::wanted(const HapticScene& scene, const Request& request, std::size_t body) noexcept {
+    return body < request.bodies.size() ? request.bodies[body] : BodyPose{scene.bodies[body].start, scene.bodies[body].present};
+}
+
+void ProxySolver::stand(const HapticScene& scene, Track& track, const Placement& at) noexcept {
+    track.at = at;
+    track.frame = PlacedFrame(at);
+    track.frame.position_m -= scene.origin_m;
+}
+
+void ProxySolver::drop_body(std::uint16_t body) noexcept {
+    for (int k = 0; k < basis_.count; ++k)
+        if (owners_[static_cast<std::size_t>(basis_.index[static_cast<std::size_t>(k)])] == body) hurry_ = kHurryMoves;
+    int kept = 0;
+    for (int i = 0; i < count_; ++i) {
+        const auto from = static_cast<std::size_t>(i), to = static_cast<std::size_t>(kept);
+        if (owners_[from] == body) continue;
+        cuts_[to] = cuts_[from];
+        obstacles_[to] = obstacles_[from];
+        owners_[to] = owners_[from];
+        own_cuts_[to] = own_cuts_[from];
+        looked_ahead_[to] = looked_ahead_[from];
+        ++kept;
+    }
+    count_ = kept;
+    basis_.count = 0;
+    for (int i = ghost_count_ - 1; i >= 0; --i)
+        if (ghosts_[static_cast<std::size_t>(i)].body == body) ghosts_[static_cast<std::size_t>(i)] = ghosts_[static_cast<std::size_t>(--ghost_count_)];
+    if (carrier_ == body) carrier_ = kStill;
+}
+
+// Brings every body to where it is wanted, and the ball out of its way.
+void ProxySolver::advance_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept {
+    bodies_number_ = request.bodies_number;
+    double steps = 0.0;
+    for (std::size_t b = 0; b < body_count_; ++b) {
+        Track& track = tracks_[b];
+        const BodyPose pose = wanted(scene, request, b);
+        const auto id = static_cast<std::uint16_t>(b);
+        track.from = track.to = track.at;
+        if (track.present == pose.present && track.at == pose.at) continue;
+        if (!track.present && !pose.present) {
+            stand(scene, track, pose.at);
+            continue;
+        }
+        const double reach = scene.bodies[b].reach_m;
+        const double travel = farthest_travel_m(track.at, pose.at, reach);
+        const double needs = travel / (0.5 * radius_m_);
+        const double gap = glm::length(track.frame.position_m - local_m()) - reach * track.frame.scale - travel;
+        const bool near = gap <= radius_m + request.path_cap_m;
+        if (track.present != pose.present || (near && needs > kMostSubSteps)) {
+            if (track.present) drop_body(id);
+            stand(scene, track, pose.at);
+            track.from = track.to = pose.at;
+            track.present = pose.present;
+            track.known_m = -1.0;
+            place_in(scene, id, radius_m);
+            continue;
+        }
+        track.to = pose.at;
+        if (near) steps = std::max(steps, needs);
+    }
+    const int count = static_cast<int>(std::clamp(std::ceil(steps), 1.0, static_cast<double>(kMostSubSteps)));
+    path_size_ = 0;
+    for (int k = 1; k <= count; ++k) sub_step(scene, request, radius_m, k == count ? 1.0 : static_cast<double>(k) / count);
+}
+
+void ProxySolver::sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept {
+    Vec3 wish = ball_m_;
+    bool any = false;
+    for (std::size_t b = 0; b < body_count_; ++b) {
+        Track& track = tracks_[b];
+        track.moved = !(track.from == track.to);
+        if (!track.moved) continue;
+        any = any || track.present;
+        const PlacedFrame before = track.frame;
+        stand(scene, track, part == 1.0 ? track.to : between(track.from, track.to, part));
+        if (carrier_ == b) wish = track.frame.to_world(before.to_own(local_m())) - anchor_m_;
+    }
+    if (!any) return;
+    const double carried = glm::length(wish - ball_m_);
+    const double needed = 2.0 * radius_m + carried;  // a push of half a radius, and the radius itself
+    if (known_around(ball_m_) < needed) {
+        const Vec3 was = ball_m_;
+        gather(scene, needed + std::max(request.margin_m, 2.0 * request.path_cap_m), needed);
+        wish += ball_m_ - was;
+    }
+    for (int i = 0; i < count_; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (owners_[at] == kStill || !tracks_[owners_[at]].moved) continue;
+        const PlacedFrame& frame = tracks_[owners_[at]].frame;
+        const Vec3 normal = frame.turned(own_cuts_[at].normal);
+        cuts_[at] = {normal, own_cuts_[at].offset_m * frame.scale + glm::dot(normal, frame.position_m - anchor_m_)};
+        if (glm::dot(normal, ball_m_) - cuts_[at].offset_m >= radius_m_) continue;
+        double distance = 0.0;
+        keep_cut(i, support(scene, i, ball_m_, distance));
+    }
+    make_room(scene, wish);
+}
+
+// The ball to the free place nearest to a wish; where there is none it shrinks as little as it must. Crushed altogether, it lets the bodies pass.
+void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexcept {
+    ProjectionBasis room;
+    const auto fits = [&] {
+        room.count = 0;
+        return project_on_half_spaces(
+            wish_m, count_, [this](int i) { return wall(i); }, room);
+    };
+    const auto take = [&] {
+        step_.pushed = step_.pushed || room.point_m != ball_m_;
+        ball_m_ = room.point_m;
+    };
+    if (fits()) return take();
+    for (int i = 0; i < count_; ++i) {
+        double distance = 0.0;
+        keep_cut(i, support(scene, i, ball_m_, distance));
+    }
+    if (fits()) return take();
+    step_.squeezed = true;
+    const double wanted = radius_m_;
+    double low = kSmallestRadius_m, high = wanted;
+    radius_m_ = low;
+    if (!fits()) {
+        radius_m_ = wanted;
+        for (int i = count_ - 1; i >= 0; --i) {
+            const auto at = static_cast<std::size_t>(i);
+            if (i >= count_ || owners_[at] == kStill || !tracks_[owners_[at]].moved) continue;
+            double distance = 0.0;
+            support(scene, i, ball_m_, distance);
+            if (distance < radius_m_ && ghost_count_ < kMaxGhosts) ghosts_[static_cast<std::size_t>(ghost_count_++)] = {obstacles_[at], owners_[at]};
+        }
+        known_m_ = -1.0;
+        count_ = 0;
+        basis_.count = 0;
+        return;
+    }
+    ProjectionBasis best = room;
+    for (int round = 0; round < 20; ++round) {
+        radius_m_ = 0.5 * (low + high);
+        if (fits()) {
+            low = radius_m_;
+            best = room;
+        } else {
+            high = radius_m_;
+        }
+    }
+    radius_m_ = low;
+    room = best;
+    take();
 }
 
 bool ProxySolver::project() noexcept {
@@ -135,17 +391,22 @@ void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_
     if (growth_m <= 0.0) return;
     for (int i = 0; i < count_; ++i) {
         double distance = 0.0;
-        cuts_[static_cast<std::size_t>(i)] = support(scene, i, ball_m_, distance);
+        keep_cut(i, support(scene, i, ball_m_, distance));
     }
     const double before = radius_m_;
-    radius_m_ = std::min(radius_m, radius_m_ + growth_m);
-    ProjectionBasis grown;
-    if (project_on_half_spaces(
-            ball_m_, count_, [this](int i) { return wall(i); }, grown)) {
-        ball_m_ = grown.point_m;
-    } else {
-        radius_m_ = before;
+    double growth = std::min(growth_m, radius_m - radius_m_);
+    for (int round = 0; round < 8; ++round, growth *= 0.5) {
+        radius_m_ = before + growth;
+        ProjectionBasis grown;
+        const bool fits = project_on_half_spaces(
+            ball_m_, count_, [this](int i) { return wall(i); }, grown);
+        // In a corner the ball is pushed out farther than it grows; the push, too, is no more than was asked for.
+        if (fits && glm::dot(grown.point_m - ball_m_, grown.point_m - ball_m_) <= growth_m * growth_m * (1.0 + 1e-9)) {
+            ball_m_ = grown.point_m;
+            return;
+        }
     }
+    radius_m_ = before;
 }
 
 double ProxySolver::fraction_inside(const Vec3& step) const noexcept {
@@ -183,10 +444,9 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     bool stale = false;
     for (int a = 0; a < basis_.count; ++a) {
         const int i = basis_.index[static_cast<std::size_t>(a)];
-        HalfSpace& cut = cuts_[static_cast<std::size_t>(i)];
-        const Vec3 old_normal = cut.normal;
+        const Vec3 old_normal = cuts_[static_cast<std::size_t>(i)].normal;
         double distance = 0.0;
-        cut = support(scene, i, ball_m_, distance);
+        HalfSpace cut = support(scene, i, ball_m_, distance);
         const bool apart = distance - radius_m_ > kTouching_m;
         if (apart && looked_ahead_[static_cast<std::size_t>(i)] != moves_) {
             looked_ahead_[static_cast<std::size_t>(i)] = moves_;
@@ -194,6 +454,7 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
             const HalfSpace further = support(scene, i, ahead[static_cast<std::size_t>(a)], distance_ahead);
             if (distance_ahead > 1e-12 && glm::dot(further.normal, ball_m_) - further.offset_m >= radius_m_ - kProjectionTolerance_m) cut = further;
         }
+        keep_cut(i, cut);
         const Vec3 turn = cut.normal - old_normal;
         stale = stale || apart || glm::dot(turn, turn) * glm::dot(pull, pull) > kTouching_m * kTouching_m;
     }
@@ -206,7 +467,7 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
 bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept {
     if (basis_.count != 1) return false;
     const int i = basis_.index[0];
-    if (!scene.solid(obstacles_[static_cast<std::size_t>(i)])) return false;
+    if (!shape_at(scene, i).solid(obstacles_[static_cast<std::size_t>(i)])) return false;
     double at_goal = 0.0, at_ball = 0.0;
     const HalfSpace goal_cut = support(scene, i, goal_m_, at_goal);
     if (!(at_goal > 1e-12 && at_goal < radius_m_)) return false;
@@ -226,7 +487,7 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
         const HalfSpace h = wall(j);
         if (glm::dot(h.normal, middle) < h.offset_m - kProjectionTolerance_m || glm::dot(h.normal, end) < h.offset_m - kProjectionTolerance_m) return false;
     }
-    cuts_[static_cast<std::size_t>(i)] = goal_cut;
+    keep_cut(i, goal_cut);
     path_[static_cast<std::size_t>(path_size_++)] = middle;
     path_[static_cast<std::size_t>(path_size_++)] = end;
     ball_m_ = end;
@@ -238,26 +499,33 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
 const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Request& request) noexcept {
     const double radius = std::max(request.radius_m, kSmallestRadius_m);
     const Vec3 goal_local = request.goal_m - scene.origin_m;
+    step_ = Step{};
     if (scene_ != &scene || generation_ != scene.generation) {
+        // The same world with something added or removed: the ball is where it was, and what kept it from its goal may be gone.
         scene_ = &scene;
         generation_ = scene.generation;
+        take_bodies(scene, request);
+        if (placed_) hurry_ = kHurryMoves;
         place(scene, placed_ ? world_m() - scene.origin_m : goal_local, radius);
     } else if (!placed_) {
+        take_bodies(scene, request);
         place(scene, goal_local, radius);
     }
     ++moves_;
-    step_ = Step{};
     radius_m_ = std::min(radius_m_, radius);
     if (ghost_count_ > 0) release_ghosts(scene, goal_local, radius, request.ghost_exit_m);
+    if (body_count_ > 0 && request.bodies_number != bodies_number_) advance_bodies(scene, request, radius);
+    carrier_ = kStill;
     step_.ghosted = ghost_count_ > 0;
 
     // Everything the ball can meet on this move lies within its path's length and its radius. Where that is more than fits, the move is made in
     // stages, each as far as the candidates are known.
-    const double margin = std::max(request.margin_m, 2.0 * request.path_cap_m);
     double way_left = request.path_cap_m;
+    if (hurry_ > 0) way_left = std::max(way_left, glm::length(goal_local - local_m()) / hurry_--);
+    const double margin = std::max(request.margin_m, 2.0 * way_left);
     path_size_ = 0;
     const bool looks = request.most_rounds > 0;
-    if (looks && glm::length(ball_m_) + way_left + radius > known_m_) gather(scene, radius + margin, radius + way_left);
+    if (looks && known_around(ball_m_) < way_left + radius) gather(scene, radius + margin, radius + way_left);
     goal_m_ = goal_local - anchor_m_;
     if (looks) grow(scene, radius, request.growth_m);
     path_[0] = ball_m_;
@@ -271,7 +539,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
         Vec3 way = basis_.point_m - ball_m_;
         if (!solved) way *= fraction_inside(way);
         const double length = glm::length(way);
-        const double known_way = known_m_ - radius - glm::length(ball_m_);
+        const double known_way = known_around(ball_m_) - radius;
         if (length > 0.0 && length > std::min(way_left, known_way)) {
             const double part = std::clamp(known_way, 0.0, way_left);
             ball_m_ += way * (part / length);
@@ -280,7 +548,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
             if (way_left > 0.0 && stages_left-- > 0) {
                 gather(scene, radius + margin, radius + way_left);
                 goal_m_ = goal_local - anchor_m_;
-                if (known_m_ > radius) continue;
+                if (known_around(ball_m_) > radius) continue;
             }
             step_.capped = true;
             break;
@@ -297,7 +565,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
             step_.converged = solved;
             break;
         }
-        if (solved && arc_step(scene, std::min(way_left, known_m_ - radius - glm::length(ball_m_)))) {
+        if (solved && arc_step(scene, std::min(way_left, known_around(ball_m_) - radius))) {
             step_.converged = true;
             break;
         }
@@ -305,7 +573,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     for (int k = 0; k < basis_.count; ++k) {
         const auto at = static_cast<std::size_t>(k);
         const auto i = static_cast<std::size_t>(basis_.index[at]);
-        step_.holds[at] = {obstacles_[i], cuts_[i].normal, basis_.multiplier_m[at]};
+        step_.holds[at] = {obstacles_[i], owners_[i], cuts_[i].normal, basis_.multiplier_m[at]};
     }
     step_.count = basis_.count;
     return step_;
@@ -334,7 +602,7 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
         const HalfSpace h = wall(i);
         if (glm::dot(h.normal, ball_m_) >= h.offset_m - 0.1 * kProjectionTolerance_m) continue;
         double distance = 0.0;
-        cuts_[static_cast<std::size_t>(i)] = support(scene, i, ball_m_, distance);
+        keep_cut(i, support(scene, i, ball_m_, distance));
     }
 }
 

@@ -2,7 +2,8 @@
 // cut of a still obstacle is valid for ever, so the ball may move freely in the intersection of the cuts: no swept test is needed at any speed,
 // overlapping, doubled and cracked geometry needs no special case, and stopping anywhere on the path is safe. One move projects the goal on
 // the intersection, renews the cuts that act, and repeats until they truly touch. Candidates come from a cache that is refreshed inside the
-// move, decided by the samples alone.
+// move, decided by the samples alone. The cuts of a moving body stand still in its own frame; where the body comes nearer it pushes the ball,
+// in sub-steps of at most half the ball's radius, and where it leaves too little room the ball shrinks.
 // Owned by TouchState, one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in world metres.
 // Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The haptic display of complex graphical
 // environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy renewal: docs/architecture.md.
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "haptic/render/haptic_scene.h"
@@ -36,11 +38,17 @@ public:
         // At most this many rounds, up to kMaxIterations. Fewer never let the ball through anything, it only lags (tests: I17). 0: the cuts as
         // they are, none renewed and none gathered, what a move with no time to look at the scene would do (tests: I18).
         int most_rounds = kMaxIterations;
+        // One for each body of the scene, in its order, each scale > 0; empty: all as the scene has them. Another number means that some changed.
+        std::span<const BodyPose> bodies{};
+        std::uint64_t bodies_number = 0;
     };
+
+    static constexpr std::uint16_t kStill = 0xFFFF;  // belongs to no body
 
     // One surface that holds the ball.
     struct Hold {
         std::uint32_t obstacle = 0;
+        std::uint16_t body = kStill;  // whose shape the obstacle belongs to
         Vec3 normal{0.0};
         double multiplier_m = 0.0;
     };
@@ -50,6 +58,8 @@ public:
         int count = 0;
         int iterations = 0;
         bool converged = true, truncated = false, capped = false, ghosted = false;
+        bool pushed = false;    // a body moved the ball
+        bool squeezed = false;  // the ball had to shrink
     };
 
     ProxySolver();
@@ -59,6 +69,18 @@ public:
     const Step& move(const HapticScene& scene, const Request& request) noexcept;
     // After move(): the friction cone. Walks back along the path until the ball is reach_m from where the goal pulls it, or to its start.
     void hold_back(const HapticScene& scene, double reach_m) noexcept;
+    // After move(): from now to the next move the ball goes with this body (kStill: with none), as friction makes it.
+    void ride(std::uint16_t body) noexcept { carrier_ = body; }
+
+    // The frame of a body as it stands, in world metres, and the shape that holds.
+    Vec3 turned_to_own(const Hold& hold, const Vec3& direction) const noexcept {
+        return hold.body == kStill ? direction : tracks_[hold.body].frame.turned_back(direction);
+    }
+    static const HapticScene& shape_of(const HapticScene& scene, const Hold& hold) noexcept {
+        return hold.body == kStill ? scene : *scene.bodies[hold.body].shape;
+    }
+    // A world place in the coordinates of the shape that holds (those of its triangles, boxes and planes).
+    Vec3 to_own(const HapticScene& scene, const Hold& hold, const Vec3& world_m) const noexcept;
 
     // After move(). From the goal to the ball (zero, exactly, in free space), from where the ball was before the move to where it is now,
     // and the same pull without friction or speed cap: where surfaces alone would let the ball go.
@@ -86,12 +108,46 @@ private:
         double distance_m;
         HalfSpace cut;
     };
+    struct Ghost {
+        std::uint32_t obstacle;
+        std::uint16_t body;
+    };
+    // A body as the ball last met it.
+    struct Track {
+        Placement at, from, to;  // world: now, and the way of this move
+        PlacedFrame frame;       // of `at`, in the scene's own coordinates
+        bool present = false;
+        bool moved = false;      // on this sub-step
+        Vec3 known_from_m{0.0};  // own frame: every obstacle nearer to here than known_m is a candidate
+        double known_m = -1.0;   // world metres
+    };
 
     void place(const HapticScene& scene, const Vec3& local_m, double radius_m) noexcept;
+    void place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept;
+    void take_bodies(const HapticScene& scene, const Request& request) noexcept;
+    static BodyPose wanted(const HapticScene& scene, const Request& request, std::size_t body) noexcept;
+    static void stand(const HapticScene& scene, Track& track, const Placement& at) noexcept;
+    void advance_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept;
+    void sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept;
+    void make_room(const HapticScene& scene, const Vec3& wish_m) noexcept;
+    void drop_body(std::uint16_t body) noexcept;
+    // How far around a place every obstacle is a candidate.
+    double known_around(const Vec3& at_m) const noexcept {
+        const double known = known_m_ - glm::length(at_m);
+        return body_count_ == 0 ? known : known_of_bodies(at_m, known);
+    }
+    double known_of_bodies(const Vec3& at_m, double known_m) const noexcept;
     void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
-    bool gather_nearest(const HapticScene& scene, const Vec3& at, double reach_m, std::size_t most) noexcept;
+    double collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m) noexcept;
+    bool gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, std::size_t most) noexcept;
     void release_ghosts(const HapticScene& scene, const Vec3& goal_local_m, double radius_m, double exit_m) noexcept;
-    bool is_ghost(std::uint32_t obstacle) const noexcept;
+    bool is_ghost(std::uint32_t obstacle, std::uint16_t body) const noexcept;
+    ClosestPoint closest_of_body(const HapticScene& scene, std::uint32_t obstacle, std::uint16_t body, const Vec3& local_m) const noexcept;
+    const HapticScene& shape_at(const HapticScene& scene, int candidate) const noexcept {
+        const std::uint16_t body = owners_[static_cast<std::size_t>(candidate)];
+        return body == kStill ? scene : *scene.bodies[body].shape;
+    }
+    void keep_cut(int candidate, const HalfSpace& cut) noexcept;
     void grow(const HapticScene& scene, double radius_m, double growth_m) noexcept;
     bool project() noexcept;
     bool renew_holding_cuts(const HapticScene& scene) noexcept;
@@ -108,10 +164,17 @@ private:
     // rounding does not grow with the building.
     std::vector<HalfSpace> cuts_;              // supports of the bare obstacles: without the ball's radius, which may grow
     std::vector<std::uint32_t> obstacles_;     // of the cuts
+    std::vector<std::uint16_t> owners_;        // of the cuts: a body or kStill
+    std::vector<HalfSpace> own_cuts_;          // of bodies, in the body's frame and metres
     std::vector<std::uint64_t> looked_ahead_;  // move number in which the cut was last renewed from ahead
     std::vector<Candidate> nearest_;           // heap of gather_nearest
     std::size_t nearest_count_ = 0;
-    std::vector<std::uint32_t> ghosts_;
+    std::vector<Ghost> ghosts_;
+    std::vector<Track> tracks_;  // of the scene's bodies
+    std::size_t body_count_ = 0;
+    std::uint64_t bodies_number_ = 0;
+    std::uint16_t carrier_ = kStill;
+    int hurry_ = 0;  // moves left in which the ball may hasten to a goal that a vanished thing kept it from
     int ghost_count_ = 0;
     int count_ = 0;
     double known_m_ = -1.0;  // every obstacle nearer to the anchor than this is a candidate

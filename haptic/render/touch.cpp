@@ -81,7 +81,8 @@ struct TouchState::Impl {
     Vec3 drag_offset_hand_m{0.0};  // dragged point minus hand
     PassivityGuard guard;
 
-    TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m) noexcept;
+    TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
+                     const BodyPoses& bodies) noexcept;
     Vec3 liquid_force(const HapticScene& scene, const TouchTuning& tuning, const Vec3& hand_step_m, double dt_s, FeatureId& in) noexcept;
 };
 
@@ -134,7 +135,8 @@ Vec3 TouchState::Impl::liquid_force(const HapticScene& scene, const TouchTuning&
     return drag_offset_hand_m * kDragStiffness_n_per_m;
 }
 
-TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m) noexcept {
+TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
+                                   const BodyPoses& bodies) noexcept {
     const double scale = tuning.world_m_per_hand_m;
     const Vec3 goal_step = has_goal ? goal_m - last_goal_m : Vec3(0.0);
     const Vec3 hand_step = goal_step / scale;               // through the world
@@ -151,6 +153,8 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     request.growth_m = kGrowth_hand_m_per_s * scale * dt_s;
     request.ghost_exit_m = kGhostExit_hand_m * scale;
     request.most_rounds = tuning.most_rounds;
+    request.bodies = bodies.poses;
+    request.bodies_number = bodies.number;
     const ProxySolver::Step& step = solver.move(scene, request);
 
     TouchResult result;
@@ -166,7 +170,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     Feel blend;
     for (int k = 0; k < step.count; ++k) {
         const ProxySolver::Hold& hold = step.holds[static_cast<std::size_t>(k)];
-        const SurfaceLabel& label = scene.surface(hold.obstacle, hold.normal);
+        const SurfaceLabel& label = ProxySolver::shape_of(scene, hold).surface(hold.obstacle, solver.turned_to_own(hold, hold.normal));
         const double share = sum > 0.0 ? hold.multiplier_m / sum : 1.0 / step.count;
         contacts.contacts[static_cast<std::size_t>(k)] = {label.feature, label.material, hold.normal, share};
         if (share > hardest) {
@@ -186,7 +190,10 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     if (step.count > 0) {
         feel = blend;
         const double mu = feel.friction_kinetic + (feel.friction_static - feel.friction_kinetic) * grip;
-        if (mu > 0.0) solver.hold_back(scene, mu * press_length);
+        if (mu > 0.0) {
+            solver.hold_back(scene, mu * press_length);
+            solver.ride(step.holds[contacts.strongest].body);
+        }
     }
     result.slide_m = solver.slide_m();
     const double slid = glm::length(result.slide_m);
@@ -254,9 +261,9 @@ void TouchState::reset_filters() noexcept {
 
 const ProxySolver& TouchState::solver() const noexcept { return impl_->solver; }
 
-TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s,
-                       const Vec3& carried_m) noexcept {
-    return state.impl().tick(scene, tuning, goal_m, dt_s, carried_m);
+TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
+                       const BodyPoses& bodies) noexcept {
+    return state.impl().tick(scene, tuning, goal_m, dt_s, carried_m, bodies);
 }
 
 }  // namespace handrail

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "haptic/render/haptic_scene.h"
 #include "worlds/base/feature_id.h"
@@ -33,6 +34,13 @@ struct TouchTuning {
     double override_friction_kinetic = -1.0;
     bool passivity_guard = false;                    // damping where the loop gives energy, on surfaces damped by less than 2 Ns/m
     double force_delay_s = 0.0;                      // from a force computed to the hand feeling it, beyond the hold; for the guard
+};
+
+// Poses of a scene's bodies in its order, or none at all: every body as the scene has it. The number changes whenever a pose does, so that a tick
+// on which nothing moves looks at none of them.
+struct BodyPoses {
+    std::span<const BodyPose> poses{};
+    std::uint64_t number = 0;
 };
 
 struct Contact {
@@ -93,7 +101,8 @@ private:
 // A scene with another address or generation than last time is met as a fresh candidate set around the old proxy.
 // carried_m: how far a walking body carried the workspace since the last tick, world metres. The proxy and liquids meet the whole motion;
 // damping and the passivity guard only what the hand itself did, else every step of the body would knock in the hand (test: walking_*).
+// bodies: where the scene's bodies are on this tick; left out, they stand as the scene has them.
 TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s,
-                       const Vec3& carried_m = Vec3(0.0)) noexcept;
+                       const Vec3& carried_m = Vec3(0.0), const BodyPoses& bodies = {}) noexcept;
 
 }  // namespace handrail

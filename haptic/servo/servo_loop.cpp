@@ -110,13 +110,14 @@ bool ServoLoop::step() noexcept {
     scene_.refresh();
     tuning_.refresh();
     pose_.refresh();
+    bodies_.refresh();
     const bool stopping = stop_asked_.load(std::memory_order_acquire);
     ServoTuning tuning = tuning_.read();
     if (stopping) tuning.forces_on = false;
     const SceneHandle scene = scene_.read();
 
     const DeviceSample sample = device_->read(start_s);
-    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s);
+    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s, &bodies_.read());
     device_->write(command);
 
     // Nothing of an older scene is looked at any more.

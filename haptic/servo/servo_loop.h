@@ -51,6 +51,7 @@ public:
     void set_scene(std::shared_ptr<const HapticScene> scene);
     void set_tuning(const ServoTuning& tuning) { tuning_.publish(tuning); }
     void set_pose(const WorkspacePose& pose) { pose_.publish(pose); }
+    void set_bodies(const BodyFrame& bodies) { bodies_.publish(bodies); }
     // App thread: the newest of each, valid until the next call.
     const ToolState& tool();
     const ServoReport& report();
@@ -95,6 +96,7 @@ private:
     LatestValue<SceneHandle> scene_;
     LatestValue<ServoTuning> tuning_;
     LatestValue<WorkspacePose> pose_;
+    LatestValue<BodyFrame> bodies_;
     LatestValue<ToolState> tool_, tool_for_ears_;
     LatestValue<ServoReport> report_;
     EventRing events_;

@@ -153,7 +153,8 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
     return Answer::Good;
 }
 
-void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s) noexcept {
+void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s,
+                       const BodyPoses& bodies) noexcept {
     TouchTuning touch = tuning.touch;
     const double damping = touch.override_damping_ns_per_m >= 0.0 ? touch.override_damping_ns_per_m : touch.damping_ns_per_m;
     const double stiffest = effective_stiffness_n_per_m(spec_, mean_period_s_, damping);
@@ -172,7 +173,7 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     hand_at_goal_m_ = tool_.hand_m;
     goal_known_ = true;
 
-    const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s, carried_m);
+    const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s, carried_m, bodies);
     wanted_n_ = frame.turn_to_device(result.force_n);
     if (!is_finite(result.proxy_m)) {
         wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // let the limiter judge it
@@ -198,7 +199,7 @@ ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool l
 }
 
 ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
-                        double now_s) noexcept {
+                        double now_s, const BodyFrame* bodies) noexcept {
     ServoState& s = state;
     s.events_.count = 0;
     s.events_.lost = 0;
@@ -228,7 +229,10 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
     const double scale = tuning.touch.world_m_per_hand_m;
     const std::uint32_t generation = scene ? scene->generation : 0;
     if (jumped || scale != s.scale_ || (!scene && s.tool_.scene_generation != 0)) s.start_over();
-    if (generation != s.tool_.scene_generation) s.limiter_.restart();
+    // Another world ramps in; in the same one with something added or removed the proxy sees to it that nothing knocks.
+    const std::uint32_t world = scene ? scene->world : 0;
+    if (world != s.tool_.scene_world) s.limiter_.restart();
+    s.tool_.scene_world = world;
     s.scale_ = scale;
     s.tool_.scene_generation = generation;
 
@@ -244,7 +248,12 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
     s.since_touch_s_ = std::min(s.since_touch_s_ + dt_s, kLongestTouchStepS);
     if (answer == ServoState::Answer::Good) {
         if (scene) {
-            s.touch(*scene, tuning, frame, s.tool_.hip_m, s.since_touch_s_);
+            BodyPoses poses;
+            if (bodies && !scene->bodies.empty()) {
+                s.bodies_.give(*bodies, jumped);
+                poses = s.bodies_.at(*scene, s.playback_.played_s());
+            }
+            s.touch(*scene, tuning, frame, s.tool_.hip_m, s.since_touch_s_, poses);
         } else {
             s.tool_.proxy_m = s.tool_.hip_m;
             s.wanted_n_ = Vec3(0.0);

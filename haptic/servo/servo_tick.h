@@ -7,6 +7,7 @@
 #include "haptic/device/haptic_device.h"
 #include "haptic/render/force_limiter.h"
 #include "haptic/render/touch.h"
+#include "haptic/servo/body_playback.h"
 #include "haptic/servo/contact_tracker.h"
 #include "haptic/servo/rate_watch.h"
 #include "haptic/servo/workspace_map.h"
@@ -41,7 +42,7 @@ struct ToolState {
     double contact_s = 0.0;        // contact time since start (break hint)
     std::uint64_t ticks = 0;
     double rate_hz = 0.0;  // measured over the last second; 0 during the first
-    std::uint32_t scene_generation = 0;
+    std::uint32_t scene_generation = 0, scene_world = 0;
 };
 
 // Counted since the start.
@@ -71,7 +72,7 @@ public:
 
 private:
     friend ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose,
-                                   const DeviceSample& sample, double now_s) noexcept;
+                                   const DeviceSample& sample, double now_s, const BodyFrame* bodies) noexcept;
 
     enum class Answer { None, Bad, Good };
 
@@ -82,13 +83,15 @@ private:
     void start_over() noexcept;
     void lose_time() noexcept;
     Answer judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
-    void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s) noexcept;
+    void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s,
+               const BodyPoses& bodies) noexcept;
     ForceFlow flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept;
 
     DeviceSpec spec_;
     TouchState touch_;
     ForceLimiter limiter_;
     PosePlayback playback_;
+    BodyPlayback bodies_;
     ContactTracker tracker_;
     RateWatch rate_watch_;
     TickEvents events_;
@@ -119,8 +122,9 @@ private:
 };
 
 // One tick. scene: null while there is none (no contact, no force). pose: the newest that is known, the same as before is fine.
-// now_s: the tick's time, the same clock as WorkspacePose::time_s; ticks come in rising time. Numbered stages stand in the source.
+// now_s: the tick's time, the same clock as WorkspacePose::time_s; ticks come in rising time. bodies: the newest frame that is known, the same as
+// before is fine; null: the scene's bodies stand where it has them. Numbered stages stand in the source.
 ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
-                        double now_s) noexcept;
+                        double now_s, const BodyFrame* bodies = nullptr) noexcept;
 
 }  // namespace handrail

@@ -49,6 +49,8 @@ public:
     // frame, plus 4 ms. When a pose is late it waits at the
     // last one and goes on from there without a step; the playback's speed differs from real time by at most a tenth while it finds its lag.
     WorkspaceFrame at(double now_s, double dt_s) noexcept;
+    // The moment that at() last played, on the clock of WorkspacePose::time_s.
+    double played_s() const noexcept { return play_s_; }
 
 private:
     static constexpr std::size_t kPoses = 32;  // half a second of frames; 32 ms of poses given at every tick
