@@ -16,6 +16,7 @@ struct DeviceSample {
     std::uint32_t buttons = 0;  // bit 0 is the first
     bool fresh = true;          // false when the device had no new answer for this tick
     bool connected = true;
+    bool homed = true;  // false while the device does not know where it is: its position means nothing, and no force may act
 };
 
 struct ForceCommand {
@@ -27,7 +28,9 @@ public:
     virtual ~HapticDevice() = default;
     virtual const DeviceSpec& spec() const = 0;
     virtual Result<void> open() = 0;                       // app thread, before the servo starts
-    virtual DeviceSample read(double now_s) noexcept = 0;  // never blocks longer than 1 ms
+    // On the servo thread never blocks longer than 1 ms. A driver that must wait longer for its hardware lives in the guard process, and what
+    // the servo holds in its place never waits at all (haptic/drivers).
+    virtual DeviceSample read(double now_s) noexcept = 0;
     virtual void write(const ForceCommand& command) noexcept = 0;
     virtual void close() noexcept = 0;  // zero force, then let go
 };

@@ -110,6 +110,16 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
     }
     const double period_s = since_answer_s_;
     since_answer_s_ = 0.0;
+    if (!sample.homed) {
+        if (fault_ != Fault::Unhomed) start_over();
+        raise(Fault::Unhomed, false);
+        tool_.buttons = sample.buttons;
+        tool_.waiting_for_hand = true;  // wherever the hand is once it is known, it moves first
+        has_first_ = false;
+        trusts_last_ = false;
+        bad_run_ = 0;
+        return Answer::None;
+    }
 
     const double allowed_m = kJumpM + kFastestHandMPerS * std::max(0.0, period_s - 2.0 * kNominalPeriodS);
     const bool finite = is_finite(sample.position_m);

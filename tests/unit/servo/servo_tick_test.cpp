@@ -204,6 +204,25 @@ TEST(ServoTick, a_rate_above_the_devices_minimum_keeps_the_force) {
     EXPECT_EQ(rig.tool().force_gain, 1.0);
 }
 
+TEST(ServoTick, unhomed_device_gets_no_force_and_moves_first_once_it_knows_its_place) {
+    ServoRig rig;
+    rig.press(Vec3(0.0, 0.03, 0.0));
+    ASSERT_GT(glm::length(rig.last.force_n), 1.0);
+    rig.sample.homed = false;
+    for (int i = 0; i < 50; ++i) EXPECT_EQ(glm::length(rig.tick(Vec3(0.5, 0.5, 0.5)).force_n), 0.0) << "where it says it is means nothing";
+    EXPECT_EQ(rig.tool().fault, Fault::Unhomed);
+    EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
+    rig.sample.homed = true;
+    for (int i = 0; i < 50; ++i) EXPECT_EQ(glm::length(rig.tick(Vec3(0.0, 0.03, 0.0)).force_n), 0.0) << "inside the wall and still";
+    EXPECT_EQ(rig.tool().fault, Fault::None);
+    EXPECT_TRUE(rig.tool().waiting_for_hand);
+    rig.go(Vec3(0.0));
+    rig.go(Vec3(0.0, 0.03, 0.0));
+    EXPECT_LT(glm::length(rig.last.force_n), 0.5) << "ramps in";
+    for (int i = 0; i < 1100; ++i) rig.tick(Vec3(0.0, 0.03, 0.0));
+    EXPECT_GT(glm::length(rig.last.force_n), 1.0);
+}
+
 TEST(ServoTick, unplugging_gives_zero_on_that_tick_and_only_a_confirmation_and_a_ramp_bring_it_back) {
     ServoRig rig;
     rig.press(kPressed);
