@@ -46,6 +46,7 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
     {"haptic/compile", {"haptic/render", "worlds/scene"}},
     {"haptic/device", {"worlds/base", "settings"}},
     {"haptic/loop", {"haptic/device"}},
+    {"haptic/drivers", {"haptic/device"}},
     {"haptic/servo", {"haptic/render", "haptic/device"}},
     {"audio-cues/plan", {"worlds/scene", "settings", "haptic/servo"}},
     {"audio-cues/sinks", {"audio-cues/plan"}},

@@ -1,0 +1,108 @@
+// A Novint Falcon as its wire shows it: serial chip, boot ROM, firmware, three encoders and three motors, with a grip that a simulated hand
+// holds. Its geometry is solved here on its own, by bisection and by differences, so that it can contradict the driver.
+// Axes of the Falcon: x right, y up, z towards the person. Not thread-safe; the umockdev bed locks around it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <random>
+#include <vector>
+
+#include "haptic/drivers/byte_link.h"
+#include "worlds/base/clock.h"
+#include "worlds/base/vec.h"
+
+namespace handrail::test {
+
+// A firmware image of `data_bytes` in two blocks that a boot ROM would take; what it holds means nothing.
+std::vector<std::uint8_t> boot_image(std::size_t data_bytes);
+
+class FalconEmulator {
+public:
+    enum class Stage { Silent, BootRom, Loader, Running };
+
+    // The hand: a mass at `grip_m`, pushed by `push_n`, damped; moved 1 ms for each frame. Held: stays where it is put.
+    Vec3 grip_m{0.0, 0.0, 0.145};
+    Vec3 velocity_m_per_s{0.0};
+    Vec3 push_n{0.0};
+    double damping_ns_per_m = 8.0;
+    double mass_kg = 0.1;
+    bool held = true;
+    int frames_until_homed = 0;
+    std::uint8_t buttons = 0;
+    double counts_per_nm = 10000.0;  // of its motors
+
+    // What is wrong with it.
+    int wrong_echo_at_byte = -1;  // once
+    int lose_every_nth_answer = 0;
+    int late_every_nth_answer = 0;  // held back until the next command
+    int garbage_before_every_nth = 0;
+    int torn_every_nth_answer = 0;  // only the first half comes
+    int stuck_leg = -1;
+    bool leading_zero = false;
+    bool deaf = false;  // no power
+
+    Stage stage = Stage::Silent;
+    std::vector<std::uint8_t> firmware;
+    std::size_t firmware_wanted = 0;  // it runs once it has so many bytes
+
+    // What it was told.
+    std::array<int, 3> motors{};
+    std::uint64_t frames = 0, malformed = 0, over_range = 0, frames_before_homed_with_force = 0;
+    double largest_force_n = 0.0;
+    unsigned latency_ms = 16;
+    bool homed() const { return homed_legs_ == 7; }
+    Vec3 force_on_hand_n() const { return force_for(motors, grip_m); }
+    // Called after each frame.
+    std::function<void(FalconEmulator&)> after_frame;
+
+    // The chip's side of the bus.
+    bool control(std::uint8_t request, std::uint16_t value);
+    void out(const std::uint8_t* bytes, std::size_t size);
+    // One packet: two status bytes, then at most `room - 2` payload bytes.
+    std::size_t in(std::uint8_t* bytes, std::size_t room);
+    bool has_payload() const { return !to_host_.empty(); }
+
+    static Vec3 leg_angles_at(const Vec3& grip_m);
+    Vec3 force_for(const std::array<int, 3>& counts, const Vec3& at_m) const;
+
+private:
+    void run();
+    void answer();
+    void move_hand();
+    void tell(std::initializer_list<std::uint8_t> bytes) { to_host_.insert(to_host_.end(), bytes); }
+
+    std::deque<std::uint8_t> to_host_;
+    std::vector<std::uint8_t> from_host_, late_;
+    unsigned divisor_ = 0;
+    bool speed_known_ = false;
+    std::uint8_t homed_legs_ = 0;
+    bool homing_asked_ = false;
+    std::array<int, 3> encoders_{}, unknown_zero_{300, -120, 55};
+    int stuck_at_ = 0;
+    bool is_stuck_ = false;
+    std::mt19937 random_{7};
+};
+
+// The emulator behind a ByteLink in virtual time: a read that finds nothing lets the chip's latency timer pass.
+class DirectFalconLink final : public ByteLink {
+public:
+    DirectFalconLink(FalconEmulator& falcon, VirtualClock& clock) : falcon_(falcon), clock_(clock) {}
+    bool control(std::uint8_t request, std::uint16_t value) noexcept override;
+    int write(std::span<const std::uint8_t> bytes, double timeout_s) noexcept override;
+    int read(std::span<std::uint8_t> room, double timeout_s) noexcept override;
+
+    bool unplugged = false;
+    bool in_fragments = false;  // packets of 0 to 7 payload bytes
+    std::uint64_t packets = 0;
+
+private:
+    FalconEmulator& falcon_;
+    VirtualClock& clock_;
+    std::mt19937 random_{11};
+};
+
+}  // namespace handrail::test

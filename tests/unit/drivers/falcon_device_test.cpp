@@ -1,0 +1,361 @@
+#include "haptic/drivers/falcon_device.h"
+
+#include <limits>
+
+#include "haptic/drivers/falcon_kinematics.h"
+#include "haptic/servo/servo_tick.h"
+#include "tests/emulators/falcon_emulator.h"
+#include "tests/support/precompiled.h"
+#include "tests/support/scale.h"
+#include "tests/support/servo_rig.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+
+using test::DirectFalconLink;
+using test::FalconEmulator;
+
+constexpr double kEncoderQuantumM = 0.06e-3;
+
+// A Falcon on a wire of its own, in virtual time.
+struct Falcon {
+    VirtualClock clock;
+    FalconEmulator emulator;
+    DirectFalconLink* link = nullptr;
+    std::unique_ptr<FalconDevice> device;
+    test::TemporaryFolder folder;
+    std::vector<std::string> told;
+
+    explicit Falcon(bool running = true) {
+        auto owned = std::make_unique<DirectFalconLink>(emulator, clock);
+        link = owned.get();
+        FalconOptions options;
+        if (running) {
+            emulator.stage = FalconEmulator::Stage::Running;
+        } else {
+            const auto image = test::boot_image(4000);
+            emulator.firmware_wanted = image.size();
+            options.firmware_files = {folder.write("falcon.bin", std::string(image.begin(), image.end()))};
+        }
+        options.tell = [this](const std::string& sentence) { told.push_back(sentence); };
+        device = std::make_unique<FalconDevice>(std::move(owned), clock, options);
+    }
+    DeviceSample exchange(const Vec3& force_n) {
+        device->write({force_n});
+        return device->read(clock.now_s());
+    }
+    DeviceSample home() {
+        DeviceSample sample;
+        for (int i = 0; i < 1000 && !(sample.fresh && sample.homed && i > 0); ++i) sample = exchange(Vec3(0.0));
+        return sample;
+    }
+};
+
+Vec3 true_place(const FalconEmulator& emulator) { return falcon_to_device(emulator.grip_m); }
+
+TEST(FalconDevice, wakes_by_sending_its_firmware_and_comparing_every_echo) {
+    Falcon falcon(false);
+    falcon.emulator.leading_zero = true;
+    falcon.emulator.frames_until_homed = 60;
+    const auto opened = falcon.device->open();
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    EXPECT_FALSE(falcon.device->firmware_was_running());
+    const auto image = test::boot_image(4000);
+    EXPECT_EQ(falcon.emulator.firmware, image);
+    EXPECT_THAT(falcon.told, testing::ElementsAre(testing::HasSubstr("Waking the Falcon"), testing::HasSubstr("towards you")));
+    EXPECT_EQ(falcon.emulator.latency_ms, 1U);
+}
+
+TEST(FalconDevice, needs_no_file_when_its_firmware_runs_since_power_on) {
+    Falcon falcon;
+    ASSERT_TRUE(falcon.device->open());
+    EXPECT_TRUE(falcon.device->firmware_was_running());
+}
+
+TEST(FalconDevice, tries_again_after_a_wrong_echo_and_says_so) {
+    Falcon falcon(false);
+    falcon.emulator.wrong_echo_at_byte = 1234;
+    ASSERT_TRUE(falcon.device->open());
+    EXPECT_THAT(falcon.told, testing::Contains(testing::HasSubstr("try 2")));
+    EXPECT_EQ(falcon.emulator.firmware, test::boot_image(4000));
+}
+
+TEST(FalconDevice, refuses_in_one_sentence_what_cannot_be) {
+    {
+        Falcon falcon(false);
+        falcon.emulator.deaf = true;
+        const auto opened = falcon.device->open();
+        ASSERT_FALSE(opened);
+        EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("power supply"));
+    }
+    const auto image = test::boot_image(4000);
+    const std::string whole(image.begin(), image.end());
+    for (const auto& [content, words] :
+         {std::pair<std::string, std::string>{whole.substr(0, 2001), "cut off"}, {"GIF89a", "does not begin like one"}, {whole + "x", "after its end"}}) {
+        VirtualClock clock;
+        FalconEmulator emulator;
+        test::TemporaryFolder folder;
+        FalconOptions options;
+        options.firmware_files = {folder.write("f.bin", content)};
+        FalconDevice device(std::make_unique<DirectFalconLink>(emulator, clock), clock, options);
+        const auto opened = device.open();
+        ASSERT_FALSE(opened);
+        EXPECT_THAT(opened.error().sentence(), testing::HasSubstr(words));
+        EXPECT_TRUE(emulator.firmware.empty()) << "nothing may reach the device";
+    }
+    VirtualClock clock;
+    FalconEmulator emulator;
+    FalconDevice device(std::make_unique<DirectFalconLink>(emulator, clock), clock, {});
+    const auto opened = device.open();
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(opened.error().sentence(), testing::AllOf(testing::HasSubstr("nvent_firmware.bin"), testing::HasSubstr("falcon")));
+}
+
+TEST(FalconDevice, a_damaged_file_does_not_hide_a_sound_one) {
+    VirtualClock clock;
+    FalconEmulator emulator;
+    const auto image = test::boot_image(400);
+    emulator.firmware_wanted = image.size();
+    test::TemporaryFolder folder;
+    FalconOptions options;
+    options.firmware_files = {folder.write("a.bin", "junk"), folder.write("b.bin", std::string(image.begin(), image.end()))};
+    FalconDevice device(std::make_unique<DirectFalconLink>(emulator, clock), clock, options);
+    EXPECT_TRUE(device.open());
+}
+
+TEST(FalconDevice, sends_no_force_before_all_legs_are_homed) {
+    Falcon falcon;
+    falcon.emulator.frames_until_homed = 60;
+    ASSERT_TRUE(falcon.device->open());
+    int unhomed = 0;
+    for (int i = 0; i < 100; ++i) {
+        const DeviceSample sample = falcon.exchange({1.0, 2.0, -1.0});
+        ASSERT_TRUE(sample.fresh);
+        if (!sample.homed) ++unhomed;
+        else EXPECT_LT(glm::length(sample.position_m - true_place(falcon.emulator)), kEncoderQuantumM);
+    }
+    EXPECT_GT(unhomed, 40);
+    EXPECT_EQ(falcon.emulator.frames_before_homed_with_force, 0U);
+    EXPECT_GT(falcon.emulator.largest_force_n, 2.0) << "and the force does come then";
+}
+
+// S126: the axes of the hand are those of the world.
+TEST(FalconDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
+    const std::array<Vec3, 3> falcon_axes{Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, -1.0}, Vec3{0.0, 1.0, 0.0}};  // right, away from the person, up
+    for (int axis = 0; axis < 3; ++axis) {
+        Falcon falcon;
+        falcon.emulator.grip_m = kFalconMiddleM;
+        ASSERT_TRUE(falcon.device->open());
+        const Vec3 middle = falcon.home().position_m;
+        EXPECT_LT(glm::length(middle), kEncoderQuantumM);
+        falcon.emulator.grip_m += 0.01 * falcon_axes[static_cast<std::size_t>(axis)];
+        falcon.exchange(Vec3(0.0));
+        Vec3 expected{0.0};
+        expected[axis] = 0.01;
+        const DeviceSample moved = falcon.exchange(Vec3(0.0));
+        EXPECT_LT(glm::length(moved.position_m - expected), 2.0 * kEncoderQuantumM) << axis;
+
+        // The whole way into the world, heading 0.
+        test::ServoRig rig;
+        rig.tuning.touch.world_m_per_hand_m = 1.0;
+        rig.tick_raw(moved.position_m, test::kTick);
+        EXPECT_LT(glm::length(rig.tool().hip_m - rig.tool().hand_m), 1e-12) << "east, north, up of the world are x, y, z of the hand";
+
+        falcon.emulator.held = false;
+        falcon.emulator.velocity_m_per_s = Vec3(0.0);
+        const Vec3 before = true_place(falcon.emulator);
+        Vec3 push{0.0};
+        push[axis] = 1.0;
+        for (int i = 0; i < 20; ++i) falcon.exchange(push);
+        const Vec3 way = true_place(falcon.emulator) - before;
+        EXPECT_GT(way[axis], 0.0005) << axis;
+        EXPECT_GT(way[axis] / glm::length(way), 0.99) << axis;
+    }
+}
+
+TEST(FalconDevice, gives_the_asked_force_and_never_more_than_its_ceiling) {
+    Falcon falcon;
+    ASSERT_TRUE(falcon.device->open());
+    falcon.home();
+    falcon.exchange({0.3, -0.4, 1.2});
+    EXPECT_LT(glm::length(falcon.emulator.force_on_hand_n() - turn_device_to_falcon({0.3, -0.4, 1.2})), 0.02);
+    const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+    std::mt19937 random(9);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0), within(-0.02, 0.02), power(-3.0, 9.0);
+    for (int i = 0; i < test::scaled(3000); ++i) {
+        falcon.emulator.grip_m = kFalconMiddleM + Vec3(within(random), within(random), within(random));
+        falcon.exchange(Vec3(0.0));
+        Vec3 force = Vec3(unit(random), unit(random), unit(random)) * std::pow(10.0, power(random));
+        if (i % 10 == 0) force[i % 3] = i % 20 ? nan : inf;
+        falcon.exchange(force);
+        const Vec3 felt = falcon.emulator.force_on_hand_n();
+        if (!is_finite(force)) {
+            EXPECT_EQ(falcon.emulator.motors, (std::array<int, 3>{}));
+        } else if (glm::length(force) > 0.5) {
+            const Vec3 wanted = turn_device_to_falcon(force) / glm::length(force);
+            EXPECT_GT(glm::dot(felt, wanted) / glm::length(felt), 0.999);
+        }
+    }
+    EXPECT_LE(falcon.emulator.largest_force_n, 3.0);
+    EXPECT_EQ(falcon.emulator.over_range, 0U);
+    falcon.exchange({1e9, 1e9, -1e9});
+    EXPECT_NEAR(glm::length(falcon.emulator.force_on_hand_n()), 0.95 * 3.0, 0.02);
+}
+
+// A wall of 1000 N/m across z = 0.130, pressed with 3 N less what the ceiling leaves: static answer force / stiffness behind it.
+TEST(FalconDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
+    constexpr double kStiffness = 1000.0, kPush = 2.0;
+    const double wall_y = falcon_to_device({0.0, 0.0, 0.130}).y;
+    Falcon falcon;
+    ASSERT_TRUE(falcon.device->open());
+    falcon.home();
+    falcon.emulator.held = false;
+    falcon.emulator.push_n = {0.0, 0.0, -kPush};  // away from the person
+    Vec3 force{0.0};
+    for (int i = 0; i < 1000; ++i) {
+        const DeviceSample sample = falcon.exchange(force);
+        ASSERT_TRUE(sample.fresh && sample.connected && sample.homed) << i;
+        ASSERT_LT(glm::length(sample.position_m - true_place(falcon.emulator)), 3.0 * kEncoderQuantumM) << i;  // it moved on during the answer
+        force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - wall_y)), 0.0};
+    }
+    EXPECT_NEAR(true_place(falcon.emulator).y, wall_y + kPush / kStiffness, kEncoderQuantumM);
+    EXPECT_NEAR(true_place(falcon.emulator).x, 0.0, 0.5e-3);
+    EXPECT_NEAR(true_place(falcon.emulator).z, 0.0, 0.5e-3);
+    EXPECT_LT(glm::length(falcon.emulator.velocity_m_per_s), 0.01);
+}
+
+// What is wrong, how often an exchange may fail for it, and whether the device must have noticed anything.
+struct WireFault {
+    const char* name;
+    void (*make)(Falcon&);
+    int most_failures;
+};
+
+class FalconWire : public testing::TestWithParam<WireFault> {};
+
+TEST_P(FalconWire, never_gives_a_wrong_position_or_too_much_force) {
+    Falcon falcon;
+    ASSERT_TRUE(falcon.device->open());
+    falcon.home();
+    GetParam().make(falcon);
+    const int exchanges = test::scaled(5000);
+    int failures = 0;
+    Vec3 older = true_place(falcon.emulator), old = older;
+    for (int i = 0; i < exchanges; ++i) {
+        falcon.emulator.grip_m = kFalconMiddleM + Vec3(0.02 * std::sin(0.01 * i), 0.02 * std::cos(0.007 * i), 0.01 * std::sin(0.013 * i));
+        const DeviceSample sample = falcon.exchange({9.0, -9.0, 4.0});
+        const Vec3 now = true_place(falcon.emulator);
+        ASSERT_TRUE(sample.connected);
+        if (!sample.fresh) {
+            ++failures;
+        } else {
+            // The place of this exchange or, where an answer was late, of the one or two before.
+            const double off = std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old), glm::length(sample.position_m - older)});
+            ASSERT_LT(off, kEncoderQuantumM) << GetParam().name << ", exchange " << i;
+        }
+        older = old;
+        old = now;
+        ASSERT_LE(falcon.emulator.largest_force_n, 3.0);
+    }
+    EXPECT_LE(failures, GetParam().most_failures * exchanges / 5000 + 1) << GetParam().name;
+    EXPECT_EQ(falcon.emulator.over_range, 0U);
+    EXPECT_EQ(falcon.emulator.malformed, 0U);
+    std::printf("%s: %d of %d exchanges failed, %lu bytes skipped\n", GetParam().name, failures, exchanges,
+                static_cast<unsigned long>(falcon.device->skipped_bytes()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Faults, FalconWire,
+                         testing::Values(WireFault{"sound", [](Falcon&) {}, 0}, WireFault{"fragments", [](Falcon& f) { f.link->in_fragments = true; }, 10},
+                                         WireFault{"garbage", [](Falcon& f) { f.emulator.garbage_before_every_nth = 10; }, 0},
+                                         WireFault{"lost_answers", [](Falcon& f) { f.emulator.lose_every_nth_answer = 50; }, 100},
+                                         WireFault{"torn_answers", [](Falcon& f) { f.emulator.torn_every_nth_answer = 50; }, 100},
+                                         WireFault{"late_answers", [](Falcon& f) { f.emulator.late_every_nth_answer = 50; }, 200},
+                                         WireFault{"everything_at_once",
+                                                   [](Falcon& f) {
+                                                       f.link->in_fragments = true;
+                                                       f.emulator.garbage_before_every_nth = 7;
+                                                       f.emulator.lose_every_nth_answer = 31;
+                                                       f.emulator.torn_every_nth_answer = 43;
+                                                       f.emulator.late_every_nth_answer = 57;
+                                                   },
+                                                   800}),
+                         [](const auto& fault) { return std::string(fault.param.name); });
+
+TEST(FalconDevice, is_unplugged_at_once_and_stays_so) {
+    Falcon falcon;
+    ASSERT_TRUE(falcon.device->open());
+    falcon.home();
+    EXPECT_TRUE(falcon.exchange({0.0, 1.0, 0.0}).connected);
+    falcon.link->unplugged = true;
+    EXPECT_FALSE(falcon.exchange({0.0, 1.0, 0.0}).connected);
+    falcon.link->unplugged = false;
+    EXPECT_FALSE(falcon.exchange({0.0, 1.0, 0.0}).connected);
+}
+
+TEST(FalconDevice, takes_its_force_back_after_20_ms_of_silence) {
+    Falcon falcon;
+    ASSERT_TRUE(falcon.device->open());
+    falcon.home();
+    falcon.exchange({0.0, 2.0, 0.0});
+    ASSERT_GT(glm::length(falcon.emulator.force_on_hand_n()), 1.9);
+    falcon.emulator.lose_every_nth_answer = 1;
+    const double silent_since_s = falcon.clock.now_s();
+    while (glm::length(falcon.emulator.force_on_hand_n()) > 0.0) {
+        EXPECT_FALSE(falcon.exchange({0.0, 2.0, 0.0}).fresh);
+        ASSERT_LT(falcon.clock.now_s() - silent_since_s, 0.030);
+    }
+    falcon.emulator.lose_every_nth_answer = 0;
+    EXPECT_TRUE(falcon.exchange({0.0, 2.0, 0.0}).fresh);
+}
+
+// Three encoders for three directions: nothing but time can show that one stands still. The grip is off by a few millimetres until then.
+TEST(FalconDevice, a_stuck_encoder_is_noticed_within_millimetres_and_ends_the_force) {
+    for (int leg = 0; leg < 3; ++leg) {
+        Falcon falcon;
+        ASSERT_TRUE(falcon.device->open());
+        falcon.home();
+        falcon.emulator.stuck_leg = leg;
+        double farthest_off = 0.0;
+        DeviceSample sample;
+        for (int i = 0; i < 300; ++i) {
+            falcon.emulator.grip_m = Vec3(0.0, 0.0, 0.145 - 0.0001 * i);
+            sample = falcon.exchange({0.0, 2.0, 0.0});
+            if (!is_finite(sample.position_m)) break;
+            farthest_off = std::max(farthest_off, glm::length(sample.position_m - true_place(falcon.emulator)));
+        }
+        EXPECT_FALSE(is_finite(sample.position_m));
+        EXPECT_LT(farthest_off, 0.012);
+        std::printf("leg %d stuck: noticed when the grip was off by %.1f mm\n", leg, farthest_off * 1e3);
+        falcon.exchange({0.0, 2.0, 0.0});
+        EXPECT_EQ(falcon.emulator.motors, (std::array<int, 3>{}));
+    }
+}
+
+TEST(FalconDevice, a_hand_that_rests_or_trembles_is_not_taken_for_a_stuck_encoder) {
+    Falcon falcon;
+    ASSERT_TRUE(falcon.device->open());
+    falcon.home();
+    std::mt19937 random(2);
+    std::normal_distribution<double> tremor(0.0, 0.05e-3);
+    Vec3 place = falcon.emulator.grip_m;
+    for (int i = 0; i < test::scaled(4000); ++i) {
+        if (i % 1000 > 500) place += Vec3(0.00002, -0.00001, -0.00003);
+        falcon.emulator.grip_m = place + (i % 1000 > 500 ? Vec3(tremor(random), tremor(random), tremor(random)) : Vec3(0.0));
+        ASSERT_TRUE(is_finite(falcon.exchange(Vec3(0.0)).position_m)) << i;
+    }
+}
+
+TEST(FalconDevice, leaves_the_motors_at_zero) {
+    Falcon falcon;
+    ASSERT_TRUE(falcon.device->open());
+    falcon.home();
+    falcon.exchange({1.0, 1.0, 1.0});
+    ASSERT_NE(falcon.emulator.motors, (std::array<int, 3>{}));
+    falcon.device->close();
+    EXPECT_EQ(falcon.emulator.motors, (std::array<int, 3>{}));
+    falcon.device->close();
+}
+
+}  // namespace
+}  // namespace handrail
