@@ -4,7 +4,10 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <glm/vector_relational.hpp>
 #include <limits>
+
+#include "worlds/base/overloaded.h"
 
 namespace handrail {
 namespace {
@@ -13,6 +16,34 @@ namespace {
 constexpr double kBoundsSlack = 1e-9;
 // Below this distance from the world's zero neighbouring doubles are at most 2e-13 m apart, so nothing is gained by moving the origin.
 constexpr double kNearZero_m = 1024.0;
+
+// A liquid's surface looks up if its normal rises by more than 45 degrees.
+constexpr double kLooksUp = 0.7071;
+// Steepest slopes of the laws in liquids.cpp: the drag's spring; a film 4 mm thick and a buoyancy that sets in over 20 mm, for each newton.
+constexpr double kDragStiffness_n_per_m = 400.0;
+constexpr double kFilmStiffness_per_m = 583.0;
+constexpr double kBuoyancyStiffness_per_m = 75.0;
+
+void move_effect(EffectVolume& effect, const Vec3& by_m) {
+    std::visit(Overloaded{[&](Aabb& box) {
+                              box.min_m += by_m;
+                              box.max_m += by_m;
+                          },
+                          [&](SphereRegion& sphere) { sphere.centre_m += by_m; },
+                          [&](CapsuleRegion& capsule) {
+                              capsule.a_m += by_m;
+                              capsule.b_m += by_m;
+                          },
+                          [&](ConvexRegion& convex) {
+                              for (Plane& plane : convex.planes) plane.offset_m += glm::dot(plane.normal, by_m);
+                          }},
+               effect.region);
+    std::visit(Overloaded{[&](MagnetLaw& law) {
+                              for (MagnetTarget& target : law.targets) target.centre_m += by_m;
+                          },
+                          [&](DetentLaw& law) { law.origin_m += by_m; }, [&](ButtonLaw& law) { law.origin_m += by_m; }, [](auto&) {}},
+               effect.law);
+}
 
 Aabb grown(Aabb box) {
     const double largest = std::max(
@@ -129,12 +160,66 @@ bool HapticSceneBuilder::add_body(FeatureId feature, std::shared_ptr<const Hapti
     return true;
 }
 
+bool HapticSceneBuilder::add_effect(EffectVolume effect) {
+    if (!is_sound(effect)) return false;
+    effect_bounds_.push_back(grown(bounds_of(effect.region)));
+    scene_.effects.push_back(std::move(effect));
+    return true;
+}
+
+// What a tick would otherwise have to find out again and again. After the bounds are final.
+void HapticSceneBuilder::prepare_effects() {
+    const auto overlap = [](const Aabb& a, const Aabb& b) {
+        return glm::all(glm::lessThanEqual(a.min_m, b.max_m)) && glm::all(glm::lessThanEqual(b.min_m, a.max_m));
+    };
+    for (LiquidVolume& liquid : scene_.liquids) {
+        double highest = kLooksUp;
+        for (std::size_t i = 0; i < liquid.planes.size(); ++i)
+            if (!liquid.hidden[i] && liquid.planes[i].normal.z > highest) {
+                highest = liquid.planes[i].normal.z;
+                liquid.surface = static_cast<int>(i);
+            }
+        if (liquid.buoyancy_n > 0.0 || liquid.film_n > 0.0) {
+            scene_.liquid_surfaces = true;
+            liquid.inner_radius_m = inner_radius_m(ConvexRegion{liquid.planes});
+        }
+        liquid.crowd_stiffness_n_per_m = (liquid.viscosity_ns_per_m > 0.0 ? kDragStiffness_n_per_m : 0.0) + kFilmStiffness_per_m * liquid.film_n +
+                                         kBuoyancyStiffness_per_m * liquid.buoyancy_n;
+    }
+    std::vector<double> liquid_own;
+    for (const LiquidVolume& liquid : scene_.liquids) liquid_own.push_back(liquid.crowd_stiffness_n_per_m);
+    for (std::size_t i = 0; i < scene_.effects.size(); ++i) {
+        EffectVolume& effect = scene_.effects[i];
+        effect.inner_radius_m = inner_radius_m(effect.region);
+        effect.stiffness_n_per_m = effect.crowd_stiffness_n_per_m = stiffness_bound_n_per_m(effect.law);
+    }
+    for (std::size_t i = 0; i < scene_.effects.size(); ++i) {
+        EffectVolume& effect = scene_.effects[i];
+        for (std::size_t j = 0; j < i; ++j)
+            if (overlap(effect_bounds_[i], effect_bounds_[j])) {
+                effect.crowd_stiffness_n_per_m += scene_.effects[j].stiffness_n_per_m;
+                scene_.effects[j].crowd_stiffness_n_per_m += effect.stiffness_n_per_m;
+            }
+        double liquid_stiffness = 0.0;
+        for (std::size_t k = 0; k < scene_.liquids.size(); ++k)
+            if (overlap(effect_bounds_[i], liquid_bounds_[k])) {
+                liquid_stiffness = std::max(liquid_stiffness, liquid_own[k]);  // neighbours share, they do not add up
+                scene_.liquids[k].crowd_stiffness_n_per_m += effect.stiffness_n_per_m;
+            }
+        effect.crowd_stiffness_n_per_m += liquid_stiffness;
+        const Aabb& box = effect_bounds_[i];
+        scene_.obstacle_bvh.within(box.centre_m(), 0.5 * glm::length(box.size_m()),
+                                   [&](std::uint32_t item, double&) { effect.by_obstacle = effect.by_obstacle || overlap(box, obstacle_bounds_[item]); });
+    }
+}
+
 std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world) {
     // The one number that must differ between scenes wherever they are built; nothing else is shared.
     static std::atomic<std::uint32_t> next_generation{1};
     Aabb all;
     for (const Aabb& box : obstacle_bounds_) all.include(box);
     for (const Aabb& box : liquid_bounds_) all.include(box);
+    for (const Aabb& box : effect_bounds_) all.include(box);
     const auto far_from_zero = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kNearZero_m; };
     if (!all.empty() && (far_from_zero(all.min_m) || far_from_zero(all.max_m))) scene_.origin_m = glm::round(all.centre_m());
     const Vec3 origin = scene_.origin_m;
@@ -150,8 +235,12 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
         for (Plane& plane : liquid.planes) shift_plane(plane);
     for (Aabb& box : obstacle_bounds_) shift(box);
     for (Aabb& box : liquid_bounds_) shift(box);
+    for (Aabb& box : effect_bounds_) shift(box);
+    for (EffectVolume& effect : scene_.effects) move_effect(effect, -origin);
     scene_.obstacle_bvh = Bvh(obstacle_bounds_);
     scene_.liquid_bvh = Bvh(liquid_bounds_);
+    scene_.effect_bvh = Bvh(effect_bounds_);
+    prepare_effects();
     scene_.generation = next_generation.fetch_add(1);
     scene_.world = world != 0 ? world : scene_.generation;
     return std::make_shared<const HapticScene>(std::move(scene_));

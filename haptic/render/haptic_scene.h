@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "haptic/render/effect_volume.h"
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
 #include "worlds/geometry/bvh.h"
@@ -45,12 +46,21 @@ struct Obstacle {
     std::uint32_t first_label = 0;  // triangle 1, box 6 (-x +x -y +y -z +z), brush one per plane
 };
 
-// A volume to move through. A point in it is felt by its viscosity, in Ns/m of hand speed.
+// A volume to move through. A point in it is felt by its viscosity, in Ns/m of hand speed. Buoyancy and film act at the open surface: the exposed
+// face that looks up most; a liquid without one has neither.
 struct LiquidVolume {
     std::vector<Plane> planes;
     std::vector<bool> hidden;  // per plane: covered, so no surface of the liquid
     FeatureId feature = kNoFeature;
-    double viscosity_ns_per_m = 0.0;  // 0: no force
+    double viscosity_ns_per_m = 0.0;  // 0: no drag
+    double buoyancy_n = 0.0;          // lifts what is in it; at most 1
+    double film_n = 0.0;              // what the surface holds back at most; at most 0.5
+    Vec3 flow_hand_m_per_s{0.0};      // the stream carries a still hand with viscosity times this, at most 2 N
+
+    // Worked out when the scene is built.
+    int surface = -1;  // of planes; -1: none is open and looks up
+    double inner_radius_m = 0.0;
+    double crowd_stiffness_n_per_m = 0.0;  // of its drag, film and buoyancy and of all effects that overlap it
 };
 
 struct HapticScene;
@@ -87,6 +97,9 @@ struct HapticScene {
     Bvh obstacle_bvh;                       // item i is obstacles[i]
     std::vector<LiquidVolume> liquids;      // in the file's order
     Bvh liquid_bvh;                         // item i is liquids[i]
+    bool liquid_surfaces = false;           // some liquid has buoyancy or a film
+    std::vector<EffectVolume> effects;      // in the file's order
+    Bvh effect_bvh;                         // item i is effects[i]
     std::vector<HapticBody> bodies;         // at most kMostBodies
     std::vector<HapticMaterial> materials;  // same order as Scene::materials; entry 0 is the default wall
 
@@ -112,6 +125,8 @@ public:
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels);
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, const SurfaceLabel& label = {}) { add_solid(planes, bounds_m, std::span(&label, 1)); }
     void add_liquid(LiquidVolume liquid, const Aabb& bounds_m);
+    // False, and nothing added, for one that is not sound (is_sound).
+    bool add_effect(EffectVolume effect);
     // The shape comes from a builder of its own, in the body's frame. False, and nothing added, when there are kMostBodies already.
     bool add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start, bool present = true);
 
@@ -119,8 +134,10 @@ public:
     std::shared_ptr<const HapticScene> build(std::uint32_t world = 0);
 
 private:
+    void prepare_effects();
+
     HapticScene scene_;
-    std::vector<Aabb> obstacle_bounds_, liquid_bounds_;
+    std::vector<Aabb> obstacle_bounds_, liquid_bounds_, effect_bounds_;
 };
 
 }  // namespace handrail

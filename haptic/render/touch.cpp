@@ -5,8 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "haptic/render/effects.h"
+#include "haptic/render/liquids.h"
 #include "haptic/render/passivity_guard.h"
 #include "haptic/render/proxy_solver.h"
+#include "haptic/render/tick_math.h"
 
 namespace handrail {
 namespace {
@@ -19,11 +22,6 @@ constexpr double kSlip_hand_m = 2e-3;      // slide over which static friction w
 constexpr double kHealing_s = 0.3;         // rest in which it comes back by 1 - 1/e
 constexpr double kSpeedPole_hz = 50.0;     // of the hand speed that damping uses
 constexpr double kSmallestForce_n = 1e-9;  // below it a force is rounding
-
-// Liquids: a point dragged behind the hand by a spring; it yields as fast as the liquid lets it (a Maxwell element), so no speed is measured.
-constexpr double kDragStiffness_n_per_m = 400.0;
-constexpr double kLargestDrag_n = 4.0;
-constexpr double kImmersion_hand_m = 0.01;  // half the depth over which a liquid's surface sets in
 
 // What the surfaces that hold the ball are like together, blended by how hard each holds, so that seams do not click.
 struct Feel {
@@ -46,28 +44,6 @@ Feel feel_of(const HapticMaterial& material, const TouchTuning& t) noexcept {
     return feel;
 }
 
-// exp(-u) for u >= 0 from plain arithmetic, the same on every machine: within 0.4 % for u <= 1, falling for every u.
-double decay(double u) noexcept { return 1.0 / (1.0 + u * (1.0 + u * (0.5 + u * (1.0 / 6.0 + u * (1.0 / 24.0))))); }
-
-double smooth_step(double u) noexcept {
-    u = std::clamp(u, 0.0, 1.0);
-    return u * u * (3.0 - 2.0 * u);
-}
-
-// How deep a point lies below the surface of a liquid: its exposed faces where it has any. Negative outside.
-double depth_in(const LiquidVolume& liquid, const Vec3& local_m, bool& inside) noexcept {
-    double exposed = -std::numeric_limits<double>::infinity(), all = exposed;
-    for (std::size_t i = 0; i < liquid.planes.size(); ++i) {
-        const double out = signed_distance(liquid.planes[i], local_m);
-        all = std::max(all, out);
-        if (!liquid.hidden[i]) exposed = std::max(exposed, out);
-    }
-    inside = all <= 0.0;
-    // Beside or beyond a covered face the liquid is not there, however deep the point is below the exposed ones.
-    const bool any_exposed = exposed > -std::numeric_limits<double>::infinity();
-    return any_exposed && inside ? -exposed : -all;
-}
-
 }  // namespace
 
 struct TouchState::Impl {
@@ -78,62 +54,13 @@ struct TouchState::Impl {
     Vec3 hand_speed_m_per_s{0.0};  // filtered
     double grip = 1.0;             // 1: static friction, 0: kinetic
     Feel feel;                     // of the last contact; also for the way back to a goal that slipped off
-    Vec3 drag_offset_hand_m{0.0};  // dragged point minus hand
+    LiquidState liquids;
+    EffectState effects;
     PassivityGuard guard;
 
     TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
                      const BodyPoses& bodies) noexcept;
-    Vec3 liquid_force(const HapticScene& scene, const TouchTuning& tuning, const Vec3& hand_step_m, double dt_s, FeatureId& in) noexcept;
 };
-
-// Drag in hand units: p <- p + (x - p) a with a = u / (1 + u), u = K T / c. This share, unlike 1 - exp(-u), makes the steady force exactly c v at every
-// tick length. The point only ever moves along its own force, so the liquid never gives energy.
-Vec3 TouchState::Impl::liquid_force(const HapticScene& scene, const TouchTuning& tuning, const Vec3& hand_step_m, double dt_s, FeatureId& in) noexcept {
-    in = kNoFeature;
-    if (scene.liquids.empty()) return Vec3(0.0);
-    const double reach = kImmersion_hand_m * tuning.world_m_per_hand_m;
-    const Vec3 at = solver.local_m();
-    // Of overlapping volumes the last one listed rules; where it thins out towards its own surface the next takes the rest, so neighbours
-    // of one pool make one pool.
-    constexpr std::size_t kMost = 8;
-    struct Wet {
-        std::uint32_t volume;
-        double share;
-    };
-    std::array<Wet, kMost> wet;
-    std::size_t count = 0;
-    std::uint32_t inside_of = 0;
-    bool inside_any = false;
-    scene.liquid_bvh.within(at, reach, [&](std::uint32_t item, double&) {
-        bool inside = false;
-        const double depth = depth_in(scene.liquids[item], at, inside);
-        if (inside && (!inside_any || item > inside_of)) {
-            inside_any = true;
-            inside_of = item;
-        }
-        const double share = smooth_step((depth + reach) / (2.0 * reach));
-        if (share <= 0.0 || count == kMost) return;
-        std::size_t place = count++;
-        for (; place > 0 && wet[place - 1].volume < item; --place) wet[place] = wet[place - 1];
-        wet[place] = {item, share};
-    });
-    if (inside_any) in = scene.liquids[inside_of].feature;
-    double left = 1.0, viscosity = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double share = std::min(left, wet[i].share);
-        viscosity += share * scene.liquids[wet[i].volume].viscosity_ns_per_m;
-        left -= share;
-    }
-    if (viscosity <= 0.0) {
-        drag_offset_hand_m = Vec3(0.0);
-        return Vec3(0.0);
-    }
-    const double u = kDragStiffness_n_per_m * dt_s / viscosity;
-    drag_offset_hand_m = (drag_offset_hand_m - hand_step_m) * (1.0 / (1.0 + u));
-    const double length = glm::length(drag_offset_hand_m), longest = kLargestDrag_n / kDragStiffness_n_per_m;
-    if (length > longest) drag_offset_hand_m *= longest / length;
-    return drag_offset_hand_m * kDragStiffness_n_per_m;
-}
 
 TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
                                    const BodyPoses& bodies) noexcept {
@@ -233,8 +160,19 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     result.contact_force_n = force;
     if (guarding) guard.given(force);
 
-    // 5. Liquids.
-    force += liquid_force(scene, tuning, hand_step, dt_s, result.liquid);
+    // 5. Liquids and effects.
+    if (!scene.liquids.empty() || !scene.effects.empty()) {
+        HandMotion hand;
+        hand.goal_m = goal_m;
+        hand.step_m = hand_step;
+        hand.dt_s = dt_s;
+        hand.scale = scale;
+        hand.stiffest_n_per_m = tuning.rated_stiffness_n_per_m;
+        hand.held = tuning.held;
+        const Vec3 media = liquids.force_n(scene, hand, solver.local_m(), result.liquid) + effects.force_n(scene, hand);
+        result.effects_truncated = effects.truncated();
+        force += shortened(media, kLargestEffect_n);
+    }
     if (glm::dot(force, force) < kSmallestForce_n * kSmallestForce_n) force = Vec3(0.0);
     result.force_n = force;
     return result;
@@ -256,7 +194,8 @@ void TouchState::reset() noexcept {
 void TouchState::reset_filters() noexcept {
     impl_->has_speed = false;
     impl_->hand_speed_m_per_s = Vec3(0.0);
-    impl_->drag_offset_hand_m = Vec3(0.0);
+    impl_->liquids.reset();
+    impl_->effects.reset();
 }
 
 const ProxySolver& TouchState::solver() const noexcept { return impl_->solver; }

@@ -1,4 +1,4 @@
-// From a hand's place in the world to the force on it: candidates, proxy, friction, damping and liquids of one tick. This is the one
+// From a hand's place in the world to the force on it: candidates, proxy, friction, damping, liquids and effects of one tick. This is the one
 // path that the servo, the `touch` replay, tests and benchmarks share. Double precision; noexcept; never allocates, locks or
 // reads a clock. Sample checks lie in front of it, ForceLimiter behind it.
 // Source of the proxy: the free-cell proxy described in docs/architecture.md; Zilles & Salisbury 1995, Ruspini et al. 1997.
@@ -32,6 +32,7 @@ struct TouchTuning {
     double override_damping_ns_per_m = -1.0;         // >= 0: every surface
     double override_friction_static = -1.0;          // >= 0: every surface
     double override_friction_kinetic = -1.0;
+    bool held = true;                                // false: nobody holds the device, so nothing may drive it (vibration, wind, stream)
     bool passivity_guard = false;                    // damping where the loop gives energy, on surfaces damped by less than 2 Ns/m
     double force_delay_s = 0.0;                      // from a force computed to the hand feeling it, beyond the hold; for the guard
 };
@@ -70,6 +71,7 @@ struct TouchResult {
     ContactSet contacts;
     FeatureId liquid = kNoFeature;                   // volume the proxy is in, the last one listed where they overlap
     double radius_m = 0.0;                           // ball as it is now: it grows after a tight start
+    bool effects_truncated = false;                  // more effects hold the hand than can act at once
 };
 
 // Everything that lives from tick to tick. Created off the servo thread (it allocates its fixed arrays once), then owned by one thread.

@@ -172,6 +172,8 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     touch.override_stiffness_n_per_m = std::min(touch.override_stiffness_n_per_m, stiffest);
     touch.force_delay_s = spec_.delay_s;
 
+    touch.held = !tool_.waiting_for_hand;
+
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
     if (goal_known_) {

@@ -55,6 +55,35 @@ TEST(TouchTick, never_allocates_or_frees) {
         touch_tick(state, *scene, tuning, c.goals_m.front(), 1e-3);
         during += allocations - before;
     }
+    // Through a pool and effects of every kind.
+    const Aabb cube{Vec3(-0.05), Vec3(0.05)};
+    HapticSceneBuilder builder;
+    LiquidVolume liquid;
+    for (int side = 0; side < 6; ++side) {
+        Vec3 normal(0.0);
+        normal[side / 2] = side % 2 == 0 ? 1.0 : -1.0;
+        liquid.planes.push_back({normal, 0.05});
+    }
+    liquid.hidden.assign(6, false);
+    liquid.viscosity_ns_per_m = 4.0;
+    liquid.buoyancy_n = liquid.film_n = 0.3;
+    builder.add_liquid(liquid, cube);
+    for (const EffectLaw& law : {EffectLaw(MagnetLaw{{{Vec3(0.0)}}}), EffectLaw(DetentLaw{}), EffectLaw(ButtonLaw{}), EffectLaw(FlyPaperLaw{}),
+                                 EffectLaw(InertiaLaw{}), EffectLaw(ForceLaw{}), EffectLaw(VibrationLaw{})})
+        for (int copy = 0; copy < 3; ++copy) {
+            EffectVolume effect;
+            effect.region = cube;
+            effect.law = law;
+            ASSERT_TRUE(builder.add_effect(effect));
+        }
+    const auto scene = builder.build();
+    TouchState state;
+    for (int i = 0; i < 2000; ++i) {
+        const long before = allocations;
+        const TouchResult r = touch_tick(state, *scene, TouchTuning{}, Vec3(-0.06 + 6e-5 * i, 0.002, 0.01), 1e-3);
+        during += allocations - before;
+        ASSERT_TRUE(is_finite(r.force_n));
+    }
     EXPECT_EQ(during, 0);
     EXPECT_GT(allocations, 1000) << "the count itself works";
 }

@@ -1,0 +1,169 @@
+#include "haptic/render/liquids.h"
+
+#include <limits>
+
+#include "haptic/render/tick_math.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kDrag_n_per_m = 400.0;
+constexpr double kLargestDrag_n = 4.0;
+constexpr double kLargestFlow_n = 2.0;               // of a liquid that flows: a stream is a source, its power stays below this times its speed
+constexpr double kImmersion_hand_m = 0.01;           // half the depth over which a liquid's surface sets in
+constexpr double kFilm_hand_m = 0.004;               // half the thickness of the surface film
+constexpr double kFilmSteepest = 0.857763884960707;  // of F = (2 A / w) y exp(-y^2), in A / w: the film's key is its largest force
+constexpr double kFloatRamp_s = 0.100;
+
+// How deep a point lies below the surface of a liquid: its exposed faces where it has any. Negative outside.
+double depth_in(const LiquidVolume& liquid, const Vec3& local_m, bool& inside) noexcept {
+    double exposed = -std::numeric_limits<double>::infinity(), all = exposed;
+    for (std::size_t i = 0; i < liquid.planes.size(); ++i) {
+        const double out = signed_distance(liquid.planes[i], local_m);
+        all = std::max(all, out);
+        if (!liquid.hidden[i]) exposed = std::max(exposed, out);
+    }
+    inside = all <= 0.0;
+    // Beside or beyond a covered face the liquid is not there, however deep the point is below the exposed ones.
+    const bool any_exposed = exposed > -std::numeric_limits<double>::infinity();
+    return any_exposed && inside ? -exposed : -all;
+}
+
+// What all volumes that reach the ball are like together: each by its share.
+struct Bath {
+    double viscosity_ns_per_m = 0.0;
+    double weakest_share = 1.0;  // of the drag's stiffness, where other effects crowd
+    Vec3 flow_hand_m_per_s{0.0};
+};
+
+}  // namespace
+
+void LiquidState::reset() noexcept {
+    drag_offset_hand_m_ = Vec3(0.0);
+    float_count_ = 0;
+}
+
+Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const Vec3& at, FeatureId& in) noexcept {
+    const double reach = kImmersion_hand_m * hand.scale;
+    // Of overlapping volumes the last one listed rules; where it thins out towards its own surface the next takes the rest, so neighbours
+    // of one pool make one pool.
+    constexpr std::size_t kMost = 8;
+    struct Wet {
+        std::uint32_t volume;
+        double share;
+    };
+    std::array<Wet, kMost> wet;
+    std::size_t count = 0;
+    std::uint32_t inside_of = 0;
+    bool inside_any = false;
+    scene.liquid_bvh.within(at, reach, [&](std::uint32_t item, double&) {
+        bool inside = false;
+        const double depth = depth_in(scene.liquids[item], at, inside);
+        if (inside && (!inside_any || item > inside_of)) {
+            inside_any = true;
+            inside_of = item;
+        }
+        const double share = smooth_step((depth + reach) / (2.0 * reach));
+        if (share <= 0.0 || count == kMost) return;
+        std::size_t place = count++;
+        for (; place > 0 && wet[place - 1].volume < item; --place) wet[place] = wet[place - 1];
+        wet[place] = {item, share};
+    });
+    if (inside_any) in = scene.liquids[inside_of].feature;
+    double left = 1.0;
+    Bath bath;
+    for (std::size_t i = 0; i < count; ++i) {
+        const LiquidVolume& liquid = scene.liquids[wet[i].volume];
+        const double share = std::min(left, wet[i].share);
+        bath.viscosity_ns_per_m += share * liquid.viscosity_ns_per_m;
+        bath.flow_hand_m_per_s += liquid.flow_hand_m_per_s * share;
+        if (liquid.crowd_stiffness_n_per_m > hand.stiffest_n_per_m)
+            bath.weakest_share = std::min(bath.weakest_share, hand.stiffest_n_per_m / liquid.crowd_stiffness_n_per_m);
+        left -= share;
+    }
+    if (bath.viscosity_ns_per_m <= 0.0) {
+        drag_offset_hand_m_ = Vec3(0.0);
+        return Vec3(0.0);
+    }
+    // p <- p + (x - p) a with a = u / (1 + u), u = K T / c. This share, unlike 1 - exp(-u), makes the steady force exactly c v. The point only ever
+    // moves along its own force, so the liquid never gives energy; a stream moves it besides.
+    const bool flows = hand.held && bath.flow_hand_m_per_s != Vec3(0.0);
+    const double stiffness = kDrag_n_per_m * bath.weakest_share;
+    const double u = stiffness * hand.dt_s / bath.viscosity_ns_per_m;
+    Vec3 offset = drag_offset_hand_m_ - hand.step_m;
+    if (flows) offset += bath.flow_hand_m_per_s * hand.dt_s;
+    drag_offset_hand_m_ = shortened(offset * (1.0 / (1.0 + u)), (flows ? kLargestFlow_n : kLargestDrag_n) / stiffness);
+    return drag_offset_hand_m_ * stiffness;
+}
+
+Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m) noexcept {
+    const double a = kImmersion_hand_m * hand.scale;
+    const Vec3 goal = hand.goal_m - scene.origin_m;
+
+    // Where the ball is in the pool or just above it, the pool carries: nothing else tells a goal deep in the pool's wall from one beside the pool.
+    const auto carries = [&](const LiquidVolume& liquid) {
+        for (std::size_t i = 0; i < liquid.planes.size(); ++i)
+            if (signed_distance(liquid.planes[i], ball_local_m) > (static_cast<int>(i) == liquid.surface ? 2.0 * a : 0.0)) return false;
+        return true;
+    };
+    for (std::size_t k = float_count_; k-- > 0;) {
+        if (carries(scene.liquids[floats_[k].volume])) continue;
+        floats_[k].gate -= hand.dt_s / kFloatRamp_s;
+        if (floats_[k].gate <= 0.0) floats_[k] = floats_[--float_count_];
+    }
+    Vec3 force(0.0);
+    scene.liquid_bvh.within(ball_local_m, 2.0 * a, [&](std::uint32_t item, double&) {
+        const LiquidVolume& liquid = scene.liquids[item];
+        if (liquid.surface < 0 || liquid.buoyancy_n <= 0.0 || !carries(liquid)) return;
+        std::size_t k = 0;
+        while (k < float_count_ && floats_[k].volume != item) ++k;
+        if (k == kMostFloats) return;
+        if (k == float_count_) floats_[float_count_++] = {item, 0.0};
+        // From above nothing is felt yet, so it may be ready at once: then what is paid going down comes back going up. Elsewhere it sets in gently.
+        const double depth = -signed_distance(liquid.planes[static_cast<std::size_t>(liquid.surface)], goal);
+        floats_[k].gate = depth <= -a ? 1.0 : std::min(1.0, floats_[k].gate + hand.dt_s / kFloatRamp_s);
+    });
+    for (std::size_t k = 0; k < float_count_; ++k) {
+        const LiquidVolume& liquid = scene.liquids[floats_[k].volume];
+        const Plane& surface = liquid.planes[static_cast<std::size_t>(liquid.surface)];
+        const double depth = -signed_distance(surface, goal);
+        force += surface.normal * (floats_[k].gate * liquid.buoyancy_n * smooth_step((depth + a) / (2.0 * a)));
+    }
+
+    // The film is a well of the hand's own place: U = -A W exp(-(h/w)^2), W fading towards the pool's sides.
+    const double w = kFilm_hand_m * hand.scale;
+    scene.liquid_bvh.within(goal, 4.0 * w, [&](std::uint32_t item, double&) {
+        const LiquidVolume& liquid = scene.liquids[item];
+        if (liquid.surface < 0 || liquid.film_n <= 0.0) return;
+        const double edge = std::min(a, liquid.inner_radius_m);
+        double weight = 1.0;
+        Vec3 slope(0.0);  // of the weight, per world metre
+        for (std::size_t i = 0; i < liquid.planes.size() && weight > 0.0; ++i) {
+            const double depth = -signed_distance(liquid.planes[i], goal);
+            if (static_cast<int>(i) == liquid.surface || depth >= edge) continue;
+            const double s = smooth_step(depth / edge);
+            slope = slope * s - liquid.planes[i].normal * (weight * smooth_step_slope(depth / edge) / edge);
+            weight *= s;
+        }
+        if (weight <= 0.0) return;
+        const Plane& surface = liquid.planes[static_cast<std::size_t>(liquid.surface)];
+        const double y = -signed_distance(surface, goal) / w, bell = exp_minus(y * y);
+        const double energy = liquid.film_n * kFilm_hand_m / kFilmSteepest;  // A
+        force += surface.normal * (energy / kFilm_hand_m * 2.0 * y * bell * weight) + slope * (hand.scale * energy * bell);
+    });
+    return force;
+}
+
+Vec3 LiquidState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept {
+    in = kNoFeature;
+    if (scene.liquids.empty()) return Vec3(0.0);
+    if (generation_ != scene.generation) {
+        generation_ = scene.generation;
+        float_count_ = 0;
+    }
+    Vec3 force = drag_n(scene, hand, ball_local_m, in);
+    if (scene.liquid_surfaces) force += surface_n(scene, hand, ball_local_m);
+    return force;
+}
+
+}  // namespace handrail

@@ -1,0 +1,71 @@
+// The few functions that force laws need and that a servo tick may use: made of + - * / alone, so that every machine and build gives the same
+// bits. Pure, noexcept, a few nanoseconds each.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+// exp(-u) for u >= 0: within 0.4 % for u <= 1, falling for every u. For shares and healing, where only the trend matters.
+inline double decay(double u) noexcept { return 1.0 / (1.0 + u * (1.0 + u * (0.5 + u * (1.0 / 6.0 + u * (1.0 / 24.0))))); }
+
+// exp(-u) for u >= 0, relative error below 1e-8 up to u = 40, 0 beyond: for forces that must be the slope of an energy.
+inline double exp_minus(double u) noexcept {
+    if (!(u < 40.0)) return 0.0;
+    const double t = u * (1.0 / 64.0);
+    double series = 1.0;
+    for (int k = 11; k >= 1; --k) series = 1.0 + series * t / k;
+    double value = 1.0 / series;
+    for (int k = 0; k < 6; ++k) value *= value;
+    return value;
+}
+
+struct SineCosine {
+    double sine, cosine;
+};
+// Of a number of whole turns, error below 1e-11. The nearest whole turn is taken off first, so large numbers lose only their own rounding.
+inline SineCosine sine_of_turns(double turns) noexcept {
+    const double rest = turns - std::floor(turns + 0.5);  // -0.5 to 0.5
+    const double half = 0.5 * kPi * rest;                 // a quarter of the angle: at most 0.79
+    const double x2 = half * half;
+    double sine = 1.0, cosine = 1.0;
+    for (int k = 8; k >= 1; --k) {
+        sine = 1.0 - sine * x2 / ((2 * k) * (2 * k + 1));
+        cosine = 1.0 - cosine * x2 / ((2 * k - 1) * (2 * k));
+    }
+    sine *= half;
+    for (int k = 0; k < 2; ++k) {
+        const double doubled = 2.0 * sine * cosine;
+        cosine = 1.0 - 2.0 * sine * sine;
+        sine = doubled;
+    }
+    return {sine, cosine};
+}
+
+// u^2 (3 - 2u) between 0 and 1: a step without corners.
+inline double smooth_step(double u) noexcept {
+    u = std::clamp(u, 0.0, 1.0);
+    return u * u * (3.0 - 2.0 * u);
+}
+inline double smooth_step_slope(double u) noexcept {
+    u = std::clamp(u, 0.0, 1.0);
+    return 6.0 * u * (1.0 - u);
+}
+// Its integral from 0, for any u.
+inline double smooth_step_area(double u) noexcept {
+    const double inside = std::clamp(u, 0.0, 1.0);
+    return inside * inside * inside * (1.0 - 0.5 * inside) + std::max(0.0, u - 1.0);
+}
+
+inline double length_of(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
+
+// The vector, shortened to `longest` where it is longer.
+inline Vec3 shortened(const Vec3& v, double longest) noexcept {
+    const double length = length_of(v);
+    return length > longest ? v * (longest / length) : v;
+}
+
+}  // namespace handrail
