@@ -156,6 +156,11 @@ Vec3 faded(const Potential& potential, const Inside& in, double scale) noexcept 
     return potential.slope_n * -in.weight - in.slope_per_m * (scale * potential.energy_j);
 }
 
+BodyPose pose_of(const HapticScene& scene, const HandMotion& hand, std::uint32_t body) noexcept {
+    if (body < hand.bodies.size()) return hand.bodies[body];
+    return {scene.bodies[body].start, scene.bodies[body].present};
+}
+
 }  // namespace
 
 // ---- tables ----
@@ -319,7 +324,7 @@ Vec3 EffectState::one_force(const EffectVolume& effect, Slot& slot, const Vec3& 
                                             (law.amplitude_n * in.weight * smooth_step(slot.time_s / kVibrationRamp_s) * sine_of_turns(slot.turns).sine);
                                  },
                                  [&](const CustomLaw& law) {
-                                     const EffectPoint point{at_m, hand.scale, in.weight, hand.step_m / hand.dt_s, slot.time_s, hand.dt_s};
+                                     const EffectPoint point{at_m, hand.scale, in.weight, step_m / hand.dt_s, slot.time_s, hand.dt_s};
                                      const Vec3 force = law.force_n(point, law.data.get());
                                      return is_finite(force) ? shortened(force, kLargestEffect_n) * (in.weight * share) : Vec3(0.0);
                                  }},
@@ -329,17 +334,18 @@ Vec3 EffectState::one_force(const EffectVolume& effect, Slot& slot, const Vec3& 
 Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noexcept {
     truncated_ = false;
     if (scene.effects.empty()) return Vec3(0.0);
-    if (generation_ != scene.generation) {
+    if (world_ != scene.world || effects_ != scene.effects.size()) {
         reset();
-        generation_ = scene.generation;
+        world_ = scene.world;
+        effects_ = scene.effects.size();
     }
     const Vec3 at = hand.goal_m - scene.origin_m;
 
     // Those whose region holds the hand, in the table's order.
     std::array<std::uint32_t, kMostActive> active;
     std::size_t count = 0;
-    scene.effect_bvh.within(at, 0.0, [&](std::uint32_t item, double&) {
-        if (!(inside_of(scene.effects[item].region, at, 1e-300).weight > 0.0)) return;
+    const auto meet = [&](std::uint32_t item, const Vec3& place_m) {
+        if (!(inside_of(scene.effects[item].region, place_m, 1e-300).weight > 0.0)) return;
         std::size_t place = count;
         if (count == kMostActive) {
             truncated_ = true;
@@ -349,7 +355,12 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
         }
         for (; place > 0 && active[place - 1] > item; --place) active[place] = active[place - 1];
         active[place] = item;
-    });
+    };
+    scene.effect_bvh.within(at, 0.0, [&](std::uint32_t item, double&) { meet(item, at); });
+    for (const std::uint32_t item : scene.hanging_effects) {
+        const BodyPose pose = pose_of(scene, hand, scene.effects[item].body);
+        if (pose.present) meet(item, PlacedFrame(pose.at).to_own(hand.goal_m));
+    }
 
     // Others are forgotten: what is left behind holds nothing.
     for (std::size_t i = used_; i-- > 0;)
@@ -358,7 +369,19 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
     Vec3 sum(0.0);
     for (std::size_t i = 0; i < count; ++i) {
         const EffectVolume& effect = scene.effects[active[i]];
-        sum += one_force(effect, slot_of(active[i]), at, hand);
+        Slot& slot = slot_of(active[i]);
+        if (effect.body == EffectVolume::kNoBody) {
+            sum += one_force(effect, slot, at, hand);
+            continue;
+        }
+        // As seen from the body: a thing that carries its effect past a still hand is felt like a hand that passes a still one.
+        const PlacedFrame frame(pose_of(scene, hand, effect.body).at);
+        HandMotion seen = hand;
+        const Vec3 place_m = frame.to_own(hand.goal_m);
+        seen.scale = hand.scale / frame.scale;
+        seen.step_m = (place_m - slot.last_m) / seen.scale;
+        slot.last_m = place_m;
+        sum += frame.turned(one_force(effect, slot, place_m, seen));
     }
     return sum;
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "haptic/render/haptic_scene.h"
 
@@ -18,6 +19,7 @@ struct HandMotion {
     double scale = 1.0;                // world metres per hand metre
     double stiffest_n_per_m = 1000.0;  // of the device: all effects at one place stay below it together
     bool held = true;                  // false: nobody holds the device, so nothing may drive it
+    std::span<const BodyPose> bodies;  // where the scene's bodies are; those left out stand as the scene has them
 };
 
 // All media and effects together push no harder; the vector is scaled.
@@ -40,6 +42,7 @@ private:
         bool slipping = false;
         double time_s = 0.0;           // since the hand came in
         double turns = 0.0;            // of a vibration
+        Vec3 last_m{0.0};              // where the hand was, in the frame of the body that the effect hangs on
         Vec3 offset_hand_m{0.0};       // inner point minus hand
         Vec3 speed_hand_m_per_s{0.0};  // of the inner point
     };
@@ -49,7 +52,8 @@ private:
 
     std::array<Slot, kMostActive> slots_{};
     std::size_t used_ = 0;
-    std::uint32_t generation_ = 0;
+    std::uint32_t world_ = 0;  // of the scene that the slots belong to, and how many effects it had
+    std::size_t effects_ = 0;
     bool truncated_ = false;
 };
 

@@ -161,15 +161,19 @@ bool HapticSceneBuilder::add_body(FeatureId feature, std::shared_ptr<const Hapti
 }
 
 bool HapticSceneBuilder::add_effect(EffectVolume effect) {
-    if (!is_sound(effect)) return false;
-    effect_bounds_.push_back(grown(bounds_of(effect.region)));
+    const bool hangs = effect.body != EffectVolume::kNoBody;
+    if (!is_sound(effect) || (hangs && effect.body >= scene_.bodies.size())) return false;
+    effect_bounds_.push_back(hangs ? Aabb{} : grown(bounds_of(effect.region)));
+    if (hangs) scene_.hanging_effects.push_back(static_cast<std::uint32_t>(scene_.effects.size()));
     scene_.effects.push_back(std::move(effect));
     return true;
 }
 
 // What a tick would otherwise have to find out again and again. After the bounds are final.
 void HapticSceneBuilder::prepare_effects() {
+    // What hangs on a body, and so has no bounds here, may come anywhere.
     const auto overlap = [](const Aabb& a, const Aabb& b) {
+        if (a.empty() || b.empty()) return true;
         return glm::all(glm::lessThanEqual(a.min_m, b.max_m)) && glm::all(glm::lessThanEqual(b.min_m, a.max_m));
     };
     for (LiquidVolume& liquid : scene_.liquids) {
@@ -208,8 +212,10 @@ void HapticSceneBuilder::prepare_effects() {
             }
         effect.crowd_stiffness_n_per_m += liquid_stiffness;
         const Aabb& box = effect_bounds_[i];
-        scene_.obstacle_bvh.within(box.centre_m(), 0.5 * glm::length(box.size_m()),
-                                   [&](std::uint32_t item, double&) { effect.by_obstacle = effect.by_obstacle || overlap(box, obstacle_bounds_[item]); });
+        effect.by_obstacle = box.empty() || !scene_.bodies.empty();
+        if (!effect.by_obstacle)
+            scene_.obstacle_bvh.within(box.centre_m(), 0.5 * glm::length(box.size_m()),
+                                       [&](std::uint32_t item, double&) { effect.by_obstacle = effect.by_obstacle || overlap(box, obstacle_bounds_[item]); });
     }
 }
 
@@ -236,7 +242,8 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     for (Aabb& box : obstacle_bounds_) shift(box);
     for (Aabb& box : liquid_bounds_) shift(box);
     for (Aabb& box : effect_bounds_) shift(box);
-    for (EffectVolume& effect : scene_.effects) move_effect(effect, -origin);
+    for (EffectVolume& effect : scene_.effects)
+        if (effect.body == EffectVolume::kNoBody) move_effect(effect, -origin);
     scene_.obstacle_bvh = Bvh(obstacle_bounds_);
     scene_.liquid_bvh = Bvh(liquid_bounds_);
     scene_.effect_bvh = Bvh(effect_bounds_);

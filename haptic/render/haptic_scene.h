@@ -94,14 +94,15 @@ struct HapticScene {
     std::vector<Aabb> boxes;
     std::vector<Plane> planes;
     std::vector<SurfaceLabel> labels;
-    Bvh obstacle_bvh;                       // item i is obstacles[i]
-    std::vector<LiquidVolume> liquids;      // in the file's order
-    Bvh liquid_bvh;                         // item i is liquids[i]
-    bool liquid_surfaces = false;           // some liquid has buoyancy or a film
-    std::vector<EffectVolume> effects;      // in the file's order
-    Bvh effect_bvh;                         // item i is effects[i]
-    std::vector<HapticBody> bodies;         // at most kMostBodies
-    std::vector<HapticMaterial> materials;  // same order as Scene::materials; entry 0 is the default wall
+    Bvh obstacle_bvh;                            // item i is obstacles[i]
+    std::vector<LiquidVolume> liquids;           // in the file's order
+    Bvh liquid_bvh;                              // item i is liquids[i]
+    bool liquid_surfaces = false;                // some liquid has buoyancy or a film
+    std::vector<EffectVolume> effects;           // in the file's order
+    Bvh effect_bvh;                              // item i is effects[i], those that hang on no body
+    std::vector<std::uint32_t> hanging_effects;  // of effects: those that hang on a body
+    std::vector<HapticBody> bodies;              // at most kMostBodies
+    std::vector<HapticMaterial> materials;       // same order as Scene::materials; entry 0 is the default wall
 
     // Local coordinates. Never empty of meaning: index < obstacles.size().
     ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
@@ -125,7 +126,7 @@ public:
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels);
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, const SurfaceLabel& label = {}) { add_solid(planes, bounds_m, std::span(&label, 1)); }
     void add_liquid(LiquidVolume liquid, const Aabb& bounds_m);
-    // False, and nothing added, for one that is not sound (is_sound).
+    // False, and nothing added, for one that is not sound (is_sound) or hangs on a body that was not added before.
     bool add_effect(EffectVolume effect);
     // The shape comes from a builder of its own, in the body's frame. False, and nothing added, when there are kMostBodies already.
     bool add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start, bool present = true);

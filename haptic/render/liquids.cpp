@@ -157,8 +157,9 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
 Vec3 LiquidState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept {
     in = kNoFeature;
     if (scene.liquids.empty()) return Vec3(0.0);
-    if (generation_ != scene.generation) {
-        generation_ = scene.generation;
+    if (world_ != scene.world || liquids_ != scene.liquids.size()) {
+        world_ = scene.world;
+        liquids_ = scene.liquids.size();
         float_count_ = 0;
     }
     Vec3 force = drag_n(scene, hand, ball_local_m, in);

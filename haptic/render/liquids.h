@@ -29,7 +29,8 @@ private:
     Vec3 drag_offset_hand_m_{0.0};  // dragged point minus hand
     std::array<Float, kMostFloats> floats_{};
     std::size_t float_count_ = 0;
-    std::uint32_t generation_ = 0;
+    std::uint32_t world_ = 0;  // of the scene that the floats belong to, and how many liquids it had
+    std::size_t liquids_ = 0;
 };
 
 }  // namespace handrail

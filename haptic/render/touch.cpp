@@ -169,6 +169,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         hand.scale = scale;
         hand.stiffest_n_per_m = tuning.rated_stiffness_n_per_m;
         hand.held = tuning.held;
+        hand.bodies = bodies.poses;
         const Vec3 media = liquids.force_n(scene, hand, solver.local_m(), result.liquid) + effects.force_n(scene, hand);
         result.effects_truncated = effects.truncated();
         force += shortened(media, kLargestEffect_n);

@@ -379,6 +379,42 @@ TEST(EffectLaws, many_at_one_place_stay_bounded_in_stiffness_and_force) {
     }
 }
 
+TEST(EffectLaws, hang_on_a_body_and_go_with_it) {
+    // A crate with a magnet, a row of notches and fly-paper on it, moved, turned and grown: seen from the crate nothing has changed.
+    for (const EffectLaw& law : {EffectLaw(MagnetLaw{{{Vec3(0.01, 0, 0)}}}), EffectLaw(DetentLaw{Vec3(0.0), Vec3(0, 0, 1)}), EffectLaw(FlyPaperLaw{})}) {
+        const EffectVolume effect = effect_of(law, cube(0.05));
+        const auto still = scene_of({effect});
+        const auto crate = HapticSceneBuilder().build();
+        HapticSceneBuilder builder;
+        ASSERT_TRUE(builder.add_body(FeatureId{3}, crate, Placement{}));
+        EffectVolume hanging = effect;
+        hanging.body = 1;
+        EXPECT_FALSE(builder.add_effect(hanging)) << "there is no such body";
+        hanging.body = 0;
+        ASSERT_TRUE(builder.add_effect(hanging));
+        const auto moving = builder.build();
+        TouchState still_state, moving_state;
+        TouchTuning one, grown;
+        grown.world_m_per_hand_m = 2.0;  // the crate is twice as large, and so is the hand
+        const std::vector<Vec3> loop = random_loop(11, 0.06);
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 own = loop[static_cast<std::size_t>(i)];
+            const Placement at{Vec3(1.0 + 1e-3 * i, 2.0, -3.0), rotation_about(Vec3(0, 0, 1), 0.002 * i), 2.0};
+            const PlacedFrame frame(at);
+            const std::array<BodyPose, 1> poses{BodyPose{at, true}};
+            // The library's own magnet and edge are hand lengths; the crate's region is twice as large at twice the scale.
+            const Vec3 expected = touch_tick(still_state, *still, one, own, kTick_s).force_n;
+            const TouchResult r =
+                touch_tick(moving_state, *moving, grown, frame.to_world(own), kTick_s, Vec3(0.0), BodyPoses{poses, static_cast<std::uint64_t>(i + 1)});
+            // Beside obstacles, and a body may be one, effects have 0.6 of the device's stiffness: 600 N/m.
+            const double share = std::min(1.0, 600.0 / stiffness_bound_n_per_m(law));
+            EXPECT_LE(glm::length(frame.turned_back(r.force_n) - expected * share), 1e-9) << i;
+        }
+        const std::array<BodyPose, 1> gone{BodyPose{Placement{}, false}};
+        EXPECT_EQ(touch_tick(moving_state, *moving, one, Vec3(0.01, 0.01, 0.01), kTick_s, Vec3(0.0), BodyPoses{gone, 9999}).force_n, Vec3(0.0));
+    }
+}
+
 TEST(EffectLaws, say_when_more_than_sixteen_hold_the_hand) {
     std::vector<EffectVolume> effects(17, effect_of(ForceLaw{Vec3(1, 0, 0), 0.1}, cube(0.05)));
     effects[0].region = Aabb{Vec3(0.02, -0.05, -0.05), Vec3(0.1, 0.05, 0.05)};
