@@ -1,5 +1,7 @@
 // The hard cases with the numbers that are expected of them, worked out by hand beside each.
 #include "tests/property/replay.h"
+#include "tests/support/random_families.h"
+#include "tests/support/reference_proxy.h"
 
 namespace handrail::test {
 namespace {
@@ -159,19 +161,146 @@ TEST(HardCase, T11_T12_a_thin_wall_and_a_sheet_hold_at_5_metres_per_second_from_
     }
 }
 
-TEST(HardCase, T13_stalls_of_the_hand_change_neither_side_nor_the_resting_place) {
+// The largest distance between the ball and the reference that follows the same goals continuously, over all ticks.
+double error_against_reference(const TouchCase& c, const Motion& motion, const TouchTuning& tuning) {
+    const BruteForce judge = c.world.judge(motion);
+    ReferenceProxy reference(judge, motion(c.goals_m.front()), c.radius_m);
+    double worst = 0.0;
+    replay(*c.world.scene(motion), c.goals_m, motion, tuning, [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+        worst = std::max(worst, glm::length(r.proxy_m - reference.follow(goal)));
+    });
+    return worst;
+}
+
+TEST(HardCase, T13_stalls_of_the_hand_lead_the_ball_where_a_steady_hand_would) {
     for (const char* name : {"T13a", "T13b"}) {
         const TouchCase c = case_named(name);
-        // Held at the deepest place of both: the corner (0.005, y, 0.005), reached from any stalls.
-        std::vector<Vec3> goals{{-.02, 0, .02}, {-.02, 0, -.04}, {.04, .01, -.04}};
-        for (int i = 0; i < 200; ++i) goals.emplace_back(.04, .03, -.04);
-        const Trace held = trace(c.world, goals, {}, plain_tuning(c.radius_m));
-        EXPECT_LE(glm::length(held.balls_m.back() - Vec3(.005, .03, .005)), 1e-8) << name;
+        for (const std::uint32_t seed : {0U, 31U, 32U}) {
+            std::mt19937 random(seed);
+            const Motion motion = seed == 0 ? Motion{} : random_turn(random);
+            EXPECT_LE(error_against_reference(c, motion, uncapped_tuning(c.radius_m)), 1e-8) << name << " seed " << seed;
+            // With the speed cap: on each tick that it did not cut, from where the ball was before.
+            const BruteForce judge = c.world.judge(motion);
+            ReferenceProxy reference(judge, motion(c.goals_m.front()), c.radius_m);
+            std::size_t compared = 0;
+            replay(*c.world.scene(motion), c.goals_m, motion, plain_tuning(c.radius_m),
+                   [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+                       if (!r.contacts.capped) {
+                           ++compared;
+                           ASSERT_LE(glm::length(r.proxy_m - reference.follow(goal)), 1e-8) << name << " seed " << seed << " tick " << i;
+                       }
+                       reference.place(r.proxy_m);
+                   });
+            EXPECT_GT(compared * 10, c.goals_m.size() * 9) << name;
+        }
     }
 }
 
+TEST(HardCase, every_tidy_case_follows_a_continuous_path_to_a_hundredth_of_a_micrometre) {
+    for (const TouchCase& c : hard_cases()) {
+        // Solids of many planes cost the reference too long. In a crack of 0.1 mm it stays in a dip of 0.25 micrometres that the ball leaves.
+        if (!c.tidy || c.name.starts_with("T15") || c.name.starts_with("T2b")) continue;
+        std::mt19937 random(7);
+        EXPECT_LE(error_against_reference(c, random_turn(random), uncapped_tuning(c.radius_m)), 1e-8) << c.name;
+    }
+}
+
+TEST(HardCase, T6_an_edge_is_felt_to_a_hundredth_of_a_millimetre_when_64_rounds_are_allowed) {
+    for (const TouchCase& c : hard_cases()) {
+        if (!c.name.starts_with("T6")) continue;
+        EXPECT_LE(error_against_reference(c, {}, uncapped_tuning(c.radius_m)), 1e-5) << c.name;
+    }
+}
+
+TEST(HardCase, T7_a_spike_is_felt_to_a_hundredth_of_a_millimetre_on_999_ticks_of_1000) {
+    for (const double degrees : {30.0, 15.0, 50.0}) {
+        TouchCase c = case_named("T7");
+        if (degrees != 30.0) {  // as T7, sharper and blunter
+            c.world = TouchWorld();
+            const double q = .1 * std::tan(radians_from_degrees(degrees / 2));
+            const Vec3 v[4] = {{-q, -q, -.1}, {q, -q, -.1}, {q, q, -.1}, {-q, q, -.1}};
+            for (int i = 0; i < 4; ++i) c.world.triangle({0, 0, 0}, v[i], v[(i + 1) % 4]);
+        }
+        const BruteForce judge = c.world.judge();
+        std::size_t off = 0, unfinished = 0;
+        replay(*c.world.scene(), c.goals_m, {}, uncapped_tuning(c.radius_m), [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+            if (r.contacts.count > 0 && judge.residual(r.proxy_m, goal, r.radius_m) > 1e-5) ++off;
+            if (!r.contacts.converged) ++unfinished;
+        });
+        EXPECT_LE(off, c.goals_m.size() / 1000) << degrees << " degrees, " << unfinished << " unfinished of " << c.goals_m.size();
+    }
+}
+
+// I9 at a convex edge: with the goal a depth d below the rounded surface, a step of the goal moves the ball by r / (r - d) of it, no more.
+TEST(HardCase, I9_at_an_edge_the_gain_is_that_of_a_rolling_ball) {
+    std::mt19937 random(9);
+    for (const bool solid : {true, false}) {
+        TouchWorld world;
+        if (solid) world.box({-.05, -.05, -.1}, {.05, .05, 0});
+        else world.box_of_triangles({-.05, -.05, -.1}, {.05, .05, 0});
+        for (const double depth : {0.0005, 0.001, 0.002, 0.003, 0.004, 0.0045}) {
+            const Motion motion = random_turn(random);
+            constexpr double kRadius = 0.005, kTurn = 0.02;
+            constexpr double kSettled = 1e-6;  // of two triangles an edge is found by iteration
+            // Round the edge x = 0.05, z = 0 at a constant distance from it, from above to beside it.
+            std::vector<Vec3> goals;
+            for (double z = 0.02; z > kRadius - depth; z -= 1e-4) goals.emplace_back(.05, .003, z);
+            const std::size_t round_from = goals.size() + 1;
+            for (double turn = 0.0; turn <= kPi / 2; turn += kTurn)
+                goals.emplace_back(.05 + (kRadius - depth) * std::sin(turn), .003, (kRadius - depth) * std::cos(turn));
+            const double gain = kRadius / (kRadius - depth);
+            Vec3 last_ball(0.0), last_goal(0.0);
+            replay(*world.scene(motion), goals, motion, uncapped_tuning(kRadius),
+                   [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+                       if (i > round_from) {
+                           const double expected = gain * glm::length(goal - last_goal);
+                           ASSERT_NEAR(glm::length(r.proxy_m - last_ball), expected, 1e-3 * expected + (solid ? 0.0 : kSettled))
+                               << "depth " << depth << " solid " << solid;
+                       }
+                       last_ball = r.proxy_m;
+                       last_goal = goal;
+                   });
+        }
+    }
+}
+
+// I6, its second half: over soups of many sizes.
+TEST(HardCase, T16_I6_in_soups_the_ball_is_where_it_belongs_on_999_ticks_of_1000) {
+    const std::uint32_t seed0 = seed_of_run();
+    std::size_t ticks = 0, unsettled = 0, off = 0;
+    double worst_settled = 0.0;
+    for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(scaled(24)); ++k) {
+        std::mt19937 random(seed0 + k);
+        const int count = std::array{30, 120, 400}[k % 3];
+        const double radius = std::array{0.005, 0.002, 1e-5}[(k / 3) % 3];
+        TouchWorld world;
+        world.random_triangles(random, count, .03, .015);
+        std::vector<Vec3> way{{0, 0, .07}};
+        const auto unit = [&random] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
+        for (int i = 0; i < 30; ++i) {
+            const double x = unit(), y = unit(), z = unit();
+            way.emplace_back(0.1 * x, 0.1 * y, 0.1 * z);
+        }
+        const BruteForce judge = world.judge();
+        replay(*world.scene(), hand_path(way, 0.5), {}, uncapped_tuning(radius),
+               [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+                   ++ticks;
+                   if (r.contacts.count == 0 || (r.contacts.converged && i % 41 != 0)) return;
+                   const double residual = static_cast<double>(judge.residual(r.proxy_m, goal, r.radius_m));
+                   if (r.contacts.converged) worst_settled = std::max(worst_settled, residual);
+                   else ++unsettled, off += residual > 1e-5;
+               });
+    }
+    RecordProperty("seed", static_cast<int>(seed0));
+    RecordProperty("unsettled_of_ticks", fmt::format("{} of {}, {} of them off by more than 0.01 mm", unsettled, ticks, off));
+    EXPECT_LE(worst_settled, 1e-5) << "seed " << seed0;
+    EXPECT_LE(off * 1000, ticks) << "seed " << seed0;
+    // Not settled to 1e-8 m within 64 rounds: 0.08 to 0.14 % over many seeds.
+    EXPECT_LE(unsettled * 1000, 3 * ticks) << "seed " << seed0;
+}
+
 TEST(HardCase, T16_random_soups_and_heaps_let_nothing_in_whatever_the_seed) {
-    const auto seed0 = static_cast<std::uint32_t>(std::random_device{}());
+    const std::uint32_t seed0 = seed_of_run();
     for (std::uint32_t k = 0; k < static_cast<std::uint32_t>(scaled(8)); ++k) {
         const std::uint32_t seed = seed0 + k;
         std::mt19937 random(seed);

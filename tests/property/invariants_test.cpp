@@ -1,15 +1,24 @@
 // What must hold on every tick of every world: the list of invariants in docs/architecture.md, judged by brute force.
 #include "tests/property/replay.h"
+#include "tests/support/random_families.h"
 
 namespace handrail::test {
 namespace {
 
-// Cases by index, so that a failure names its case and a seed can be given again.
+// The listed hard cases, then one of each random family by the seed of this run (HANDRAIL_SEED=... gives a failing one again).
+std::vector<TouchCase> all_cases() {
+    std::vector<TouchCase> cases = hard_cases();
+    for (std::size_t family = 0; family < kRandomFamilies; ++family) cases.push_back(random_case(family, seed_of_run()));
+    return cases;
+}
+
 class EveryCase : public testing::TestWithParam<std::size_t> {
 protected:
-    TouchCase case_ = hard_cases()[GetParam()];
-    std::uint32_t seed_ = static_cast<std::uint32_t>(1000 + GetParam());
+    TouchCase case_ = all_cases()[GetParam()];
+    std::uint32_t seed_ = is_random() ? seed_of_run() : static_cast<std::uint32_t>(1000 + GetParam());
     std::mt19937 random_{seed_};
+
+    bool is_random() const { return case_.name.starts_with("random"); }
 
     // Judging solids by enumeration is slow: fewer ticks of those.
     std::size_t stride() const {
@@ -78,7 +87,7 @@ TEST_P(EveryCase, owns_only_cuts_that_contain_the_ball_and_support_their_obstacl
 }
 
 TEST_P(EveryCase, never_moves_away_from_the_hand) {  // I5
-    SCOPED_TRACE(case_.name);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     for (const bool capped : {false, true}) {
         Vec3 before = case_.goals_m.front();
         double worst = 0.0;
@@ -108,12 +117,13 @@ TEST_P(EveryCase, stops_where_no_contact_would_let_it_go_on) {  // I6
                if (r.contacts.converged) worst_finished = std::max(worst_finished, residual);
            });
     EXPECT_LE(worst_finished, 1e-5) << judged << " ticks judged";
-    EXPECT_LE(off, 1 + case_.goals_m.size() / 1000) << unfinished << " unfinished";
+    // Of spikes and slivers drawn at random the sharpest lag a little more often than those of the list.
+    EXPECT_LE(off, is_random() && !case_.tidy ? 3 + case_.goals_m.size() / 500 : 1 + case_.goals_m.size() / 1000) << unfinished << " unfinished";
     RecordProperty("unfinished", static_cast<int>(unfinished));
 }
 
 TEST_P(EveryCase, stays_where_it_is_when_the_hand_does) {  // I7
-    SCOPED_TRACE(case_.name);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const auto scene = case_.world.scene();
     TouchState state;
     double worst = 0.0;
@@ -126,7 +136,7 @@ TEST_P(EveryCase, stays_where_it_is_when_the_hand_does) {  // I7
 }
 
 TEST_P(EveryCase, follows_exactly_and_without_force_in_free_space) {  // I8
-    SCOPED_TRACE(case_.name);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const BruteForce judge = case_.world.judge();
     Vec3 last_goal = case_.goals_m.front();
     bool stood_at_goal = true;
@@ -160,7 +170,7 @@ TEST_P(HollowCase, gains_nothing) {  // I9
 }
 
 TEST_P(EveryCase, runs_no_further_per_tick_than_the_cap) {  // I10
-    SCOPED_TRACE(case_.name);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     Vec3 last_goal = case_.goals_m.front();
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
            [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver& solver) {
@@ -173,7 +183,7 @@ TEST_P(EveryCase, runs_no_further_per_tick_than_the_cap) {  // I10
 }
 
 TEST_P(EveryCase, feels_the_same_far_from_the_origin) {  // I13
-    SCOPED_TRACE(case_.name);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const TouchTuning tuning = uncapped_tuning(case_.radius_m);
     const Trace here = trace(case_.world, case_.goals_m, {}, tuning);
     for (const auto& [far, tolerance] : {std::pair{1e3, 1e-10}, {1e6, 1e-8}}) {
@@ -194,7 +204,8 @@ TEST_P(EveryCase, does_not_care_in_which_order_or_how_often_things_are_listed) {
     const Trace once = trace(case_.world, case_.goals_m, {}, tuning);
     const double worst = largest_difference(once, trace(case_.world.shuffled_and_doubled(random_), case_.goals_m, {}, tuning));
     if (case_.tidy) {
-        EXPECT_LE(worst, 1e-8);
+        // An edge of triangles is found by iteration, to 3e-8 m on the boxes drawn at random.
+        EXPECT_LE(worst, is_random() && !case_.concave ? 1e-6 : 1e-8);
     }
     RecordProperty("worst", fmt::format("{:.1e}", worst));
 }
@@ -249,7 +260,7 @@ TEST_P(EveryCase, is_as_safe_on_cuts_that_are_fifty_milliseconds_old) {  // I18,
 }
 
 TEST_P(EveryCase, never_works_more_than_its_bound) {  // I16; that it takes no memory, lock or clock: unit_render, unit_servo_realtime
-    SCOPED_TRACE(case_.name);
+    SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
            [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
                ASSERT_LE(r.contacts.iterations, 64) << i;
@@ -266,7 +277,7 @@ TEST_P(TidyCase, feels_finer_triangles_as_the_same_surface) {  // I15
 }
 
 std::vector<std::size_t> cases_that(bool (*chosen)(const TouchCase&)) {
-    const std::vector<TouchCase> all = hard_cases();
+    const std::vector<TouchCase> all = all_cases();
     std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < all.size(); ++i)
         if (chosen(all[i])) indices.push_back(i);
@@ -274,7 +285,7 @@ std::vector<std::size_t> cases_that(bool (*chosen)(const TouchCase&)) {
 }
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& which) {
-    std::string name = hard_cases()[which.param].name;
+    std::string name = all_cases()[which.param].name;
     for (char& c : name)
         if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
     return name;
