@@ -66,7 +66,7 @@ ClosestPoint HapticScene::closest(std::uint32_t obstacle, const Vec3& local_m) c
     const Obstacle& o = obstacles[obstacle];
     switch (o.kind) {
         case ObstacleKind::Triangle:
-            return closest_point(triangles[o.shape], local_m);
+            return closest_point(triangle(o), local_m);
         case ObstacleKind::Box:
             return closest_point(boxes[o.shape], local_m);
         case ObstacleKind::Brush:
@@ -98,16 +98,34 @@ HapticSceneBuilder::HapticSceneBuilder(std::vector<HapticMaterial> materials) {
     if (scene_.materials.empty()) scene_.materials.emplace_back();
 }
 
-void HapticSceneBuilder::add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label) {
-    const auto first_label = static_cast<std::uint32_t>(scene_.labels.size());
-    scene_.labels.push_back(label);
-    scene_.obstacles.push_back({ObstacleKind::Triangle, static_cast<std::uint32_t>(scene_.triangles.size()), 0, first_label});
-    scene_.triangles.push_back({a_m, b_m, c_m});
+void HapticSceneBuilder::add_sheet(const Corners& corners, const SurfaceLabel& label) {
+    const bool same = !scene_.obstacles.empty() && scene_.obstacles.back().kind == ObstacleKind::Triangle && scene_.labels.back() == label;
+    if (!same) scene_.labels.push_back(label);
+    scene_.obstacles.push_back(
+        {ObstacleKind::Triangle, static_cast<std::uint32_t>(scene_.mesh.triangles.size()), 0, static_cast<std::uint32_t>(scene_.labels.size()) - 1});
+    scene_.mesh.triangles.push_back(corners);
     Aabb bounds;
-    bounds.include(a_m);
-    bounds.include(b_m);
-    bounds.include(c_m);
+    for (const std::uint32_t corner : corners) bounds.include(scene_.mesh.points_m[corner]);
     obstacle_bounds_.push_back(bounds);
+}
+
+void HapticSceneBuilder::add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label) {
+    const auto first = static_cast<std::uint32_t>(scene_.mesh.points_m.size());
+    scene_.mesh.points_m.insert(scene_.mesh.points_m.end(), {a_m, b_m, c_m});
+    add_sheet({first, first + 1, first + 2}, label);
+}
+
+void HapticSceneBuilder::add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels) {
+    const auto first = static_cast<std::uint32_t>(scene_.mesh.points_m.size());
+    scene_.mesh.points_m.insert(scene_.mesh.points_m.end(), mesh.points_m.begin(), mesh.points_m.end());
+    const std::size_t all = mesh.triangles.size();
+    scene_.mesh.triangles.reserve(scene_.mesh.triangles.size() + all);
+    scene_.obstacles.reserve(scene_.obstacles.size() + all);
+    obstacle_bounds_.reserve(obstacle_bounds_.size() + all);
+    for (std::size_t i = 0; i < all; ++i) {
+        const Corners& t = mesh.triangles[i];
+        add_sheet({first + t[0], first + t[1], first + t[2]}, labels[labels.size() == all ? i : 0]);
+    }
 }
 
 void HapticSceneBuilder::add_box(const Aabb& box_m, std::span<const SurfaceLabel> labels) {
@@ -229,7 +247,7 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     const auto far_from_zero = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kNearZero_m; };
     if (!all.empty() && (far_from_zero(all.min_m) || far_from_zero(all.max_m))) scene_.origin_m = glm::round(all.centre_m());
     const Vec3 origin = scene_.origin_m;
-    for (TriangleShape& t : scene_.triangles) t = make_triangle(t.a_m - origin, t.b_m - origin, t.c_m - origin);
+    for (Vec3& p : scene_.mesh.points_m) p -= origin;
     const auto shift = [&origin](Aabb& box) {
         box.min_m -= origin;
         box.max_m -= origin;

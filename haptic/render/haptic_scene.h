@@ -15,6 +15,7 @@
 #include "worlds/geometry/closest_point.h"
 #include "worlds/geometry/convex.h"
 #include "worlds/geometry/placement.h"
+#include "worlds/geometry/triangle_mesh.h"
 
 namespace handrail {
 
@@ -30,6 +31,8 @@ struct SurfaceLabel {
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
     bool hidden = false;  // wholly covered by other solids; names nothing while another face can
+
+    bool operator==(const SurfaceLabel&) const = default;
 };
 
 enum class ObstacleKind : std::uint8_t {
@@ -41,9 +44,9 @@ enum class ObstacleKind : std::uint8_t {
 // One convex thing that stops the proxy.
 struct Obstacle {
     ObstacleKind kind = ObstacleKind::Triangle;
-    std::uint32_t shape = 0;        // into triangles, boxes; for a brush the first of its planes
+    std::uint32_t shape = 0;        // into mesh.triangles, boxes; for a brush the first of its planes
     std::uint32_t planes = 0;       // of a brush
-    std::uint32_t first_label = 0;  // triangle 1, box 6 (-x +x -y +y -z +z), brush one per plane
+    std::uint32_t first_label = 0;  // triangle 1 (shared by triangles that follow each other), box 6 (-x +x -y +y -z +z), brush one per plane
 };
 
 // A volume to move through. A point in it is felt by its viscosity, in Ns/m of hand speed. Buoyancy and film act at the open surface: the exposed
@@ -90,7 +93,7 @@ struct HapticScene {
     std::uint32_t world = 0;       // the same for scenes that are one world with something added or removed; else the generation
     Vec3 origin_m{0.0};            // world place of the local zero; everything below is local
     std::vector<Obstacle> obstacles;
-    std::vector<TriangleShape> triangles;
+    TriangleMesh mesh;  // corners shared by all triangles that have them
     std::vector<Aabb> boxes;
     std::vector<Plane> planes;
     std::vector<SurfaceLabel> labels;
@@ -107,6 +110,10 @@ struct HapticScene {
     // Local coordinates. Never empty of meaning: index < obstacles.size().
     ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
     bool solid(std::uint32_t obstacle) const noexcept { return obstacles[obstacle].kind != ObstacleKind::Triangle; }
+    TriangleShape triangle(const Obstacle& o) const noexcept {
+        const Corners& t = mesh.triangles[o.shape];
+        return make_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]]);
+    }
     // The label of the face that looks most along `normal`, hidden faces last.
     const SurfaceLabel& surface(std::uint32_t obstacle, const Vec3& normal) const noexcept;
     const HapticMaterial& material(MaterialId id) const noexcept { return materials[id < materials.size() ? id : kDefaultMaterial]; }
@@ -118,6 +125,9 @@ public:
     // Entry 0 is the default wall; an empty list is given one.
     explicit HapticSceneBuilder(std::vector<HapticMaterial> materials = {});
 
+    // Triangles as two-sided sheets that share their corners; labels: one per triangle or one for all.
+    void add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels);
+    void add_mesh(const TriangleMesh& mesh, const SurfaceLabel& label = {}) { add_mesh(mesh, std::span(&label, 1)); }
     void add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label = {});
     // One label for all faces, or six: -x +x -y +y -z +z.
     void add_box(const Aabb& box_m, std::span<const SurfaceLabel> labels);
@@ -136,6 +146,7 @@ public:
 
 private:
     void prepare_effects();
+    void add_sheet(const Corners& corners, const SurfaceLabel& label);
 
     HapticScene scene_;
     std::vector<Aabb> obstacle_bounds_, liquid_bounds_, effect_bounds_;

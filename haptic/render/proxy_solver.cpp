@@ -123,12 +123,12 @@ void ProxySolver::release_ghosts(const HapticScene& scene, const Vec3& goal_loca
     }
 }
 
-// The `most` nearest obstacles of a shape within reach into nearest_, as a heap with the farthest on top; false when there were more. Own metres.
-bool ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, std::size_t most) noexcept {
+// The `most` nearest obstacles of a shape within reach into nearest_, as a heap with the farthest on top. Returns how far all are known:
+// reach_m, or less when there were more or the looks ran out. Own metres.
+double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, std::size_t most) noexcept {
     nearest_count_ = 0;
-    bool complete = true;
     const auto less = [](const Candidate& a, const Candidate& b) { return nearer(a.distance_m, a.obstacle, b.distance_m, b.obstacle); };
-    shape.obstacle_bvh.within(at, reach_m, [&](std::uint32_t item, double& reach) {
+    return shape.obstacle_bvh.nearest_first(at, reach_m, looks_left_, queue_, [&](std::uint32_t item, double& reach) {
         if (ghost_count_ > 0 && is_ghost(item, body)) return;
         const ClosestPoint found = shape.closest(item, at);
         if (found.distance_m > reach) return;
@@ -137,24 +137,22 @@ bool ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, c
         if (nearest_count_ <= most) return;
         std::pop_heap(nearest_.begin(), nearest_.begin() + static_cast<std::ptrdiff_t>(nearest_count_), less);
         --nearest_count_;
-        complete = false;
         reach = nearest_[0].distance_m;
     });
-    return complete;
 }
 
 // Adds the obstacles of one shape within reach_m of a place to the candidates, each with a fresh cut; where that is too many, as far as the
 // nearest go. Returns the distance up to which all are candidates. Own metres.
 double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m) noexcept {
     const std::size_t room = static_cast<std::size_t>(kMaxCandidates - count_);
-    double known = reach_m;
-    if (!gather_nearest(shape, body, at, reach_m, std::min<std::size_t>(kComfortableCandidates, room))) {
-        known = nearest_count_ > 0 ? nearest_[0].distance_m : 0.0;
-        if (known < needed_m) {
-            const bool complete = gather_nearest(shape, body, at, reach_m, room);
-            known = complete ? reach_m : nearest_count_ > 0 ? nearest_[0].distance_m : 0.0;
-            step_.truncated = step_.truncated || known < needed_m;
-        }
+    looks_left_ = kMostLooks;
+    double known = gather_nearest(shape, body, at, reach_m, std::min<std::size_t>(kComfortableCandidates, room));
+    looks_ += kMostLooks - looks_left_;
+    if (known < needed_m) {
+        looks_left_ = kMostLooks;
+        known = gather_nearest(shape, body, at, reach_m, room);
+        looks_ += kMostLooks - looks_left_;
+        step_.truncated = step_.truncated || known < needed_m;
     }
     for (std::size_t k = 0; k < nearest_count_; ++k) {
         const auto i = static_cast<std::size_t>(count_++);
@@ -178,12 +176,12 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
     known_m_ = collect(scene, kStill, at, reach_m, needed_m);
     if (count_ == 0) {
         double best = std::max(kFarthestLook_m, 2.0 * reach_m);
-        scene.obstacle_bvh.within(at, kLoose * best, [&](std::uint32_t item, double& reach) {
+        const double free_m = scene.obstacle_bvh.nearest_first(at, kLoose * best, looks_left_, queue_, [&](std::uint32_t item, double& reach) {
             if (ghost_count_ > 0 && is_ghost(item, kStill)) return;
             best = std::min(best, scene.closest(item, at).distance_m);
             reach = std::min(reach, kLoose * best);
         });
-        known_m_ = std::max(reach_m, kLoose * best);
+        known_m_ = std::max(known_m_, free_m);
     }
     for (std::size_t b = 0; b < body_count_; ++b) {
         Track& track = tracks_[b];
@@ -500,6 +498,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     const double radius = std::max(request.radius_m, kSmallestRadius_m);
     const Vec3 goal_local = request.goal_m - scene.origin_m;
     step_ = Step{};
+    looks_ = 0;
     if (scene_ != &scene || generation_ != scene.generation) {
         // The same world with something added or removed: the ball is where it was, and what kept it from its goal may be gone.
         scene_ = &scene;
@@ -545,7 +544,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
             ball_m_ += way * (part / length);
             path_[static_cast<std::size_t>(path_size_++)] = ball_m_;
             way_left -= part;
-            if (way_left > 0.0 && stages_left-- > 0) {
+            if (way_left > 0.0 && stages_left-- > 0 && looks_ < kMostLooks) {
                 gather(scene, radius + margin, radius + way_left);
                 goal_m_ = goal_local - anchor_m_;
                 if (known_around(ball_m_) > radius) continue;

@@ -25,7 +25,8 @@ public:
     static constexpr int kComfortableCandidates = 48;  // more make the margin shrink first: each costs 15 instructions in every scan
     static constexpr int kMaxIterations = 64;
     static constexpr int kMaxGhosts = 256;
-    static constexpr int kMaxStages = 8;  // gatherings within one move, for leaps through crowded places
+    static constexpr int kMaxStages = 8;     // gatherings within one move, for leaps through crowded places
+    static constexpr int kMostLooks = 2048;  // nodes and obstacles looked at in one gathering in one shape; what lies farther counts as unknown
     static constexpr double kSmallestRadius_m = 1e-5;
 
     struct Request {
@@ -139,7 +140,7 @@ private:
     double known_of_bodies(const Vec3& at_m, double known_m) const noexcept;
     void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
     double collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m) noexcept;
-    bool gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, std::size_t most) noexcept;
+    double gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, std::size_t most) noexcept;
     void release_ghosts(const HapticScene& scene, const Vec3& goal_local_m, double radius_m, double exit_m) noexcept;
     bool is_ghost(std::uint32_t obstacle, std::uint16_t body) const noexcept;
     ClosestPoint closest_of_body(const HapticScene& scene, std::uint32_t obstacle, std::uint16_t body, const Vec3& local_m) const noexcept;
@@ -183,6 +184,9 @@ private:
     double radius_m_ = 0.0;
     const HapticScene* scene_ = nullptr;  // only compared, together with the generation
     std::uint32_t generation_ = 0;
+    Bvh::Queue queue_{kMostLooks};
+    int looks_left_ = 0;  // of this gathering in one shape
+    int looks_ = 0;       // of this move, all together
     bool placed_ = false;
     std::uint64_t moves_ = 0, gatherings_ = 0;
     std::array<Vec3, 2 * kMaxIterations + 4> path_{};

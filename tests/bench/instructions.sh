@@ -1,16 +1,24 @@
 #!/usr/bin/env bash
-# Mean instructions per servo_tick, and of touch_tick within it, on the recorded walk through quake-e1m1.map (ball 5 mm, scale 1), counted by callgrind.
-#   tests/bench/instructions.sh [BUILD_FOLDER] [TICKS] [MOST]     default build/release 60000 5000; fails above MOST
+# Mean instructions per tick, counted by callgrind: of servo_tick, and of touch_tick within it, on the recorded walk through quake-e1m1.map (ball 5 mm,
+# scale 1); with the word spheres, of touch_tick on spheres of 1e3 to 1e6 triangles (mesh_touch).
+#   tests/bench/instructions.sh [BUILD_FOLDER] [TICKS] [MOST] [walk|spheres]     default build/release 60000 5000 walk; fails above MOST
 set -euo pipefail
 cd "$(dirname "$0")/../.."
-build=${1:-build/release} ticks=${2:-60000} most=${3:-5000}
+build=${1:-build/release} ticks=${2:-60000} most=${3:-5000} where=${4:-walk}
 command -v valgrind >/dev/null || { echo "valgrind is missing; install the package valgrind."; exit 1; }
 out=$(mktemp)
 trap 'rm -f "$out"' EXIT
-for part in servo touch; do
-    valgrind --tool=callgrind --callgrind-out-file="$out" --toggle-collect='*measured_ticks*' "$build/bin/touch_walk" "$ticks" "$part" 2>/dev/null
-    total=$(awk '/^summary:/ {print $2}' "$out")
-    mean=$((total / ticks))
-    echo "$mean instructions per ${part}_tick (mean of $ticks)"
+# count WHAT COMMAND...
+count() {
+    local what=$1
+    shift
+    valgrind --tool=callgrind --callgrind-out-file="$out" --toggle-collect='*measured_ticks*' "$@" 2>/dev/null
+    local mean=$(($(awk '/^summary:/ {print $2}' "$out") / ticks))
+    echo "$mean instructions per $what (mean of $ticks)"
     [ "$mean" -le "$most" ] || { echo "More than $most."; exit 1; }
-done
+}
+case $where in
+walk) for part in servo touch; do count "${part}_tick" "$build/bin/touch_walk" "$ticks" "$part"; done ;;
+spheres) for frequency in 7 22 71 224; do count touch_tick "$build/bin/mesh_touch" "$ticks" "$frequency" count; done ;;
+*) echo "walk or spheres, not $where."; exit 2 ;;
+esac

@@ -72,7 +72,7 @@ TEST_P(EveryCase, owns_only_cuts_that_contain_the_ball_and_support_their_obstacl
             ASSERT_GE(glm::dot(cut.normal, solver.local_m()) - cut.offset_m, r.radius_m - 1e-9);
             const Obstacle& o = scene->obstacles[solver.candidate(k)];
             if (o.kind == ObstacleKind::Triangle) {
-                const TriangleShape& t = scene->triangles[o.shape];
+                const TriangleShape t = scene->triangle(o);
                 for (const Vec3& corner : {t.a_m, t.b_m, t.c_m}) ASSERT_LE(glm::dot(cut.normal, corner), cut.offset_m + (t.degenerate ? 2e-7 : 1e-9));
             } else {
                 // Points of the solid: what random places are nearest to.

@@ -1,8 +1,13 @@
-// A hierarchy of boxes over boxes: which things are near a point. Built once off the real-time path, then only read; queries neither allocate
-// nor throw. 64 bytes per node, about one node per two items. Binned surface-area heuristic (Wald 2007): 1 us per item to build.
+// A hierarchy of boxes over boxes: which things are near a point. Built once off the real-time path (or refitted there, when the things move), then
+// only read; queries neither allocate nor throw. Nodes of four children, whose boxes are single precision relative to the middle of everything,
+// rounded outwards, and tested together; a child is another node or one item. About 40 bytes per item; about 0.3 us per item to build, 30 ns to refit.
+// Sources: Wald, On fast construction of SAH-based bounding volume hierarchies, 2007 (binning); Hjaltason & Samet, Distance browsing in spatial
+// databases, 1999 (nearest first).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -14,51 +19,154 @@
 namespace handrail {
 
 class Bvh {
+    struct Place {
+        float distance2;
+        std::uint32_t what;  // a node, or an item with kItem set
+    };
+
 public:
+    // Room for what nearest_first() still has to look at. Made off the real-time path, for this many looks at most.
+    class Queue {
+    public:
+        explicit Queue(std::size_t most_looks) : places_(3 * most_looks + 4) {}
+
+    private:
+        friend class Bvh;
+        std::vector<Place> places_;
+    };
+
     Bvh() = default;
-    // Item i has bounds[i]. Empty boxes are allowed and never found.
+    // Item i has bounds[i]; at most 2^31 of them, coordinates up to 1e9 m. Empty boxes are allowed and never found.
     explicit Bvh(std::span<const Aabb> bounds);
+
+    // The same items with other bounds, as many as at building: keeps the tree's shape, so queries are right whatever happened and fast while
+    // neighbours stayed neighbours. Items that were empty at building stay unfound.
+    void refit(std::span<const Aabb> bounds);
 
     bool empty() const noexcept { return nodes_.empty(); }
     // The box around everything; empty when there is nothing.
-    Aabb bounds() const noexcept { return nodes_.empty() ? Aabb{} : nodes_[0].box; }
+    Aabb bounds() const noexcept { return bounds_; }
+    std::size_t bytes() const noexcept { return nodes_.capacity() * sizeof(Node); }
 
-    // Calls visit(item, reach_m) for every item whose box lies within reach_m of the point; visit may lower reach_m (never raise it).
+    // Calls visit(item, reach_m) for every item whose box lies within reach_m of the point, and for some that lie little farther; visit may lower
+    // reach_m (never raise it). As many looks as there are items near: for use on a tick only where these are few.
     template <class Visit>
     void within(const Vec3& point_m, double reach_m, Visit&& visit) const noexcept {
-        if (nodes_.empty()) return;
-        std::array<Entry, kMaxDepth + 1> stack;
+        if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return;
+        const Query query(point_m - middle_m_);
+        std::array<Place, 3 * kMostDepth + 4> stack;
         std::size_t depth = 0;
-        stack[depth++] = {0, distance_squared(nodes_[0].box, point_m)};
+        stack[depth++] = {0.0F, 0};
+        float reach2 = query.squared(reach_m);
         while (depth > 0) {
-            const Entry entry = stack[--depth];
-            if (!(entry.distance2 <= reach_m * reach_m)) continue;
-            const Node& node = nodes_[entry.node];
-            if (node.count > 0) {
-                for (std::uint32_t i = 0; i < node.count; ++i) visit(items_[node.first + i], reach_m);
+            const Place place = stack[--depth];
+            if (!(place.distance2 <= reach2)) continue;
+            if (place.what & kItem) {
+                visit(place.what & ~kItem, reach_m);
+                reach2 = query.squared(reach_m);
                 continue;
             }
-            const Entry left{node.first, distance_squared(nodes_[node.first].box, point_m)};
-            const Entry right{node.first + 1, distance_squared(nodes_[node.first + 1].box, point_m)};
-            const bool left_first = left.distance2 <= right.distance2;
-            stack[depth++] = left_first ? right : left;
-            stack[depth++] = left_first ? left : right;
+            std::array<Place, 4> near;
+            const std::size_t count = near_children(nodes_[place.what], query, reach2, near);
+            for (std::size_t i = count; i-- > 0;) stack[depth++] = near[i];
         }
     }
 
+    // The same in rising order of the distance to the boxes, with at most `looks` nodes and items looked at, which it counts down (the queue must have been
+    // made for as many). Returns how far everything is known: every item whose box is nearer than that was visited. That is the last reach_m where
+    // the looks sufficed.
+    template <class Visit>
+    double nearest_first(const Vec3& point_m, double reach_m, int& looks, Queue& queue, Visit&& visit) const noexcept {
+        if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return reach_m;
+        const Query query(point_m - middle_m_);
+        Place* const first = queue.places_.data();
+        Place* last = first;
+        const auto farther = [](const Place& a, const Place& b) { return a.distance2 > b.distance2; };
+        Place place{0.0F, 0};
+        float reach2 = query.squared(reach_m);
+        while (place.distance2 <= reach2) {
+            if (looks <= 0) return std::min(reach_m, query.at_least(place.distance2));
+            --looks;
+            if (place.what & kItem) {
+                visit(place.what & ~kItem, reach_m);
+                reach2 = query.squared(reach_m);
+            } else {
+                std::array<Place, 4> near;
+                const std::size_t count = near_children(nodes_[place.what], query, reach2, near);
+                if (count > 0) {
+                    for (std::size_t i = 1; i < count; ++i) {
+                        *last++ = near[i];
+                        std::push_heap(first, last, farther);
+                    }
+                    place = near[0];
+                    if (last == first || place.distance2 <= first->distance2) continue;
+                    *last++ = place;
+                    std::push_heap(first, last, farther);
+                }
+            }
+            if (last == first) return reach_m;
+            place = *first;
+            std::pop_heap(first, last--, farther);
+        }
+        return reach_m;
+    }
+
 private:
-    static constexpr std::size_t kMaxDepth = 64;
+    static constexpr std::size_t kMostDepth = 64;
+    static constexpr std::uint32_t kItem = 0x80000000U;
+    using Four = float __attribute__((vector_size(16)));
+
+    // 112 bytes. A child that is not there has the box from +infinity to -infinity.
     struct Node {
-        Aabb box;
-        std::uint32_t first = 0;  // of items_ for a leaf, of the two children otherwise
-        std::uint32_t count = 0;  // items of a leaf; 0: inner node
+        std::array<Four, 3> low, high;  // of the four children, per axis
+        std::array<std::uint32_t, 4> what;
     };
-    struct Entry {
-        std::uint32_t node;
-        double distance2;
+
+    // A point as the boxes see it. Its rounding to single precision shifts distances by up to slack_m.
+    struct Query {
+        std::array<float, 3> at;
+        double slack_m;
+
+        explicit Query(const Vec3& p) noexcept
+            : at{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+              slack_m((std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) * 2.4e-7 + 1e-30) {}
+        // Nothing within reach_m has a greater squared distance in single precision; never infinite, as children are that are not there.
+        float squared(double reach_m) const noexcept {
+            const double reach = std::min(reach_m + slack_m, 1e18);
+            return static_cast<float>(reach * reach * 1.000002);
+        }
+        double at_least(float distance2) const noexcept { return std::max(0.0, std::sqrt(static_cast<double>(distance2)) * 0.999999 - slack_m); }
     };
-    std::vector<Node> nodes_;
-    std::vector<std::uint32_t> items_;
+
+    static Four greater(const Four& a, const Four& b) noexcept { return a > b ? a : b; }
+
+    // The children within reach, nearest first; their number.
+    static std::size_t near_children(const Node& node, const Query& query, float reach2, std::array<Place, 4>& near) noexcept {
+        Four sum{};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float p = query.at[axis];
+            const Four out = greater(greater(node.low[axis] - p, p - node.high[axis]), Four{});
+            sum += out * out;
+        }
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const float distance2 = sum[i];
+            if (!(distance2 <= reach2)) continue;
+            std::size_t at = count++;
+            for (; at > 0 && near[at - 1].distance2 > distance2; --at) near[at] = near[at - 1];
+            near[at] = {distance2, node.what[i]};
+        }
+        return count;
+    }
+
+    struct Item;
+    struct Range;
+    static std::size_t split(std::span<Item> items, std::size_t depth);
+    void fill(Node& node, std::size_t child, const Aabb& box) const noexcept;
+
+    std::vector<Node> nodes_;  // children after their parents
+    Vec3 middle_m_{0.0};
+    Aabb bounds_;
 };
 
 }  // namespace handrail

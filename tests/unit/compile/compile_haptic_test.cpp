@@ -32,7 +32,7 @@ TEST(CompileHaptic, makes_obstacles_of_solids_and_movers_volumes_of_liquids_and_
     const auto compiled = compile_haptic(scene, MaterialSource::KeysOnly);
     EXPECT_EQ(compiled->boxes.size(), 2U) << "axis-aligned brushes are boxes";
     EXPECT_EQ(compiled->planes.size(), 0U);
-    EXPECT_EQ(compiled->triangles.size(), 1U);
+    EXPECT_EQ(compiled->mesh.triangles.size(), 1U);
     EXPECT_EQ(compiled->obstacles.size(), 3U);
     ASSERT_EQ(compiled->liquids.size(), 1U);
     EXPECT_EQ(compiled->liquids[0].viscosity_ns_per_m, 2.5);

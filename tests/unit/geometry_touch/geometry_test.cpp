@@ -3,7 +3,6 @@
 
 #include "tests/support/scale.h"
 #include "tests/support/touch_worlds.h"
-#include "worlds/geometry/bvh.h"
 #include "worlds/geometry/closest_point.h"
 #include "worlds/geometry/half_space_projection.h"
 
@@ -161,40 +160,6 @@ TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_warm_and_cold) {
         EXPECT_LE(glm::length(warm.point_m - basis.point_m), 1e-6);
     }
     EXPECT_GT(infeasible, 0) << "the generator should also make empty cells";
-}
-
-TEST(Bvh, finds_exactly_what_a_full_scan_finds) {
-    std::mt19937 random(kSeed);
-    for (const int count : {0, 1, 2, 3, 17, 400, 3000}) {
-        std::vector<Aabb> boxes;
-        for (int i = 0; i < count; ++i) {
-            const Vec3 p = random_point(random, i % 3 == 0 ? 0.0 : 5.0);  // many in one place
-            boxes.push_back({p, p + glm::abs(random_point(random, i % 5 == 0 ? 0.0 : 0.5))});
-            if (i % 50 == 7) boxes.back() = Aabb{};  // empty
-        }
-        const Bvh bvh(boxes);
-        for (int query = 0; query < 50; ++query) {
-            const Vec3 p = random_point(random, 6.0);
-            const double reach = 0.02 * query;
-            std::vector<std::uint32_t> found, expected;
-            bvh.within(p, reach, [&](std::uint32_t item, double&) {
-                if (distance_squared(boxes[item], p) <= reach * reach) found.push_back(item);
-            });
-            for (std::uint32_t i = 0; i < boxes.size(); ++i)
-                if (!boxes[i].empty() && distance_squared(boxes[i], p) <= reach * reach) expected.push_back(i);
-            std::sort(found.begin(), found.end());
-            ASSERT_EQ(found, expected) << "seed " << kSeed << " count " << count;
-            double nearest = 1e9;
-            bvh.within(p, 1e9, [&](std::uint32_t item, double& lower) {
-                nearest = std::min(nearest, std::sqrt(distance_squared(boxes[item], p)));
-                lower = nearest;
-            });
-            for (const Aabb& box : boxes)
-                if (!box.empty()) {
-                    ASSERT_LE(nearest, std::sqrt(distance_squared(box, p)) + 1e-12);
-                }
-        }
-    }
 }
 
 }  // namespace

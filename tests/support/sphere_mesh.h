@@ -1,0 +1,18 @@
+// Tessellated spheres and a hand that slides over them: where a renderer shows what the density of triangles costs it.
+#pragma once
+
+#include <vector>
+
+#include "worlds/geometry/triangle_mesh.h"
+
+namespace handrail::test {
+
+// An icosahedron with each face cut into frequency^2 triangles and every point pushed out to the radius: 20 frequency^2 triangles of nearly
+// one size, 10 frequency^2 + 2 points. Centre at zero. 7, 22, 71, 224 give 980, 9,680, 100,820 and 1,003,520 triangles.
+TriangleMesh sphere_mesh(int frequency, double radius_m);
+
+// Goals at 1 kHz: once down on the sphere from 20 mm above, then along an oblique, slowly turning way at this speed, pressed 2 to 5 mm deep (one
+// wave of depth per 0.7 s). Never repeats a triangle row by row.
+std::vector<Vec3> sphere_slide(double sphere_radius_m, double ball_radius_m, double speed_m_per_s, int ticks);
+
+}  // namespace handrail::test
