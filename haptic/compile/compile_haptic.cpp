@@ -28,9 +28,18 @@ std::vector<SurfaceLabel> labels_of(const Solid& solid) {
     return labels;
 }
 
+// What of a model can be touched, all under one name and of one material.
+std::shared_ptr<const HapticScene> compile_model(const Scene& model, const SurfaceLabel& label) {
+    HapticSceneBuilder builder;
+    for (const Solid& solid : model.solids)
+        if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) builder.add_solid(solid.shape.planes, solid.shape.bounds_m, label);
+    for (const MeshTriangle& t : model.triangles) builder.add_triangle(t.a_m, t.b_m, t.c_m, label);
+    return builder.build();
+}
+
 }  // namespace
 
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials) {
+std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials, std::uint32_t world) {
     std::vector<HapticMaterial> compiled;
     compiled.reserve(scene.materials.size());
     for (const Material& material : scene.materials) compiled.push_back(compile_material(material, materials));
@@ -44,7 +53,9 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSo
         }
     }
     for (const MeshTriangle& t : scene.triangles) builder.add_triangle(t.a_m, t.b_m, t.c_m, {t.feature, t.material, false});
-    return builder.build();
+    for (const PlacedModel& placed : scene.placed)
+        builder.add_body(placed.feature, compile_model(*placed.model, {placed.feature, placed.material, false}), placed.at);
+    return builder.build(world);
 }
 
 }  // namespace handrail

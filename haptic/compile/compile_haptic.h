@@ -14,8 +14,9 @@ enum class MaterialSource {
     Library,   // a named or guessed material brings its library values (exploring)
 };
 
-// Solids and movers become convex obstacles (boxes recognised as boxes), mesh triangles become sheets, liquids become volumes.
+// Placed models become bodies, in their order; beyond HapticScene::kMostBodies they are left out. Solids and movers become convex obstacles (boxes recognised as boxes), mesh triangles become sheets, liquids become volumes.
 // The generation is a number that differs for every compiled scene of this process.
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials);
+// world: HapticScene::world of the scene that this one follows with something added or removed; 0: another world.
+std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials, std::uint32_t world = 0);
 
 }  // namespace handrail

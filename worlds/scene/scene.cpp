@@ -59,6 +59,11 @@ Result<void> validate(const Scene& scene) {
         if (!is_finite(t.a_m) || !is_finite(t.b_m) || !is_finite(t.c_m)) return wrong("A corner of a triangle is no number.", 0);
         if (!known(t.feature) || t.material >= scene.materials.size()) return wrong("A triangle belongs to something unknown.", 0);
     }
+    for (const PlacedModel& placed : scene.placed) {
+        if (!placed.model) return wrong("A thing that is set down has no shape.", 0);
+        if (!known(placed.feature) || !placed.feature || placed.material >= scene.materials.size()) return wrong("A thing that is set down is unknown.", 0);
+        if (!is_finite(placed.at.position_m) || !(placed.at.scale > 0.0)) return wrong("A thing is set down at no proper place.", 0);
+    }
     for (const SurfacePolygon& surface : scene.surfaces) {
         if (surface.polygon.points_m.size() < 3) return wrong("A surface has fewer than three corners.", 0);
         if (!known(surface.feature) || surface.material >= scene.materials.size()) return wrong("A surface belongs to something unknown.", 0);

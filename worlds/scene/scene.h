@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "worlds/base/feature_id.h"
 #include "worlds/base/result.h"
 #include "worlds/geometry/convex.h"
+#include "worlds/geometry/placement.h"
 #include "worlds/scene/material.h"
 
 namespace handrail {
@@ -94,6 +96,17 @@ struct SoundSource {
     std::string sound;  // which sound: the class name or the key `sound`
 };
 
+struct Scene;
+
+// A thing with a world of its own, set down in this one: it may be moved, turned, added and removed while it is touched. One model may stand in
+// several places.
+struct PlacedModel {
+    FeatureId feature = kNoFeature;  // of this scene: all of the thing goes by this name
+    std::shared_ptr<const Scene> model;
+    MaterialId material = kDefaultMaterial;  // of this scene; the model's own materials are not looked at
+    Placement at;
+};
+
 // What the reader understood, for the honesty report and `handrail info`. Counts as defined for `info --json`.
 struct ReadReport {
     std::string format;  // "map", "obj"
@@ -114,6 +127,7 @@ struct Scene {
     std::vector<Feature> features;    // indexed by FeatureId::value
     std::vector<Solid> solids;
     std::vector<MeshTriangle> triangles;
+    std::vector<PlacedModel> placed;
     std::vector<SurfacePolygon> surfaces;
     std::vector<Start> starts;  // in file order; the base one is marked
     std::vector<SoundSource> sounds;

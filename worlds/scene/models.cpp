@@ -1,0 +1,142 @@
+#include "worlds/scene/models.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "worlds/base/text.h"
+#include "worlds/geometry/clip.h"
+
+namespace handrail {
+namespace {
+
+// What of a model can be touched, in its own frame.
+Aabb touchable_bounds(const Scene& model) {
+    Aabb bounds;
+    for (const Solid& solid : model.solids)
+        if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) bounds.include(solid.shape.bounds_m);
+    for (const MeshTriangle& t : model.triangles)
+        for (const Vec3& p : {t.a_m, t.b_m, t.c_m}) bounds.include(p);
+    return bounds;
+}
+
+Aabb placed_bounds(const Aabb& own, const Placement& at) {
+    const PlacedFrame frame(at);
+    Aabb bounds;
+    for (int corner = 0; corner < 8; ++corner)
+        bounds.include(
+            frame.to_world({(corner & 1 ? own.max_m : own.min_m).x, (corner & 2 ? own.max_m : own.min_m).y, (corner & 4 ? own.max_m : own.min_m).z}));
+    return bounds;
+}
+
+// What is drawn of a placed thing.
+void draw_placed(Scene& world, const PlacedModel& placed) {
+    const PlacedFrame frame(placed.at);
+    const auto add = [&](std::vector<Vec3> points, const Vec3& normal) {
+        for (Vec3& p : points) p = frame.to_world(p);
+        world.surfaces.push_back({Polygon{std::move(points)}, frame.turned(normal), placed.feature, placed.material, SolidRole::Solid});
+    };
+    for (const Solid& solid : placed.model->solids)
+        if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover)
+            for (std::size_t face = 0; face < solid.shape.faces.size(); ++face) add(solid.shape.faces[face].points_m, solid.shape.planes[face].normal);
+    for (const MeshTriangle& t : placed.model->triangles) {
+        const Vec3 area = glm::cross(t.b_m - t.a_m, t.c_m - t.a_m);
+        if (const double length = glm::length(area); length > 0.0) add({t.a_m, t.b_m, t.c_m}, area / length);
+    }
+}
+
+void undraw(Scene& world, FeatureId feature) {
+    std::erase_if(world.surfaces, [&](const SurfacePolygon& surface) { return surface.feature == feature; });
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Scene>> box_model(const Vec3& size_m) {
+    if (!is_finite(size_m) || !(std::min({size_m.x, size_m.y, size_m.z}) > 0.0)) return fail("A box needs three sides above zero.");
+    const Vec3 half = 0.5 * size_m;
+    std::array<Plane, 6> planes;
+    for (int face = 0; face < 6; ++face) {
+        Vec3 normal(0.0);
+        normal[face / 2] = face % 2 == 1 ? 1.0 : -1.0;
+        planes[static_cast<std::size_t>(face)] = {normal, half[face / 2]};
+    }
+    BuiltSolid built = solid_from_planes(planes, Vec3(0.0), 4.0 * glm::length(size_m), {1e-9 * glm::length(size_m), 1e-7 * glm::length(size_m)});
+    if (built.fault != SolidFault::None) return fail("This box is too thin to be built.");
+    auto scene = std::make_shared<Scene>();
+    scene->name = "box";
+    scene->materials.emplace_back();
+    scene->features.push_back({});
+    scene->features.back().kind = FeatureKind::Object;
+    scene->features.back().name = "box";
+    scene->features.back().bounds_m = built.solid.bounds_m;
+    Solid solid;
+    solid.shape = std::move(built.solid);
+    solid.feature = FeatureId{0};
+    solid.face_features.assign(solid.shape.planes.size(), kNoFeature);
+    solid.face_materials.assign(solid.shape.planes.size(), kDefaultMaterial);
+    solid.face_hidden.assign(solid.shape.planes.size(), false);
+    scene->bounds_m = solid.shape.bounds_m;
+    scene->solids.push_back(std::move(solid));
+    return std::shared_ptr<const Scene>(std::move(scene));
+}
+
+int find_placed(const Scene& world, const std::string& name) {
+    const std::string wanted = lower_ascii(name);
+    for (std::size_t i = 0; i < world.placed.size(); ++i)
+        if (const Feature* feature = world.find(world.placed[i].feature); feature && lower_ascii(feature->name) == wanted) return static_cast<int>(i);
+    return -1;
+}
+
+Result<Scene> with_placed(const Scene& world, const std::string& name, std::shared_ptr<const Scene> model, const Placement& at, const std::string& material) {
+    if (name.empty()) return fail("A thing that is set down needs a name.");
+    if (find_placed(world, name) >= 0) return fail(fmt::format("There is a \"{}\" already.", name));
+    const Aabb own = model ? touchable_bounds(*model) : Aabb{};
+    if (own.empty()) return fail(fmt::format("\"{}\" has nothing to touch.", name));
+    if (!is_finite(at.position_m) || !std::isfinite(at.scale) || !(at.scale > 0.0))
+        return fail(fmt::format("The place or scale of \"{}\" is no proper number.", name));
+    Material made;
+    if (!material.empty()) {
+        const MaterialSpec* spec = find_material(material);
+        if (!spec) {
+            std::vector<std::string> names;
+            for (const MaterialSpec& row : material_library()) names.emplace_back(row.name);
+            return fail(fmt::format("There is no material \"{}\". The nearest name is {}.", material, nearest_name(material, names)));
+        }
+        made.name = spec->name;
+        made.sound = spec->sound;
+    }
+    Scene scene = world;
+    Feature feature;
+    feature.kind = FeatureKind::Object;
+    feature.name = name;
+    feature.material = material.empty() ? kDefaultMaterial : material_id(scene, made);
+    feature.bounds_m = placed_bounds(own, at);
+    scene.features.push_back(feature);
+    const FeatureId id{static_cast<std::uint32_t>(scene.features.size() - 1)};
+    Placement placement = at;
+    placement.rotation = normalized(at.rotation);
+    scene.placed.push_back({id, std::move(model), feature.material, placement});
+    draw_placed(scene, scene.placed.back());
+    return scene;
+}
+
+void move_placed(Scene& world, std::size_t thing, const Placement& at) {
+    PlacedModel& placed = world.placed[thing];
+    if (placed.at == at) return;
+    placed.at = at;
+    world.features[placed.feature.value].bounds_m = placed_bounds(touchable_bounds(*placed.model), at);
+    undraw(world, placed.feature);
+    draw_placed(world, placed);
+}
+
+Result<Scene> without_placed(const Scene& world, const std::string& name) {
+    const int index = find_placed(world, name);
+    if (index < 0) return fail(fmt::format("There is no \"{}\" to take away.", name));
+    Scene scene = world;
+    undraw(scene, scene.placed[static_cast<std::size_t>(index)].feature);
+    scene.placed.erase(scene.placed.begin() + index);  // its name stays, so that what was said of it can still be looked up
+    return scene;
+}
+
+}  // namespace handrail

@@ -1,0 +1,25 @@
+// Scenes of a single thing, built in code: what can be set down in a world while it runs. Pure functions; any thread.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "worlds/base/result.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+// A box of this size in metres around its frame's zero, as one solid. Fails, with a sentence, unless every side is a finite number above zero.
+Result<std::shared_ptr<const Scene>> box_model(const Vec3& size_m);
+
+// A copy of a world with one thing more. The name is what it is called when touched; a name that is taken, an empty model, or a placement that is not
+// finite or has no size fails with a sentence. material: of the library, or empty for the default wall; an unknown one names the nearest.
+Result<Scene> with_placed(const Scene& world, const std::string& name, std::shared_ptr<const Scene> model, const Placement& at, const std::string& material);
+// A copy of a world without the placed thing of that name, or a sentence that there is none.
+Result<Scene> without_placed(const Scene& world, const std::string& name);
+// The thing of that number in Scene::placed stands elsewhere: its bounds and what is drawn of it follow.
+void move_placed(Scene& world, std::size_t thing, const Placement& at);
+// The place of the placed thing of that name in Scene::placed; -1 for none. Case-insensitive.
+int find_placed(const Scene& world, const std::string& name);
+
+}  // namespace handrail
