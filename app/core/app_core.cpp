@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "haptic/render/free_place.h"
+#include "worlds/scene/models.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -66,6 +68,8 @@ void AppCore::enter_world(std::shared_ptr<const Scene> scene, double now_s) {
 void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad, double now_s) {
     scene_ = std::move(scene);
     haptic_scene_ = compile_haptic(*scene_, MaterialSource::Library);
+    things_.enter(*scene_, *haptic_scene_, now_s);
+    hand_shift_m_ = Vec3(0.0);
     walker_.reset();
     body_world_ = std::make_unique<BodyWorld>(scene_);
     walker_ = std::make_unique<Walker>(*body_world_, body_size(*scene_, settings_.walk.body_radius_m));
@@ -78,6 +82,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     pending_way_m_ = since_footstep_m_ = 0.0;
     blocked_ = false;
     last_tick_s_ = now_s;
+    ++worlds_entered_;
 
     retune();
     publish_pose(now_s, true);
@@ -299,6 +304,9 @@ void AppCore::act(Command command, double now_s) {
         case Command::Home:
             go_home(now_s);
             break;
+        case Command::BringOut:
+            bring_out(now_s);
+            break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
             answer(plan_view_ ? "Plan" : "First person", now_s);
@@ -379,12 +387,112 @@ void AppCore::place(const Vec3& feet_m, double heading_rad, double now_s) {
     pending_way_m_ = since_footstep_m_ = 0.0;
     blocked_ = false;
     path_m_.push_back(walker_->state().feet_m);
+    hand_shift_m_ = Vec3(0.0);
     publish_pose(now_s, true);
 }
 
 void AppCore::go_home(double now_s) {
     place(home_feet_m_, home_heading_rad_, now_s);
     answer(fmt::format("Base. Facing {}.", compass_word(heading_rad_)), now_s);
+}
+
+// The hand cannot be moved, so the workspace is: to where the ball fits, as near as there is room. The same for a body that stands in something.
+void AppCore::bring_out(double now_s) {
+    std::string said;
+    const Vec3 workspace_was = pose_.origin_m;
+    const auto how_far = [&](double way_m) {
+        const std::string words = distance_words(way_m, distances());
+        return words == distance_words(0.0, distances()) ? words : words + " away";
+    };
+    if (body_world_->blocked(feet_m(), walker_->shape())) {
+        const auto free = nearest_free_feet(*body_world_, feet_m(), walker_->shape());
+        if (free) {
+            const double way = glm::length(*free - feet_m());
+            place(*free, heading_rad_, now_s);
+            said = fmt::format("You stood in something. You are out, {}.", how_far(way));
+        } else {
+            said = "There is no free place to stand near here.";
+        }
+    }
+    if (hand_.present) {
+        const double clearance = 1.2 * tuning_.touch.radius_m;
+        const auto poses = std::span(things_.frame().poses).first(things_.frame().count);
+        const Vec3 hand = tool_.hip_m + (pose_.origin_m - workspace_was);
+        const Surrounding around = surrounding_of(*haptic_scene_, poses, hand, clearance);
+        if (around.distance_m <= 0.0 || (tool_.contacts.ghosted && said.empty())) {
+            const Aabb& bounds = scene_->bounds_m;
+            const double farthest = 10.0 + (bounds.empty() ? 0.0 : glm::length(bounds.size_m()));
+            const auto free = nearest_free_place(*haptic_scene_, poses, hand, clearance, farthest);
+            if (free) {
+                const double way = glm::length(*free - hand);
+                hand_shift_m_ += *free - hand;
+                publish_pose(now_s, true);
+                said += fmt::format("{}Your hand was in {}. It is out, {}.", said.empty() ? "" : " ",
+                                    around.feature ? name_of(around.feature) : std::string("something"), how_far(way));
+            } else {
+                said += said.empty() ? "There is no free place for your hand near here." : " There is no free place for your hand near here.";
+            }
+        }
+    }
+    answer(said.empty() ? "You are inside nothing." : said, now_s);
+}
+
+// The same world with something added or removed: everything else goes on.
+void AppCore::change_world(Scene scene, double now_s) {
+    scene_ = std::make_shared<const Scene>(std::move(scene));
+    haptic_scene_ = compile_haptic(*scene_, MaterialSource::Library, haptic_scene_->world);
+    things_.enter(*scene_, *haptic_scene_, now_s);
+    rebuild_body_world();
+}
+
+void AppCore::rebuild_body_world() {
+    const WalkerState stood = walker_->state();
+    walker_.reset();
+    body_world_ = std::make_unique<BodyWorld>(scene_);
+    walker_ = std::make_unique<Walker>(*body_world_, body_size(*scene_, settings_.walk.body_radius_m));
+    walker_->resume(stood);
+}
+
+// The world with its things where they are now.
+Scene AppCore::world_now() const {
+    Scene now = *scene_;
+    for (std::size_t i = 0; i < things_.size(); ++i) move_placed(now, i, things_.at(i));
+    return now;
+}
+
+Result<void> AppCore::add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at, const std::string& material, double now_s) {
+    if (!scene_) return fail("There is no world yet.");
+    if (scene_->placed.size() >= HapticScene::kMostBodies)
+        return fail(fmt::format("There are {} things already; that is as many as can be set down.", scene_->placed.size()));
+    auto changed = with_placed(world_now(), name, std::move(model), at, material);
+    if (!changed) return tl::unexpected(changed.error());
+    change_world(std::move(*changed), now_s);
+    return {};
+}
+
+Result<void> AppCore::remove_thing(const std::string& name, double now_s) {
+    if (!scene_) return fail("There is no world yet.");
+    auto changed = without_placed(world_now(), name);
+    if (!changed) return tl::unexpected(changed.error());
+    change_world(std::move(*changed), now_s);
+    return {};
+}
+
+Result<void> AppCore::send_thing(const std::string& name, const Placement& to, double speed_m_per_s) {
+    const int thing = scene_ ? find_placed(*scene_, name) : -1;
+    if (thing < 0) return fail(fmt::format("There is no \"{}\" to move.", name));
+    if (!is_finite(to.position_m) || !std::isfinite(to.scale) || !(to.scale > 0.0) || !(speed_m_per_s > 0.0) || !std::isfinite(speed_m_per_s))
+        return fail(fmt::format("The way of \"{}\" needs a place, a scale and a speed above zero.", name));
+    Placement there = to;
+    there.rotation = normalized(to.rotation);
+    things_.send(static_cast<std::size_t>(thing), there, speed_m_per_s);
+    return {};
+}
+
+std::optional<Placement> AppCore::thing_at(const std::string& name) const {
+    const int thing = scene_ ? find_placed(*scene_, name) : -1;
+    if (thing < 0) return std::nullopt;
+    return things_.at(static_cast<std::size_t>(thing));
 }
 
 void AppCore::move_hand(const Vec3& by_device_m) {
@@ -406,6 +514,11 @@ void AppCore::tick(double now_s, const ToolState& tool) {
     if (!scene_) return;
     const double dt_s = std::clamp(now_s - last_tick_s_, 0.0, 0.1);
     last_tick_s_ = now_s;
+    if (things_.tick(now_s, dt_s) && !things_.moving()) {
+        // Everything stands still again: from now on it is seen and walked into where it is.
+        scene_ = std::make_shared<const Scene>(world_now());
+        rebuild_body_world();
+    }
     if (dt_s > 0.0) {
         turn(dt_s);
         if (held(Command::TurnLeft) != held(Command::TurnRight) && now_s - last_turn_repeat_s_ >= kTurnRepeat_s)
@@ -532,7 +645,7 @@ void AppCore::publish_pose(double now_s, bool jump) {
     const double heading = workspace.frame == FrameChoice::Walk ? heading_rad_ : 0.0;
     pose_.heading_rad = heading;
     pose_.origin_m = feet_m() + Vec3(0.0, 0.0, workspace.hand_height_m + workspace.offset_up_m * workspace.scale) +
-                     forward_of_heading(heading) * (workspace.offset_ahead_m * workspace.scale);
+                     forward_of_heading(heading) * (workspace.offset_ahead_m * workspace.scale) + hand_shift_m_;
     pose_.time_s = now_s;
     if (jump) ++pose_.jump;
 }

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/core/command.h"
 #include "app/core/key_map.h"
+#include "app/core/placed_things.h"
 #include "app/core/surroundings.h"
 #include "app/core/view.h"
 #include "app/core/walker.h"
@@ -38,6 +40,15 @@ public:
 
     // Puts the body somewhere else in this world; the workspace jumps with it.
     void place(const Vec3& feet_m, double heading_rad, double now_s);
+    // Sets a thing down, takes it away or sends it elsewhere while everything goes on: touched, it neither knocks nor leaks. Each fails with a
+    // sentence and changes nothing: see worlds/scene/models.h; too many things at once; a speed that is not above zero. Walking meets a thing where it
+    // last stood still.
+    Result<void> add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at, const std::string& material, double now_s);
+    Result<void> remove_thing(const std::string& name, double now_s);
+    Result<void> send_thing(const std::string& name, const Placement& to, double speed_m_per_s);
+    // Where the thing of that name is now; none of that name: nothing.
+    std::optional<Placement> thing_at(const std::string& name) const;
+
     // New settings from outside; the world stays. Force ramps in again where the workspace changes.
     void change_settings(const Settings& settings, double now_s);
 
@@ -56,7 +67,10 @@ public:
     // What others take after each tick.
     std::shared_ptr<const Scene> scene() const { return scene_; }
     std::shared_ptr<const HapticScene> haptic_scene() const { return haptic_scene_; }
+    // Rises when another world was entered; scene() may be another one without that, when something was added, moved or removed.
+    int worlds_entered() const { return worlds_entered_; }
     const WorkspacePose& pose() const { return pose_; }
+    const BodyFrame& bodies() const { return things_.frame(); }
     const ServoTuning& tuning() const { return tuning_; }
     const Vec3& hand_target_m() const { return hand_target_m_; }  // device frame
     Listener listener() const;
@@ -91,6 +105,10 @@ private:
     void toggle_forces(double now_s);
     void describe_touched(double now_s);
     void go_home(double now_s);
+    void bring_out(double now_s);
+    void change_world(Scene scene, double now_s);
+    void rebuild_body_world();
+    Scene world_now() const;
     std::string help_text() const;
     std::string entering_text() const;
     std::string name_of(FeatureId feature) const;
@@ -102,6 +120,8 @@ private:
     KeyMap keys_;
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const HapticScene> haptic_scene_;
+    int worlds_entered_ = 0;
+    PlacedThings things_;
     std::unique_ptr<BodyWorld> body_world_;
     std::unique_ptr<Walker> walker_;
     Vec3 home_feet_m_{0.0};
@@ -115,6 +135,7 @@ private:
     bool blocked_ = false;  // a bump was told and the body has not got away since
     std::vector<bool> held_;
     double last_turn_repeat_s_ = 0.0;
+    Vec3 hand_shift_m_{0.0};  // of the workspace, world metres: brought out of something; until one is put elsewhere
     WorkspacePose pose_;
     ServoTuning tuning_;
     Vec3 hand_target_m_{0.0};

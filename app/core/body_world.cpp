@@ -15,6 +15,21 @@ double support(const Vec3& normal, const BodyShape& body) {
 }  // namespace
 
 BodyWorld::BodyWorld(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+    add_scene(*scene_, nullptr, -1);
+    for (std::size_t i = 0; i < scene_->placed.size(); ++i) {
+        const PlacedFrame frame(scene_->placed[i].at);
+        add_scene(*scene_->placed[i].model, &frame, static_cast<std::int32_t>(i));
+    }
+    std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
+        return a.bounds_m.min_m.x != b.bounds_m.min_m.x ? a.bounds_m.min_m.x < b.bounds_m.min_m.x : a.bounds_m.min_m.y < b.bounds_m.min_m.y;
+    });
+    double reach = -std::numeric_limits<double>::infinity();
+    for (const Piece& piece : pieces_) max_x_so_far_.push_back(reach = std::max(reach, piece.bounds_m.max_m.x));
+}
+
+// The pieces of a scene, or of a model that stands in the frame.
+void BodyWorld::add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed) {
+    const auto at = [frame](const Vec3& p) { return frame ? frame->to_world(p) : p; };
     std::vector<Bound> bounds;
     const auto add_bevels = [&bounds](const Aabb& box) {
         // Without the six axis planes the sum of a slanted solid and a wide body would stick out far at sharp edges.
@@ -26,24 +41,37 @@ BodyWorld::BodyWorld(std::shared_ptr<const Scene> scene) : scene_(std::move(scen
                 if (!there) bounds.push_back({Plane{normal, sign > 0 ? box.max_m[axis] : -box.min_m[axis]}, -1});
             }
     };
-    for (std::uint32_t i = 0; i < scene_->solids.size(); ++i) {
-        const Solid& solid = scene_->solids[i];
+    for (std::uint32_t i = 0; i < scene.solids.size(); ++i) {
+        const Solid& solid = scene.solids[i];
         if (solid.role != SolidRole::Solid && solid.role != SolidRole::Mover && solid.role != SolidRole::BodyClip) continue;
         bounds.clear();
-        for (std::size_t face = 0; face < solid.shape.planes.size(); ++face) bounds.push_back({solid.shape.planes[face], static_cast<std::int32_t>(face)});
-        add_bevels(solid.shape.bounds_m);
-        add_piece(bounds, solid.shape.bounds_m, solid.role == SolidRole::BodyClip, i, false);
+        Aabb box = solid.shape.bounds_m;
+        if (frame) {
+            box = {};
+            for (const Polygon& face : solid.shape.faces)
+                for (const Vec3& p : face.points_m) box.include(at(p));
+        }
+        for (std::size_t face = 0; face < solid.shape.planes.size(); ++face) {
+            Plane plane = solid.shape.planes[face];
+            if (frame) {
+                plane.normal = frame->turned(plane.normal);
+                plane.offset_m = solid.shape.planes[face].offset_m * frame->scale + glm::dot(plane.normal, frame->position_m);
+            }
+            bounds.push_back({plane, static_cast<std::int32_t>(face)});
+        }
+        add_bevels(box);
+        add_piece(bounds, {0, 0, box, solid.role == SolidRole::BodyClip, i, false, placed});
     }
-    for (std::uint32_t i = 0; i < scene_->triangles.size(); ++i) {
-        const MeshTriangle& t = scene_->triangles[i];
-        const Vec3 corners[3] = {t.a_m, t.b_m, t.c_m};
-        const Vec3 area = glm::cross(t.b_m - t.a_m, t.c_m - t.a_m);
+    for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
+        const MeshTriangle& t = scene.triangles[i];
+        const Vec3 corners[3] = {at(t.a_m), at(t.b_m), at(t.c_m)};
+        const Vec3 area = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
         const double length = glm::length(area);
         if (!(length > 0.0)) continue;  // no area: nothing to bump into
         const Vec3 n = area / length;
         bounds.clear();
-        bounds.push_back({Plane{n, glm::dot(n, t.a_m)}, 0});
-        bounds.push_back({Plane{-n, -glm::dot(n, t.a_m)}, 0});
+        bounds.push_back({Plane{n, glm::dot(n, corners[0])}, 0});
+        bounds.push_back({Plane{-n, -glm::dot(n, corners[0])}, 0});
         Aabb box;
         for (int e = 0; e < 3; ++e) {
             box.include(corners[e]);
@@ -52,17 +80,14 @@ BodyWorld::BodyWorld(std::shared_ptr<const Scene> scene) : scene_(std::move(scen
             if (side_length > 0.0) bounds.push_back({Plane{side / side_length, glm::dot(side / side_length, corners[e])}, 0});
         }
         add_bevels(box);
-        add_piece(bounds, box, false, i, true);
+        add_piece(bounds, {0, 0, box, false, i, true, placed});
     }
-    std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
-        return a.bounds_m.min_m.x != b.bounds_m.min_m.x ? a.bounds_m.min_m.x < b.bounds_m.min_m.x : a.bounds_m.min_m.y < b.bounds_m.min_m.y;
-    });
-    double reach = -std::numeric_limits<double>::infinity();
-    for (const Piece& piece : pieces_) max_x_so_far_.push_back(reach = std::max(reach, piece.bounds_m.max_m.x));
 }
 
-void BodyWorld::add_piece(const std::vector<Bound>& bounds, const Aabb& box, bool clip_only, std::uint32_t solid, bool triangle) {
-    pieces_.push_back({static_cast<std::uint32_t>(bounds_.size()), static_cast<std::uint32_t>(bounds.size()), box, clip_only, solid, triangle});
+void BodyWorld::add_piece(const std::vector<Bound>& bounds, Piece piece) {
+    piece.first_plane = static_cast<std::uint32_t>(bounds_.size());
+    piece.plane_count = static_cast<std::uint32_t>(bounds.size());
+    pieces_.push_back(piece);
     bounds_.insert(bounds_.end(), bounds.begin(), bounds.end());
 }
 
@@ -128,7 +153,10 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
         met_face = enter_face;
     });
     best.end_m = from_m + step * best.fraction;
-    if (met && met->triangle) {
+    if (met && met->placed >= 0) {
+        best.feature = scene_->placed[static_cast<std::size_t>(met->placed)].feature;
+        best.material = scene_->placed[static_cast<std::size_t>(met->placed)].material;
+    } else if (met && met->triangle) {
         best.feature = scene_->triangles[met->solid].feature;
         best.material = scene_->triangles[met->solid].material;
     } else if (met) {

@@ -48,12 +48,14 @@ private:
         bool clip_only = false;
         std::uint32_t solid = 0;  // index of Scene::solids, or of triangles when `triangle`
         bool triangle = false;
+        std::int32_t placed = -1;  // index of Scene::placed, whose name it goes by; -1: of the building itself
     };
     struct Bound {
         Plane plane;
         std::int32_t face = -1;  // index of the solid's plane; -1 for added bevels
     };
-    void add_piece(const std::vector<Bound>& bounds, const Aabb& box, bool clip_only, std::uint32_t solid, bool triangle);
+    void add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed);
+    void add_piece(const std::vector<Bound>& bounds, Piece piece);
     template <class Visit>
     void visit_near(const Aabb& box, Visit visit) const;
 

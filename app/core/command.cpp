@@ -25,6 +25,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::StopSpeech, "quiet", "Control", false, "Stop speaking."},
     CommandInfo{Command::StopEverything, "stop", "F12", false, "Stop all force and all sound at once. F brings force back."},
     CommandInfo{Command::Home, "home", "Home", false, "Go back to the base, where you started."},
+    CommandInfo{Command::BringOut, "out", "G", false, "Bring my hand and me out of anything we are inside."},
     CommandInfo{Command::PlanView, "plan", "F3", false, "Change the picture between first person and plan."},
     CommandInfo{Command::Help, "help", "F1", false, "Say the keys."},
     CommandInfo{Command::VerbosityCycle, "verbosity", "V", false, "How much is said: level 0 to 4."},

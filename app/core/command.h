@@ -24,6 +24,7 @@ enum class Command : std::uint8_t {
     StopSpeech,
     StopEverything,  // F12: all force and sound
     Home,
+    BringOut,  // out of whatever the hand or the body is inside
     PlanView,
     Help,
     VerbosityCycle,

@@ -42,7 +42,7 @@ void HeadlessSession::advance() {
 
 void HeadlessSession::servo() {
     const DeviceSample sample = device_->read(now_s());
-    device_->write(servo_tick(servo_state_, app_.haptic_scene().get(), app_.tuning(), app_.pose(), sample, now_s()));
+    device_->write(servo_tick(servo_state_, app_.haptic_scene().get(), app_.tuning(), app_.pose(), sample, now_s(), &app_.bodies()));
     tool_ = servo_state_.tool();
     for (const ContactEvent& event : servo_state_.events()) contacts_.push_back(event);
 }
@@ -50,7 +50,8 @@ void HeadlessSession::servo() {
 void HeadlessSession::cues() {
     if (heard_scene_ != app_.scene()) {
         heard_scene_ = app_.scene();
-        planner_.enter_world(heard_scene_);
+        if (std::exchange(heard_world_, app_.worlds_entered()) != app_.worlds_entered()) planner_.enter_world(heard_scene_);
+        else planner_.follow_edit(heard_scene_);
     }
     for (CueRequest& request : app_.take_cues()) requests_.push_back(std::move(request));
     CueInputs inputs;

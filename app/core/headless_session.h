@@ -38,6 +38,7 @@ private:
     SpeechSink& speech_;
     CuePlanner planner_;
     std::shared_ptr<const Scene> heard_scene_;
+    int heard_world_ = 0;
     std::shared_ptr<SimulatedHand> hand_;
     std::unique_ptr<SimulatedDevice> device_;
     ServoState servo_state_;

@@ -106,7 +106,30 @@ Command command_named(Fields& fields, const char* key) {
 
 constexpr double kLongest_s = 3600.0;
 
-ScenarioAction read_action(const toml::table& table) {
+// Where the worlds and models that a scenario names are looked for.
+struct Folders {
+    fs::path beside;
+    std::vector<fs::path> others;
+};
+
+fs::path find_world(const std::string& name, const Folders& folders, int line) {
+    std::vector<fs::path> places{folders.beside, folders.beside / "worlds"};
+    places.insert(places.end(), folders.others.begin(), folders.others.end());
+    for (const fs::path& folder : places)
+        if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
+    throw Bad{line, fmt::format("The world \"{}\" is neither beside this file nor among the program's worlds.", name)};
+}
+
+// turn_deg about turn_axis, upright where none is given.
+std::optional<Rotation> read_turn(Fields& fields) {
+    if (!fields.has("turn_deg")) return std::nullopt;
+    const Vec3 axis = fields.has("turn_axis") ? fields.vector("turn_axis") : Vec3(0.0, 0.0, 1.0);
+    const double length = glm::length(axis);
+    if (!(length > 0.0)) throw Bad{fields.line(), "\"turn_axis\" must not be zero."};
+    return rotation_about(axis / length, radians_from_degrees(fields.number("turn_deg", -360.0, 360.0)));
+}
+
+ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     Fields fields(table, "An action");
     ScenarioAction action;
     action.line = fields.line();
@@ -119,6 +142,25 @@ ScenarioAction read_action(const toml::table& table) {
     if (is("move_by")) action.step = MoveHand{fields.vector("move_by"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), true};
     if (is("push_n")) action.step = PushHand{fields.vector("push_n"), fields.number("for_s", 0.0, kLongest_s)};
     if (is("rest_at")) action.step = RestHand{fields.vector("rest_at"), fields.number("for_s", 0.0, kLongest_s)};
+    if (is("add")) {
+        AddThing add;
+        add.name = fields.text("add");
+        if (fields.has("box") == fields.has("model")) throw Bad{action.line, "\"add\" needs either \"box\" or \"model\"."};
+        if (fields.has("box")) add.box_m = fields.vector("box");
+        else add.model = find_world(fields.text("model"), folders, line_of(fields.node("model")));
+        add.at.position_m = fields.vector("at");
+        add.at.rotation = read_turn(fields).value_or(Rotation{});
+        add.at.scale = fields.number_or("scale", 1.0, 1e-3, 1e3);
+        if (fields.has("material")) add.material = fields.text("material");
+        action.step = std::move(add);
+    }
+    if (is("remove")) action.step = RemoveThing{fields.text("remove")};
+    if (is("send")) {
+        SendThing send{fields.text("send"), {}, read_turn(fields), {}, fields.number_or("speed_m_per_s", 0.3, 1e-6, 100.0)};
+        if (fields.has("to")) send.to_m = fields.vector("to");
+        if (fields.has("scale")) send.scale = fields.number("scale", 1e-3, 1e3);
+        action.step = std::move(send);
+    }
     if (is("trouble")) {
         const std::string kind = fields.text("trouble");
         static const std::vector<std::string> kinds_known{"nan", "jump", "freeze", "unplug", "late"};
@@ -138,7 +180,9 @@ ScenarioAction read_action(const toml::table& table) {
     if (fields.has("meanwhile")) action.meanwhile = fields.flag("meanwhile");
     fields.done();
     if (kinds != 1)
-        throw Bad{action.line, "An action must hold exactly one of press, hold, wait_s, move_to, move_by, sweep_at, push_n, rest_at, trouble, place, set."};
+        throw Bad{
+            action.line,
+            "An action must hold exactly one of press, hold, wait_s, move_to, move_by, sweep_at, push_n, rest_at, add, remove, send, trouble, place, set."};
     return action;
 }
 
@@ -243,6 +287,14 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         e.from_hz = fields.number("from_hz", 0.1, 500.0);
         e.to_hz = fields.number("to_hz", 0.1, 500.0);
     }
+    if (is("force_angle_deg", Check::ForceAngle)) {
+        e.high = fields.number("force_angle_deg", 0.0, 180.0);
+        e.vector = fields.vector("direction");
+        const double length = glm::length(e.vector);
+        if (!(length > 0.0)) throw Bad{e.line, "\"direction\" must not be zero."};
+        e.vector /= length;
+    }
+    if (is("depth_mm", Check::Depth)) e.high = fields.number("depth_mm", 0.0, 1e6);
     if (is("force_rising", Check::ForceRising)) fields.flag("force_rising");
     if (is("body_at", Check::BodyAt)) place("body_at");
     if (is("hip_at", Check::HipAt)) place("hip_at");
@@ -277,14 +329,6 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
     return e;
 }
 
-fs::path find_world(const std::string& name, const fs::path& beside, const std::vector<fs::path>& folders, int line) {
-    std::vector<fs::path> places{beside, beside / "worlds"};
-    places.insert(places.end(), folders.begin(), folders.end());
-    for (const fs::path& folder : places)
-        if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
-    throw Bad{line, fmt::format("The world \"{}\" is neither beside this file nor among the program's worlds.", name)};
-}
-
 std::string toml_text(const toml::node& node) {
     if (node.is_string()) return *node.value<std::string>();
     if (node.is_boolean()) return *node.value<bool>() ? "true" : "false";
@@ -293,12 +337,13 @@ std::string toml_text(const toml::node& node) {
     throw Bad{line_of(node), "A setting must be a text, a number, true or false."};
 }
 
-Scenario read_table(const toml::table& table, const fs::path& file, const std::vector<fs::path>& folders) {
+Scenario read_table(const toml::table& table, const fs::path& file, const std::vector<fs::path>& world_folders) {
+    const Folders folders{file.parent_path(), world_folders};
     Fields fields(table, "A scenario");
     Scenario scenario;
     scenario.file = file;
     scenario.title = fields.text("title");
-    scenario.world = find_world(fields.text("world"), file.parent_path(), folders, line_of(fields.node("world")));
+    scenario.world = find_world(fields.text("world"), folders, line_of(fields.node("world")));
     if (fields.has("device")) scenario.device = fields.text("device");
     if (fields.has("start")) {
         const toml::table* start = fields.node("start").as_table();
@@ -329,7 +374,7 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
     each("do", [&](const toml::table& item) {
         std::vector<ScenarioAction> actions;
         if (item.contains("sweep_at")) actions = read_sweep(item);
-        else actions.push_back(read_action(item));
+        else actions.push_back(read_action(item, folders));
         for (ScenarioAction& action : actions) {
             if (!action.name.empty() && !names.insert(action.name).second) throw Bad{line_of(item), fmt::format("Two actions are named \"{}\".", action.name)};
             scenario.actions.push_back(std::move(action));

@@ -12,6 +12,7 @@
 #include "app/core/command.h"
 #include "worlds/base/result.h"
 #include "worlds/base/vec.h"
+#include "worlds/geometry/placement.h"
 
 namespace handrail {
 
@@ -49,8 +50,25 @@ struct PlaceBody {
 struct ChangeSetting {
     std::string key, value;
 };  // set = "workspace.scale=30": restarts the world at the same place
+struct AddThing {
+    std::string name;
+    Vec3 box_m{0.0};              // add, box: its sides; zero: the model
+    std::filesystem::path model;  // add, model: a world file, as found
+    Placement at;
+    std::string material;
+};  // add = "crate"
+struct RemoveThing {
+    std::string name;
+};  // remove = "crate"
+struct SendThing {
+    std::string name;
+    std::optional<Vec3> to_m;
+    std::optional<Rotation> rotation;
+    std::optional<double> scale;
+    double speed_m_per_s;
+};  // send = "crate": slides there in a straight line while everything goes on
 
-using ScenarioStep = std::variant<TapCommand, HoldCommand, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, PlaceBody, ChangeSetting>;
+using ScenarioStep = std::variant<TapCommand, HoldCommand, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, PlaceBody, ChangeSetting, AddThing, RemoveThing, SendThing>;
 
 struct ScenarioAction {
     std::string name;  // for after/before; may be empty
@@ -76,6 +94,8 @@ enum class Check {
     ForceStep,    // force_step_n: largest change between ticks
     ForceLine,    // force_line_n with hz: amplitude at that frequency
     ForceBand,    // force_band_n with from_hz, to_hz: largest amplitude of any line there
+    ForceAngle,   // force_angle_deg, direction: the force looks there, wherever it is above 0.05 N
+    Depth,        // depth_mm: largest distance of hand and ball, felt
     ForceRising,  // force_rising = true: never falls by more than 1e-9 N between ticks
     BodyAt,
     HipAt,

@@ -5,6 +5,8 @@
 #include "app/core/headless_session.h"
 #include "haptic/servo/workspace_map.h"
 #include "worlds/base/text.h"
+#include "worlds/readers/reader.h"
+#include "worlds/scene/models.h"
 
 namespace handrail {
 namespace {
@@ -113,6 +115,21 @@ private:
             session_.hand().trouble.publish(device);
             return trouble->for_s;
         }
+        if (const auto* add = std::get_if<AddThing>(&action.step)) {
+            const auto model = add->model.empty() ? box_model(add->box_m) : read_model(add->model);
+            if (!model) return here(model.error(), action);
+            if (const auto added = session_.app().add_thing(add->name, *model, add->at, add->material, now); !added) return here(added.error(), action);
+        }
+        if (const auto* remove = std::get_if<RemoveThing>(&action.step))
+            if (const auto removed = session_.app().remove_thing(remove->name, now); !removed) return here(removed.error(), action);
+        if (const auto* send = std::get_if<SendThing>(&action.step)) {
+            const auto at = session_.app().thing_at(send->name);
+            Placement to = at.value_or(Placement{});
+            to = {send->to_m.value_or(to.position_m), send->rotation.value_or(to.rotation), send->scale.value_or(to.scale)};
+            if (const auto sent = session_.app().send_thing(send->name, to, send->speed_m_per_s); !sent) return here(sent.error(), action);
+            const double way = glm::length(to.position_m - at->position_m);
+            return way > 0.0 ? way / send->speed_m_per_s : 1.0;
+        }
         if (const auto* place = std::get_if<PlaceBody>(&action.step)) session_.app().place(place->feet_m, place->heading_rad, now);
         if (const auto* change = std::get_if<ChangeSetting>(&action.step)) {
             if (const auto set = settings_.set(change->key, change->value, SettingSource::Live); !set)
@@ -120,6 +137,17 @@ private:
             session_.change_settings(settings_.values());
         }
         return 0.0;
+    }
+
+    tl::unexpected<Error> here(const Error& why, const ScenarioAction& action) const {
+        return fail(why.file.empty() ? why.message : why.sentence(), scenario_.file.filename().string(), action.line);
+    }
+    Result<std::shared_ptr<const Scene>> read_model(const std::filesystem::path& file) {
+        auto& known = models_[file.string()];
+        if (known) return known;
+        auto scene = read_world(file);
+        if (!scene) return tl::unexpected(scene.error());
+        return known = std::make_shared<const Scene>(std::move(*scene));
     }
 
     void end(const ScenarioAction& action) {
@@ -140,6 +168,7 @@ private:
     const Scenario& scenario_;
     HeadlessSession& session_;
     SettingsStore& settings_;
+    std::map<std::string, std::shared_ptr<const Scene>> models_;
     std::vector<Running> runs_;
 };
 
@@ -178,6 +207,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, std::shared_ptr<const 
         tick.hip_m = tool.hip_m;
         tick.proxy_m = tool.proxy_m;
         tick.radius_m = tool.ball_radius_m;
+        tick.scale = session.app().tuning().touch.world_m_per_hand_m;
         tick.contact = tool.contacts.count > 0;
         if (tick.contact) tick.touched = tool.contacts.contacts[tool.contacts.strongest].feature;
         tick.feet_m = session.app().feet_m();
@@ -185,6 +215,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, std::shared_ptr<const 
         log.ticks.push_back(tick);
     }
     player.note_times(log);
+    log.scene = session.app().scene();
     log.end_s = session.now_s();
     return log;
 }

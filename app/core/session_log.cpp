@@ -13,6 +13,8 @@
 namespace handrail {
 namespace {
 
+constexpr double kFeltForce_n = 0.05;  // below it a direction is not felt
+
 std::vector<std::string> words_of(const std::string& text) {
     std::vector<std::string> words;
     std::string word;
@@ -97,6 +99,22 @@ public:
             case Check::ForceLine:
             case Check::ForceBand:
                 return force_lines();
+            case Check::ForceAngle:
+                return each_tick(
+                    [&](const LoggedTick& t) {
+                        const double force = glm::length(t.force_n);
+                        if (force <= kFeltForce_n) return std::string();
+                        const double off = degrees_from_radians(std::acos(std::clamp(glm::dot(t.force_n, e_.vector) / force, -1.0, 1.0)));
+                        return off <= e_.high ? std::string() : fmt::format("{:.2f} degrees off, {}", off, shown(t.force_n));
+                    },
+                    fmt::format("force within {} degrees of {}", e_.high, shown(e_.vector)));
+            case Check::Depth:
+                return each_tick(
+                    [&](const LoggedTick& t) {
+                        const double depth_mm = t.contact ? 1e3 * glm::length(t.hip_m - t.proxy_m) / t.scale : 0.0;
+                        return depth_mm <= e_.high ? std::string() : fmt::format("{:.3f} mm", depth_mm);
+                    },
+                    fmt::format("hand at most {} mm in", e_.high));
             case Check::ForceRising:
                 return force_rising();
             case Check::BodyAt:

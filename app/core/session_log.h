@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct LoggedTick {
     Vec3 force_n{0.0};  // commanded, world axes
     Vec3 hip_m{0.0}, proxy_m{0.0};
     double radius_m = 0.0;
+    double scale = 1.0;  // world metres per hand metre
     FeatureId touched = kNoFeature;
     bool contact = false;
     Vec3 feet_m{0.0};
@@ -39,6 +41,7 @@ struct SessionLog {
     std::vector<LoggedSound> sounds;
     std::vector<LoggedLine> lines;
     std::map<std::string, std::pair<double, double>> action_times;  // name -> start, end
+    std::shared_ptr<const Scene> scene;  // as it was at the end: it knows the name of everything that was ever added
     double end_s = 0.0;
 };
 

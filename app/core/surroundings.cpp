@@ -5,6 +5,24 @@
 
 namespace handrail {
 
+std::optional<Vec3> nearest_free_feet(const BodyWorld& world, const Vec3& feet_m, const BodyShape& body) {
+    constexpr double kStep_m = 0.1, kFarthest_m = 12.0, kHighest_m = 3.0;
+    if (!world.blocked(feet_m, body)) return feet_m;
+    for (double ring = kStep_m; ring <= kFarthest_m; ring += kStep_m) {
+        const int around = std::max(8, static_cast<int>(2.0 * kPi * ring / kStep_m));
+        for (double up = 0.0; up <= std::min(ring, kHighest_m); up += kStep_m)
+            for (const double sign : {1.0, -1.0}) {
+                if (up == 0.0 && sign < 0.0) continue;
+                const double level = std::sqrt(ring * ring - up * up);
+                for (int i = 0; i < around; ++i) {
+                    const Vec3 place = feet_m + forward_of_heading(2.0 * kPi * i / around) * level + Vec3(0.0, 0.0, sign * up);
+                    if (!world.blocked(place, body)) return place;
+                }
+            }
+    }
+    return std::nullopt;
+}
+
 std::optional<Seen> look(const BodyWorld& world, const Vec3& feet_m, double height_m, double bearing_rad, double range_m) {
     const Vec3 eye = feet_m + Vec3(0.0, 0.0, height_m);
     const TraceHit hit = world.trace(eye, eye + forward_of_heading(bearing_rad) * range_m, BodyShape{}, true);

@@ -18,6 +18,9 @@ struct Seen {
 
 inline constexpr double kSightRange_m = 100.0;
 
+// The place nearest to where a body stands in something, within 12 m around and 3 m up and down, where it overlaps nothing. None: nothing.
+std::optional<Vec3> nearest_free_feet(const BodyWorld& world, const Vec3& feet_m, const BodyShape& body);
+
 // The first surface in that direction, level, at `height_m` above the soles; nothing within range: none.
 std::optional<Seen> look(const BodyWorld& world, const Vec3& feet_m, double height_m, double bearing_rad, double range_m = kSightRange_m);
 

@@ -41,6 +41,11 @@ public:
 
     // Puts the body at `feet_m`, or as near above it as there is room (at most half a metre), and lets it drop to the ground.
     void place(const Vec3& feet_m);
+    // Goes on where another walker stood, standing or falling.
+    void resume(const WalkerState& state) {
+        state_ = state;
+        fall_from_z_ = state.feet_m.z;
+    }
     // wish: horizontal metres per second; dt_s up to 0.1 s.
     WalkResult tick(const Vec3& wish_m_per_s, double dt_s);
 

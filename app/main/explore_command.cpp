@@ -178,8 +178,6 @@ private:
             say(fmt::format("{} {} in this file; the first: {}", report.warnings_in_all, report.warnings_in_all == 1 ? "problem" : "problems",
                             report.warnings.front().sentence()));
         app_->enter_world(std::make_shared<const Scene>(std::move(*scene)), clock_.now_s());
-        ears_->enter_world(app_->scene());
-        if (servo_) servo_->set_scene(app_->haptic_scene());
         return true;
     }
 
@@ -202,14 +200,24 @@ private:
 
     // To the servo and the ears, what this frame changed.
     void hand_over() {
-        for (CueRequest& cue : app_->take_cues()) ears_->post(std::move(cue));
-        if (app_->scene()) ears_->set_listener(app_->listener());
         bool changed = false;
         for (const auto& [key, value] : app_->take_setting_changes()) changed |= settings_.set(key, value, SettingSource::Live).has_value();
         if (changed) ears_->set_settings(app_->settings());
+        if (app_->scene() != handed_scene_) {
+            handed_scene_ = app_->scene();
+            if (std::exchange(handed_world_, app_->worlds_entered()) != app_->worlds_entered()) ears_->enter_world(handed_scene_);
+            else ears_->follow_edit(handed_scene_);
+        }
+        for (CueRequest& cue : app_->take_cues()) ears_->post(std::move(cue));
+        if (app_->scene()) ears_->set_listener(app_->listener());
         if (!servo_ || !app_->scene()) return;
+        if (app_->haptic_scene() != handed_haptic_scene_) {
+            handed_haptic_scene_ = app_->haptic_scene();
+            servo_->set_scene(handed_haptic_scene_);
+        }
         servo_->set_tuning(app_->tuning());
         servo_->set_pose(app_->pose());
+        if (std::exchange(handed_bodies_, app_->bodies().number) != app_->bodies().number) servo_->set_bodies(app_->bodies());
         HandCommand command;
         command.target_m = app_->hand_target_m();
         simulated_->command.publish(command);
@@ -295,6 +303,10 @@ private:
     Command repeat_command_ = Command::Forward;
     int repeat_left_ = 0;
     double settle_until_s_ = 0.0;
+    std::shared_ptr<const Scene> handed_scene_;  // what servo and ears were last given
+    std::shared_ptr<const HapticScene> handed_haptic_scene_;
+    int handed_world_ = 0;
+    std::uint64_t handed_bodies_ = 0;
     ToolState tool_;
     std::string last_spoken_;
     bool closed_ = false;

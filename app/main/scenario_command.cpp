@@ -67,7 +67,7 @@ Outcome run_one(const Scenario& scenario, const ReadOptions& options) {
     }
     note_heard(audio, speech, *log);
     outcome.virtual_s = log->end_s;
-    outcome.failures = failures(scenario, *log, *shared);
+    outcome.failures = failures(scenario, *log, *log->scene);
     return outcome;
 }
 

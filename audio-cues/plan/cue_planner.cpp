@@ -60,6 +60,8 @@ void CuePlanner::enter_world(std::shared_ptr<const Scene> scene) {
     name_.reset();
 }
 
+void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) { scene_ = std::move(scene); }
+
 void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech) {
     // 1. The sinks take the time first, so that what is played below carries it.
     audio.set_listener(inputs.listener);

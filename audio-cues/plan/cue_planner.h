@@ -72,6 +72,8 @@ public:
     explicit CuePlanner(Settings settings);
     void set_settings(const Settings& settings);
     void enter_world(std::shared_ptr<const Scene> scene);  // names and materials to speak of; forgets what the hand touched
+    // The same world with something added, moved or removed: names are looked up here from now on, and nothing is said again.
+    void follow_edit(std::shared_ptr<const Scene> scene);
     // Handles all inputs in order, contacts first, and drives the sinks, their tick() included. `now_s` never goes back.
     void tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech);
     // At the end: what still waits is written, so that text sinks hold every answer.

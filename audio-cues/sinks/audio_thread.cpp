@@ -35,6 +35,14 @@ void AudioThread::set_settings(const Settings& settings) {
 void AudioThread::enter_world(std::shared_ptr<const Scene> scene) {
     const std::lock_guard lock(mutex_);
     inbox_.scene = std::move(scene);
+    inbox_.edited.reset();
+}
+
+void AudioThread::follow_edit(std::shared_ptr<const Scene> scene) {
+    const std::lock_guard lock(mutex_);
+    // A world that was entered and not yet taken over is entered as it is now.
+    if (inbox_.scene) inbox_.scene = std::move(scene);
+    else inbox_.edited = std::move(scene);
 }
 
 std::vector<SpokenLine> AudioThread::take_spoken() {
@@ -53,6 +61,7 @@ void AudioThread::step() {
         speech_->set_speech(inbox.settings->speech);
     }
     if (inbox.scene) planner_.enter_world(std::move(*inbox.scene));
+    if (inbox.edited) planner_.follow_edit(std::move(*inbox.edited));
     events_.clear();
     if (contacts_ != nullptr) contacts_->consume_all([&](const ContactEvent& event) { events_.push_back(event); });
     listener_.refresh();

@@ -40,6 +40,7 @@ public:
     void post(CueRequest request);
     void set_settings(const Settings& settings);
     void enter_world(std::shared_ptr<const Scene> scene);
+    void follow_edit(std::shared_ptr<const Scene> scene);  // see CuePlanner
     std::vector<SpokenLine> take_spoken();  // what was said since the last call, oldest first
     void set_listener(const Listener& listener) { listener_.publish(listener); }
 
@@ -50,7 +51,7 @@ private:
     struct Inbox {
         std::vector<CueRequest> requests;
         std::optional<Settings> settings;
-        std::optional<std::shared_ptr<const Scene>> scene;
+        std::optional<std::shared_ptr<const Scene>> scene, edited;
     };
 
     void run();

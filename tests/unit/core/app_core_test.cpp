@@ -1,6 +1,9 @@
 #include "app/core/app_core.h"
 
+#include "haptic/render/free_place.h"
+
 #include "tests/support/box_scene.h"
+#include "worlds/scene/models.h"
 
 namespace handrail {
 namespace {
@@ -222,6 +225,70 @@ TEST(AppCore, home_goes_back_and_every_command_can_be_given_without_harm) {
     EXPECT_NEAR(s.app.feet_m().y, 0.5, 1e-9);
     EXPECT_EQ(s.app.heading_rad(), 0.0);
     EXPECT_FALSE(s.app.wants_to_leave());
+}
+
+TEST(AppCore, sets_things_down_moves_and_removes_them_while_everything_goes_on) {
+    Session s(true);
+    s.run(0.1);
+    const auto world = s.app.haptic_scene()->world;
+    const auto box = box_model({0.5, 0.5, 0.5});
+    ASSERT_TRUE(box);
+    ASSERT_TRUE(s.app.add_thing("crate", *box, {Vec3(3, 2, 0.25), {}, 1.0}, "wood", s.now));
+    EXPECT_EQ(s.app.haptic_scene()->world, world) << "the same world: force goes on";
+    ASSERT_EQ(s.app.haptic_scene()->bodies.size(), 1U);
+    EXPECT_EQ(s.app.bodies().scene, s.app.haptic_scene()->generation);
+    EXPECT_EQ(spoken_name(*s.app.scene(), s.app.haptic_scene()->bodies[0].feature), "crate, wood");
+    EXPECT_FALSE(s.app.add_thing("Crate", *box, {}, "", s.now)) << "the name is taken";
+    const auto unknown = s.app.add_thing("chest", *box, {}, "wod", s.now);
+    ASSERT_FALSE(unknown);
+    EXPECT_NE(unknown.error().message.find("wood"), std::string::npos);
+    EXPECT_FALSE(s.app.add_thing("chest", *box, {Vec3(0.0), {}, 0.0}, "", s.now));
+    EXPECT_FALSE(s.app.send_thing("chest", {}, 1.0));
+    EXPECT_FALSE(s.app.send_thing("crate", {}, 0.0));
+
+    // The body walks into it where it stands, and where it went.
+    s.app.place({3, 0.6, 0}, 0.0, s.now);
+    s.app.press(Command::Forward, s.now);
+    s.run(3.0);
+    s.app.release(Command::Forward);
+    EXPECT_NEAR(s.app.feet_m().y, 1.5, 0.01);
+    const std::uint64_t number = s.app.bodies().number;
+    ASSERT_TRUE(s.app.send_thing("crate", {Vec3(1, 2, 0.25), {}, 1.0}, 1.0));
+    s.run(1.0);
+    EXPECT_NEAR(s.app.thing_at("crate")->position_m.x, 2.0, 0.05);
+    EXPECT_GT(s.app.bodies().number, number + 30);
+    s.run(1.5);
+    EXPECT_EQ(s.app.thing_at("crate")->position_m, Vec3(1, 2, 0.25));
+    s.app.press(Command::Forward, s.now);
+    s.run(4.0);
+    s.app.release(Command::Forward);
+    EXPECT_NEAR(s.app.feet_m().y, 3.75, 0.01) << "the way is free up to the north wall";
+    ASSERT_TRUE(s.app.remove_thing("crate", s.now));
+    EXPECT_TRUE(s.app.haptic_scene()->bodies.empty());
+    EXPECT_FALSE(s.app.remove_thing("crate", s.now));
+}
+
+TEST(AppCore, brings_body_and_hand_out_of_what_they_are_in) {
+    Session s(true);
+    s.tool.hip_m = Vec3(3.0, 1.5, 1.0);
+    s.run(0.1);
+    s.tap(Command::BringOut);
+    EXPECT_EQ(s.said().back(), "You are inside nothing.");
+    s.tool.hip_m = Vec3(1.5, 3.25, 0.6);  // in the table
+    s.run(0.1);
+    const Vec3 before = s.app.pose().origin_m;
+    s.tap(Command::BringOut);
+    EXPECT_NE(s.said().back().find("Your hand was in Table"), std::string::npos) << s.said().back();
+    const Vec3 hand = s.tool.hip_m + s.app.pose().origin_m - before;
+    EXPECT_GE(surrounding_of(*s.app.haptic_scene(), {}, hand, 1.0).distance_m, s.app.tuning().touch.radius_m);
+    s.app.place({3, 2, 0}, 0.0, s.now);
+    const auto box = box_model({2.0, 2.0, 2.0});
+    ASSERT_TRUE(s.app.add_thing("block", *box, {Vec3(3, 2, 1), {}, 1.0}, "", s.now));
+    s.tool.hip_m = Vec3(0.5, 0.5, 1.0);
+    s.run(0.1);
+    s.tap(Command::BringOut);
+    EXPECT_NE(s.said().back().find("You stood in something"), std::string::npos) << s.said().back();
+    EXPECT_GE(std::max(std::abs(s.app.feet_m().x - 3.0), std::abs(s.app.feet_m().y - 2.0)), 1.25 - 1e-3);
 }
 
 }  // namespace

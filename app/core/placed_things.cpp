@@ -1,0 +1,47 @@
+#include "app/core/placed_things.h"
+
+#include <algorithm>
+
+namespace handrail {
+
+void PlacedThings::enter(const Scene& scene, const HapticScene& haptic, double now_s) {
+    things_.clear();
+    for (std::size_t i = 0; i < haptic.bodies.size() && i < scene.placed.size(); ++i) things_.push_back({scene.placed[i].at, {}, {}, 1.0, 0.0});
+    frame_.scene = haptic.generation;
+    publish(now_s);
+}
+
+void PlacedThings::publish(double now_s) {
+    ++frame_.number;
+    frame_.time_s = now_s;
+    frame_.count = static_cast<std::uint32_t>(things_.size());
+    for (std::size_t i = 0; i < things_.size(); ++i) frame_.poses[i] = {things_[i].at, true};
+}
+
+void PlacedThings::send(std::size_t thing, const Placement& to, double speed_m_per_s) {
+    Thing& t = things_[thing];
+    t.from = t.at;
+    t.to = to;
+    t.part = 0.0;
+    const double way = glm::length(to.position_m - t.at.position_m);
+    t.parts_per_s = way > 0.0 ? speed_m_per_s / way : 1.0;
+}
+
+bool PlacedThings::tick(double now_s, double dt_s) {
+    bool moved = false, arrived = false;
+    for (Thing& t : things_) {
+        if (t.part >= 1.0) continue;
+        t.part = std::min(1.0, t.part + t.parts_per_s * dt_s);
+        t.at = t.part == 1.0 ? t.to : between(t.from, t.to, t.part);
+        moved = true;
+        arrived = arrived || t.part == 1.0;
+    }
+    if (moved) publish(now_s);
+    return arrived;
+}
+
+bool PlacedThings::moving() const {
+    return std::any_of(things_.begin(), things_.end(), [](const Thing& t) { return t.part < 1.0; });
+}
+
+}  // namespace handrail
