@@ -45,8 +45,9 @@ struct Grammar {
     InfoArguments info;
     TouchArguments touch;
     ScenarioArguments scenario;
+    BenchArguments bench;
     SettingsCall settings;
-    CLI::App *info_app, *touch_app, *scenario_app, *settings_app;
+    CLI::App *info_app, *touch_app, *scenario_app, *bench_app, *settings_app;
 
     Grammar() {
         app.name("handrail");
@@ -89,11 +90,29 @@ struct Grammar {
         scenario_app->add_option("--junit", scenario.junit, "write the results as JUnit XML")->type_name("FILE");
         add_map_scale(*scenario_app, scenario.common);
 
+        bench_app = app.add_subcommand("bench", "measure how fast and how exact touch is, beside other renderers");
+        bench_app->add_flag("--quick", bench.quick, "a few seconds instead of some minutes; times are rough");
+        bench_app->add_flag("--json", bench.json, "as one JSON object");
+        bench_app->add_option("--scene", bench.scene, "only scenes and families with this in their name")->type_name("NAME");
+        bench_app->add_flag("--list", bench.list, "say the names of the scenes and measure nothing");
+        bench_app->add_option("--map", bench.maps, "also this map; may be repeated")
+            ->type_name("FILE")
+            ->type_size(1)
+            ->expected(1)
+            ->allow_extra_args(false)
+            ->take_all();
+        bench_app->add_option("--svg", bench.svg_folder, "write plots of speed against error into this folder")->type_name("FOLDER");
+        bench_app->add_option("--markdown", bench.markdown, "write the tables to this file")->type_name("FILE");
+        bench_app->add_option("--instructions", bench.instructions, "instructions per tick as tests/bench/compare.sh counted them")->type_name("FILE");
+        bench_app->add_option("--count", bench.count, "only the ticks of one renderer on the first scene, once, to be counted")->type_name("RENDERER");
+        add_number(
+            *bench_app, "--seconds", "S", [this](double v) { bench.seconds = v; }, true, "how long to run the servo thread; 60 unless given, 0 for not");
+
         settings_app = app.add_subcommand("settings", "list every setting with its value");
         settings_app->add_flag("--explain", settings.arguments.explain, "with unit, range, meaning and where each value comes from");
         add_settings_options(*settings_app, settings.settings);
 
-        for (CLI::App* sub : {info_app, touch_app, scenario_app, settings_app}) sub->set_help_flag("-h,--help", "say how to use this command");
+        for (CLI::App* sub : {info_app, touch_app, scenario_app, bench_app, settings_app}) sub->set_help_flag("-h,--help", "say how to use this command");
     }
 
     CLI::App& chosen() {
@@ -206,6 +225,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
         if (auto error = options_before_command(grammar)) return *error;
     if (&chosen == grammar.info_app) return grammar.info;
     if (&chosen == grammar.scenario_app) return grammar.scenario;
+    if (&chosen == grammar.bench_app) return grammar.bench;
     if (&chosen == grammar.settings_app) return grammar.settings;
     if (&chosen == grammar.touch_app) {
         if (auto error = check_touch(grammar.touch)) return *error;
@@ -223,6 +243,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& out, s
         Overloaded{[&](ExploreCall& call) { return explore(call, out, err); }, [&](const InfoArguments& arguments) { return run_info(arguments, out, err); },
                    [&](const TouchArguments& arguments) { return run_touch(arguments, out, err); },
                    [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err); },
+                   [&](const BenchArguments& arguments) { return run_bench_command(arguments, out, err); },
                    [&](const SettingsCall& call) {
                        std::optional<SettingsStore> settings = load_settings(call.settings, problems, err);
                        if (!settings) return 2;

@@ -48,6 +48,18 @@ struct ScenarioArguments {
 };
 int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err);
 
+// How fast and how exact the touch renderer is, beside others.
+struct BenchArguments {
+    bool json = false, quick = false;
+    std::string scene;                               // --scene: only scenes and families named like this
+    std::vector<std::filesystem::path> maps;         // --map: besides the worlds that ship with the program
+    std::optional<std::filesystem::path> svg_folder, markdown, instructions;
+    std::optional<double> seconds;                   // --seconds of the servo thread; 60, or 1 with --quick
+    std::optional<std::string> count;                // --count RENDERER: its ticks on the first scene alone, for callgrind
+    bool list = false;                               // --list: the scenes' names
+};
+int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err);
+
 struct SettingsArguments {
     bool explain = false;
 };

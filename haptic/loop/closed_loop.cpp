@@ -115,13 +115,13 @@ int sign_changes(std::span<const double> signal) {
     return changes;
 }
 
-double stable_stiffness_n_per_m(LoopSettings settings, const std::function<ClosedLoop::Render(double)>& wall, double press_n, double seconds_s) {
-    constexpr double kSoftest = 50.0, kStiffest = 60000.0, kFactor = 1.08, kQuiet_m = 0.3e-3;
+double stable_stiffness_n_per_m(LoopSettings settings, const std::function<ClosedLoop::Render(double)>& wall, double press_n, double seconds_s, double factor) {
+    constexpr double kSoftest = 50.0, kStiffest = 60000.0, kQuiet_m = 0.3e-3;
     const HandIntent leaning{Vec3(settings.hand.spring_n_per_m > 0.0 ? -press_n / settings.hand.spring_n_per_m : 0.0, 0.0, 0.0),
                              Vec3(settings.hand.spring_n_per_m > 0.0 ? 0.0 : -press_n, 0.0, 0.0)};
     double last_stable = 0.0;
     std::vector<double> places;
-    for (double stiffness = kSoftest; stiffness < kStiffest; stiffness *= kFactor) {
+    for (double stiffness = kSoftest; stiffness < kStiffest; stiffness *= factor) {
         ClosedLoop loop(settings, Vec3(0.01, 0.0, 0.0));
         const ClosedLoop::Render render = wall(stiffness);
         const int ticks = static_cast<int>(seconds_s / settings.period_s);

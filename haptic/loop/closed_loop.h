@@ -80,8 +80,9 @@ double peak_to_peak(std::span<const double> signal);
 int sign_changes(std::span<const double> signal);
 
 // The stiffest wall that a loop holds, in N/m: given by `wall` for each stiffness and filling x < 0, pressed with press_n by the hand of
-// `settings` for seconds_s. Stable means that the hand stays within 0.3 mm over the last third. Rises from 50 N/m by 8 % until the first that is not stable.
+// `settings` for seconds_s. Stable means that the hand stays within 0.3 mm over the last third. Rises from 50 N/m by `factor` until the first that is not
+// stable, at most to 60 kN/m.
 double stable_stiffness_n_per_m(LoopSettings settings, const std::function<ClosedLoop::Render(double stiffness_n_per_m)>& wall, double press_n,
-                                double seconds_s = 3.0);
+                                double seconds_s = 3.0, double factor = 1.08);
 
 }  // namespace handrail

@@ -1,6 +1,7 @@
 // The point of an intersection of half-spaces that is nearest to a goal: a quadratic programme in three variables with at most three
 // active constraints, solved exactly by dual basis exchange. Pure function, any thread, no allocation, never throws. The renderer moves
 // the proxy with it and finds the closest point of a convex brush with it. Cost: a few scans of all half-spaces, 4 multiplications each.
+// In double precision everywhere in the program; the scalar is a parameter so that single precision can be compared.
 // Source of the scheme: Sharir & Welzl, A combinatorial bound for linear programming and related problems, STACS 1992 (LP-type problems).
 #pragma once
 
@@ -11,46 +12,57 @@
 namespace handrail {
 
 // The points with dot(normal, p) >= offset_m; normal has length 1.
-struct HalfSpace {
-    Vec3 normal{0.0, 0.0, 1.0};
-    double offset_m = 0.0;
+template <class Real>
+struct BasicHalfSpace {
+    glm::vec<3, Real> normal{0, 0, 1};
+    Real offset_m = 0;
 };
+using HalfSpace = BasicHalfSpace<double>;
 
 // A half-space counts as violated beyond this; far below anything a hand feels, far above rounding within 1 km of the local origin.
 inline constexpr double kProjectionTolerance_m = 1e-10;
+template <class Real>
+inline constexpr Real kProjectionToleranceOf = static_cast<Real>(kProjectionTolerance_m);
+template <>
+inline constexpr float kProjectionToleranceOf<float> = 1e-7F;
 
 // Result of a projection and warm start of the next: which half-spaces hold the point, and how hard.
-struct ProjectionBasis {
+template <class Real>
+struct BasicProjectionBasis {
     int count = 0;
     std::array<int, 3> index{};
-    std::array<double, 3> multiplier_m{};  // >= 0; point - goal == sum of multiplier * normal
-    Vec3 point_m{0.0};
+    std::array<Real, 3> multiplier_m{};  // >= 0; point - goal == sum of multiplier * normal
+    glm::vec<3, Real> point_m{0};
 };
+using ProjectionBasis = BasicProjectionBasis<double>;
 
 namespace projection_detail {
 
+template <class Real>
 struct Member {
-    Vec3 normal;
-    double offset_m;  // relative to the goal
+    glm::vec<3, Real> normal;
+    Real offset_m;  // relative to the goal
     int index;
 };
 
 // Optimum over `count` (1 to 4) members of which the last one is tight; false when no subset of at most three serves.
 // Duplicates, opposite walls (pairs) and triples of nearly coplanar normals have no usable solution and are passed over.
-inline bool solve(const std::array<Member, 4>& members, int count, const Vec3& goal_m, ProjectionBasis& out) noexcept {
-    constexpr double kSingular = 1e-12;
+template <class Real>
+bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec<3, Real>& goal_m, BasicProjectionBasis<Real>& out) noexcept {
+    using V = glm::vec<3, Real>;
+    constexpr Real kSingular = static_cast<Real>(1e-12);
     const int last = count - 1;
-    const Member& m = members[static_cast<std::size_t>(last)];
-    const auto feasible = [&](const Vec3& d, int a, int b) {
+    const Member<Real>& m = members[static_cast<std::size_t>(last)];
+    const auto feasible = [&](const V& d, int a, int b) {
         for (int k = 0; k < last; ++k) {
             if (k == a || k == b) continue;
-            const Member& other = members[static_cast<std::size_t>(k)];
-            if (glm::dot(other.normal, d) - other.offset_m < -2.0 * kProjectionTolerance_m) return false;
+            const Member<Real>& other = members[static_cast<std::size_t>(k)];
+            if (glm::dot(other.normal, d) - other.offset_m < -2 * kProjectionToleranceOf<Real>) return false;
         }
         return true;
     };
-    if (m.offset_m >= 0.0) {
-        const Vec3 d = m.normal * m.offset_m;
+    if (m.offset_m >= 0) {
+        const V d = m.normal * m.offset_m;
         if (feasible(d, -1, -1)) {
             out.count = 1;
             out.index[0] = m.index;
@@ -60,36 +72,36 @@ inline bool solve(const std::array<Member, 4>& members, int count, const Vec3& g
         }
     }
     for (int j = 0; j < last; ++j) {
-        const Member& p = members[static_cast<std::size_t>(j)];
-        const Vec3 along = glm::cross(m.normal, p.normal);
-        const double det = glm::dot(along, along);
+        const Member<Real>& p = members[static_cast<std::size_t>(j)];
+        const V along = glm::cross(m.normal, p.normal);
+        const Real det = glm::dot(along, along);
         if (det < kSingular) continue;
-        const double c = glm::dot(m.normal, p.normal);
-        const double lm = (m.offset_m - c * p.offset_m) / det;
-        const double lp = (p.offset_m - c * m.offset_m) / det;
-        if (lm < 0.0 || lp < 0.0) continue;
-        const Vec3 d = m.normal * lm + p.normal * lp;
+        const Real c = glm::dot(m.normal, p.normal);
+        const Real lm = (m.offset_m - c * p.offset_m) / det;
+        const Real lp = (p.offset_m - c * m.offset_m) / det;
+        if (lm < 0 || lp < 0) continue;
+        const V d = m.normal * lm + p.normal * lp;
         if (!feasible(d, j, -1)) continue;
         out.count = 2;
         out.index = {m.index, p.index, 0};
-        out.multiplier_m = {lm, lp, 0.0};
+        out.multiplier_m = {lm, lp, 0};
         out.point_m = goal_m + d;
         return true;
     }
     for (int j = 0; j < last; ++j) {
         for (int k = j + 1; k < last; ++k) {
-            const Member& p = members[static_cast<std::size_t>(j)];
-            const Member& q = members[static_cast<std::size_t>(k)];
-            const Vec3 pq = glm::cross(p.normal, q.normal);
-            const Vec3 qm = glm::cross(q.normal, m.normal);
-            const Vec3 mp = glm::cross(m.normal, p.normal);
-            const double det = glm::dot(m.normal, pq);
+            const Member<Real>& p = members[static_cast<std::size_t>(j)];
+            const Member<Real>& q = members[static_cast<std::size_t>(k)];
+            const V pq = glm::cross(p.normal, q.normal);
+            const V qm = glm::cross(q.normal, m.normal);
+            const V mp = glm::cross(m.normal, p.normal);
+            const Real det = glm::dot(m.normal, pq);
             if (det * det < kSingular) continue;
-            const Vec3 d = (pq * m.offset_m + qm * p.offset_m + mp * q.offset_m) / det;
-            const double lm = glm::dot(d, pq) / det;
-            const double lp = glm::dot(d, qm) / det;
-            const double lq = glm::dot(d, mp) / det;
-            if (lm < 0.0 || lp < 0.0 || lq < 0.0 || !feasible(d, j, k)) continue;
+            const V d = (pq * m.offset_m + qm * p.offset_m + mp * q.offset_m) / det;
+            const Real lm = glm::dot(d, pq) / det;
+            const Real lp = glm::dot(d, qm) / det;
+            const Real lq = glm::dot(d, mp) / det;
+            if (lm < 0 || lp < 0 || lq < 0 || !feasible(d, j, k)) continue;
             out.count = 3;
             out.index = {m.index, p.index, q.index};
             out.multiplier_m = {lm, lp, lq};
@@ -105,34 +117,34 @@ inline bool solve(const std::array<Member, 4>& members, int count, const Vec3& g
 // Fills `basis` with the nearest point to goal_m that satisfies at(0) ... at(count - 1); basis.index of the call before is the warm start
 // (set basis.count = 0 for a cold one). False when the intersection is empty or too flat to tell; the basis then holds the best point so far,
 // which satisfies its own members only. Work close to a local origin: rounding grows with the coordinates.
-template <class HalfSpaceAt>
-bool project_on_half_spaces(const Vec3& goal_m, int count, const HalfSpaceAt& at, ProjectionBasis& basis) noexcept {
+template <class Real, class HalfSpaceAt>
+bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at, BasicProjectionBasis<Real>& basis) noexcept {
     constexpr int kMaxExchanges = 40;  // |point - goal| rises with every exchange
     const int warm_count = basis.count;
     const std::array<int, 3> warm = basis.index;
     basis.count = 0;
     basis.point_m = goal_m;
     const auto enter = [&](int index) {
-        std::array<projection_detail::Member, 4> members;
+        std::array<projection_detail::Member<Real>, 4> members;
         int n = 0;
         for (int k = 0; k <= basis.count; ++k) {
             const int id = k < basis.count ? basis.index[static_cast<std::size_t>(k)] : index;
-            const HalfSpace h = at(id);
+            const BasicHalfSpace<Real> h = at(id);
             members[static_cast<std::size_t>(n++)] = {h.normal, h.offset_m - glm::dot(h.normal, goal_m), id};
         }
-        ProjectionBasis next;
+        BasicProjectionBasis<Real> next;
         if (!projection_detail::solve(members, n, goal_m, next)) return false;
         basis = next;
         return true;
     };
     for (int round = 0; round < warm_count; ++round) {
-        double worst = -kProjectionTolerance_m;
+        Real worst = -kProjectionToleranceOf<Real>;
         int entering = -1;
         for (int k = 0; k < warm_count; ++k) {
             const int id = warm[static_cast<std::size_t>(k)];
             if (id >= count) continue;
-            const HalfSpace h = at(id);
-            const double slack = glm::dot(h.normal, basis.point_m) - h.offset_m;
+            const BasicHalfSpace<Real> h = at(id);
+            const Real slack = glm::dot(h.normal, basis.point_m) - h.offset_m;
             if (slack < worst) {
                 worst = slack;
                 entering = id;
@@ -146,11 +158,11 @@ bool project_on_half_spaces(const Vec3& goal_m, int count, const HalfSpaceAt& at
         }
     }
     for (int round = 0; round < kMaxExchanges; ++round) {
-        double worst = -kProjectionTolerance_m;
+        Real worst = -kProjectionToleranceOf<Real>;
         int entering = -1;
         for (int i = 0; i < count; ++i) {
-            const HalfSpace h = at(i);
-            const double slack = glm::dot(h.normal, basis.point_m) - h.offset_m;
+            const BasicHalfSpace<Real> h = at(i);
+            const Real slack = glm::dot(h.normal, basis.point_m) - h.offset_m;
             if (slack < worst) {
                 worst = slack;
                 entering = i;

@@ -1,0 +1,92 @@
+#include <cstdlib>
+#include <fstream>
+
+#include "app/main/commands.h"
+#include "app/main/world_files.h"
+#include "tests/bench/compare/report.h"
+#include "worlds/base/files.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The worlds that ship with the program, in the order of their names.
+std::vector<fs::path> bundled_maps() {
+    std::vector<fs::path> maps;
+    std::error_code ec;
+    for (const fs::directory_entry& entry : fs::directory_iterator(world_folder(), ec))
+        if (entry.path().extension() == ".map") maps.push_back(entry.path());
+    std::sort(maps.begin(), maps.end());
+    return maps;
+}
+
+// False, and a sentence on `err`, when it could not be written.
+bool write(const fs::path& file, const std::string& content, std::ostream& err) {
+    std::ofstream out(file, std::ios::binary);
+    out << content;
+    out.close();
+    if (out) return true;
+    err << fmt::format("The file {} could not be written.\n", file.string());
+    return false;
+}
+
+}  // namespace
+
+int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err) {
+    bench::BenchOptions options;
+    options.maps = bundled_maps();
+    for (const fs::path& map : arguments.maps) {
+        std::error_code ec;
+        if (!fs::is_regular_file(map, ec)) {
+            err << fmt::format("There is no map {}.\n", map.string());
+            return 1;
+        }
+        options.maps.push_back(map);
+    }
+    options.only = arguments.scene;
+    options.quick = arguments.quick;
+    options.servo_s = arguments.seconds.value_or(arguments.quick ? 1.0 : 60.0);
+    const std::vector<std::string> names = bench::scene_names(options);
+    if (names.empty()) {
+        err << fmt::format("No scene is named like \"{}\". Say handrail bench --list for the names.\n", arguments.scene);
+        return 1;
+    }
+    if (arguments.list) {
+        for (const std::string& name : names) out << name << '\n';
+        return 0;
+    }
+    if (arguments.count) {
+        std::size_t ticks = 0;
+        const Result<double> sum = bench::count_once(options, *arguments.count, ticks);
+        if (!sum) {
+            err << sum.error().sentence() << '\n';
+            return 1;
+        }
+        out << fmt::format("{}\t{}\t{}\t{}\n", names.front(), *arguments.count, ticks, *sum);
+        return 0;
+    }
+    std::string counted;
+    if (arguments.instructions) {
+        std::ifstream in(*arguments.instructions, std::ios::binary);
+        counted.assign(std::istreambuf_iterator<char>(in), {});
+        if (!in && counted.empty()) {
+            err << fmt::format("The file {} could not be read.\n", arguments.instructions->string());
+            return 1;
+        }
+    }
+    options.progress = [&err](const std::string& sentence) { err << sentence << '\n'; };
+    bench::BenchReport report = bench::run_bench(options);
+    bench::merge_instructions(report, counted);
+    out << (arguments.json ? bench::json_of(report) : bench::text_of(report)) << std::flush;
+    bool written = true;
+    if (arguments.svg_folder) {
+        std::error_code ec;
+        fs::create_directories(*arguments.svg_folder, ec);
+        for (const auto& [name, content] : bench::plots_of(report)) written = written && write(*arguments.svg_folder / name, content, err);
+    }
+    if (arguments.markdown) written = written && write(*arguments.markdown, bench::markdown_of(report), err);
+    return written ? 0 : 1;
+}
+
+}  // namespace handrail

@@ -1,0 +1,65 @@
+// `handrail bench`: every renderer on every scene family, speed against error; the stiffest wall a hand can lean on with each; and the servo thread.
+// Off the real-time path, one thread (and the servo's own). Sources of the renderers stand in their files.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tests/bench/compare/measure.h"
+#include "worlds/base/result.h"
+
+namespace handrail::bench {
+
+struct BenchOptions {
+    std::vector<std::filesystem::path> maps;
+    std::string only;  // scenes whose name or family holds this, without regard to case; empty: all
+    bool quick = false;
+    int seeds = 2;                                     // random lies of every family besides the scene as it stands; quick: 0
+    double servo_s = 60.0;                             // quick: 1; 0: leave the servo thread out
+    std::function<void(const std::string&)> progress;  // one sentence per scene; may be empty
+};
+
+struct SceneCost {
+    std::string scene, family;
+    std::size_t obstacles = 0, ticks = 0;
+    double build_s = 0.0, bytes_per_obstacle = 0.0;
+    bool referenced = false;
+};
+
+// The stiffest wall that a hand of 0.3 kg and 3 Ns/m holds when it presses with 6 N (haptic/loop), delay 1 ms, no damping by the renderer.
+struct Stability {
+    std::string wall, renderer, title;
+    double stiffness_n_per_m = 0.0;
+};
+
+struct ServoThread {
+    double seconds = 0.0;
+    std::uint64_t ticks = 0, overruns = 0;
+    double period_p50_s = 0.0, period_p99_s = 0.0, period_worst_s = 0.0, tick_p99_s = 0.0, tick_worst_s = 0.0;
+    std::string scheduling;
+};
+
+struct BenchReport {
+    bool quick = false;
+    std::string machine;
+    std::vector<Measured> results;
+    std::vector<SceneCost> scenes;
+    std::vector<Stability> stability;
+    std::vector<ServoThread> servo;     // none or one
+    std::vector<std::string> left_out;  // sentences: what was asked for and could not be run
+    double took_s = 0.0;
+};
+
+BenchReport run_bench(const BenchOptions& options);
+
+// Which scenes these options choose, by name; and the ticks of one renderer on one of them alone, for counting instructions.
+std::vector<std::string> scene_names(const BenchOptions& options);
+Result<double> count_once(const BenchOptions& options, const std::string& renderer, std::size_t& ticks);
+
+// Parts of run_bench.
+Stability stable_stiffness(const Contestant& contestant, const std::string& wall, double factor);
+ServoThread run_servo_thread(double seconds);
+
+}  // namespace handrail::bench

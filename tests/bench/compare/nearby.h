@@ -1,0 +1,56 @@
+// The broad phase that all rivals share, so that none is judged by the lack of one: the obstacles near a place, gathered once from the scene's
+// own hierarchy and kept, nearest first, until the place has moved by the margin.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "tests/bench/compare/bench_world.h"
+
+namespace handrail::bench {
+
+class Nearby {
+public:
+    static constexpr double kMargin_m = 0.02;  // as large as ours
+
+    explicit Nearby(const HapticScene& scene) : scene_(scene) {}
+
+    // visit(obstacle) for everything within reach_m of a place (scene coordinates), and some that is farther.
+    template <class Visit>
+    void within(const Vec3& at, double reach_m, Visit&& visit) {
+        double moved = glm::length(at - centre_);
+        if (!(moved + reach_m <= known_m_)) {
+            gather(at, reach_m + kMargin_m);
+            moved = 0.0;
+        }
+        for (const Near& near : near_) {
+            if (near.distance_m > moved + reach_m) break;
+            visit(near.obstacle);
+        }
+    }
+
+private:
+    struct Near {
+        std::uint32_t obstacle;
+        double distance_m;
+    };
+
+    void gather(const Vec3& at, double reach_m) {
+        near_.clear();
+        scene_.obstacle_bvh.within(at, reach_m, [&](std::uint32_t item, double&) {
+            const double distance_m = scene_.closest(item, at).distance_m;
+            if (distance_m <= reach_m) near_.push_back({item, distance_m});
+        });
+        std::sort(near_.begin(), near_.end(),
+                  [](const Near& a, const Near& b) { return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.obstacle < b.obstacle; });
+        centre_ = at;
+        known_m_ = reach_m;
+    }
+
+    const HapticScene& scene_;
+    std::vector<Near> near_;
+    Vec3 centre_{0.0};
+    double known_m_ = -1.0;
+};
+
+}  // namespace handrail::bench

@@ -1,0 +1,76 @@
+// Sequential constraint planes: the sphere runs towards the goal until it touches, exactly; the plane of the contact is added as an equality; the way goes
+// on along one plane, along the line of two, and ends at three. Planes are released only between ticks. A simplification of the virtual proxy of
+// Ruspini, Kolarov and Khatib (The haptic display of complex graphical environments, SIGGRAPH 1997), which solves a small quadratic programme for
+// each sub-goal instead and so lets go of planes that only press from behind.
+#include <array>
+
+#include "tests/bench/compare/contestant.h"
+#include "tests/bench/compare/nearby.h"
+#include "tests/bench/compare/swept.h"
+
+namespace handrail::bench {
+namespace {
+
+class SequentialPlanes {
+public:
+    SequentialPlanes(const BenchWorld& world, double) : scene_(*world.scene), radius_m_(world.radius_m), nearby_(scene_) {}
+
+    TickOutcome tick(const Vec3& goal_m) {
+        const Vec3 goal = goal_m - scene_.origin_m;
+        if (!placed_) {
+            ball_ = goal;
+            placed_ = true;
+        }
+        std::array<Vec3, 3> normals;
+        std::size_t planes = 0;
+        Vec3 wish = goal;
+        bool touched = false;
+        int rounds = 0;
+        while (rounds < 64) {
+            ++rounds;
+            const Vec3 way = wish - ball_;
+            if (glm::dot(way, way) < 1e-24) break;
+            double first = kNoHit;
+            Vec3 normal(0.0);
+            nearby_.within(ball_, glm::length(way) + radius_m_, [&](std::uint32_t obstacle) {
+                Vec3 n(0.0);
+                const double part = time_of_impact(scene_, obstacle, ball_, way, radius_m_, n);
+                if (part < first || (part == first && part < kNoHit && glm::dot(n, way) < glm::dot(normal, way))) {
+                    first = part;
+                    normal = n;
+                }
+            });
+            if (first > 1.0) {
+                ball_ = wish;
+                break;
+            }
+            touched = true;
+            ball_ += way * first;
+            normals[planes++] = normal;
+            if (planes == 3) break;
+            const Vec3 pull = goal - ball_;
+            if (planes == 1) {
+                wish = goal - normals[0] * glm::dot(pull, normals[0]);
+            } else {
+                const Vec3 line = glm::cross(normals[0], normals[1]);
+                const double length2 = glm::dot(line, line);
+                if (length2 < 1e-16) break;
+                wish = ball_ + line * (glm::dot(pull, line) / length2);
+            }
+        }
+        return {!touched && ball_ == goal ? goal_m : scene_.origin_m + ball_, rounds};
+    }
+
+private:
+    const HapticScene& scene_;
+    double radius_m_;
+    Nearby nearby_;
+    Vec3 ball_{0.0};
+    bool placed_ = false;
+};
+
+}  // namespace
+
+Contestant sequential_planes() { return contestant<SequentialPlanes>("sequential_planes", "Sequential constraint planes"); }
+
+}  // namespace handrail::bench

@@ -1,0 +1,110 @@
+// The outputs of `handrail bench`: one JSON object, tables, and pictures that can be read without seeing them.
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "app/main/command_line.h"
+#include "tests/bench/compare/report.h"
+#include "tests/bench/compare/svg_plot.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::bench {
+namespace {
+
+const BenchReport& small_report() {
+    static const BenchReport report = [] {
+        BenchOptions options;
+        options.quick = true;
+        options.only = "T6";
+        BenchReport made = run_bench(options);
+        options.only = "sphere of 980";
+        BenchReport sphere = run_bench(options);
+        made.results.insert(made.results.end(), sphere.results.begin(), sphere.results.end());
+        made.scenes.insert(made.scenes.end(), sphere.scenes.begin(), sphere.scenes.end());
+        made.stability.push_back(stable_stiffness(handrail_touch(), "flat wall", 2.0));
+        return made;
+    }();
+    return report;
+}
+
+TEST(BenchReport, holds_every_renderer_on_every_scene_with_speed_and_error) {
+    const auto json = nlohmann::json::parse(json_of(small_report()));
+    std::set<std::pair<std::string, std::string>> seen;
+    for (const auto& one : json["results"]) {
+        seen.emplace(one["scene"].get<std::string>(), one["renderer"].get<std::string>());
+        EXPECT_GT(one["mean_tick_s"].get<double>(), 0.0);
+        EXPECT_GE(one["worst_tick_s"].get<double>(), one["p50_tick_s"].get<double>());
+        EXPECT_TRUE(one["error_rms_m"].is_number()) << one["scene"];
+    }
+    for (const auto& scene : json["scenes"])
+        for (const Contestant& c : main_contestants()) EXPECT_TRUE(seen.contains({scene["scene"].get<std::string>(), c.key})) << scene["scene"] << ' ' << c.key;
+    EXPECT_EQ(json["stability"].size(), 1U);
+    for (const auto& [key, value] : json["results"][0].items())
+        if (value.is_number_float() && key != "knob_value" && key != "mean_rounds" && key != "share_off_by_10_um" && key != "largest_gain" &&
+            key != "instructions_per_tick") {
+            EXPECT_TRUE(key.ends_with("_s") || key.ends_with("_m") || key.ends_with("_n") || key.ends_with("_j") || key.ends_with("_rad")) << key;
+        }
+}
+
+TEST(BenchReport, says_the_same_in_words_and_in_markdown) {
+    for (const std::string& text : {text_of(small_report()), markdown_of(small_report())})
+        for (const Contestant& c : main_contestants()) EXPECT_NE(text.find(c.title), std::string::npos) << c.title;
+}
+
+TEST(BenchReport, takes_counted_instructions) {
+    BenchReport report = small_report();
+    EXPECT_EQ(merge_instructions(report, "nonsense\nT6 box edge, solid\thandrail\t1234.5\nT6 box edge, solid\tnobody\t1\n"), 1U);
+    EXPECT_NE(json_of(report).find("1234.5"), std::string::npos);
+}
+
+TEST(BenchPlots, have_a_title_words_for_all_points_and_axes_with_units) {
+    const auto files = plots_of(small_report());
+    ASSERT_GE(files.size(), 3U);
+    for (const auto& [name, svg] : files) {
+        EXPECT_TRUE(name.ends_with(".svg"));
+        for (const char* part : {"<title id=\"title\">", "<desc id=\"words\">", "role=\"img\"", "nanoseconds", "</svg>"})
+            EXPECT_NE(svg.find(part), std::string::npos) << name << ' ' << part;
+        EXPECT_EQ(svg.find("nan "), std::string::npos) << name;
+        EXPECT_EQ(svg.find("\"nan"), std::string::npos) << name;
+        EXPECT_EQ(svg.find("inf"), std::string::npos) << name;
+        // Every element that is opened is closed.
+        EXPECT_EQ(std::count(svg.begin(), svg.end(), '<'), std::count(svg.begin(), svg.end(), '>')) << name;
+    }
+}
+
+TEST(BenchPlots, survive_empty_and_zero_series_and_names_with_markup) {
+    Plot plot{"a < b & c", "x", "y", 0.0, 1e-12, {{"none", {}, true}, {"zero", {{0.0, 0.0, ""}}, false}, {"<one>", {{1.0, 1.0, "k"}}, true}}};
+    const std::string svg = svg_of(plot);
+    EXPECT_NE(svg.find("a &lt; b &amp; c"), std::string::npos);
+    EXPECT_NE(svg.find("&lt;one&gt;"), std::string::npos);
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_NE(svg_of({}).find("</svg>"), std::string::npos);
+}
+
+TEST(BenchCommand, writes_tables_and_plots_and_names_what_is_missing) {
+    const test::TemporaryFolder folder;
+    const auto run = [&](std::vector<std::string> words) {
+        std::ostringstream out, err;
+        words.insert(words.begin(), "bench");
+        const int status = run_command_line(words, out, err);
+        return std::tuple(status, out.str(), err.str());
+    };
+    const auto [status, out, err] =
+        run({"--quick", "--scene", "T11a", "--seconds", "0", "--svg", (folder.path() / "plots").string(), "--markdown", (folder.path() / "bench.md").string()});
+    EXPECT_EQ(status, 0) << err;
+    EXPECT_NE(out.find("T11"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "plots" / "bench-t11.svg"));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "bench.md"));
+    EXPECT_EQ(std::get<0>(run({"--scene", "no such scene"})), 1);
+    EXPECT_NE(std::get<2>(run({"--scene", "no such scene"})).find("--list"), std::string::npos);
+    EXPECT_EQ(std::get<0>(run({"--map", "missing.map"})), 1);
+    EXPECT_EQ(std::get<0>(run({"--quick", "--scene", "T11a", "--count", "nobody"})), 1);
+    EXPECT_EQ(std::get<0>(run({"--seconds", "-1"})), 2);
+    EXPECT_NE(std::get<1>(run({"--list"})).find("T16a"), std::string::npos);
+    const auto [counted, line, nothing] = run({"--quick", "--scene", "T11a", "--count", "penalty_sum"});
+    EXPECT_EQ(counted, 0);
+    EXPECT_TRUE(line.starts_with("T11a thin wall at 2 m/s\tpenalty_sum\t128\t")) << line;
+}
+
+}  // namespace
+}  // namespace handrail::bench
