@@ -9,9 +9,26 @@ namespace {
 
 constexpr long double kStep_m = 2e-5L;
 constexpr long double kAtRest_m = 1e-13L;
+constexpr long double kLook_m = 0.01L;
 constexpr int kMostSteps = 200000;  // for one goal: 4 m of way
 
 }  // namespace
+
+double judging_work(const BruteForce::Thing& thing) {
+    const double n = static_cast<double>(thing.planes.size());
+    return thing.solid ? n * n * n * n / 24.0 + n * n : 8.0;
+}
+
+// Everything is looked at; what is too far for the next centimetre is not looked at again on the way there.
+void ReferenceProxy::look_around() {
+    if (looked_ && glm::length(ball_ - looked_from_) <= kLook_m) return;
+    looked_ = true;
+    looked_from_ = ball_;
+    near_.clear();
+    for (const BruteForce::Thing& thing : judge_.things())
+        if (glm::length(ball_ - thing.centre) - thing.reach - radius_ <= 2.0L * kLook_m) near_.push_back(&thing);
+    work_ += static_cast<double>(judge_.things().size());
+}
 
 Vec3 ReferenceProxy::follow(const Vec3& goal_m) {
     const LVec goal(goal_m);
@@ -21,21 +38,29 @@ Vec3 ReferenceProxy::follow(const Vec3& goal_m) {
         const long double left = glm::length(goal - ball_);
         if (left == 0.0L) break;
         // What can be met within a step; where there is nothing, as far as the nearest thing allows.
+        look_around();
         walls.clear();
-        long double clear = left;
-        for (const BruteForce::Thing& thing : judge_.things()) {
+        long double clear = std::min(left, kLook_m);
+        for (const BruteForce::Thing* near : near_) {
+            const BruteForce::Thing& thing = *near;
             const long double far = glm::length(ball_ - thing.centre) - thing.reach - radius_;
             if (far > kStep_m) {
                 clear = std::min(clear, far);
                 continue;
             }
             const Nearest n = judge_.nearest(thing, ball_);
+            work_ += judging_work(thing);
             const long double gap = n.distance - radius_;
             clear = std::min(clear, gap);
             if (gap > kStep_m || n.distance <= 0.0L) continue;
             const LVec normal = (ball_ - n.point) / n.distance;
-            walls.push_back({normal, -gap});  // relative to the ball
+            const LHalfSpace wall{normal, -gap};  // relative to the ball
+            const auto known = std::find_if(walls.begin(), walls.end(), [&](const LHalfSpace& w) { return glm::dot(w.normal, wall.normal) > 1.0L - 1e-17L; });
+            if (known == walls.end()) walls.push_back(wall);
+            else known->offset = std::max(known->offset, wall.offset);
         }
+        const double count = static_cast<double>(walls.size());
+        work_ += count * count * count * count / 24.0 + static_cast<double>(near_.size());
         if (walls.empty()) {
             ball_ += (goal - ball_) * (clear < left ? clear / left : 1.0L);
             continue;

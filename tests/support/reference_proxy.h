@@ -4,6 +4,8 @@
 // Slow on purpose: about 10 microseconds a step and triangle.
 #pragma once
 
+#include <vector>
+
 #include "tests/support/brute_force.h"
 
 namespace handrail::test {
@@ -18,12 +20,22 @@ public:
     // Puts the ball elsewhere, for a comparison of one tick.
     void place(const Vec3& ball_m) { ball_ = LVec(ball_m); }
     long steps() const { return steps_; }
+    double work() const { return work_; }  // comparisons of all steps, about: solids are judged by trying every three of their planes
 
 private:
+    void look_around();
+
     const BruteForce& judge_;
     LVec ball_;
     long double radius_;
     long steps_ = 0;
+    double work_ = 0.0;
+    std::vector<const BruteForce::Thing*> near_;  // all that can be met before the ball is farther than kLook_m from looked_from_
+    LVec looked_from_{0.0L};
+    bool looked_ = false;
 };
+
+// About how many comparisons it takes to judge one thing.
+double judging_work(const BruteForce::Thing& thing);
 
 }  // namespace handrail::test

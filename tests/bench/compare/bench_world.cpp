@@ -7,6 +7,8 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/bench/walk.h"
+#include "tests/support/random_families.h"
+#include "tests/support/reference_proxy.h"
 #include "tests/support/sphere_mesh.h"
 #include "tests/support/touch_worlds.h"
 #include "worlds/base/clock.h"
@@ -39,20 +41,18 @@ void build_scene(BenchWorld& world, Build&& build) {
 
 double BenchWorld::judging_work() const {
     double work = 0.0;
-    for (const test::BruteForce::Thing& t : judge.things()) {
-        const double n = static_cast<double>(t.planes.size());
-        work += t.solid ? n * n * n * n / 24.0 + n * n : 8.0;
-    }
+    for (const test::BruteForce::Thing& t : judge.things()) work += test::judging_work(t);
     // In a large scene most things are told to be far by one comparison.
     const double many = static_cast<double>(judge.things().size());
     return many > 100.0 ? many + work * 20.0 / many : work;
 }
 
 std::vector<BenchWorld> hard_case_worlds(std::uint32_t seed) {
+    // By number: strips, crack, corner, groove, edge, spike, litter, slivers, thin, rough hand, soup, heap.
+    constexpr const char* kFamilyOfRandom[test::kRandomFamilies] = {"T1", "T2", "T3", "T5", "T6", "T7", "T8", "T9", "T11", "T14", "T16", "T16"};
     std::mt19937 random(seed);
-    const double radius_m = seed == 0 ? 0.005 : 0.002 + 0.004 * unit(random);
     std::vector<BenchWorld> worlds;
-    for (test::TouchCase& c : test::hard_cases(radius_m)) {
+    const auto add = [&](const test::TouchCase& c, const std::string& family) {
         test::Motion motion;
         Vec3 off(0.0);
         if (seed != 0) {
@@ -62,14 +62,21 @@ std::vector<BenchWorld> hard_case_worlds(std::uint32_t seed) {
         }
         BenchWorld world;
         world.name = seed == 0 ? c.name : fmt::format("{}, seed {}", c.name, seed);
-        world.family = c.name.substr(0, c.name.find_first_of(" abcde", 1));
+        world.family = family;
         world.seed = seed;
         build_scene(world, [&] { return c.world.scene(motion); });
         world.judge = c.world.judge(motion);
         world.radius_m = c.radius_m;
         for (const Vec3& goal : c.goals_m) world.goals_m.push_back(motion(goal + off * std::min(1.0, c.radius_m / 0.005)));
         worlds.push_back(std::move(world));
+    };
+    for (const test::TouchCase& c : test::hard_cases(seed == 0 ? 0.005 : 0.002 + 0.004 * unit(random))) {
+        const std::string family = c.name.substr(0, c.name.find_first_of(" abcde", 1));
+        const bool drawn = std::find(std::begin(kFamilyOfRandom), std::end(kFamilyOfRandom), family) != std::end(kFamilyOfRandom);
+        if (seed == 0 || !drawn) add(c, family);
     }
+    if (seed != 0)
+        for (std::size_t i = 0; i < test::kRandomFamilies; ++i) add(test::random_case(i, seed), kFamilyOfRandom[i]);
     return worlds;
 }
 

@@ -37,8 +37,8 @@ struct BenchWorld {
     }
 };
 
-// The hard cases of tests/support/touch_worlds; seed 0 as they stand, others turned, shifted, with a ball of 2 to 6 mm and the hand off by up to half a
-// millimetre.
+// Seed 0: the hard cases of tests/support/touch_worlds as they stand. Others: the families of tests/support/random_families with everything drawn from the
+// seed, and the cases that have none turned, shifted, with a ball of 2 to 6 mm; the hand off by up to half a millimetre.
 std::vector<BenchWorld> hard_case_worlds(std::uint32_t seed);
 // A hand that slides at 0.2 m/s, 2 to 5 mm deep, over a sphere of 0.5 m made of 20 frequency^2 triangles.
 BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed);

@@ -1,6 +1,4 @@
-// Where the ball truly goes: the way of steepest approach to the hand among all places that keep clear of everything, followed in steps of 10 um in long
-// double from where it was a tick ago. Every obstacle is looked at, contact planes are met by trying every set of at most three; nothing is shared with any
-// renderer. Slow on purpose. It errs where the renderer may be better: in dips narrower than its steps.
+// Where the ball truly goes on every tick of a world: tests/support/reference_proxy, long double and brute force, which shares nothing with any renderer.
 #pragma once
 
 #include <vector>
