@@ -41,6 +41,56 @@ Nearest nearest_on_triangle(const LVec& a, const LVec& b, const LVec& c, const L
     return best;
 }
 
+Nearest nearest_on_polygon(const std::vector<LVec>& corners, const LVec& p) {
+    Nearest best = nearest_on_segment(corners[0], corners[1], p);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const Nearest other = nearest_on_triangle(corners[0], corners[i], corners[i + 1], p);
+        if (other.distance < best.distance) best = other;
+    }
+    return best;
+}
+
+Nearest nearest_on_capsule(const LVec& a, const LVec& b, long double radius, const LVec& p) {
+    const Nearest core = nearest_on_segment(a, b, p);
+    if (core.distance == 0.0L) return {core.point, -radius};
+    return {core.point + (p - core.point) * (radius / core.distance), core.distance - radius};
+}
+
+namespace {
+
+// The axis' direction; any for a shape without height, since those are discs square to z in the tests.
+LVec direction_of(const LVec& a, const LVec& b) {
+    const long double l = length(b - a);
+    return l > 0.0L ? (b - a) / l : LVec(0.0L, 0.0L, 1.0L);
+}
+
+}  // namespace
+
+Nearest nearest_on_cylinder(const LVec& a, const LVec& b, long double radius, const LVec& p) {
+    const LVec u = direction_of(a, b);
+    const long double height = length(b - a), z = dot(p - a, u);
+    const LVec w = p - a - u * z;
+    const long double rho = length(w);
+    const long double inside = std::min({z, height - z, radius - rho});
+    if (inside >= 0.0L) return {p, -inside};
+    const LVec q = a + u * std::min(height, std::max(0.0L, z)) + (rho > radius ? w * (radius / rho) : w);
+    return {q, length(p - q)};
+}
+
+Nearest nearest_on_cone(const LVec& a, const LVec& b, long double radius, const LVec& p) {
+    const LVec u = direction_of(a, b);
+    const long double height = length(b - a), z = dot(p - a, u);
+    const LVec w = p - a - u * z;
+    const long double rho = length(w), slant = std::sqrt(height * height + radius * radius);
+    // In the half-plane through the axis and the point the cone is a triangle.
+    if (slant > 0.0L) {
+        const long double inside = std::min(z, ((radius - rho) * height - z * radius) / slant);
+        if (inside >= 0.0L) return {p, -inside};
+    }
+    const Nearest flat = nearest_on_triangle({0.0L, 0.0L, 0.0L}, {radius, 0.0L, 0.0L}, {0.0L, height, 0.0L}, {rho, z, 0.0L});
+    return {a + u * flat.point.y + (rho > 0.0L ? w * (flat.point.x / rho) : LVec(0.0L)), flat.distance};
+}
+
 std::optional<LVec> project_by_enumeration(const std::vector<LHalfSpace>& walls, const LVec& goal, long double tolerance) {
     std::optional<LVec> best;
     long double best2 = std::numeric_limits<long double>::infinity();
@@ -111,7 +161,18 @@ void BruteForce::add_solid(const std::vector<Plane>& planes, const std::vector<V
     things_.push_back(std::move(t));
 }
 
-Nearest BruteForce::nearest(const Thing& t, const LVec& p) const { return t.solid ? nearest_on_solid(t.planes, p) : nearest_on_triangle(t.a, t.b, t.c, p); }
+void BruteForce::add(std::function<Nearest(const LVec&)> nearest, const std::vector<Vec3>& corners, double more) {
+    Thing t;
+    t.other = std::move(nearest);
+    for (const Vec3& corner : corners) t.centre += LVec(corner) / static_cast<long double>(corners.size());
+    for (const Vec3& corner : corners) t.reach = std::max(t.reach, length(LVec(corner) - t.centre));
+    t.reach += static_cast<long double>(more);
+    things_.push_back(std::move(t));
+}
+
+Nearest BruteForce::nearest(const Thing& t, const LVec& p) const {
+    return t.other ? t.other(p) : t.solid ? nearest_on_solid(t.planes, p) : nearest_on_triangle(t.a, t.b, t.c, p);
+}
 
 long double BruteForce::distance(const Vec3& p, long double far) const {
     const LVec lp(p);

@@ -1,7 +1,9 @@
 // An independent judge of the touch renderer: long double, no hierarchy, no cache, no projection routine. Closest points of solids by trying
-// every face, every pair and every triple of planes; of triangles by barycentric coordinates and three segments. Slow on purpose.
+// every face, every pair and every triple of planes; of triangles by barycentric coordinates and three segments; of polygons by the triangles of a fan; of
+// round solids by clamping, or in the plane through axis and point. Slow on purpose.
 #pragma once
 
+#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
@@ -20,6 +22,12 @@ struct Nearest {
 
 Nearest nearest_on_segment(const LVec& a, const LVec& b, const LVec& p);
 Nearest nearest_on_triangle(const LVec& a, const LVec& b, const LVec& c, const LVec& p);
+// Convex, its corners in order.
+Nearest nearest_on_polygon(const std::vector<LVec>& corners, const LVec& p);
+// From the middle of one end to the middle of the other; a capsule's round ends lie beyond. The cone's base is at a, its apex at b.
+Nearest nearest_on_capsule(const LVec& a, const LVec& b, long double radius, const LVec& p);
+Nearest nearest_on_cylinder(const LVec& a, const LVec& b, long double radius, const LVec& p);
+Nearest nearest_on_cone(const LVec& a, const LVec& b, long double radius, const LVec& p);
 // Every face, edge and corner tried; inside: the nearest plane.
 Nearest nearest_on_solid(const std::vector<Plane>& planes, const LVec& p);
 
@@ -35,13 +43,17 @@ class BruteForce {
 public:
     struct Thing {
         bool solid = false;
-        LVec a{0.0L}, b{0.0L}, c{0.0L};  // triangle
-        std::vector<Plane> planes;       // solid
-        LVec centre{0.0L};               // ball around it, to leave out what is far
+        LVec a{0.0L}, b{0.0L}, c{0.0L};             // triangle
+        std::vector<Plane> planes;                  // solid
+        std::function<Nearest(const LVec&)> other;  // anything else, when set
+        LVec centre{0.0L};                          // ball around it, to leave out what is far
         long double reach = 0.0L;
     };
     void add_triangle(const Vec3& a, const Vec3& b, const Vec3& c);
     void add_solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners);
+
+    // Anything else: its nearest point, and points whose hull, grown by `more`, holds it.
+    void add(std::function<Nearest(const LVec&)> nearest, const std::vector<Vec3>& corners, double more);
 
     const std::vector<Thing>& things() const { return things_; }
     Nearest nearest(const Thing& thing, const LVec& p) const;

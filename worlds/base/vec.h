@@ -16,6 +16,16 @@ inline constexpr double kPi = 3.14159265358979323846;
 
 inline bool is_finite(const Vec3& v) noexcept { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+// A unit vector square to v, the same for the same v; z up where v is zero.
+inline Vec3 any_perpendicular(const Vec3& v) noexcept {
+    const Vec3 axis = std::abs(v.x) <= std::abs(v.y) && std::abs(v.x) <= std::abs(v.z) ? Vec3(1, 0, 0)
+                      : std::abs(v.y) <= std::abs(v.z)                                 ? Vec3(0, 1, 0)
+                                                                                       : Vec3(0, 0, 1);
+    const Vec3 n = glm::cross(v, axis);
+    const double length = glm::length(n);
+    return length > 0.0 ? n / length : Vec3(0, 0, 1);
+}
+
 // Headings: 0 is north, clockwise, radians inside and degrees only in speech and files.
 inline double radians_from_degrees(double degrees) noexcept { return degrees * (kPi / 180.0); }
 inline double degrees_from_radians(double radians) noexcept { return radians * (180.0 / kPi); }

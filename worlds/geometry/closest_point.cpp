@@ -10,6 +10,7 @@ namespace handrail {
 namespace {
 
 constexpr double kSideless_m = 1e-12;       // nearer than this a direction to the query point is only rounding
+constexpr double kStraight_m = 1e-9;        // a corner of a polygon that lies this near to the line past it is none
 constexpr double kLowestTriangle_m = 1e-7;  // height over the longest edge below which a triangle is a segment
 
 Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
@@ -19,20 +20,17 @@ Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
     return t == 1.0 ? b : a + ab * t;
 }
 
-Vec3 any_perpendicular(const Vec3& v) noexcept {
-    const Vec3 axis = std::abs(v.x) <= std::abs(v.y) && std::abs(v.x) <= std::abs(v.z) ? Vec3(1, 0, 0)
-                      : std::abs(v.y) <= std::abs(v.z)                                 ? Vec3(0, 1, 0)
-                                                                                       : Vec3(0, 0, 1);
-    const Vec3 n = glm::cross(v, axis);
-    const double length = glm::length(n);
-    return length > 0.0 ? n / length : Vec3(0, 0, 1);
-}
-
 // The nearest corner to a point outside, with `sideless` as the normal where point and corner coincide.
 ClosestPoint from_corner(const Vec3& corner, const Vec3& p, const Vec3& sideless) noexcept {
     const Vec3 away = p - corner;
     const double distance = glm::length(away);
     return {corner, distance > kSideless_m ? away / distance : sideless, distance};
+}
+
+// Over the very edge the direction is the face normal but for rounding; the exact one keeps neighbouring triangles of a plane equal.
+void snap_to_face(ClosestPoint& closest, const Vec3& normal) noexcept {
+    const double along = glm::dot(closest.normal, normal);
+    if (std::abs(along) > 1.0 - 8.0 * std::numeric_limits<double>::epsilon()) closest.normal = along > 0.0 ? normal : -normal;
 }
 
 }  // namespace
@@ -80,9 +78,79 @@ ClosestPoint closest_point(const TriangleShape& t, const Vec3& p) noexcept {
     if (out_bc > 0.0) consider(t.b_m, t.c_m);
     if (out_ca > 0.0) consider(t.c_m, t.a_m);
     ClosestPoint result = from_corner(best, p, t.normal);
-    // Over the very edge the direction is the face normal but for rounding; the exact one keeps neighbouring triangles of a plane equal.
-    const double along = glm::dot(result.normal, t.normal);
-    if (std::abs(along) > 1.0 - 8.0 * std::numeric_limits<double>::epsilon()) result.normal = along > 0.0 ? t.normal : -t.normal;
+    snap_to_face(result, t.normal);
+    return result;
+}
+
+Vec3 make_polygon(std::span<const Vec3> points_m, std::vector<PolygonCorner>& corners) {
+    std::size_t a = 0, b = 0;
+    double longest2 = 0.0;
+    for (std::size_t i = 0; i < points_m.size(); ++i)
+        for (std::size_t j = i + 1; j < points_m.size(); ++j) {
+            const Vec3 way = points_m[j] - points_m[i];
+            if (glm::dot(way, way) <= longest2) continue;
+            longest2 = glm::dot(way, way);
+            a = i, b = j;
+        }
+    const Vec3 along = points_m[b] - points_m[a];
+    double widest = 0.0;
+    Vec3 area(0.0);
+    for (std::size_t i = 0; i < points_m.size(); ++i) {
+        const Vec3 from_a = points_m[i] - points_m[a];
+        if (longest2 > 0.0) widest = std::max(widest, glm::length(glm::cross(along, from_a)) / std::sqrt(longest2));
+        if (i + 1 < points_m.size()) area += glm::cross(points_m[i] - points_m[0], points_m[i + 1] - points_m[0]);
+    }
+    const double twice_area = glm::length(area);
+    if (!(widest > kLowestTriangle_m && twice_area > 0.0)) {
+        corners.push_back({points_m[a], Vec3(0.0)});
+        corners.push_back({points_m[b], Vec3(0.0)});
+        return Vec3(0.0);
+    }
+    const Vec3 normal = area / twice_area;
+    // From an end of the longest diagonal, which is a corner for certain. A corner goes when it and all that went since the last kept one lie on the line
+    // to the next.
+    const std::size_t count = points_m.size(), first = corners.size();
+    std::size_t kept = 0;
+    const auto point = [&](std::size_t i) -> const Vec3& { return points_m[(a + i) % count]; };
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 way = point(i + 1) - point(kept);
+        const double length = glm::length(way);
+        bool straight = i > 0;
+        for (std::size_t k = kept + 1; k <= i && straight; ++k) {
+            const Vec3 from = point(k) - point(kept);
+            straight = length > 0.0 ? glm::length(glm::cross(way, from)) <= kStraight_m * length : glm::length(from) <= kStraight_m;
+        }
+        if (straight) continue;
+        corners.push_back({point(i), Vec3(0.0)});
+        kept = i;
+    }
+    const std::span<PolygonCorner> own = std::span(corners).subspan(first);
+    for (std::size_t i = 0; i < own.size(); ++i) own[i].outward = glm::cross(own[(i + 1) % own.size()].at_m - own[i].at_m, normal);
+    return normal;
+}
+
+ClosestPoint closest_point(const PolygonShape& polygon, const Vec3& p) noexcept {
+    const std::span<const PolygonCorner> corners = polygon.corners;
+    if (polygon.degenerate())
+        return from_corner(closest_on_segment(corners[0].at_m, corners[1].at_m, p), p, any_perpendicular(corners[1].at_m - corners[0].at_m));
+    Vec3 best{0.0};
+    double best2 = std::numeric_limits<double>::infinity();
+    const std::size_t count = corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (glm::dot(p - corners[i].at_m, corners[i].outward) <= 0.0) continue;
+        const Vec3 q = closest_on_segment(corners[i].at_m, corners[i + 1 < count ? i + 1 : 0].at_m, p);
+        const double d2 = glm::dot(p - q, p - q);
+        if (d2 < best2) {
+            best2 = d2;
+            best = q;
+        }
+    }
+    if (best2 == std::numeric_limits<double>::infinity()) {
+        const double height = glm::dot(p - corners[0].at_m, polygon.normal);
+        return {p - polygon.normal * height, height < 0.0 ? -polygon.normal : polygon.normal, std::abs(height)};
+    }
+    ClosestPoint result = from_corner(best, p, polygon.normal);
+    snap_to_face(result, polygon.normal);
     return result;
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include "worlds/base/vec.h"
 #include "worlds/geometry/convex.h"
@@ -27,8 +28,30 @@ struct TriangleShape {
 };
 TriangleShape make_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m) noexcept;
 
+// A corner of a flat convex polygon, with the direction out of the edge that leads to the next corner: in the plane, not of unit length.
+struct PolygonCorner {
+    Vec3 at_m{0.0};
+    Vec3 outward{0.0};
+};
+
+// A flat convex polygon prepared for queries, a view of corners kept elsewhere: a two-sided sheet whose front is the side its normal points to.
+// One that is lower than 1e-7 m over its longest diagonal is that diagonal: two corners and no normal.
+struct PolygonShape {
+    Vec3 normal{0.0};
+    std::span<const PolygonCorner> corners;
+
+    bool degenerate() const noexcept { return normal == Vec3(0.0); }
+};
+
+// Appends the prepared corners and returns the normal. Expects 2 or more points of a convex polygon, counter-clockwise seen from the front; points may
+// repeat or lie on an edge (within 1e-9 m: they are left out, or a query point over the one part of an edge could seem to be beyond the other). How far
+// they lie out of one plane is the error of every answer.
+Vec3 make_polygon(std::span<const Vec3> points_m, std::vector<PolygonCorner>& corners);
+
 // Nearer than 1e-12 m the side cannot be told: the triangle's own normal is given.
 ClosestPoint closest_point(const TriangleShape& triangle, const Vec3& point_m) noexcept;
+// As the triangle; a scan of the edges.
+ClosestPoint closest_point(const PolygonShape& polygon, const Vec3& point_m) noexcept;
 // Axis-aligned. Inside, the nearest face.
 ClosestPoint closest_point(const Aabb& box, const Vec3& point_m) noexcept;
 // A bounded convex solid given by its planes (at least 4). Inside, the nearest plane.
