@@ -67,17 +67,76 @@ ClosestPoint HapticScene::closest(std::uint32_t obstacle, const Vec3& local_m) c
     switch (o.kind) {
         case ObstacleKind::Triangle:
             return closest_point(triangle(o), local_m);
+        case ObstacleKind::Polygon: {
+            const PolygonRange& range = polygons[o.shape];
+            return closest_point(PolygonShape{range.normal, std::span(polygon_corners).subspan(range.first_corner, range.corners)}, local_m);
+        }
         case ObstacleKind::Box:
             return closest_point(boxes[o.shape], local_m);
+        case ObstacleKind::Sphere:
+            return closest_point(spheres[o.shape], local_m);
+        case ObstacleKind::Capsule:
+            return closest_point(capsules[o.shape], local_m);
+        case ObstacleKind::Cylinder:
+            return closest_point(cylinders[o.shape], local_m);
+        case ObstacleKind::Cone:
+            return closest_point(cones[o.shape], local_m);
         case ObstacleKind::Brush:
             break;
     }
     return closest_point(std::span(planes).subspan(o.shape, o.planes), local_m);
 }
 
+double HapticScene::in_front_m(std::uint32_t obstacle, const Vec3& local_m) const noexcept {
+    const Obstacle& o = obstacles[obstacle];
+    double height = 0.0;
+    if (o.kind == ObstacleKind::Triangle) {
+        const TriangleShape shape = triangle(o);
+        height = glm::dot(shape.normal, local_m - shape.a_m);
+    } else {
+        const PolygonRange& range = polygons[o.shape];
+        height = glm::dot(range.normal, local_m - polygon_corners[range.first_corner].at_m);
+    }
+    return o.side == Side::Back ? -height : height;
+}
+
+bool HapticScene::smooth_between(std::uint32_t obstacle, const Vec3& normal_a, const Vec3& normal_b) const noexcept {
+    constexpr double kSame = 1e-12;  // of a normal's part along the axis
+    const Obstacle& o = obstacles[obstacle];
+    const auto both = [&](const Vec3& axis, double along) {
+        return std::abs(glm::dot(axis, normal_a) - along) <= kSame && std::abs(glm::dot(axis, normal_b) - along) <= kSame;
+    };
+    switch (o.kind) {
+        case ObstacleKind::Sphere:
+        case ObstacleKind::Capsule:
+            return true;
+        case ObstacleKind::Cylinder:
+            return both(cylinders[o.shape].axis, 0.0);
+        case ObstacleKind::Cone:
+            return both(cones[o.shape].axis, cones[o.shape].slant_up);
+        default:
+            return false;
+    }
+}
+
 const SurfaceLabel& HapticScene::surface(std::uint32_t obstacle, const Vec3& normal) const noexcept {
     const Obstacle& o = obstacles[obstacle];
-    if (o.kind == ObstacleKind::Triangle) return labels[o.first_label];
+    const auto label = [&](std::size_t face) -> const SurfaceLabel& { return labels[o.first_label + face]; };
+    switch (o.kind) {
+        case ObstacleKind::Triangle:
+        case ObstacleKind::Sphere:
+        case ObstacleKind::Capsule:
+            return label(0);
+        case ObstacleKind::Polygon:
+            return label(glm::dot(polygons[o.shape].normal, normal) < 0.0 ? 1 : 0);
+        case ObstacleKind::Cylinder:
+            return label(static_cast<std::size_t>(face_towards(cylinders[o.shape], normal)));
+        case ObstacleKind::Cone:
+            return label(static_cast<std::size_t>(face_towards(cones[o.shape], normal)));
+        case ObstacleKind::Box:
+        case ObstacleKind::Brush:
+            break;
+    }
     const std::uint32_t faces = o.kind == ObstacleKind::Box ? 6 : o.planes;
     std::uint32_t best = 0;
     double best_along = -std::numeric_limits<double>::infinity();
@@ -90,7 +149,13 @@ const SurfaceLabel& HapticScene::surface(std::uint32_t obstacle, const Vec3& nor
             best = face;
         }
     }
-    return labels[o.first_label + best];
+    return label(best);
+}
+
+std::array<std::size_t, kObstacleKinds> HapticScene::obstacle_counts() const noexcept {
+    std::array<std::size_t, kObstacleKinds> counts{};
+    for (const Obstacle& o : obstacles) ++counts[static_cast<std::size_t>(o.kind)];
+    return counts;
 }
 
 HapticSceneBuilder::HapticSceneBuilder(std::vector<HapticMaterial> materials) {
@@ -98,24 +163,44 @@ HapticSceneBuilder::HapticSceneBuilder(std::vector<HapticMaterial> materials) {
     if (scene_.materials.empty()) scene_.materials.emplace_back();
 }
 
-void HapticSceneBuilder::add_sheet(const Corners& corners, const SurfaceLabel& label) {
+void HapticSceneBuilder::add_obstacle(ObstacleKind kind, std::size_t shape, std::size_t faces, std::span<const SurfaceLabel> labels, const Aabb& bounds_m) {
+    Obstacle obstacle;
+    obstacle.kind = kind;
+    obstacle.shape = static_cast<std::uint32_t>(shape);
+    obstacle.planes = kind == ObstacleKind::Brush ? static_cast<std::uint32_t>(faces) : 0;
+    obstacle.first_label = static_cast<std::uint32_t>(scene_.labels.size());
+    for (std::size_t face = 0; face < faces; ++face) scene_.labels.push_back(labels[labels.size() == faces ? face : 0]);
+    scene_.obstacles.push_back(obstacle);
+    obstacle_bounds_.push_back(bounds_m);
+}
+
+void HapticSceneBuilder::add_sheet(const Corners& corners, const SurfaceLabel& label, Side side) {
     const bool same = !scene_.obstacles.empty() && scene_.obstacles.back().kind == ObstacleKind::Triangle && scene_.labels.back() == label;
     if (!same) scene_.labels.push_back(label);
     scene_.obstacles.push_back(
-        {ObstacleKind::Triangle, static_cast<std::uint32_t>(scene_.mesh.triangles.size()), 0, static_cast<std::uint32_t>(scene_.labels.size()) - 1});
+        {ObstacleKind::Triangle, side, static_cast<std::uint32_t>(scene_.mesh.triangles.size()), 0, static_cast<std::uint32_t>(scene_.labels.size()) - 1});
     scene_.mesh.triangles.push_back(corners);
     Aabb bounds;
     for (const std::uint32_t corner : corners) bounds.include(scene_.mesh.points_m[corner]);
     obstacle_bounds_.push_back(bounds);
 }
 
-void HapticSceneBuilder::add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label) {
-    const auto first = static_cast<std::uint32_t>(scene_.mesh.points_m.size());
-    scene_.mesh.points_m.insert(scene_.mesh.points_m.end(), {a_m, b_m, c_m});
-    add_sheet({first, first + 1, first + 2}, label);
+void HapticSceneBuilder::add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels, Side side) {
+    Aabb bounds;
+    for (const Vec3& p : points_m) bounds.include(p);
+    add_obstacle(ObstacleKind::Polygon, scene_.polygons.size(), 2, labels, bounds);
+    scene_.obstacles.back().side = side;
+    scene_.polygons.push_back({Vec3(0.0), static_cast<std::uint32_t>(scene_.polygon_corners.size()), static_cast<std::uint32_t>(points_m.size())});
+    for (const Vec3& p : points_m) scene_.polygon_corners.push_back({p, Vec3(0.0)});
 }
 
-void HapticSceneBuilder::add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels) {
+void HapticSceneBuilder::add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label, Side side) {
+    const auto first = static_cast<std::uint32_t>(scene_.mesh.points_m.size());
+    scene_.mesh.points_m.insert(scene_.mesh.points_m.end(), {a_m, b_m, c_m});
+    add_sheet({first, first + 1, first + 2}, label, side);
+}
+
+void HapticSceneBuilder::add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels, Side side) {
     const auto first = static_cast<std::uint32_t>(scene_.mesh.points_m.size());
     scene_.mesh.points_m.insert(scene_.mesh.points_m.end(), mesh.points_m.begin(), mesh.points_m.end());
     const std::size_t all = mesh.triangles.size();
@@ -124,16 +209,33 @@ void HapticSceneBuilder::add_mesh(const TriangleMesh& mesh, std::span<const Surf
     obstacle_bounds_.reserve(obstacle_bounds_.size() + all);
     for (std::size_t i = 0; i < all; ++i) {
         const Corners& t = mesh.triangles[i];
-        add_sheet({first + t[0], first + t[1], first + t[2]}, labels[labels.size() == all ? i : 0]);
+        add_sheet({first + t[0], first + t[1], first + t[2]}, labels[labels.size() == all ? i : 0], side);
     }
 }
 
 void HapticSceneBuilder::add_box(const Aabb& box_m, std::span<const SurfaceLabel> labels) {
-    const auto first_label = static_cast<std::uint32_t>(scene_.labels.size());
-    for (std::size_t face = 0; face < 6; ++face) scene_.labels.push_back(labels[labels.size() == 6 ? face : 0]);
-    scene_.obstacles.push_back({ObstacleKind::Box, static_cast<std::uint32_t>(scene_.boxes.size()), 0, first_label});
+    add_obstacle(ObstacleKind::Box, scene_.boxes.size(), 6, labels, box_m);
     scene_.boxes.push_back(box_m);
-    obstacle_bounds_.push_back(box_m);
+}
+
+void HapticSceneBuilder::add_sphere(const SphereShape& sphere, const SurfaceLabel& label) {
+    add_obstacle(ObstacleKind::Sphere, scene_.spheres.size(), 1, std::span(&label, 1), grown(bounds_of(sphere)));
+    scene_.spheres.push_back(sphere);
+}
+
+void HapticSceneBuilder::add_capsule(const CapsuleShape& capsule, const SurfaceLabel& label) {
+    add_obstacle(ObstacleKind::Capsule, scene_.capsules.size(), 1, std::span(&label, 1), grown(bounds_of(capsule)));
+    scene_.capsules.push_back(capsule);
+}
+
+void HapticSceneBuilder::add_cylinder(const CylinderShape& cylinder, std::span<const SurfaceLabel> labels) {
+    add_obstacle(ObstacleKind::Cylinder, scene_.cylinders.size(), 3, labels, grown(bounds_of(cylinder)));
+    scene_.cylinders.push_back(cylinder);
+}
+
+void HapticSceneBuilder::add_cone(const ConeShape& cone, std::span<const SurfaceLabel> labels) {
+    add_obstacle(ObstacleKind::Cone, scene_.cones.size(), 2, labels, grown(bounds_of(cone)));
+    scene_.cones.push_back(cone);
 }
 
 void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels) {
@@ -153,11 +255,8 @@ void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bo
         }
         if (axis_aligned) return add_box(box, sides);
     }
-    const auto first_label = static_cast<std::uint32_t>(scene_.labels.size());
-    for (std::size_t face = 0; face < planes.size(); ++face) scene_.labels.push_back(label_of(face));
-    scene_.obstacles.push_back({ObstacleKind::Brush, static_cast<std::uint32_t>(scene_.planes.size()), static_cast<std::uint32_t>(planes.size()), first_label});
+    add_obstacle(ObstacleKind::Brush, scene_.planes.size(), planes.size(), labels, grown(bounds_m));
     scene_.planes.insert(scene_.planes.end(), planes.begin(), planes.end());
-    obstacle_bounds_.push_back(grown(bounds_m));
 }
 
 void HapticSceneBuilder::add_liquid(LiquidVolume liquid, const Aabb& bounds_m) {
@@ -248,6 +347,26 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     if (!all.empty() && (far_from_zero(all.min_m) || far_from_zero(all.max_m))) scene_.origin_m = glm::round(all.centre_m());
     const Vec3 origin = scene_.origin_m;
     for (Vec3& p : scene_.mesh.points_m) p -= origin;
+    std::vector<PolygonCorner> corners;
+    std::vector<Vec3> points;
+    for (PolygonRange& range : scene_.polygons) {
+        points.clear();
+        for (std::uint32_t i = 0; i < range.corners; ++i) points.push_back(scene_.polygon_corners[range.first_corner + i].at_m - origin);
+        range.first_corner = static_cast<std::uint32_t>(corners.size());
+        range.normal = make_polygon(points, corners);
+        range.corners = static_cast<std::uint32_t>(corners.size()) - range.first_corner;
+    }
+    scene_.polygon_corners = std::move(corners);
+    for (Obstacle& o : scene_.obstacles) {
+        if (o.side == Side::Both) continue;
+        // What has no area has no sides.
+        if (o.kind == ObstacleKind::Triangle ? scene_.triangle(o).degenerate : scene_.polygons[o.shape].normal == Vec3(0.0)) o.side = Side::Both;
+        else scene_.one_sided_sheets = true;
+    }
+    for (SphereShape& sphere : scene_.spheres) sphere.centre_m -= origin;
+    for (CapsuleShape& capsule : scene_.capsules) capsule.start_m -= origin;
+    for (CylinderShape& cylinder : scene_.cylinders) cylinder.bottom_m -= origin;
+    for (ConeShape& cone : scene_.cones) cone.base_m -= origin;
     const auto shift = [&origin](Aabb& box) {
         box.min_m -= origin;
         box.max_m -= origin;

@@ -3,6 +3,7 @@
 // Features are named by FeatureId; ask Scene on the app thread for words. Built by compile_haptic (haptic/compile) through HapticSceneBuilder.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -15,6 +16,7 @@
 #include "worlds/geometry/closest_point.h"
 #include "worlds/geometry/convex.h"
 #include "worlds/geometry/placement.h"
+#include "worlds/geometry/round_shapes.h"
 #include "worlds/geometry/triangle_mesh.h"
 
 namespace handrail {
@@ -36,17 +38,35 @@ struct SurfaceLabel {
 };
 
 enum class ObstacleKind : std::uint8_t {
-    Triangle,  // two-sided sheet, no inside
+    Triangle,  // sheet, no inside
+    Polygon,   // flat convex sheet, no inside
     Box,       // axis-aligned
     Brush,     // convex solid given by its planes
+    Sphere,
+    Capsule,
+    Cylinder,
+    Cone,
 };
+inline constexpr std::size_t kObstacleKinds = 8;
+
+// From where a sheet (triangle or polygon) can be touched. Its front is the side from which its corners run counter-clockwise. A sheet of one side stops
+// only a ball that came from there; from behind one passes freely and without force.
+enum class Side : std::uint8_t { Both, Front, Back };
 
 // One convex thing that stops the proxy.
 struct Obstacle {
     ObstacleKind kind = ObstacleKind::Triangle;
-    std::uint32_t shape = 0;        // into mesh.triangles, boxes; for a brush the first of its planes
+    Side side = Side::Both;         // of sheets; solids have none
+    std::uint32_t shape = 0;        // into mesh.triangles or the list of its kind; for a brush the first of its planes
     std::uint32_t planes = 0;       // of a brush
-    std::uint32_t first_label = 0;  // triangle 1 (shared by triangles that follow each other), box 6 (-x +x -y +y -z +z), brush one per plane
+    std::uint32_t first_label = 0;  // triangle 1 (shared by triangles that follow each other), polygon 2 (front, back), box 6 (-x +x -y +y -z +z), brush one
+                                    // per plane, sphere and capsule 1, cylinder 3 (side, bottom, top), cone 2 (side, base)
+};
+
+// The corners of one flat polygon among HapticScene::polygon_corners.
+struct PolygonRange {
+    Vec3 normal{0.0};
+    std::uint32_t first_corner = 0, corners = 0;
 };
 
 // A volume to move through. A point in it is felt by its viscosity, in Ns/m of hand speed. Buoyancy and film act at the open surface: the exposed
@@ -96,7 +116,14 @@ struct HapticScene {
     TriangleMesh mesh;  // corners shared by all triangles that have them
     std::vector<Aabb> boxes;
     std::vector<Plane> planes;
+    std::vector<PolygonRange> polygons;
+    std::vector<PolygonCorner> polygon_corners;
+    std::vector<SphereShape> spheres;
+    std::vector<CapsuleShape> capsules;
+    std::vector<CylinderShape> cylinders;
+    std::vector<ConeShape> cones;
     std::vector<SurfaceLabel> labels;
+    bool one_sided_sheets = false;               // some sheet can be touched from one side only
     Bvh obstacle_bvh;                            // item i is obstacles[i]
     std::vector<LiquidVolume> liquids;           // in the file's order
     Bvh liquid_bvh;                              // item i is liquids[i]
@@ -109,14 +136,21 @@ struct HapticScene {
 
     // Local coordinates. Never empty of meaning: index < obstacles.size().
     ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
-    bool solid(std::uint32_t obstacle) const noexcept { return obstacles[obstacle].kind != ObstacleKind::Triangle; }
+    bool solid(std::uint32_t obstacle) const noexcept { return obstacles[obstacle].kind > ObstacleKind::Polygon; }
     TriangleShape triangle(const Obstacle& o) const noexcept {
         const Corners& t = mesh.triangles[o.shape];
         return make_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]]);
     }
+    // How far a point lies on the side from which a sheet of one side can be touched; negative: behind it. Sheets with Side::Front or Back only.
+    double in_front_m(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
+    // True when two supporting planes with these normals touch one smooth piece of the obstacle, with no edge between: the place nearest to a
+    // point can then be reached from the other without passing a corner.
+    bool smooth_between(std::uint32_t obstacle, const Vec3& normal_a, const Vec3& normal_b) const noexcept;
     // The label of the face that looks most along `normal`, hidden faces last.
     const SurfaceLabel& surface(std::uint32_t obstacle, const Vec3& normal) const noexcept;
     const HapticMaterial& material(MaterialId id) const noexcept { return materials[id < materials.size() ? id : kDefaultMaterial]; }
+    // How many obstacles of each kind, indexed by ObstacleKind. Looks at all of them: not for the tick.
+    std::array<std::size_t, kObstacleKinds> obstacle_counts() const noexcept;
 };
 
 // Collects world-coordinate shapes, then builds the scene. Off the real-time path; one thread.
@@ -125,16 +159,28 @@ public:
     // Entry 0 is the default wall; an empty list is given one.
     explicit HapticSceneBuilder(std::vector<HapticMaterial> materials = {});
 
-    // Triangles as two-sided sheets that share their corners; labels: one per triangle or one for all.
-    void add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels);
-    void add_mesh(const TriangleMesh& mesh, const SurfaceLabel& label = {}) { add_mesh(mesh, std::span(&label, 1)); }
-    void add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label = {});
+    // Triangles as sheets that share their corners; labels: one per triangle or one for all.
+    void add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels, Side side = Side::Both);
+    void add_mesh(const TriangleMesh& mesh, const SurfaceLabel& label = {}, Side side = Side::Both) { add_mesh(mesh, std::span(&label, 1), side); }
+    void add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label = {}, Side side = Side::Both);
+    // A flat convex polygon; labels: one, or front and back. See make_polygon for what it expects of the points.
+    void add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels, Side side = Side::Both);
+    void add_polygon(std::span<const Vec3> points_m, const SurfaceLabel& label = {}, Side side = Side::Both) {
+        add_polygon(points_m, std::span(&label, 1), side);
+    }
     // One label for all faces, or six: -x +x -y +y -z +z.
     void add_box(const Aabb& box_m, std::span<const SurfaceLabel> labels);
     void add_box(const Aabb& box_m, const SurfaceLabel& label = {}) { add_box(box_m, std::span(&label, 1)); }
     // A bounded convex solid; labels: one per plane or one for all. Becomes a box when it is an axis-aligned one.
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels);
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, const SurfaceLabel& label = {}) { add_solid(planes, bounds_m, std::span(&label, 1)); }
+    // Round solids; sizes are finite and not negative, axes of unit length: whoever feeds the builder refuses others. Labels: one for all faces, or one each.
+    void add_sphere(const SphereShape& sphere, const SurfaceLabel& label = {});
+    void add_capsule(const CapsuleShape& capsule, const SurfaceLabel& label = {});
+    void add_cylinder(const CylinderShape& cylinder, std::span<const SurfaceLabel> labels);  // side, bottom, top
+    void add_cylinder(const CylinderShape& cylinder, const SurfaceLabel& label = {}) { add_cylinder(cylinder, std::span(&label, 1)); }
+    void add_cone(const ConeShape& cone, std::span<const SurfaceLabel> labels);  // side, base
+    void add_cone(const ConeShape& cone, const SurfaceLabel& label = {}) { add_cone(cone, std::span(&label, 1)); }
     void add_liquid(LiquidVolume liquid, const Aabb& bounds_m);
     // False, and nothing added, for one that is not sound (is_sound) or hangs on a body that was not added before.
     bool add_effect(EffectVolume effect);
@@ -146,7 +192,8 @@ public:
 
 private:
     void prepare_effects();
-    void add_sheet(const Corners& corners, const SurfaceLabel& label);
+    void add_sheet(const Corners& corners, const SurfaceLabel& label, Side side);
+    void add_obstacle(ObstacleKind kind, std::size_t shape, std::size_t faces, std::span<const SurfaceLabel> labels, const Aabb& bounds_m);
 
     HapticScene scene_;
     std::vector<Aabb> obstacle_bounds_, liquid_bounds_, effect_bounds_;

@@ -26,7 +26,7 @@ protected:
         const BruteForce judge = case_.world.judge();
         for (const BruteForce::Thing& t : judge.things()) {
             const double n = static_cast<double>(t.planes.size());
-            work += t.solid ? n * n * n * n / 24 + n * n : 8.0;
+            work += t.other ? 4.0 : t.solid ? n * n * n * n / 24 + n * n : 8.0;
         }
         return static_cast<std::size_t>(1.0 + work * static_cast<double>(case_.goals_m.size()) * 8 / (2e7 * kSanitizerScale));
     }

@@ -42,7 +42,31 @@ Motion random_turn(std::mt19937& random) {
     return {glm::dmat3(x, y, glm::cross(x, y)), Vec3(0.0)};
 }
 
-void TouchWorld::triangle(const Vec3& a, const Vec3& b, const Vec3& c, FeatureId feature) { shapes_.push_back({true, {a, b, c}, {}, feature}); }
+void TouchWorld::triangle(const Vec3& a, const Vec3& b, const Vec3& c, FeatureId feature) {
+    shapes_.push_back({ObstacleKind::Triangle, {a, b, c}, {}, feature});
+}
+
+void TouchWorld::sided_triangle(const Vec3& a, const Vec3& b, const Vec3& c, Side side) {
+    shapes_.push_back({ObstacleKind::Triangle, {a, b, c}, {}, kNoFeature, 0.0, side});
+}
+
+void TouchWorld::polygon(const std::vector<Vec3>& corners, Side side, FeatureId feature) {
+    shapes_.push_back({ObstacleKind::Polygon, corners, {}, feature, 0.0, side});
+}
+
+void TouchWorld::sphere(const Vec3& centre, double radius, FeatureId feature) { shapes_.push_back({ObstacleKind::Sphere, {centre}, {}, feature, radius}); }
+
+void TouchWorld::capsule(const Vec3& start, const Vec3& end, double radius, FeatureId feature) {
+    shapes_.push_back({ObstacleKind::Capsule, {start, end}, {}, feature, radius});
+}
+
+void TouchWorld::cylinder(const Vec3& bottom, const Vec3& top, double radius, FeatureId feature) {
+    shapes_.push_back({ObstacleKind::Cylinder, {bottom, top}, {}, feature, radius});
+}
+
+void TouchWorld::cone(const Vec3& base, const Vec3& apex, double radius, FeatureId feature) {
+    shapes_.push_back({ObstacleKind::Cone, {base, apex}, {}, feature, radius});
+}
 
 void TouchWorld::quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     triangle(a, b, c);
@@ -65,7 +89,7 @@ void TouchWorld::brush_box(const Vec3& low, const Vec3& high) {
 }
 
 void TouchWorld::solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners, FeatureId feature) {
-    shapes_.push_back({false, corners, planes, feature});
+    shapes_.push_back({ObstacleKind::Brush, corners, planes, feature});
 }
 
 void TouchWorld::random_brush(std::mt19937& random, const Vec3& centre, double half_size, int cuts) {
@@ -84,6 +108,40 @@ void TouchWorld::random_triangles(std::mt19937& random, int count, double spread
     }
 }
 
+void TouchWorld::random_things(std::mt19937& random, int count, double spread, double size) {
+    for (int i = 0; i < count; ++i) {
+        const Vec3 at = in_cube(random, spread), along = direction(random) * between(random, 0.1 * size, size);
+        const double radius = between(random, 0.1 * size, 0.5 * size);
+        switch (i % 7) {
+            case 0:
+                sphere(at, radius);
+                break;
+            case 1:
+                capsule(at, at + along, radius);
+                break;
+            case 2:
+                cylinder(at, at + along, radius);
+                break;
+            case 3:
+                cone(at, at + along, radius);
+                break;
+            case 4: {
+                const Vec3 u = any_perpendicular(along), v = glm::cross(glm::normalize(along), u);
+                std::vector<Vec3> corners;
+                const int n = 3 + static_cast<int>(random() % 5);
+                for (int k = 0; k < n; ++k) corners.push_back(at + u * (radius * std::cos(2 * kPi * k / n)) + v * (2 * radius * std::sin(2 * kPi * k / n)));
+                polygon(corners);
+                break;
+            }
+            case 5:
+                random_brush(random, at, radius, 2);
+                break;
+            default:
+                triangle(at, at + along, at + direction(random) * size);
+        }
+    }
+}
+
 TouchWorld::Shape TouchWorld::moved(const Shape& shape, const Motion& motion) {
     Shape out = shape;
     for (Vec3& p : out.points) p = motion(p);
@@ -98,12 +156,35 @@ std::shared_ptr<const HapticScene> TouchWorld::scene(const Motion& motion) const
     HapticSceneBuilder builder;
     for (const Shape& shape : shapes_) {
         const Shape s = moved(shape, motion);
-        if (s.is_triangle) {
-            builder.add_triangle(s.points[0], s.points[1], s.points[2], {s.feature});
-        } else {
-            Aabb bounds;
-            for (const Vec3& p : s.points) bounds.include(p);
-            builder.add_solid(s.planes, bounds, SurfaceLabel{s.feature});
+        const SurfaceLabel label{s.feature};
+        const Vec3 from = s.points[0], way = s.points.size() > 1 ? s.points[1] - from : Vec3(0.0);
+        const double length = glm::length(way);
+        const Vec3 axis = length > 0.0 ? way / length : Vec3(0, 0, 1);
+        switch (s.kind) {
+            case ObstacleKind::Triangle:
+                builder.add_triangle(s.points[0], s.points[1], s.points[2], label, s.side);
+                break;
+            case ObstacleKind::Polygon:
+                builder.add_polygon(s.points, label, s.side);
+                break;
+            case ObstacleKind::Sphere:
+                builder.add_sphere({from, s.radius}, label);
+                break;
+            case ObstacleKind::Capsule:
+                builder.add_capsule({from, axis, length, s.radius}, label);
+                break;
+            case ObstacleKind::Cylinder:
+                builder.add_cylinder({from, axis, length, s.radius}, label);
+                break;
+            case ObstacleKind::Cone:
+                builder.add_cone(make_cone(from, axis, length, s.radius), label);
+                break;
+            case ObstacleKind::Box:
+            case ObstacleKind::Brush: {
+                Aabb bounds;
+                for (const Vec3& p : s.points) bounds.include(p);
+                builder.add_solid(s.planes, bounds, label);
+            }
         }
     }
     return builder.build();
@@ -113,8 +194,31 @@ BruteForce TouchWorld::judge(const Motion& motion) const {
     BruteForce judge;
     for (const Shape& shape : shapes_) {
         const Shape s = moved(shape, motion);
-        if (s.is_triangle) judge.add_triangle(s.points[0], s.points[1], s.points[2]);
-        else judge.add_solid(s.planes, s.points);
+        const LVec a(s.points[0]), b(s.points.size() > 1 ? s.points[1] : s.points[0]);
+        const auto radius = static_cast<long double>(s.radius);
+        switch (s.kind) {
+            case ObstacleKind::Triangle:
+                judge.add_triangle(s.points[0], s.points[1], s.points[2]);
+                break;
+            case ObstacleKind::Polygon: {
+                std::vector<LVec> corners(s.points.begin(), s.points.end());
+                judge.add([corners](const LVec& p) { return nearest_on_polygon(corners, p); }, s.points, 0.0);
+                break;
+            }
+            case ObstacleKind::Sphere:
+            case ObstacleKind::Capsule:
+                judge.add([a, b, radius](const LVec& p) { return nearest_on_capsule(a, b, radius, p); }, s.points, s.radius);
+                break;
+            case ObstacleKind::Cylinder:
+                judge.add([a, b, radius](const LVec& p) { return nearest_on_cylinder(a, b, radius, p); }, s.points, s.radius);
+                break;
+            case ObstacleKind::Cone:
+                judge.add([a, b, radius](const LVec& p) { return nearest_on_cone(a, b, radius, p); }, s.points, s.radius);
+                break;
+            case ObstacleKind::Box:
+            case ObstacleKind::Brush:
+                judge.add_solid(s.planes, s.points);
+        }
     }
     return judge;
 }
@@ -124,14 +228,14 @@ TouchWorld TouchWorld::shuffled_and_doubled(std::mt19937& random) const {
     out.shapes_.insert(out.shapes_.end(), shapes_.begin(), shapes_.end());
     for (std::size_t i = out.shapes_.size(); i > 1; --i) std::swap(out.shapes_[i - 1], out.shapes_[random() % i]);
     for (Shape& s : out.shapes_)
-        if (s.is_triangle) std::rotate(s.points.begin(), s.points.begin() + static_cast<std::ptrdiff_t>(random() % 3), s.points.end());
+        if (s.kind == ObstacleKind::Triangle) std::rotate(s.points.begin(), s.points.begin() + static_cast<std::ptrdiff_t>(random() % 3), s.points.end());
     return out;
 }
 
 TouchWorld TouchWorld::with_triangles_split(std::mt19937& random) const {
     TouchWorld out;
     for (const Shape& s : shapes_) {
-        if (!s.is_triangle) {
+        if (s.kind != ObstacleKind::Triangle) {
             out.shapes_.push_back(s);
             continue;
         }
@@ -297,28 +401,22 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         }
     }
     {
-        // Round things as solids of many planes.
-        TouchCase& c = add("T15 faceted sphere, capsule and cylinder on a slab", false);
-        const auto faceted = [&](const Vec3& centre, double radius, int rings, int sides, double length) {
-            std::vector<Plane> planes;
-            for (int i = 0; i <= rings; ++i) {
-                const double tilt = kPi * (static_cast<double>(i) / rings - 0.5);
-                for (int k = 0; k < (i == 0 || i == rings ? 1 : sides); ++k) {
-                    const double turn = 2 * kPi * k / sides;
-                    const Vec3 n(std::cos(tilt) * std::cos(turn), std::sin(tilt), std::cos(tilt) * std::sin(turn));
-                    planes.push_back({glm::normalize(n), 0.0});
-                    planes.back().offset_m = radius + glm::dot(planes.back().normal, centre) + length * std::abs(planes.back().normal.y);
-                }
-            }
-            const Vec3 half(1.1 * radius, 1.1 * radius + length, 1.1 * radius);
-            c.world.solid(planes, corners_of(centre - half, centre + half));
-        };
-        faceted({0, 0, -.03}, .03, 4, 8, 0.0);
-        faceted({.03, 0, -.02}, .01, 4, 8, .04);
-        faceted({-.03, 0, -.02}, .01, 2, 10, .02);
+        TouchCase& c = add("T15 sphere, capsule and cylinder on a slab", false);
+        c.world.sphere({0, 0, -.03}, .03);
+        c.world.capsule({.03, -.05, -.02}, {.03, .05, -.02}, .01);
+        c.world.cylinder({-.03, 0, -.05}, {-.03, 0, .01}, .01);
         c.world.box({-.1, -.1, -.06}, {.1, .1, -.03});
         c.goals_m = hand_path(
             {{.06, .001, .02}, {.06, .001, -.04}, {.02, .001, -.02}, {-.02, .004, -.01}, {-.05, .002, -.03}, {-.05, .002, .03}, {.06, .001, .02}}, 0.1);
+    }
+    {
+        TouchCase& c = add("T15b heap of every kind", false, false);
+        std::mt19937 random(15);
+        c.world.random_things(random, 35, .04, .03);
+        std::vector<Vec3> way{{0, 0, .1}};
+        for (int i = 0; i < 25; ++i) way.push_back(in_cube(random, .06));
+        way.emplace_back(0, 0, .1);
+        c.goals_m = hand_path(way, 0.5);
     }
     for (const auto& [name, count, radius] :
          {std::tuple{"T16a soup of 120", 120, 0.002}, {"T16b soup of 30", 30, 0.005}, {"T16c soup of 400, point", 400, 1e-5}}) {

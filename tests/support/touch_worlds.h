@@ -35,6 +35,15 @@ public:
     void solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners, FeatureId feature = kNoFeature);
     // A cube of half this size with `cuts` random planes through it.
     void random_brush(std::mt19937& random, const Vec3& centre, double half_size, int cuts);
+    // Sheets touched from this side, and solids of their own kind. A cylinder, cone or capsule runs from the middle of one end to the middle of the other.
+    void polygon(const std::vector<Vec3>& corners, Side side = Side::Both, FeatureId feature = kNoFeature);
+    void sided_triangle(const Vec3& a, const Vec3& b, const Vec3& c, Side side);
+    void sphere(const Vec3& centre, double radius, FeatureId feature = kNoFeature);
+    void capsule(const Vec3& start, const Vec3& end, double radius, FeatureId feature = kNoFeature);
+    void cylinder(const Vec3& bottom, const Vec3& top, double radius, FeatureId feature = kNoFeature);
+    void cone(const Vec3& base, const Vec3& apex, double radius, FeatureId feature = kNoFeature);
+    // One of every kind in turn, of random place, direction and size up to `size`.
+    void random_things(std::mt19937& random, int count, double spread, double size);
     void random_triangles(std::mt19937& random, int count, double spread, double edge);
 
     std::shared_ptr<const HapticScene> scene(const Motion& motion = {}) const;
@@ -44,10 +53,12 @@ public:
 
 private:
     struct Shape {
-        bool is_triangle = false;
-        std::vector<Vec3> points;  // three of a triangle; corners of a solid
+        ObstacleKind kind = ObstacleKind::Brush;  // a box is a brush here until the builder finds out
+        std::vector<Vec3> points;                 // corners; centre of a sphere; middles of both ends
         std::vector<Plane> planes;
         FeatureId feature;
+        double radius = 0.0;
+        Side side = Side::Both;
     };
     static Shape moved(const Shape& shape, const Motion& motion);
     std::vector<Shape> shapes_;
