@@ -15,6 +15,12 @@ constexpr double kLoose = 0.7;
 constexpr int kMostSubSteps = 64;  // of a body's way within one move; faster ones count as gone here and appeared there
 constexpr int kHurryMoves = 8;     // moves in which the ball reaches a goal that only a vanished thing kept it from
 
+// Sheets of one side. A ball belongs to a side when its centre is not behind the sheet by more than rounding; the difference between falling asleep and
+// waking keeps a ball that rests at the border from changing its mind.
+constexpr double kSleeps_m = 1e-9;
+constexpr double kWakes_m = 1e-10;
+constexpr double kNoCut_m = -1e30;  // offset of a half-space that holds everything
+
 bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t b) noexcept {
     return distance_a != distance_b ? distance_a < distance_b : a < b;
 }
@@ -27,6 +33,8 @@ ProxySolver::ProxySolver()
       owners_(kMaxCandidates, kStill),
       own_cuts_(kMaxCandidates),
       looked_ahead_(kMaxCandidates),
+      sheets_(kMaxCandidates),
+      awake_(kMaxCandidates),
       nearest_(kMaxCandidates + 1),
       ghosts_(kMaxGhosts),
       tracks_(HapticScene::kMostBodies) {}
@@ -85,6 +93,7 @@ void ProxySolver::place(const HapticScene& scene, const Vec3& local_m, double ra
     known_m_ = -1.0;
     ghost_count_ = 0;
     count_ = 0;
+    one_sided_count_ = 0;
     carrier_ = kStill;
     scene_origin_m_ = scene.origin_m;
     anchor_m_ = local_m;
@@ -105,7 +114,7 @@ void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double 
         const double distance = shape.closest(item, own).distance_m * scale;
         if (shape.solid(item) && distance <= 0.0) {
             if (ghost_count_ < kMaxGhosts) ghosts_[static_cast<std::size_t>(ghost_count_++)] = {item, body};
-        } else {
+        } else if (shape.obstacles[item].side == Side::Both || shape.in_front_m(item, own) >= 0.0) {
             radius_m_ = std::min(radius_m_, std::max(distance, kSmallestRadius_m));
         }
     });
@@ -160,6 +169,11 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
         obstacles_[i] = nearest_[k].obstacle;
         owners_[i] = body;
         looked_ahead_[i] = 0;
+        sheets_[i] = Sheet::No;
+        if (!shape.one_sided_sheets || shape.obstacles[obstacles_[i]].side == Side::Both) continue;
+        sheets_[i] = Sheet::Asleep;
+        cuts_[i].offset_m = kNoCut_m;
+        ++one_sided_count_;
     }
     return known;
 }
@@ -172,7 +186,9 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
     anchor_m_ = at;
     ball_m_ = Vec3(0.0);
     basis_.count = 0;
+    if (one_sided_count_ > 0) remember_awake();
     count_ = 0;
+    one_sided_count_ = 0;
     known_m_ = collect(scene, kStill, at, reach_m, needed_m);
     if (count_ == 0) {
         double best = std::max(kFarthestLook_m, 2.0 * reach_m);
@@ -200,6 +216,8 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
             keep_cut(i, {frame.turned(cut.normal), cut.offset_m * frame.scale});
         }
     }
+    if (one_sided_count_ > 0) turn_sheets(scene);
+    awake_count_ = 0;
 }
 
 double ProxySolver::known_of_bodies(const Vec3& at_m, double known) const noexcept {
@@ -246,6 +264,7 @@ void ProxySolver::drop_body(std::uint16_t body) noexcept {
         owners_[to] = owners_[from];
         own_cuts_[to] = own_cuts_[from];
         looked_ahead_[to] = looked_ahead_[from];
+        sheets_[to] = sheets_[from];
         ++kept;
     }
     count_ = kept;
@@ -301,6 +320,7 @@ void ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
         any = any || track.present;
         const PlacedFrame before = track.frame;
         stand(scene, track, part == 1.0 ? track.to : between(track.from, track.to, part));
+        if (one_sided_count_ > 0) turn_sheets_of(scene, static_cast<std::uint16_t>(b), before);
         if (carrier_ == b) wish = track.frame.to_world(before.to_own(local_m())) - anchor_m_;
     }
     if (!any) return;
@@ -338,6 +358,7 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
     };
     if (fits()) return take();
     for (int i = 0; i < count_; ++i) {
+        if (asleep(i)) continue;
         double distance = 0.0;
         keep_cut(i, support(scene, i, ball_m_, distance));
     }
@@ -350,7 +371,7 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
         radius_m_ = wanted;
         for (int i = count_ - 1; i >= 0; --i) {
             const auto at = static_cast<std::size_t>(i);
-            if (i >= count_ || owners_[at] == kStill || !tracks_[owners_[at]].moved) continue;
+            if (i >= count_ || owners_[at] == kStill || !tracks_[owners_[at]].moved || asleep(i)) continue;
             double distance = 0.0;
             support(scene, i, ball_m_, distance);
             if (distance < radius_m_ && ghost_count_ < kMaxGhosts) ghosts_[static_cast<std::size_t>(ghost_count_++)] = {obstacles_[at], owners_[at]};
@@ -375,6 +396,86 @@ void ProxySolver::make_room(const HapticScene& scene, const Vec3& wish_m) noexce
     take();
 }
 
+// ---- sheets of one side ----
+
+double ProxySolver::in_front_m(const HapticScene& scene, int candidate, const PlacedFrame& frame, const Vec3& at_m) const noexcept {
+    const auto i = static_cast<std::size_t>(candidate);
+    const Vec3 local = anchor_m_ + at_m;
+    if (owners_[i] == kStill) return scene.in_front_m(obstacles_[i], local);
+    const HapticScene& shape = *scene.bodies[owners_[i]].shape;
+    return shape.in_front_m(obstacles_[i], frame.to_own(local) - shape.origin_m) * frame.scale;
+}
+
+// Before candidates are gathered anew: what is awake stays so, even where a moving body has just come nearer than the ball's radius.
+void ProxySolver::remember_awake() noexcept {
+    awake_count_ = 0;
+    for (int i = 0; i < count_; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (sheets_[at] == Sheet::Awake) awake_[static_cast<std::size_t>(awake_count_++)] = {obstacles_[at], owners_[at]};
+    }
+}
+
+// A sheet of one side acts while the ball is on that side, and only once the ball was there with room to spare: one that comes through from behind is not
+// pushed out. True when a sheet woke or fell asleep.
+bool ProxySolver::turn_sheets(const HapticScene& scene) noexcept {
+    bool turned = false;
+    for (int i = 0; i < count_; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (sheets_[at] == Sheet::No) continue;
+        const bool sleeps = sheets_[at] == Sheet::Asleep;
+        const double in_front = in_front_m(scene, i, ball_m_);
+        if (sleeps ? in_front < -kWakes_m : in_front >= -kSleeps_m) continue;
+        if (sleeps) {
+            double distance = 0.0;
+            const HalfSpace cut = support(scene, i, ball_m_, distance);
+            const auto end = awake_.begin() + awake_count_;
+            const auto was_awake = [&](const Ghost& g) { return g.obstacle == obstacles_[at] && g.body == owners_[at]; };
+            if (distance < radius_m_ - kSleeps_m && std::find_if(awake_.begin(), end, was_awake) == end) continue;
+            keep_cut(i, cut);
+        } else {
+            keep_cut(i, {cuts_[at].normal, kNoCut_m});
+        }
+        sheets_[at] = sleeps ? Sheet::Awake : Sheet::Asleep;
+        turned = true;
+    }
+    return turned;
+}
+
+// After a sub-step of a body: its sleeping sheets whose plane has passed over the ball. Sub-steps are half a radius long at most, so one whose own surface
+// passed is still nearer than that, and any other had room to spare.
+void ProxySolver::turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept {
+    for (int i = 0; i < count_; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        if (owners_[at] != body || sheets_[at] != Sheet::Asleep) continue;
+        if (in_front_m(scene, i, before, ball_m_) >= -kWakes_m || in_front_m(scene, i, ball_m_) < -kWakes_m) continue;
+        double distance = 0.0;
+        const HalfSpace cut = support(scene, i, ball_m_, distance);
+        if (distance <= 0.5 * radius_m_) continue;
+        keep_cut(i, cut);
+        sheets_[at] = Sheet::Awake;
+    }
+}
+
+// How much of a step the ball may make before it comes round to the side of a sleeping sheet with room to spare, so that the sheet must wake there. Along a
+// straight line the distance to a sheet falls first and rises then, so only where the line crosses the sheet's plane can this happen with the ball going
+// on to touch.
+double ProxySolver::fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept {
+    double fraction = 1.0;
+    for (int i = 0; i < count_; ++i) {
+        if (sheets_[static_cast<std::size_t>(i)] != Sheet::Asleep) continue;
+        const double before = in_front_m(scene, i, ball_m_);
+        if (before >= -kWakes_m) continue;
+        const double after = in_front_m(scene, i, ball_m_ + step);
+        if (after <= 0.0) continue;
+        const double crossing = before / (before - after);
+        if (crossing >= fraction) continue;
+        double distance = 0.0;
+        support(scene, i, ball_m_ + step * crossing, distance);
+        if (distance >= radius_m_ - kSleeps_m) fraction = crossing;
+    }
+    return fraction;
+}
+
 bool ProxySolver::project() noexcept {
     return project_on_half_spaces(
         goal_m_, count_, [this](int i) { return wall(i); }, basis_);
@@ -388,6 +489,7 @@ void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_
     }
     if (growth_m <= 0.0) return;
     for (int i = 0; i < count_; ++i) {
+        if (asleep(i)) continue;
         double distance = 0.0;
         keep_cut(i, support(scene, i, ball_m_, distance));
     }
@@ -459,19 +561,24 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     return stale;
 }
 
-// Round the edge of a solid in one go: when one solid alone holds the ball and the goal lies within the ball's reach outside it, the nearest
-// place is known. Two straight pieces lead there, the first in the cut at the ball, the second in the cut at the goal. Without it an edge
+// Round the edge of a solid in one go: when one solid alone holds the ball and the goal lies within the ball's reach outside it, or below a smooth part of it,
+// the nearest place is known. Two straight pieces lead there, the first in the cut at the ball, the second in the cut at the goal. Without it an edge
 // pressed 4.5 mm deep by a 5 mm ball takes 45 rounds.
 bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept {
-    if (basis_.count != 1) return false;
+    if (basis_.count != 1 || one_sided_count_ > 0) return false;
     const int i = basis_.index[0];
-    if (!shape_at(scene, i).solid(obstacles_[static_cast<std::size_t>(i)])) return false;
+    const std::uint32_t obstacle = obstacles_[static_cast<std::size_t>(i)];
+    const std::uint16_t body = owners_[static_cast<std::size_t>(i)];
+    if (!shape_at(scene, i).solid(obstacle)) return false;
     double at_goal = 0.0, at_ball = 0.0;
     const HalfSpace goal_cut = support(scene, i, goal_m_, at_goal);
-    if (!(at_goal > 1e-12 && at_goal < radius_m_)) return false;
+    if (!(at_goal < radius_m_)) return false;
     const HalfSpace ball_cut = support(scene, i, ball_m_, at_ball);
     const double turn = glm::dot(ball_cut.normal, goal_cut.normal);
     if (!(turn > 0.5 && turn < 1.0 - 1e-14)) return false;
+    // A goal inside the solid may be nearer to another face than the one the ball would roll to, unless no edge lies between.
+    const auto own = [&](const Vec3& normal) { return body == kStill ? normal : tracks_[body].frame.turned_back(normal); };
+    if (at_goal <= 1e-12 && !shape_at(scene, i).smooth_between(obstacle, own(ball_cut.normal), own(goal_cut.normal))) return false;
     const Vec3 end = goal_m_ + goal_cut.normal * (radius_m_ - at_goal);
     ProjectionBasis bend;
     const std::array<HalfSpace, 2> both{HalfSpace{ball_cut.normal, ball_cut.offset_m + radius_m_}, HalfSpace{goal_cut.normal, goal_cut.offset_m + radius_m_}};
@@ -526,6 +633,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     const bool looks = request.most_rounds > 0;
     if (looks && known_around(ball_m_) < way_left + radius) gather(scene, radius + margin, radius + way_left);
     goal_m_ = goal_local - anchor_m_;
+    if (one_sided_count_ > 0) turn_sheets(scene);
     if (looks) grow(scene, radius, request.growth_m);
     path_[0] = ball_m_;
     path_size_ = 1;
@@ -534,9 +642,15 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     int stages_left = looks ? kMaxStages : 0;
     while (step_.iterations < most_rounds) {
         ++step_.iterations;
-        const bool solved = project();
+        bool solved = project();
         Vec3 way = basis_.point_m - ball_m_;
         if (!solved) way *= fraction_inside(way);
+        if (one_sided_count_ > 0) {
+            if (const double fraction = fraction_to_waking(scene, way); fraction < 1.0) {
+                way *= fraction;
+                solved = false;
+            }
+        }
         const double length = glm::length(way);
         const double known_way = known_around(ball_m_) - radius;
         if (length > 0.0 && length > std::min(way_left, known_way)) {
@@ -555,6 +669,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
         way_left -= length;
         ball_m_ = solved ? basis_.point_m : ball_m_ + way;
         path_[static_cast<std::size_t>(path_size_++)] = ball_m_;
+        if (one_sided_count_ > 0 && turn_sheets(scene)) continue;
         if (basis_.count == 0) {
             step_.converged = solved;
             break;

@@ -113,6 +113,9 @@ private:
         std::uint32_t obstacle;
         std::uint16_t body;
     };
+    // A sheet that can be touched from one side only sleeps, without a cut, while the ball is not on that side.
+    enum class Sheet : std::uint8_t { No, Awake, Asleep };
+    static inline const PlacedFrame kWorldFrame{};
     // A body as the ball last met it.
     struct Track {
         Placement at, from, to;  // world: now, and the way of this move
@@ -152,6 +155,17 @@ private:
     void grow(const HapticScene& scene, double radius_m, double growth_m) noexcept;
     bool project() noexcept;
     bool renew_holding_cuts(const HapticScene& scene) noexcept;
+    // Sheets of one side.
+    double in_front_m(const HapticScene& scene, int candidate, const PlacedFrame& frame, const Vec3& at_m) const noexcept;
+    double in_front_m(const HapticScene& scene, int candidate, const Vec3& at_m) const noexcept {
+        const std::uint16_t body = owners_[static_cast<std::size_t>(candidate)];
+        return in_front_m(scene, candidate, body == kStill ? kWorldFrame : tracks_[body].frame, at_m);
+    }
+    void remember_awake() noexcept;
+    bool turn_sheets(const HapticScene& scene) noexcept;
+    void turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept;
+    double fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept;
+    bool asleep(int candidate) const noexcept { return one_sided_count_ > 0 && sheets_[static_cast<std::size_t>(candidate)] == Sheet::Asleep; }
     bool arc_step(const HapticScene& scene, double way_left_m) noexcept;
     double fraction_inside(const Vec3& step) const noexcept;
     HalfSpace support(const HapticScene& scene, int candidate, const Vec3& at, double& distance_m) const noexcept;
@@ -168,7 +182,10 @@ private:
     std::vector<std::uint16_t> owners_;        // of the cuts: a body or kStill
     std::vector<HalfSpace> own_cuts_;          // of bodies, in the body's frame and metres
     std::vector<std::uint64_t> looked_ahead_;  // move number in which the cut was last renewed from ahead
-    std::vector<Candidate> nearest_;           // heap of gather_nearest
+    std::vector<Sheet> sheets_;                // per candidate
+    std::vector<Ghost> awake_;                 // sheets of one side that were awake when candidates were last gathered
+    int awake_count_ = 0, one_sided_count_ = 0;
+    std::vector<Candidate> nearest_;  // heap of gather_nearest
     std::size_t nearest_count_ = 0;
     std::vector<Ghost> ghosts_;
     std::vector<Track> tracks_;  // of the scene's bodies
