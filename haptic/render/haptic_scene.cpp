@@ -97,7 +97,7 @@ double HapticScene::in_front_m(std::uint32_t obstacle, const Vec3& local_m) cons
         const PolygonRange& range = polygons[o.shape];
         height = glm::dot(range.normal, local_m - polygon_corners[range.first_corner].at_m);
     }
-    return o.side == Side::Back ? -height : height;
+    return o.side == TouchSide::Back ? -height : height;
 }
 
 bool HapticScene::smooth_between(std::uint32_t obstacle, const Vec3& normal_a, const Vec3& normal_b) const noexcept {
@@ -174,7 +174,7 @@ void HapticSceneBuilder::add_obstacle(ObstacleKind kind, std::size_t shape, std:
     obstacle_bounds_.push_back(bounds_m);
 }
 
-void HapticSceneBuilder::add_sheet(const Corners& corners, const SurfaceLabel& label, Side side) {
+void HapticSceneBuilder::add_sheet(const Corners& corners, const SurfaceLabel& label, TouchSide side) {
     const bool same = !scene_.obstacles.empty() && scene_.obstacles.back().kind == ObstacleKind::Triangle && scene_.labels.back() == label;
     if (!same) scene_.labels.push_back(label);
     scene_.obstacles.push_back(
@@ -185,7 +185,7 @@ void HapticSceneBuilder::add_sheet(const Corners& corners, const SurfaceLabel& l
     obstacle_bounds_.push_back(bounds);
 }
 
-void HapticSceneBuilder::add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels, Side side) {
+void HapticSceneBuilder::add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels, TouchSide side) {
     Aabb bounds;
     for (const Vec3& p : points_m) bounds.include(p);
     add_obstacle(ObstacleKind::Polygon, scene_.polygons.size(), 2, labels, bounds);
@@ -194,13 +194,13 @@ void HapticSceneBuilder::add_polygon(std::span<const Vec3> points_m, std::span<c
     for (const Vec3& p : points_m) scene_.polygon_corners.push_back({p, Vec3(0.0)});
 }
 
-void HapticSceneBuilder::add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label, Side side) {
+void HapticSceneBuilder::add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label, TouchSide side) {
     const auto first = static_cast<std::uint32_t>(scene_.mesh.points_m.size());
     scene_.mesh.points_m.insert(scene_.mesh.points_m.end(), {a_m, b_m, c_m});
     add_sheet({first, first + 1, first + 2}, label, side);
 }
 
-void HapticSceneBuilder::add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels, Side side) {
+void HapticSceneBuilder::add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels, TouchSide side) {
     const auto first = static_cast<std::uint32_t>(scene_.mesh.points_m.size());
     scene_.mesh.points_m.insert(scene_.mesh.points_m.end(), mesh.points_m.begin(), mesh.points_m.end());
     const std::size_t all = mesh.triangles.size();
@@ -358,9 +358,9 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     }
     scene_.polygon_corners = std::move(corners);
     for (Obstacle& o : scene_.obstacles) {
-        if (o.side == Side::Both) continue;
+        if (o.side == TouchSide::Both) continue;
         // What has no area has no sides.
-        if (o.kind == ObstacleKind::Triangle ? scene_.triangle(o).degenerate : scene_.polygons[o.shape].normal == Vec3(0.0)) o.side = Side::Both;
+        if (o.kind == ObstacleKind::Triangle ? scene_.triangle(o).degenerate : scene_.polygons[o.shape].normal == Vec3(0.0)) o.side = TouchSide::Both;
         else scene_.one_sided_sheets = true;
     }
     for (SphereShape& sphere : scene_.spheres) sphere.centre_m -= origin;

@@ -51,16 +51,16 @@ inline constexpr std::size_t kObstacleKinds = 8;
 
 // From where a sheet (triangle or polygon) can be touched. Its front is the side from which its corners run counter-clockwise. A sheet of one side stops
 // only a ball that came from there; from behind one passes freely and without force.
-enum class Side : std::uint8_t { Both, Front, Back };
+enum class TouchSide : std::uint8_t { Both, Front, Back };
 
 // One convex thing that stops the proxy.
 struct Obstacle {
     ObstacleKind kind = ObstacleKind::Triangle;
-    Side side = Side::Both;         // of sheets; solids have none
-    std::uint32_t shape = 0;        // into mesh.triangles or the list of its kind; for a brush the first of its planes
-    std::uint32_t planes = 0;       // of a brush
-    std::uint32_t first_label = 0;  // triangle 1 (shared by triangles that follow each other), polygon 2 (front, back), box 6 (-x +x -y +y -z +z), brush one
-                                    // per plane, sphere and capsule 1, cylinder 3 (side, bottom, top), cone 2 (side, base)
+    TouchSide side = TouchSide::Both;  // of sheets; solids have none
+    std::uint32_t shape = 0;           // into mesh.triangles or the list of its kind; for a brush the first of its planes
+    std::uint32_t planes = 0;          // of a brush
+    std::uint32_t first_label = 0;     // triangle 1 (shared by triangles that follow each other), polygon 2 (front, back), box 6 (-x +x -y +y -z +z), brush one
+                                       // per plane, sphere and capsule 1, cylinder 3 (side, bottom, top), cone 2 (side, base)
 };
 
 // The corners of one flat polygon among HapticScene::polygon_corners.
@@ -141,7 +141,7 @@ struct HapticScene {
         const Corners& t = mesh.triangles[o.shape];
         return make_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]]);
     }
-    // How far a point lies on the side from which a sheet of one side can be touched; negative: behind it. Sheets with Side::Front or Back only.
+    // How far a point lies on the side from which a sheet of one side can be touched; negative: behind it. Sheets with TouchSide::Front or Back only.
     double in_front_m(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
     // True when two supporting planes with these normals touch one smooth piece of the obstacle, with no edge between: the place nearest to a
     // point can then be reached from the other without passing a corner.
@@ -160,12 +160,12 @@ public:
     explicit HapticSceneBuilder(std::vector<HapticMaterial> materials = {});
 
     // Triangles as sheets that share their corners; labels: one per triangle or one for all.
-    void add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels, Side side = Side::Both);
-    void add_mesh(const TriangleMesh& mesh, const SurfaceLabel& label = {}, Side side = Side::Both) { add_mesh(mesh, std::span(&label, 1), side); }
-    void add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label = {}, Side side = Side::Both);
+    void add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels, TouchSide side = TouchSide::Both);
+    void add_mesh(const TriangleMesh& mesh, const SurfaceLabel& label = {}, TouchSide side = TouchSide::Both) { add_mesh(mesh, std::span(&label, 1), side); }
+    void add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label = {}, TouchSide side = TouchSide::Both);
     // A flat convex polygon; labels: one, or front and back. See make_polygon for what it expects of the points.
-    void add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels, Side side = Side::Both);
-    void add_polygon(std::span<const Vec3> points_m, const SurfaceLabel& label = {}, Side side = Side::Both) {
+    void add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels, TouchSide side = TouchSide::Both);
+    void add_polygon(std::span<const Vec3> points_m, const SurfaceLabel& label = {}, TouchSide side = TouchSide::Both) {
         add_polygon(points_m, std::span(&label, 1), side);
     }
     // One label for all faces, or six: -x +x -y +y -z +z.
@@ -192,7 +192,7 @@ public:
 
 private:
     void prepare_effects();
-    void add_sheet(const Corners& corners, const SurfaceLabel& label, Side side);
+    void add_sheet(const Corners& corners, const SurfaceLabel& label, TouchSide side);
     void add_obstacle(ObstacleKind kind, std::size_t shape, std::size_t faces, std::span<const SurfaceLabel> labels, const Aabb& bounds_m);
 
     HapticScene scene_;

@@ -114,7 +114,7 @@ void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double 
         const double distance = shape.closest(item, own).distance_m * scale;
         if (shape.solid(item) && distance <= 0.0) {
             if (ghost_count_ < kMaxGhosts) ghosts_[static_cast<std::size_t>(ghost_count_++)] = {item, body};
-        } else if (shape.obstacles[item].side == Side::Both || shape.in_front_m(item, own) >= 0.0) {
+        } else if (shape.obstacles[item].side == TouchSide::Both || shape.in_front_m(item, own) >= 0.0) {
             radius_m_ = std::min(radius_m_, std::max(distance, kSmallestRadius_m));
         }
     });
@@ -170,7 +170,7 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
         owners_[i] = body;
         looked_ahead_[i] = 0;
         sheets_[i] = Sheet::No;
-        if (!shape.one_sided_sheets || shape.obstacles[obstacles_[i]].side == Side::Both) continue;
+        if (!shape.one_sided_sheets || shape.obstacles[obstacles_[i]].side == TouchSide::Both) continue;
         sheets_[i] = Sheet::Asleep;
         cuts_[i].offset_m = kNoCut_m;
         ++one_sided_count_;

@@ -7,7 +7,7 @@ namespace handrail::test {
 namespace {
 
 // A cube of half size `half` whose faces look outwards, as polygons or as triangles cut at random inner points.
-TouchWorld cube(double half, Side side, bool triangles, std::mt19937& random) {
+TouchWorld cube(double half, TouchSide side, bool triangles, std::mt19937& random) {
     TouchWorld world;
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
@@ -44,8 +44,8 @@ TEST(OneSidedSheets, a_skin_that_looks_outwards_holds_from_outside_at_its_faces_
         std::mt19937 random(seed0 + k);
         const double speed = std::array{0.05, 0.5, 5.0, 50.0}[k % 4];
         const bool capped = k % 3 != 0;
-        const TouchWorld world = cube(kHalf, Side::Front, k % 2 == 0, random);
-        const TouchWorld both = cube(kHalf, Side::Both, false, random);
+        const TouchWorld world = cube(kHalf, TouchSide::Front, k % 2 == 0, random);
+        const TouchWorld both = cube(kHalf, TouchSide::Both, false, random);
         const BruteForce judge = both.judge();
         Motion motion = random_turn(random);
         motion.shift_m = {k * 1.1, -3.0, 2.0};
@@ -69,13 +69,13 @@ TEST(OneSidedSheets, a_skin_that_looks_outwards_holds_from_outside_at_its_faces_
 }
 
 TEST(OneSidedSheets, the_same_skin_is_not_felt_from_inside_and_is_solid_again_once_one_is_out) {
-    for (const Side side : {Side::Front, Side::Back}) {
+    for (const TouchSide side : {TouchSide::Front, TouchSide::Back}) {
         for (const double speed : {0.05, 0.5, 5.0, 20.0}) {
             std::mt19937 random(5);
             const TouchWorld world = cube(kHalf, side, speed < 1.0, random);
             const auto scene = world.scene();
             // Front: free from the middle outwards, solid back. Back: the other way round.
-            const double free_start = side == Side::Front ? 0.0 : 0.08, free_end = side == Side::Front ? 0.08 : 0.0;
+            const double free_start = side == TouchSide::Front ? 0.0 : 0.08, free_end = side == TouchSide::Front ? 0.08 : 0.0;
             TouchState state;
             for (const Vec3& goal : hand_path({{free_start, 0.001, 0.002}, {free_end, 0.001, 0.002}}, speed)) {
                 const TouchResult r = touch_tick(state, *scene, plain_tuning(kRadius), goal, 1e-3);
@@ -83,7 +83,7 @@ TEST(OneSidedSheets, the_same_skin_is_not_felt_from_inside_and_is_solid_again_on
                 ASSERT_EQ(r.proxy_m, goal);
                 ASSERT_EQ(r.radius_m, kRadius);
             }
-            const double rest = side == Side::Front ? kHalf + kRadius : kHalf - kRadius;
+            const double rest = side == TouchSide::Front ? kHalf + kRadius : kHalf - kRadius;
             TouchResult held;
             for (const Vec3& goal : hand_path({{free_end, 0.001, 0.002}, {0.04, 0.001, 0.002}}, speed))
                 held = touch_tick(state, *scene, plain_tuning(kRadius), goal, 1e-3);
@@ -99,7 +99,7 @@ TEST(OneSidedSheets, a_skin_that_looks_inwards_keeps_the_hand_inside) {
         std::mt19937 random(seed0 + k);
         const double speed = std::array{0.05, 0.5, 5.0, 50.0}[k % 4];
         SCOPED_TRACE(fmt::format("seed {} speed {}", seed0 + k, speed));
-        const TouchWorld world = cube(kHalf, Side::Back, k % 2 == 0, random);
+        const TouchWorld world = cube(kHalf, TouchSide::Back, k % 2 == 0, random);
         const std::vector<Vec3> goals = random_path(random, {0, 0, 0}, 0.06, scaled(speed < 0.1 ? 12 : 60), speed);
         replay(*world.scene(), goals, {}, k % 3 == 0 ? uncapped_tuning(kRadius) : plain_tuning(kRadius),
                [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver&) { ASSERT_LE(outside_m(r.proxy_m, kHalf), -kRadius + 1e-9) << i; });
@@ -108,8 +108,8 @@ TEST(OneSidedSheets, a_skin_that_looks_inwards_keeps_the_hand_inside) {
 
 TEST(OneSidedSheets, feel_from_their_side_as_sheets_of_both_sides_do) {
     std::mt19937 random(6);
-    const TouchWorld sided = cube(kHalf, Side::Both, false, random);
-    TouchWorld front = cube(kHalf, Side::Front, false, random);
+    const TouchWorld sided = cube(kHalf, TouchSide::Both, false, random);
+    TouchWorld front = cube(kHalf, TouchSide::Front, false, random);
     const std::vector<Vec3> goals = random_path(random, {0, 0, 2 * kHalf}, 0.06, 20, 0.3);
     const Trace a = trace(sided, goals, {}, uncapped_tuning(kRadius)), b = trace(front, goals, {}, uncapped_tuning(kRadius));
     EXPECT_LE(largest_difference(a, b), 2e-8);
@@ -119,7 +119,7 @@ TEST(OneSidedSheets, feel_from_their_side_as_sheets_of_both_sides_do) {
 
 TEST(OneSidedSheets, a_hand_half_way_through_from_behind_may_turn_back) {
     TouchWorld world;
-    world.polygon({{-.1, -.1, 0}, {.1, -.1, 0}, {.1, .1, 0}, {-.1, .1, 0}}, Side::Front);
+    world.polygon({{-.1, -.1, 0}, {.1, -.1, 0}, {.1, .1, 0}, {-.1, .1, 0}}, TouchSide::Front);
     const auto scene = world.scene();
     for (const double turn_at : {0.001, 0.004, kRadius - 1e-6}) {
         TouchState state;

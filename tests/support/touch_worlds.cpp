@@ -46,11 +46,11 @@ void TouchWorld::triangle(const Vec3& a, const Vec3& b, const Vec3& c, FeatureId
     shapes_.push_back({ObstacleKind::Triangle, {a, b, c}, {}, feature});
 }
 
-void TouchWorld::sided_triangle(const Vec3& a, const Vec3& b, const Vec3& c, Side side) {
+void TouchWorld::sided_triangle(const Vec3& a, const Vec3& b, const Vec3& c, TouchSide side) {
     shapes_.push_back({ObstacleKind::Triangle, {a, b, c}, {}, kNoFeature, 0.0, side});
 }
 
-void TouchWorld::polygon(const std::vector<Vec3>& corners, Side side, FeatureId feature) {
+void TouchWorld::polygon(const std::vector<Vec3>& corners, TouchSide side, FeatureId feature) {
     shapes_.push_back({ObstacleKind::Polygon, corners, {}, feature, 0.0, side});
 }
 

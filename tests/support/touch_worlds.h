@@ -36,8 +36,8 @@ public:
     // A cube of half this size with `cuts` random planes through it.
     void random_brush(std::mt19937& random, const Vec3& centre, double half_size, int cuts);
     // Sheets touched from this side, and solids of their own kind. A cylinder, cone or capsule runs from the middle of one end to the middle of the other.
-    void polygon(const std::vector<Vec3>& corners, Side side = Side::Both, FeatureId feature = kNoFeature);
-    void sided_triangle(const Vec3& a, const Vec3& b, const Vec3& c, Side side);
+    void polygon(const std::vector<Vec3>& corners, TouchSide side = TouchSide::Both, FeatureId feature = kNoFeature);
+    void sided_triangle(const Vec3& a, const Vec3& b, const Vec3& c, TouchSide side);
     void sphere(const Vec3& centre, double radius, FeatureId feature = kNoFeature);
     void capsule(const Vec3& start, const Vec3& end, double radius, FeatureId feature = kNoFeature);
     void cylinder(const Vec3& bottom, const Vec3& top, double radius, FeatureId feature = kNoFeature);
@@ -58,7 +58,7 @@ private:
         std::vector<Plane> planes;
         FeatureId feature;
         double radius = 0.0;
-        Side side = Side::Both;
+        TouchSide side = TouchSide::Both;
     };
     static Shape moved(const Shape& shape, const Motion& motion);
     std::vector<Shape> shapes_;
