@@ -47,7 +47,8 @@ struct Grammar {
     ScenarioArguments scenario;
     BenchArguments bench;
     SettingsCall settings;
-    CLI::App *info_app, *touch_app, *scenario_app, *bench_app, *settings_app;
+    DevicesArguments devices;
+    CLI::App *info_app, *touch_app, *scenario_app, *bench_app, *settings_app, *devices_app;
 
     Grammar() {
         app.name("handrail");
@@ -57,7 +58,7 @@ struct Grammar {
         app.footer("Exit status: 0 done, 1 it failed, 2 wrong usage. A world whose file is named like a command is opened as ./info.");
         app.add_option("WORLD", explore.arguments.world, "the world to explore")->type_name("");
         app.add_flag("--no-window", explore.arguments.no_window, "stay in the terminal");
-        app.add_option("--device", explore.arguments.device, "haptic device by name, or none")->type_name("NAME");
+        app.add_option("--device", explore.arguments.device, "haptic device by name or serial number, or none")->type_name("NAME");
         add_map_scale(app, explore.arguments.common);
         add_settings_options(app, explore.settings);
 
@@ -112,7 +113,11 @@ struct Grammar {
         settings_app->add_flag("--explain", settings.arguments.explain, "with unit, range, meaning and where each value comes from");
         add_settings_options(*settings_app, settings.settings);
 
-        for (CLI::App* sub : {info_app, touch_app, scenario_app, bench_app, settings_app}) sub->set_help_flag("-h,--help", "say how to use this command");
+        devices_app = app.add_subcommand("devices", "say which touch devices are plugged in, and what each is and needs");
+        devices_app->add_flag("--json", devices.json, "as one JSON object");
+
+        for (CLI::App* sub : {info_app, touch_app, scenario_app, bench_app, settings_app, devices_app})
+            sub->set_help_flag("-h,--help", "say how to use this command");
     }
 
     CLI::App& chosen() {
@@ -227,6 +232,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     if (&chosen == grammar.scenario_app) return grammar.scenario;
     if (&chosen == grammar.bench_app) return grammar.bench;
     if (&chosen == grammar.settings_app) return grammar.settings;
+    if (&chosen == grammar.devices_app) return grammar.devices;
     if (&chosen == grammar.touch_app) {
         if (auto error = check_touch(grammar.touch)) return *error;
         return grammar.touch;
@@ -250,6 +256,7 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& out, s
                        for (const Diagnostic& problem : problems) err << problem.sentence() << "\n";
                        return run_settings(call.arguments, *settings, out, err);
                    },
+                   [&](const DevicesArguments& arguments) { return run_devices(arguments, out, err); },
                    [&](const PrintedText& printed) {
                        out << printed.text << std::flush;
                        return 0;

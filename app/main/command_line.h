@@ -34,7 +34,8 @@ struct UsageError {
     std::string sentence;
 };
 
-using ParsedCommandLine = std::variant<ExploreCall, InfoArguments, TouchArguments, ScenarioArguments, BenchArguments, SettingsCall, PrintedText, UsageError>;
+using ParsedCommandLine =
+    std::variant<ExploreCall, InfoArguments, TouchArguments, ScenarioArguments, BenchArguments, SettingsCall, DevicesArguments, PrintedText, UsageError>;
 
 // `words` are the arguments after the program's name. Touches no file but to ask whether a WORLD exists.
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words);

@@ -65,11 +65,16 @@ struct SettingsArguments {
 };
 int run_settings(const SettingsArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err);
 
+struct DevicesArguments {
+    bool json = false;
+};
+int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostream& err);
+
 struct ExploreArguments {
     CommonArguments common;
     std::optional<std::filesystem::path> world;  // none: the bundled first world
     bool no_window = false;                      // --no-window
-    std::optional<std::string> device;           // --device NAME|none
+    std::optional<std::string> device;           // --device NAME|SERIAL|none
     std::vector<Diagnostic> settings_problems;   // met while reading the settings; to be spoken, not only printed
 };
 int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err);

@@ -17,6 +17,8 @@
 #include "audio-cues/sinks/audio_thread.h"
 #include "audio-cues/sinks/sound_outputs.h"
 #include "haptic/device/simulated_device.h"
+#include "haptic/drivers/found_device.h"
+#include "haptic/drivers/guarded_device.h"
 #include "haptic/servo/servo_loop.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/text.h"
@@ -54,18 +56,55 @@ private:
     std::array<struct sigaction, 3> before_{};
 };
 
-// The devices that this program can drive so far are the simulated ones.
-Result<HandFacts> choose_hand(const std::string& wanted, std::vector<std::string>& news) {
+// Which hand there is, and for a real one how the guard finds it.
+struct Hand {
+    HandFacts facts;
+    std::vector<std::string> guard_arguments;  // empty: no real device
+};
+
+Hand simulated_hand(std::string_view name) { return {HandFacts{true, true, *find_device_spec(name)}, {}}; }
+
+Hand real_hand(const FoundDevice& device) {
+    Hand hand{HandFacts{true, false, *device.spec}, {device.name}};
+    if (!device.serial.empty()) hand.guard_arguments.push_back(device.serial);
+    return hand;
+}
+
+// By name or serial number, none, or auto: what is plugged in, else a simulated hand.
+Result<Hand> choose_hand(const std::string& wanted, std::vector<std::string>& news) {
     if (wanted == "none") {
         news.push_back("No touch device, as you asked. Everything works with keyboard and sound.");
-        return HandFacts{};
+        return Hand{};
     }
-    const DeviceSpec* spec = find_device_spec(wanted == "auto" ? "sim-t" : wanted);
-    if (!spec) return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", wanted, nearest_name(wanted, device_names())));
-    if (wanted != "auto" && !spec->name.starts_with("sim-"))
+    const DeviceSpec* spec = find_device_spec(wanted);
+    if (spec && spec->name.starts_with("sim-")) return simulated_hand(spec->name);
+    const std::vector<FoundDevice> found = find_devices();
+    if (wanted == "auto") {
+        for (const FoundDevice& device : found) {
+            if (device.kind != DeviceKind::Kinesthetic) continue;
+            news.push_back(fmt::format("I found a {}.", device.model));
+            if (device.usable) return real_hand(device);
+            news.push_back(device.problem);
+        }
+        if (news.empty()) news.push_back("No touch device was found. A simulated hand follows the mouse and the keys.");
+        else news.push_back("A simulated hand follows the mouse and the keys instead.");
+        return simulated_hand("sim-t");
+    }
+    for (const FoundDevice& device : found) {
+        if (!is_meant(device, wanted)) continue;
+        if (device.kind != DeviceKind::Kinesthetic) return fail(fmt::format("The {} cannot push a hand in space. Use sim-t, sim-f or none.", device.model));
+        if (!device.usable) return fail(fmt::format("The {} cannot be used yet. {}", device.model, device.problem));
+        return real_hand(device);
+    }
+    if (!spec) {
+        std::vector<std::string> names = device_names();
+        for (const FoundDevice& device : found) names.push_back(device.name);
+        return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", wanted, nearest_name(wanted, names)));
+    }
+    const std::vector<std::string> drivable = openable_device_names();
+    if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end())
         return fail(fmt::format("The {} cannot be driven yet. Use sim-t, sim-f or none.", spec->spoken_name));
-    if (wanted == "auto") news.push_back("No touch device was found. A simulated hand follows the mouse and the keys.");
-    return HandFacts{true, true, *spec};
+    return fail(fmt::format("The {} is not plugged in. Use sim-t, sim-f or none.", spec->spoken_name));
 }
 
 // Reads the world on a thread of its own, while its progress is said every two seconds.
@@ -99,17 +138,9 @@ public:
             fmt::print(err, "{}\n", hand.error().sentence());
             return 1;
         }
-        if (hand->present) {
-            simulated_ = std::make_shared<SimulatedHand>();
-            servo_ = std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(hand->spec, simulated_), clock_);
-            if (const auto opened = servo_->open(); !opened) {
-                news.push_back(opened.error().sentence());
-                servo_.reset();
-                hand = HandFacts{};
-            }
-        }
+        open_hand(*hand, news);
         open_ears(news);
-        app_ = std::make_unique<AppCore>(settings_.values(), *hand);
+        app_ = std::make_unique<AppCore>(settings_.values(), hand->facts);
         for (const Diagnostic& problem : arguments_.settings_problems) news.push_back(problem.sentence());
         open_window(news);
         say("Handrail. " + joined(news));
@@ -130,6 +161,29 @@ private:
             text += sentence;
         }
         return text;
+    }
+
+    // Becomes no hand, with a sentence, when it cannot be opened.
+    void open_hand(Hand& hand, std::vector<std::string>& news) {
+        if (!hand.facts.present) return;
+        std::unique_ptr<HapticDevice> device;
+        if (hand.facts.simulated) {
+            simulated_ = std::make_shared<SimulatedHand>();
+            device = std::make_unique<SimulatedDevice>(hand.facts.spec, simulated_);
+        } else {
+            auto guarded = std::make_unique<GuardedDevice>(hand.facts.spec, find_guard_program(), hand.guard_arguments);
+            guarded_ = guarded.get();
+            device = std::move(guarded);
+        }
+        servo_ = std::make_unique<ServoLoop>(std::move(device), clock_);
+        const auto opened = servo_->open();
+        if (guarded_)
+            for (std::string& sentence : guarded_->take_news()) news.push_back(std::move(sentence));
+        if (opened) return;
+        news.push_back(opened.error().sentence());
+        guarded_ = nullptr;
+        servo_.reset();
+        hand.facts = {};
     }
 
     void say(std::string text) {
@@ -188,6 +242,8 @@ private:
             if (window_) look_at_window();
             else take_lines(now_s);
             if (servo_) tool_ = servo_->tool();
+            if (guarded_)
+                for (std::string& sentence : guarded_->take_news()) say(std::move(sentence));
             app_->tick(now_s, tool_);
             hand_over();
             for (SpokenLine& line : ears_->take_spoken()) last_spoken_ = std::move(line.text);
@@ -218,6 +274,7 @@ private:
         servo_->set_tuning(app_->tuning());
         servo_->set_pose(app_->pose());
         if (std::exchange(handed_bodies_, app_->bodies().number) != app_->bodies().number) servo_->set_bodies(app_->bodies());
+        if (!simulated_) return;
         HandCommand command;
         command.target_m = app_->hand_target_m();
         simulated_->command.publish(command);
@@ -294,6 +351,7 @@ private:
     SteadyClock clock_;
     std::shared_ptr<SimulatedHand> simulated_;
     std::unique_ptr<ServoLoop> servo_;
+    GuardedDevice* guarded_ = nullptr;  // servo_ owns it
     std::unique_ptr<AudioThread> ears_;
     bool audible_ = false;  // there is a sound device: last words are worth waiting for
     std::unique_ptr<AppCore> app_;

@@ -32,6 +32,14 @@ constexpr double kPokeDeadlineS = 0.020;
 constexpr double kShareOfPeak = 0.95;
 constexpr std::size_t kLargestImage = 1 << 17;  // the processor has no more memory
 
+Result<std::string> read_firmware(const fs::path& file) {
+    auto content = read_whole_file(file, kLargestImage);
+    if (!content) return content;
+    const auto sound = check_falcon_firmware({reinterpret_cast<const std::uint8_t*>(content->data()), content->size()}, file.string());
+    if (!sound) return tl::unexpected(sound.error());
+    return content;
+}
+
 }  // namespace
 
 fs::path falcon_firmware_folder() {
@@ -55,6 +63,8 @@ std::vector<fs::path> falcon_firmware_files() {
     }
     return files;
 }
+
+bool falcon_firmware_is_sound(const fs::path& file) { return read_firmware(file).has_value(); }
 
 FalconDevice::FalconDevice(std::unique_ptr<ByteLink> link, Clock& clock, FalconOptions options)
     : spec_(*find_device_spec("falcon")), link_(std::move(link)), clock_(clock), options_(std::move(options)) {}
@@ -86,10 +96,10 @@ std::size_t FalconDevice::take(std::span<std::uint8_t> room, double deadline_s) 
     }
 }
 
-void FalconDevice::send(const std::array<int, 3>& motors, bool homing) noexcept {
+void FalconDevice::send(const std::array<int, 3>& motors) noexcept {
     if (lost_) return;
     const bool ready = status_.homed_legs == 7;
-    const FalconFrame frame = pack_falcon_command({motors, ready, false, !ready, homing});
+    const FalconFrame frame = pack_falcon_command({motors, ready, false, !ready, true});
     const int taken = link_->write(frame, kWriteDeadlineS);
     if (taken == ByteLink::kLost) {
         lost_ = true;
@@ -125,7 +135,7 @@ bool FalconDevice::wait_for_answer(double deadline_s) noexcept {
 bool FalconDevice::answers() {
     if (!run_mode()) return false;
     for (int poke = 0; poke < kPokes && !lost_; ++poke) {
-        send({0, 0, 0}, true);
+        send({0, 0, 0});
         if (wait_for_answer(clock_.now_s() + kPokeDeadlineS)) return true;
     }
     return false;
@@ -179,7 +189,7 @@ Result<void> FalconDevice::upload(std::span<const std::uint8_t> image) {
     }
     if (!run_mode()) return fail("The Falcon was unplugged while it was being woken.");
     for (int poke = 0; poke < kPokesAfterUpload && !lost_; ++poke) {
-        send({0, 0, 0}, true);
+        send({0, 0, 0});
         if (wait_for_answer(clock_.now_s() + kPokeDeadlineS)) return {};
     }
     return fail("The Falcon took its firmware but does not answer.");
@@ -198,18 +208,12 @@ Result<void> FalconDevice::open() {
         Error refused;
         std::string image;
         for (const fs::path& file : options_.firmware_files) {
-            auto content = read_whole_file(file, kLargestImage);
-            if (!content) {
-                refused = content.error();
-                continue;
+            if (auto read = read_firmware(file)) {
+                image = std::move(*read);
+                break;
+            } else {
+                refused = read.error();
             }
-            const auto* bytes = reinterpret_cast<const std::uint8_t*>(content->data());
-            if (const auto sound = check_falcon_firmware({bytes, content->size()}, file.string()); !sound) {
-                refused = sound.error();
-                continue;
-            }
-            image = std::move(*content);
-            break;
         }
         if (image.empty() && !refused.message.empty()) return tl::unexpected(refused);
         if (image.empty())
@@ -254,7 +258,7 @@ bool FalconDevice::is_stuck(const std::array<int, 3>& encoders) noexcept {
 DeviceSample FalconDevice::read(double) noexcept {
     DeviceSample sample;
     sample.fresh = false;
-    if (in_flight_ == 0) send({0, 0, 0}, true);
+    if (in_flight_ == 0) send({0, 0, 0});
     const bool answered = wait_for_answer(clock_.now_s() + kAnswerDeadlineS);
     sample.connected = !lost_;
     if (knows_place_) sample.position_m = falcon_to_device(grip_m_);
@@ -297,13 +301,13 @@ void FalconDevice::write(const ForceCommand& command) noexcept {
         if (const auto torques = falcon_torques(grip_m_, leg_angles_rad_, turn_device_to_falcon(force_n)))
             motors = falcon_motor_counts(*torques, options_.counts_per_nm);
     }
-    send(motors, true);
+    send(motors);
 }
 
 void FalconDevice::close() noexcept {
     // More than once, for one may be lost on the way. The firmware may hold the last force for ever.
     for (int i = 0; i < 3 && !lost_; ++i) {
-        send({0, 0, 0}, false);
+        send({0, 0, 0});
         wait_for_answer(clock_.now_s() + kAnswerDeadlineS);
     }
     forget_place();

@@ -25,6 +25,8 @@ struct FalconOptions {
 
 // What stands where people put it: HANDRAIL_FALCON_FIRMWARE, the person's data folder, the machine's, /lib/firmware/novint, libnifalcon's.
 std::vector<std::filesystem::path> falcon_firmware_files();
+// True for a file that is a whole boot image.
+bool falcon_firmware_is_sound(const std::filesystem::path& file);
 // Where to put the file, for a sentence: the first of the folders.
 std::filesystem::path falcon_firmware_folder();
 
@@ -58,7 +60,7 @@ public:
 private:
     bool run_mode() noexcept;
     bool wait_for_answer(double deadline_s) noexcept;
-    void send(const std::array<int, 3>& motors, bool homing) noexcept;
+    void send(const std::array<int, 3>& motors) noexcept;
     bool says_hello() noexcept;
     Result<void> upload(std::span<const std::uint8_t> image);
     bool echoed(std::span<const std::uint8_t> sent, double deadline_s) noexcept;

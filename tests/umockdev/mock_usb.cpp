@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <fmt/format.h>
 #include <linux/usbdevice_fs.h>
+#include <signal.h>
 #include <sys/ioctl.h>
 
 #include <stdexcept>
@@ -24,6 +25,7 @@ std::string descriptors() {
 }  // namespace
 
 MockFalconBus::MockFalconBus(UMockdevTestbed* bed) {
+    ::signal(SIGPIPE, SIG_IGN);  // umockdev answers processes that tests have killed
     const std::string device =
         "P: /devices/pci0000:00/usb1/1-1\nN: bus/usb/001/007\nE: DEVNAME=/dev/bus/usb/001/007\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\n"
         "E: BUSNUM=001\nE: DEVNUM=007\nE: MAJOR=189\nE: MINOR=6\nA: busnum=1\\n\nA: devnum=7\\n\nA: speed=12\\n\nA: idVendor=0403\\n\n"
@@ -96,6 +98,7 @@ gboolean MockFalconBus::answer(UMockdevIoctlClient* client) {
     if (unplugged && request != USBDEVFS_REAPURBNDELAY && request != USBDEVFS_REAPURB) return complete(-1, ENODEV);
     switch (request) {
         case USBDEVFS_GET_CAPABILITIES:
+            if (!resolved(4)) return complete(-1, EFAULT);
             *reinterpret_cast<std::uint32_t*>(resolved(4)->data) = USBDEVFS_CAP_BULK_CONTINUATION | USBDEVFS_CAP_NO_PACKET_SIZE_LIM;
             return complete(0, 0);
         case USBDEVFS_DISCONNECT_CLAIM:
@@ -109,8 +112,11 @@ gboolean MockFalconBus::answer(UMockdevIoctlClient* client) {
         case USBDEVFS_IOCTL:
             return complete(-1, ENODATA);
         case USBDEVFS_SUBMITURB:
-            submit(resolved(sizeof(usbdevfs_urb)));
-            return complete(0, 0);
+            if (UMockdevIoctlData* data = resolved(sizeof(usbdevfs_urb))) {
+                submit(data);
+                return complete(0, 0);
+            }
+            return complete(-1, EFAULT);  // the caller died while it was asking
         case USBDEVFS_DISCARDURB: {
             const auto address = *reinterpret_cast<unsigned long*>(argument->data);
             for (auto it = waiting_.begin(); it != waiting_.end(); ++it)
@@ -134,7 +140,7 @@ gboolean MockFalconBus::answer(UMockdevIoctlClient* client) {
             if (done_.empty()) return complete(-1, unplugged ? ENODEV : EAGAIN);
             const Urb urb = done_.front();
             done_.pop_front();
-            umockdev_ioctl_data_set_ptr(resolved(sizeof(void*)), 0, urb.urb);
+            if (UMockdevIoctlData* pointer = resolved(sizeof(void*))) umockdev_ioctl_data_set_ptr(pointer, 0, urb.urb);
             complete(0, 0);
             g_object_unref(urb.urb);
             if (urb.buffer) g_object_unref(urb.buffer);

@@ -53,8 +53,9 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
     {"app/core", {"worlds/readers", "settings", "haptic/compile", "haptic/servo", "audio-cues/plan"}},
     {"app/terminal", {"app/core"}},
     {"app/window", {"app/core"}},
+    {"app/guard", {"haptic/drivers"}},
     {"tests/bench/compare", {"worlds/readers", "haptic/compile", "haptic/servo", "haptic/loop"}},
-    {"app/main", {"app/core", "app/terminal", "app/window", "audio-cues/sinks", "tests/bench/compare"}},
+    {"app/main", {"app/core", "app/terminal", "app/window", "audio-cues/sinks", "haptic/drivers", "tests/bench/compare"}},
 };
 
 void reach(const std::string& folder, std::set<std::string>& reached) {

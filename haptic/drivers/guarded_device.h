@@ -1,0 +1,59 @@
+// A real device as the servo sees it: the guard process holds it, this holds the guard. read() and write() are a copy in shared memory and at
+// most one system call that does not wait, so the servo rule holds whatever a driver does: about 1 us each.
+// The force is felt one exchange after write(), as DeviceSpec::delay_s says. App thread: construction, open(), take_news(), destruction.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "haptic/device/haptic_device.h"
+#include "haptic/drivers/hand_mailbox.h"
+
+namespace handrail {
+
+class GuardedDevice final : public HapticDevice {
+public:
+    // `guard_program` is started by open() with `arguments` and the three descriptors in front of them.
+    GuardedDevice(const DeviceSpec& spec, std::filesystem::path guard_program, std::vector<std::string> arguments);
+    ~GuardedDevice() override;
+    GuardedDevice(const GuardedDevice&) = delete;
+    GuardedDevice& operator=(const GuardedDevice&) = delete;
+
+    const DeviceSpec& spec() const override { return spec_; }
+    // Starts the guard and waits until it holds the device, at most kOpenS: firmware may have to be sent. Fails in the guard's own sentence.
+    Result<void> open() override;
+    DeviceSample read(double now_s) noexcept override;
+    void write(const ForceCommand& command) noexcept override;
+    // Lets the guard zero the force and end; waits for it at most kEndS.
+    void close() noexcept override;
+
+    // What the guard told since the last call, in sentences: waking, plugged in again.
+    std::vector<std::string> take_news();
+    pid_t guard_process() const { return guard_; }
+
+    static constexpr double kOpenS = 30.0;
+    static constexpr double kEndS = 1.0;
+
+private:
+    bool guard_lives() const noexcept;
+    Result<void> start_guard();
+
+    DeviceSpec spec_;
+    std::filesystem::path guard_program_;
+    std::vector<std::string> arguments_;
+    HandMailbox* mailbox_ = nullptr;
+    int wake_fd_ = -1, life_fd_ = -1;
+    pid_t guard_ = -1;
+    std::vector<std::string> news_;  // app thread
+    // Servo thread.
+    DeviceSample last_;
+};
+
+// Where the guard's program lies: beside the running one, or in ../libexec/handrail. Empty when it is in neither.
+std::filesystem::path find_guard_program();
+
+}  // namespace handrail

@@ -1,0 +1,73 @@
+#include "haptic/drivers/hid_link.h"
+
+#include <fmt/format.h>
+#include <hidapi/hidapi.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace handrail {
+namespace {
+
+struct DeviceEnd {
+    void operator()(hid_device* device) const { hid_close(device); }
+};
+
+class HidapiLink final : public HidLink {
+public:
+    explicit HidapiLink(hid_device* device) : device_(device) {}
+
+    bool write(std::span<const std::uint8_t> report) noexcept override {
+        return hid_write(device_.get(), report.data(), report.size()) == static_cast<int>(report.size());
+    }
+    int read(std::span<std::uint8_t> room, double timeout_s) noexcept override {
+        const int size = hid_read_timeout(device_.get(), room.data(), room.size(), static_cast<int>(std::clamp(std::ceil(timeout_s * 1000.0), 0.0, 10000.0)));
+        return size < 0 ? kLost : size;
+    }
+    int feature(std::span<std::uint8_t> room) noexcept override {
+        const int size = hid_get_feature_report(device_.get(), room.data(), room.size());
+        return size < 0 ? kLost : size;
+    }
+
+private:
+    std::unique_ptr<hid_device, DeviceEnd> device_;
+};
+
+// Names are Latin enough for a sentence; what is not becomes a question mark.
+std::string narrow(const wchar_t* text) {
+    std::string out;
+    for (; text && *text; ++text) out += *text >= 32 && *text < 127 ? static_cast<char>(*text) : '?';
+    return out;
+}
+
+}  // namespace
+
+std::vector<HidDeviceInfo> list_hid_devices() {
+    std::vector<HidDeviceInfo> found;
+    hid_device_info* all = hid_enumerate(0, 0);
+    for (const hid_device_info* at = all; at; at = at->next) {
+        HidDeviceInfo info;
+        info.vendor = at->vendor_id;
+        info.product = at->product_id;
+        info.usage_page = at->usage_page;
+        info.usage = at->usage;
+        info.path = at->path ? at->path : "";
+        info.serial = narrow(at->serial_number);
+        info.product_name = narrow(at->product_string);
+        info.bluetooth = at->bus_type == HID_API_BUS_BLUETOOTH;
+        info.permitted = ::access(info.path.c_str(), R_OK | W_OK) == 0;
+        found.push_back(std::move(info));
+    }
+    hid_free_enumeration(all);
+    std::sort(found.begin(), found.end(), [](const HidDeviceInfo& a, const HidDeviceInfo& b) { return a.path < b.path; });
+    return found;
+}
+
+Result<std::unique_ptr<HidLink>> open_hid_link(const HidDeviceInfo& device) {
+    hid_device* opened = hid_open_path(device.path.c_str());
+    if (!opened) return fail(fmt::format("The {} cannot be opened.", device.product_name.empty() ? "device" : device.product_name));
+    return std::unique_ptr<HidLink>(std::make_unique<HidapiLink>(opened));
+}
+
+}  // namespace handrail

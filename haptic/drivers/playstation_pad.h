@@ -1,0 +1,85 @@
+// Sony's DualSense and DualShock 4: what their sticks, triggers and buttons do, and cues to the fingers by two voice coils and, on the
+// DualSense, two triggers that resist. No wall: a cue tells of one. Over USB or Bluetooth, where each report carries a checksum.
+// Any one thread; the pad is read at most 250 times a second and written at most 125, and read() and write() cost a system call each.
+// Sources: the Linux drivers hid-playstation and hid-sony for reports and checksum; published descriptions of the trigger effects.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "haptic/drivers/hid_link.h"
+
+namespace handrail {
+
+enum class PadModel : std::uint8_t { DualSense, DualShock4 };
+enum class PadBus : std::uint8_t { Usb, Bluetooth };
+
+struct PadInput {
+    double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;  // -1 to 1, right and forward positive
+    double left_trigger = 0.0, right_trigger = 0.0;                   // 0 to 1
+    int hat = 8;                                                      // 0 up, clockwise to 7; 8 none
+    std::uint32_t buttons = 0;                                        // from bit 0: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute
+};
+
+// Ten zones along the pull of a trigger, 0 to 9. Built by the functions below; values out of range are held at its ends.
+using TriggerEffect = std::array<std::uint8_t, 11>;
+TriggerEffect trigger_off() noexcept;
+TriggerEffect trigger_resists(int from_zone, int strength_1_to_8) noexcept;
+TriggerEffect trigger_clicks(int from_zone_2_to_7, int to_zone, int strength_1_to_8) noexcept;
+TriggerEffect trigger_vibrates(int from_zone, int strength_1_to_8, int frequency_hz) noexcept;
+
+struct PadOutput {
+    TriggerEffect left = trigger_off(), right = trigger_off();
+    std::uint8_t strong = 0, weak = 0;  // rumble of the left and the right coil
+};
+
+// What is touched, as fingers are told it: the right trigger resists by nearness and hardness, clicks at a doorway and trembles by material;
+// the left one resists a slope; the coils give a knock.
+struct PadCue {
+    double nearness = 0.0;  // 0 far, 1 touching
+    double hardness = 1.0;  // 0 soft, 1 hard
+    bool doorway = false;
+    double material_hz = 0.0;  // 0: smooth
+    double slope = 0.0;        // 0 level, 1 as steep as stairs
+    double knock = 0.0;        // 0 to 1
+};
+PadOutput pad_output_for(const PadCue& cue) noexcept;
+
+// Reports as bytes. A Bluetooth input with a wrong checksum, and anything that is no full input report, is nothing.
+std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const PadOutput& output, bool improved_rumble, int sequence);
+std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<const std::uint8_t> report) noexcept;
+// CRC-32 as in zip over one leading byte (0xA2 output, 0xA1 input, 0xA3 feature) and the report without its last four.
+std::uint32_t pad_checksum(std::uint8_t leading, std::span<const std::uint8_t> bytes) noexcept;
+
+class PlaystationPad {
+public:
+    PlaystationPad(std::unique_ptr<HidLink> link, PadModel model, PadBus bus);
+    ~PlaystationPad();  // triggers loose, coils still
+    PlaystationPad(const PlaystationPad&) = delete;
+    PlaystationPad& operator=(const PlaystationPad&) = delete;
+
+    // Over Bluetooth asks for full reports; asks the DualSense for its firmware.
+    Result<void> open();
+    // The newest input that is waiting, or that comes in time; nothing when there was none.
+    std::optional<PadInput> read(double timeout_s) noexcept;
+    bool write(const PadOutput& output);
+    void close() noexcept;
+    bool lost() const { return lost_; }
+    // "2.36" on a DualSense, else empty.
+    const std::string& firmware() const { return firmware_; }
+
+private:
+    std::unique_ptr<HidLink> link_;
+    PadModel model_;
+    PadBus bus_;
+    bool open_ = false, lost_ = false, improved_rumble_ = false;
+    int sequence_ = 0;
+    std::string firmware_;
+};
+
+}  // namespace handrail

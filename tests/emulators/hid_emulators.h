@@ -1,0 +1,85 @@
+// HID devices as their reports show them: a PlayStation pad that checks what it is told and says what its fingers do, and a HidLink that
+// leads straight to a device. The pad knows its reports from its own descriptor's side, checksum included. Not thread-safe.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <vector>
+
+#include "haptic/drivers/hid_link.h"
+
+namespace handrail::test {
+
+// Anything behind a HID node.
+class HidEmulator {
+public:
+    virtual ~HidEmulator() = default;
+    // A report the host wrote; false when the device refuses it.
+    virtual bool take(std::span<const std::uint8_t> report) = 0;
+    // A feature report by number; empty when there is none.
+    virtual std::vector<std::uint8_t> feature(std::uint8_t number) = 0;
+
+    std::deque<std::vector<std::uint8_t>> to_host;
+    bool unplugged = false;
+};
+
+class PadEmulator final : public HidEmulator {
+public:
+    PadEmulator(bool dual_sense, bool bluetooth) : dual_sense_(dual_sense), bluetooth_(bluetooth) {}
+    bool take(std::span<const std::uint8_t> report) override;
+    std::vector<std::uint8_t> feature(std::uint8_t number) override;
+    // Queues an input report as the pad is held now: short over Bluetooth until the calibration was asked for.
+    void tell();
+    void tell_wrong_checksum();
+
+    // What the fingers do.
+    std::array<std::uint8_t, 4> sticks{128, 128, 128, 128};
+    std::array<std::uint8_t, 2> triggers{};
+    std::array<std::uint8_t, 3> keys{8, 0, 0};
+    unsigned version = 0x0224;
+
+    // What it was told.
+    std::uint64_t good = 0, bad = 0;
+    std::array<std::uint8_t, 11> right_effect{}, left_effect{};
+    std::uint8_t strong = 0, weak = 0;
+    bool rumbles_improved = false;
+    int last_sequence = -1, sequence_breaks = 0;
+    bool full_reports = false;
+
+private:
+    std::vector<std::uint8_t> input() const;
+    bool dual_sense_, bluetooth_;
+};
+
+// A SpaceMouse: only what it tells matters, and its light.
+class PuckEmulator final : public HidEmulator {
+public:
+    bool take(std::span<const std::uint8_t> report) override {
+        if (report.size() != 2 || report[0] != 4) return false;
+        light = report[1] != 0;
+        return true;
+    }
+    std::vector<std::uint8_t> feature(std::uint8_t) override { return {}; }
+    void tell(std::uint8_t number, std::array<int, 3> axes);
+    void tell_all(std::array<int, 6> axes);
+    void tell_buttons(std::uint32_t buttons) {
+        to_host.push_back({3, static_cast<std::uint8_t>(buttons), static_cast<std::uint8_t>(buttons >> 8), static_cast<std::uint8_t>(buttons >> 16),
+                           static_cast<std::uint8_t>(buttons >> 24)});
+    }
+    bool light = false;
+};
+
+class DirectHidLink final : public HidLink {
+public:
+    explicit DirectHidLink(HidEmulator& device) : device_(device) {}
+    bool write(std::span<const std::uint8_t> report) noexcept override { return !device_.unplugged && device_.take(report); }
+    int read(std::span<std::uint8_t> room, double timeout_s) noexcept override;
+    int feature(std::span<std::uint8_t> room) noexcept override;
+
+private:
+    HidEmulator& device_;
+};
+
+}  // namespace handrail::test

@@ -1,0 +1,138 @@
+// Pads and pucks through the hidapi that people have, on hidraw nodes that umockdev plays.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "haptic/drivers/found_device.h"
+#include "haptic/drivers/playstation_pad.h"
+#include "haptic/drivers/space_mouse.h"
+#include "tests/support/precompiled.h"
+#include "tests/support/run_program.h"
+#include "tests/umockdev/mock_hidraw.h"
+#include "worlds/base/clock.h"
+
+namespace handrail {
+namespace {
+
+using test::MockHidraw;
+
+class OverHidapi : public testing::Test {
+protected:
+    void SetUp() override { ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0"; }
+
+    std::unique_ptr<HidLink> open(std::uint16_t vendor, bool bluetooth) {
+        for (const HidDeviceInfo& info : list_hid_devices())
+            if (info.vendor == vendor && info.bluetooth == bluetooth)
+                if (auto link = open_hid_link(info)) return std::move(*link);
+        return nullptr;
+    }
+
+    struct Bed {
+        UMockdevTestbed* bed = umockdev_testbed_new();
+        ~Bed() { g_object_unref(bed); }
+    } bed_;
+    test::PadEmulator usb_pad_{true, false}, bluetooth_pad_{true, true};
+    test::PuckEmulator puck_;
+    MockHidraw usb_node_{bed_.bed, usb_pad_, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller", 5}};
+    MockHidraw bluetooth_node_{bed_.bed, bluetooth_pad_, {1, true, 0x054c, 0x0ce6, "Wireless Controller", 5}};
+    MockHidraw puck_node_{bed_.bed, puck_, {2, false, 0x046d, 0xc626, "SpaceNavigator", 8}};
+};
+
+TEST_F(OverHidapi, all_three_are_listed_with_what_is_known_of_them) {
+    const auto listed = list_hid_devices();
+    ASSERT_EQ(listed.size(), 3U);
+    EXPECT_FALSE(listed[0].bluetooth);
+    EXPECT_TRUE(listed[1].bluetooth);
+    EXPECT_EQ(listed[2].usage_page, 1);
+    EXPECT_EQ(listed[2].usage, 8);
+    EXPECT_EQ(listed[0].product_name, "DualSense Wireless Controller");
+}
+
+TEST_F(OverHidapi, dual_sense_exchanges_a_thousand_reports_over_usb_and_bluetooth_and_loses_none) {
+    for (const bool bluetooth : {false, true}) {
+        test::PadEmulator& emulator = bluetooth ? bluetooth_pad_ : usb_pad_;
+        MockHidraw& node = bluetooth ? bluetooth_node_ : usb_node_;
+        auto link = open(0x054c, bluetooth);
+        ASSERT_TRUE(link);
+        PlaystationPad pad(std::move(link), PadModel::DualSense, bluetooth ? PadBus::Bluetooth : PadBus::Usb);
+        const auto opened = pad.open();
+        ASSERT_TRUE(opened) << opened.error().sentence();
+        EXPECT_EQ(pad.firmware(), "2.24");
+        const SteadyClock clock;
+        const double begun_s = clock.now_s();
+        for (int i = 0; i < 1000; ++i) {
+            PadOutput output;
+            output.strong = static_cast<std::uint8_t>(i);
+            output.right = trigger_resists(3, 1 + i % 8);
+            ASSERT_TRUE(pad.write(output)) << i;
+            {
+                const std::lock_guard guard(node.lock);
+                ASSERT_EQ(emulator.strong, output.strong);
+                ASSERT_EQ(emulator.right_effect, output.right);
+                emulator.triggers = {static_cast<std::uint8_t>(i), 0};
+                emulator.tell();
+            }
+            node.ring();
+            const auto input = pad.read(2.0);
+            ASSERT_TRUE(input) << i;
+            ASSERT_EQ(std::lround(input->left_trigger * 255.0), i % 256);
+        }
+        std::printf("%s: %.0f pairs per second\n", bluetooth ? "Bluetooth" : "USB", 1000.0 / (clock.now_s() - begun_s));
+        const std::lock_guard guard(node.lock);
+        EXPECT_EQ(emulator.bad, 0U);
+        EXPECT_EQ(emulator.sequence_breaks, 0);
+        EXPECT_EQ(node.writes, 1001U);
+    }
+    EXPECT_EQ(usb_pad_.right_effect, trigger_off()) << "let go";
+    EXPECT_EQ(bluetooth_pad_.strong, 0);
+}
+
+TEST_F(OverHidapi, bluetooth_report_with_a_wrong_checksum_is_not_believed) {
+    PlaystationPad pad(open(0x054c, true), PadModel::DualSense, PadBus::Bluetooth);
+    ASSERT_TRUE(pad.open());
+    {
+        const std::lock_guard guard(bluetooth_node_.lock);
+        bluetooth_pad_.tell_wrong_checksum();
+    }
+    bluetooth_node_.ring();
+    EXPECT_FALSE(pad.read(0.2));
+    EXPECT_FALSE(pad.lost());
+}
+
+TEST_F(OverHidapi, space_mouse_steers) {
+    SpaceMouse mouse(open(0x046d, false));
+    {
+        const std::lock_guard guard(puck_node_.lock);
+        puck_.tell(1, {0, -350, 0});
+        puck_.tell(2, {0, 0, -350});
+        puck_.tell_buttons(1);
+    }
+    puck_node_.ring();
+    const PuckState state = mouse.poll(0.0);
+    EXPECT_EQ(state.move, Vec3(0.0, 1.0, 0.0));
+    EXPECT_EQ(state.turn, Vec3(0.0, 0.0, 1.0));
+    EXPECT_EQ(state.buttons, 1U);
+    EXPECT_TRUE(mouse.light(true));
+    const std::lock_guard guard(puck_node_.lock);
+    EXPECT_TRUE(puck_.light);
+}
+
+TEST_F(OverHidapi, devices_command_tells_of_pads_and_pucks) {
+    test::ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {"devices", "--json"};
+    const test::ProgramRun run = test::run_program(call);
+    ASSERT_EQ(run.exit_status, 0) << run.err;
+    const auto devices = nlohmann::json::parse(run.out)["devices"];
+    ASSERT_EQ(devices.size(), 3U) << run.out;
+    EXPECT_EQ(devices[0]["name"], "dualsense");
+    EXPECT_EQ(devices[0]["kind"], "cues");
+    EXPECT_EQ(devices[0]["firmware"], "2.24");
+    EXPECT_EQ(devices[0]["rate_hz"], 250.0);
+    EXPECT_EQ(devices[1]["connection"], "Bluetooth, /dev/hidraw1");
+    EXPECT_EQ(devices[2]["name"], "spacemouse");
+    EXPECT_EQ(devices[2]["kind"], "navigation");
+    EXPECT_TRUE(devices[2]["force_limit_n"].is_null());
+}
+
+}  // namespace
+}  // namespace handrail

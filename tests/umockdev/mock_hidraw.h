@@ -1,0 +1,48 @@
+// A hidraw node in umockdev that leads to a HID emulator, with report boundaries kept: the node is a terminal of which only readiness is used,
+// reads and writes are answered here. The bed answers on a thread of its own; `lock` guards the emulator.
+#pragma once
+
+#include <umockdev.h>
+
+#include <mutex>
+#include <string>
+
+#include "tests/emulators/hid_emulators.h"
+
+namespace handrail::test {
+
+class MockHidraw {
+public:
+    struct Identity {
+        int number;  // of /dev/hidrawN
+        bool bluetooth;
+        std::uint16_t vendor, product;
+        std::string name;
+        std::uint8_t usage;  // on the generic desktop page: 5 game pad, 8 multi-axis
+    };
+    MockHidraw(UMockdevTestbed* bed, HidEmulator& device, const Identity& identity);
+    ~MockHidraw();
+    MockHidraw(const MockHidraw&) = delete;
+    MockHidraw& operator=(const MockHidraw&) = delete;
+
+    // After the emulator has queued reports.
+    void ring();
+
+    std::mutex lock;
+    std::uint64_t reads = 0, writes = 0;
+
+private:
+    static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
+    static gboolean on_read(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
+    static gboolean on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
+    void ring_locked();
+
+    HidEmulator& device_;
+    Identity identity_;
+    std::vector<std::uint8_t> descriptor_;
+    int doorbell_ = -1;
+    bool rung_ = false;
+    UMockdevIoctlBase* handler_ = nullptr;
+};
+
+}  // namespace handrail::test

@@ -1,0 +1,217 @@
+#include "haptic/drivers/hand_guard.h"
+
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "haptic/drivers/guarded_device.h"
+#include "tests/support/precompiled.h"
+
+namespace handrail {
+namespace {
+
+using namespace std::chrono_literals;
+
+// What happened to a device, in order; and what is to happen.
+struct Life {
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::vector<Vec3> forces;
+    int opened = 0, closed = 0;
+    bool connected = true, refuse = false, blocked = false;
+
+    template <class Condition>
+    bool wait(Condition&& condition) {
+        std::unique_lock lock(mutex);
+        return changed.wait_for(lock, 20s, condition);
+    }
+};
+
+class RecordingDevice final : public HapticDevice {
+public:
+    explicit RecordingDevice(Life& life) : life_(life) {}
+    const DeviceSpec& spec() const override { return *find_device_spec("falcon"); }
+    Result<void> open() override { return {}; }
+    DeviceSample read(double) noexcept override {
+        std::unique_lock lock(life_.mutex);
+        life_.changed.wait(lock, [this] { return !life_.blocked; });
+        DeviceSample sample;
+        sample.position_m = Vec3(0.001 * static_cast<double>(life_.forces.size()));
+        sample.connected = life_.connected;
+        return sample;
+    }
+    void write(const ForceCommand& command) noexcept override {
+        const std::lock_guard lock(life_.mutex);
+        life_.forces.push_back(command.force_n);
+        life_.changed.notify_all();
+    }
+    void close() noexcept override {
+        const std::lock_guard lock(life_.mutex);
+        ++life_.closed;
+        life_.changed.notify_all();
+    }
+
+private:
+    Life& life_;
+};
+
+// A guard on a thread of its own, with the program's side in the test's hands.
+struct Guard {
+    Life life;
+    HandMailbox mailbox;
+    int wake = ::eventfd(0, EFD_NONBLOCK);
+    std::array<int, 2> ends{-1, -1};
+    std::atomic<bool> stuck{false};
+    std::atomic<int> status{-1};
+    std::thread thread;
+
+    Guard() { ::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends.data()); }
+    ~Guard() {
+        leave();
+        if (thread.joinable()) thread.join();
+        ::close(wake);
+        ::close(ends[1]);
+    }
+    void start() {
+        thread = std::thread([this] {
+            status = guard_hand(
+                mailbox, wake, ends[1],
+                [this](const std::function<void(const std::string&)>& tell) -> Result<std::unique_ptr<HapticDevice>> {
+                    const std::lock_guard lock(life.mutex);
+                    if (life.refuse) return fail("It is not plugged in.");
+                    ++life.opened;
+                    life.changed.notify_all();
+                    tell("Waking it.");
+                    return std::unique_ptr<HapticDevice>(std::make_unique<RecordingDevice>(life));
+                },
+                [this] { stuck = true; });
+        });
+    }
+    void command(const Vec3& force_n) {
+        mailbox.command.publish({force_n});
+        const std::uint64_t one = 1;
+        [[maybe_unused]] const auto written = ::write(wake, &one, sizeof one);
+    }
+    std::string message() {
+        std::array<char, 256> bytes{};
+        const auto size = ::recv(ends[0], bytes.data(), bytes.size(), 0);
+        return size > 0 ? std::string(bytes.begin(), bytes.begin() + size) : std::string();
+    }
+    void leave() {
+        if (ends[0] >= 0) ::close(ends[0]);
+        ends[0] = -1;
+    }
+};
+
+TEST(HandGuard, says_what_goes_on_and_exchanges_each_force_for_a_sample) {
+    Guard guard;
+    guard.start();
+    EXPECT_EQ(guard.message(), "nWaking it.");
+    EXPECT_EQ(guard.message(), "r");
+    guard.command({1.0, 2.0, 3.0});
+    ASSERT_TRUE(guard.life.wait([&] { return !guard.life.forces.empty() && guard.life.forces.back() == Vec3(1.0, 2.0, 3.0); }));
+    for (int i = 0; i < 2000 && !guard.mailbox.answer.refresh(); ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_GT(guard.mailbox.answer.read().position_m.x, 0.0);
+}
+
+TEST(HandGuard, zeroes_the_force_when_the_program_stops_commanding) {
+    Guard guard;
+    guard.start();
+    guard.command({0.0, 2.0, 0.0});
+    ASSERT_TRUE(guard.life.wait([&] { return !guard.life.forces.empty() && guard.life.forces.back() == Vec3(0.0, 2.0, 0.0); }));
+    ASSERT_TRUE(guard.life.wait([&] { return guard.life.forces.back() == Vec3(0.0); }));
+    // At the very next exchange after the old force.
+    const std::lock_guard lock(guard.life.mutex);
+    const auto last_force = std::find_if(guard.life.forces.rbegin(), guard.life.forces.rend(), [](const Vec3& f) { return f != Vec3(0.0); });
+    EXPECT_LE(last_force - guard.life.forces.rbegin(), 2);
+    EXPECT_EQ(std::count(guard.life.forces.begin(), guard.life.forces.end(), Vec3(0.0, 2.0, 0.0)), 1);
+}
+
+TEST(HandGuard, lets_the_device_go_when_the_program_is_gone) {
+    Guard guard;
+    guard.start();
+    guard.command({0.0, 2.0, 0.0});
+    ASSERT_TRUE(guard.life.wait([&] { return !guard.life.forces.empty(); }));
+    guard.leave();
+    ASSERT_TRUE(guard.life.wait([&] { return guard.life.closed == 1; }));
+    guard.thread.join();
+    EXPECT_EQ(guard.status, 0);
+}
+
+TEST(HandGuard, looks_for_an_unplugged_device_until_it_is_back) {
+    Guard guard;
+    guard.start();
+    ASSERT_EQ(guard.message(), "nWaking it.");
+    ASSERT_EQ(guard.message(), "r");
+    {
+        const std::lock_guard lock(guard.life.mutex);
+        guard.life.connected = false;
+        guard.life.refuse = true;
+    }
+    guard.command({0.0, 2.0, 0.0});
+    ASSERT_TRUE(guard.life.wait([&] { return guard.life.closed == 1; }));
+    bool told = false;
+    for (int i = 0; i < 2000 && !told; ++i) {
+        told = guard.mailbox.answer.refresh() && !guard.mailbox.answer.read().connected;
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_TRUE(told);
+    {
+        const std::lock_guard lock(guard.life.mutex);
+        guard.life.connected = true;
+        guard.life.refuse = false;
+    }
+    ASSERT_TRUE(guard.life.wait([&] { return guard.life.opened == 2; }));
+    bool back = false;
+    for (int i = 0; i < 5000 && !back; ++i) {
+        guard.command(Vec3(0.0));
+        back = guard.mailbox.answer.refresh() && guard.mailbox.answer.read().connected;
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_TRUE(back);
+}
+
+TEST(HandGuard, notices_a_driver_that_does_not_come_back) {
+    Guard guard;
+    {
+        const std::lock_guard lock(guard.life.mutex);
+        guard.life.blocked = true;
+    }
+    guard.start();
+    guard.command({0.0, 2.0, 0.0});
+    for (int i = 0; i < 5000 && !guard.stuck; ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_TRUE(guard.stuck);
+    const std::lock_guard lock(guard.life.mutex);
+    guard.life.blocked = false;
+    guard.life.changed.notify_all();
+}
+
+TEST(HandGuard, passes_on_why_there_is_no_device) {
+    Guard guard;
+    guard.life.refuse = true;
+    guard.start();
+    EXPECT_EQ(guard.message(), "fIt is not plugged in.");
+    guard.thread.join();
+    EXPECT_EQ(guard.status, 1);
+}
+
+TEST(GuardedDevice, says_in_a_sentence_that_its_guard_is_missing_or_ends) {
+    GuardedDevice without(*find_device_spec("falcon"), "", {});
+    ASSERT_FALSE(without.open());
+    EXPECT_THAT(without.open().error().sentence(), testing::HasSubstr("handrail-guard"));
+    EXPECT_FALSE(without.read(0.0).connected);
+    without.write({Vec3(1.0)});
+    GuardedDevice other(*find_device_spec("falcon"), "/bin/true", {});
+    const auto opened = other.open();
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("ended by itself"));
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,39 @@
+#include "haptic/drivers/found_device.h"
+#include "tests/support/precompiled.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+
+// What may be opened without being an administrator is what the drivers look for.
+TEST(UdevRule, names_every_device_that_a_driver_opens) {
+    const std::string rule = test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "haptic" / "drivers" / kUdevRule);
+    ASSERT_FALSE(rule.empty());
+    for (const char* id : {"\"0403\"", "\"cb48\"", "\"054c\"", "0ce6", "0df2", "05c4", "09cc", "054C:0CE6", "\"256f\"", "\"046d\""})
+        EXPECT_THAT(rule, testing::HasSubstr(id));
+    EXPECT_LT(kUdevRule, "73-seat-late.rules") << "uaccess is carried out there";
+    EXPECT_THAT(permission_advice(), testing::HasSubstr(std::string(kUdevRule)));
+}
+
+TEST(FoundDevices, are_meant_by_name_in_any_case_or_by_their_serial_number) {
+    FoundDevice falcon;
+    falcon.name = "falcon";
+    falcon.serial = "F100";
+    EXPECT_TRUE(is_meant(falcon, "Falcon"));
+    EXPECT_TRUE(is_meant(falcon, "F100"));
+    EXPECT_FALSE(is_meant(falcon, ""));
+    EXPECT_FALSE(is_meant(falcon, "omega"));
+    falcon.serial.clear();
+    EXPECT_FALSE(is_meant(falcon, ""));
+    for (const std::string& name : openable_device_names()) EXPECT_TRUE(find_device_spec(name)) << name;
+}
+
+TEST(OpenDevice, of_an_unknown_name_is_a_sentence) {
+    SteadyClock clock;
+    const auto opened = open_device("harpsichord", "", clock, {});
+    ASSERT_FALSE(opened);
+    EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("harpsichord"));
+}
+
+}  // namespace
+}  // namespace handrail
