@@ -104,6 +104,7 @@ Result<Hand> choose_hand(const std::string& wanted, std::vector<std::string>& ne
     const std::vector<std::string> drivable = openable_device_names();
     if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end())
         return fail(fmt::format("The {} cannot be driven yet. Use sim-t, sim-f or none.", spec->spoken_name));
+    if (is_found_only_by_opening(spec->name)) return Hand{HandFacts{true, false, *spec}, {std::string(spec->name)}};
     return fail(fmt::format("The {} is not plugged in. Use sim-t, sim-f or none.", spec->spoken_name));
 }
 

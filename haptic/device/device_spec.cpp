@@ -33,6 +33,10 @@ constexpr std::array kSpecs{
     DeviceSpec{"sigma", "sigma", 12.0, 5000.0, 0.075, 0.2, 1e-3, 600.0},
     DeviceSpec{"lambda", "lambda", 12.0, 5000.0, 0.112, 0.2, 1e-3, 600.0},
     DeviceSpec{"delta", "delta", 20.0, 5000.0, 0.15, 0.2, 1e-3, 600.0},
+    // Haply: about 10 N for moments by its maker, far less for long, and no rating published; held low until one is measured.
+    DeviceSpec{"inverse3", "Inverse3", 3.0, 500.0, 0.1, 0.2, 2e-3, 300.0},
+    // Any joystick with a constant force: 5 to 10 N at the grip are told of, so 3 N is below all of them; the rest is a guess.
+    DeviceSpec{"force-stick", "force-feedback joystick", 3.0, 150.0, 0.04, 0.2, 5e-3, 100.0},
     // Open hardware: its CHAI3D fork declares 5 N and 0.1 m; the rating is a guess until one is measured.
     DeviceSpec{"wooden-haptics", "WoodenHaptics", 5.0, 1000.0, 0.1, 0.2, 1e-3, 600.0},
 };

@@ -5,8 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdlib>
+#include <filesystem>
 
+#include "haptic/drivers/dhd_device.h"
 #include "haptic/drivers/falcon_device.h"
+#include "haptic/drivers/ff_link.h"
+#include "haptic/drivers/force_stick.h"
+#include "haptic/drivers/haply_device.h"
+#include "haptic/drivers/hd_device.h"
 #include "haptic/drivers/hid_link.h"
 #include "haptic/drivers/playstation_pad.h"
 #include "haptic/drivers/usb_link.h"
@@ -121,6 +128,103 @@ void find_hid_devices(std::vector<FoundDevice>& found) {
     }
 }
 
+// Devices that only their maker's library can speak to. Their numbers on USB say that one is there; the library itself is loaded in the guard
+// alone, when the device is chosen.
+struct Maker {
+    UsbId id;
+    std::string_view name, default_device;
+    std::array<std::string_view, 3> libraries;
+};
+constexpr std::array kMakers{Maker{{0x1451, 0}, "Force Dimension", "omega", {"libdhd.so.3", "libdhd.so", ""}},
+                             Maker{{0x0301, 0x2988}, "3D Systems", "touch", {"libHD.so", "libHD.so.3.4", "libHD.so.3.0"}}};
+
+bool library_lies_somewhere(const Maker& maker) {
+    std::vector<std::string> folders{"/usr/lib", "/usr/lib64", "/usr/lib/x86_64-linux-gnu", "/usr/local/lib", "/lib/x86_64-linux-gnu"};
+    const char* named = std::getenv("LD_LIBRARY_PATH");
+    for (std::string rest = named ? named : ""; !rest.empty();) {
+        const std::size_t end = rest.find(':');
+        folders.push_back(rest.substr(0, end));
+        rest = end == std::string::npos ? std::string() : rest.substr(end + 1);
+    }
+    std::error_code ec;
+    return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+        return std::any_of(maker.libraries.begin(), maker.libraries.end(), [&](std::string_view library) {
+            return !library.empty() && !folder.empty() && std::filesystem::exists(std::filesystem::path(folder) / library, ec);
+        });
+    });
+}
+
+void find_makers_devices(std::vector<FoundDevice>& found) {
+    for (const Maker& maker : kMakers) {
+        const auto plugged = list_usb_devices(std::span(&maker.id, 1));
+        if (!plugged) return;
+        for (const UsbDeviceInfo& usb : *plugged) {
+            FoundDevice device;
+            device.name = maker.default_device;
+            for (const std::string_view name : {"omega", "sigma", "lambda", "delta"})
+                if (lower_ascii(usb.product_name).starts_with(name)) device.name = name;
+            device.spec = *find_device_spec(device.name);
+            device.model = fmt::format("{} {}", maker.name, usb.product_name.empty() ? std::string(device.spec->spoken_name) : usb.product_name);
+            device.driver = fmt::format("its maker's library {}, loaded when it is chosen", maker.libraries.front());
+            device.connection = fmt::format("USB bus {}, device {}", usb.bus, usb.address);
+            device.serial = usb.serial;
+            device.firmware = "its own";
+            device.calibration = "told when it is opened";
+            device.rate_hz = 1000.0;
+            device.usable = library_lies_somewhere(maker);
+            if (!device.usable) device.problem = fmt::format("The library {} of {} is not installed.", maker.libraries.front(), maker.name);
+            found.push_back(std::move(device));
+        }
+    }
+}
+
+void find_inverse3(std::vector<FoundDevice>& found) {
+    SteadyClock clock;
+    auto opened = open_haply_device(clock);
+    if (!opened) return;
+    FoundDevice device;
+    device.name = "inverse3";
+    device.model = "Haply Inverse3";
+    device.driver = "its maker's service, over a WebSocket on this computer";
+    device.connection = fmt::format("127.0.0.1, port {}", kHaplyPort);
+    device.firmware = "its own";
+    device.calibration = (*opened)->read(clock.now_s()).homed ? "calibrated" : "not calibrated: follow its maker's steps";
+    device.spec = (*opened)->spec();
+    device.rate_hz = 1000.0;
+    found.push_back(std::move(device));
+}
+
+// Pads that a driver of ours already speaks to over hidapi have event nodes too; they are told once.
+void find_ff_devices(std::vector<FoundDevice>& found) {
+    for (const FfDeviceInfo& ff : list_ff_devices()) {
+        const bool stick = ff.abilities.constant && ff.abilities.stick;
+        const bool known = std::any_of(found.begin(), found.end(), [](const FoundDevice& device) { return device.driver.ends_with("hidapi"); });
+        if (!stick && known && (ff.name.find("DualSense") != std::string::npos || ff.name.find("Wireless Controller") != std::string::npos)) continue;
+        FoundDevice device;
+        device.name = stick ? "force-stick" : "rumble-pad";
+        device.model = ff.name.empty() ? device.name : ff.name;
+        device.kind = stick ? DeviceKind::Kinesthetic : DeviceKind::Cues;
+        device.driver = "the kernel's force feedback";
+        device.connection = ff.path;
+        device.calibration = "none needed";
+        if (stick) device.spec = *find_device_spec("force-stick");
+        device.rate_hz = stick ? 250.0 : 20.0;
+        found.push_back(std::move(device));
+    }
+}
+
+Result<std::unique_ptr<HapticDevice>> open_force_stick() {
+    for (const FfDeviceInfo& ff : list_ff_devices()) {
+        if (!ff.abilities.constant || !ff.abilities.stick) continue;
+        auto link = open_ff_link(ff.path);
+        if (!link) return tl::unexpected(link.error());
+        auto device = std::make_unique<ForceStick>(std::move(*link));
+        if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
+        return std::unique_ptr<HapticDevice>(std::move(device));
+    }
+    return fail("No force-feedback joystick is plugged in.");
+}
+
 Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock& clock, const std::function<void(const std::string&)>& tell) {
     const auto plugged = list_usb_devices(kFalconIds);
     if (!plugged) return tl::unexpected(plugged.error());
@@ -142,7 +246,10 @@ Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock
 std::vector<FoundDevice> find_devices() {
     std::vector<FoundDevice> found;
     find_falcons(found);
+    find_makers_devices(found);
+    find_inverse3(found);
     find_hid_devices(found);
+    find_ff_devices(found);
     return found;
 }
 
@@ -154,11 +261,19 @@ bool is_meant(const FoundDevice& device, std::string_view name_or_serial) {
     return device.name == lower_ascii(name_or_serial) || (!device.serial.empty() && device.serial == name_or_serial);
 }
 
-std::vector<std::string> openable_device_names() { return {"falcon"}; }
+std::vector<std::string> openable_device_names() {
+    return {"falcon", "touch", "omni", "phantom-desktop", "phantom-premium", "omega", "sigma", "lambda", "delta", "inverse3", "force-stick"};
+}
+
+bool is_found_only_by_opening(std::string_view name) { return name == "touch" || name == "omni" || name.starts_with("phantom-"); }
 
 Result<std::unique_ptr<HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
                                                   const std::function<void(const std::string&)>& tell) {
     if (name == "falcon") return open_falcon(serial, clock, tell);
+    if (is_found_only_by_opening(name)) return open_hd_device();
+    if (name == "omega" || name == "sigma" || name == "lambda" || name == "delta") return open_dhd_device();
+    if (name == "inverse3") return open_haply_device(clock);
+    if (name == "force-stick") return open_force_stick();
     return fail(fmt::format("There is no driver for \"{}\".", name));
 }
 

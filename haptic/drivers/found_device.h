@@ -45,5 +45,7 @@ Result<std::unique_ptr<HapticDevice>> open_device(std::string_view name, std::st
                                                   const std::function<void(const std::string&)>& tell);
 // The names open_device() knows: all are rows of device_specs().
 std::vector<std::string> openable_device_names();
+// Models that sit on older wires than USB: only their maker's library knows whether one is there.
+bool is_found_only_by_opening(std::string_view name);
 
 }  // namespace handrail

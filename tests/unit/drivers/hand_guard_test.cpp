@@ -213,5 +213,43 @@ TEST(GuardedDevice, says_in_a_sentence_that_its_guard_is_missing_or_ends) {
     EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("ended by itself"));
 }
 
+// Ticks it like a servo until it is so, at most 20 s.
+template <class Condition>
+bool tick_until(GuardedDevice& device, Condition&& condition) {
+    for (int i = 0; i < 20000; ++i, std::this_thread::sleep_for(1ms)) {
+        const DeviceSample sample = device.read(0.0);
+        device.write({{0.0, 2.0, 0.0}});
+        if (condition(sample)) return true;
+    }
+    return false;
+}
+
+TEST(GuardedDevice, exchanges_with_a_process_of_its_own) {
+    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"echo"});
+    const auto opened = device.open();
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    EXPECT_THAT(device.take_news(), testing::ElementsAre("Waking it."));
+    EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh && sample.position_m == Vec3(0.0, 0.002, 0.0); }));
+    device.close();
+    EXPECT_FALSE(device.read(0.0).connected);
+    ASSERT_TRUE(device.open()) << "and again";
+    EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
+}
+
+TEST(GuardedDevice, is_unplugged_when_its_guard_dies_or_ends_itself_over_a_driver_that_blocks) {
+    for (const char* behaviour : {"dies", "blocks"}) {
+        GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {behaviour});
+        ASSERT_TRUE(device.open());
+        EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; })) << behaviour;
+        EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return !sample.connected; })) << behaviour;
+    }
+}
+
+TEST(GuardedDevice, hands_positions_that_are_no_numbers_to_the_servo_to_judge) {
+    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"nan"});
+    ASSERT_TRUE(device.open());
+    EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh && !is_finite(sample.position_m); }));
+}
+
 }  // namespace
 }  // namespace handrail

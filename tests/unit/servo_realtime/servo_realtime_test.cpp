@@ -9,6 +9,7 @@
 #include <random>
 
 #include "haptic/device/simulated_device.h"
+#include "haptic/drivers/guarded_device.h"
 #include "haptic/servo/servo_loop.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/scale.h"
@@ -211,6 +212,30 @@ TEST_F(ServoRealtime, the_loop_around_it_allocates_and_frees_nothing_either) {
     }
     EXPECT_EQ(sum.allocations, 0);
     EXPECT_EQ(sum.locks, 0);
+}
+
+// What the servo holds in place of a real device, with a guard process of its own at the other end.
+TEST_F(ServoRealtime, a_guarded_device_is_read_and_written_without_allocating_locking_or_a_clock) {
+    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"echo"});
+    const auto opened = device.open();
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    Counts sum;
+    int fresh = 0;
+    SteadyClock clock;
+    for (int i = 0; i < 500; ++i) {
+        const Counts counts = count([&] {
+            fresh += device.read(0.0).fresh;
+            device.write({{0.0, 0.001 * i, 0.0}});
+        });
+        sum.allocations += counts.allocations;
+        sum.locks += counts.locks;
+        sum.clocks += counts.clocks;
+        clock.sleep_until_s(clock.now_s() + 2e-4);
+    }
+    EXPECT_EQ(sum.allocations, 0);
+    EXPECT_EQ(sum.locks, 0);
+    EXPECT_EQ(sum.clocks, 0);
+    EXPECT_GT(fresh, 5);
 }
 
 }  // namespace

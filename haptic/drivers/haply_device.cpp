@@ -1,0 +1,216 @@
+#include "haptic/drivers/haply_device.h"
+
+#include <fmt/format.h>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/websocket.hpp>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace handrail {
+namespace {
+
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using Tcp = boost::asio::ip::tcp;
+using Json = nlohmann::json;
+
+constexpr double kOpenDeadlineS = 2.0;
+constexpr double kAnswerDeadlineS = 0.005;
+constexpr double kZeroAfterSilenceS = 0.020;
+constexpr std::size_t kLargestMessage = 1 << 20;
+
+std::chrono::nanoseconds duration(double seconds) { return std::chrono::nanoseconds(static_cast<std::int64_t>(std::max(seconds, 0.0) * 1e9)); }
+
+const Json* member(const Json& json, const char* name) {
+    if (!json.is_object()) return nullptr;
+    const auto found = json.find(name);
+    return found == json.end() ? nullptr : &*found;
+}
+
+bool number(const Json& json, const char* name, double& value) {
+    const Json* found = member(json, name);
+    if (!found || !found->is_number()) return false;
+    value = found->get<double>();
+    return std::isfinite(value);
+}
+
+std::string force_message(const std::string& device_id, const Vec3& force_n) {
+    return Json{{"inverse3", Json::array({Json{{"device_id", device_id},
+                                               {"commands", {{"set_cursor_force", {{"values", {{"x", force_n.x}, {"y", force_n.y}, {"z", force_n.z}}}}}}}}})}}
+        .dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+class HaplyDevice final : public HapticDevice {
+public:
+    HaplyDevice(Clock& clock, std::uint16_t port) : clock_(clock), port_(port) {}
+    ~HaplyDevice() override { HaplyDevice::close(); }
+
+    const DeviceSpec& spec() const override { return spec_; }
+
+    Result<void> open() override {
+        try {
+            beast::error_code problem = boost::asio::error::would_block;
+            beast::get_lowest_layer(socket_).async_connect(Tcp::endpoint(boost::asio::ip::address_v4::loopback(), port_),
+                                                           [&](beast::error_code error) { problem = error; });
+            run_until(kOpenDeadlineS, [&] { return problem != boost::asio::error::would_block; });
+            if (problem) return fail("The service of the Inverse3 does not run on this computer. Please install and start it.");
+            beast::get_lowest_layer(socket_).socket().set_option(Tcp::no_delay(true));
+            socket_.read_message_max(kLargestMessage);
+            problem = boost::asio::error::would_block;
+            socket_.async_handshake(fmt::format("127.0.0.1:{}", port_), "/", [&](beast::error_code error) { problem = error; });
+            run_until(kOpenDeadlineS, [&] { return problem != boost::asio::error::would_block; });
+            if (problem) return fail("What answers in place of the Inverse3's service is something else.");
+            open_ = true;
+            // A first snapshot comes unasked.
+            for (const double deadline_s = clock_.now_s() + kOpenDeadlineS; clock_.now_s() < deadline_s && !lost_;)
+                if (receive(deadline_s) && !device_id_.empty()) return {};
+            return fail("The service of the Inverse3 runs, but no Inverse3 is connected and ready.");
+        } catch (const std::exception&) {
+            return fail("The service of the Inverse3 cannot be spoken to.");
+        }
+    }
+
+    DeviceSample read(double) noexcept override {
+        if (in_flight_ == 0) write({});
+        const double deadline_s = clock_.now_s() + kAnswerDeadlineS;
+        bool fresh = false;
+        while (!lost_ && in_flight_ > 0 && clock_.now_s() < deadline_s) fresh = guarded([&] { return receive(deadline_s); }) || fresh;
+        if (!fresh && clock_.now_s() - sent_s_ > kZeroAfterSilenceS) in_flight_ = 0;
+        if (fresh) answered_s_ = clock_.now_s();
+        DeviceSample sample = state_;
+        sample.fresh = fresh;
+        sample.connected = open_ && !lost_;
+        return sample;
+    }
+
+    void write(const ForceCommand& command) noexcept override {
+        if (!open_ || lost_ || in_flight_ > 1) return;  // the service answers each; more would only queue
+        Vec3 force = command.force_n;
+        const double newtons = std::sqrt(glm::dot(force, force));
+        if (!std::isfinite(newtons) || !state_.homed || clock_.now_s() - answered_s_ > kZeroAfterSilenceS) force = Vec3(0.0);
+        else if (newtons > spec_.peak_force_n) force *= spec_.peak_force_n / newtons;
+        guarded([&] { return send(force); });
+    }
+
+    void close() noexcept override {
+        if (!open_) return;
+        if (!lost_)
+            guarded([&] {
+                send(Vec3(0.0));
+                receive(clock_.now_s() + kAnswerDeadlineS);
+                socket_.async_close(websocket::close_code::normal, [this](beast::error_code) { closed_ = true; });
+                run_until(0.1, [this] { return closed_; });
+                return true;
+            });
+        beast::get_lowest_layer(socket_).cancel();
+        guarded([&] {
+            io_.restart();
+            io_.run_for(std::chrono::milliseconds(10));
+            return true;
+        });
+        open_ = false;
+    }
+
+private:
+    template <class Action>
+    bool guarded(Action&& action) noexcept {
+        try {
+            return action();
+        } catch (...) {
+            lost_ = true;
+            return false;
+        }
+    }
+
+    template <class Condition>
+    void run_until(double seconds, Condition&& condition) {
+        const double deadline_s = clock_.now_s() + seconds;
+        io_.restart();
+        while (!condition()) {
+            const double left_s = deadline_s - clock_.now_s();
+            if (left_s <= 0.0) return;
+            if (io_.run_one_for(duration(left_s)) == 0) return;
+        }
+    }
+
+    bool send(const Vec3& force_n) {
+        outgoing_ = force_message(device_id_, force_n);
+        written_ = false;
+        socket_.async_write(boost::asio::buffer(outgoing_), [this](beast::error_code error, std::size_t) {
+            written_ = true;
+            lost_ = lost_ || error;
+        });
+        run_until(kAnswerDeadlineS, [this] { return written_; });
+        if (!written_) lost_ = true;  // a local service that takes no message for so long has hung; its buffer must not outlive this call
+        if (!lost_) {
+            ++in_flight_;
+            sent_s_ = clock_.now_s();
+        }
+        return !lost_;
+    }
+
+    // One message, sound or not; a read that is not done by the deadline goes on with the next call.
+    bool receive(double deadline_s) {
+        if (!reading_) {
+            reading_ = true;
+            arrived_ = false;
+            socket_.async_read(incoming_, [this](beast::error_code error, std::size_t) {
+                arrived_ = true;
+                lost_ = lost_ || error;
+            });
+        }
+        run_until(deadline_s - clock_.now_s(), [this] { return arrived_; });
+        if (!arrived_ || lost_) return false;
+        reading_ = false;
+        const std::string text = beast::buffers_to_string(incoming_.data());
+        incoming_.consume(incoming_.size());
+        if (in_flight_ > 0) --in_flight_;
+        return parse_haply_state(text, device_id_, state_);
+    }
+
+    Clock& clock_;
+    std::uint16_t port_;
+    DeviceSpec spec_ = *find_device_spec("inverse3");
+    boost::asio::io_context io_;
+    websocket::stream<beast::tcp_stream> socket_{io_};
+    beast::flat_buffer incoming_;
+    std::string outgoing_, device_id_;
+    DeviceSample state_;
+    bool open_ = false, lost_ = false, reading_ = false, arrived_ = false, written_ = false, closed_ = false;
+    int in_flight_ = 0;
+    double sent_s_ = 0.0, answered_s_ = 0.0;
+};
+
+}  // namespace
+
+bool parse_haply_state(std::string_view text, std::string& device_id, DeviceSample& sample) {
+    const Json json = Json::parse(text, nullptr, false);
+    const Json* devices = json.is_discarded() ? nullptr : member(json, "inverse3");
+    if (!devices || !devices->is_array()) return false;
+    for (const Json& device : *devices) {
+        const Json* id = member(device, "device_id");
+        if (!id || !id->is_string() || (!device_id.empty() && id->get<std::string>() != device_id)) continue;
+        const Json* state = member(device, "state");
+        const Json* position = state ? member(*state, "cursor_position") : nullptr;
+        Vec3 place{0.0};
+        if (!position || !number(*position, "x", place.x) || !number(*position, "y", place.y) || !number(*position, "z", place.z)) return false;
+        if (const Json* status = member(device, "status"))
+            if (const Json* calibrated = member(*status, "calibrated"); calibrated && calibrated->is_boolean()) sample.homed = calibrated->get<bool>();
+        device_id = id->get<std::string>();
+        sample.position_m = place;
+        return true;
+    }
+    return false;
+}
+
+Result<std::unique_ptr<HapticDevice>> open_haply_device(Clock& clock, std::uint16_t port) {
+    auto device = std::make_unique<HaplyDevice>(clock, port);
+    if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
+    return std::unique_ptr<HapticDevice>(std::move(device));
+}
+
+}  // namespace handrail

@@ -1,0 +1,33 @@
+#include "haptic/drivers/vendor_library.h"
+
+#include <dlfcn.h>
+
+#include <utility>
+
+namespace handrail {
+
+Result<VendorLibrary> VendorLibrary::load(std::initializer_list<std::string> names, const std::string& maker) {
+    for (const std::string& name : names)
+        if (void* handle = ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) return VendorLibrary(handle, name);
+    return fail(fmt::format("The library {} of {} is not installed, so its devices cannot be used.", *names.begin(), maker));
+}
+
+VendorLibrary::VendorLibrary(VendorLibrary&& other) noexcept
+    : handle_(std::exchange(other.handle_, nullptr)), name_(std::move(other.name_)), missing_(std::move(other.missing_)) {}
+
+VendorLibrary::~VendorLibrary() {
+    if (handle_) ::dlclose(handle_);
+}
+
+void* VendorLibrary::find(const char* name) {
+    void* found = ::dlsym(handle_, name);
+    if (!found && missing_.empty()) missing_ = name;
+    return found;
+}
+
+Result<void> VendorLibrary::complete() const {
+    if (missing_.empty()) return {};
+    return fail(fmt::format("The library {} lacks {}; another version of it may have it.", name_, missing_));
+}
+
+}  // namespace handrail

@@ -1,0 +1,245 @@
+// The Inverse3's service, played by a server on this computer that answers each message with one state.
+#include "haptic/drivers/haply_device.h"
+
+#include <atomic>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/websocket.hpp>
+#include <cmath>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <thread>
+
+#include "tests/support/precompiled.h"
+#include "tests/support/scale.h"
+
+namespace handrail {
+namespace {
+
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using Tcp = boost::asio::ip::tcp;
+using Json = nlohmann::json;
+
+enum class Mood { Sound, Damaged, Silent, NoPosition, Hangs_up, Uncalibrated };
+
+class StandInService {
+public:
+    explicit StandInService(bool with_device = true) : with_device_(with_device), thread_([this] { serve(); }) {}
+    ~StandInService() {
+        beast::error_code ignored;
+        Tcp::socket knock(io_);  // in case nobody ever connected
+        knock.connect({boost::asio::ip::address_v4::loopback(), port()}, ignored);
+        knock.close(ignored);
+        thread_.join();
+    }
+    StandInService(const StandInService&) = delete;
+    StandInService& operator=(const StandInService&) = delete;
+
+    std::uint16_t port() const { return port_; }
+
+    std::atomic<Mood> mood{Mood::Sound};
+    std::atomic<int> messages{0}, not_understood{0};
+    // Under the lock: the hand, 0.1 kg and 8 Ns/m, a millisecond for each message.
+    std::mutex lock;
+    Vec3 place{0.0}, velocity{0.0}, push{0.0}, force{0.0};
+    double largest = 0.0;
+
+private:
+    std::string state(bool first) {
+        const std::lock_guard guard(lock);
+        Json device{{"device_id", "04BA"},
+                    {"state", {{"cursor_position", {{"x", place.x}, {"y", place.y}, {"z", place.z}}}, {"cursor_velocity", {{"x", 0}, {"y", 0}, {"z", 0}}}}},
+                    {"status", {{"calibrated", mood != Mood::Uncalibrated}, {"ready", true}, {"power_supply", true}}}};
+        if (first) device["config"] = {{"device_info", {{"major_version", 1}}}};
+        if (mood == Mood::NoPosition) device["state"]["cursor_position"]["y"] = nullptr;
+        Json all{{"inverse3", with_device_ ? Json::array({device}) : Json::array()}, {"wireless_verse_grip", Json::array()}};
+        std::string text = all.dump();
+        if (mood == Mood::Damaged) text = text.substr(0, text.size() / 2);
+        return text;
+    }
+    void move(const std::string& text) {
+        const Json json = Json::parse(text, nullptr, false);
+        if (json.is_discarded() || json["inverse3"][0]["device_id"] != "04BA") {
+            ++not_understood;
+            return;
+        }
+        const Json& values = json["inverse3"][0]["commands"]["set_cursor_force"]["values"];
+        const std::lock_guard guard(lock);
+        force = {values["x"].get<double>(), values["y"].get<double>(), values["z"].get<double>()};
+        largest = std::max(largest, glm::length(force));
+        velocity += (force + push - 8.0 * velocity) * (1e-3 / 0.1);
+        place += velocity * 1e-3;
+    }
+    void serve() {
+        try {
+            websocket::stream<Tcp::socket> socket(acceptor_.accept());
+            socket.next_layer().set_option(Tcp::no_delay(true));
+            socket.accept();
+            socket.write(boost::asio::buffer(state(true)));
+            for (;;) {
+                beast::flat_buffer buffer;
+                socket.read(buffer);
+                ++messages;
+                move(beast::buffers_to_string(buffer.data()));
+                if (mood == Mood::Hangs_up) return;
+                if (mood == Mood::Silent) continue;
+                if (messages % 500 == 0) socket.ping({});
+                socket.write(boost::asio::buffer(state(false)));
+            }
+        } catch (const std::exception&) {  // the other side has gone
+        }
+    }
+
+    bool with_device_;
+    boost::asio::io_context io_;
+    Tcp::acceptor acceptor_{io_, {boost::asio::ip::address_v4::loopback(), 0}};
+    std::uint16_t port_ = acceptor_.local_endpoint().port();
+    std::thread thread_;
+};
+
+TEST(HaplyDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
+    StandInService service;
+    SteadyClock clock;
+    auto device = open_haply_device(clock, service.port());
+    ASSERT_TRUE(device) << device.error().sentence();
+    constexpr double kStiffness = 500.0, kPush = 2.0;
+    {
+        const std::lock_guard guard(service.lock);
+        service.push = {0.0, kPush, 0.0};
+    }
+    Vec3 force{0.0};
+    DeviceSample sample;
+    int answers = 0;
+    const double begun_s = clock.now_s();
+    for (int i = 0; i < 20000 && answers < 1500; ++i) {
+        (*device)->write({force});
+        sample = (*device)->read(0.0);
+        ASSERT_TRUE(sample.connected);
+        if (!sample.fresh) continue;  // a machine busy with other things
+        ++answers;
+        force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - 0.01)), 0.0};
+    }
+    std::printf("%d round trips, %.0f per second\n", answers, answers / (clock.now_s() - begun_s));
+    EXPECT_NEAR(sample.position_m.y, 0.01 + kPush / kStiffness, 1e-6);
+    EXPECT_EQ(service.not_understood, 0);
+    EXPECT_LE(service.largest, (*device)->spec().peak_force_n + 1e-9);
+    (*device)->close();
+    const std::lock_guard guard(service.lock);
+    EXPECT_EQ(service.force, Vec3(0.0)) << "zero, then away";
+}
+
+TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
+    StandInService service;
+    SteadyClock clock;
+    auto device = open_haply_device(clock, service.port());
+    ASSERT_TRUE(device);
+    for (const Vec3& asked : {Vec3(1e9, 0, 0), Vec3(0, 1e9, -1e9), Vec3(std::nan(""), 1, 1), Vec3(0, INFINITY, 0), Vec3(1, 0, 0)}) {
+        do {
+            (*device)->read(0.0);
+            (*device)->write({asked});
+        } while (!(*device)->read(0.0).fresh);
+        const std::lock_guard guard(service.lock);
+        if (is_finite(asked)) {
+            EXPECT_GT(glm::dot(service.force, asked / glm::length(asked)), 0.999 * glm::length(service.force));
+        } else {
+            EXPECT_EQ(service.force, Vec3(0.0));
+        }
+        EXPECT_LE(glm::length(service.force), (*device)->spec().peak_force_n + 1e-9);
+    }
+}
+
+TEST(HaplyDevice, says_in_one_sentence_what_is_missing) {
+    SteadyClock clock;
+    std::uint16_t free_port = 0;
+    {
+        boost::asio::io_context io;
+        Tcp::acceptor nobody(io, {boost::asio::ip::address_v4::loopback(), 0});
+        free_port = nobody.local_endpoint().port();
+    }
+    const auto none = open_haply_device(clock, free_port);
+    ASSERT_FALSE(none);
+    EXPECT_THAT(none.error().sentence(), testing::HasSubstr("does not run"));
+    StandInService empty(false);
+    const auto without = open_haply_device(clock, empty.port());
+    ASSERT_FALSE(without);
+    EXPECT_THAT(without.error().sentence(), testing::HasSubstr("no Inverse3"));
+}
+
+TEST(HaplyDevice, damaged_silent_or_missing_states_are_nothing_new_and_hanging_up_is_unplugged) {
+    for (const Mood mood : {Mood::Damaged, Mood::Silent, Mood::NoPosition}) {
+        StandInService service;
+        SteadyClock clock;
+        auto device = open_haply_device(clock, service.port());
+        ASSERT_TRUE(device);
+        service.mood = mood;
+        for (int i = 0; i < 6; ++i) (*device)->read(0.0);  // what was on its way
+        const double begun_s = clock.now_s();
+        for (int i = 0; i < 10; ++i) {
+            (*device)->write({{0.0, 2.0, 0.0}});
+            const DeviceSample sample = (*device)->read(0.0);
+            EXPECT_FALSE(sample.fresh);
+            EXPECT_TRUE(sample.connected);
+        }
+        std::printf("ten exchanges without an answer: %.0f ms\n", (clock.now_s() - begun_s) * 1e3);
+        service.mood = Mood::Sound;
+        bool back = false;
+        for (int i = 0; i < 2000 && !back; ++i) {
+            (*device)->write({});
+            back = (*device)->read(0.0).fresh;
+        }
+        EXPECT_TRUE(back);
+    }
+    StandInService service;
+    SteadyClock clock;
+    auto device = open_haply_device(clock, service.port());
+    ASSERT_TRUE(device);
+    service.mood = Mood::Hangs_up;
+    bool connected = true;
+    for (int i = 0; i < 2000 && connected; ++i) {
+        (*device)->write({});
+        connected = (*device)->read(0.0).connected;
+    }
+    EXPECT_FALSE(connected);
+}
+
+TEST(HaplyDevice, uncalibrated_gets_no_force) {
+    StandInService service;
+    service.mood = Mood::Uncalibrated;
+    SteadyClock clock;
+    auto device = open_haply_device(clock, service.port());
+    ASSERT_TRUE(device);
+    for (int i = 0; i < 20; ++i) {
+        (*device)->write({{0.0, 2.0, 0.0}});
+        EXPECT_FALSE((*device)->read(0.0).homed);
+    }
+    EXPECT_EQ(service.largest, 0.0);
+}
+
+TEST(HaplyState, survives_any_text) {
+    std::string id;
+    DeviceSample sample;
+    const std::string whole = R"({"inverse3":[{"device_id":"A","state":{"cursor_position":{"x":0.1,"y":-0.2,"z":3e-2}},"status":{"calibrated":false}}]})";
+    ASSERT_TRUE(parse_haply_state(whole, id, sample));
+    EXPECT_EQ(sample.position_m, Vec3(0.1, -0.2, 0.03));
+    EXPECT_FALSE(sample.homed);
+    EXPECT_EQ(id, "A");
+    for (std::size_t cut = 0; cut < whole.size(); ++cut) EXPECT_FALSE(parse_haply_state(whole.substr(0, cut), id, sample)) << cut;
+    for (const char* odd : {"[]", "null", "{\"inverse3\":{}}", "{\"inverse3\":[1,null,[]]}", "{\"inverse3\":[{\"device_id\":7}]}",
+                            "{\"inverse3\":[{\"device_id\":\"A\",\"state\":{\"cursor_position\":{\"x\":1e999,\"y\":0,\"z\":0}}}]}",
+                            "{\"inverse3\":[{\"device_id\":\"B\",\"state\":{\"cursor_position\":{\"x\":1,\"y\":0,\"z\":0}}}]}"})
+        EXPECT_FALSE(parse_haply_state(odd, id, sample)) << odd;
+    const unsigned seed = 6;
+    std::mt19937 random(seed);
+    for (int i = 0; i < test::scaled(20000); ++i) {
+        std::string text = whole;
+        for (int k = 0; k < 3; ++k) text[random() % text.size()] = static_cast<char>(random());
+        DeviceSample any;
+        std::string any_id;
+        EXPECT_TRUE(!parse_haply_state(text, any_id, any) || is_finite(any.position_m)) << text;
+    }
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,237 @@
+// The makers' libraries, played by libraries of our own that a test can make wrong.
+#include <dlfcn.h>
+
+#include <chrono>
+#include <thread>
+
+#include "haptic/drivers/dhd_device.h"
+#include "haptic/drivers/hd_device.h"
+#include "tests/support/precompiled.h"
+#include "worlds/base/clock.h"
+
+namespace handrail {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kStiffness = 1000.0, kPush = 2.0;
+
+// The stand-in itself, for the test's own way in. Opened once more, so the same one as the driver's.
+class StandIn {
+public:
+    explicit StandIn(const char* path) : handle_(::dlopen(path, RTLD_NOW)) { call<void()>("standin_reset")(); }
+    ~StandIn() { ::dlclose(handle_); }
+    StandIn(const StandIn&) = delete;
+    StandIn& operator=(const StandIn&) = delete;
+
+    template <class Function>
+    Function* call(const char* name) const {
+        return reinterpret_cast<Function*>(::dlsym(handle_, name));
+    }
+    void push(double x, double y, double z) const { call<void(double, double, double)>("standin_push")(x, y, z); }
+    void place(double x, double y, double z) const { call<void(double, double, double)>("standin_place")(x, y, z); }
+    void nan(bool on) const { call<void(int)>("standin_nan")(on); }
+    void blocks(bool on) const { call<void(int)>("standin_blocks")(on); }
+
+private:
+    void* handle_;
+};
+
+struct Dhd : StandIn {
+    Dhd() : StandIn(STANDIN_DHD) {}
+    struct Told {
+        Vec3 position{0.0}, force{0.0};
+        double largest = 0.0;
+        int open = 0, watchdog = 0;
+    };
+    Told told() const {
+        Told t;
+        call<void(double*, double*, double*, int*, int*)>("standin_read")(&t.position.x, &t.force.x, &t.largest, &t.open, &t.watchdog);
+        return t;
+    }
+};
+
+struct Hd : StandIn {
+    Hd() : StandIn(STANDIN_HD) {}
+    struct Told {
+        Vec3 position_mm{0.0}, force{0.0};
+        double largest = 0.0;
+        int ticks = 0, disabled = 0, uncalibrated_with_force = 0;
+    };
+    Told told() const {
+        Told t;
+        call<void(double*, double*, double*, int*, int*, int*)>("standin_read")(&t.position_mm.x, &t.force.x, &t.largest, &t.ticks, &t.disabled,
+                                                                                &t.uncalibrated_with_force);
+        return t;
+    }
+};
+
+TEST(DhdDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
+    const Dhd dhd;
+    auto device = open_dhd_device(STANDIN_DHD);
+    ASSERT_TRUE(device) << device.error().sentence();
+    EXPECT_EQ((*device)->spec().name, "omega");
+    EXPECT_GT(dhd.told().watchdog, 0) << "the device's own, for when this process dies";
+    dhd.push(-kPush, 0.0, 0.0);  // away from the person
+    Vec3 force{0.0};
+    for (int i = 0; i < 1000; ++i) {
+        const DeviceSample sample = (*device)->read(0.0);
+        ASSERT_TRUE(sample.fresh && sample.connected);
+        force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - 0.01)), 0.0};
+        (*device)->write({force});
+    }
+    EXPECT_NEAR((*device)->read(0.0).position_m.y, 0.01 + kPush / kStiffness, 1e-6);
+    EXPECT_EQ((*device)->read(0.0).buttons, 2U);
+    (*device)->close();
+    EXPECT_EQ(dhd.told().force, Vec3(0.0));
+    EXPECT_FALSE(dhd.told().open);
+}
+
+// S126, both makers: x right, y forward, z up, for places and for forces.
+TEST(VendorDevices, hand_right_forward_up_is_x_y_z_and_a_force_pushes_the_same_way) {
+    const std::array<Vec3, 3> dhd_axes{Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1)}, hd_axes{Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)};
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 expected{0.0};
+        expected[axis] = 1.0;
+        {
+            const Dhd dhd;
+            auto device = open_dhd_device(STANDIN_DHD);
+            ASSERT_TRUE(device);
+            const Vec3 theirs = dhd_axes[static_cast<std::size_t>(axis)];
+            dhd.place(0.01 * theirs.x, 0.01 * theirs.y, 0.01 * theirs.z);
+            EXPECT_LT(glm::length((*device)->read(0.0).position_m - 0.01 * expected), 1e-12) << axis;
+            (*device)->write({expected});
+            EXPECT_LT(glm::length(dhd.told().force - theirs), 1e-12) << axis;
+        }
+        const Hd hd;
+        auto device = open_hd_device(STANDIN_HD);
+        ASSERT_TRUE(device);
+        const Vec3 theirs = hd_axes[static_cast<std::size_t>(axis)];
+        hd.place(10.0 * theirs.x, 10.0 * theirs.y, 10.0 * theirs.z);
+        std::this_thread::sleep_for(10ms);
+        EXPECT_LT(glm::length((*device)->read(0.0).position_m - 0.01 * expected), 1e-9) << axis;
+        (*device)->write({expected});
+        for (int i = 0; i < 2000 && glm::length(hd.told().force - theirs) > 1e-12; ++i) std::this_thread::sleep_for(1ms);
+        EXPECT_LT(glm::length(hd.told().force - theirs), 1e-12) << axis;
+    }
+}
+
+TEST(DhdDevice, positions_that_are_no_numbers_get_no_force) {
+    const Dhd dhd;
+    auto device = open_dhd_device(STANDIN_DHD);
+    ASSERT_TRUE(device);
+    (*device)->read(0.0);
+    (*device)->write({{0.0, 2.0, 0.0}});
+    EXPECT_GT(glm::length(dhd.told().force), 1.9);
+    dhd.nan(true);
+    EXPECT_FALSE(is_finite((*device)->read(0.0).position_m)) << "the servo judges it";
+    (*device)->write({{0.0, 2.0, 0.0}});
+    EXPECT_EQ(dhd.told().force, Vec3(0.0));
+    for (const double odd : {std::nan(""), 1e300, 1e9}) {
+        dhd.nan(false);
+        (*device)->read(0.0);
+        (*device)->write({{odd, 0.0, 0.0}});
+        EXPECT_LE(glm::length(dhd.told().force), (*device)->spec().peak_force_n * (1.0 + 1e-12));
+    }
+}
+
+TEST(VendorDevices, say_in_one_sentence_what_is_missing) {
+    for (const auto& [opened, words] : {std::pair{open_dhd_device("/nowhere/libdhd.so"), "is not installed"},
+                                        {open_hd_device("/nowhere/libHD.so"), "is not installed"},
+                                        {open_dhd_device(STANDIN_DHD_LACKING), "lacks dhdSetForce"},
+                                        {open_hd_device(STANDIN_HD_LACKING), "lacks hdUnschedule"}}) {
+        ASSERT_FALSE(opened);
+        EXPECT_THAT(opened.error().sentence(), testing::HasSubstr(words));
+        EXPECT_EQ(opened.error().sentence().find('\n'), std::string::npos);
+    }
+    const Dhd dhd;
+    dhd.call<void(int, int)>("standin_devices")(0, 33);
+    const auto none = open_dhd_device(STANDIN_DHD);
+    ASSERT_FALSE(none);
+    EXPECT_THAT(none.error().sentence(), testing::HasSubstr("plugged in"));
+    dhd.call<void(int, int)>("standin_devices")(1, 999);
+    const auto strange = open_dhd_device(STANDIN_DHD);
+    ASSERT_FALSE(strange);
+    EXPECT_THAT(strange.error().sentence(), testing::HasSubstr("999"));
+    EXPECT_FALSE(dhd.told().open);
+    const Hd hd;
+    hd.call<void(int)>("standin_present")(0);
+    EXPECT_FALSE(open_hd_device(STANDIN_HD));
+}
+
+TEST(HdDevice, wall_rests_at_the_exact_static_answer_while_the_library_calls_from_its_own_thread) {
+    const Hd hd;
+    auto device = open_hd_device(STANDIN_HD);
+    ASSERT_TRUE(device) << device.error().sentence();
+    EXPECT_EQ((*device)->spec().name, "omni");
+    EXPECT_DOUBLE_EQ((*device)->spec().peak_force_n, 3.0) << "the library states less than the table";
+    EXPECT_DOUBLE_EQ((*device)->spec().rated_stiffness_n_per_m, 350.0);
+    hd.push(0.0, 0.0, -kPush);  // away from the person
+    double y = 0.0;
+    int answers = 0;
+    for (const auto end = std::chrono::steady_clock::now() + 20s; std::chrono::steady_clock::now() < end && !(answers > 1000 && std::abs(y - 0.012) < 1e-5);
+         std::this_thread::sleep_for(200us)) {
+        const DeviceSample sample = (*device)->read(0.0);
+        ASSERT_TRUE(sample.connected);
+        answers += sample.fresh;
+        y = sample.position_m.y;
+        (*device)->write({{0.0, std::min(0.0, -kStiffness * (y - 0.01)), 0.0}});
+    }
+    EXPECT_NEAR(y, 0.01 + kPush / kStiffness, 1e-5);
+    EXPECT_GT(answers, 1000);
+    EXPECT_LE(hd.told().largest, 3.0 + 1e-9);
+    (*device)->close();
+    EXPECT_EQ(hd.told().force, Vec3(0.0));
+    EXPECT_TRUE(hd.told().disabled);
+}
+
+TEST(HdDevice, gives_no_force_before_it_is_calibrated_nor_at_places_that_are_no_numbers) {
+    const Hd hd;
+    auto device = open_hd_device(STANDIN_HD);
+    ASSERT_TRUE(device);
+    hd.call<void(unsigned)>("standin_calibration")(0x5002);
+    std::this_thread::sleep_for(20ms);
+    (*device)->write({{0.0, 1.0, 0.0}});
+    std::this_thread::sleep_for(20ms);
+    EXPECT_FALSE((*device)->read(0.0).homed);
+    EXPECT_EQ(hd.told().force, Vec3(0.0));
+    EXPECT_EQ(hd.told().uncalibrated_with_force, 0);
+    hd.call<void(unsigned)>("standin_calibration")(0x5001);  // asks for an update, which the driver does
+    for (int i = 0; i < 2000 && !(*device)->read(0.0).homed; ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_TRUE((*device)->read(0.0).homed);
+    for (int i = 0; i < 2000 && hd.told().force == Vec3(0.0); ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_NE(hd.told().force, Vec3(0.0));
+    hd.nan(true);
+    std::this_thread::sleep_for(20ms);
+    EXPECT_EQ(hd.told().force, Vec3(0.0));
+}
+
+TEST(HdDevice, a_force_error_of_the_library_ends_the_device) {
+    const Hd hd;
+    auto device = open_hd_device(STANDIN_HD);
+    ASSERT_TRUE(device);
+    (*device)->write({{0.0, 1.0, 0.0}});
+    hd.call<void(unsigned)>("standin_error")(0x0202);
+    for (int i = 0; i < 2000 && (*device)->read(0.0).connected; ++i) std::this_thread::sleep_for(1ms);
+    EXPECT_FALSE((*device)->read(0.0).connected);
+    std::this_thread::sleep_for(20ms);
+    EXPECT_EQ(hd.told().force, Vec3(0.0));
+}
+
+// The library hangs; whoever reads is told at once that nothing is new, and the servo takes the force away after 25 ms.
+TEST(HdDevice, a_library_that_blocks_gives_no_new_samples) {
+    const Hd hd;
+    auto device = open_hd_device(STANDIN_HD);
+    ASSERT_TRUE(device);
+    hd.blocks(true);
+    std::this_thread::sleep_for(20ms);
+    (*device)->read(0.0);
+    const SteadyClock clock;
+    const double begun_s = clock.now_s();
+    EXPECT_FALSE((*device)->read(0.0).fresh);
+    std::printf("a read beside a blocked library takes %.3f ms\n", (clock.now_s() - begun_s) * 1e3);
+    hd.blocks(false);
+}
+
+}  // namespace
+}  // namespace handrail
