@@ -18,6 +18,7 @@
 
 #include "haptic/drivers/hand_guard.h"
 #include "worlds/base/clock.h"
+#include "worlds/base/descriptor.h"
 
 extern "C" char** environ;
 
@@ -28,21 +29,6 @@ namespace {
 // The guard's descriptors begin here.
 constexpr int kFirstFd = 3;
 constexpr std::size_t kLongestSentence = 4096;
-
-class Descriptor {
-public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int get() const { return fd_; }
-    int release() { return std::exchange(fd_, -1); }
-
-private:
-    int fd_;
-};
 
 struct Message {
     GuardMessage kind;

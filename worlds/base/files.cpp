@@ -9,24 +9,11 @@
 #include <cstring>
 #include <system_error>
 
+#include "worlds/base/descriptor.h"
+
 namespace handrail {
 namespace fs = std::filesystem;
 namespace {
-
-// Closes a file descriptor on every way out.
-class Descriptor {
-public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    int get() const { return fd_; }
-
-private:
-    int fd_;
-};
 
 std::string reason(int error) { return std::generic_category().message(error); }
 

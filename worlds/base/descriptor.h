@@ -1,0 +1,26 @@
+// Owns a file descriptor and closes it on every way out. Any thread; one owner.
+#pragma once
+
+#include <unistd.h>
+
+#include <utility>
+
+namespace handrail {
+
+class Descriptor {
+public:
+    explicit Descriptor(int fd) noexcept : fd_(fd) {}
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    int get() const noexcept { return fd_; }
+    int release() noexcept { return std::exchange(fd_, -1); }
+
+private:
+    int fd_;
+};
+
+}  // namespace handrail
