@@ -81,7 +81,7 @@ int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostre
             << '\n';
         return 0;
     }
-    if (found.empty()) out << "No touch device was found. Everything works with keyboard and sound; you can plug one in any time.\n";
+    if (found.empty()) out << "No touch device was found. Everything works with keyboard and sound. Plug one in and ask again.\n";
     for (const FoundDevice& device : found) tell(device, out);
     out << "Simulated devices are always there: sim-t, sim-f.\n";
     return 0;

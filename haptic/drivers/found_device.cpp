@@ -24,6 +24,8 @@ namespace {
 
 constexpr std::array kFalconIds{UsbId{0x0403, 0xcb48}};
 
+std::string why_not(const UsbDeviceInfo& usb) { return usb.permitted ? fmt::format("It cannot be opened: {}.", usb.problem) : permission_advice(); }
+
 std::string falcon_firmware_state(bool running) {
     if (running) return "running";
     for (const std::filesystem::path& file : falcon_firmware_files())
@@ -63,12 +65,9 @@ void find_falcons(std::vector<FoundDevice>& found) {
         device.serial = usb.serial;
         device.spec = *find_device_spec("falcon");
         device.rate_hz = 1000.0;
-        if (usb.permitted) {
-            look_at_falcon(usb, device);
-        } else {
-            device.usable = false;
-            device.problem = permission_advice();
-        }
+        device.usable = usb.problem.empty();
+        if (device.usable) look_at_falcon(usb, device);
+        else device.problem = why_not(usb);
         found.push_back(std::move(device));
     }
 }
@@ -230,7 +229,7 @@ Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock
     if (!plugged) return tl::unexpected(plugged.error());
     const auto wanted = std::find_if(plugged->begin(), plugged->end(), [&](const UsbDeviceInfo& usb) { return serial.empty() || usb.serial == serial; });
     if (wanted == plugged->end()) return fail("The Falcon is not plugged in.");
-    if (!wanted->permitted) return fail(permission_advice());
+    if (!wanted->problem.empty()) return fail(why_not(*wanted));
     auto link = open_usb_link(*wanted);
     if (!link) return tl::unexpected(link.error());
     FalconOptions options;

@@ -97,7 +97,7 @@ Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wante
         info.address = libusb_get_device_address(device);
         libusb_device_handle* raw = nullptr;
         if (const int status = libusb_open(device, &raw); status != 0) {
-            info.permitted = false;
+            info.permitted = status != LIBUSB_ERROR_ACCESS;
             info.problem = libusb_strerror(static_cast<libusb_error>(status));
         } else {
             const Handle handle(raw);

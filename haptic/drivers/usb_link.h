@@ -22,7 +22,7 @@ struct UsbDeviceInfo {
     int bus = 0, address = 0;
     std::string serial, product_name;  // empty where it may not be asked
     bool permitted = true;             // to open it
-    std::string problem;               // why not, as libusb says it
+    std::string problem;               // why it cannot be opened, as libusb says it; empty when it can
 };
 
 // Those among `wanted` that are plugged in, by bus and address. Fails when USB cannot be looked at at all.
