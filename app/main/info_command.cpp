@@ -48,6 +48,7 @@ Json json_of(const Scene& scene, const Cost& cost) {
             {"polygons_kept", report.polygons_kept},
             {"triangles", report.triangles},
             {"liquids", report.liquids},
+            {"effects", scene.effects.size()},
             {"movers", report.movers},
             {"starts", report.starts},
             {"spaces", 0},
@@ -90,6 +91,14 @@ void tell(const Scene& scene, const Cost& cost, std::ostream& out) {
     out << fmt::format("The file holds {}, {} and {}. {} are wholly covered by others, {} can be felt.\n", counted(report.brushes, "brush", "brushes"),
                        counted(report.polygons, "face", "faces"), counted(report.triangles, "triangle", "triangles"), report.polygons_hidden,
                        report.polygons_kept);
+    if (!scene.effects.empty()) {
+        std::vector<std::string> kinds;
+        for (const EffectSpec& row : effect_table()) {
+            const auto many = std::count_if(scene.effects.begin(), scene.effects.end(), [&](const Effect& effect) { return effect.kind == row.kind; });
+            if (many > 0) kinds.push_back(fmt::format("{} {}", row.name, many));
+        }
+        out << fmt::format("Forces hang in space: {}.\n", fmt::join(kinds, ", "));
+    }
     const std::vector<std::string> materials = material_names(scene);
     out << (materials.empty() ? "No materials are named.\n" : fmt::format("Materials: {}.\n", fmt::join(materials, ", ")));
     const auto list = [&](std::string_view title, const std::vector<std::string>& sentences) {

@@ -1,5 +1,7 @@
 #include "haptic/compile/compile_haptic.h"
 
+#include "haptic/compile/compile_effects.h"
+
 #include <algorithm>
 
 namespace handrail {
@@ -48,13 +50,21 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSo
         if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) {
             builder.add_solid(solid.shape.planes, solid.shape.bounds_m, labels_of(solid));
         } else if (solid.role == SolidRole::Liquid) {
-            LiquidVolume liquid{solid.shape.planes, solid.face_hidden, solid.feature, solid.viscosity_ns_per_m.value_or(0.0)};
+            LiquidVolume liquid;
+            liquid.planes = solid.shape.planes;
+            liquid.hidden = solid.face_hidden;
+            liquid.feature = solid.feature;
+            liquid.viscosity_ns_per_m = solid.viscosity_ns_per_m.value_or(0.0);
+            liquid.buoyancy_n = solid.buoyancy_n;
+            liquid.film_n = solid.film_n;
+            liquid.flow_hand_m_per_s = solid.flow_hand_m_per_s;
             builder.add_liquid(std::move(liquid), solid.shape.bounds_m);
         }
     }
     for (const MeshTriangle& t : scene.triangles) builder.add_triangle(t.a_m, t.b_m, t.c_m, {t.feature, t.material, false});
     for (const PlacedModel& placed : scene.placed)
         builder.add_body(placed.feature, compile_model(*placed.model, {placed.feature, placed.material, false}), placed.at);
+    add_effects(builder, scene);
     return builder.build(world);
 }
 

@@ -277,6 +277,12 @@ bool HapticSceneBuilder::add_body(FeatureId feature, std::shared_ptr<const Hapti
     return true;
 }
 
+std::optional<std::pair<std::uint32_t, Placement>> HapticSceneBuilder::body_of(FeatureId feature) const {
+    for (std::uint32_t i = 0; i < scene_.bodies.size(); ++i)
+        if (scene_.bodies[i].feature == feature) return std::pair(i, scene_.bodies[i].start);
+    return std::nullopt;
+}
+
 bool HapticSceneBuilder::add_effect(EffectVolume effect) {
     const bool hangs = effect.body != EffectVolume::kNoBody;
     if (!is_sound(effect) || (hangs && effect.body >= scene_.bodies.size())) return false;

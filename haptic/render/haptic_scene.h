@@ -6,7 +6,9 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "haptic/render/effect_volume.h"
@@ -186,6 +188,9 @@ public:
     bool add_effect(EffectVolume effect);
     // The shape comes from a builder of its own, in the body's frame. False, and nothing added, when there are kMostBodies already.
     bool add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start, bool present = true);
+
+    // The number and the start of the first body of that name, if one was added.
+    std::optional<std::pair<std::uint32_t, Placement>> body_of(FeatureId feature) const;
 
     // world: HapticScene::world of the scene that this one replaces while it is touched; 0: another world.
     std::shared_ptr<const HapticScene> build(std::uint32_t world = 0);

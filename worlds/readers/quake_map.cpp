@@ -5,6 +5,8 @@
 
 #include "worlds/base/text.h"
 #include "worlds/geometry/exposed_surface.h"
+#include "worlds/readers/map_effects.h"
+#include "worlds/readers/map_keys.h"
 #include "worlds/readers/map_syntax.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
@@ -17,6 +19,9 @@ constexpr double kFarthestM = 1e6;             // replay and rendering take posi
 constexpr double kOriginAboveSolesUnits = 24;  // a player's origin in these maps
 constexpr double kMostFriction = 2.0;          // rubber on rubber; more sticks the hand to the wall
 constexpr double kMostViscosityNsPerM = 100.0;
+constexpr double kMostBuoyancyN = 1.0;
+constexpr double kMostFilmN = 0.5;
+constexpr double kMostFlowMPerS = 0.5;
 
 // What the class of an entity makes of its brushes. The first row that fits counts; a name ending in * fits as a beginning.
 struct ClassRow {
@@ -106,7 +111,7 @@ TextureFacts facts_of_texture(std::string_view texture) {
 class MapSceneBuilder {
 public:
     MapSceneBuilder(std::string_view bytes, const std::string& file_name, const ReadOptions& options)
-        : options_(options), units_(options.map_metres_per_unit), diagnostics_(file_name), file_(parse_map(bytes, diagnostics_)) {
+        : options_(options), units_(options.map_metres_per_unit), diagnostics_(file_name), keys_(diagnostics_, units_), file_(parse_map(bytes, diagnostics_)) {
         scene_.source_file = file_name;
         scene_.metres_per_unit = units_;
         scene_.materials.emplace_back();
@@ -122,6 +127,7 @@ public:
         derive_surfaces(scene_, looks_, units_);
         progress(0.9);
         choose_base();
+        attach_effects(effects_, scene_, diagnostics_);
         name_world();
         write_report();
         progress(1.0);
@@ -137,6 +143,8 @@ private:
         bool liquid = false;     // cs_name liquid
         Feature feature;         // used unless `structure`
         std::optional<double> viscosity_ns_per_m;
+        double buoyancy_n = 0.0, film_n = 0.0;
+        Vec3 flow_hand_m_per_s{0.0};
         std::string material;  // of the library, or empty
         std::optional<double> stiffness_fraction, friction_mu;
         SourcePlace source;
@@ -156,20 +164,8 @@ private:
 
     static std::string text_of(const MapEntity& entity, std::string_view key) { return spoken_text(unquoted(entity.value(key).substr(0, 4096))); }
 
-    // A number from `least` to `most`; what is no number is left out, what lies outside is moved to the nearest end, both with a warning.
     std::optional<double> number_of(const MapEntity& entity, std::string_view key, double least, double most, std::string_view range) {
-        const MapKey* found = entity.find(key);
-        if (!found) return std::nullopt;
-        double value = 0.0;
-        if (!parse_finite(trimmed(found->value), value)) {
-            diagnostics_.warn(found->place, "The default was taken.", "the value \"{}\" of the key {} is no number. It takes {}.", excerpt(found->value), key,
-                              range);
-            return std::nullopt;
-        }
-        const double legal = std::clamp(value, least, most);
-        if (legal != value)
-            diagnostics_.warn(found->place, fmt::format("{} was taken.", legal), "the value {} of the key {} is out of range. It takes {}.", value, key, range);
-        return legal;
+        return keys_.number_of(entity, key, least, most, range);
     }
 
     bool yes_no_of(const MapEntity& entity, std::string_view key) {
@@ -198,30 +194,8 @@ private:
         return nearest;
     }
 
-    static std::string_view trimmed(std::string_view text) {
-        while (!text.empty() && static_cast<unsigned char>(text.front()) <= ' ') text.remove_prefix(1);
-        while (!text.empty() && static_cast<unsigned char>(text.back()) <= ' ') text.remove_suffix(1);
-        return text;
-    }
-
     // "x y z" in units.
-    std::optional<Vec3> vector_of(const MapEntity& entity, std::string_view key) {
-        const MapKey* found = entity.find(key);
-        if (!found) return std::nullopt;
-        std::string_view rest = found->value;
-        Vec3 v{0.0};
-        for (int axis = 0; axis < 3; ++axis) {
-            rest = trimmed(rest);
-            const std::size_t end = std::min(rest.find_first_of(" \t"), rest.size());
-            if (!parse_finite(rest.substr(0, end), v[axis]) || std::abs(v[axis] * units_) > kFarthestM) {
-                diagnostics_.warn(found->place, "This entity has no place.", "the value \"{}\" of the key {} is not three numbers.", excerpt(found->value),
-                                  key);
-                return std::nullopt;
-            }
-            rest.remove_prefix(end);
-        }
-        return v;
-    }
+    std::optional<Vec3> vector_of(const MapEntity& entity, std::string_view key) { return keys_.vector_of(entity, key); }
 
     // ---- entities ----
 
@@ -242,6 +216,10 @@ private:
             for (const MapBrush& brush : entity.brushes) counted_solid_of(brush);
             return;
         }
+        if (class_name == "haptic_effect") {
+            add_effects(entity, index);
+            return;
+        }
         read_sound(entity, class_name);
         if (world) {
             world_name_ = text_of(entity, "name");
@@ -251,6 +229,16 @@ private:
         else if (!world && !class_name.empty() && !class_name.starts_with("info_player_") && class_name.find("light") != 0 &&
                  !class_name.starts_with("ambient_"))
             ++shapeless_things_;
+    }
+
+    // A place for a force, without a shape of its own: its brushes are counted and neither touched nor seen.
+    void add_effects(const MapEntity& entity, int index) {
+        const auto built = [this](const MapBrush& brush) {
+            BuiltSolid solid = solid_of(brush, false);
+            count_brush(solid);
+            return solid;
+        };
+        for (ReadEffect& effect : read_effects(entity, index, text_of(entity, "name"), units_, built, diagnostics_)) effects_.push_back(std::move(effect));
     }
 
     void note_kind_of_map(const MapEntity& entity, const std::string& class_name) {
@@ -354,6 +342,18 @@ private:
             feature.name = words_of_name(entity.value("cs_name"));
         }
         meaning.viscosity_ns_per_m = number_of(entity, "viscosity", 0.0, kMostViscosityNsPerM, "0 to 100 newton seconds per metre");
+        meaning.buoyancy_n = number_of(entity, "buoyancy", 0.0, kMostBuoyancyN, "0 to 1 newton").value_or(0.0);
+        meaning.film_n = number_of(entity, "film", 0.0, kMostFilmN, "0 to 0.5 newtons").value_or(0.0);
+        if (const std::optional<Vec3> flow = keys_.vector_of(entity, "flow", "It stands still.")) {
+            meaning.flow_hand_m_per_s = *flow;
+            if (const double speed = glm::length(*flow); speed > kMostFlowMPerS) {
+                meaning.flow_hand_m_per_s *= kMostFlowMPerS / speed;
+                diagnostics_.warn(entity.find("flow")->place, fmt::format("{} was taken, in the same direction.", kMostFlowMPerS),
+                                  "the stream of {} metres per second is too fast. The key flow takes up to {} of hand speed.", speed, kMostFlowMPerS);
+            }
+            if (meaning.viscosity_ns_per_m.value_or(0.0) <= 0.0)
+                diagnostics_.warn(entity.find("flow")->place, "It is not felt.", "a stream carries the hand by its viscosity, and this liquid has none.");
+        }
         meaning.stiffness_fraction = number_of(entity, "stiffness", 0.0, 1.0, "0 to 1");
         meaning.friction_mu = number_of(entity, "friction", 0.0, kMostFriction, "0 to 2");
         if (const MapKey* key = entity.find("material")) {
@@ -413,17 +413,21 @@ private:
     }
 
     BuiltSolid counted_solid_of(const MapBrush& brush) {
-        ++scene_.report.brushes;
         BuiltSolid built = solid_of(brush, true);
+        count_brush(built);
+        return built;
+    }
+
+    void count_brush(const BuiltSolid& built) {
+        ++scene_.report.brushes;
         if (built.fault != SolidFault::None) {
             ++brushes_left_out_;
-            return built;
+            return;
         }
         for (const Polygon& face : built.solid.faces) {
             ++scene_.report.polygons;
             scene_.report.triangles += static_cast<int>(face.points_m.size()) - 2;
         }
-        return built;
     }
 
     const TextureFacts& facts_of(std::string_view texture) {
@@ -487,6 +491,9 @@ private:
             if (solid.role == SolidRole::Liquid) {
                 ++scene_.report.liquids;
                 solid.viscosity_ns_per_m = meaning.viscosity_ns_per_m;
+                solid.buoyancy_n = meaning.buoyancy_n;
+                solid.film_n = meaning.film_n;
+                solid.flow_hand_m_per_s = meaning.flow_hand_m_per_s;
             }
             moves = moves || solid.role == SolidRole::Mover;
             if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) scene_.bounds_m.include(built.solid.bounds_m);
@@ -619,10 +626,12 @@ private:
     const ReadOptions& options_;
     double units_ = 1.0;  // metres per map unit
     Diagnostics diagnostics_;
+    MapKeys keys_;
     MapFile file_;
     Scene scene_;
     std::vector<std::vector<FaceLook>> looks_;  // one per solid
     std::vector<Volume> volumes_;
+    std::vector<ReadEffect> effects_;
     std::map<std::string_view, TextureFacts> textures_;
     std::map<LookKey, FaceLook> known_looks_;
     std::map<std::string, std::set<std::string>> guessed_from_;

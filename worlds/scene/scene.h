@@ -12,15 +12,11 @@
 #include "worlds/base/result.h"
 #include "worlds/geometry/convex.h"
 #include "worlds/geometry/placement.h"
+#include "worlds/scene/effect.h"
 #include "worlds/scene/material.h"
+#include "worlds/scene/source_place.h"
 
 namespace handrail {
-
-// Where in the source file something stands; 0 when unknown.
-struct SourcePlace {
-    int line = 0;
-    int entity = 0;
-};
 
 enum class FeatureKind { Wall, Floor, Ceiling, Slope, Object, Door, Button, Lift, Mover, Liquid, Trigger, Teleport };
 
@@ -62,7 +58,9 @@ struct Solid {
     std::vector<FeatureId> face_features;      // size == shape.planes.size(); the name of what one touches there
     std::vector<MaterialId> face_materials;    // size == shape.planes.size()
     std::vector<bool> face_hidden;             // size == shape.planes.size(); wholly covered by other solids
-    std::optional<double> viscosity_ns_per_m;  // liquids only, of hand speed; none: no force
+    std::optional<double> viscosity_ns_per_m;  // liquids only, of hand speed; none: no drag
+    double buoyancy_n = 0.0, film_n = 0.0;     // liquids only: what lifts a hand in it, what its surface holds back at most
+    Vec3 flow_hand_m_per_s{0.0};               // liquids only: a stream, in hand speed
     SourcePlace source;
 };
 
@@ -131,6 +129,7 @@ struct Scene {
     std::vector<SurfacePolygon> surfaces;
     std::vector<Start> starts;  // in file order; the base one is marked
     std::vector<SoundSource> sounds;
+    std::vector<Effect> effects;  // forces that hang in space
     ReadReport report;
 
     const Feature* find(FeatureId id) const { return id.value < features.size() ? &features[id.value] : nullptr; }

@@ -4,6 +4,7 @@
 
 #include "settings/settings.h"
 #include "tests/unit/docs/table_rows.h"
+#include "worlds/scene/effect.h"
 #include "worlds/scene/material.h"
 
 namespace handrail {
@@ -29,10 +30,23 @@ TEST(MapAuthorsGuide, lists_every_material_with_its_stiffness_and_friction) {
     EXPECT_THAT(table_rows("map-authors-guide.md", "| Material | Stiffness |"), UnorderedElementsAreArray(expected));
 }
 
+TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
+    std::vector<std::string> expected;
+    for (const EffectSpec& effect : effect_table()) {
+        const auto range = [](double value, double least, double most, std::string_view unit) {
+            return most > 0.0 ? fmt::format("{}, {} to {} {}", value, least, most, unit) : std::string("-");
+        };
+        expected.push_back(fmt::format("| {} | {} | {} | {} |", effect.name, range(effect.strength_n, effect.least_n, effect.most_n, "N"),
+                                       range(effect.width_hand_m, effect.least_hand_m, effect.most_hand_m, "m"), effect.meaning));
+    }
+    EXPECT_THAT(table_rows("map-authors-guide.md", "| Effect | Strength |"), UnorderedElementsAreArray(expected));
+}
+
 // The reader asks for its keys by name; every name it asks for must have a row, and every row must be asked for.
 TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
-    static const std::regex kAsked(R"re((?:entity\.find|entity\.value|text_of|yes_no_of|number_of|side_of_key|vector_of)\((?:entity, *)?"([a-z_]+)")re");
-    const std::string source = test::content_of(kRoot / "worlds" / "readers" / "quake_map.cpp");
+    static const std::regex kAsked(R"re((?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of_key|vector_of)\((?:entity_?,\s*)?"([a-z_]+)")re");
+    std::string source = test::content_of(kRoot / "worlds" / "readers" / "quake_map.cpp");
+    source += test::content_of(kRoot / "worlds" / "readers" / "map_effects.cpp");
     std::set<std::string> asked;
     for (auto it = std::sregex_iterator(source.begin(), source.end(), kAsked); it != std::sregex_iterator(); ++it) asked.insert((*it)[1]);
     asked.erase("_external_map");  // content of another program, left out and said

@@ -32,6 +32,13 @@ const std::string kMap = test::entity("worldspawn", test::key("message", "A smal
                          test::entity("func_door", {}, test::box_brush(100, 192, 0, 132, 208, 64, "wood1")) +
                          test::entity("info_player_start", test::key("origin", "128 96 24"));
 
+TEST(InfoCommand, tells_which_forces_hang_in_space) {
+    const std::string world = std::string(HANDRAIL_SOURCE_DIR) + "/tests/scenarios/worlds/every_property.map";
+    EXPECT_THAT(info(world, false).out,
+                testing::HasSubstr("Forces hang in space: magnet 4, detent 1, button 1, fly-paper 1, inertia 1, force 3, vibration 1."));
+    EXPECT_EQ(nlohmann::json::parse(info(world, true).out)["effects"], 12);
+}
+
 TEST(InfoCommand, prints_every_key_as_one_json_object) {
     const test::TemporaryFolder folder;
     const Outcome run = info(folder.write("room.map", kMap), true);

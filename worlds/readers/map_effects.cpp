@@ -1,0 +1,163 @@
+#include "worlds/readers/map_effects.h"
+
+#include <algorithm>
+#include <array>
+
+#include "worlds/base/text.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::array<std::string_view, 4> kPulls{"point", "line", "surface", "object"};
+
+// One entity. Reading ends with the sentence that refuses it.
+class EffectReader {
+public:
+    EffectReader(const MapEntity& entity, std::string name, double units, Diagnostics& diagnostics)
+        : entity_(entity), name_(std::move(name)), units_(units), diagnostics_(diagnostics), keys_(diagnostics, units) {}
+
+    bool read(Effect& effect) {
+        const MapKey* kind = entity_.find("effect");
+        if (!kind) return refuse(entity_.place, "does not say which one it is, with the key effect");
+        const std::string word = lower_ascii(trimmed(kind->value).substr(0, 64));
+        const EffectSpec* spec = find_effect(word == "flypaper" ? "fly-paper" : word);
+        if (!spec) {
+            std::vector<std::string> names;
+            for (const EffectSpec& row : effect_table()) names.emplace_back(row.name);
+            diagnostics_.warn(kind->place, "It was left out.", "there is no effect \"{}\". The nearest name is {}.", excerpt(kind->value),
+                              nearest_name(word, names));
+            return false;
+        }
+        effect.kind = spec->kind;
+        effect.name = name_.empty() ? std::string(spec->name) : name_;
+        name_ = effect.name;
+        effect.strength_n = spec->strength_n;
+        effect.width_hand_m = spec->width_hand_m;
+        effect.edge_hand_m = spec->edge_hand_m;
+        if (spec->most_n > 0.0)
+            effect.strength_n = keys_.number_of(entity_, "strength", spec->least_n, spec->most_n, fmt::format("{} to {} newtons", spec->least_n, spec->most_n))
+                                    .value_or(effect.strength_n);
+        if (spec->most_hand_m > 0.0) {
+            if (!has_size("width", "has no width")) return false;
+            effect.width_hand_m = keys_
+                                      .number_of(entity_, "width", spec->least_hand_m, spec->most_hand_m,
+                                                 fmt::format("{} to {} metres of hand travel", spec->least_hand_m, spec->most_hand_m))
+                                      .value_or(effect.width_hand_m);
+        }
+        effect.edge_hand_m =
+            keys_.number_of(entity_, "edge", kLeastEdge_hand_m, kMostEdge_hand_m, "0.001 to 0.1 metres of hand travel").value_or(effect.edge_hand_m);
+        effect.frequency_hz = keys_.number_of(entity_, "frequency", kLeastVibration_hz, kMostVibration_hz, "20 to 250 hertz").value_or(effect.frequency_hz);
+        effect.mass_kg = keys_.number_of(entity_, "mass", kLeastMass_kg, kMostMass_kg, "0.05 to 0.3 kilograms").value_or(effect.mass_kg);
+        if (const std::optional<Vec3> direction = keys_.vector_of(entity_, "direction", "Up was taken.")) {
+            const double length = glm::length(*direction);
+            if (length > 0.0) effect.direction = *direction / length;
+            else diagnostics_.warn(entity_.find("direction")->place, "Up was taken.", "the direction of the effect {} has no length.", name_);
+        }
+        if (const MapKey* pull = entity_.find("pull")) {
+            const std::string value = lower_ascii(trimmed(pull->value).substr(0, 32));
+            const auto found = std::find(kPulls.begin(), kPulls.end(), value);
+            if (found != kPulls.end()) {
+                effect.pull = static_cast<MagnetPull>(found - kPulls.begin());
+            } else {
+                diagnostics_.warn(pull->place, "Its point was taken.", "the value \"{}\" of the key pull is none of point, line, surface and object.",
+                                  excerpt(pull->value));
+            }
+        }
+        return true;
+    }
+
+    // An effect without brushes: a ball at its origin, or a capsule to its end.
+    bool read_round(Effect& effect) {
+        const std::optional<Vec3> origin = keys_.vector_of(entity_, "origin");
+        if (!origin) {
+            if (!entity_.find("origin")) refuse(entity_.place, "has neither brushes nor an origin");
+            return false;
+        }
+        if (!entity_.find("radius")) return refuse(entity_.place, "has an origin but no radius");
+        if (!has_size("radius", "has no radius")) return false;
+        const std::optional<double> radius = keys_.number_of(entity_, "radius", 0.0, kFarthestM / units_, "a length in units");
+        if (!radius) return false;
+        const std::optional<Vec3> end = keys_.vector_of(entity_, "end", "A ball was taken.");
+        if (end && *end != *origin) effect.where = EffectCapsule{*origin * units_, *end * units_, *radius * units_};
+        else effect.where = EffectBall{*origin * units_, *radius * units_};
+        return true;
+    }
+
+    // `why` completes "the effect NAME ...".
+    bool refuse(TextPlace place, std::string_view why) {
+        diagnostics_.warn(place, "It was left out.", "the effect {} {}.", name_.empty() ? std::string("without a name") : name_, why);
+        return false;
+    }
+
+private:
+    // False, and said, for a length of zero or less.
+    bool has_size(std::string_view key, std::string_view lack) {
+        double value = 1.0;
+        const MapKey* found = entity_.find(key);
+        if (!found || !parse_finite(trimmed(found->value), value) || value > 0.0) return true;
+        return refuse(found->place, lack);
+    }
+
+    const MapEntity& entity_;
+    std::string name_;
+    double units_;
+    Diagnostics& diagnostics_;
+    MapKeys keys_;
+};
+
+}  // namespace
+
+std::vector<ReadEffect> read_effects(const MapEntity& entity, int index, const std::string& name, double metres_per_unit,
+                                     const std::function<BuiltSolid(const MapBrush&)>& built, Diagnostics& diagnostics) {
+    std::vector<ReadEffect> effects;
+    EffectReader reader(entity, name, metres_per_unit, diagnostics);
+    ReadEffect one;
+    if (!reader.read(one.effect)) return effects;
+    one.effect.source = {entity.place.line, index};
+    if (const MapKey* target = entity.find("target")) {
+        one.target = lower_ascii(trimmed(target->value).substr(0, 256));
+        one.target_place = target->place;
+    }
+    if (entity.brushes.empty()) {
+        if (reader.read_round(one.effect)) effects.push_back(std::move(one));
+        return effects;
+    }
+    for (const MapBrush& brush : entity.brushes) {
+        BuiltSolid solid = built(brush);
+        if (solid.fault != SolidFault::None) {
+            if (solid.fault == SolidFault::Open) reader.refuse(brush.place, "has a volume that is not closed: a face is missing");
+            else reader.refuse(brush.place, "has a volume without a size");
+            continue;
+        }
+        one.effect.where = std::move(solid.solid);
+        effects.push_back(one);
+    }
+    return effects;
+}
+
+void attach_effects(std::vector<ReadEffect>& effects, Scene& scene, Diagnostics& diagnostics) {
+    for (ReadEffect& read : effects) {
+        Effect& effect = read.effect;
+        if (!read.target.empty()) {
+            std::vector<std::string> names;
+            for (std::uint32_t i = 0; i < scene.features.size() && !effect.belongs_to; ++i) {
+                const Feature& feature = scene.features[i];
+                if (lower_ascii(feature.name) == read.target) effect.belongs_to = {i};
+                else if (names.size() < 1000) names.push_back(feature.name);
+            }
+            if (!effect.belongs_to)
+                diagnostics.warn(read.target_place, "It stays where it is.", "the effect {} belongs to \"{}\", which is not here. The nearest name is {}.",
+                                 effect.name, excerpt(read.target), nearest_name(read.target, names));
+        }
+        if (effect.pull == MagnetPull::Object && !effect.belongs_to) {
+            if (read.target.empty())
+                diagnostics.warn({effect.source.line, 0}, "Its point was taken.", "the effect {} draws to an object but names none with the key target.",
+                                 effect.name);
+            effect.pull = MagnetPull::Point;
+        }
+        scene.effects.push_back(std::move(effect));
+    }
+}
+
+}  // namespace handrail

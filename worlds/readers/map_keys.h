@@ -1,0 +1,27 @@
+// Values of map keys: what is no number or out of range is told with its place, and the nearest legal value or the default taken.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "worlds/readers/map_syntax.h"
+
+namespace handrail {
+
+std::string_view trimmed(std::string_view text);
+
+class MapKeys {
+public:
+    MapKeys(Diagnostics& diagnostics, double metres_per_unit) : diagnostics_(diagnostics), units_(metres_per_unit) {}
+
+    // A number from `least` to `most`; what is no number is left out, what lies outside is moved to the nearest end, both with a warning.
+    std::optional<double> number_of(const MapEntity& entity, std::string_view key, double least, double most, std::string_view range) const;
+    // "x y z", as it stands. Without a warning about what is missing.
+    std::optional<Vec3> vector_of(const MapEntity& entity, std::string_view key, std::string_view otherwise = "This entity has no place.") const;
+
+private:
+    Diagnostics& diagnostics_;
+    double units_;  // metres in one
+};
+
+}  // namespace handrail

@@ -1,0 +1,70 @@
+// Effects as the world gives them: forces that hang in space, without visible geometry. haptic/compile turns them into laws. The table is data.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "worlds/base/feature_id.h"
+#include "worlds/base/vec.h"
+#include "worlds/geometry/convex.h"
+#include "worlds/scene/source_place.h"
+
+namespace handrail {
+
+enum class EffectKind { Magnet, Detent, Button, FlyPaper, Inertia, Force, Vibration };
+
+// A row: what the keys of an effect of that kind may say. Forces in newtons, widths in metres of hand travel.
+struct EffectSpec {
+    std::string_view name;  // as the key `effect` has it
+    EffectKind kind = EffectKind::Magnet;
+    double strength_n = 0.0, least_n = 0.0, most_n = 0.0;              // default and range; all 0: the kind has none
+    double width_hand_m = 0.0, least_hand_m = 0.0, most_hand_m = 0.0;  // likewise
+    double edge_hand_m = 0.010;
+    std::string_view meaning;  // of strength and width
+};
+
+// Fixed order.
+std::span<const EffectSpec> effect_table();
+// Exact, case-insensitive; nullptr when there is none of that name.
+const EffectSpec* find_effect(std::string_view name);
+const EffectSpec& effect_spec(EffectKind kind);
+
+// What a magnet draws to.
+enum class MagnetPull {
+    Point,    // the middle of its volume
+    Line,     // its longest middle line
+    Surface,  // its largest middle plane
+    Object,   // the faces of the box around the thing it belongs to
+};
+
+struct EffectBall {
+    Vec3 centre_m{0.0};
+    double radius_m = 0.0;
+};
+struct EffectCapsule {
+    Vec3 a_m{0.0}, b_m{0.0};
+    double radius_m = 0.0;
+};
+
+constexpr double kLeastEdge_hand_m = 0.001, kMostEdge_hand_m = 0.1;
+constexpr double kLeastVibration_hz = 20.0, kMostVibration_hz = 250.0;
+constexpr double kLeastMass_kg = 0.05, kMostMass_kg = 0.3;
+
+struct Effect {
+    EffectKind kind = EffectKind::Magnet;
+    std::variant<ConvexSolid, EffectBall, EffectCapsule> where;
+    std::string name;  // for messages
+    double strength_n = 0.0;
+    double width_hand_m = 0.0;
+    double edge_hand_m = 0.010;
+    Vec3 direction{0.0, 0.0, 1.0};  // unit
+    double frequency_hz = 100.0;
+    double mass_kg = 0.1;
+    MagnetPull pull = MagnetPull::Point;
+    FeatureId belongs_to = kNoFeature;  // a thing it moves with
+    SourcePlace source;
+};
+
+}  // namespace handrail
