@@ -293,6 +293,17 @@ TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_
     const test::ProgramRun asleep = test::run_program(call);
     EXPECT_THAT(asleep.out, testing::HasSubstr("nvent_firmware.bin"));
     EXPECT_THAT(asleep.out, testing::HasSubstr("cannot be used yet"));
+    // Left to itself the program says so and goes on with a simulated hand; asked for that very device it ends.
+    call.arguments = {"--no-window"};
+    call.input = "quit\n";
+    const test::ProgramRun left_to_itself = test::run_program(call);
+    EXPECT_EQ(left_to_itself.exit_status, 0) << left_to_itself.err;
+    EXPECT_THAT(left_to_itself.out, testing::AllOf(testing::HasSubstr("I found a Novint Falcon."), testing::HasSubstr("simulated hand follows"),
+                                                   testing::HasSubstr("First room.")));
+    call.arguments = {"--no-window", "--device", "falcon"};
+    const test::ProgramRun asked_for = test::run_program(call);
+    EXPECT_EQ(asked_for.exit_status, 1);
+    EXPECT_THAT(asked_for.err, testing::HasSubstr("nvent_firmware.bin"));
 }
 
 }  // namespace

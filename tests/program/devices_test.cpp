@@ -1,0 +1,67 @@
+// Choosing devices that are not there, or whose maker's library is missing, lacking or playing: the program always goes on or says why not.
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+ProgramRun run(std::vector<std::string> arguments, const std::filesystem::path& libraries = {}) {
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = std::move(arguments);
+    call.input = "where\nquit\n";
+    if (!libraries.empty()) call.environment["LD_LIBRARY_PATH"] = libraries.string();
+    return run_program(call);
+}
+
+TEST(Devices, without_any_says_so_in_words_and_as_data) {
+    const ProgramRun words = run({"devices"});
+    EXPECT_EQ(words.exit_status, 0) << words.err;
+    EXPECT_THAT(words.out, HasSubstr("sim-t"));
+    const ProgramRun data = run({"devices", "--json"});
+    EXPECT_EQ(data.exit_status, 0) << data.err;
+    const auto json = nlohmann::json::parse(data.out);
+    EXPECT_TRUE(json["devices"].is_array());
+    EXPECT_EQ(json["udev_rule"], "70-handrail.rules");
+}
+
+TEST(Devices, one_that_is_not_plugged_in_is_said_to_be_so) {
+    for (const char* name : {"falcon", "Omega", "inverse3", "force-stick"}) {
+        const ProgramRun said = run({"--no-window", "--device", name});
+        EXPECT_EQ(said.exit_status, 1);
+        EXPECT_THAT(said.err, HasSubstr("is not plugged in")) << name;
+    }
+    EXPECT_THAT(run({"--no-window", "--device", "wooden-haptics"}).err, HasSubstr("cannot be driven yet"));
+    EXPECT_THAT(run({"--no-window", "--device", "falcoln"}).err, HasSubstr("Did you mean \"falcon\"?"));
+}
+
+TEST(Devices, a_makers_library_that_is_missing_or_lacking_costs_its_force_and_one_sentence) {
+    const ProgramRun missing = run({"--no-window", "--device", "touch"});
+    EXPECT_EQ(missing.exit_status, 0) << missing.err;
+    EXPECT_THAT(missing.out, HasSubstr("libHD.so of 3D Systems is not installed"));
+    EXPECT_THAT(missing.out, HasSubstr("First room.")) << "the program goes on";
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink(STANDIN_HD_LACKING, folder.path() / "libHD.so");
+    const ProgramRun lacking = run({"--no-window", "--device", "omni"}, folder.path());
+    EXPECT_EQ(lacking.exit_status, 0) << lacking.err;
+    EXPECT_THAT(lacking.out, HasSubstr("lacks hdUnschedule"));
+    EXPECT_THAT(lacking.out, HasSubstr("First room."));
+}
+
+TEST(Devices, a_makers_library_that_plays_along_is_a_hand) {
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink(STANDIN_HD, folder.path() / "libHD.so");
+    const ProgramRun played = run({"--no-window", "--device", "omni"}, folder.path());
+    EXPECT_EQ(played.exit_status, 0) << played.err;
+    EXPECT_THAT(played.out, HasSubstr("First room."));
+    EXPECT_THAT(played.out, Not(HasSubstr("not installed")));
+    EXPECT_THAT(played.out, Not(HasSubstr("unplugged")));
+}
+
+}  // namespace
+}  // namespace handrail::test
