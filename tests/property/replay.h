@@ -48,15 +48,15 @@ inline Trace trace(const TouchWorld& world, const std::vector<Vec3>& goals_m, co
     return out;
 }
 
-// Over the ticks on which both had settled; at least 99 % must have.
-inline double largest_difference(const Trace& a, const Trace& b) {
+// Over the ticks on which both had settled; infinite when more than a share of them had not.
+inline double largest_difference(const Trace& a, const Trace& b, double most_unsettled = 0.01) {
     double worst = 0.0;
     std::size_t unsettled = 0;
     for (std::size_t i = 0; i < a.balls_m.size(); ++i) {
         if (!a.settled[i] || !b.settled[i]) ++unsettled;
         else worst = std::max(worst, glm::length(a.balls_m[i] - b.balls_m[i]));
     }
-    return unsettled * 100 <= a.balls_m.size() ? worst : std::numeric_limits<double>::infinity();
+    return static_cast<double>(unsettled) <= most_unsettled * static_cast<double>(a.balls_m.size()) ? worst : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace handrail::test
