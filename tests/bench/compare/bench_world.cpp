@@ -63,6 +63,7 @@ std::vector<BenchWorld> hard_case_worlds(std::uint32_t seed) {
         BenchWorld world;
         world.name = seed == 0 ? c.name : fmt::format("{}, seed {}", c.name, seed);
         world.family = family;
+        world.hard_case = true;
         world.seed = seed;
         build_scene(world, [&] { return c.world.scene(motion); });
         world.judge = c.world.judge(motion);
@@ -140,6 +141,7 @@ Result<BenchWorld> map_world(const std::filesystem::path& map, int ticks, std::u
         world.judge.add_solid(solid.shape.planes, corners);
     }
     for (const MeshTriangle& t : scene->triangles) world.judge.add_triangle(t.a_m, t.b_m, t.c_m);
+    world.judged = world.judge.things().size() == world.scene->obstacles.size();
     TouchTuning tuning;
     const Vec3 feet = scene->starts.empty() ? scene->bounds_m.centre_m() : scene->starts[seed % scene->starts.size()].feet_m;
     world.goals_m = test::record_walk(*world.scene, tuning, feet + Vec3(0, 0, 1.0), ticks, 1996 + seed);

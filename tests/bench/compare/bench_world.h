@@ -25,6 +25,8 @@ struct BenchWorld {
     // Every obstacle in the scene's order. Of a sphere mesh only those near the path; `thing_of` then tells where they are.
     test::BruteForce judge;
     std::vector<std::int32_t> thing_of;  // by obstacle, -1: left out; empty: the same order
+    bool hard_case = false;              // a small world of the families T1 to T16
+    bool judged = true;                  // the judge knows everything that the scene holds
     double sphere_radius_m = 0.0;        // a tessellated sphere around zero: the exact answer is known
     double build_s = 0.0;
     double bytes_per_obstacle = 0.0;  // heap taken by building, all of it

@@ -40,7 +40,7 @@ Contestant contestant(std::string key, std::string title, std::string knob = {},
 }
 
 Contestant handrail_touch();                  // touch_tick as the program calls it
-Contestant handrail_uncapped();               // with hardly any slide-speed cap: like the rivals
+Contestant handrail_uncapped();               // with no slide cap to speak of, like the rivals: hard cases only
 Contestant handrail_rounds(int most_rounds);  // the solver alone
 Contestant handrail_margin(double margin_m);  // the solver alone
 Contestant penalty_sum();

@@ -1,5 +1,5 @@
 // The broad phase that all rivals share, so that none is judged by the lack of one: the obstacles near a place, gathered once from the scene's
-// own hierarchy and kept, nearest first, until the place has moved by the margin.
+// own hierarchy and kept, nearest first, until the place has moved by the margin; which shrinks where they crowd, as ours does.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,8 @@ namespace handrail::bench {
 
 class Nearby {
 public:
-    static constexpr double kMargin_m = 0.02;  // as large as ours
+    static constexpr double kMargin_m = 0.02, kLeastMargin_m = 0.5e-3;  // the most as ours
+    static constexpr std::size_t kComfortable = 48;                     // and this
 
     explicit Nearby(const HapticScene& scene) : scene_(scene) {}
 
@@ -20,8 +21,10 @@ public:
     void within(const Vec3& at, double reach_m, Visit&& visit) {
         double moved = glm::length(at - centre_);
         if (!(moved + reach_m <= known_m_)) {
-            gather(at, reach_m + kMargin_m);
+            gather(at, reach_m + margin_m_);
             moved = 0.0;
+            if (near_.size() > kComfortable) margin_m_ = std::max(kLeastMargin_m, 0.5 * margin_m_);
+            if (near_.size() < kComfortable / 3) margin_m_ = std::min(kMargin_m, 2.0 * margin_m_);
         }
         for (const Near& near : near_) {
             if (near.distance_m > moved + reach_m) break;
@@ -51,6 +54,7 @@ private:
     std::vector<Near> near_;
     Vec3 centre_{0.0};
     double known_m_ = -1.0;
+    double margin_m_ = kMargin_m;
 };
 
 }  // namespace handrail::bench

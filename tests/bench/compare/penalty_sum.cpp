@@ -25,7 +25,7 @@ std::vector<std::uint32_t> objects_of(const BenchWorld& world) {
             object[i] = 0;
             continue;
         }
-        if (!t || t->solid || !t->planes.empty()) continue;
+        if (!t || t->solid || world.scene->obstacles[i].kind != ObstacleKind::Triangle) continue;
         for (const test::LVec& corner : {t->a, t->b, t->c}) {
             const auto [found, is_new] = first_at.try_emplace({corner.x, corner.y, corner.z}, i);
             if (!is_new) object[root(i)] = root(found->second);

@@ -15,6 +15,8 @@ using Json = nlohmann::ordered_json;
 
 // Error below which nothing can be told apart, a millionth of what any device resolves: where plots end.
 constexpr double kLeastError_m = 1e-12;
+// Families of spheres are named "sphere of N triangles".
+constexpr std::string_view kSphere = "sphere of ";
 
 bool hard_case(const std::string& family) { return family.size() > 1 && family[0] == 'T' && family[1] >= '0' && family[1] <= '9'; }
 
@@ -70,6 +72,7 @@ std::vector<Summary> summarise(const BenchReport& report, bool by_family, Chosen
 }
 
 bool is_main(const Summary& s) {
+    if (s.renderer == "handrail_uncapped") return true;
     for (const Contestant& c : main_contestants())
         if (c.key == s.renderer) return true;
     return false;
@@ -106,7 +109,9 @@ std::vector<std::string> cells(const Summary& s) {
             known ? length_words(s.error_rms_m) : "-",
             known ? length_words(s.error_max_m) : "-",
             known ? fmt::format("{:.2g} %", 100.0 * s.off_share) : "-",
-            s.has_ball ? length_words(std::max(0.0, s.penetration_m)) : "no ball",
+            s.has_ball                    ? length_words(std::max(0.0, s.penetration_m))
+            : s.renderer == "penalty_sum" ? "no ball"
+                                          : "-",
             known ? std::to_string(s.pop_throughs) : "-",
             fmt::format("{:.3g} N", s.largest_jump_n),
             s.closed ? energy_words(s.given_j) : "-",
@@ -392,6 +397,23 @@ std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& rep
         }
     }
     if (!cost.series.empty()) files.emplace_back("bench-triangles.svg", svg_of(cost));
+    Plot density{"How dense a mesh must be",
+                 "mean time of one tick, nanoseconds",
+                 "error of the force's direction against the exact sphere, rms, degrees",
+                 0.0,
+                 0.0,
+                 {}};
+    for (const Summary& s : by_family) {
+        if (s.direction_rms_rad < 0.0 || !is_main(s)) continue;
+        auto found = std::find_if(density.series.begin(), density.series.end(), [&](const PlotSeries& c) { return c.name == s.title; });
+        if (found == density.series.end()) {
+            density.series.push_back({s.title, {}, true});
+            found = density.series.end() - 1;
+        }
+        found->points.push_back({s.mean_s * 1e9, degrees_from_radians(s.direction_rms_rad),
+                                 s.renderer == "handrail" ? s.family.substr(kSphere.size(), s.family.find(" triangles") - kSphere.size()) : ""});
+    }
+    if (!density.series.empty()) files.emplace_back("bench-density.svg", svg_of(density));
     return files;
 }
 

@@ -42,7 +42,11 @@ public:
             placed_ = true;
         }
         const float reach = static_cast<float>(world_.radius_m) + glm::length(goal - ball_);
-        if (!(glm::length(ball_ - centre_) + reach <= known_)) gather(reach + static_cast<float>(Nearby::kMargin_m));
+        if (!(glm::length(ball_ - centre_) + reach <= known_)) {
+            gather(reach + margin_);
+            if (cuts_.size() > Nearby::kComfortable) margin_ = std::max(static_cast<float>(Nearby::kLeastMargin_m), 0.5F * margin_);
+            if (cuts_.size() < Nearby::kComfortable / 3) margin_ = std::min(static_cast<float>(Nearby::kMargin_m), 2.0F * margin_);
+        }
         ++tick_;
         int rounds = 0;
         while (rounds < 64) {
@@ -205,6 +209,7 @@ private:
     bool placed_ = false;
     F3 ball_{0.0F}, centre_{0.0F};
     float known_ = -1.0F;
+    float margin_ = static_cast<float>(Nearby::kMargin_m);
     std::uint64_t tick_ = 0;
     std::vector<Shape> shapes_;
     std::vector<Cut> cuts_;
