@@ -65,8 +65,10 @@ int axis_side(const Vec3& normal) {
 ClosestPoint HapticScene::closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept {
     const Obstacle& o = obstacles[obstacle];
     switch (o.kind) {
-        case ObstacleKind::Triangle:
-            return closest_point(triangle(o), local_m);
+        case ObstacleKind::Triangle: {
+            const Corners& t = mesh.triangles[o.shape];
+            return closest_point_of_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m);
+        }
         case ObstacleKind::Polygon: {
             const PolygonRange& range = polygons[o.shape];
             return closest_point(PolygonShape{range.normal, std::span(polygon_corners).subspan(range.first_corner, range.corners)}, local_m);

@@ -138,6 +138,13 @@ struct HapticScene {
 
     // Local coordinates. Never empty of meaning: index < obstacles.size().
     ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
+    // Cheaper than closest(): true only where the obstacle is farther than reach_m; false where that is not plain to see.
+    bool surely_beyond(std::uint32_t obstacle, const Vec3& local_m, double reach_m) const noexcept {
+        const Obstacle& o = obstacles[obstacle];
+        if (o.kind != ObstacleKind::Triangle) return false;
+        const Corners& t = mesh.triangles[o.shape];
+        return surely_beyond_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m, reach_m);
+    }
     bool solid(std::uint32_t obstacle) const noexcept { return obstacles[obstacle].kind > ObstacleKind::Polygon; }
     TriangleShape triangle(const Obstacle& o) const noexcept {
         const Corners& t = mesh.triangles[o.shape];

@@ -36,6 +36,7 @@ ProxySolver::ProxySolver()
       sheets_(kMaxCandidates),
       awake_(kMaxCandidates),
       nearest_(kMaxCandidates + 1),
+      nearest_cuts_(kMaxCandidates + 1),
       ghosts_(kMaxGhosts),
       tracks_(HapticScene::kMostBodies) {}
 
@@ -137,15 +138,23 @@ void ProxySolver::release_ghosts(const HapticScene& scene, const Vec3& goal_loca
 double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, std::size_t most) noexcept {
     nearest_count_ = 0;
     const auto less = [](const Candidate& a, const Candidate& b) { return nearer(a.distance_m, a.obstacle, b.distance_m, b.obstacle); };
+    std::uint32_t free_cut = 0;
+    bool heaped = false;
     return shape.obstacle_bvh.nearest_first(at, reach_m, looks_left_, queue_, [&](std::uint32_t item, double& reach) {
         if (ghost_count_ > 0 && is_ghost(item, body)) return;
+        if (nearest_count_ == most && shape.surely_beyond(item, at, reach)) return;
         const ClosestPoint found = shape.closest(item, at);
         if (found.distance_m > reach) return;
-        nearest_[nearest_count_++] = {item, found.distance_m, {found.normal, glm::dot(found.normal, found.point_m - at)}};
-        std::push_heap(nearest_.begin(), nearest_.begin() + static_cast<std::ptrdiff_t>(nearest_count_), less);
+        nearest_cuts_[free_cut] = {found.normal, glm::dot(found.normal, found.point_m - at)};
+        nearest_[nearest_count_++] = {found.distance_m, item, free_cut++};
+        // Boxes come roughly nearest first, so a heap pays only from the first that is too many.
         if (nearest_count_ <= most) return;
-        std::pop_heap(nearest_.begin(), nearest_.begin() + static_cast<std::ptrdiff_t>(nearest_count_), less);
-        --nearest_count_;
+        const auto end = nearest_.begin() + static_cast<std::ptrdiff_t>(nearest_count_);
+        if (heaped) std::push_heap(nearest_.begin(), end, less);
+        else std::make_heap(nearest_.begin(), end, less);
+        heaped = true;
+        std::pop_heap(nearest_.begin(), end, less);
+        free_cut = nearest_[--nearest_count_].cut;
         reach = nearest_[0].distance_m;
     });
 }
@@ -165,7 +174,7 @@ double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const 
     }
     for (std::size_t k = 0; k < nearest_count_; ++k) {
         const auto i = static_cast<std::size_t>(count_++);
-        cuts_[i] = nearest_[k].cut;
+        cuts_[i] = nearest_cuts_[nearest_[k].cut];
         obstacles_[i] = nearest_[k].obstacle;
         owners_[i] = body;
         looked_ahead_[i] = 0;
@@ -476,10 +485,7 @@ double ProxySolver::fraction_to_waking(const HapticScene& scene, const Vec3& ste
     return fraction;
 }
 
-bool ProxySolver::project() noexcept {
-    return project_on_half_spaces(
-        goal_m_, count_, [this](int i) { return wall(i); }, basis_);
-}
+bool ProxySolver::project() noexcept { return project_on_half_spaces(goal_m_, std::span(cuts_).first(static_cast<std::size_t>(count_)), radius_m_, basis_); }
 
 // A ball that had to shrink grows while the space lets it: pushed out by its own cuts, never through another.
 void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_m) noexcept {

@@ -105,9 +105,9 @@ public:
 
 private:
     struct Candidate {
-        std::uint32_t obstacle;
         double distance_m;
-        HalfSpace cut;
+        std::uint32_t obstacle;
+        std::uint32_t cut;  // of nearest_cuts_
     };
     struct Ghost {
         std::uint32_t obstacle;
@@ -186,6 +186,7 @@ private:
     std::vector<Ghost> awake_;                 // sheets of one side that were awake when candidates were last gathered
     int awake_count_ = 0, one_sided_count_ = 0;
     std::vector<Candidate> nearest_;  // heap of gather_nearest
+    std::vector<HalfSpace> nearest_cuts_;
     std::size_t nearest_count_ = 0;
     std::vector<Ghost> ghosts_;
     std::vector<Track> tracks_;  // of the scene's bodies

@@ -72,9 +72,9 @@ public:
         }
     }
 
-    // The same in rising order of the distance to the boxes, with at most `looks` nodes and items looked at, which it counts down (the queue must have been
-    // made for as many). Returns how far everything is known: every item whose box is nearer than that was visited. That is the last reach_m where
-    // the looks sufficed.
+    // The same, boxes of boxes in rising order of their distance, with at most `looks` nodes and items looked at, which it counts down (the queue must have
+    // been made for as many). Returns how far everything is known: every item whose box is nearer than that was visited. That is the last reach_m where the
+    // looks sufficed.
     template <class Visit>
     double nearest_first(const Vec3& point_m, double reach_m, int& looks, Queue& queue, Visit&& visit) const noexcept {
         if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return reach_m;
@@ -87,22 +87,29 @@ public:
         while (place.distance2 <= reach2) {
             if (looks <= 0) return std::min(reach_m, query.at_least(place.distance2));
             --looks;
-            if (place.what & kItem) {
-                visit(place.what & ~kItem, reach_m);
-                reach2 = query.squared(reach_m);
-            } else {
-                std::array<Place, 4> near;
-                const std::size_t count = near_children(nodes_[place.what], query, reach2, near);
-                if (count > 0) {
-                    for (std::size_t i = 1; i < count; ++i) {
-                        *last++ = near[i];
-                        std::push_heap(first, last, farther);
-                    }
-                    place = near[0];
-                    if (last == first || place.distance2 <= first->distance2) continue;
-                    *last++ = place;
+            std::array<Place, 4> near;
+            const std::size_t count = near_children(nodes_[place.what], query, reach2, near);
+            std::size_t nodes = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                if (near[i].what & kItem) {
+                    if (!(near[i].distance2 <= reach2)) break;
+                    if (looks <= 0) return std::min(reach_m, query.at_least(place.distance2));
+                    --looks;
+                    visit(near[i].what & ~kItem, reach_m);
+                    reach2 = query.squared(reach_m);
+                } else {
+                    near[nodes++] = near[i];
+                }
+            }
+            if (nodes > 0) {
+                for (std::size_t i = 1; i < nodes; ++i) {
+                    *last++ = near[i];
                     std::push_heap(first, last, farther);
                 }
+                place = near[0];
+                if (last == first || place.distance2 <= first->distance2) continue;
+                *last++ = place;
+                std::push_heap(first, last, farther);
             }
             if (last == first) return reach_m;
             place = *first;

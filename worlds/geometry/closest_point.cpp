@@ -154,6 +154,44 @@ ClosestPoint closest_point(const PolygonShape& polygon, const Vec3& p) noexcept 
     return result;
 }
 
+ClosestPoint closest_point_of_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const Vec3& p) noexcept {
+    // Seen from the query point.
+    const Vec3 a = a_m - p, b = b_m - p, c = c_m - p;
+    const Vec3 ab = b - a, bc = c - b, ca = a - c;
+    const Vec3 area = glm::cross(ca, ab);
+    const double area2 = glm::dot(area, area), ab2 = glm::dot(ab, ab), bc2 = glm::dot(bc, bc), ca2 = glm::dot(ca, ca);
+    if (!(area2 > kLowestTriangle_m * kLowestTriangle_m * std::max({ab2, bc2, ca2}))) return closest_point(make_triangle(a_m, b_m, c_m), p);
+    Vec3 best{0.0};
+    double best2 = std::numeric_limits<double>::infinity();
+    // An edge counts where the point lies outside of it; the volume of it, the point and the normal says on which side that is.
+    const auto edge = [&](const Vec3& from, const Vec3& to, const Vec3& along, double length2) noexcept {
+        if (glm::dot(area, glm::cross(from, to)) >= 0.0) return;
+        const double t = -glm::dot(from, along);
+        const Vec3 q = t <= 0.0 ? from : t >= length2 ? to : from + along * (t / length2);
+        const double d2 = glm::dot(q, q);
+        if (d2 >= best2) return;
+        best2 = d2;
+        best = q;
+    };
+    edge(a, b, ab, ab2);
+    edge(b, c, bc, bc2);
+    edge(c, a, ca, ca2);
+    // Over the very edge, and where no side can be told, the face's own normal counts, as for a prepared triangle.
+    const double height = -glm::dot(area, a);
+    const bool over_face = best2 == std::numeric_limits<double>::infinity();
+    const double along = -glm::dot(area, best);
+    if (!over_face && best2 > kSideless_m * kSideless_m && !(along * along > area2 * best2 * (1.0 - 16.0 * std::numeric_limits<double>::epsilon()))) {
+        const double distance = std::sqrt(best2);
+        return {p + best, best * (-1.0 / distance), distance};
+    }
+    const Vec3 normal = area / std::sqrt(area2);
+    if (over_face) {
+        const double distance = height / std::sqrt(area2);
+        return {p - normal * distance, distance < 0.0 ? -normal : normal, std::abs(distance)};
+    }
+    return {p + best, best2 > kSideless_m * kSideless_m && along < 0.0 ? -normal : normal, std::sqrt(best2)};
+}
+
 ClosestPoint closest_point(const Aabb& box, const Vec3& p) noexcept {
     const Vec3 q = glm::clamp(p, box.min_m, box.max_m);
     if (q != p) {

@@ -3,6 +3,7 @@
 // Cost on a 2.5 GHz core: about 10 to 60 ns each. Every routine has a brute-force twin in tests/unit/geometry_touch.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -28,6 +29,13 @@ struct TriangleShape {
 };
 TriangleShape make_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m) noexcept;
 
+// True only where the triangle is farther than reach_m: the plane that stands halfway to its middle keeps it off. Cheaper than preparing it.
+inline bool surely_beyond_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const Vec3& point_m, double reach_m) noexcept {
+    const Vec3 away = 3.0 * point_m - (a_m + b_m + c_m);
+    const double gap = std::min({glm::dot(point_m - a_m, away), glm::dot(point_m - b_m, away), glm::dot(point_m - c_m, away)});
+    return gap > 0.0 && gap * gap > reach_m * reach_m * glm::dot(away, away) * (1.0 + 1e-9);
+}
+
 // A corner of a flat convex polygon, with the direction out of the edge that leads to the next corner: in the plane, not of unit length.
 struct PolygonCorner {
     Vec3 at_m{0.0};
@@ -50,6 +58,8 @@ Vec3 make_polygon(std::span<const Vec3> points_m, std::vector<PolygonCorner>& co
 
 // Nearer than 1e-12 m the side cannot be told: the triangle's own normal is given.
 ClosestPoint closest_point(const TriangleShape& triangle, const Vec3& point_m) noexcept;
+// The same for a triangle that was not prepared: what looks at many triangles once each needs.
+ClosestPoint closest_point_of_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const Vec3& point_m) noexcept;
 // As the triangle; a scan of the edges.
 ClosestPoint closest_point(const PolygonShape& polygon, const Vec3& point_m) noexcept;
 // Axis-aligned. Inside, the nearest face.

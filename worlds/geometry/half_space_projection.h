@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <cstring>
+#include <span>
 
 #include "worlds/base/vec.h"
 
@@ -119,20 +121,66 @@ bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec
     return false;
 }
 
-}  // namespace projection_detail
-
-// Fills `basis` with the nearest point to goal_m that satisfies at(0) ... at(count - 1); basis.index of the call before is the warm start
-// (set basis.count = 0 for a cold one). False when the intersection is empty or too flat to tell; the basis then holds the best point so far,
-// which satisfies its own members only. Work close to a local origin: rounding grows with the coordinates.
+// The first of those that are violated most, beyond the tolerance; -1: none.
 template <class Real, class HalfSpaceAt>
-bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at, BasicProjectionBasis<Real>& basis) noexcept {
+int most_violated_of(int count, const HalfSpaceAt& at, const glm::vec<3, Real>& point_m) noexcept {
+    Real worst = -kProjectionToleranceOf<Real>;
+    int entering = -1;
+    for (int i = 0; i < count; ++i) {
+        const BasicHalfSpace<Real> h = at(i);
+        const Real slack = glm::dot(h.normal, point_m) - h.offset_m;
+        if (slack < worst) {
+            worst = slack;
+            entering = i;
+        }
+    }
+    return entering;
+}
+
+// The same bit for bit, four at a time, each offset greater by grown_m: half the instructions.
+inline int most_violated_of(std::span<const HalfSpace> all, double grown_m, const Vec3& point_m) noexcept {
+    using Two = double __attribute__((vector_size(16)));
+    static_assert(sizeof(HalfSpace) == 4 * sizeof(double));
+    const auto slacks = [&](const HalfSpace& a, const HalfSpace& b) noexcept {
+        Two a_xy, a_zo, b_xy, b_zo;
+        std::memcpy(&a_xy, &a.normal.x, sizeof(Two));
+        std::memcpy(&a_zo, &a.normal.z, sizeof(Two));
+        std::memcpy(&b_xy, &b.normal.x, sizeof(Two));
+        std::memcpy(&b_zo, &b.normal.z, sizeof(Two));
+        const Two x = __builtin_shufflevector(a_xy, b_xy, 0, 2), y = __builtin_shufflevector(a_xy, b_xy, 1, 3);
+        const Two z = __builtin_shufflevector(a_zo, b_zo, 0, 2), offset = __builtin_shufflevector(a_zo, b_zo, 1, 3);
+        return x * point_m.x + y * point_m.y + z * point_m.z - (offset + grown_m);
+    };
+    double worst = -kProjectionTolerance_m;
+    int entering = -1;
+    const auto look = [&](std::size_t i, double slack) noexcept {
+        if (!(slack < worst)) return;
+        worst = slack;
+        entering = static_cast<int>(i);
+    };
+    std::size_t i = 0;
+    for (; i + 4 <= all.size(); i += 4) {
+        const Two first = slacks(all[i], all[i + 1]), second = slacks(all[i + 2], all[i + 3]);
+        const Two least = first < second ? first : second;
+        if (!(least[0] < worst || least[1] < worst)) continue;
+        look(i, first[0]);
+        look(i + 1, first[1]);
+        look(i + 2, second[0]);
+        look(i + 3, second[1]);
+    }
+    for (; i < all.size(); ++i) look(i, glm::dot(all[i].normal, point_m) - (all[i].offset_m + grown_m));
+    return entering;
+}
+
+template <class Real, class HalfSpaceAt, class MostViolated>
+bool exchange(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at, const MostViolated& most_violated, BasicProjectionBasis<Real>& basis) noexcept {
     constexpr int kMaxExchanges = 40;  // |point - goal| rises with every exchange
     const int warm_count = basis.count;
     const std::array<int, 3> warm = basis.index;
     basis.count = 0;
     basis.point_m = goal_m;
     const auto enter = [&](int index) {
-        std::array<projection_detail::Member<Real>, 4> members;
+        std::array<Member<Real>, 4> members;
         int n = 0;
         for (int k = 0; k <= basis.count; ++k) {
             const int id = k < basis.count ? basis.index[static_cast<std::size_t>(k)] : index;
@@ -140,7 +188,7 @@ bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const Ha
             members[static_cast<std::size_t>(n++)] = {h.normal, h.offset_m - glm::dot(h.normal, goal_m), id};
         }
         BasicProjectionBasis<Real> next;
-        if (!projection_detail::solve(members, n, goal_m, next)) return false;
+        if (!solve(members, n, goal_m, next)) return false;
         basis = next;
         return true;
     };
@@ -165,20 +213,29 @@ bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const Ha
         }
     }
     for (int round = 0; round < kMaxExchanges; ++round) {
-        Real worst = -kProjectionToleranceOf<Real>;
-        int entering = -1;
-        for (int i = 0; i < count; ++i) {
-            const BasicHalfSpace<Real> h = at(i);
-            const Real slack = glm::dot(h.normal, basis.point_m) - h.offset_m;
-            if (slack < worst) {
-                worst = slack;
-                entering = i;
-            }
-        }
+        const int entering = most_violated(basis.point_m);
         if (entering < 0) return true;
         if (!enter(entering)) return false;
     }
     return false;
+}
+
+}  // namespace projection_detail
+
+// Fills `basis` with the nearest point to goal_m that satisfies at(0) ... at(count - 1); basis.index of the call before is the warm start
+// (set basis.count = 0 for a cold one). False when the intersection is empty or too flat to tell; the basis then holds the best point so far,
+// which satisfies its own members only. Work close to a local origin: rounding grows with the coordinates.
+template <class Real, class HalfSpaceAt>
+bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at, BasicProjectionBasis<Real>& basis) noexcept {
+    return projection_detail::exchange(
+        goal_m, count, at, [&](const glm::vec<3, Real>& point) { return projection_detail::most_violated_of(count, at, point); }, basis);
+}
+
+// The same for half-spaces side by side, each moved along its normal by grown_m.
+inline bool project_on_half_spaces(const Vec3& goal_m, std::span<const HalfSpace> all, double grown_m, ProjectionBasis& basis) noexcept {
+    const auto at = [&](int i) noexcept { return HalfSpace{all[static_cast<std::size_t>(i)].normal, all[static_cast<std::size_t>(i)].offset_m + grown_m}; };
+    return projection_detail::exchange(
+        goal_m, static_cast<int>(all.size()), at, [&](const Vec3& point) { return projection_detail::most_violated_of(all, grown_m, point); }, basis);
 }
 
 }  // namespace handrail

@@ -50,6 +50,11 @@ TEST(ClosestPointOfTriangle, agrees_with_brute_force_in_all_vertex_orders_degene
         for (const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}) {
             const TriangleShape shape = make_triangle(s[i], s[j], s[k]);
             const ClosestPoint q = closest_point(shape, p);
+            const ClosestPoint unprepared = closest_point_of_triangle(s[i], s[j], s[k], p);
+            ASSERT_NEAR(unprepared.distance_m, q.distance_m, rounding);
+            ASSERT_LE(glm::length(unprepared.normal - q.normal), q.distance_m > 1e-6 ? 1e-6 + 3.0 * rounding / q.distance_m : 2.1);
+            for (const double reach : {0.5 * expected, 0.999 * expected, expected, 1.5 * expected})
+                ASSERT_TRUE(reach < expected || !surely_beyond_triangle(s[i], s[j], s[k], p, reach + rounding)) << "round " << round;
             SCOPED_TRACE(fmt::format("seed {} round {} degenerate {}", kSeed, round, shape.degenerate));
             ASSERT_NEAR(q.distance_m, expected, rounding + (shape.degenerate ? 1e-7 : 0.0));
             ASSERT_NEAR(glm::length(q.normal), 1.0, 1e-12);
