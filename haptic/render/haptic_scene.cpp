@@ -121,20 +121,19 @@ bool HapticScene::smooth_between(std::uint32_t obstacle, const Vec3& normal_a, c
     }
 }
 
-const SurfaceLabel& HapticScene::surface(std::uint32_t obstacle, const Vec3& normal) const noexcept {
+std::uint32_t HapticScene::face(std::uint32_t obstacle, const Vec3& normal) const noexcept {
     const Obstacle& o = obstacles[obstacle];
-    const auto label = [&](std::size_t face) -> const SurfaceLabel& { return labels[o.first_label + face]; };
     switch (o.kind) {
         case ObstacleKind::Triangle:
         case ObstacleKind::Sphere:
         case ObstacleKind::Capsule:
-            return label(0);
+            return 0;
         case ObstacleKind::Polygon:
-            return label(glm::dot(polygons[o.shape].normal, normal) < 0.0 ? 1 : 0);
+            return glm::dot(polygons[o.shape].normal, normal) < 0.0 ? 1 : 0;
         case ObstacleKind::Cylinder:
-            return label(static_cast<std::size_t>(face_towards(cylinders[o.shape], normal)));
+            return static_cast<std::uint32_t>(face_towards(cylinders[o.shape], normal));
         case ObstacleKind::Cone:
-            return label(static_cast<std::size_t>(face_towards(cones[o.shape], normal)));
+            return static_cast<std::uint32_t>(face_towards(cones[o.shape], normal));
         case ObstacleKind::Box:
         case ObstacleKind::Brush:
             break;
@@ -151,7 +150,7 @@ const SurfaceLabel& HapticScene::surface(std::uint32_t obstacle, const Vec3& nor
             best = face;
         }
     }
-    return label(best);
+    return best;
 }
 
 std::array<std::size_t, kObstacleKinds> HapticScene::obstacle_counts() const noexcept {
@@ -266,6 +265,11 @@ void HapticSceneBuilder::add_liquid(LiquidVolume liquid, const Aabb& bounds_m) {
     liquid_bounds_.push_back(grown(bounds_m));
 }
 
+void HapticSceneBuilder::set_reliefs(std::vector<Relief> reliefs, std::vector<std::uint8_t> mesh_axis) {
+    scene_.reliefs = std::move(reliefs);
+    scene_.relief_axis = std::move(mesh_axis);
+}
+
 bool HapticSceneBuilder::add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start, bool present) {
     if (scene_.bodies.size() == HapticScene::kMostBodies) return false;
     Aabb all = shape->obstacle_bvh.bounds();
@@ -375,6 +379,12 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     for (CapsuleShape& capsule : scene_.capsules) capsule.start_m -= origin;
     for (CylinderShape& cylinder : scene_.cylinders) cylinder.bottom_m -= origin;
     for (ConeShape& cone : scene_.cones) cone.base_m -= origin;
+    if (shades_ && !scene_.mesh.triangles.empty()) {
+        scene_.shading = shade_mesh(scene_.mesh.points_m, scene_.mesh.triangles);
+        if (scene_.shading.highest_m <= 0.0) scene_.shading = {};  // nothing here is curved
+    }
+    scene_.fields = !scene_.reliefs.empty() || !scene_.shading.facets.empty();
+    for (const HapticBody& body : scene_.bodies) scene_.fields = scene_.fields || body.shape->fields;
     const auto shift = [&origin](Aabb& box) {
         box.min_m -= origin;
         box.max_m -= origin;
@@ -384,6 +394,10 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     for (Plane& plane : scene_.planes) shift_plane(plane);
     for (LiquidVolume& liquid : scene_.liquids)
         for (Plane& plane : liquid.planes) shift_plane(plane);
+    for (Relief& relief : scene_.reliefs) {
+        relief.low_m -= origin;
+        relief.high_m -= origin;
+    }
     for (Aabb& box : obstacle_bounds_) shift(box);
     for (Aabb& box : liquid_bounds_) shift(box);
     for (Aabb& box : effect_bounds_) shift(box);

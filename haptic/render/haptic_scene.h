@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "haptic/render/effect_volume.h"
+#include "haptic/render/mesh_shading.h"
+#include "haptic/render/relief.h"
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
 #include "worlds/geometry/bvh.h"
@@ -28,6 +30,8 @@ struct HapticMaterial {
     double stiffness_fraction = -1.0;
     double friction_static = -1.0;
     double friction_kinetic = -1.0;
+    double damping_ns_per_m = -1.0;
+    std::int32_t relief = -1;  // into HapticScene::reliefs; -1: plain
 };
 
 // What is touched where: the answer to "which surface is this?".
@@ -135,6 +139,10 @@ struct HapticScene {
     std::vector<std::uint32_t> hanging_effects;  // of effects: those that hang on a body
     std::vector<HapticBody> bodies;              // at most kMostBodies
     std::vector<HapticMaterial> materials;       // same order as Scene::materials; entry 0 is the default wall
+    std::vector<Relief> reliefs;                 // height and friction textures; empty: not one instruction more per tick than a branch
+    MeshShading shading;                         // of `mesh`, where asked for
+    bool fields = false;                         // reliefs or shading, here or in a body
+    std::vector<std::uint8_t> relief_axis;       // by FeatureId of a mesh: 0, 1 or 2, the axis along which its textures are laid on
 
     // Local coordinates. Never empty of meaning: index < obstacles.size().
     ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
@@ -145,6 +153,8 @@ struct HapticScene {
         const Corners& t = mesh.triangles[o.shape];
         return surely_beyond_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m, reach_m);
     }
+    // Some surface is felt elsewhere than its obstacle lies: textures or shading (surface_field.h).
+    bool has_fields() const noexcept { return fields; }
     bool solid(std::uint32_t obstacle) const noexcept { return obstacles[obstacle].kind > ObstacleKind::Polygon; }
     TriangleShape triangle(const Obstacle& o) const noexcept {
         const Corners& t = mesh.triangles[o.shape];
@@ -155,8 +165,10 @@ struct HapticScene {
     // True when two supporting planes with these normals touch one smooth piece of the obstacle, with no edge between: the place nearest to a
     // point can then be reached from the other without passing a corner.
     bool smooth_between(std::uint32_t obstacle, const Vec3& normal_a, const Vec3& normal_b) const noexcept;
-    // The label of the face that looks most along `normal`, hidden faces last.
-    const SurfaceLabel& surface(std::uint32_t obstacle, const Vec3& normal) const noexcept;
+    // The face that looks most along `normal`, hidden faces last: its number within the obstacle, and its label.
+    std::uint32_t face(std::uint32_t obstacle, const Vec3& normal) const noexcept;
+    const SurfaceLabel& label(std::uint32_t obstacle, std::uint32_t face) const noexcept { return labels[obstacles[obstacle].first_label + face]; }
+    const SurfaceLabel& surface(std::uint32_t obstacle, const Vec3& normal) const noexcept { return label(obstacle, face(obstacle, normal)); }
     const HapticMaterial& material(MaterialId id) const noexcept { return materials[id < materials.size() ? id : kDefaultMaterial]; }
     // How many obstacles of each kind, indexed by ObstacleKind. Looks at all of them: not for the tick.
     std::array<std::size_t, kObstacleKinds> obstacle_counts() const noexcept;
@@ -195,6 +207,10 @@ public:
     bool add_effect(EffectVolume effect);
     // The shape comes from a builder of its own, in the body's frame. False, and nothing added, when there are kMostBodies already.
     bool add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start, bool present = true);
+    // Lets the triangles added be felt as the curve they stand for (mesh_shading.h). Off unless asked for.
+    void shade_meshes() { shades_ = true; }
+    // What HapticMaterial::relief counts in; origins in world metres. `mesh_axis`: see HapticScene::relief_axis.
+    void set_reliefs(std::vector<Relief> reliefs, std::vector<std::uint8_t> mesh_axis = {});
 
     // The number and the start of the first body of that name, if one was added.
     std::optional<std::pair<std::uint32_t, Placement>> body_of(FeatureId feature) const;
@@ -207,6 +223,7 @@ private:
     void add_sheet(const Corners& corners, const SurfaceLabel& label, TouchSide side);
     void add_obstacle(ObstacleKind kind, std::size_t shape, std::size_t faces, std::span<const SurfaceLabel> labels, const Aabb& bounds_m);
 
+    bool shades_ = false;
     HapticScene scene_;
     std::vector<Aabb> obstacle_bounds_, liquid_bounds_, effect_bounds_;
 };

@@ -77,6 +77,10 @@ public:
     Vec3 turned_to_own(const Hold& hold, const Vec3& direction) const noexcept {
         return hold.body == kStill ? direction : tracks_[hold.body].frame.turned_back(direction);
     }
+    Vec3 turned_from_own(const Hold& hold, const Vec3& direction) const noexcept {
+        return hold.body == kStill ? direction : tracks_[hold.body].frame.turned(direction);
+    }
+    double own_scale(const Hold& hold) const noexcept { return hold.body == kStill ? 1.0 : tracks_[hold.body].frame.scale; }
     static const HapticScene& shape_of(const HapticScene& scene, const Hold& hold) noexcept {
         return hold.body == kStill ? scene : *scene.bodies[hold.body].shape;
     }
@@ -88,6 +92,7 @@ public:
     Vec3 offset_m() const noexcept { return ball_m_ - goal_m_; }
     Vec3 slide_m() const noexcept { return ball_m_ - path_[0]; }
     Vec3 press_m() const noexcept { return basis_.point_m - goal_m_; }
+    Vec3 rest_m() const noexcept { return anchor_m_ + basis_.point_m; }  // of that, in the scene's own coordinates
     double radius_m() const noexcept { return radius_m_; }
     Vec3 local_m() const noexcept { return anchor_m_ + ball_m_; }  // in the scene's own coordinates
     Vec3 world_m() const noexcept { return scene_origin_m_ + anchor_m_ + ball_m_; }

@@ -9,6 +9,7 @@
 #include "haptic/render/liquids.h"
 #include "haptic/render/passivity_guard.h"
 #include "haptic/render/proxy_solver.h"
+#include "haptic/render/surface_field.h"
 #include "haptic/render/tick_math.h"
 
 namespace handrail {
@@ -22,6 +23,11 @@ constexpr double kSlip_hand_m = 2e-3;      // slide over which static friction w
 constexpr double kHealing_s = 0.3;         // rest in which it comes back by 1 - 1/e
 constexpr double kSpeedPole_hz = 50.0;     // of the hand speed that damping uses
 constexpr double kSmallestForce_n = 1e-9;  // below it a force is rounding
+
+// A wave fades while the hand is so fast that fewer than 8 ticks fall on a period, and is level below 4.
+constexpr double kTicksOfFullWave = 8.0;
+constexpr double kSwingChange_per_s = 50.0;
+constexpr double kParallel = 1e-12;  // squared sine or determinant below which holds have no dual directions
 
 // What the surfaces that hold the ball are like together, blended by how hard each holds, so that seams do not click.
 struct Feel {
@@ -38,7 +44,7 @@ Feel feel_of(const HapticMaterial& material, const TouchTuning& t) noexcept {
         t.override_stiffness_n_per_m >= 0.0
             ? t.override_stiffness_n_per_m
             : t.rated_stiffness_n_per_m * (material.stiffness_fraction >= 0.0 ? material.stiffness_fraction : t.default_stiffness_fraction);
-    feel.damping_ns_per_m = t.override_damping_ns_per_m >= 0.0 ? t.override_damping_ns_per_m : t.damping_ns_per_m;
+    feel.damping_ns_per_m = pick(t.override_damping_ns_per_m, material.damping_ns_per_m, t.damping_ns_per_m);
     feel.friction_kinetic = pick(t.override_friction_kinetic, material.friction_kinetic, t.default_friction_kinetic);
     feel.friction_static = std::max(feel.friction_kinetic, pick(t.override_friction_static, material.friction_static, t.default_friction_static));
     return feel;
@@ -57,10 +63,96 @@ struct TouchState::Impl {
     LiquidState liquids;
     EffectState effects;
     PassivityGuard guard;
+    double swing = 1.0;  // of waves in the surface, 0 while the hand is too fast for them
 
+    // The press as the surfaces' fields leave it.
+    struct FieldPress {
+        Vec3 rest_m{0.0};       // from the hand to where the ball would rest on the shifted surfaces
+        Vec3 pull_m{0.0};       // the force over the stiffness: rest_m and what the fields' slopes add
+        bool touching = false;  // false where the hand hovers in a hollow
+        double friction = 1.0;
+    };
+
+    FieldPress field_press(const HapticScene& scene, const TouchTuning& tuning, const ProxySolver::Step& step, const std::array<std::uint32_t, 3>& faces,
+                           double dt_s) noexcept;
     TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
                      const BodyPoses& bodies) noexcept;
 };
+
+// The surfaces' shifts, weighed by how hard each holds, shorten the press P to P - s with s = sum(multiplier * shift) / P: a potential 1/2 K (P - s)^2 over the
+// hand's place, continuous wherever a surface begins or ceases to hold. The pull is its gradient: (P - s)(p + grad s), p the direction of the press. The
+// multipliers' own gradients are the vectors dual to the normals.
+// Tried shifting each surface and pressing against all of them anew: a surface that only the lowered ball would meet then comes in with a jump.
+TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& scene, const TouchTuning& tuning, const ProxySolver::Step& step,
+                                                           const std::array<std::uint32_t, 3>& faces, double dt_s) noexcept {
+    FieldPress out;
+    const Vec3 press = solver.press_m();
+    const double press_length = glm::length(press);
+    if (press_length <= 0.0) return out;
+    const Vec3 towards = press / press_length;
+    std::array<Vec3, 3> dual{};
+    const auto normal = [&](std::size_t k) { return step.holds[k].normal; };
+    if (step.count == 1) {
+        dual[0] = normal(0);
+    } else if (step.count == 2) {
+        const double c = glm::dot(normal(0), normal(1)), sine2 = 1.0 - c * c;
+        if (sine2 > kParallel) dual = {(normal(0) - normal(1) * c) / sine2, (normal(1) - normal(0) * c) / sine2, Vec3(0.0)};
+    } else if (step.count == 3) {
+        const double det = glm::dot(normal(0), glm::cross(normal(1), normal(2)));
+        if (det * det > kParallel)
+            dual = {glm::cross(normal(1), normal(2)) / det, glm::cross(normal(2), normal(0)) / det, glm::cross(normal(0), normal(1)) / det};
+    }
+    FieldRequest request;
+    const Vec3 ball_m = scene.origin_m + solver.rest_m(), hand_m = ball_m - press;
+    request.swing = swing;
+    double shift = 0.0, friction = 0.0, sum = 0.0, swing_gain = 0.0, shortest_period = 0.0;
+    Vec3 gradient(0.0);
+    for (int k = 0; k < step.count; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const ProxySolver::Hold& hold = step.holds[at];
+        const HapticScene& shape = ProxySolver::shape_of(scene, hold);
+        const HapticMaterial& material = scene.material(shape.label(hold.obstacle, faces[at]).material);
+        const double own = solver.own_scale(hold);  // world metres per metre of the shape's own frame
+        request.obstacle = hold.obstacle;
+        request.face = faces[at];
+        request.normal = solver.turned_to_own(hold, hold.normal);
+        request.hand_m = solver.to_own(scene, hold, hand_m);
+        request.ball_m = solver.to_own(scene, hold, ball_m);
+        request.press_m = glm::dot(hold.normal, press) / own;
+        request.radius_m = solver.radius_m() / own;
+        request.world_m_per_hand_m = tuning.world_m_per_hand_m / own;
+        request.stiffness_n_per_m = feel_of(material, tuning).stiffness_n_per_m;
+        SurfaceField field = surface_field(scene, shape, request);
+        field.shift_m *= own;
+        field.swing_to_shift *= own;
+        field.gradient = solver.turned_from_own(hold, field.gradient);
+        shift += hold.multiplier_m * field.shift_m;
+        gradient += field.gradient * hold.multiplier_m - dual[at] * field.shift_m;
+        friction += hold.multiplier_m * field.friction;
+        swing_gain += hold.multiplier_m * field.swing_to_shift;
+        sum += hold.multiplier_m;
+        if (material.relief >= 0) {
+            const double period = scene.reliefs[static_cast<std::size_t>(material.relief)].period_hand_m;
+            shortest_period = shortest_period > 0.0 ? std::min(shortest_period, period) : period;
+        }
+    }
+    shift /= press_length;
+    const double left = press_length - shift;
+    if (sum > 0.0) out.friction = friction / sum;
+    if (left > 0.0) {
+        out.touching = true;
+        out.rest_m = towards * left;
+        out.pull_m = (towards * (1.0 + shift / press_length) + gradient / press_length) * left;
+    }
+    // The swing of waves follows the hand's speed, but only on ticks on which that lowers the surfaces: fading must not give the hand energy.
+    if (shortest_period > 0.0) {
+        const double per_period = glm::length(hand_speed_m_per_s) * dt_s * kTicksOfFullWave / shortest_period;
+        const double wish = std::clamp(2.0 - per_period, 0.0, 1.0);
+        const double change = std::clamp(wish - swing, -kSwingChange_per_s * dt_s, kSwingChange_per_s * dt_s);
+        if (change * swing_gain >= 0.0 || !out.touching) swing += change;
+    }
+    return out;
+}
 
 TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
                                    const BodyPoses& bodies) noexcept {
@@ -86,24 +178,36 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
 
     TouchResult result;
     ContactSet& contacts = result.contacts;
-    contacts.count = static_cast<std::uint8_t>(step.count);
     contacts.iterations = static_cast<std::uint16_t>(step.iterations);
     contacts.converged = step.converged;
     contacts.truncated = step.truncated;
     contacts.capped = step.capped;
     contacts.ghosted = step.ghosted;
     double sum = 0.0, hardest = -1.0;
-    for (int k = 0; k < step.count; ++k) sum += step.holds[static_cast<std::size_t>(k)].multiplier_m;
-    Feel blend;
+    std::array<std::uint32_t, 3> faces{};
     for (int k = 0; k < step.count; ++k) {
         const ProxySolver::Hold& hold = step.holds[static_cast<std::size_t>(k)];
-        const SurfaceLabel& label = ProxySolver::shape_of(scene, hold).surface(hold.obstacle, solver.turned_to_own(hold, hold.normal));
+        sum += hold.multiplier_m;
+        faces[static_cast<std::size_t>(k)] = ProxySolver::shape_of(scene, hold).face(hold.obstacle, solver.turned_to_own(hold, hold.normal));
+    }
+    Vec3 press = solver.press_m();
+    const bool has_fields = scene.has_fields() && step.count > 0;
+    FieldPress field;
+    if (has_fields) {
+        field = field_press(scene, tuning, step, faces, dt_s);
+        field.pull_m -= press;
+        press = field.rest_m;
+    }
+    Feel blend;
+    for (int k = 0; k < step.count && !(has_fields && !field.touching); ++k) {
+        const ProxySolver::Hold& hold = step.holds[static_cast<std::size_t>(k)];
+        const SurfaceLabel& label = ProxySolver::shape_of(scene, hold).label(hold.obstacle, faces[static_cast<std::size_t>(k)]);
         const double share = sum > 0.0 ? hold.multiplier_m / sum : 1.0 / step.count;
-        contacts.contacts[static_cast<std::size_t>(k)] = {label.feature, label.material, hold.normal, share};
         if (share > hardest) {
             hardest = share;
-            contacts.strongest = static_cast<std::uint8_t>(k);
+            contacts.strongest = contacts.count;
         }
+        contacts.contacts[contacts.count++] = {label.feature, label.material, hold.normal, share};
         const Feel one = feel_of(scene.material(label.material), tuning);
         blend.stiffness_n_per_m += share * one.stiffness_n_per_m;
         blend.damping_ns_per_m += share * one.damping_ns_per_m;
@@ -112,11 +216,10 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     }
 
     // 2. Friction: Coulomb's cone on the ball's path. Static friction weakens with the way slid, so it never drops at once.
-    const Vec3 press = solver.press_m();
     const double press_length = glm::length(press);
-    if (step.count > 0) {
+    if (contacts.count > 0) {
         feel = blend;
-        const double mu = feel.friction_kinetic + (feel.friction_static - feel.friction_kinetic) * grip;
+        const double mu = (feel.friction_kinetic + (feel.friction_static - feel.friction_kinetic) * grip) * field.friction;
         if (mu > 0.0) {
             solver.hold_back(scene, mu * press_length);
             solver.ride(step.holds[contacts.strongest].body);
@@ -124,16 +227,20 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     }
     result.slide_m = solver.slide_m();
     const double slid = glm::length(result.slide_m);
-    if (step.count > 0 && slid > 0.0) {
+    if (contacts.count > 0 && slid > 0.0) {
         grip *= decay(slid / (kSlip_hand_m * scale));
     } else {
         grip += (1.0 - grip) * (1.0 - decay(dt_s / kHealing_s));
     }
 
     // 3. Force of the coupling, per metre of hand travel.
-    const Vec3 offset = solver.offset_m();
+    Vec3 offset = solver.offset_m();
     const bool together = offset == Vec3(0.0);
     result.proxy_m = together ? goal_m : solver.world_m();
+    if (has_fields) {
+        result.proxy_m += press - solver.press_m();
+        offset += field.pull_m;
+    }
     result.radius_m = solver.radius_m();
     Vec3 force = offset * (feel.stiffness_n_per_m / scale);
 
@@ -145,7 +252,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         hand_speed_m_per_s = Vec3(0.0);
         has_speed = true;
     }
-    const bool touching = step.count > 0 && press_length > 0.0;
+    const bool touching = contacts.count > 0 && press_length > 0.0;
     const bool guarding = tuning.passivity_guard && feel.damping_ns_per_m < PassivityGuard::kNotNeeded_ns_per_m;
     if (touching) {
         const Vec3 normal = press / press_length;
@@ -187,7 +294,7 @@ TouchState& TouchState::operator=(TouchState&&) noexcept = default;
 void TouchState::reset() noexcept {
     impl_->solver.reset();
     impl_->has_goal = false;
-    impl_->grip = 1.0;
+    impl_->grip = impl_->swing = 1.0;
     impl_->guard = {};
     reset_filters();
 }

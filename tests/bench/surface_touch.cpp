@@ -1,0 +1,61 @@
+// What textures and shading cost: a ball slides over a floor, plain or textured, or over a tessellated sphere, faceted or shaded. Under callgrind,
+// instructions.sh counts what measured_ticks() does.  surface_touch TICKS plain|friction|sine|square|picture|facets|shaded
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+#include "haptic/render/touch.h"
+#include "tests/support/sphere_mesh.h"
+
+namespace handrail::test {
+namespace {
+
+// The name that callgrind is told to count from and to: nothing else is in it.
+[[gnu::noinline]] double measured_ticks(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals, TouchState& state) {
+    double checksum = 0.0;
+    for (const Vec3& goal : goals) checksum += touch_tick(state, scene, tuning, goal, 1e-3).force_n.x;
+    return checksum;
+}
+
+std::shared_ptr<const HapticScene> floor_of(const std::string& kind) {
+    Relief relief;
+    relief.depth_hand_m = 4e-4;
+    relief.friction_share = kind == "friction" ? 0.3 : 0.0;
+    relief.kind = kind == "sine" ? ReliefKind::Sine : kind == "square" ? ReliefKind::Square : kind == "picture" ? ReliefKind::Picture : ReliefKind::Level;
+    std::vector<float> depths(128 * 128);
+    for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = static_cast<float>(i * 7919 % 101) * 0.01F;
+    relief.picture = std::make_shared<const HeightField>(128, 128, depths);
+    HapticMaterial material;
+    material.friction_static = material.friction_kinetic = 0.3;
+    material.relief = kind == "plain" ? -1 : 0;
+    HapticSceneBuilder builder({material});
+    builder.add_box({{-5, -5, -1}, {5, 5, 0}});
+    if (kind != "plain") builder.set_reliefs({relief});
+    return builder.build();
+}
+
+int run(int ticks, const std::string& kind) {
+    TouchTuning tuning;
+    std::vector<Vec3> goals;
+    std::shared_ptr<const HapticScene> scene;
+    if (kind == "facets" || kind == "shaded") {
+        HapticSceneBuilder builder;
+        builder.add_mesh(sphere_mesh(22, 0.5));
+        if (kind == "shaded") builder.shade_meshes();
+        scene = builder.build();
+        goals = sphere_slide(0.5, tuning.radius_m, 0.2, ticks);
+    } else {
+        scene = floor_of(kind);
+        for (int i = 0; i < ticks; ++i)
+            goals.emplace_back(0.1 * std::sin(1e-3 * i), 0.1 * std::sin(7e-4 * i), std::max(0.005 - 0.003 - 5e-4 * std::sin(5e-3 * i), 0.02 - 2e-4 * i));
+    }
+    TouchState state;
+    std::cout << kind << ": checksum " << measured_ticks(*scene, tuning, goals, state) << " over " << ticks << " ticks\n";
+    return 0;
+}
+
+}  // namespace
+}  // namespace handrail::test
+
+int main(int argc, char** argv) { return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 2000, argc > 2 ? argv[2] : "picture"); }

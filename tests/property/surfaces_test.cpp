@@ -1,0 +1,293 @@
+// Surfaces that are felt elsewhere than they lie - height textures, friction textures, shaded meshes - must never give a hand energy (I11): random closed
+// loops over random worlds, smooth and with a device's quantum. Seeds are printed.
+#include <cmath>
+
+#include "haptic/render/relief.h"
+#include "tests/property/replay.h"
+#include "tests/support/sphere_mesh.h"
+
+namespace handrail::test {
+namespace {
+
+constexpr double kStiffness_n_per_m = 1000.0;  // of plain_tuning
+
+// A smooth closed path round `middle`: a few harmonics with random phases, each coordinate at most `reach` away.
+std::vector<Vec3> closed_loop(std::mt19937& random, const Vec3& middle, const Vec3& reach_m, double seconds) {
+    std::uniform_real_distribution<double> phase(0.0, 2.0 * kPi), weight(0.2, 1.0);
+    constexpr int kHarmonics = 5;
+    std::array<std::array<double, kHarmonics>, 3> phases, weights;
+    for (int axis = 0; axis < 3; ++axis) {
+        double sum = 0.0;
+        for (int k = 0; k < kHarmonics; ++k) {
+            phases[axis][k] = phase(random);
+            weights[axis][k] = weight(random) / (k + 1);
+            sum += weights[axis][k];
+        }
+        for (double& w : weights[axis]) w /= sum;
+    }
+    const int ticks = static_cast<int>(seconds * 1000.0);
+    std::vector<Vec3> goals;
+    for (int i = 0; i <= ticks; ++i) {
+        Vec3 goal = middle;
+        for (int axis = 0; axis < 3; ++axis)
+            for (int k = 0; k < kHarmonics; ++k) goal[axis] += reach_m[axis] * weights[axis][k] * std::sin(2.0 * kPi * (k + 1) * i / ticks + phases[axis][k]);
+        goals.push_back(goal);
+    }
+    return goals;
+}
+
+// The same loop, begun and ended where it is farthest from everything, so that no press is stored at either end.
+std::vector<Vec3> begun_in_the_open(const HapticScene& scene, std::vector<Vec3> goals) {
+    std::size_t best = 0;
+    double widest = -1.0;
+    for (std::size_t i = 0; i < goals.size(); i += 50) {
+        double clearance = 1e9;
+        for (std::uint32_t o = 0; o < scene.obstacles.size(); ++o) clearance = std::min(clearance, scene.closest(o, goals[i] - scene.origin_m).distance_m);
+        if (clearance > widest) {
+            widest = clearance;
+            best = i;
+        }
+    }
+    EXPECT_GT(widest, 0.006) << "this loop is never in the open";
+    goals.pop_back();
+    std::rotate(goals.begin(), goals.begin() + static_cast<std::ptrdiff_t>(best), goals.end());
+    goals.push_back(goals.front());
+    return goals;
+}
+
+std::vector<Vec3> with_quantum(std::vector<Vec3> goals, double quantum_m) {
+    for (Vec3& goal : goals) goal = glm::round(goal / quantum_m) * quantum_m;
+    return goals;
+}
+
+struct Loop {
+    double energy_j = 0.0;   // given to the hand, trapezoid
+    double allowed_j = 0.0;  // what the trapezoid may be off where a surface begins or ceases to hold: I11
+    double largest_n = 0.0, largest_jump_n = 0.0;
+};
+
+Loop run(const HapticScene& scene, const std::vector<Vec3>& goals, const TouchTuning& tuning) {
+    Loop loop;
+    Vec3 last_force(0.0), last_goal(0.0);
+    int last_count = 0;
+    bool first = true;
+    replay(scene, goals, {}, tuning, [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+        if (!first) {
+            const double way = glm::length(goal - last_goal), change = glm::length(r.force_n - last_force);
+            loop.energy_j += 0.5 * glm::dot(last_force + r.force_n, goal - last_goal);
+            loop.largest_jump_n = std::max(loop.largest_jump_n, change);
+            // A corner of the force within the step: at most half the change times the way; for the onset of a plain contact K |dg|^2 / 8.
+            if (r.contacts.count != last_count) loop.allowed_j += std::max(kStiffness_n_per_m * way * way / 8.0, 0.5 * std::min(change, 1.0) * way);
+        }
+        loop.largest_n = std::max(loop.largest_n, glm::length(r.force_n));
+        last_count = r.contacts.count;
+        first = false;
+        last_force = r.force_n;
+        last_goal = goal;
+    });
+    loop.allowed_j += 1e-9 * kStiffness_n_per_m;
+    return loop;
+}
+
+std::shared_ptr<const HeightField> random_picture(std::mt19937& random) {
+    const int width = 8 + static_cast<int>(random() % 57), height = 8 + static_cast<int>(random() % 57);
+    std::vector<float> depths(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (float& d : depths) d = random() % 3 == 0 ? 1.0F : random() % 2 == 0 ? 0.0F : static_cast<float>(random() % 1000) * 1e-3F;
+    return std::make_shared<const HeightField>(width, height, depths);
+}
+
+Relief random_relief(std::mt19937& random, ReliefKind kind) {
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    Relief relief;
+    relief.kind = kind;
+    relief.depth_hand_m = 0.0005 + 0.003 * unit(random);
+    relief.period_hand_m = 0.004 + 0.016 * unit(random);
+    const double turn = 2.0 * kPi * unit(random);
+    relief.turn_cos = std::cos(turn);
+    relief.turn_sin = std::sin(turn);
+    relief.low_m = relief.high_m = Vec3(unit(random), unit(random), unit(random));
+    if (kind == ReliefKind::Picture) {
+        relief.picture = random_picture(random);
+        relief.size_m = 0.03 + 0.2 * unit(random);
+    }
+    return relief;
+}
+
+// A floor, a wall and a slanted brush that meet, each with a texture of its own.
+std::shared_ptr<const HapticScene> textured_corner(std::mt19937& random, ReliefKind kind, double friction) {
+    std::vector<HapticMaterial> materials(4);
+    std::vector<Relief> reliefs;
+    for (int i = 0; i < 3; ++i) {
+        materials[static_cast<std::size_t>(i) + 1].relief = i;
+        materials[static_cast<std::size_t>(i) + 1].friction_kinetic = friction;
+        reliefs.push_back(random_relief(random, kind));
+        if (friction > 0.0) reliefs.back().friction_share = 0.3;
+    }
+    HapticSceneBuilder builder(materials);
+    builder.add_box({{-1, -1, -1}, {0.03, 1, 0}}, SurfaceLabel{kNoFeature, 1, false});
+    builder.add_box({{0.06, -1, -1}, {1, 1, 0.02}}, SurfaceLabel{kNoFeature, 2, false});
+    const Vec3 slant = glm::normalize(Vec3(0.3, -1.0, 0.4));
+    std::vector<Plane> planes{
+        {slant, glm::dot(slant, Vec3(0.0, 0.035, 0.0))}, {{0, 1, 0}, 0.5}, {{1, 0, 0}, 0.5}, {{-1, 0, 0}, 0.5}, {{0, 0, 1}, 0.5}, {{0, 0, -1}, 0.5}};
+    builder.add_solid(planes, {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}}, SurfaceLabel{kNoFeature, 3, false});
+    builder.set_reliefs(std::move(reliefs));
+    return builder.build();
+}
+
+class TexturedSurface : public ::testing::TestWithParam<ReliefKind> {};
+
+TEST_P(TexturedSurface, gives_no_energy_over_random_closed_loops) {  // I11
+    const int loops = scaled(40);
+    double worst_j = -1.0, worst_jump_n = 0.0;
+    for (int seed = 1; seed <= loops; ++seed) {
+        std::mt19937 random(static_cast<unsigned>(seed));
+        const auto scene = textured_corner(random, GetParam(), 0.0);
+        const auto goals = begun_in_the_open(*scene, closed_loop(random, {0.0, 0.0, 0.01}, {0.07, 0.04, 0.03}, 4.0));
+        TouchTuning tuning = uncapped_tuning(0.005);
+        for (const bool quantised : {false, true}) {
+            const Loop loop = run(*scene, quantised ? with_quantum(goals, 6e-5) : goals, tuning);
+            worst_j = std::max(worst_j, loop.energy_j);
+            worst_jump_n = std::max(worst_jump_n, quantised ? 0.0 : loop.largest_jump_n);
+            EXPECT_GT(loop.largest_n, 0.5) << "seed " << seed << " touches nothing";
+            EXPECT_LE(loop.energy_j, loop.allowed_j) << "seed " << seed << (quantised ? ", quantised" : "");
+        }
+    }
+    std::cout << "    worst loop gives " << 1e6 * worst_j << " uJ; largest change in a tick " << worst_jump_n << " N\n";
+}
+
+TEST_P(TexturedSurface, takes_energy_wherever_there_is_friction) {
+    const int loops = scaled(20);
+    for (int seed = 1; seed <= loops; ++seed) {
+        std::mt19937 random(static_cast<unsigned>(100 + seed));
+        const auto scene = textured_corner(random, GetParam(), 0.4);
+        const auto goals = begun_in_the_open(*scene, closed_loop(random, {0.0, 0.0, 0.01}, {0.07, 0.04, 0.03}, 4.0));
+        EXPECT_LT(run(*scene, goals, plain_tuning(0.005)).energy_j, 0.0) << "seed " << 100 + seed;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, TexturedSurface, ::testing::Values(ReliefKind::Sine, ReliefKind::Square, ReliefKind::Picture));
+
+// ---- force shading ----
+
+std::shared_ptr<const HapticScene> mesh_scene(const TriangleMesh& mesh, bool shaded) {
+    HapticSceneBuilder builder;
+    builder.add_mesh(mesh);
+    if (shaded) builder.shade_meshes();
+    return builder.build();
+}
+
+// Root mean square of the angle between the force and the exact sphere's, in degrees, over a slide pressed 2 to 5 mm deep at 0.2 m/s.
+double direction_error_deg(const HapticScene& scene, double radius_m) {
+    double sum = 0.0;
+    int count = 0;
+    replay(scene, sphere_slide(radius_m, 0.005, 0.2, 6000), {}, plain_tuning(0.005),
+           [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+               if (glm::length(r.force_n) < 1.5) return;
+               const double cosine = glm::dot(r.force_n, goal) / (glm::length(r.force_n) * glm::length(goal));
+               const double angle = std::acos(std::min(1.0, cosine));
+               sum += angle * angle;
+               ++count;
+           });
+    EXPECT_GT(count, 4000);
+    return std::sqrt(sum / count) * 180.0 / kPi;
+}
+
+TEST(ShadedMesh, points_the_force_along_the_sphere_it_stands_for) {  // S30
+    const TriangleMesh mesh = sphere_mesh(22, 0.5);                  // 9680 triangles
+    const double facets = direction_error_deg(*mesh_scene(mesh, false), 0.5), shaded = direction_error_deg(*mesh_scene(mesh, true), 0.5);
+    std::cout << "    direction error of " << mesh.triangles.size() << " triangles: " << facets << " degrees rms, shaded " << shaded << "\n";
+    EXPECT_LE(facets, 1.3);
+    EXPECT_LE(shaded, 0.05);
+}
+
+// A torus is convex, concave and saddle; its corners are shaken, so that no two facets are alike.
+TriangleMesh shaken_torus(std::mt19937& random, int around, int across, double shake_m) {
+    std::uniform_real_distribution<double> shake(-shake_m, shake_m);
+    TriangleMesh mesh;
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < across; ++j) {
+            const double a = 2.0 * kPi * i / around, b = 2.0 * kPi * j / across, out = 0.1 + 0.04 * std::cos(b);
+            mesh.points_m.push_back(Vec3(out * std::cos(a), out * std::sin(a), 0.04 * std::sin(b)) + Vec3(shake(random), shake(random), shake(random)));
+        }
+    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>((i % around) * across + j % across); };
+    for (int i = 0; i < around; ++i)
+        for (int j = 0; j < across; ++j) {
+            mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+            mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        }
+    return mesh;
+}
+
+TEST(ShadedMesh, gives_no_energy_over_random_closed_loops) {  // I11
+    const int loops = scaled(40);
+    double worst_j = -1.0, worst_jump_n = 0.0;
+    int touched = 0;
+    for (int seed = 1; seed <= loops; ++seed) {
+        std::mt19937 random(static_cast<unsigned>(seed));
+        const auto scene = mesh_scene(seed % 2 == 0 ? sphere_mesh(2 + seed % 5, 0.1) : shaken_torus(random, 16 + seed % 9, 10 + seed % 7, 5e-4), true);
+        EXPECT_TRUE(scene->has_fields());
+        const double start = seed % 2 == 0 ? 0.1 : 0.04;
+        // Pressed up to 4 mm deep: deeper than its radius, 5 mm, a ball passes the edges of facets by jumps.
+        const Vec3 middle(seed % 2 == 0 ? 0.0 : 0.1, 0.0, start + 0.008);
+        const auto goals = begun_in_the_open(*scene, closed_loop(random, middle, {0.04, 0.04, 0.007}, 4.0));
+        for (const bool quantised : {false, true}) {
+            const Loop loop = run(*scene, quantised ? with_quantum(goals, 6e-5) : goals, uncapped_tuning(0.005));
+            worst_j = std::max(worst_j, loop.energy_j);
+            worst_jump_n = std::max(worst_jump_n, quantised ? 0.0 : loop.largest_jump_n);
+            touched += loop.largest_n > 0.5;
+            EXPECT_LE(loop.energy_j, loop.allowed_j) << "seed " << seed << (quantised ? ", quantised" : "");
+        }
+    }
+    EXPECT_GE(4 * touched, loops);
+    std::cout << "    worst loop gives " << 1e6 * worst_j << " uJ; largest change in a tick " << worst_jump_n << " N\n";
+}
+
+TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
+    // A cube of triangles: every edge is sharper than the crease, every face flat; shading must change nothing at all.
+    TouchWorld world;
+    world.box_of_triangles({-0.05, -0.05, -0.05}, {0.05, 0.05, 0.05});
+    const auto plain = world.scene();
+    EXPECT_TRUE(mesh_scene(plain->mesh, true)->shading.facets.empty());
+    EXPECT_FALSE(mesh_scene(plain->mesh, true)->has_fields());
+    // A tube of 24 sides with a lid: the sides rise, the lid and its rim do not.
+    TriangleMesh tube;
+    for (int i = 0; i < 24; ++i)
+        for (const double z : {0.0, 0.1}) tube.points_m.push_back({0.05 * std::cos(2.0 * kPi * i / 24), 0.05 * std::sin(2.0 * kPi * i / 24), z});
+    tube.points_m.push_back({0.0, 0.0, 0.1});
+    for (std::uint32_t i = 0; i < 24; ++i) {
+        const std::uint32_t next = (i + 1) % 24;
+        tube.triangles.push_back({2 * i, 2 * next, 2 * next + 1});
+        tube.triangles.push_back({2 * i, 2 * next + 1, 2 * i + 1});
+        tube.triangles.push_back({2 * i + 1, 2 * next + 1, 48});
+    }
+    const MeshShading shading = shade_mesh(tube.points_m, tube.triangles);
+    for (std::size_t t = 0; t < tube.triangles.size(); ++t) {
+        double rise = 0.0;
+        for (const float s : shading.facets[t].sagitta_m) rise = std::max(rise, std::abs(static_cast<double>(s)));
+        if (t % 3 == 2) EXPECT_EQ(rise, 0.0) << t;
+        else EXPECT_NEAR(rise, 0.05 * (1.0 - std::cos(kPi / 24.0)), 2e-5) << t;  // the diagonal spans one side of the polygon
+    }
+    EXPECT_EQ(shade_mesh(tube.points_m, tube.triangles, 1.0).highest_m, 0.0) << "with no crease angle at all nothing is smooth";
+}
+
+TEST(ShadedMesh, survives_needles_duplicates_and_edges_of_three) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(-0.05, 0.05);
+    for (int seed = 0; seed < 20; ++seed) {
+        TriangleMesh mesh;
+        for (int i = 0; i < 30; ++i) mesh.points_m.push_back({unit(random), unit(random), 0.1 * unit(random)});
+        mesh.points_m[1] = mesh.points_m[0];
+        for (int i = 0; i < 60; ++i)
+            mesh.triangles.push_back(
+                {static_cast<std::uint32_t>(random() % 30), static_cast<std::uint32_t>(random() % 30), static_cast<std::uint32_t>(random() % 30)});
+        mesh.triangles.push_back(mesh.triangles.front());
+        const auto scene = mesh_scene(mesh, true);
+        for (const MeshShading::Facet& facet : scene->shading.facets)
+            for (const float s : facet.sagitta_m) EXPECT_TRUE(std::isfinite(s)) << seed;
+        replay(*scene, closed_loop(random, Vec3(0.0), Vec3(0.05), 1.0), {}, plain_tuning(0.003),
+               [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) { ASSERT_TRUE(is_finite(r.force_n)) << seed; });
+    }
+}
+
+}  // namespace
+}  // namespace handrail::test
