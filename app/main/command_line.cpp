@@ -64,7 +64,8 @@ struct Grammar {
 
         info_app = app.add_subcommand("info", "say what a world holds, and what was understood, guessed or left out");
         info_app->add_option("WORLD", info.world, "the world")->required()->type_name("");
-        info_app->add_flag("--json", info.json, "as one JSON object");
+        CLI::Option* json = info_app->add_flag("--json", info.json, "as one JSON object");
+        info_app->add_flag("--lint", info.lint, "only whether its materials can be told apart by touch; exit status 1 if not")->excludes(json);
         add_map_scale(*info_app, info.common);
 
         touch_app = app.add_subcommand("touch", "replay a hand's path through a world, without a device");

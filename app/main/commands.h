@@ -28,6 +28,7 @@ struct InfoArguments {
     CommonArguments common;
     std::filesystem::path world;
     bool json = false;
+    bool lint = false;                               // --lint: only whether the materials can be told apart
 };
 int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err);
 

@@ -5,6 +5,7 @@
 #include "app/main/commands.h"
 #include "worlds/base/clock.h"
 #include "worlds/readers/reader.h"
+#include "worlds/scene/lint.h"
 
 namespace handrail {
 namespace {
@@ -119,6 +120,15 @@ void tell(const Scene& scene, const Cost& cost, std::ostream& out) {
     out << fmt::format("Loaded in {:.2f} seconds with {} megabytes of memory.\n", cost.load_s, (cost.peak_memory_bytes + (1 << 19)) >> 20);
 }
 
+// Can a hand tell this world's materials apart? 1 when not.
+int tell_lint(const Scene& scene, std::ostream& out) {
+    const LintReport lint = lint_materials(scene);
+    for (const std::string& problem : lint.problems) out << problem << '\n';
+    for (const std::string& warning : lint.warnings) out << warning << '\n';
+    if (lint.problems.empty()) out << "All materials here can be told apart by touch.\n";
+    return lint.problems.empty() ? 0 : 1;
+}
+
 }  // namespace
 
 int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err) {
@@ -139,6 +149,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
         err << valid.error().sentence() << '\n';
         return 1;
     }
+    if (arguments.lint) return tell_lint(*scene, out);
     if (arguments.json) out << json_of(*scene, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else tell(*scene, cost, out);
     return 0;

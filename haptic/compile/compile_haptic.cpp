@@ -3,20 +3,84 @@
 #include "haptic/compile/compile_effects.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace handrail {
 namespace {
 
-HapticMaterial compile_material(const Material& material, MaterialSource source) {
+Relief relief_of(const TextureWave& wave) {
+    Relief relief;
+    relief.kind = wave.shape == WaveShape::Sine ? ReliefKind::Sine : wave.shape == WaveShape::Square ? ReliefKind::Square : ReliefKind::Level;
+    relief.depth_hand_m = wave.depth_hand_m;
+    relief.period_hand_m = wave.period_hand_m;
+    relief.friction_share = wave.friction_share;
+    relief.turn_cos = std::cos(wave.turn_rad);
+    relief.turn_sin = std::sin(wave.turn_rad);
+    return relief;
+}
+
+// Pictures of many materials may be the same one; its levels are made once.
+class Reliefs {
+public:
+    std::int32_t add(const Material& material, const MaterialSpec* known) {
+        std::optional<TextureWave> wave = material.wave;
+        if (!wave && known && known->wave != TextureWave{}) wave = known->wave;
+        if (!wave && !material.picture) return -1;
+        Relief relief = relief_of(wave.value_or(TextureWave{}));
+        if (const auto& picture = material.picture) {
+            relief.kind = ReliefKind::Picture;
+            relief.depth_hand_m = picture->depth_hand_m;
+            relief.turn_cos = std::cos(picture->turn_rad);
+            relief.turn_sin = std::sin(picture->turn_rad);
+            relief.low_m = picture->box_m.min_m;
+            relief.high_m = picture->box_m.max_m;
+            relief.size_m = picture->size_m;
+            std::shared_ptr<const HeightField>& field = fields_[picture->heights.get()];
+            if (!field) field = std::make_shared<const HeightField>(picture->heights->width, picture->heights->height, picture->heights->depths);
+            relief.picture = field;
+        }
+        list_.push_back(std::move(relief));
+        return static_cast<std::int32_t>(list_.size() - 1);
+    }
+    std::vector<Relief> take() { return std::move(list_); }
+
+private:
+    std::vector<Relief> list_;
+    std::map<const HeightPicture*, std::shared_ptr<const HeightField>> fields_;
+};
+
+HapticMaterial compile_material(const Material& material, MaterialSource source, Reliefs& reliefs) {
     HapticMaterial compiled;
     const MaterialSpec* known = source == MaterialSource::Library && !material.name.empty() ? find_material(material.name) : nullptr;
     if (known) {
         compiled.stiffness_fraction = known->stiffness_fraction;
-        compiled.friction_static = compiled.friction_kinetic = known->friction_mu;
+        compiled.friction_static = known->friction_static;
+        compiled.friction_kinetic = known->friction_mu;
+        compiled.damping_ns_per_m = known->damping_ns_per_m;
     }
     if (material.stiffness_fraction) compiled.stiffness_fraction = *material.stiffness_fraction;
     if (material.friction_mu) compiled.friction_static = compiled.friction_kinetic = *material.friction_mu;
+    if (material.friction_static) compiled.friction_static = *material.friction_static;
+    if (material.damping_ns_per_m) compiled.damping_ns_per_m = *material.damping_ns_per_m;
+    compiled.relief = reliefs.add(material, known);
     return compiled;
+}
+
+// Textures lie on a mesh straight along the axis in which its thing is thinnest: continuous over every edge, whatever the facets. On z where two are equal.
+std::vector<std::uint8_t> mesh_axes(const Scene& scene) {
+    std::vector<Aabb> boxes(scene.features.size());
+    for (const MeshTriangle& t : scene.triangles)
+        if (t.feature.value < boxes.size())
+            for (const Vec3& p : {t.a_m, t.b_m, t.c_m}) boxes[t.feature.value].include(p);
+    std::vector<std::uint8_t> axes(boxes.size(), 2);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].empty()) continue;
+        const Vec3 size = boxes[i].size_m();
+        if (size.y < size.z && size.y <= size.x) axes[i] = 1;
+        else if (size.x < size.z && size.x < size.y) axes[i] = 0;
+    }
+    return axes;
 }
 
 // An object, mover or volume is named as a whole; a wall by its face.
@@ -44,8 +108,11 @@ std::shared_ptr<const HapticScene> compile_model(const Scene& model, const Surfa
 std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials, std::uint32_t world) {
     std::vector<HapticMaterial> compiled;
     compiled.reserve(scene.materials.size());
-    for (const Material& material : scene.materials) compiled.push_back(compile_material(material, materials));
+    Reliefs reliefs;
+    for (const Material& material : scene.materials) compiled.push_back(compile_material(material, materials, reliefs));
     HapticSceneBuilder builder(std::move(compiled));
+    if (std::vector<Relief> list = reliefs.take(); !list.empty())
+        builder.set_reliefs(std::move(list), scene.triangles.empty() ? std::vector<std::uint8_t>{} : mesh_axes(scene));
     for (const Solid& solid : scene.solids) {
         if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) {
             builder.add_solid(solid.shape.planes, solid.shape.bounds_m, labels_of(solid));
@@ -61,6 +128,7 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSo
             builder.add_liquid(std::move(liquid), solid.shape.bounds_m);
         }
     }
+    if (materials == MaterialSource::Library) builder.shade_meshes();
     for (const MeshTriangle& t : scene.triangles) builder.add_triangle(t.a_m, t.b_m, t.c_m, {t.feature, t.material, false});
     for (const PlacedModel& placed : scene.placed)
         builder.add_body(placed.feature, compile_model(*placed.model, {placed.feature, placed.material, false}), placed.at);

@@ -7,17 +7,31 @@
 namespace handrail {
 namespace {
 
-// Stiffness as a fraction of what the device can render, friction as Coulomb's mu. Plaster is the wall that most rooms have and stands a little
-// below the untagged default; soft floors and rubber lie well below it so that they are told apart by touch alone.
+// Stiffness as a fraction of what the device can render, friction as Coulomb's mu. Four steps of stiffness, each a third or more above the one below: more
+// cannot be told apart on a device of 3 N. Within a step friction differs by a half, or one has a texture (test: every_two_can_be_told_apart_by_touch).
+// Plaster is the wall that most rooms have. Depths and periods are hand travel.
+constexpr TextureWave kBars{WaveShape::Square, 0.4e-3, 10e-3};
+constexpr TextureWave kJoints{WaveShape::Sine, 0.2e-3, 7e-3};
+constexpr TextureWave kTufts{WaveShape::Sine, 0.3e-3, 5e-3};
+constexpr TextureWave kGrains{WaveShape::Level, 0.0, 5e-3, 0.2};
 constexpr std::array kLibrary{
-    MaterialSpec{"plaster", SoundClass::Plaster, 0.75, 0.35}, MaterialSpec{"wood", SoundClass::Wood, 0.70, 0.35},
-    MaterialSpec{"brick", SoundClass::Brick, 0.90, 0.60},     MaterialSpec{"concrete", SoundClass::Concrete, 0.95, 0.50},
-    MaterialSpec{"stone", SoundClass::Stone, 0.95, 0.45},     MaterialSpec{"tile", SoundClass::Tile, 0.90, 0.20},
-    MaterialSpec{"metal", SoundClass::Metal, 1.00, 0.20},     MaterialSpec{"glass", SoundClass::Glass, 0.95, 0.10},
-    MaterialSpec{"carpet", SoundClass::Carpet, 0.35, 0.70},   MaterialSpec{"cloth", SoundClass::Carpet, 0.25, 0.50},
-    MaterialSpec{"rubber", SoundClass::Rubber, 0.30, 0.90},   MaterialSpec{"plastic", SoundClass::Generic, 0.65, 0.25},
-    MaterialSpec{"grass", SoundClass::Grass, 0.30, 0.60},     MaterialSpec{"sand", SoundClass::Grass, 0.25, 0.70},
-    MaterialSpec{"earth", SoundClass::Grass, 0.45, 0.60},     MaterialSpec{"ice", SoundClass::Glass, 0.90, 0.03},
+    MaterialSpec{"plaster", SoundClass::Plaster, 0.75, 0.30, 0.30},
+    MaterialSpec{"wood", SoundClass::Wood, 0.75, 0.50, 0.45},
+    MaterialSpec{"plastic", SoundClass::Plastic, 0.75, 0.20, 0.18},
+    MaterialSpec{"brick", SoundClass::Brick, 1.00, 0.70, 0.60, -1.0, kJoints},
+    MaterialSpec{"concrete", SoundClass::Concrete, 1.00, 0.70, 0.60},
+    MaterialSpec{"stone", SoundClass::Stone, 1.00, 0.45, 0.38},
+    MaterialSpec{"tile", SoundClass::Tile, 1.00, 0.28, 0.24},
+    MaterialSpec{"metal", SoundClass::Metal, 1.00, 0.18, 0.15},
+    MaterialSpec{"steel grille", SoundClass::Grille, 1.00, 0.18, 0.15, -1.0, kBars},
+    MaterialSpec{"glass", SoundClass::Glass, 1.00, 0.10, 0.09},
+    MaterialSpec{"ice", SoundClass::Ice, 1.00, 0.03, 0.03},
+    MaterialSpec{"carpet", SoundClass::Carpet, 0.50, 0.80, 0.70, 8.0},
+    MaterialSpec{"sand", SoundClass::Sand, 0.50, 0.45, 0.45, 10.0, kGrains},
+    MaterialSpec{"earth", SoundClass::Earth, 0.50, 0.28, 0.28, 10.0},
+    MaterialSpec{"rubber", SoundClass::Rubber, 0.30, 0.75, 0.60, 8.0},
+    MaterialSpec{"cloth", SoundClass::Cloth, 0.30, 0.35, 0.35, 8.0},
+    MaterialSpec{"grass", SoundClass::Grass, 0.30, 0.60, 0.60, 8.0, kTufts},
 };
 
 struct TextureRule {
@@ -29,29 +43,18 @@ struct TextureRule {
 // First match wins, so that "wizwood" is wood before "wiz" could say anything and "plaster" is plaster before "plat" is metal.
 // The game's own sets: tech, slip, comp, base, key and m5 are panels of metal, cop and ecop copper, uwall, city and church cut stone.
 constexpr std::array kTextureRules{
-    TextureRule{"plaster", "plaster"},     TextureRule{"stucco", "plaster"},
-    TextureRule{"plastic", "plastic"},     TextureRule{"wood", "wood"},
-    TextureRule{"crate", "wood"},          TextureRule{"plank", "wood"},
-    TextureRule{"brick", "brick"},         TextureRule{"carpet", "carpet"},
-    TextureRule{"rug", "carpet", true},    TextureRule{"curtain", "cloth"},
-    TextureRule{"cloth", "cloth"},         TextureRule{"concrete", "concrete"},
-    TextureRule{"cement", "concrete"},     TextureRule{"glass", "glass"},
-    TextureRule{"window", "glass"},        TextureRule{"grass", "grass"},
-    TextureRule{"sand", "sand", true},     TextureRule{"ground", "earth"},
-    TextureRule{"dirt", "earth"},          TextureRule{"rock", "stone"},
-    TextureRule{"stone", "stone"},         TextureRule{"marble", "stone"},
-    TextureRule{"tile", "tile"},           TextureRule{"rubber", "rubber"},
-    TextureRule{"ice", "ice", true},       TextureRule{"met", "metal"},
-    TextureRule{"steel", "metal"},         TextureRule{"iron", "metal", true},
-    TextureRule{"sfloor", "metal", true},  TextureRule{"tech", "metal", true},
-    TextureRule{"slip", "metal", true},    TextureRule{"comp", "metal", true},
-    TextureRule{"plat_", "metal", true},   TextureRule{"cop", "metal", true},
-    TextureRule{"ecop", "metal", true},    TextureRule{"edoor", "metal", true},
-    TextureRule{"m5_", "metal", true},     TextureRule{"basebutn", "metal", true},
-    TextureRule{"basebtn", "metal", true}, TextureRule{"city", "stone", true},
-    TextureRule{"church", "stone", true},  TextureRule{"uwall", "stone", true},
-    TextureRule{"twall", "metal", true},   TextureRule{"wall", "stone", true},
-    TextureRule{"dem", "stone", true},     TextureRule{"wiz", "stone", true},
+    TextureRule{"plaster", "plaster"},     TextureRule{"stucco", "plaster"},    TextureRule{"plastic", "plastic"},     TextureRule{"wood", "wood"},
+    TextureRule{"crate", "wood"},          TextureRule{"plank", "wood"},        TextureRule{"brick", "brick"},         TextureRule{"carpet", "carpet"},
+    TextureRule{"rug", "carpet", true},    TextureRule{"curtain", "cloth"},     TextureRule{"cloth", "cloth"},         TextureRule{"concrete", "concrete"},
+    TextureRule{"cement", "concrete"},     TextureRule{"glass", "glass"},       TextureRule{"window", "glass"},        TextureRule{"grass", "grass"},
+    TextureRule{"sand", "sand", true},     TextureRule{"ground", "earth"},      TextureRule{"dirt", "earth"},          TextureRule{"rock", "stone"},
+    TextureRule{"stone", "stone"},         TextureRule{"marble", "stone"},      TextureRule{"grille", "steel grille"}, TextureRule{"grate", "steel grille"},
+    TextureRule{"tile", "tile"},           TextureRule{"rubber", "rubber"},     TextureRule{"ice", "ice", true},       TextureRule{"met", "metal"},
+    TextureRule{"steel", "metal"},         TextureRule{"iron", "metal", true},  TextureRule{"sfloor", "metal", true},  TextureRule{"tech", "metal", true},
+    TextureRule{"slip", "metal", true},    TextureRule{"comp", "metal", true},  TextureRule{"plat_", "metal", true},   TextureRule{"cop", "metal", true},
+    TextureRule{"ecop", "metal", true},    TextureRule{"edoor", "metal", true}, TextureRule{"m5_", "metal", true},     TextureRule{"basebutn", "metal", true},
+    TextureRule{"basebtn", "metal", true}, TextureRule{"city", "stone", true},  TextureRule{"church", "stone", true},  TextureRule{"uwall", "stone", true},
+    TextureRule{"twall", "metal", true},   TextureRule{"wall", "stone", true},  TextureRule{"dem", "stone", true},     TextureRule{"wiz", "stone", true},
     TextureRule{"ceiling", "plaster"},
 };
 

@@ -14,11 +14,7 @@ std::string spoken_name(const Scene& scene, FeatureId id) {
 }
 
 MaterialId material_id(Scene& scene, const Material& material) {
-    const auto same = [&](const Material& known) {
-        return known.name == material.name && known.guessed == material.guessed && known.stiffness_fraction == material.stiffness_fraction &&
-               known.friction_mu == material.friction_mu;
-    };
-    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(), same);
+    const auto found = std::find(scene.materials.begin(), scene.materials.end(), material);
     if (found != scene.materials.end()) return static_cast<MaterialId>(found - scene.materials.begin());
     if (scene.materials.size() >= std::numeric_limits<MaterialId>::max()) return kDefaultMaterial;
     scene.materials.push_back(material);

@@ -76,6 +76,30 @@ TEST(CompileHaptic, takes_only_written_keys_for_replay_and_library_values_below_
     EXPECT_NE(keys->generation, library->generation);
 }
 
+TEST(CompileHaptic, brings_the_librarys_texture_and_damping_only_for_exploring_and_written_ones_always) {
+    Scene scene;
+    scene.materials.resize(3);
+    scene.materials[1].name = "steel grille";
+    scene.materials[2].wave = TextureWave{WaveShape::Sine, 1e-3, 0.02, 0.1};
+    scene.materials[2].damping_ns_per_m = 7.0;
+    scene.materials[2].friction_mu = 0.4;
+    scene.materials[2].friction_static = 0.5;
+    const auto keys = compile_haptic(scene, MaterialSource::KeysOnly);
+    ASSERT_EQ(keys->reliefs.size(), 1U);
+    EXPECT_EQ(keys->materials[1].relief, -1);
+    EXPECT_EQ(keys->materials[2].relief, 0);
+    EXPECT_EQ(keys->materials[2].damping_ns_per_m, 7.0);
+    EXPECT_EQ(keys->materials[2].friction_static, 0.5);
+    EXPECT_EQ(keys->materials[2].friction_kinetic, 0.4);
+    const auto library = compile_haptic(scene, MaterialSource::Library);
+    ASSERT_EQ(library->reliefs.size(), 2U);
+    EXPECT_EQ(library->reliefs[0].kind, ReliefKind::Square);
+    EXPECT_EQ(library->reliefs[0].period_hand_m, 0.01);
+    EXPECT_EQ(library->reliefs[1].kind, ReliefKind::Sine);
+    scene.materials.resize(1);
+    EXPECT_FALSE(compile_haptic(scene, MaterialSource::Library)->has_fields()) << "nothing is paid for what no surface has";
+}
+
 TEST(CompileHaptic, moves_the_origin_only_into_buildings_far_away) {
     Scene near, far;
     near.materials.resize(1);

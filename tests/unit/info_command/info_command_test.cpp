@@ -118,5 +118,24 @@ TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
     }
 }
 
+TEST(InfoCommand, ends_with_status_1_and_names_the_pair_when_materials_cannot_be_told_apart) {
+    const test::TemporaryFolder folder;
+    const auto lint = [&](const std::string& wood_stiffness) {
+        InfoArguments arguments;
+        arguments.world =
+            folder.write("board.map", test::entity("func_wall", test::key("material", "wood") + wood_stiffness, test::box_brush(0, 0, 0, 20, 4, 20)) +
+                                          test::entity("func_wall", test::key("material", "rubber"), test::box_brush(32, 0, 0, 52, 4, 20)));
+        arguments.lint = true;
+        std::ostringstream out, err;
+        const int status = run_info(arguments, out, err);
+        EXPECT_EQ(err.str(), "");
+        return std::pair(status, out.str());
+    };
+    EXPECT_EQ(lint(""), std::pair(0, std::string("All materials here can be told apart by touch.\n")));
+    const auto [status, said] = lint(test::key("stiffness", "0.32"));
+    EXPECT_EQ(status, 1);
+    EXPECT_TRUE(said.starts_with("Wood and rubber cannot be told apart by touch:")) << said;
+}
+
 }  // namespace
 }  // namespace handrail

@@ -271,7 +271,7 @@ TEST(Materials, are_found_by_name_and_guessed_from_textures) {
     EXPECT_EQ(guess("SBRICK2A"), "brick");
     EXPECT_EQ(guess("base/wizwood1_4"), "wood");
     EXPECT_EQ(guess("+0slip"), "metal");
-    EXPECT_EQ(guess("{grille_metal"), "metal");
+    EXPECT_EQ(guess("{grille_metal"), "steel grille");
     EXPECT_EQ(guess("plaster_white"), "plaster");
     EXPECT_EQ(guess("office_device"), "none") << "the ice in the middle of a word is no ice";
     EXPECT_EQ(guess("128"), "none");

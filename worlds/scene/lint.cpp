@@ -1,0 +1,122 @@
+#include "worlds/scene/lint.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace handrail {
+namespace {
+
+std::string capital(std::string name) {
+    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
+}
+
+double ratio(double a, double b) {
+    const double low = std::min(a, b), high = std::max(a, b);
+    return low > 0.0 ? high / low : high > 0.0 ? 1e9 : 1.0;
+}
+
+bool reaches(double a, double b, double least) { return ratio(a, b) >= least * (1.0 - 1e-9); }
+
+bool textures_differ(const Finish& a, const Finish& b) {
+    if (a.picture != b.picture) return true;
+    const bool a_wave = a.wave.depth_hand_m > 0.0 && a.wave.shape != WaveShape::Level, b_wave = b.wave.depth_hand_m > 0.0 && b.wave.shape != WaveShape::Level;
+    if (a_wave != b_wave) return true;
+    return a_wave && reaches(a.wave.period_hand_m, b.wave.period_hand_m, kPeriodApart);
+}
+
+// A change that would do: the softer made softer still where that stays in range, else the slipperier made more slippery.
+std::string advice(const Finish& a, const Finish& b) {
+    const Finish& soft = a.stiffness_fraction <= b.stiffness_fraction ? a : b;
+    const Finish& hard = a.stiffness_fraction <= b.stiffness_fraction ? b : a;
+    const Finish& slippery = a.friction_mu <= b.friction_mu ? a : b;
+    const Finish& rough = a.friction_mu <= b.friction_mu ? b : a;
+    const double softer = std::floor(hard.stiffness_fraction / kStiffnessApart * 100.0) / 100.0;
+    const double rougher = std::ceil(slippery.friction_mu * kFrictionApart * 100.0) / 100.0;
+    return fmt::format("Give {} a stiffness of {:g} or less, or {} a friction of {:g} or more, or one of them a texture.", soft.name, softer, rough.name,
+                       rougher);
+}
+
+// The materials that show, each with the boxes of its surfaces.
+std::vector<std::vector<Aabb>> visible(const Scene& scene) {
+    std::vector<std::vector<Aabb>> boxes(scene.materials.size());
+    for (const SurfacePolygon& surface : scene.surfaces) {
+        if (surface.role != SolidRole::Solid && surface.role != SolidRole::Mover) continue;
+        Aabb box;
+        for (const Vec3& p : surface.polygon.points_m) box.include(p);
+        boxes[surface.material].push_back(box);
+    }
+    for (const MeshTriangle& t : scene.triangles) {
+        Aabb box;
+        for (const Vec3& p : {t.a_m, t.b_m, t.c_m}) box.include(p);
+        boxes[t.material].push_back(box);
+    }
+    return boxes;
+}
+
+double distance_in_plan(const Aabb& box, const Vec3& p) {
+    const Vec3 d = glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0));
+    return std::sqrt(d.x * d.x + d.y * d.y);
+}
+
+}  // namespace
+
+Finish finish_of(const MaterialSpec& spec) { return {std::string(spec.name), spec.stiffness_fraction, spec.friction_mu, spec.wave, nullptr}; }
+
+Finish finish_of(const Material& material) {
+    Finish finish;
+    if (const MaterialSpec* spec = find_material(material.name)) finish = finish_of(*spec);
+    finish.name = material.name;
+    finish.stiffness_fraction = material.stiffness_fraction.value_or(finish.stiffness_fraction);
+    finish.friction_mu = material.friction_mu.value_or(finish.friction_mu);
+    finish.wave = material.wave.value_or(finish.wave);
+    if (material.picture) finish.picture = material.picture->heights.get();
+    return finish;
+}
+
+bool can_be_told_apart(const Finish& a, const Finish& b) {
+    return reaches(a.stiffness_fraction, b.stiffness_fraction, kStiffnessApart) || reaches(a.friction_mu, b.friction_mu, kFrictionApart) ||
+           textures_differ(a, b);
+}
+
+LintReport lint_materials(const Scene& scene) {
+    LintReport report;
+    const std::vector<std::vector<Aabb>> boxes = visible(scene);
+    std::vector<std::size_t> used;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        if (!boxes[i].empty() && !scene.materials[i].name.empty()) used.push_back(i);
+    std::set<std::string> told;
+    for (std::size_t a = 0; a < used.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            const Finish one = finish_of(scene.materials[used[b]]), other = finish_of(scene.materials[used[a]]);
+            if (one.name == other.name || can_be_told_apart(one, other)) continue;
+            if (!told.insert(one.name < other.name ? one.name + "/" + other.name : other.name + "/" + one.name).second) continue;
+            report.problems.push_back(fmt::format("{} and {} cannot be told apart by touch: stiffness {:g} and {:g}, friction {:g} and {:g}. {}",
+                                                  capital(one.name), other.name, one.stiffness_fraction, other.stiffness_fraction, one.friction_mu,
+                                                  other.friction_mu, advice(one, other)));
+        }
+    // Views: round the middle of every surface of a named material. The fullest one is told.
+    std::set<std::string> most;
+    Vec3 where(0.0);
+    for (const std::size_t centre : used)
+        for (const Aabb& box : boxes[centre]) {
+            std::set<std::string> names;
+            for (const std::size_t i : used)
+                if (!names.contains(scene.materials[i].name) &&
+                    std::any_of(boxes[i].begin(), boxes[i].end(), [&](const Aabb& near) { return distance_in_plan(near, box.centre_m()) <= 0.5 * kView_m; }))
+                    names.insert(scene.materials[i].name);
+            if (names.size() <= most.size()) continue;
+            most = names;
+            where = box.centre_m();
+        }
+    if (most.size() > kMostMaterialsInView)
+        report.warnings.push_back(
+            fmt::format("There are {} materials within one view round {:.1f} metres east, {:.1f} north: {}. More than {} at once are hard to keep apart.",
+                        most.size(), where.x, where.y, fmt::join(most, ", "), kMostMaterialsInView));
+    return report;
+}
+
+}  // namespace handrail
