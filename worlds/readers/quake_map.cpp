@@ -5,6 +5,7 @@
 
 #include "worlds/base/text.h"
 #include "worlds/geometry/exposed_surface.h"
+#include "worlds/readers/height_picture.h"
 #include "worlds/readers/map_effects.h"
 #include "worlds/readers/map_keys.h"
 #include "worlds/readers/map_syntax.h"
@@ -22,6 +23,9 @@ constexpr double kMostViscosityNsPerM = 100.0;
 constexpr double kMostBuoyancyN = 1.0;
 constexpr double kMostFilmN = 0.5;
 constexpr double kMostFlowMPerS = 0.5;
+constexpr double kMostDampingNsPerM = 10.0;  // more makes a device's own noise heard in the hand
+constexpr double kMillimetre = 1e-3;
+constexpr double kWaveDepth_mm = 0.4, kPictureDepth_mm = 2.0, kPeriod_mm = 10.0;  // where a map gives none
 
 // What the class of an entity makes of its brushes. The first row that fits counts; a name ending in * fits as a beginning.
 struct ClassRow {
@@ -108,6 +112,19 @@ TextureFacts facts_of_texture(std::string_view texture) {
     return facts;
 }
 
+// Equal for surfaces that feel alike, whatever they are made of.
+std::string look_of_surface(const Material& m) {
+    const auto of = [](const std::optional<double>& value) { return value.value_or(-1.0); };
+    std::string look = fmt::format("{} {} {} {}", of(m.stiffness_fraction), of(m.friction_mu), of(m.friction_static), of(m.damping_ns_per_m));
+    if (m.wave)
+        look += fmt::format(" wave {} {} {} {} {}", static_cast<int>(m.wave->shape), m.wave->depth_hand_m, m.wave->period_hand_m, m.wave->friction_share,
+                            m.wave->turn_rad);
+    if (m.picture)
+        look += fmt::format(" picture {} {} {} {}", static_cast<const void*>(m.picture->heights.get()), m.picture->depth_hand_m, m.picture->size_m,
+                            m.picture->turn_rad);
+    return look;
+}
+
 class MapSceneBuilder {
 public:
     MapSceneBuilder(std::string_view bytes, const std::string& file_name, const ReadOptions& options)
@@ -145,8 +162,8 @@ private:
         std::optional<double> viscosity_ns_per_m;
         double buoyancy_n = 0.0, film_n = 0.0;
         Vec3 flow_hand_m_per_s{0.0};
-        std::string material;  // of the library, or empty
-        std::optional<double> stiffness_fraction, friction_mu;
+        Material surface;  // what the keys say; its name one of the library, or empty
+        std::string look;  // the same for surfaces with the same keys
         SourcePlace source;
     };
     // A liquid, teleporter face or trigger brush of the building: touching ones of a kind become one.
@@ -354,11 +371,11 @@ private:
             if (meaning.viscosity_ns_per_m.value_or(0.0) <= 0.0)
                 diagnostics_.warn(entity.find("flow")->place, "It is not felt.", "a stream carries the hand by its viscosity, and this liquid has none.");
         }
-        meaning.stiffness_fraction = number_of(entity, "stiffness", 0.0, 1.0, "0 to 1");
-        meaning.friction_mu = number_of(entity, "friction", 0.0, kMostFriction, "0 to 2");
+        read_surface(entity, meaning.surface);
+        meaning.look = look_of_surface(meaning.surface);
         if (const MapKey* key = entity.find("material")) {
             if (const MaterialSpec* spec = find_material(trimmed(key->value).substr(0, 64))) {
-                meaning.material = spec->name;
+                meaning.surface.name = spec->name;
             } else {
                 std::vector<std::string> names;
                 for (const MaterialSpec& row : material_library()) names.emplace_back(row.name);
@@ -367,6 +384,79 @@ private:
             }
         }
         return meaning;
+    }
+
+    // ---- surfaces ----
+
+    void read_surface(const MapEntity& entity, Material& surface) {
+        surface.stiffness_fraction = number_of(entity, "stiffness", 0.0, 1.0, "0 to 1");
+        surface.friction_mu = number_of(entity, "friction", 0.0, kMostFriction, "0 to 2");
+        surface.friction_static = number_of(entity, "friction_static", 0.0, kMostFriction, "0 to 2");
+        surface.damping_ns_per_m = number_of(entity, "damping", 0.0, kMostDampingNsPerM, "0 to 10 newton seconds per metre");
+        if (surface.friction_static && surface.friction_mu) {
+            const TextPlace place = entity.find("friction_static")->place;
+            if (*surface.friction_static < *surface.friction_mu) {
+                diagnostics_.warn(place, fmt::format("{} was taken.", *surface.friction_mu), "the key friction_static is below friction.");
+                surface.friction_static = surface.friction_mu;
+            } else if (*surface.friction_static > kMostStaticOverKinetic * *surface.friction_mu) {
+                diagnostics_.warn(place, "It was taken.", "the key friction_static is more than {} times friction; the hand will stick and slip by itself.",
+                                  kMostStaticOverKinetic);
+            }
+        }
+        const std::optional<double> depth_mm = number_of(entity, "texture_depth", 0.0, 5.0, "0 to 5 millimetres");
+        const double turn_rad = radians_from_degrees(number_of(entity, "texture_angle", -360.0, 360.0, "-360 to 360 degrees").value_or(0.0));
+        read_wave(entity, depth_mm, turn_rad, surface);
+        read_picture(entity, depth_mm, turn_rad, surface);
+    }
+
+    void read_wave(const MapEntity& entity, std::optional<double> depth_mm, double turn_rad, Material& surface) {
+        const std::optional<double> share = number_of(entity, "friction_wave", 0.0, 0.3, "0 to 0.3");
+        const std::optional<double> period_mm = number_of(entity, "texture_period", 1.0, 100.0, "1 to 100 millimetres");
+        std::optional<WaveShape> shape;
+        if (const MapKey* key = entity.find("texture_wave")) {
+            const std::string word = lower_ascii(trimmed(key->value).substr(0, 16));
+            if (word == "sine") shape = WaveShape::Sine;
+            else if (word == "square") shape = WaveShape::Square;
+            else if (word == "none") shape = WaveShape::Level;
+            else
+                diagnostics_.warn(key->place, "The surface stays plain.", "the value \"{}\" of the key texture_wave is none of sine, square and none.",
+                                  excerpt(key->value));
+        }
+        if (!share && !shape) return;
+        TextureWave wave;
+        wave.shape = shape.value_or(WaveShape::Level);
+        wave.period_hand_m = period_mm.value_or(kPeriod_mm) * kMillimetre;
+        wave.depth_hand_m = wave.shape == WaveShape::Level ? 0.0 : depth_mm.value_or(kWaveDepth_mm) * kMillimetre;
+        wave.friction_share = share.value_or(0.0);
+        wave.turn_rad = turn_rad;
+        surface.wave = wave;
+    }
+
+    void read_picture(const MapEntity& entity, std::optional<double> depth_mm, double turn_rad, Material& surface) {
+        const std::optional<double> size_units = number_of(entity, "texture_size", 1.0, 1e5, "1 to 100000 units");
+        const MapKey* key = entity.find("texture_picture");
+        if (!key) return;
+        const std::string name = unquoted(trimmed(key->value).substr(0, 256));
+        const auto [found, is_new] = pictures_.try_emplace(name);
+        if (is_new) {
+            const Result<std::string> bytes = options_.read_beside ? options_.read_beside(name) : fail("There is no folder to take it from.", name);
+            Result<HeightPicture> picture = bytes ? read_height_picture(*bytes, name) : tl::unexpected(bytes.error());
+            if (picture) found->second = std::make_shared<const HeightPicture>(std::move(*picture));
+            else
+                diagnostics_.warn(key->place, "The surface stays plain.", "the picture {} of the key texture_picture cannot be used: {}", excerpt(name, 60),
+                                  picture.error().message);
+        }
+        if (!found->second) return;
+        TexturePicture picture;
+        picture.heights = found->second;
+        picture.depth_hand_m = depth_mm.value_or(kPictureDepth_mm) * kMillimetre;
+        picture.turn_rad = turn_rad;
+        for (const MapBrush& brush : entity.brushes)
+            if (const BuiltSolid built = solid_of(brush, false); built.fault == SolidFault::None) picture.box_m.include(built.solid.bounds_m);
+        if (picture.box_m.empty()) return;
+        const Vec3 size = picture.box_m.size_m();
+        picture.size_m = size_units ? *size_units * units_ : std::max(size.x, size.y);
+        surface.picture = picture;
     }
 
     // ---- brushes ----
@@ -535,21 +625,18 @@ private:
     // ---- materials ----
 
     static std::string_view guessed_name(const Meaning& meaning, const TextureFacts& facts) {
-        return meaning.material.empty() && facts.guess ? facts.guess->name : std::string_view{};
+        return meaning.surface.name.empty() && facts.guess ? facts.guess->name : std::string_view{};
     }
 
     // Alike or not must not depend on whether guessing is on, or the same map would have other walls when replayed.
     FaceLook look_of(const Meaning& meaning, const TextureFacts& facts) {
         const std::string_view guess = guessed_name(meaning, facts);
-        const LookKey key{guess.empty() ? meaning.material : std::string(guess), meaning.stiffness_fraction, meaning.friction_mu};
+        const LookKey key{guess.empty() ? meaning.surface.name : std::string(guess), meaning.look};
         return known_looks_.try_emplace(key, static_cast<FaceLook>(known_looks_.size())).first->second;
     }
 
     MaterialId material_of(const Meaning& meaning, const TextureFacts& facts, std::string_view texture) {
-        Material material;
-        material.stiffness_fraction = meaning.stiffness_fraction;
-        material.friction_mu = meaning.friction_mu;
-        material.name = meaning.material;
+        Material material = meaning.surface;
         if (const std::string_view guess = guessed_name(meaning, facts); options_.guess_materials && !guess.empty()) {
             material.name = guess;
             material.guessed = true;
@@ -621,7 +708,7 @@ private:
         diagnostics_.move_into(report);
     }
 
-    using LookKey = std::tuple<std::string, std::optional<double>, std::optional<double>>;
+    using LookKey = std::pair<std::string, std::string>;  // material and keys
 
     const ReadOptions& options_;
     double units_ = 1.0;  // metres per map unit
@@ -634,6 +721,7 @@ private:
     std::vector<ReadEffect> effects_;
     std::map<std::string_view, TextureFacts> textures_;
     std::map<LookKey, FaceLook> known_looks_;
+    std::map<std::string, std::shared_ptr<const HeightPicture>> pictures_;  // null: told already that it cannot be used
     std::map<std::string, std::set<std::string>> guessed_from_;
     std::vector<Plane> planes_;                 // of the brush being built
     std::vector<std::uint32_t> face_of_plane_;  // likewise

@@ -42,6 +42,15 @@ constexpr std::array kForeign{
 // Worldcraft's own format begins with a number and then three letters.
 bool is_rmf(std::string_view bytes) { return bytes.size() > 7 && bytes.substr(4, 3) == "RMF"; }
 
+constexpr std::size_t kLargestBeside_bytes = std::size_t{1} << 27;
+
+// A world may bring files of its own folder and those below, and no others.
+Result<std::string> read_beside(const fs::path& world, const std::string& other) {
+    const fs::path name = fs::path(other).lexically_normal();
+    if (name.empty() || name.is_absolute() || *name.begin() == "..") return fail("A file of a world must lie beside it or in a folder below.", other);
+    return read_whole_file(world.parent_path() / name, kLargestBeside_bytes);
+}
+
 }  // namespace
 
 Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
@@ -52,8 +61,10 @@ Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
     for (const ForeignFile& foreign : kForeign)
         if (bytes->starts_with(foreign.first_bytes)) return fail(std::string(foreign.sentence), name);
     if (is_rmf(*bytes)) return fail("This is a Worldcraft working file. Open it in the editor and export it as a .map file.", name);
+    ReadOptions with_folder = options;
+    if (!with_folder.read_beside) with_folder.read_beside = [&path](const std::string& other) { return read_beside(path, other); };
     for (const MapReader& reader : kReaders)
-        if (reader.accepts(path, *bytes)) return reader.read(*bytes, name, options);
+        if (reader.accepts(path, *bytes)) return reader.read(*bytes, name, with_folder);
     return fail("Handrail reads worlds from .map and .obj files, told by the file's ending. This file has another.", name);
 }
 

@@ -13,8 +13,10 @@
 namespace handrail {
 
 struct ReadOptions {
-    double map_metres_per_unit = 1.0 / 32.0;        // for .map files (Quake: 1/32)
-    bool guess_materials = true;                    // from texture names; exploring yes, replay no
+    double map_metres_per_unit = 1.0 / 32.0;  // for .map files (Quake: 1/32)
+    bool guess_materials = true;              // from texture names; exploring yes, replay no
+    // Another file of the world, by its name relative to the world's own, such as a height picture; empty: there is none to be had.
+    std::function<Result<std::string>(const std::string& name)> read_beside;
     std::function<void(double fraction)> progress;  // 0 to 1, called from the reading thread; may be empty
 };
 
@@ -28,6 +30,9 @@ struct MapReader {
 // Quake-family .map, Standard and Valve 220. Keys of our own, on any entity that has brushes unless said otherwise:
 //   name       spoken name; on worldspawn the world's. All brushes of an entity with a name are one thing.
 //   material   a name of material_library(); stiffness 0 to 1 of what the device can render; friction 0 to 2 (Coulomb's mu)
+//   friction_static 0 to 2; damping 0 to 10 Ns/m of hand speed
+//   texture_wave sine, square or none; texture_period 1 to 100 mm, texture_depth 0 to 5 mm, friction_wave 0 to 0.3, texture_angle in degrees;
+//   texture_picture, a PNG beside the map, with texture_size in units
 //   landmark, clue   0 or 1;   hinge, handle   north, north-east, ... or left, right, top, bottom (doors)
 //   message    a longer description; of a trigger: spoken on entering it
 //   cs_name    liquid, dynamic_box, dynamic_sphere, dynamic_cylinder; else a name;   viscosity 0 to 100 Ns/m of hand speed (liquids)

@@ -1,0 +1,98 @@
+#include "worlds/readers/height_picture.h"
+
+#include <png.h>
+
+#include <csetjmp>
+#include <cstring>
+#include <vector>
+
+namespace handrail {
+namespace {
+
+// What libpng's callbacks and its long jump out of errors share: plain data only, made before the jump's target and freed after it.
+struct Decoder {
+    const unsigned char* bytes = nullptr;
+    std::size_t size = 0, at = 0;
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::vector<unsigned char>* pixels = nullptr;
+    std::vector<png_bytep>* rows = nullptr;
+    int width = 0, height = 0, channels = 0;
+
+    ~Decoder() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+void take_bytes(png_structp png, png_bytep out, std::size_t count) {
+    auto& decoder = *static_cast<Decoder*>(png_get_io_ptr(png));
+    if (count > decoder.size - decoder.at) png_error(png, "cut short");
+    std::memcpy(out, decoder.bytes + decoder.at, count);
+    decoder.at += count;
+}
+
+[[noreturn]] void jump_out(png_structp png, png_const_charp) { png_longjmp(png, 1); }
+void keep_quiet(png_structp, png_const_charp) {}
+
+// To 16 bits a channel, grey or colour, with an alpha channel. No object that must be destroyed lives in here: libpng leaves it by a long jump.
+bool decode(Decoder& d) {
+    if (setjmp(png_jmpbuf(d.png))) return false;
+    png_set_read_fn(d.png, &d, take_bytes);
+    png_set_user_limits(d.png, kLargestPictureSide, kLargestPictureSide);
+    png_set_chunk_malloc_max(d.png, 1 << 24);
+    png_read_info(d.png, d.info);
+    d.width = static_cast<int>(png_get_image_width(d.png, d.info));
+    d.height = static_cast<int>(png_get_image_height(d.png, d.info));
+    png_set_expand_16(d.png);  // palettes, few bits and transparent colours too
+    png_set_add_alpha(d.png, 0xffff, PNG_FILLER_AFTER);
+    png_set_interlace_handling(d.png);
+    png_read_update_info(d.png, d.info);
+    d.channels = png_get_channels(d.png, d.info);
+    const std::size_t row = png_get_rowbytes(d.png, d.info);
+    if (row != static_cast<std::size_t>(d.width) * static_cast<std::size_t>(d.channels) * 2) return false;
+    d.pixels->resize(row * static_cast<std::size_t>(d.height));
+    d.rows->resize(static_cast<std::size_t>(d.height));
+    for (std::size_t y = 0; y < d.rows->size(); ++y) (*d.rows)[y] = d.pixels->data() + y * row;
+    png_read_image(d.png, d.rows->data());
+    png_read_end(d.png, nullptr);
+    return true;
+}
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
+
+}  // namespace
+
+Result<HeightPicture> read_height_picture(std::string_view bytes, const std::string& file_name) {
+    constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+    if (!bytes.starts_with(kSignature)) return fail("This is no PNG picture.", file_name);
+    if (bytes.size() >= 24 && (big_endian(bytes, 16) > kLargestPictureSide || big_endian(bytes, 20) > kLargestPictureSide))
+        return fail("This picture is larger than 4096 pixels on a side. Make it smaller.", file_name);
+    std::vector<unsigned char> pixels;
+    std::vector<png_bytep> rows;
+    Decoder decoder;
+    decoder.bytes = reinterpret_cast<const unsigned char*>(bytes.data());
+    decoder.size = bytes.size();
+    decoder.pixels = &pixels;
+    decoder.rows = &rows;
+    decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, jump_out, keep_quiet);
+    if (decoder.png) decoder.info = png_create_info_struct(decoder.png);
+    if (!decoder.info || !decode(decoder) || decoder.channels < 2) return fail("This picture is damaged or cut short.", file_name);
+
+    HeightPicture picture;
+    picture.width = decoder.width;
+    picture.height = decoder.height;
+    const std::size_t count = static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+    const auto channels = static_cast<std::size_t>(decoder.channels);
+    const auto value = [&](std::size_t pixel, std::size_t channel) {
+        const std::size_t at = 2 * (pixel * channels + channel);
+        return static_cast<float>(pixels[at] << 8 | pixels[at + 1]) / 65535.0F;
+    };
+    picture.depths.resize(count);
+    // The channel before alpha is grey or blue.
+    for (std::size_t i = 0; i < count; ++i) picture.depths[i] = value(i, channels - 2) * value(i, channels - 1);
+    return picture;
+}
+
+}  // namespace handrail
