@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array kSoundNames{"contact",   "slide",      "footstep", "bump",         "wall tone", "splash", "denied",
                                  "forces on", "forces off", "turn",     "frame switch", "arrived",   "alarm",  "beep"};
-constexpr std::array kMaterialNames{"plaster", "wood", "brick", "concrete", "tile", "carpet", "metal", "glass", "stone", "rubber", "grass", "water", "generic"};
+constexpr std::array kMaterialNames{"plaster", "wood",  "brick",   "concrete", "tile", "carpet", "metal", "glass",  "stone",  "rubber",
+                                    "grass",   "water", "plastic", "cloth",    "sand", "earth",  "ice",   "grille", "generic"};
 
 // Thrown inside this file only, so that the reading code can be a list of what is wanted; read_scenario turns it into a Result.
 struct Bad {
@@ -251,6 +252,13 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
             must_be_one_of(e.material, kMaterialNames, e.line, "sound material");
         }
     };
+    const auto direction = [&](const char* key) {
+        e.vector = fields.vector(key);
+        e.has_vector = true;
+        const double length = glm::length(e.vector);
+        if (!(length > 0.0)) throw Bad{e.line, "\"direction\" must not be zero."};
+        e.vector /= length;
+    };
     const auto place = [&](const char* key) {
         e.vector = fields.vector(key, true);
         e.has_vector = true;
@@ -269,13 +277,7 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         const auto range = fields.range("force_n");
         e.low = range[0];
         e.high = range[1];
-        if (fields.has("direction")) {
-            e.vector = fields.vector("direction");
-            e.has_vector = true;
-            const double length = glm::length(e.vector);
-            if (!(length > 0.0)) throw Bad{e.line, "\"direction\" must not be zero."};
-            e.vector /= length;
-        }
+        if (fields.has("direction")) direction("direction");
     }
     if (is("force_step_n", Check::ForceStep)) e.high = fields.number("force_step_n", 0.0, 1e6);
     if (is("force_line_n", Check::ForceLine)) {
@@ -295,6 +297,22 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         e.vector /= length;
     }
     if (is("depth_mm", Check::Depth)) e.high = fields.number("depth_mm", 0.0, 1e6);
+    if (is("slide_mu", Check::SlideRatio)) {
+        const auto range = fields.range("slide_mu");
+        e.low = range[0];
+        e.high = range[1];
+        direction("direction");
+    }
+    if (is("strongest_line_hz", Check::StrongestLine)) {
+        const auto range = fields.range("strongest_line_hz");
+        e.low = range[0];
+        e.high = range[1];
+        e.from_hz = fields.number("from_hz", 0.1, 500.0);
+        e.to_hz = fields.number("to_hz", 0.1, 500.0);
+        e.tolerance = fields.number("at_least_n", 0.0, 1e6);
+    }
+    if (is("told_apart", Check::ToldApart)) fields.flag("told_apart");
+    if (is("not_told_apart", Check::NotToldApart)) e.text = fields.text("not_told_apart");
     if (is("force_rising", Check::ForceRising)) fields.flag("force_rising");
     if (is("body_at", Check::BodyAt)) place("body_at");
     if (is("hip_at", Check::HipAt)) place("hip_at");

@@ -68,7 +68,8 @@ struct SendThing {
     double speed_m_per_s;
 };  // send = "crate": slides there in a straight line while everything goes on
 
-using ScenarioStep = std::variant<TapCommand, HoldCommand, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, PlaceBody, ChangeSetting, AddThing, RemoveThing, SendThing>;
+using ScenarioStep =
+    std::variant<TapCommand, HoldCommand, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, PlaceBody, ChangeSetting, AddThing, RemoveThing, SendThing>;
 
 struct ScenarioAction {
     std::string name;  // for after/before; may be empty
@@ -101,10 +102,14 @@ enum class Check {
     HipAt,
     ProxyAt,
     Heading,
-    Penetration,  // penetration_m: deepest overlap of ball and solids
-    Touching,     // touching: name of what is touched
-    Free,         // free = true: nothing is touched, force zero
-    SoundRising,  // sound_rising = "wall tone": its loudness never falls and grows
+    Penetration,    // penetration_m: deepest overlap of ball and solids
+    Touching,       // touching: name of what is touched
+    Free,           // free = true: nothing is touched, force zero
+    SlideRatio,     // slide_mu = [low, high] with direction: the force across it over the force along it
+    StrongestLine,  // strongest_line_hz = [low, high] with from_hz, to_hz, at_least_n: where the strongest line of the force lies
+    ToldApart,      // told_apart = true: no two materials of the world feel alike
+    NotToldApart,   // not_told_apart: this pair does, and is named
+    SoundRising,    // sound_rising = "wall tone": its loudness never falls and grows
 };
 
 struct Expectation {

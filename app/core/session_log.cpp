@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "app/core/words.h"
+#include "worlds/scene/lint.h"
 
 namespace handrail {
 namespace {
@@ -117,6 +118,20 @@ public:
                     fmt::format("hand at most {} mm in", e_.high));
             case Check::ForceRising:
                 return force_rising();
+            case Check::SlideRatio:
+                return each_tick(
+                    [&](const LoggedTick& t) {
+                        const double along = glm::dot(t.force_n, e_.vector), across = glm::length(t.force_n - e_.vector * along);
+                        return along > 0.0 && across >= e_.low * along && across <= e_.high * along
+                                   ? std::string()
+                                   : fmt::format("{:.4f} N across {:.4f} N, a ratio of {:.4f}", across, along, across / along);
+                    },
+                    fmt::format("a ratio of {} to {}", e_.low, e_.high));
+            case Check::StrongestLine:
+                return strongest_line();
+            case Check::ToldApart:
+            case Check::NotToldApart:
+                return told_apart();
             case Check::BodyAt:
                 return place("body", [](const LoggedTick& t) { return t.feet_m; });
             case Check::HipAt:
@@ -269,6 +284,32 @@ private:
         }
         return worst <= e_.high ? std::string()
                                 : fail(fmt::format("at most {} N between {} and {} Hz", e_.high, e_.from_hz, e_.to_hz), fmt::format("{:.4f} N", worst));
+    }
+
+    std::string strongest_line() const {
+        double best_n = 0.0, best_hz = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            std::vector<double> samples;
+            for (const LoggedTick& t : log_.ticks)
+                if (window_.has(t.time_s)) samples.push_back(t.force_n[axis]);
+            const double step_hz = samples.empty() ? 1.0 : 0.25e3 / static_cast<double>(samples.size());
+            for (double hz = e_.from_hz; hz <= e_.to_hz; hz += step_hz)
+                if (const double n = line_amplitude(samples, 1e-3, hz, hz); n > best_n) {
+                    best_n = n;
+                    best_hz = hz;
+                }
+        }
+        if (best_n >= e_.tolerance && best_hz >= e_.low && best_hz <= e_.high) return {};
+        return fail(fmt::format("the strongest line between {} and {} Hz, of {} N or more", e_.low, e_.high, e_.tolerance),
+                    fmt::format("{:.4f} N at {:.2f} Hz", best_n, best_hz));
+    }
+
+    std::string told_apart() const {
+        const std::vector<std::string> problems = lint_materials(scene_).problems;
+        if (e_.check == Check::ToldApart) return problems.empty() ? std::string() : fail("materials that can be told apart", problems.front());
+        for (const std::string& problem : problems)
+            if (words_in_order(e_.text, problem)) return {};
+        return fail(fmt::format("\"{}\" to be named", e_.text), problems.empty() ? "nothing to be reported" : problems.front());
     }
 
     std::string force_rising() const {

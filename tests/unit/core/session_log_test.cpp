@@ -86,6 +86,11 @@ TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_s
     fails(Check::ForceStep, [](Expectation& e) { e.high = 0.0009; });
     fails(Check::ForceBand, [](Expectation& e) { e.high = 0.0, e.from_hz = 1, e.to_hz = 10; });
     holds(Check::ForceRising, [](Expectation&) {});
+    holds(Check::SlideRatio, [](Expectation& e) { e.low = 0, e.high = 0.1, e.vector = {0, -1, 0}, e.from.offset_s = 0.6; });
+    fails(Check::SlideRatio, [](Expectation& e) { e.low = 0.1, e.high = 0.2, e.vector = {0, -1, 0}, e.from.offset_s = 0.6; });
+    fails(Check::SlideRatio, [](Expectation& e) { e.low = 0, e.high = 0.1, e.vector = {0, 1, 0}, e.from.offset_s = 0.6; });
+    holds(Check::ToldApart, [](Expectation&) {});
+    fails(Check::NotToldApart, [](Expectation& e) { e.text = "wood and rubber"; });
     holds(Check::HipAt, [](Expectation& e) { e.vector = {0, 0.9, 1}, e.tolerance = 1e-6; });
     fails(Check::ProxyAt, [](Expectation& e) { e.vector = {0, 0.8, 1}, e.tolerance = 1e-6, e.always = false; });
     fails(Check::BodyAt, [](Expectation& e) { e.vector = {0, 1, 1}, e.tolerance = 0.1; });
@@ -94,6 +99,10 @@ TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_s
     holds(Check::Touching, [](Expectation& e) { e.text = "north wall", e.always = false; });
     fails(Check::Touching, [](Expectation& e) { e.text = "north wall"; });
     fails(Check::Free, [](Expectation&) {});
+    for (LoggedTick& t : log.ticks) t.force_n.z = 0.2 * std::sin(2.0 * kPi * 5.0 * t.time_s);
+    holds(Check::StrongestLine, [](Expectation& e) { e.low = 4.8, e.high = 5.2, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.15; });
+    fails(Check::StrongestLine, [](Expectation& e) { e.low = 4.8, e.high = 5.2, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.3; });
+    fails(Check::StrongestLine, [](Expectation& e) { e.low = 9.0, e.high = 11.0, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.01; });
     log.ticks.back().proxy_m.y = 0.95;  // 5 cm into the wall
     fails(Check::Penetration, [](Expectation& e) { e.high = 0.04; });
     log.ticks.back().force_n = Vec3(0.0);

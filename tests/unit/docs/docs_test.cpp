@@ -23,10 +23,19 @@ TEST(SettingsGuide, lists_every_setting_as_the_program_explains_it) {
     EXPECT_THAT(table_rows("settings.md", "| Key | Default |"), UnorderedElementsAreArray(expected));
 }
 
-TEST(MapAuthorsGuide, lists_every_material_with_its_stiffness_and_friction) {
+TEST(MapAuthorsGuide, lists_every_material_with_what_it_feels_like) {
     std::vector<std::string> expected;
-    for (const MaterialSpec& material : material_library())
-        expected.push_back(fmt::format("| {} | {} | {} |", material.name, material.stiffness_fraction, material.friction_mu));
+    for (const MaterialSpec& material : material_library()) {
+        const TextureWave& wave = material.wave;
+        std::string texture = "none";
+        if (wave.shape != WaveShape::Level)
+            texture = fmt::format("{}, {:g} mm deep, every {:g} mm", wave.shape == WaveShape::Sine ? "sine" : "square", 1e3 * wave.depth_hand_m,
+                                  1e3 * wave.period_hand_m);
+        else if (wave.friction_share > 0.0) texture = fmt::format("friction varies by {:g} every {:g} mm", wave.friction_share, 1e3 * wave.period_hand_m);
+        expected.push_back(fmt::format("| {} | {} | {} | {} | {} | {} |", material.name, material.stiffness_fraction, material.friction_static,
+                                       material.friction_mu, material.damping_ns_per_m < 0.0 ? "as set" : fmt::format("{}", material.damping_ns_per_m),
+                                       texture));
+    }
     EXPECT_THAT(table_rows("map-authors-guide.md", "| Material | Stiffness |"), UnorderedElementsAreArray(expected));
 }
 
