@@ -152,7 +152,7 @@ Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& 
             error2 += error * error;
             off += error > kOff_m;
             const bool wrong = glm::length(wanted) > kHeld_m && glm::dot(pull, wanted) <= 0.0;
-            out.pop_throughs += wrong && !was_wrong;
+            out.wrong_holds += wrong && !was_wrong;
             was_wrong = wrong;
         }
         if (const double far = glm::length(goal);

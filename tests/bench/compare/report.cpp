@@ -49,7 +49,7 @@ std::vector<Summary> summarise(const BenchReport& report, bool by_family, Chosen
             s.error_rms_m += m.error_rms_m * m.error_rms_m;
             s.error_max_m = std::max(s.error_max_m, m.error_max_m);
             s.off_share += m.off_share;
-            s.pop_throughs += m.pop_throughs;
+            s.wrong_holds += m.wrong_holds;
         }
         if (m.given_j) {
             s.given_j = s.closed ? std::max(s.given_j, *m.given_j) : *m.given_j;
@@ -82,22 +82,26 @@ bool is_main(const Summary& s) {
 std::string time_words(double seconds) {
     if (seconds < 999.5e-9) return fmt::format("{:.0f} ns", seconds * 1e9);
     if (seconds < 999.5e-6) return fmt::format("{:.3g} us", seconds * 1e6);
-    return fmt::format("{:.3g} ms", seconds * 1e3);
+    if (seconds < 0.9995) return fmt::format("{:.3g} ms", seconds * 1e3);
+    return fmt::format("{:.3g} s", seconds);
 }
 std::string length_words(double metres) {
     const double size = std::abs(metres);
     if (size < 1e-12) return "0";
-    if (size < 0.9995e-9) return fmt::format("{:.2g} pm", metres * 1e12);
+    if (size < 0.9995e-9) return fmt::format("{:.0f} pm", metres * 1e12);
     if (size < 0.9995e-6) return fmt::format("{:.3g} nm", metres * 1e9);
     if (size < 0.9995e-3) return fmt::format("{:.3g} um", metres * 1e6);
     return fmt::format("{:.3g} mm", metres * 1e3);
 }
-std::string energy_words(double joules) { return std::abs(joules) < 5e-7 ? "0" : fmt::format("{:.3g} mJ", joules * 1e3); }
+std::string energy_words(double joules) {
+    if (std::abs(joules) < 5e-7) return "0";
+    return std::abs(joules) < 0.9995 ? fmt::format("{:.3g} mJ", joules * 1e3) : fmt::format("{:.3g} J", joules);
+}
 
 // The cells of one row, for text and Markdown alike.
 const std::vector<std::string>& columns() {
-    static const std::vector<std::string> names{"Renderer",          "Mean tick",   "99.9 %",       "Worst tick", "Error, rms", "Largest",
-                                                "Off by over 10 um", "Penetration", "Pop-throughs", "Force jump", "Work given", "Instructions"};
+    static const std::vector<std::string> names{"Renderer",          "Mean tick",   "99.9 %",      "Worst tick", "Error, rms", "Largest",
+                                                "Off by over 10 um", "Penetration", "Wrong holds", "Force jump", "Work given", "Instructions"};
     return names;
 }
 std::vector<std::string> cells(const Summary& s) {
@@ -112,7 +116,7 @@ std::vector<std::string> cells(const Summary& s) {
             s.has_ball                    ? length_words(std::max(0.0, s.penetration_m))
             : s.renderer == "penalty_sum" ? "no ball"
                                           : "-",
-            known ? std::to_string(s.pop_throughs) : "-",
+            known ? std::to_string(s.wrong_holds) : "-",
             fmt::format("{:.3g} N", s.largest_jump_n),
             s.closed ? energy_words(s.given_j) : "-",
             s.instructions >= 0.0 ? fmt::format("{:.0f}", s.instructions) : "-"};
@@ -318,7 +322,7 @@ std::string json_of(const BenchReport& report) {
         one["error_p99_m"] = or_null(m.referenced, m.error_p99_m);
         one["error_max_m"] = or_null(m.referenced, m.error_max_m);
         one["share_off_by_10_um"] = or_null(m.referenced, m.off_share);
-        one["pop_throughs"] = m.referenced ? Json(m.pop_throughs) : Json(nullptr);
+        one["wrong_holds"] = m.referenced ? Json(m.wrong_holds) : Json(nullptr);
         one["penetration_m"] = or_null(m.has_ball, m.penetration_m);
         one["work_given_j"] = or_null(m.given_j.has_value(), m.given_j.value_or(0.0));
         if (m.direction_error_rms_rad) {

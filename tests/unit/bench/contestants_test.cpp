@@ -40,7 +40,7 @@ TEST(Contestants, that_keep_a_ball_outside_agree_in_a_corner_of_three_boxes) {
             const Measured m = measure(world, truth, contestant, 1, 1e7);
             SCOPED_TRACE(fmt::format("{}, seed {}: error {} rms, {} at most", m.title, seed, m.error_rms_m, m.error_max_m));
             if (!contestant.has_ball) continue;
-            EXPECT_EQ(m.pop_throughs, 0);
+            EXPECT_EQ(m.wrong_holds, 0);
             EXPECT_LE(m.penetration_m, m.renderer == "single_precision" ? 1e-6 : 1e-9);
             EXPECT_LE(m.error_rms_m, m.renderer == "handrail" ? 1e-12 : 2e-4);
         }
@@ -73,9 +73,9 @@ TEST(Contestants, a_penalty_pops_through_a_thin_wall_and_a_proxy_does_not) {
         wall.box({-5e-5, -.1, -.1}, {5e-5, .1, .1});
         const BenchWorld world = world_of(wall, {{-.03, 0, 0}, {.03, .001, .001}, {-.03, 0, 0}}, 0.5, seed);
         const Truth truth = truth_of(world, 1e9);
-        EXPECT_GT(measure(world, truth, penalty_sum(), 1, 1e7).pop_throughs, 0);
+        EXPECT_GT(measure(world, truth, penalty_sum(), 1, 1e7).wrong_holds, 0);
         for (const Contestant& proxy : {handrail_touch(), sequential_planes(), active_set(64), single_precision()})
-            EXPECT_EQ(measure(world, truth, proxy, 1, 1e7).pop_throughs, 0) << proxy.title;
+            EXPECT_EQ(measure(world, truth, proxy, 1, 1e7).wrong_holds, 0) << proxy.title;
     }
 }
 
