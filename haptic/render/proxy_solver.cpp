@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace handrail {
 namespace {
@@ -208,22 +209,29 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
         });
         known_m_ = std::max(known_m_, free_m);
     }
+    bodies_known_m_ = std::numeric_limits<double>::infinity();
+    bodies_moved_ = false;
     for (std::size_t b = 0; b < body_count_; ++b) {
         Track& track = tracks_[b];
         if (!track.present) continue;
         const PlacedFrame& frame = track.frame;
         const HapticScene& shape = *scene.bodies[b].shape;
+        track.reach_m = scene.bodies[b].reach_m * frame.scale;
+        track.known_m = glm::length(at - frame.position_m) - track.reach_m;  // no part of it is nearer than this
+        track.looked_at = track.known_m <= reach_m;
+        if (!track.looked_at) {
+            bodies_known_m_ = std::min(bodies_known_m_, track.known_m);
+            continue;
+        }
         const Vec3 own = frame.to_own(at);
         track.known_from_m = own;
-        // No part of it is nearer than this.
-        track.known_m = (glm::length(own) - scene.bodies[b].reach_m) * frame.scale;
-        if (track.known_m > reach_m) continue;
         const int first = count_;
         track.known_m = collect(shape, static_cast<std::uint16_t>(b), own - shape.origin_m, reach_m / frame.scale, needed_m / frame.scale) * frame.scale;
         for (int i = first; i < count_; ++i) {
             const HalfSpace cut = cuts_[static_cast<std::size_t>(i)];  // own axes and metres, from `own`
             keep_cut(i, {frame.turned(cut.normal), cut.offset_m * frame.scale});
         }
+        bodies_known_m_ = std::min(bodies_known_m_, track.known_m);
     }
     if (one_sided_count_ > 0) turn_sheets(scene);
     awake_count_ = 0;
@@ -232,7 +240,10 @@ void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed
 double ProxySolver::known_of_bodies(const Vec3& at_m, double known) const noexcept {
     for (std::size_t b = 0; b < body_count_; ++b) {
         const Track& track = tracks_[b];
-        if (track.present) known = std::min(known, track.known_m - glm::length(track.frame.to_own(anchor_m_ + at_m) - track.known_from_m) * track.frame.scale);
+        if (!track.present) continue;
+        const Vec3 at = anchor_m_ + at_m;
+        known = std::min(known, track.looked_at ? track.known_m - glm::length(track.frame.to_own(at) - track.known_from_m) * track.frame.scale
+                                                : glm::length(at - track.frame.position_m) - track.reach_m);
     }
     return known;
 }
@@ -307,8 +318,15 @@ void ProxySolver::advance_bodies(const HapticScene& scene, const Request& reques
             stand(scene, track, pose.at);
             track.from = track.to = pose.at;
             track.present = pose.present;
-            track.known_m = -1.0;
+            known_m_ = -1.0;
             place_in(scene, id, radius_m);
+            continue;
+        }
+        bodies_moved_ = true;
+        if (!near && !track.looked_at) {
+            stand(scene, track, pose.at);
+            track.reach_m = reach * track.frame.scale;
+            track.from = track.to = pose.at;
             continue;
         }
         track.to = pose.at;
@@ -330,6 +348,7 @@ void ProxySolver::sub_step(const HapticScene& scene, const Request& request, dou
         const PlacedFrame before = track.frame;
         stand(scene, track, part == 1.0 ? track.to : between(track.from, track.to, part));
         if (one_sided_count_ > 0) turn_sheets_of(scene, static_cast<std::uint16_t>(b), before);
+        track.reach_m = scene.bodies[b].reach_m * track.frame.scale;
         if (carrier_ == b) wish = track.frame.to_world(before.to_own(local_m())) - anchor_m_;
     }
     if (!any) return;

@@ -9,6 +9,7 @@
 // environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy renewal: docs/architecture.md.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -127,7 +128,9 @@ private:
         PlacedFrame frame;       // of `at`, in the scene's own coordinates
         bool present = false;
         bool moved = false;      // on this sub-step
-        Vec3 known_from_m{0.0};  // own frame: every obstacle nearer to here than known_m is a candidate
+        bool looked_at = false;  // some of it may be candidates; else all of it is as far as its sphere
+        double reach_m = 0.0;    // of that sphere around its frame's zero, world metres
+        Vec3 known_from_m{0.0};  // looked at: own frame; every obstacle nearer to here than known_m is a candidate
         double known_m = -1.0;   // world metres
     };
 
@@ -143,7 +146,8 @@ private:
     // How far around a place every obstacle is a candidate.
     double known_around(const Vec3& at_m) const noexcept {
         const double known = known_m_ - glm::length(at_m);
-        return body_count_ == 0 ? known : known_of_bodies(at_m, known);
+        if (body_count_ == 0) return known;
+        return bodies_moved_ ? known_of_bodies(at_m, known) : std::min(known, bodies_known_m_ - glm::length(at_m));
     }
     double known_of_bodies(const Vec3& at_m, double known_m) const noexcept;
     void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
@@ -196,6 +200,8 @@ private:
     std::vector<Ghost> ghosts_;
     std::vector<Track> tracks_;  // of the scene's bodies
     std::size_t body_count_ = 0;
+    double bodies_known_m_ = 0.0;  // around the anchor, at the last gathering
+    bool bodies_moved_ = false;    // since then
     std::uint64_t bodies_number_ = 0;
     std::uint16_t carrier_ = kStill;
     int hurry_ = 0;  // moves left in which the ball may hasten to a goal that a vanished thing kept it from

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Mean instructions per tick, counted by callgrind: of servo_tick, and of touch_tick within it, on the recorded walk through quake-e1m1.map (ball 5 mm,
-# scale 1); with the word spheres, of touch_tick on spheres of 1e3 to 1e6 triangles (mesh_touch); with surfaces, on textures and shading (surface_touch).
-#   tests/bench/instructions.sh [BUILD_FOLDER] [TICKS] [MOST] [walk|spheres|surfaces]     default build/release 60000 5000 walk; fails above MOST
+# scale 1); with the word spheres, of touch_tick on spheres of 1e3 to 1e6 triangles (mesh_touch); with surfaces, on textures and shading (surface_touch);
+# with bodies, among things that stand or move (bodies_touch).
+#   tests/bench/instructions.sh [BUILD_FOLDER] [TICKS] [MOST] [walk|spheres|surfaces|bodies]     default build/release 60000 5000 walk; fails above MOST
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=${1:-build/release} ticks=${2:-60000} most=${3:-5000} where=${4:-walk}
@@ -21,5 +22,6 @@ case $where in
 walk) for part in servo touch; do count "${part}_tick" "$build/bin/touch_walk" "$ticks" "$part"; done ;;
 spheres) for frequency in 7 22 71 224; do count touch_tick "$build/bin/mesh_touch" "$ticks" "$frequency" count; done ;;
 surfaces) for kind in plain friction sine square picture facets shaded; do count "touch_tick on $kind" "$build/bin/surface_touch" "$ticks" "$kind"; done ;;
-*) echo "walk, spheres or surfaces, not $where."; exit 2 ;;
+bodies) for mode in none still far pushing; do count "touch_tick, bodies $mode" "$build/bin/bodies_touch" "$ticks" "$mode"; done ;;
+*) echo "walk, spheres, surfaces or bodies, not $where."; exit 2 ;;
 esac

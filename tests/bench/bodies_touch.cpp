@@ -1,0 +1,68 @@
+// What bodies cost: a hand that feels its way over a floor of boxes, 3 mm deep at 0.25 m/s, with a number of crates as bodies around it that stand
+// still, move afar, or of which one pushes the ball. Under callgrind, instructions.sh counts touch_tick.
+//   bodies_touch TICKS none|still|far|pushing [BODIES]
+#include <cstdlib>
+#include <iostream>
+
+#include "haptic/render/touch.h"
+
+namespace handrail::test {
+namespace {
+
+[[gnu::noinline]] double measured_ticks(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals,
+                                        std::vector<BodyPose>& poses, const std::vector<Vec3>& steps) {
+    double sum = 0.0;
+    std::uint64_t number = 0;
+    for (std::size_t i = 0; i < goals.size(); ++i) {
+        if (!steps.empty()) {
+            ++number;
+            const double there_and_back = i / 200 % 2 == 0 ? 1.0 : -1.0;
+            for (std::size_t b = 0; b < poses.size(); ++b) poses[b].at.position_m += steps[b] * there_and_back;
+        }
+        sum += touch_tick(state, scene, tuning, goals[i], 1e-3, Vec3(0.0), {poses, number}).force_n.x;
+    }
+    return sum;
+}
+
+int run(int ticks, const std::string& mode, int bodies) {
+    HapticSceneBuilder floor;
+    for (int x = -5; x < 5; ++x)
+        for (int y = -5; y < 5; ++y) floor.add_box({Vec3(x, y, -1.0), Vec3(x + 1.0, y + 1.0, 0.0)});
+    HapticSceneBuilder crate;
+    crate.add_box({Vec3(-0.1), Vec3(0.1)});
+    const auto shape = crate.build();
+    const bool pushing = mode == "pushing";
+    for (int b = 0; mode != "none" && b < bodies; ++b) {
+        const double turn = 2.0 * kPi * b / bodies;
+        const Vec3 place = pushing && b == 0 ? Vec3(-0.105, 0.0, 0.05) : Vec3(std::cos(turn), std::sin(turn), 0.3) * 2.0;
+        floor.add_body(FeatureId{static_cast<std::uint32_t>(b)}, shape, {place, rotation_about({0, 0, 1}, pushing && b == 0 ? 0.0 : turn), 1.0});
+    }
+    const auto scene = floor.build();
+    std::vector<BodyPose> poses;
+    std::vector<Vec3> steps;
+    for (const HapticBody& body : scene->bodies) {
+        poses.push_back({body.start, true});
+        if (mode == "far") steps.emplace_back(0.0, 0.0, 2e-4);
+        if (pushing) steps.push_back(poses.size() == 1 ? Vec3(2e-4, 0.0, 0.0) : Vec3(0.0));
+    }
+    std::vector<Vec3> goals;
+    for (int i = 0; i < ticks; ++i) goals.emplace_back(pushing ? 0.0 : 0.4 * std::sin(6e-4 * i), pushing ? 0.0 : 0.4 * std::cos(5e-4 * i), 0.002);
+    TouchTuning tuning;
+    tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
+    TouchState state;
+    touch_tick(state, *scene, tuning, goals[0] + Vec3(0.0, 0.0, 0.01), 1e-3, Vec3(0.0), {poses, 0});
+    std::cout << mode << ", " << scene->bodies.size() << " bodies, checksum " << measured_ticks(state, *scene, tuning, goals, poses, steps) << '\n';
+    return 0;
+}
+
+}  // namespace
+}  // namespace handrail::test
+
+int main(int argc, char** argv) {
+    const std::string mode = argc > 2 ? argv[2] : "still";
+    if (mode != "none" && mode != "still" && mode != "far" && mode != "pushing") {
+        std::cerr << "none, still, far or pushing, not " << mode << ".\n";
+        return 2;
+    }
+    return handrail::test::run(argc > 1 ? std::max(1, std::atoi(argv[1])) : 20000, mode, argc > 3 ? std::clamp(std::atoi(argv[3]), 1, 128) : 20);
+}
