@@ -67,7 +67,7 @@ void AppCore::enter_world(std::shared_ptr<const Scene> scene, double now_s) {
 
 void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad, double now_s) {
     scene_ = std::move(scene);
-    haptic_scene_ = compile_haptic(*scene_, MaterialSource::Library);
+    haptic_scene_ = compile_haptic(*scene_, MaterialSource::Library, 0, MeshOptions{});
     things_.enter(*scene_, *haptic_scene_, now_s);
     hand_shift_m_ = Vec3(0.0);
     walker_.reset();
@@ -440,7 +440,7 @@ void AppCore::bring_out(double now_s) {
 // The same world with something added or removed: everything else goes on.
 void AppCore::change_world(Scene scene, double now_s) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
-    haptic_scene_ = compile_haptic(*scene_, MaterialSource::Library, haptic_scene_->world);
+    haptic_scene_ = compile_haptic(*scene_, MaterialSource::Library, haptic_scene_->world, MeshOptions{});
     things_.enter(*scene_, *haptic_scene_, now_s);
     rebuild_body_world();
 }

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/main/commands.h"
+#include "haptic/compile/compile_haptic.h"
 #include "worlds/base/clock.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/lint.h"
@@ -150,6 +151,13 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
         return 1;
     }
     if (arguments.lint) return tell_lint(*scene, out);
+    const bool has_mesh = !scene->triangles.empty() ||
+                          std::any_of(scene->placed.begin(), scene->placed.end(), [](const PlacedModel& placed) { return !placed.model->triangles.empty(); });
+    if (has_mesh) {  // what exploring makes of it
+        MeshReport mesh;
+        compile_haptic(*scene, MaterialSource::Library, 0, MeshOptions{}, &mesh);
+        for (std::string& sentence : mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
+    }
     if (arguments.json) out << json_of(*scene, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else tell(*scene, cost, out);
     return 0;

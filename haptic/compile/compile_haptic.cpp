@@ -94,18 +94,46 @@ std::vector<SurfaceLabel> labels_of(const Solid& solid) {
     return labels;
 }
 
+// Triangles of one feature and material are one surface. label: instead of their own.
+void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, const SurfaceLabel* label, const MeshOptions& options,
+                   MeshReport& report) {
+    if (triangles.empty()) return;
+    std::vector<SurfaceLabel> labels;
+    std::map<std::pair<std::uint32_t, MaterialId>, std::uint32_t> known;
+    std::vector<Vec3> corners_m;
+    std::vector<std::uint32_t> surfaces;
+    corners_m.reserve(3 * triangles.size());
+    surfaces.reserve(triangles.size());
+    for (const MeshTriangle& t : triangles) {
+        corners_m.insert(corners_m.end(), {t.a_m, t.b_m, t.c_m});
+        const SurfaceLabel own = label ? *label : SurfaceLabel{t.feature, t.material, false};
+        const auto [surface, is_new] = known.try_emplace({own.feature.value, own.material}, static_cast<std::uint32_t>(labels.size()));
+        if (is_new) labels.push_back(own);
+        surfaces.push_back(surface->second);
+    }
+    const PreparedMesh mesh = prepare_mesh(corners_m, surfaces, options);
+    std::vector<SurfaceLabel> of_triangles;
+    of_triangles.reserve(mesh.surfaces.size());
+    for (const std::uint32_t surface : mesh.surfaces) of_triangles.push_back(labels[surface]);
+    builder.add_mesh(mesh.mesh, of_triangles);
+    for (std::size_t i = 0; i < mesh.polygons.size(); ++i) builder.add_polygon(mesh.polygons[i].points_m, labels[mesh.polygon_surfaces[i]]);
+    report += mesh.report;
+}
+
 // What of a model can be touched, all under one name and of one material.
-std::shared_ptr<const HapticScene> compile_model(const Scene& model, const SurfaceLabel& label) {
+std::shared_ptr<const HapticScene> compile_model(const Scene& model, const SurfaceLabel& label, const MeshOptions& mesh, MeshReport& report) {
     HapticSceneBuilder builder;
     for (const Solid& solid : model.solids)
         if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) builder.add_solid(solid.shape.planes, solid.shape.bounds_m, label);
-    for (const MeshTriangle& t : model.triangles) builder.add_triangle(t.a_m, t.b_m, t.c_m, label);
+    add_triangles(builder, model.triangles, &label, mesh, report);
     return builder.build();
 }
 
 }  // namespace
 
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials, std::uint32_t world) {
+std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials, std::uint32_t world, const MeshOptions& mesh,
+                                                  MeshReport* report) {
+    MeshReport done;
     std::vector<HapticMaterial> compiled;
     compiled.reserve(scene.materials.size());
     Reliefs reliefs;
@@ -129,10 +157,11 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSo
         }
     }
     if (materials == MaterialSource::Library) builder.shade_meshes();
-    for (const MeshTriangle& t : scene.triangles) builder.add_triangle(t.a_m, t.b_m, t.c_m, {t.feature, t.material, false});
+    add_triangles(builder, scene.triangles, nullptr, mesh, done);
     for (const PlacedModel& placed : scene.placed)
-        builder.add_body(placed.feature, compile_model(*placed.model, {placed.feature, placed.material, false}), placed.at);
+        builder.add_body(placed.feature, compile_model(*placed.model, {placed.feature, placed.material, false}, mesh, done), placed.at);
     add_effects(builder, scene);
+    if (report) *report += done;
     return builder.build(world);
 }
 

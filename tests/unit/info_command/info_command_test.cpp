@@ -84,6 +84,18 @@ TEST(InfoCommand, tells_the_same_in_sentences) {
         EXPECT_THAT(run.out, testing::HasSubstr(said));
 }
 
+TEST(InfoCommand, says_what_exploring_makes_of_a_mesh) {
+    const test::TemporaryFolder folder;
+    // A floor of four triangles, one of them twice, and a wall.
+    const std::filesystem::path file =
+        folder.write("hall.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nv 0 0 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 5\nf 1 2 6\n");
+    const nlohmann::json json = nlohmann::json::parse(info(file, true).out);
+    EXPECT_EQ(json["triangles"], 6);
+    EXPECT_EQ(json["simplified"],
+              nlohmann::json({"One triangle that repeats another was left out.",
+                              "4 triangles were joined to one flat polygon, at most 0 millimetres out of plane (bound 0.01 millimetres)."}));
+}
+
 TEST(InfoCommand, fails_with_one_sentence_and_nothing_on_stdout) {
     const test::TemporaryFolder folder;
     for (const bool json : {false, true}) {

@@ -1,0 +1,264 @@
+#include "haptic/compile/prepare_mesh.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include "haptic/compile/simplify_mesh.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+constexpr double kLowest_m = 1e-7;  // below this height over its longest edge a triangle is that edge for touch too
+
+// Points by a key of three integers: a table with open addressing that holds indices.
+class PointTable {
+public:
+    using Key = std::array<std::int64_t, 3>;
+
+    explicit PointTable(std::size_t most) : slots_(std::bit_ceil(2 * most + 2), kNone) { keys_.reserve(most); }
+
+    // Calls visit(point) for the points with this key.
+    template <class Visit>
+    void each(const Key& key, Visit&& visit) const {
+        for (std::size_t i = hash(key);; ++i) {
+            const std::uint32_t point = slots_[i & (slots_.size() - 1)];
+            if (point == kNone) return;
+            if (keys_[point] == key) visit(point);
+        }
+    }
+    // Points come in rising order from 0.
+    void add(const Key& key) {
+        std::size_t i = hash(key);
+        while (slots_[i & (slots_.size() - 1)] != kNone) ++i;
+        slots_[i & (slots_.size() - 1)] = static_cast<std::uint32_t>(keys_.size());
+        keys_.push_back(key);
+    }
+
+private:
+    static std::size_t hash(const Key& key) {
+        std::uint64_t h = 0;
+        for (const std::int64_t part : key) {
+            h = (h ^ static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15ULL;
+            h ^= h >> 32;
+        }
+        return static_cast<std::size_t>(h);
+    }
+    std::vector<std::uint32_t> slots_;
+    std::vector<Key> keys_;
+};
+
+using Sorted = std::array<std::uint32_t, 3>;
+Sorted sorted(const Corners& t) {
+    Sorted s = t;
+    std::sort(s.begin(), s.end());
+    return s;
+}
+
+// The corners of a triangle's longest edge, the lower first; equal for a point.
+std::pair<std::uint32_t, std::uint32_t> longest_edge(const TriangleMesh& mesh, const Corners& t) {
+    double longest = -1.0;
+    std::pair<std::uint32_t, std::uint32_t> edge{t[0], t[0]};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+        const double length = glm::length(mesh.points_m[b] - mesh.points_m[a]);
+        if (length > longest) {
+            longest = length;
+            edge = std::minmax(a, b);
+        }
+    }
+    return edge;
+}
+
+bool has_area(const TriangleMesh& mesh, const Corners& t) {
+    const Vec3 a = mesh.points_m[t[0]], b = mesh.points_m[t[1]], c = mesh.points_m[t[2]];
+    const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+    return longest > 0.0 && glm::length(glm::cross(b - a, c - a)) > kLowest_m * longest;
+}
+
+void keep(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, const std::vector<bool>& dropped) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (dropped[t]) continue;
+        mesh.triangles[kept] = mesh.triangles[t];
+        surfaces[kept++] = surfaces[t];
+    }
+    mesh.triangles.resize(kept);
+    surfaces.resize(kept);
+}
+
+// Drops triangles without area whose longest edge is an edge of one with area (a point: a corner), so that nothing of them is missed; and all but the
+// first of those with the same corners and surface.
+void tidy(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, MeshReport& report) {
+    std::vector<bool> dropped(mesh.triangles.size(), false), flat(mesh.triangles.size(), false), used(mesh.points_m.size(), false);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(3 * mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Corners& c = mesh.triangles[t];
+        flat[t] = !has_area(mesh, c);
+        for (std::size_t k = 0; k < 3 && !flat[t]; ++k) {
+            edges.push_back(std::minmax(c[k], c[(k + 1) % 3]));
+            used[c[k]] = true;
+        }
+    }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (!flat[t]) continue;
+        const auto edge = longest_edge(mesh, mesh.triangles[t]);
+        dropped[t] = edge.first == edge.second ? used[edge.first] : std::binary_search(edges.begin(), edges.end(), edge);
+        report.without_area += dropped[t];
+    }
+    std::vector<std::uint32_t> order(mesh.triangles.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto key = [&](std::uint32_t t) { return std::pair(sorted(mesh.triangles[t]), surfaces[t]); };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        const auto ka = key(a), kb = key(b);
+        return ka != kb ? ka < kb : a < b;
+    });
+    for (std::size_t i = 1; i < order.size(); ++i) {
+        if (key(order[i]) != key(order[i - 1]) || dropped[order[i]]) continue;
+        dropped[order[i]] = true;
+        ++report.repeated;
+    }
+    keep(mesh, surfaces, dropped);
+}
+
+// Leaves out points that no triangle uses.
+void compact(TriangleMesh& mesh) {
+    std::vector<std::uint32_t> place(mesh.points_m.size(), kNone);
+    std::vector<Vec3> points;
+    for (Corners& t : mesh.triangles)
+        for (std::uint32_t& corner : t) {
+            if (place[corner] == kNone) {
+                place[corner] = static_cast<std::uint32_t>(points.size());
+                points.push_back(mesh.points_m[corner]);
+            }
+            corner = place[corner];
+        }
+    mesh.points_m = std::move(points);
+    mesh.points_m.shrink_to_fit();
+}
+
+// 0.00012 as "0.12 millimetres".
+std::string length_in_words(double m) {
+    return m >= 1e-3 || m == 0.0 ? fmt::format("{:.3g} millimetres", m * 1e3) : fmt::format("{:.2g} millimetres", m * 1e3);
+}
+
+}  // namespace
+
+TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, MeshReport& report) {
+    TriangleMesh mesh;
+    mesh.triangles.resize(corners_m.size() / 3);
+    PointTable table(corners_m.size());
+    std::vector<Vec3> distinct;  // under tolerance: places that were met, each once, in the table too
+    std::vector<std::uint32_t> stands_for;
+    const auto bits = [](double v) { return std::bit_cast<std::int64_t>(v == 0.0 ? 0.0 : v); };
+    PointTable cells(tolerance_m > 0.0 ? corners_m.size() : 0);
+    const auto cell = [&](double v) { return static_cast<std::int64_t>(std::floor(std::clamp(v / tolerance_m, -9e17, 9e17))); };
+    for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) {
+        const Vec3& p = corners_m[i];
+        const PointTable::Key exact{bits(p.x), bits(p.y), bits(p.z)};
+        std::uint32_t met = kNone;
+        table.each(exact, [&](std::uint32_t point) { met = point; });
+        if (met == kNone) {
+            std::uint32_t one = kNone;
+            double nearest = tolerance_m;
+            if (tolerance_m > 0.0)
+                for (int dx = -1; dx <= 1; ++dx)
+                    for (int dy = -1; dy <= 1; ++dy)
+                        for (int dz = -1; dz <= 1; ++dz)
+                            cells.each({cell(p.x) + dx, cell(p.y) + dy, cell(p.z) + dz}, [&](std::uint32_t point) {
+                                const double distance = glm::length(mesh.points_m[point] - p);
+                                if (distance > nearest || (distance == nearest && one < point)) return;
+                                nearest = distance;
+                                one = point;
+                            });
+            if (one == kNone) {
+                one = static_cast<std::uint32_t>(mesh.points_m.size());
+                mesh.points_m.push_back(p);
+                if (tolerance_m > 0.0) cells.add({cell(p.x), cell(p.y), cell(p.z)});
+            } else {
+                ++report.points_welded;
+                report.farthest_weld_m = std::max(report.farthest_weld_m, nearest);
+            }
+            met = static_cast<std::uint32_t>(stands_for.size());
+            table.add(exact);
+            stands_for.push_back(one);
+        }
+        mesh.triangles[i / 3][i % 3] = stands_for[met];
+    }
+    return mesh;
+}
+
+PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::uint32_t> surfaces, const MeshOptions& options) {
+    PreparedMesh out;
+    MeshReport& report = out.report;
+    report.triangles = surfaces.size();
+    TriangleMesh mesh = weld_corners(corners_m, options.weld_m, report);
+    std::vector<std::uint32_t> own(surfaces.begin(), surfaces.end());
+    if (options.tidy) tidy(mesh, own, report);
+    if (options.simplify_m > 0.0) {
+        report.simplify_bound_m = options.simplify_m;
+        SimplifiedMesh coarse = simplify_mesh(mesh, own, options.simplify_m);
+        report.simplify_measured_m = coarse.measured_m;
+        report.simplify_spacing_m = coarse.spacing_m;
+        report.simplified = mesh.triangles.size() - coarse.mesh.triangles.size();
+        mesh = std::move(coarse.mesh);
+        own = std::move(coarse.surfaces);
+    }
+    if (options.merge) {
+        FlatMerge flat = merge_flat(mesh, own, options.flat_m);
+        report.flat_bound_m = options.flat_m;
+        report.flat_measured_m = flat.farthest_m;
+        report.polygons = flat.polygons.size();
+        std::vector<bool> dropped(mesh.triangles.size(), false);
+        for (FlatPolygon& polygon : flat.polygons) {
+            report.merged += polygon.triangles.size();
+            out.polygon_surfaces.push_back(own[polygon.triangles.front()]);
+            for (const std::uint32_t t : polygon.triangles) dropped[t] = true;
+            polygon.triangles.clear();
+            polygon.triangles.shrink_to_fit();
+        }
+        out.polygons = std::move(flat.polygons);
+        keep(mesh, own, dropped);
+    }
+    compact(mesh);
+    out.mesh = std::move(mesh);
+    out.surfaces = std::move(own);
+    return out;
+}
+
+MeshReport& MeshReport::operator+=(const MeshReport& other) {
+    for (const auto count : {&MeshReport::triangles, &MeshReport::points_welded, &MeshReport::without_area, &MeshReport::repeated, &MeshReport::simplified,
+                             &MeshReport::merged, &MeshReport::polygons})
+        this->*count += other.*count;
+    for (const auto length : {&MeshReport::farthest_weld_m, &MeshReport::simplify_bound_m, &MeshReport::simplify_measured_m, &MeshReport::simplify_spacing_m,
+                              &MeshReport::flat_bound_m, &MeshReport::flat_measured_m})
+        this->*length = std::max(this->*length, other.*length);
+    return *this;
+}
+
+std::vector<std::string> MeshReport::sentences() const {
+    std::vector<std::string> said;
+    const auto some = [](std::size_t n, const char* one, const char* many) {
+        return n == 1 ? fmt::format("One {} was", one) : fmt::format("{} {} were", n, many);
+    };
+    if (points_welded > 0)
+        said.push_back(some(points_welded, "point", "points") + fmt::format(" moved to another by at most {}.", length_in_words(farthest_weld_m)));
+    if (without_area > 0) said.push_back(some(without_area, "triangle without area", "triangles without area") + " left out: their neighbours cover them.");
+    if (repeated > 0) said.push_back(some(repeated, "triangle that repeats another", "triangles that repeat others") + " left out.");
+    if (simplified > 0)
+        said.push_back(some(simplified, "triangle", "triangles") +
+                       fmt::format(" saved by a coarser mesh, which is at most {} off (bound {}, measured every {}).", length_in_words(simplify_measured_m),
+                                   length_in_words(simplify_bound_m), length_in_words(simplify_spacing_m)));
+    if (merged > 0)
+        said.push_back(some(merged, "triangle", "triangles") +
+                       fmt::format(" joined to {}, at most {} out of plane (bound {}).",
+                                   polygons == 1 ? std::string("one flat polygon") : fmt::format("{} flat polygons", polygons),
+                                   length_in_words(flat_measured_m), length_in_words(flat_bound_m)));
+    return said;
+}
+
+}  // namespace handrail

@@ -1,0 +1,142 @@
+#include "haptic/compile/simplify_mesh.h"
+
+// The library is not written for these warnings.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wextra"
+#pragma GCC diagnostic ignored "-Wall"
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModHausdorffT.hh>
+#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#pragma GCC diagnostic pop
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/geometry/bvh.h"
+#include "worlds/geometry/closest_point.h"
+
+namespace handrail {
+namespace {
+
+struct Traits : OpenMesh::DefaultTraits {
+    using Point = OpenMesh::Vec3d;
+    using Normal = OpenMesh::Vec3d;
+    FaceTraits { std::uint32_t surface = 0; };
+};
+using HalfEdgeMesh = OpenMesh::TriMesh_ArrayKernelT<Traits>;
+
+SimplifiedMesh collapsed(const TriangleMesh& mesh, std::span<const std::uint32_t> surfaces, double bound_m) {
+    HalfEdgeMesh half;
+    half.request_vertex_status();
+    half.request_edge_status();
+    half.request_halfedge_status();
+    half.request_face_status();
+    half.request_face_normals();
+    std::vector<HalfEdgeMesh::VertexHandle> points;
+    points.reserve(mesh.points_m.size());
+    for (const Vec3& p : mesh.points_m) points.push_back(half.add_vertex({p.x, p.y, p.z}));
+    SimplifiedMesh out;
+    std::vector<bool> locked(points.size(), false);
+    std::vector<std::uint32_t> surface_of(points.size(), 0xFFFFFFFFU);
+    omerr().disable();  // what does not fit is an answer here
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Corners& c = mesh.triangles[t];
+        const bool three = c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
+        const auto face = three ? half.add_face(points[c[0]], points[c[1]], points[c[2]]) : HalfEdgeMesh::FaceHandle();
+        if (face.is_valid()) half.data(face).surface = surfaces[t];
+        for (const std::uint32_t corner : c) {
+            if (!face.is_valid() || (surface_of[corner] != 0xFFFFFFFFU && surface_of[corner] != surfaces[t])) locked[corner] = true;
+            surface_of[corner] = surfaces[t];
+        }
+        if (face.is_valid()) continue;
+        out.mesh.triangles.push_back(c);
+        out.surfaces.push_back(surfaces[t]);
+    }
+    omerr().enable();
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (locked[i]) half.status(points[i]).set_locked(true);
+    half.update_face_normals();
+    OpenMesh::Decimater::DecimaterT<HalfEdgeMesh> decimater(half);
+    OpenMesh::Decimater::ModHausdorffT<HalfEdgeMesh>::Handle hausdorff;
+    OpenMesh::Decimater::ModNormalFlippingT<HalfEdgeMesh>::Handle flipping;
+    OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>::Handle quadric;
+    decimater.add(quadric);
+    decimater.add(hausdorff);
+    decimater.add(flipping);
+    decimater.module(quadric).unset_max_err();
+    decimater.module(hausdorff).set_tolerance(bound_m);
+    decimater.module(flipping).set_max_normal_deviation(60.0);
+    if (decimater.initialize()) decimater.decimate();
+
+    // Points keep their numbers: those that are gone are not used any more.
+    out.mesh.points_m = mesh.points_m;
+    for (const auto face : half.faces()) {  // skips the deleted
+        Corners c{};
+        std::size_t k = 0;
+        for (const auto vertex : half.fv_range(face)) c[k++] = static_cast<std::uint32_t>(vertex.idx());
+        out.mesh.triangles.push_back(c);
+        out.surfaces.push_back(half.data(face).surface);
+    }
+    return out;
+}
+
+}  // namespace
+
+double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double spacing_m) {
+    constexpr double kMostSteps = 2000.0;
+    std::vector<TriangleShape> shapes;
+    std::vector<Aabb> boxes;
+    for (const Corners& t : b.triangles) {
+        shapes.push_back(make_triangle(b.points_m[t[0]], b.points_m[t[1]], b.points_m[t[2]]));
+        Aabb& box = boxes.emplace_back();
+        for (const std::uint32_t corner : t) box.include(b.points_m[corner]);
+    }
+    const Bvh bvh(boxes);
+    double farthest = 0.0;
+    std::uint32_t last = 0;  // neighbours in a have neighbours in b
+    for (const Corners& t : a.triangles) {
+        const Vec3 p = a.points_m[t[0]], q = a.points_m[t[1]], r = a.points_m[t[2]];
+        const double longest = std::max({glm::length(q - p), glm::length(r - q), glm::length(p - r)});
+        const int steps = static_cast<int>(std::clamp(std::ceil(longest / spacing_m), 1.0, kMostSteps));
+        for (int i = 0; i <= steps; ++i)
+            for (int k = 0; i + k <= steps; ++k) {
+                const Vec3 at = p + (q - p) * (static_cast<double>(i) / steps) + (r - p) * (static_cast<double>(k) / steps);
+                double nearest = closest_point(shapes[last], at).distance_m;
+                if (nearest <= farthest) continue;
+                bvh.within(at, nearest, [&](std::uint32_t item, double& reach) {
+                    const double distance = closest_point(shapes[item], at).distance_m;
+                    if (distance >= nearest) return;
+                    nearest = reach = distance;
+                    last = item;
+                });
+                farthest = std::max(farthest, nearest);
+            }
+    }
+    return farthest;
+}
+
+SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, std::span<const std::uint32_t> surfaces, double bound_m) {
+    SimplifiedMesh as_it_was{mesh, {surfaces.begin(), surfaces.end()}, 0.0, bound_m};
+    if (mesh.triangles.empty()) return as_it_was;
+    constexpr int kTries = 6;
+    constexpr double kMostSamples = 2e6;
+    double area = 0.0;
+    for (const Corners& t : mesh.triangles)
+        area += 0.5 * glm::length(glm::cross(mesh.points_m[t[1]] - mesh.points_m[t[0]], mesh.points_m[t[2]] - mesh.points_m[t[0]]));
+    const double spacing_m = std::max(bound_m, std::sqrt(area / kMostSamples));
+    double allowed = bound_m;
+    for (int i = 0; i < kTries; ++i, allowed *= 0.75) {  // what is checked on the way are corners; faces lie up to a third farther off
+        SimplifiedMesh coarse = collapsed(mesh, surfaces, allowed);
+        if (coarse.mesh.triangles.size() >= mesh.triangles.size() || coarse.mesh.triangles.empty()) return as_it_was;
+        coarse.spacing_m = spacing_m;
+        coarse.measured_m = std::max(measured_distance(coarse.mesh, mesh, coarse.spacing_m), measured_distance(mesh, coarse.mesh, coarse.spacing_m));
+        if (coarse.measured_m <= bound_m) return coarse;
+    }
+    return as_it_was;
+}
+
+}  // namespace handrail
