@@ -18,7 +18,7 @@ public:
     Merger(const TriangleMesh& mesh, std::span<const std::uint32_t> groups, double bound_m)
         : mesh_(mesh), groups_(groups), bound_m_(bound_m), count_(static_cast<std::uint32_t>(mesh.triangles.size())) {}
 
-    FlatMerge run() {
+    FlatMerge run(bool keep_curves) {
         find_twins();
         patch_of_.assign(count_, kNone);
         flat_.resize(mesh_.points_m.size());
@@ -32,7 +32,8 @@ public:
         for (const std::uint32_t seed : order) {
             if (patch_of_[seed] != kNone || !(areas[seed] > kLowestSeed_m * longest(seed))) continue;
             find_patch(seed);
-            if (patch_.size() > 1 && !take_whole()) take_parts();
+            if (patch_.size() < 2 || (keep_curves && on_curve())) continue;
+            if (!take_whole()) take_parts();
         }
         std::vector<bool> taken(count_, false);
         for (const FlatPolygon& polygon : result_.polygons)
@@ -219,6 +220,20 @@ private:
         return true;
     }
 
+    // True when the patch goes over into a triangle beside it without a crease.
+    bool on_curve() const {
+        constexpr double kCreaseCosine = 0.8660254037844386;  // 30 degrees, as for shading
+        for (const std::uint32_t t : patch_)
+            for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
+                if (twin_[h] == kNone) continue;
+                const std::uint32_t beside = twin_[h] / 3;
+                if (patch_of_[beside] == patch_of_[t] || groups_[beside] != groups_[t] || fits(beside, normal_, base_)) continue;
+                const Vec3 turned = twice_area(beside);
+                if (glm::dot(turned, normal_) > kCreaseCosine * glm::length(turned)) return true;
+            }
+        return false;
+    }
+
     bool take_whole() {
         std::vector<std::uint32_t> border;
         double area = 0.0;
@@ -325,6 +340,8 @@ private:
 
 }  // namespace
 
-FlatMerge merge_flat(const TriangleMesh& mesh, std::span<const std::uint32_t> groups, double bound_m) { return Merger(mesh, groups, bound_m).run(); }
+FlatMerge merge_flat(const TriangleMesh& mesh, std::span<const std::uint32_t> groups, double bound_m, bool keep_curves) {
+    return Merger(mesh, groups, bound_m).run(keep_curves);
+}
 
 }  // namespace handrail

@@ -209,7 +209,7 @@ PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::
         own = std::move(coarse.surfaces);
     }
     if (options.merge) {
-        FlatMerge flat = merge_flat(mesh, own, options.flat_m);
+        FlatMerge flat = merge_flat(mesh, own, options.flat_m, options.keep_curves);
         report.flat_bound_m = options.flat_m;
         report.flat_measured_m = flat.farthest_m;
         report.polygons = flat.polygons.size();

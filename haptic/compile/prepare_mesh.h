@@ -19,11 +19,12 @@ struct MeshOptions {
     bool merge = true;        // flat patches to convex polygons
     double flat_m = 1e-5;     // how far a corner may lie from its polygon's plane: the noise of coordinates written with 5 or 6 digits. Above 1e-4 m facets of
                               // tessellated curves become larger, and their edges are felt
+    bool keep_curves = true;  // facets that shading rounds stay triangles
     double simplify_m = 0.0;  // largest distance between the mesh as it was and a coarser one; 0: as fine as it is
 };
 
 // What `touch` uses: nothing moves by more than rounding.
-inline constexpr MeshOptions kExactMesh{.weld_m = 0.0, .tidy = false, .merge = true, .flat_m = 1e-9, .simplify_m = 0.0};
+inline constexpr MeshOptions kExactMesh{.weld_m = 0.0, .tidy = false, .merge = true, .flat_m = 1e-9, .keep_curves = false, .simplify_m = 0.0};
 
 struct MeshReport {
     std::size_t triangles = 0;      // before

@@ -182,6 +182,7 @@ TEST(PrepareMesh, joins_flat_patches_to_convex_polygons_that_cover_exactly_what_
             SCOPED_TRACE(fmt::format("{}, {} m away, seed {}", family.name, far, kSeed));
             const Soup soup = stirred(family.soup, random, motion);
             MeshOptions options;
+            options.keep_curves = false;
             options.flat_m = std::max(family.bound_m, 4e-16 * far * 4.0);
             const PreparedMesh mesh = prepared(soup, options);
             const double rounding = 3e-9 + 1e-15 * far;
@@ -197,6 +198,14 @@ TEST(PrepareMesh, joins_flat_patches_to_convex_polygons_that_cover_exactly_what_
                 EXPECT_NEAR(area_of(sheets), area_of(soup), 1e-8 + 1e-10 * far);
             }
         }
+}
+
+TEST(PrepareMesh, leaves_facets_of_curves_to_shading_when_exploring) {
+    Soup soup;
+    prism(soup, 60, 0.3);
+    const PreparedMesh mesh = prepared(soup);
+    EXPECT_EQ(mesh.mesh.triangles.size(), 120U);
+    EXPECT_EQ(mesh.polygons.size(), 2U);
 }
 
 TEST(PrepareMesh, joins_only_triangles_of_one_surface) {
