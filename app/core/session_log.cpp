@@ -11,6 +11,8 @@
 #include "app/core/words.h"
 #include "worlds/scene/lint.h"
 
+#include "worlds/scene/primitive.h"
+
 namespace handrail {
 namespace {
 
@@ -39,6 +41,10 @@ double overlap_m(const Scene& scene, const Vec3& centre_m, double radius_m) {
         if (solid.role != SolidRole::Solid && solid.role != SolidRole::Mover) continue;
         const Aabb& box = solid.shape.bounds_m;
         if (glm::any(glm::lessThan(centre_m, box.min_m - radius_m)) || glm::any(glm::greaterThan(centre_m, box.max_m + radius_m))) continue;
+        if (!std::holds_alternative<std::monostate>(solid.round)) {
+            deepest = std::max(deepest, radius_m - signed_distance(solid.round, centre_m));
+            continue;
+        }
         // Distance from the centre to the convex solid by alternating projection onto its violated planes (Dykstra): slow and simple.
         double outside = -std::numeric_limits<double>::infinity();
         for (const Plane& plane : solid.shape.planes) outside = std::max(outside, signed_distance(plane, centre_m));

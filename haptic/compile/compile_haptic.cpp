@@ -6,6 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "worlds/base/overloaded.h"
+
 namespace handrail {
 namespace {
 
@@ -120,11 +122,21 @@ void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>&
     report += mesh.report;
 }
 
+// A round solid is felt as what it is, under the name of its first face.
+void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<const SurfaceLabel> labels) {
+    std::visit(Overloaded{[&](std::monostate) { builder.add_solid(solid.shape.planes, solid.shape.bounds_m, labels); },
+                          [&](const SphereShape& sphere) { builder.add_sphere(sphere, labels[0]); },
+                          [&](const CapsuleShape& capsule) { builder.add_capsule(capsule, labels[0]); },
+                          [&](const CylinderShape& cylinder) { builder.add_cylinder(cylinder, labels[0]); },
+                          [&](const ConeShape& cone) { builder.add_cone(cone, labels[0]); }},
+               solid.round);
+}
+
 // What of a model can be touched, all under one name and of one material.
 std::shared_ptr<const HapticScene> compile_model(const Scene& model, const SurfaceLabel& label, const MeshOptions& mesh, MeshReport& report) {
     HapticSceneBuilder builder;
     for (const Solid& solid : model.solids)
-        if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) builder.add_solid(solid.shape.planes, solid.shape.bounds_m, label);
+        if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) add_touchable(builder, solid, std::span(&label, 1));
     add_triangles(builder, model.triangles, &label, mesh, report);
     return builder.build();
 }
@@ -143,7 +155,7 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSo
         builder.set_reliefs(std::move(list), scene.triangles.empty() ? std::vector<std::uint8_t>{} : mesh_axes(scene));
     for (const Solid& solid : scene.solids) {
         if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) {
-            builder.add_solid(solid.shape.planes, solid.shape.bounds_m, labels_of(solid));
+            add_touchable(builder, solid, labels_of(solid));
         } else if (solid.role == SolidRole::Liquid) {
             LiquidVolume liquid;
             liquid.planes = solid.shape.planes;

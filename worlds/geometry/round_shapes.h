@@ -5,6 +5,8 @@
 // Cost: see docs/results.md. Brute-force twins in tests/unit/geometry_touch.
 #pragma once
 
+#include <variant>
+
 #include "worlds/base/vec.h"
 #include "worlds/geometry/closest_point.h"
 #include "worlds/geometry/convex.h"
@@ -41,6 +43,9 @@ struct ConeShape {
     double slant_out = 1.0;  // the side's normal is slant_out away from the axis and slant_up along it
     double slant_up = 0.0;
 };
+// One of them, or none.
+using RoundShape = std::variant<std::monostate, SphereShape, CapsuleShape, CylinderShape, ConeShape>;
+
 ConeShape make_cone(const Vec3& base_m, const Vec3& axis, double height_m, double radius_m) noexcept;
 
 ClosestPoint closest_point(const SphereShape& sphere, const Vec3& point_m) noexcept;

@@ -11,6 +11,7 @@
 #include "worlds/readers/map_syntax.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
+#include "worlds/scene/primitive.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -155,10 +156,10 @@ private:
     // What an entity makes of its brushes.
     struct Meaning {
         SolidRole role = SolidRole::Solid;
-        DynamicShape dynamic = DynamicShape::None;
-        bool structure = false;  // not one thing: walls are named by side
-        bool liquid = false;     // cs_name liquid
-        Feature feature;         // used unless `structure`
+        std::optional<PrimitiveKind> exact;  // one exact shape in the box around its brushes
+        bool structure = false;              // not one thing: walls are named by side
+        bool liquid = false;                 // cs_name liquid
+        Feature feature;                     // used unless `structure`
         std::optional<double> viscosity_ns_per_m;
         double buoyancy_n = 0.0, film_n = 0.0;
         Vec3 flow_hand_m_per_s{0.0};
@@ -353,10 +354,15 @@ private:
         } else if (cs_name == "dynamic_box" || cs_name == "dynamic_sphere" || cs_name == "dynamic_cylinder") {
             meaning.structure = false;
             meaning.role = SolidRole::Mover;
-            meaning.dynamic = cs_name == "dynamic_box" ? DynamicShape::Box : cs_name == "dynamic_sphere" ? DynamicShape::Sphere : DynamicShape::Cylinder;
+            meaning.exact = cs_name == "dynamic_box" ? PrimitiveKind::Box : cs_name == "dynamic_sphere" ? PrimitiveKind::Sphere : PrimitiveKind::Cylinder;
             if (feature.name.empty()) feature.name = cs_name == "dynamic_box" ? "box" : cs_name == "dynamic_sphere" ? "ball" : "cylinder";
         } else if (feature.name.empty() && !cs_name.empty()) {
             feature.name = words_of_name(entity.value("cs_name"));
+        }
+        if (const std::optional<PrimitiveKind> exact = shape_of(entity, world, meaning)) {
+            meaning.structure = false;
+            meaning.exact = exact;
+            if (feature.name.empty()) feature.name = *exact == PrimitiveKind::Sphere ? "ball" : kPrimitiveNames[static_cast<std::size_t>(*exact)];
         }
         meaning.viscosity_ns_per_m = number_of(entity, "viscosity", 0.0, kMostViscosityNsPerM, "0 to 100 newton seconds per metre");
         meaning.buoyancy_n = number_of(entity, "buoyancy", 0.0, kMostBuoyancyN, "0 to 1 newton").value_or(0.0);
@@ -459,7 +465,98 @@ private:
         surface.picture = picture;
     }
 
+    // The key `shape`.
+    std::optional<PrimitiveKind> shape_of(const MapEntity& entity, bool world, const Meaning& meaning) {
+        const MapKey* key = entity.find("shape");
+        if (!key) return std::nullopt;
+        const std::string value = lower_ascii(trimmed(key->value).substr(0, 32));
+        if (world) {
+            diagnostics_.warn(key->place, "It was left out.", "the key shape stands on the whole building. It belongs on one thing.");
+            return std::nullopt;
+        }
+        if (meaning.role != SolidRole::Solid && meaning.role != SolidRole::Mover) {
+            diagnostics_.warn(key->place, "It was left out.", "the key shape stands on something that cannot be touched.");
+            return std::nullopt;
+        }
+        for (std::size_t kind = 0; kind < kPrimitiveNames.size(); ++kind)
+            if (value == kPrimitiveNames[kind]) return static_cast<PrimitiveKind>(kind);
+        const std::vector<std::string> names(kPrimitiveNames.begin(), kPrimitiveNames.end());
+        diagnostics_.warn(key->place, "Its brushes were taken as they are.", "there is no shape \"{}\". The nearest name is {}.", excerpt(key->value),
+                          nearest_name(value, names));
+        return std::nullopt;
+    }
+
+    // The key `axis`: x, y or z, or the other way with a minus sign. The turn that brings z there.
+    struct AxisTurn {
+        int axis = 2;
+        Rotation turn;
+    };
+    AxisTurn axis_of(const MapEntity& entity) {
+        const MapKey* key = entity.find("axis");
+        if (!key) return {};
+        const std::string value = lower_ascii(trimmed(key->value).substr(0, 8));
+        const bool back = value.starts_with('-');
+        const std::string name = back ? value.substr(1) : value;
+        if (name == "x") return {0, rotation_about({0, 1, 0}, back ? -0.5 * kPi : 0.5 * kPi)};
+        if (name == "y") return {1, rotation_about({1, 0, 0}, back ? 0.5 * kPi : -0.5 * kPi)};
+        if (name != "z") diagnostics_.warn(key->place, "z was taken.", "the value \"{}\" of the key axis is not x, y or z.", excerpt(key->value));
+        return {2, name == "z" && back ? rotation_about({1, 0, 0}, kPi) : Rotation{}};
+    }
+
     // ---- brushes ----
+
+    // An exact shape in the box around all brushes of the entity. Where sides that should be equal differ the smallest counts, so that the shape stays in its
+    // box.
+    void read_exact(const MapEntity& entity, const Meaning& meaning, int index) {
+        Aabb box;
+        const MapBrush* first = nullptr;
+        for (const MapBrush& brush : entity.brushes) {
+            const BuiltSolid built = counted_solid_of(brush);
+            if (built.fault != SolidFault::None) continue;
+            if (sense_of(brush) == TextureSense::LeftOut) {
+                ++helper_brushes_;
+                continue;
+            }
+            if (!first) first = &brush;
+            box.include(built.solid.bounds_m);
+        }
+        if (!first) return;
+        constexpr double kAgree = 1.05;
+        const AxisTurn axis = *meaning.exact == PrimitiveKind::Box || *meaning.exact == PrimitiveKind::Sphere ? AxisTurn{} : axis_of(entity);
+        Primitive primitive{*meaning.exact, box.size_m(), Vec3(1.0), {box.centre_m(), axis.turn}};
+        Vec3& size = primitive.size_m;
+        if (primitive.kind != PrimitiveKind::Box) {
+            const double length = size[axis.axis], across = size[(axis.axis + 1) % 3], deep = size[(axis.axis + 2) % 3];
+            const bool sphere = primitive.kind == PrimitiveKind::Sphere;
+            const double least = std::min(std::min(across, deep), sphere ? length : across), most = std::max(std::max(across, deep), sphere ? length : across);
+            if (most > kAgree * least)
+                diagnostics_.warn(entity.place, fmt::format("{} was taken.", least / units_),
+                                  "the box around this {} is {} by {} by {} units, and not as wide as deep{}.",
+                                  kPrimitiveNames[static_cast<std::size_t>(primitive.kind)], box.size_m().x / units_, box.size_m().y / units_,
+                                  box.size_m().z / units_, sphere ? " and high" : "");
+            size = {least, least, sphere ? least : length};
+            if (primitive.kind == PrimitiveKind::Capsule && length < least) {
+                diagnostics_.warn(entity.place, "It was made thinner.", "this capsule is longer across than along.");
+                size = Vec3(length);
+            }
+        }
+        const TextureFacts& facts = facts_of(first->faces.front().texture);
+        const Result<Solid> made = make_solid(primitive, material_of(meaning, facts, first->faces.front().texture));
+        if (!made) {
+            diagnostics_.warn(entity.place, "It was left out.", "{}", made.error().message);
+            ++brushes_left_out_;
+            return;
+        }
+        Solid solid = *made;
+        solid.role = meaning.role;
+        solid.source = {first->place.line, index};
+        solid.feature = add_feature(meaning.feature);
+        scene_.features[solid.feature.value].bounds_m = solid.shape.bounds_m;
+        scene_.bounds_m.include(box);
+        if (solid.role == SolidRole::Mover) ++scene_.report.movers;
+        looks_.emplace_back(solid.shape.planes.size(), look_of(meaning, facts));
+        scene_.solids.push_back(std::move(solid));
+    }
 
     BuiltSolid solid_of(const MapBrush& brush, bool report) {
         std::vector<Plane>& planes = planes_;
@@ -535,6 +632,8 @@ private:
 
     void read_brushes(const MapEntity& entity, const std::string& class_name, int index) {
         const Meaning meaning = meaning_of(entity, class_name, index);
+        // One brush stays as it is where a box was asked for: it may be a turned one.
+        if (meaning.exact && (*meaning.exact != PrimitiveKind::Box || entity.brushes.size() > 1)) return read_exact(entity, meaning, index);
         FeatureId whole = kNoFeature;
         bool moves = false;
         for (const MapBrush& brush : entity.brushes) {
@@ -542,7 +641,6 @@ private:
             if (built.fault != SolidFault::None) continue;
             Solid solid;
             solid.role = meaning.role;
-            solid.dynamic = meaning.dynamic;
             solid.source = {brush.place.line, index};
             FeatureKind volume_kind = FeatureKind::Liquid;
             std::string_view volume_name;

@@ -6,7 +6,6 @@
 #include <array>
 
 #include "worlds/base/text.h"
-#include "worlds/geometry/clip.h"
 
 namespace handrail {
 namespace {
@@ -52,33 +51,26 @@ void undraw(Scene& world, FeatureId feature) {
 
 }  // namespace
 
-Result<std::shared_ptr<const Scene>> box_model(const Vec3& size_m) {
-    if (!is_finite(size_m) || !(std::min({size_m.x, size_m.y, size_m.z}) > 0.0)) return fail("A box needs three sides above zero.");
-    const Vec3 half = 0.5 * size_m;
-    std::array<Plane, 6> planes;
-    for (int face = 0; face < 6; ++face) {
-        Vec3 normal(0.0);
-        normal[face / 2] = face % 2 == 1 ? 1.0 : -1.0;
-        planes[static_cast<std::size_t>(face)] = {normal, half[face / 2]};
-    }
-    BuiltSolid built = solid_from_planes(planes, Vec3(0.0), 4.0 * glm::length(size_m), {1e-9 * glm::length(size_m), 1e-7 * glm::length(size_m)});
-    if (built.fault != SolidFault::None) return fail("This box is too thin to be built.");
+Result<std::shared_ptr<const Scene>> primitive_model(const Primitive& primitive) {
+    Result<Solid> solid = make_solid(primitive);
+    if (!solid) return tl::unexpected(solid.error());
     auto scene = std::make_shared<Scene>();
-    scene->name = "box";
+    scene->name = kPrimitiveNames[static_cast<std::size_t>(primitive.kind)];
     scene->materials.emplace_back();
     scene->features.push_back({});
     scene->features.back().kind = FeatureKind::Object;
-    scene->features.back().name = "box";
-    scene->features.back().bounds_m = built.solid.bounds_m;
-    Solid solid;
-    solid.shape = std::move(built.solid);
-    solid.feature = FeatureId{0};
-    solid.face_features.assign(solid.shape.planes.size(), kNoFeature);
-    solid.face_materials.assign(solid.shape.planes.size(), kDefaultMaterial);
-    solid.face_hidden.assign(solid.shape.planes.size(), false);
-    scene->bounds_m = solid.shape.bounds_m;
-    scene->solids.push_back(std::move(solid));
+    scene->features.back().name = scene->name;
+    scene->features.back().bounds_m = solid->shape.bounds_m;
+    scene->bounds_m = solid->shape.bounds_m;
+    solid->feature = FeatureId{0};
+    scene->solids.push_back(std::move(*solid));
     return std::shared_ptr<const Scene>(std::move(scene));
+}
+
+Result<std::shared_ptr<const Scene>> box_model(const Vec3& size_m) {
+    Primitive box;
+    box.size_m = size_m;
+    return primitive_model(box);
 }
 
 int find_placed(const Scene& world, const std::string& name) {

@@ -5,11 +5,14 @@
 #include <string>
 
 #include "worlds/base/result.h"
+#include "worlds/scene/primitive.h"
 #include "worlds/scene/scene.h"
 
 namespace handrail {
 
-// A box of this size in metres around its frame's zero, as one solid. Fails, with a sentence, unless every side is a finite number above zero.
+// One exact shape, as one solid. Fails, with a sentence, where make_solid does.
+Result<std::shared_ptr<const Scene>> primitive_model(const Primitive& primitive);
+// A box of this size in metres around its frame's zero.
 Result<std::shared_ptr<const Scene>> box_model(const Vec3& size_m);
 
 // A copy of a world with one thing more. The name is what it is called when touched; a name that is taken, an empty model, or a placement that is not

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "worlds/scene/primitive.h"
+
 namespace handrail {
 
 std::string spoken_name(const Scene& scene, FeatureId id) {
@@ -39,6 +41,8 @@ Result<void> validate(const Scene& scene) {
         if (faces < 4 || solid.shape.faces.size() != faces) return wrong("A solid has too few faces.", line);
         if (solid.face_features.size() != faces || solid.face_materials.size() != faces || solid.face_hidden.size() != faces)
             return wrong("A solid does not say for every face what it is.", line);
+        if (!(signed_distance(solid.round, solid.shape.bounds_m.centre_m()) > -std::numeric_limits<double>::infinity()))
+            return wrong("A round solid has no proper size.", line);
         if (!known(solid.feature)) return wrong("A solid belongs to something unknown.", line);
         for (std::size_t i = 0; i < faces; ++i) {
             const Plane& plane = solid.shape.planes[i];

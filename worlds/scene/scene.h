@@ -12,6 +12,7 @@
 #include "worlds/base/result.h"
 #include "worlds/geometry/convex.h"
 #include "worlds/geometry/placement.h"
+#include "worlds/geometry/round_shapes.h"
 #include "worlds/scene/effect.h"
 #include "worlds/scene/material.h"
 #include "worlds/scene/source_place.h"
@@ -47,13 +48,10 @@ enum class SolidRole : std::uint8_t {
     Illusion,  // seen, not touched
 };
 
-// Shape named by the key cs_name of old maps (dynamic_box, dynamic_sphere, dynamic_cylinder); the brushes themselves stay the touchable shape.
-enum class DynamicShape : std::uint8_t { None, Box, Sphere, Cylinder };
-
 struct Solid {
     ConvexSolid shape;
     SolidRole role = SolidRole::Solid;
-    DynamicShape dynamic = DynamicShape::None;
+    RoundShape round;                          // what the hand feels, where it is no solid of flat faces; `shape` then stands around it
     FeatureId feature = kNoFeature;            // for objects, movers and volumes: the whole; else kNoFeature
     std::vector<FeatureId> face_features;      // size == shape.planes.size(); the name of what one touches there
     std::vector<MaterialId> face_materials;    // size == shape.planes.size()

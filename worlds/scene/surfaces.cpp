@@ -391,7 +391,8 @@ private:
         }
         for (const Solid& solid : scene_.solids) {
             if (solid.feature) scene_.features[solid.feature.value].bounds_m.include(solid.shape.bounds_m);
-            if (is_touchable(solid.role))
+            // The faces around a round solid are none of the file's.
+            if (is_touchable(solid.role) && std::holds_alternative<std::monostate>(solid.round))
                 scene_.report.polygons_hidden += static_cast<int>(std::count(solid.face_hidden.begin(), solid.face_hidden.end(), true));
         }
         scene_.report.polygons_kept = scene_.report.polygons - scene_.report.polygons_hidden;
