@@ -52,6 +52,7 @@ Json json_of(const Scene& scene, const Cost& cost) {
             {"liquids", report.liquids},
             {"effects", scene.effects.size()},
             {"movers", report.movers},
+            {"patches", report.patches},
             {"starts", report.starts},
             {"spaces", 0},
             {"doors", report.doors},

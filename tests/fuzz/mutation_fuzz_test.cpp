@@ -56,6 +56,9 @@ TEST(MutationFuzz, maps) {
             entity("thing", key("cs_name", "liquid") + key("viscosity", "3") + key("friction", "0.5"), box_brush(64, 0, 0, 70, 9, 9)) +
             entity("func_door", key("name", "d") + key("hinge", "left"), box_brush(0, 64, 0, 64, 70, 64, "\"a b\"")) +
             entity("info_player_start", key("origin", "1 2 3") + key("angle", "90")),
+        entity("func_wall", key("shape", "capsule") + key("axis", "-x"),
+               box_brush(0, 0, 0, 64, 16, 16) + "{\npatchDef2\n{\nbase/tin\n( 3 3 0 0 0 )\n(\n( ( 0 0 0 0 0 ) ( 0 8 8 0 0 ) ( 0 16 0 0 0 ) )\n" +
+                   "( ( 8 0 4 0 0 ) ( 8 8 9 0 0 ) ( 8 16 4 0 0 ) )\n( ( 16 0 0 0 0 ) ( 16 8 8 0 0 ) ( 16 16 0 0 0 ) )\n)\n}\n}\n"),
         "{\n{\n( 0 0 0 ) ( 0 1 0 ) ( 1 0 0 ) t [ 1 0 0 0 ] [ 0 1 0 0 ] 0 1 1 0 0 0\npatchDef2\n{\n( ( 1 ) )\n}\n}\n}\n",
     };
     const std::vector<std::string> words{"{",

@@ -175,7 +175,8 @@ private:
 
 class Parser {
 public:
-    static constexpr std::size_t kMostKeys = 1000;  // per entity; real ones have under 20
+    static constexpr double kMostPatchPoints = 1025;  // along one side; editors stop at 31
+    static constexpr std::size_t kMostKeys = 1000;    // per entity; real ones have under 20
 
     Parser(std::string_view bytes, Diagnostics& diagnostics) : lexer_(bytes, diagnostics), diagnostics_(diagnostics) {}
 
@@ -225,7 +226,7 @@ private:
                 else diagnostics_.error(token.place, "It was passed over.", "expected a key in quotes or a brush inside an entity, found {}.", shown(token));
             }
         }
-        if (!entity.keys.empty() || !entity.brushes.empty()) file_.entities.push_back(std::move(entity));
+        if (!entity.keys.empty() || !entity.brushes.empty() || !entity.patches.empty()) file_.entities.push_back(std::move(entity));
     }
 
     void add_key(MapEntity& entity, const Token& key, const Token& value) {
@@ -246,18 +247,94 @@ private:
     void read_brush(MapEntity& entity, TextPlace place) {
         const Token first = lexer_.peek();
         if (first.kind == TokenKind::Word) {
-            const bool curve = lower_ascii(first.text.substr(0, 8)).starts_with("patch");
-            ++(curve ? file_.curves : file_.primitives);
-            diagnostics_.warn(first.place, "It was left out.", "this part is written as {}, which is not read yet.",
-                              curve ? "a curved patch" : "\"" + excerpt(first.text) + "\"");
+            const std::string form = lower_ascii(first.text.substr(0, 12));
+            if (form == "patchdef2" || form == "patchdef3") return read_patch(entity, first.place);
+            if (form == "brushdef") {
+                lexer_.take();
+                if (lexer_.peek().is('{')) lexer_.take();
+                read_faces(entity, place, true);
+                if (lexer_.peek().is('}')) lexer_.take();
+                return;
+            }
+            ++file_.primitives;
+            diagnostics_.warn(first.place, "It was left out.", "this part is written as \"{}\", which is not read yet.", excerpt(first.text));
             lexer_.skip_block();
             return;
         }
         read_faces(entity, place);
     }
 
-    // Faces up to and with the closing brace. One damaged face costs the brush, not the map.
-    void read_faces(MapEntity& entity, TextPlace place) {
+    // patchDef2 { texture ( width height ... ) ( width rows of ( height points of ( x y z u v ) ) ) } and the brush's own closing brace.
+    void read_patch(MapEntity& entity, TextPlace place) {
+        lexer_.take();
+        MapPatch patch;
+        patch.place = place;
+        int open_braces = 1;
+        Token found;
+        const std::string_view wrong = patch_fault(patch, open_braces, found);
+        if (wrong.empty()) {
+            entity.patches.push_back(std::move(patch));
+        } else {
+            ++file_.curves_damaged;
+            diagnostics_.error(found.place, "This curved patch was left out.", "expected {}, found {}.", wrong, shown(found));
+        }
+        for (; open_braces > 0; --open_braces) lexer_.skip_block();
+    }
+
+    // What was expected where the patch is damaged, and what was found there; empty when all of it was read. Braces still open are counted.
+    std::string_view patch_fault(MapPatch& patch, int& open_braces, Token& found) {
+        const auto take = [&](char c) {
+            found = lexer_.peek();
+            if (!found.is(c)) return false;
+            lexer_.take();
+            return true;
+        };
+        const auto number = [&](double& value) {
+            found = lexer_.peek();
+            if (found.kind != TokenKind::Word || !parse_finite(found.text, value)) return false;
+            lexer_.take();
+            return true;
+        };
+        if (!take('{')) return "an opening brace in a curved patch";
+        ++open_braces;
+        found = lexer_.take_texture();
+        if (found.kind == TokenKind::End) return "a texture name in a curved patch";
+        patch.texture = found.text;
+        if (!take('(')) return "an opening bracket before the size of a curved patch";
+        std::array<double, 2> size{};
+        for (double& n : size) {
+            if (!number(n)) return "two numbers as the size of a curved patch";
+            if (!(n >= 3.0 && n <= kMostPatchPoints) || std::fmod(n, 2.0) != 1.0) return "an odd number of at least 3 as the size of a curved patch";
+        }
+        for (double ignored = 0.0; !lexer_.peek().is(')');)
+            if (!number(ignored)) return "a closing bracket after the size of a curved patch";
+        take(')');
+        PatchGrid& grid = patch.grid_units;
+        grid.rows = static_cast<int>(size[0]);
+        grid.columns = static_cast<int>(size[1]);
+        if (!take('(')) return "an opening bracket before the points of a curved patch";
+        for (int row = 0; row < grid.rows; ++row) {
+            if (!take('(')) return "as many rows of points as the size of a curved patch says";
+            for (int column = 0; column < grid.columns; ++column) {
+                if (!take('(')) return "as many points in a row as the size of a curved patch says";
+                Vec3 p(0.0);
+                for (int axis = 0; axis < 3; ++axis)
+                    if (!number(p[axis])) return "three numbers in a point of a curved patch";
+                for (double ignored = 0.0; !lexer_.peek().is(')');)
+                    if (!number(ignored)) return "a closing bracket after a point of a curved patch";
+                take(')');
+                grid.points_m.push_back(p);
+            }
+            if (!take(')')) return "a closing bracket after a row of points of a curved patch";
+        }
+        if (!take(')')) return "a closing bracket after the points of a curved patch";
+        if (!take('}')) return "a closing brace after a curved patch";
+        --open_braces;
+        return {};
+    }
+
+    // Faces up to and with the closing brace, plain ones or those of brushDef. One damaged face costs the brush, not the map.
+    void read_faces(MapEntity& entity, TextPlace place, bool primitive = false) {
         MapBrush brush;
         brush.place = place;
         bool damaged = false;
@@ -266,7 +343,7 @@ private:
             const Token& token = lexer_.peek();
             if (token.is('(')) {
                 MapFace face;
-                if (read_face(face, damaged)) {
+                if (read_face(face, damaged, primitive)) {
                     brush.faces.push_back(face);
                 } else {
                     damaged = true;
@@ -311,7 +388,7 @@ private:
     std::string left_out() const { return fmt::format("This brush was left out; {} brushes were read before it.", file_.brushes - file_.brushes_damaged - 1); }
 
     // "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then numbers, or two axes in square brackets and numbers. Games add numbers: none is required.
-    bool read_face(MapFace& face, bool silent) {
+    bool read_face(MapFace& face, bool silent, bool primitive) {
         face.place = lexer_.peek().place;
         const auto refuse = [&](const Token& found, const std::string& expected) {
             if (!silent) diagnostics_.error(found.place, left_out(), "a face ends early. Expected {}, found {}.", expected, shown(found));
@@ -329,10 +406,28 @@ private:
             if (!lexer_.peek().is(')')) return refuse(lexer_.peek(), fmt::format("a closing bracket after point {}", point + 1));
             lexer_.take();
         }
+        // Looked at only here: elsewhere a texture's name may begin with a bracket.
+        if (primitive && !skip_texture_matrix()) return refuse(lexer_.peek(), "two rows of three numbers for the texture");
         const Token texture = lexer_.take_texture();
         if (texture.kind == TokenKind::End) return refuse(texture, "a texture name");
         face.texture = texture.text;
         while (lexer_.peek().is('[') || lexer_.peek().is(']') || is_number(lexer_.peek())) lexer_.take();
+        return true;
+    }
+
+    // "( ( 1 0 0 ) ( 0 1 0 ) )" in brushDef.
+    bool skip_texture_matrix() {
+        if (!lexer_.peek().is('(')) return false;
+        lexer_.take();
+        for (int row = 0; row < 2; ++row) {
+            if (!lexer_.peek().is('(')) return false;
+            lexer_.take();
+            while (is_number(lexer_.peek())) lexer_.take();
+            if (!lexer_.peek().is(')')) return false;
+            lexer_.take();
+        }
+        if (!lexer_.peek().is(')')) return false;
+        lexer_.take();
         return true;
     }
 

@@ -1,4 +1,5 @@
-// The grammar of Quake-family .map files, without its meaning: entities with keys and brushes of three-point faces, Standard or Valve 220 per face.
+// The grammar of Quake-family .map files, without its meaning: entities with keys brushes of three-point faces, Standard or Valve 220 per
+// face or within brushDef, and curved patches.
 // Takes any bytes: damage is reported and what is complete is kept. No recursion. Time and memory are proportional to the file.
 #pragma once
 
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "worlds/base/vec.h"
+#include "worlds/geometry/bezier_patch.h"
 #include "worlds/readers/diagnostics.h"
 
 namespace handrail {
@@ -28,9 +30,17 @@ struct MapBrush {
     TextPlace place;
 };
 
+// A curved surface, patchDef2 or patchDef3: control points in units. The splits that patchDef3 names are left to the reader's own error bound.
+struct MapPatch {
+    PatchGrid grid_units;
+    std::string_view texture;
+    TextPlace place;
+};
+
 struct MapEntity {
     std::vector<MapKey> keys;  // a key given twice stands here once, with its last value
     std::vector<MapBrush> brushes;
+    std::vector<MapPatch> patches;
     TextPlace place;
 
     const MapKey* find(std::string_view key) const;
@@ -41,8 +51,8 @@ struct MapFile {
     std::vector<MapEntity> entities;
     int brushes = 0;          // complete ones and damaged ones
     int brushes_damaged = 0;  // left out
-    int curves = 0;           // patchDef2, patchDef3: left out
-    int primitives = 0;       // brushDef, brushDef3: left out
+    int curves_damaged = 0;   // patchDef2, patchDef3: left out
+    int primitives = 0;       // brushDef3 and other forms: left out
 };
 
 MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics);

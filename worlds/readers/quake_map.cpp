@@ -140,7 +140,8 @@ public:
         progress(0.3);
         for (std::size_t i = 0; i < file_.entities.size(); ++i) read_entity(file_.entities[i], static_cast<int>(i));
         progress(0.5);
-        if (scene_.solids.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "map", "brushes");
+        bend_patches();
+        if (scene_.solids.empty() && scene_.triangles.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "map", "brushes");
         join_volumes();
         derive_surfaces(scene_, looks_, units_);
         progress(0.9);
@@ -172,6 +173,13 @@ private:
         std::size_t solid = 0;
         FeatureKind kind = FeatureKind::Liquid;
         std::string_view name;
+    };
+
+    // A curved patch in world metres, before it is cut into triangles.
+    struct Bent {
+        PatchGrid grid;
+        FeatureId feature;
+        MaterialId material = kDefaultMaterial;
     };
 
     void progress(double fraction) const {
@@ -220,7 +228,10 @@ private:
     void read_entity(const MapEntity& entity, int index) {
         const std::string class_name = lower_ascii(entity.value("classname").substr(0, 64));
         const bool world = class_name == "worldspawn";
-        if (world) saw_worldspawn_ = true;
+        if (world) {
+            saw_worldspawn_ = true;
+            if (const auto error = number_of(entity, "curve_error", 0.01, 100.0, "0.01 to 100 millimetres")) curve_error_m_ = *error * 1e-3;
+        }
         note_kind_of_map(entity, class_name);
         if (class_name.empty() && !entity.keys.empty())
             diagnostics_.warn(entity.place, entity.brushes.empty() ? "It was left out." : "Its brushes were taken as part of the building.",
@@ -243,7 +254,7 @@ private:
             world_name_ = text_of(entity, "name");
             if (world_name_.empty()) world_name_ = text_of(entity, "message");
         }
-        if (!entity.brushes.empty()) read_brushes(entity, class_name, index);
+        if (!entity.brushes.empty() || !entity.patches.empty()) read_brushes(entity, class_name, index);
         else if (!world && !class_name.empty() && !class_name.starts_with("info_player_") && class_name.find("light") != 0 &&
                  !class_name.starts_with("ambient_"))
             ++shapeless_things_;
@@ -507,7 +518,7 @@ private:
 
     // An exact shape in the box around all brushes of the entity. Where sides that should be equal differ the smallest counts, so that the shape stays in its
     // box.
-    void read_exact(const MapEntity& entity, const Meaning& meaning, int index) {
+    FeatureId read_exact(const MapEntity& entity, const Meaning& meaning, int index) {
         Aabb box;
         const MapBrush* first = nullptr;
         for (const MapBrush& brush : entity.brushes) {
@@ -520,7 +531,7 @@ private:
             if (!first) first = &brush;
             box.include(built.solid.bounds_m);
         }
-        if (!first) return;
+        if (!first) return kNoFeature;
         constexpr double kAgree = 1.05;
         const AxisTurn axis = *meaning.exact == PrimitiveKind::Box || *meaning.exact == PrimitiveKind::Sphere ? AxisTurn{} : axis_of(entity);
         Primitive primitive{*meaning.exact, box.size_m(), Vec3(1.0), {box.centre_m(), axis.turn}};
@@ -545,7 +556,7 @@ private:
         if (!made) {
             diagnostics_.warn(entity.place, "It was left out.", "{}", made.error().message);
             ++brushes_left_out_;
-            return;
+            return kNoFeature;
         }
         Solid solid = *made;
         solid.role = meaning.role;
@@ -555,7 +566,9 @@ private:
         scene_.bounds_m.include(box);
         if (solid.role == SolidRole::Mover) ++scene_.report.movers;
         looks_.emplace_back(solid.shape.planes.size(), look_of(meaning, facts));
+        const FeatureId thing = solid.feature;
         scene_.solids.push_back(std::move(solid));
+        return thing;
     }
 
     BuiltSolid solid_of(const MapBrush& brush, bool report) {
@@ -633,7 +646,11 @@ private:
     void read_brushes(const MapEntity& entity, const std::string& class_name, int index) {
         const Meaning meaning = meaning_of(entity, class_name, index);
         // One brush stays as it is where a box was asked for: it may be a turned one.
-        if (meaning.exact && (*meaning.exact != PrimitiveKind::Box || entity.brushes.size() > 1)) return read_exact(entity, meaning, index);
+        if (meaning.exact && !entity.brushes.empty() && (*meaning.exact != PrimitiveKind::Box || entity.brushes.size() > 1)) {
+            FeatureId thing = read_exact(entity, meaning, index);
+            for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, thing);
+            return;
+        }
         FeatureId whole = kNoFeature;
         bool moves = false;
         for (const MapBrush& brush : entity.brushes) {
@@ -707,6 +724,7 @@ private:
             solid.shape = std::move(built.solid);
             scene_.solids.push_back(std::move(solid));
         }
+        for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, whole);
         if (moves) ++scene_.report.movers;
         if (whole && scene_.features[whole.value].kind == FeatureKind::Door) {
             Feature& door = scene_.features[whole.value];
@@ -718,6 +736,74 @@ private:
     FeatureId add_feature(Feature feature) {
         scene_.features.push_back(std::move(feature));
         return {static_cast<std::uint32_t>(scene_.features.size() - 1)};
+    }
+
+    // ---- curved patches ----
+
+    // Notes a patch of an entity; `whole` is the entity's thing, made here where it has only patches.
+    void read_patch(const MapPatch& patch, const Meaning& meaning, int index, FeatureId& whole) {
+        const TextureFacts& facts = facts_of(patch.texture);
+        if ((meaning.role != SolidRole::Solid && meaning.role != SolidRole::Mover) || facts.sense != TextureSense::Ordinary) {
+            ++patches_left_out_;
+            return;
+        }
+        Bent bent{patch.grid_units, kNoFeature, material_of(meaning, facts, patch.texture)};
+        Aabb box;
+        for (Vec3& p : bent.grid.points_m) {
+            p *= units_;
+            box.include(p);
+        }
+        if (std::max({-box.min_m.x, -box.min_m.y, -box.min_m.z, box.max_m.x, box.max_m.y, box.max_m.z}) > kFarthestM) {
+            diagnostics_.warn(patch.place, "It was left out.", "this curved patch is more than a thousand kilometres away.");
+            ++patches_left_out_;
+            return;
+        }
+        if (meaning.structure) {
+            Feature curve;
+            curve.kind = FeatureKind::Object;
+            curve.name = "curved surface";
+            curve.material = bent.material;
+            curve.source = {patch.place.line, index};
+            bent.feature = add_feature(curve);
+        } else {
+            if (!whole) {
+                whole = add_feature(meaning.feature);
+                scene_.features[whole.value].material = bent.material;
+            }
+            bent.feature = whole;
+        }
+        bent_.push_back(std::move(bent));
+    }
+
+    // All patches become triangles, coarser ones where they would be too many.
+    void bend_patches() {
+        if (bent_.empty()) return;
+        constexpr std::size_t kMostTriangles = 400'000;
+        double chord_m = curve_error_m_;
+        for (int round = 0; round < 40; ++round, chord_m *= 2.0) {
+            std::size_t all = 0;
+            for (const Bent& bent : bent_) all += triangles_of_patch(bent.grid, chord_m);
+            if (all <= kMostTriangles) break;
+        }
+        double error_m = 0.0;
+        for (const Bent& bent : bent_) {
+            const PatchMesh made = tessellate(bent.grid, chord_m);
+            error_m = std::max(error_m, made.error_m);
+            Feature& feature = scene_.features[bent.feature.value];
+            for (const Corners& t : made.mesh.triangles) {
+                const Vec3 &a = made.mesh.points_m[t[0]], &b = made.mesh.points_m[t[1]], &c = made.mesh.points_m[t[2]];
+                scene_.triangles.push_back({a, b, c, bent.feature, bent.material});
+                feature.area_m2 += 0.5 * glm::length(glm::cross(b - a, c - a));
+                for (const Vec3& p : {a, b, c}) {
+                    feature.bounds_m.include(p);
+                    scene_.bounds_m.include(p);
+                }
+            }
+        }
+        scene_.report.patches = static_cast<int>(bent_.size());
+        scene_.report.simplified.push_back(fmt::format("{} became {} flat triangles, at most {:.2g} millimetres beside the curve; {:.3g} were allowed.",
+                                                       bent_.size() == 1 ? "One curved patch" : fmt::format("{} curved patches", bent_.size()),
+                                                       scene_.triangles.size(), 1e3 * error_m, 1e3 * chord_m));
     }
 
     // ---- materials ----
@@ -797,7 +883,8 @@ private:
             if (count > 0) report.left_out.push_back(count == 1 ? fmt::format("One {} was left out.", one) : fmt::format("{} {} were left out.", count, many));
         };
         left_out(brushes_left_out_ + file_.brushes_damaged, "damaged brush", "damaged brushes");
-        left_out(file_.curves, "curved patch, which is not read yet,", "curved patches, which are not read yet,");
+        left_out(file_.curves_damaged + patches_left_out_, "curved patch that is damaged or cannot be touched",
+                 "curved patches that are damaged or cannot be touched");
         left_out(file_.primitives, "brush in a form that is not read yet", "brushes in a form that is not read yet");
         left_out(helper_brushes_, "brush that only helps the map's compiler", "brushes that only help the map's compiler");
         left_out(shapeless_things_, "thing without a shape in the file, such as an item or a creature,",
@@ -817,6 +904,9 @@ private:
     std::vector<std::vector<FaceLook>> looks_;  // one per solid
     std::vector<Volume> volumes_;
     std::vector<ReadEffect> effects_;
+    std::vector<Bent> bent_;
+    double curve_error_m_ = 1e-3;
+    int patches_left_out_ = 0;
     std::map<std::string_view, TextureFacts> textures_;
     std::map<LookKey, FaceLook> known_looks_;
     std::map<std::string, std::shared_ptr<const HeightPicture>> pictures_;  // null: told already that it cannot be used

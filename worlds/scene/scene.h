@@ -108,6 +108,7 @@ struct ReadReport {
     std::string format;  // "map", "obj"
     int brushes = 0, polygons = 0, polygons_kept = 0, polygons_hidden = 0, triangles = 0;
     int liquids = 0, movers = 0, doors = 0, starts = 0;
+    int patches = 0;                                         // curved patches that were read; their triangles are not counted above
     std::vector<std::string> guessed, simplified, left_out;  // sentences
     std::vector<Diagnostic> warnings;                        // at most 20
     int warnings_in_all = 0;                                 // all that were met
