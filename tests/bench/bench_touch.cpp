@@ -24,7 +24,32 @@ void replay_ticks(benchmark::State& bench, const HapticScene& scene, const std::
     }
 }
 
+// One closest point of an obstacle of each kind, from random places near it.
+void register_closest_points() {
+    TouchWorld worlds[kObstacleKinds];
+    const auto of = [&](ObstacleKind kind) -> TouchWorld& { return worlds[static_cast<std::size_t>(kind)]; };
+    const Vec3 low(-.1, -.1, -.1), high(.1, .1, .1);
+    of(ObstacleKind::Triangle).triangle(low, {.1, -.1, 0}, high);
+    of(ObstacleKind::Polygon).polygon({{.1, 0, 0}, {.05, .087, 0}, {-.05, .087, 0}, {-.1, 0, 0}, {-.05, -.087, 0}, {.05, -.087, 0}});
+    of(ObstacleKind::Box).box(low, high);
+    of(ObstacleKind::Brush).brush_box(low, high);
+    of(ObstacleKind::Sphere).sphere({0, 0, 0}, .1);
+    of(ObstacleKind::Capsule).capsule(low, high, .05);
+    of(ObstacleKind::Cylinder).cylinder(low, high, .05);
+    of(ObstacleKind::Cone).cone(low, high, .05);
+    constexpr const char* kNames[kObstacleKinds] = {"triangle", "polygon of 6", "box", "brush of 7", "sphere", "capsule", "cylinder", "cone"};
+    std::mt19937 random(1);
+    const auto places = std::make_shared<std::vector<Vec3>>();
+    for (int i = 0; i < 1024; ++i) places->emplace_back((random() % 400) / 1e3 - .2, (random() % 400) / 1e3 - .2, (random() % 400) / 1e3 - .2);
+    for (std::size_t kind = 0; kind < kObstacleKinds; ++kind)
+        benchmark::RegisterBenchmark((std::string("closest/") + kNames[kind]).c_str(), [scene = worlds[kind].scene(), places](benchmark::State& bench) {
+            std::size_t i = 0;
+            for (auto _ : bench) benchmark::DoNotOptimize(scene->closest(0, (*places)[i++ % places->size()]));
+        });
+}
+
 void register_all() {
+    register_closest_points();
     for (const TouchCase& c : hard_cases())
         benchmark::RegisterBenchmark(("tick/" + c.name).c_str(),
                                      [c](benchmark::State& bench) { replay_ticks(bench, *c.world.scene(), c.goals_m, c.radius_m); });
