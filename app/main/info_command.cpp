@@ -4,6 +4,7 @@
 
 #include "app/main/commands.h"
 #include "haptic/compile/compile_haptic.h"
+#include "haptic/compile/touch_model.h"
 #include "worlds/base/clock.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/lint.h"
@@ -33,7 +34,7 @@ std::vector<std::string> material_names(const Scene& scene) {
     return names;
 }
 
-Json json_of(const Scene& scene, const Cost& cost) {
+Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
     const ReadReport& report = scene.report;
     const Aabb bounds = scene.bounds_m.empty() ? Aabb{Vec3{0.0}, Vec3{0.0}} : scene.bounds_m;
     Json warnings = Json::array();
@@ -42,6 +43,8 @@ Json json_of(const Scene& scene, const Cost& cost) {
                             {"line", warning.line},
                             {"column", warning.column},
                             {"message", warning.action.empty() ? warning.message : warning.message + " " + warning.action}});
+    Json modelled = Json::object();
+    for (const TouchModel::Part& part : touch.parts) modelled[std::string(part.key)] = part.count;
     return {{"name", scene.name},
             {"format", report.format},
             {"brushes", report.brushes},
@@ -75,14 +78,24 @@ Json json_of(const Scene& scene, const Cost& cost) {
             {"bounds_max_m", vector_of(bounds.max_m)},
             {"scale_m_per_unit", scene.metres_per_unit},
             {"game_map", scene.game_map},
+            {"touch_model", std::move(modelled)},
+            {"touch_stages_on", touch.stages_on},
+            {"touch_stages_off", touch.stages_off},
             {"load_s", cost.load_s},
             {"peak_memory_bytes", cost.peak_memory_bytes}};
+}
+
+// "liquids_with_drag" as words.
+std::string spaced(std::string_view key) {
+    std::string words(key);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
 }
 
 std::string counted(int count, std::string_view one, std::string_view many) { return fmt::format("{} {}", count, count == 1 ? one : many); }
 
 // Sentences to be heard one after another, the important first.
-void tell(const Scene& scene, const Cost& cost, std::ostream& out) {
+void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
     const Vec3 size = scene.bounds_m.empty() ? Vec3{0.0} : scene.bounds_m.size_m();
     out << fmt::format("{}, from {}.\n", scene.name, scene.source_file);
@@ -104,6 +117,12 @@ void tell(const Scene& scene, const Cost& cost, std::ostream& out) {
     }
     const std::vector<std::string> materials = material_names(scene);
     out << (materials.empty() ? "No materials are named.\n" : fmt::format("Materials: {}.\n", fmt::join(materials, ", ")));
+    std::vector<std::string> parts;
+    for (const TouchModel::Part& part : touch.parts)
+        if (part.count > 0) parts.push_back(counted(static_cast<int>(part.count), part.one, spaced(part.key)));
+    out << fmt::format("The hand meets: {}.\n", parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", ")));
+    if (!touch.stages_on.empty()) out << fmt::format("Looked at on each tick of the hand besides surfaces: {}.\n", fmt::join(touch.stages_on, ", "));
+    if (!touch.stages_off.empty()) out << fmt::format("Not modelled, since nothing here needs it: {}.\n", fmt::join(touch.stages_off, ", "));
     const auto list = [&](std::string_view title, const std::vector<std::string>& sentences) {
         if (sentences.empty()) return;
         out << title << ":\n";
@@ -152,15 +171,12 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
         return 1;
     }
     if (arguments.lint) return tell_lint(*scene, out);
-    const bool has_mesh = !scene->triangles.empty() ||
-                          std::any_of(scene->placed.begin(), scene->placed.end(), [](const PlacedModel& placed) { return !placed.model->triangles.empty(); });
-    if (has_mesh) {  // what exploring makes of it
-        MeshReport mesh;
-        compile_haptic(*scene, MaterialSource::Library, 0, MeshOptions{}, &mesh);
-        for (std::string& sentence : mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
-    }
-    if (arguments.json) out << json_of(*scene, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    else tell(*scene, cost, out);
+    // What exploring makes of it.
+    MeshReport mesh;
+    const TouchModel touch = touch_model(*compile_haptic(*scene, MaterialSource::Library, 0, MeshOptions{}, &mesh));
+    for (std::string& sentence : mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
+    if (arguments.json) out << json_of(*scene, touch, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    else tell(*scene, touch, cost, out);
     return 0;
 }
 

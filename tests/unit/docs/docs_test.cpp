@@ -65,6 +65,27 @@ TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
     EXPECT_EQ(listed, asked);
 }
 
+// "From [file](...):" and a block of code after it: the block stands in that file, which the tests compile and run.
+TEST(DevelopersGuide, quotes_its_examples_from_files_that_are_compiled_and_run) {
+    static const std::regex kQuotation(R"re(From \[`(tests/examples/[a-z_]+\.cpp)`\]\([^)]*\):\n\n```cpp\n([^`]*)```)re");
+    const std::string guide = test::content_of(kRoot / "docs" / "developer.md");
+    std::set<std::string> quoted;
+    for (auto it = std::sregex_iterator(guide.begin(), guide.end(), kQuotation); it != std::sregex_iterator(); ++it) {
+        const std::string file = (*it)[1], code = (*it)[2];
+        quoted.insert(file);
+        EXPECT_NE(test::content_of(kRoot / file).find(code), std::string::npos) << file << " does not hold what the guide quotes:\n" << code;
+    }
+    std::set<std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator(kRoot / "tests" / "examples"))
+        if (entry.path().extension() == ".cpp") all.insert("tests/examples/" + entry.path().filename().string());
+    EXPECT_EQ(quoted, all);
+    EXPECT_GE(all.size(), 3U);
+    std::size_t blocks = 0;
+    for (std::size_t at = guide.find("```cpp"); at != std::string::npos; at = guide.find("```cpp", at + 1)) ++blocks;
+    EXPECT_EQ(blocks, static_cast<std::size_t>(std::distance(std::sregex_iterator(guide.begin(), guide.end(), kQuotation), std::sregex_iterator())))
+        << "every block of code in the guide is a quotation";
+}
+
 TEST(Documents, link_only_to_files_that_exist) {
     static const std::regex kLink(R"re(\]\(([^)#:]+)(#[^)]*)?\))re");
     std::vector<std::filesystem::path> documents{kRoot / "README.md"};

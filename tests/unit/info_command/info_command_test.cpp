@@ -65,6 +65,17 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     EXPECT_EQ(json["bounds_min_m"], nlohmann::json({-0.5, -0.5, -0.5}));
     EXPECT_EQ(json["scale_m_per_unit"], 1.0 / 32.0);
     EXPECT_EQ(json["guessed"].size(), 2U);
+    // What is modelled for touch, and what is not there and costs nothing.
+    EXPECT_EQ(json["touch_model"]["boxes"], 7);  // six walls and the door; water is no obstacle
+    EXPECT_EQ(json["touch_model"]["brushes"], 0);
+    EXPECT_EQ(json["touch_model"]["triangles"], 0);
+    EXPECT_EQ(json["touch_model"]["bodies"], 0);
+    EXPECT_EQ(json["touch_model"]["liquids"], 1);
+    EXPECT_EQ(json["touch_model"]["liquids_with_drag"], 0);
+    EXPECT_EQ(json["touch_model"]["magnets"], 0);
+    EXPECT_EQ(json["touch_model"]["materials_with_friction"], 2);  // brick and wood
+    EXPECT_THAT(json["touch_stages_on"].get<std::vector<std::string>>(), testing::Contains("liquids"));
+    EXPECT_THAT(json["touch_stages_off"].get<std::vector<std::string>>(), testing::IsSupersetOf({"bodies", "effects", "liquid surfaces"}));
     ASSERT_EQ(json["warnings"].size(), 1U);
     EXPECT_EQ(json["warnings"][0]["file"], "room.map");
     EXPECT_EQ(json["warnings"][0]["line"], 60);  // after class and message three lines, seven boxes of eight lines, from line 4
@@ -79,7 +90,8 @@ TEST(InfoCommand, tells_the_same_in_sentences) {
     EXPECT_EQ(run.status, 0);
     for (const char* said :
          {"A small room, from room.map.\n", "9.0 metres from west to east, 7.0 from south to north, and 4.0 high",
-          "8 things with a name to touch, 1 door, 1 moving part, 1 liquid, 1 start.", "Materials: brick, wood.", "The material brick was guessed",
+          "8 things with a name to touch, 1 door, 1 moving part, 1 liquid, 1 start.", "Materials: brick, wood.",
+          "The hand meets: 7 boxes, 1 liquid, 3 touch materials", "Not modelled, since nothing here needs it: bodies, ", "The material brick was guessed",
           "1 problem:\n  room.map, line 60, column 1: warning: this brush has no faces. It was left out.", "Loaded in "})
         EXPECT_THAT(run.out, testing::HasSubstr(said));
 }
