@@ -93,7 +93,12 @@ TEST(Documents, link_only_to_files_that_exist) {
         if (entry.path().extension() == ".md") documents.push_back(entry.path());
     EXPECT_GE(documents.size(), 8U);
     for (const auto& document : documents) {
-        const std::string text = test::content_of(document);
+        // A lambda in a block of code looks like a link and is none.
+        std::string text = test::content_of(document);
+        for (std::size_t open = text.find("```"); open != std::string::npos; open = text.find("```", open)) {
+            const std::size_t close = text.find("```", open + 3);
+            text.erase(open, close == std::string::npos ? close : close + 3 - open);
+        }
         for (auto it = std::sregex_iterator(text.begin(), text.end(), kLink); it != std::sregex_iterator(); ++it)
             EXPECT_TRUE(std::filesystem::exists(document.parent_path() / (*it)[1].str())) << document << " links to " << (*it)[1];
     }

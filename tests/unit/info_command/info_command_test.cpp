@@ -91,8 +91,8 @@ TEST(InfoCommand, tells_the_same_in_sentences) {
     for (const char* said :
          {"A small room, from room.map.\n", "9.0 metres from west to east, 7.0 from south to north, and 4.0 high",
           "8 things with a name to touch, 1 door, 1 moving part, 1 liquid, 1 start.", "Materials: brick, wood.",
-          "The hand meets: 7 boxes, 1 liquid, 3 touch materials", "Not modelled, since nothing here needs it: bodies, ", "The material brick was guessed",
-          "1 problem:\n  room.map, line 60, column 1: warning: this brush has no faces. It was left out.", "Loaded in "})
+          "The hand meets: 7 boxes, 1 liquid, 1 texture, 3 touch materials", "Not modelled, since nothing here needs it: sheets of one side, bodies, ",
+          "The material brick was guessed", "1 problem:\n  room.map, line 60, column 1: warning: this brush has no faces. It was left out.", "Loaded in "})
         EXPECT_THAT(run.out, testing::HasSubstr(said));
 }
 
