@@ -132,6 +132,49 @@ void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<co
                solid.round);
 }
 
+// The hard rest of a solid, and the patch that gives way above it.
+void add_soft_solid(HapticSceneBuilder& builder, const Solid& solid) {
+    const SoftFace& soft = *solid.soft;
+    std::vector<Plane> planes = solid.shape.planes;
+    planes[soft.face].offset_m -= soft.depth_m;
+    const std::vector<SurfaceLabel> labels = labels_of(solid);
+    builder.add_solid(planes, solid.shape.bounds_m, labels);
+
+    const std::vector<Vec3>& corners = solid.shape.faces[soft.face].points_m;
+    SoftPatch patch;
+    patch.feature = labels[soft.face].feature;
+    patch.material = labels[soft.face].material;
+    patch.depth_m = soft.depth_m;
+    patch.stiffness_fraction = soft.stiffness_fraction;
+    patch.plastic = soft.plastic;
+    patch.recovery_s = soft.recovery_s;
+    patch.yield_n = soft.yield_n;
+    patch.outline_m = corners;
+    // Along the longest edge.
+    double longest = 0.0;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec3 edge = corners[(i + 1) % corners.size()] - corners[i];
+        if (const double length = glm::length(edge); length > longest) {
+            longest = length;
+            patch.u = edge / length;
+        }
+    }
+    const Vec3 normal = solid.shape.planes[soft.face].normal;
+    patch.u = glm::normalize(patch.u - normal * glm::dot(patch.u, normal));
+    patch.v = glm::normalize(glm::cross(normal, patch.u));
+    double least_u = 1e300, most_u = -1e300, least_v = 1e300, most_v = -1e300;
+    for (const Vec3& corner : corners) {
+        least_u = std::min(least_u, glm::dot(corner, patch.u));
+        most_u = std::max(most_u, glm::dot(corner, patch.u));
+        least_v = std::min(least_v, glm::dot(corner, patch.v));
+        most_v = std::max(most_v, glm::dot(corner, patch.v));
+    }
+    patch.size_u_m = most_u - least_u;
+    patch.size_v_m = most_v - least_v;
+    patch.corner_m = patch.u * least_u + patch.v * least_v + normal * solid.shape.planes[soft.face].offset_m;
+    builder.add_soft(std::move(patch));
+}
+
 // What of a model can be touched, all under one name and of one material.
 std::shared_ptr<const HapticScene> compile_model(const Scene& model, const SurfaceLabel& label, const MeshOptions& mesh, MeshReport& report) {
     HapticSceneBuilder builder;
@@ -155,7 +198,8 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSo
         builder.set_reliefs(std::move(list), scene.triangles.empty() ? std::vector<std::uint8_t>{} : mesh_axes(scene));
     for (const Solid& solid : scene.solids) {
         if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) {
-            add_touchable(builder, solid, labels_of(solid));
+            if (solid.soft) add_soft_solid(builder, solid);
+            else add_touchable(builder, solid, labels_of(solid));
         } else if (solid.role == SolidRole::Liquid) {
             LiquidVolume liquid;
             liquid.planes = solid.shape.planes;

@@ -289,6 +289,12 @@ std::optional<std::pair<std::uint32_t, Placement>> HapticSceneBuilder::body_of(F
     return std::nullopt;
 }
 
+bool HapticSceneBuilder::add_soft(SoftPatch patch) {
+    if (!is_sound(patch) || scene_.soft_patches.size() == kMostSoftPatches) return false;
+    scene_.soft_patches.push_back(std::move(patch));
+    return true;
+}
+
 bool HapticSceneBuilder::add_effect(EffectVolume effect) {
     const bool hangs = effect.body != EffectVolume::kNoBody;
     if (!is_sound(effect) || (hangs && effect.body >= scene_.bodies.size())) return false;
@@ -355,6 +361,7 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     for (const Aabb& box : obstacle_bounds_) all.include(box);
     for (const Aabb& box : liquid_bounds_) all.include(box);
     for (const Aabb& box : effect_bounds_) all.include(box);
+    for (const SoftPatch& patch : scene_.soft_patches) all.include(patch.corner_m);
     const auto far_from_zero = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kNearZero_m; };
     if (!all.empty() && (far_from_zero(all.min_m) || far_from_zero(all.max_m))) scene_.origin_m = glm::round(all.centre_m());
     const Vec3 origin = scene_.origin_m;
@@ -401,12 +408,18 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     for (Aabb& box : obstacle_bounds_) shift(box);
     for (Aabb& box : liquid_bounds_) shift(box);
     for (Aabb& box : effect_bounds_) shift(box);
+    for (SoftPatch& patch : scene_.soft_patches) {
+        patch.corner_m -= origin;
+        for (Vec3& corner : patch.outline_m) corner -= origin;
+    }
     for (EffectVolume& effect : scene_.effects)
         if (effect.body == EffectVolume::kNoBody) move_effect(effect, -origin);
     scene_.obstacle_bvh = Bvh(obstacle_bounds_);
     scene_.liquid_bvh = Bvh(liquid_bounds_);
     scene_.effect_bvh = Bvh(effect_bounds_);
     prepare_effects();
+    lay_grids(scene_.soft_patches);
+    scene_.media = !scene_.liquids.empty() || !scene_.effects.empty() || !scene_.soft_patches.empty();
     scene_.generation = next_generation.fetch_add(1);
     scene_.world = world != 0 ? world : scene_.generation;
     return std::make_shared<const HapticScene>(std::move(scene_));

@@ -14,6 +14,7 @@
 #include "haptic/render/effect_volume.h"
 #include "haptic/render/mesh_shading.h"
 #include "haptic/render/relief.h"
+#include "haptic/render/soft_patch.h"
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
 #include "worlds/geometry/bvh.h"
@@ -133,16 +134,18 @@ struct HapticScene {
     Bvh obstacle_bvh;                            // item i is obstacles[i]
     std::vector<LiquidVolume> liquids;           // in the file's order
     Bvh liquid_bvh;                              // item i is liquids[i]
+    bool media = false;                          // there are liquids, effects or soft patches
     bool liquid_surfaces = false;                // some liquid has buoyancy or a film
     std::vector<EffectVolume> effects;           // in the file's order
     Bvh effect_bvh;                              // item i is effects[i], those that hang on no body
     std::vector<std::uint32_t> hanging_effects;  // of effects: those that hang on a body
-    std::vector<HapticBody> bodies;              // at most kMostBodies
-    std::vector<HapticMaterial> materials;       // same order as Scene::materials; entry 0 is the default wall
-    std::vector<Relief> reliefs;                 // height and friction textures; empty: not one instruction more per tick than a branch
-    MeshShading shading;                         // of `mesh`, where asked for
-    bool fields = false;                         // reliefs or shading, here or in a body
-    std::vector<std::uint8_t> relief_axis;       // by FeatureId of a mesh: 0, 1 or 2, the axis along which its textures are laid on
+    std::vector<SoftPatch> soft_patches;
+    std::vector<HapticBody> bodies;         // at most kMostBodies
+    std::vector<HapticMaterial> materials;  // same order as Scene::materials; entry 0 is the default wall
+    std::vector<Relief> reliefs;            // height and friction textures; empty: not one instruction more per tick than a branch
+    MeshShading shading;                    // of `mesh`, where asked for
+    bool fields = false;                    // reliefs or shading, here or in a body
+    std::vector<std::uint8_t> relief_axis;  // by FeatureId of a mesh: 0, 1 or 2, the axis along which its textures are laid on
 
     // Local coordinates. Never empty of meaning: index < obstacles.size().
     ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
@@ -203,6 +206,8 @@ public:
     void add_cone(const ConeShape& cone, std::span<const SurfaceLabel> labels);  // side, base
     void add_cone(const ConeShape& cone, const SurfaceLabel& label = {}) { add_cone(cone, std::span(&label, 1)); }
     void add_liquid(LiquidVolume liquid, const Aabb& bounds_m);
+    // False, and nothing added, for one that is not sound or when there are kMostSoftPatches already.
+    bool add_soft(SoftPatch patch);
     // False, and nothing added, for one that is not sound (is_sound) or hangs on a body that was not added before.
     bool add_effect(EffectVolume effect);
     // The shape comes from a builder of its own, in the body's frame. False, and nothing added, when there are kMostBodies already.

@@ -9,6 +9,7 @@
 #include "haptic/render/liquids.h"
 #include "haptic/render/passivity_guard.h"
 #include "haptic/render/proxy_solver.h"
+#include "haptic/render/soft_patch.h"
 #include "haptic/render/surface_field.h"
 #include "haptic/render/tick_math.h"
 
@@ -62,6 +63,7 @@ struct TouchState::Impl {
     Feel feel;                     // of the last contact; also for the way back to a goal that slipped off
     LiquidState liquids;
     EffectState effects;
+    SoftState soft;
     PassivityGuard guard;
     double swing = 1.0;  // of waves in the surface, 0 while the hand is too fast for them
 
@@ -267,8 +269,8 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     result.contact_force_n = force;
     if (guarding) guard.given(force);
 
-    // 5. Liquids and effects.
-    if (!scene.liquids.empty() || !scene.effects.empty()) {
+    // 5. Liquids, effects and what gives way.
+    if (scene.media) {
         HandMotion hand;
         hand.goal_m = goal_m;
         hand.step_m = hand_step;
@@ -277,7 +279,13 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         hand.stiffest_n_per_m = tuning.rated_stiffness_n_per_m;
         hand.held = tuning.held;
         hand.bodies = bodies.poses;
-        const Vec3 media = liquids.force_n(scene, hand, solver.local_m(), result.liquid) + effects.force_n(scene, hand);
+        const SoftPatch* pressed = nullptr;
+        result.soft_force_n = soft.force_n(scene, hand, result.proxy_m, tuning.radius_m, pressed);
+        if (pressed) {
+            result.soft = pressed->feature;
+            result.soft_material = pressed->material;
+        }
+        const Vec3 media = liquids.force_n(scene, hand, solver.local_m(), result.liquid) + effects.force_n(scene, hand) + result.soft_force_n;
         result.effects_truncated = effects.truncated();
         force += shortened(media, kLargestEffect_n);
     }

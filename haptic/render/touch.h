@@ -71,6 +71,9 @@ struct TouchResult {
     ContactSet contacts;
     FeatureId liquid = kNoFeature;                   // volume the proxy is in, the last one listed where they overlap
     double radius_m = 0.0;                           // ball as it is now: it grows after a tight start
+    FeatureId soft = kNoFeature;                     // soft patch that is pressed
+    MaterialId soft_material = kDefaultMaterial;
+    Vec3 soft_force_n{0.0};                          // from soft patches
     bool effects_truncated = false;                  // more effects hold the hand than can act at once
 };
 

@@ -21,9 +21,18 @@ void ContactTracker::end(std::size_t index, double now_s, TickEvents& events) no
 
 void ContactTracker::update(const TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m, double now_s, double dt_s,
                             TickEvents& events) noexcept {
-    const double force_n = length(touch.contact_force_n);
-    for (std::size_t i = 0; i < touch.contacts.count; ++i) {
-        const Contact& contact = touch.contacts.contacts[i];
+    // What gives way is met like what does not.
+    const double contact_n = length(touch.contact_force_n), soft_n = length(touch.soft_force_n);
+    std::array<Contact, 4> felt;
+    std::size_t count = 0;
+    for (; count < touch.contacts.count; ++count) felt[count] = touch.contacts.contacts[count];
+    const std::size_t hard = count;
+    const auto same = [&](const Contact& contact) { return contact.feature == touch.soft; };  // pressed down to its hard floor
+    if (soft_n > 0.0 && std::none_of(felt.begin(), felt.begin() + hard, same))
+        felt[count++] = {touch.soft, touch.soft_material, touch.soft_force_n / soft_n, 1.0};
+    for (std::size_t i = 0; i < count; ++i) {
+        const Contact& contact = felt[i];
+        const double force_n = i < hard ? contact_n : soft_n;
         std::size_t index = 0;
         while (index < count_ && !(held_[index].feature == contact.feature && held_[index].material == contact.material)) ++index;
         if (index == count_) {

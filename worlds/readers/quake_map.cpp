@@ -8,6 +8,7 @@
 #include "worlds/readers/height_picture.h"
 #include "worlds/readers/map_effects.h"
 #include "worlds/readers/map_keys.h"
+#include "worlds/readers/map_soft.h"
 #include "worlds/readers/map_syntax.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
@@ -164,6 +165,7 @@ private:
         std::optional<double> viscosity_ns_per_m;
         double buoyancy_n = 0.0, film_n = 0.0;
         Vec3 flow_hand_m_per_s{0.0};
+        std::optional<SoftWish> soft;
         Material surface;  // what the keys say; its name one of the library, or empty
         std::string look;  // the same for surfaces with the same keys
         SourcePlace source;
@@ -376,6 +378,7 @@ private:
             if (feature.name.empty()) feature.name = *exact == PrimitiveKind::Sphere ? "ball" : kPrimitiveNames[static_cast<std::size_t>(*exact)];
         }
         meaning.viscosity_ns_per_m = number_of(entity, "viscosity", 0.0, kMostViscosityNsPerM, "0 to 100 newton seconds per metre");
+        meaning.soft = soft_wish_of(entity, units_, diagnostics_);
         meaning.buoyancy_n = number_of(entity, "buoyancy", 0.0, kMostBuoyancyN, "0 to 1 newton").value_or(0.0);
         meaning.film_n = number_of(entity, "film", 0.0, kMostFilmN, "0 to 0.5 newtons").value_or(0.0);
         if (const std::optional<Vec3> flow = keys_.vector_of(entity, "flow", "It stands still.")) {
@@ -722,6 +725,8 @@ private:
                 looks.push_back(facts.sky ? kSkyLook : look_of(meaning, facts));
             }
             solid.shape = std::move(built.solid);
+            if (meaning.soft && (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover))
+                solid.soft = soft_face_of(*meaning.soft, solid.shape, meaning.feature.name, diagnostics_);
             scene_.solids.push_back(std::move(solid));
         }
         for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, whole);

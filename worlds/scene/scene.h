@@ -48,6 +48,16 @@ enum class SolidRole : std::uint8_t {
     Illusion,  // seen, not touched
 };
 
+// A face that gives way under the hand, above the rest of its solid.
+struct SoftFace {
+    std::size_t face = 0;  // of the solid
+    bool plastic = false;  // keeps a dent
+    double depth_m = 0.0;
+    double stiffness_fraction = 0.2;
+    double recovery_s = 0.5;  // of one that comes back
+    double yield_n = 1.0;     // of one that keeps a dent
+};
+
 struct Solid {
     ConvexSolid shape;
     SolidRole role = SolidRole::Solid;
@@ -59,6 +69,7 @@ struct Solid {
     std::optional<double> viscosity_ns_per_m;  // liquids only, of hand speed; none: no drag
     double buoyancy_n = 0.0, film_n = 0.0;     // liquids only: what lifts a hand in it, what its surface holds back at most
     Vec3 flow_hand_m_per_s{0.0};               // liquids only: a stream, in hand speed
+    std::optional<SoftFace> soft;
     SourcePlace source;
 };
 

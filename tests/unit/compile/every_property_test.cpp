@@ -77,6 +77,18 @@ TEST_F(EveryProperty, each_effect_is_felt_as_its_keys_say) {
     EXPECT_EQ(felt({20, 5, 3}, 200), Vec3(0.0)) << "nothing elsewhere";
 }
 
+TEST_F(EveryProperty, soft_sides_give_way_as_their_keys_say) {
+    // Cushion, top at 1 m, soft to 0.4 m: a quarter of 1,000 N/m at once; held, it gives way to about two thirds.
+    const double radius = TouchTuning{}.radius_m;
+    EXPECT_NEAR(felt({17, 3, 1.0 + radius - 0.004}).z, 250.0 * 0.004, 0.02);
+    EXPECT_NEAR(felt({17, 3, 1.0 + radius - 0.004}, 5000).z, 250.0 * 0.004 * 0.64, 0.1);
+    EXPECT_EQ(felt({17, 3, 1.0 + radius + 0.001}), Vec3(0.0));
+    // Clay, south side at y = 2: 400 N/m up to half a newton, then it yields.
+    EXPECT_NEAR(felt({21, 2.0 - radius + 0.001, 1}).y, -400.0 * 0.001, 0.01);
+    EXPECT_LT(std::abs(felt({21, 2.0 - radius + 0.02, 1}, 300).y), 3.5) << "it has given way, and 8 newtons would be the spring's";
+    EXPECT_EQ(haptic->soft_patches.size(), 2U);
+}
+
 TEST_F(EveryProperty, an_effect_belongs_to_the_thing_that_is_named) {
     const auto magnet = std::find_if(scene->effects.begin(), scene->effects.end(), [](const Effect& e) { return e.pull == MagnetPull::Object; });
     ASSERT_NE(magnet, scene->effects.end());

@@ -55,7 +55,7 @@ TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
 TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
     static const std::regex kAsked(R"re((?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of_key|vector_of)\((?:entity_?,\s*)?"([a-z_]+)")re");
     std::string source = test::content_of(kRoot / "worlds" / "readers" / "quake_map.cpp");
-    source += test::content_of(kRoot / "worlds" / "readers" / "map_effects.cpp");
+    for (const char* more : {"map_effects.cpp", "map_soft.cpp"}) source += test::content_of(kRoot / "worlds" / "readers" / more);
     std::set<std::string> asked;
     for (auto it = std::sregex_iterator(source.begin(), source.end(), kAsked); it != std::sregex_iterator(); ++it) asked.insert((*it)[1]);
     asked.erase("_external_map");  // content of another program, left out and said

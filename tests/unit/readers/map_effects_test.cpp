@@ -129,6 +129,37 @@ TEST(MapEffects, liquids_have_buoyancy_film_and_flow) {
     EXPECT_THAT(pool(key("flow", "0.1 0 0")).said, ElementsAre(HasSubstr("this liquid has none")));
 }
 
+TEST(MapSoft, sides_give_way_as_written) {
+    const auto thing = [](const std::string& keys) { return read(entity("func_wall", key("name", "Seat") + keys, box_brush(0, 0, 0, 32, 32, 16))); };
+    const Reading plain = thing(key("soft", "Elastic"));
+    EXPECT_THAT(plain.said, IsEmpty());
+    ASSERT_TRUE(plain.scene.solids.back().soft);
+    const SoftFace& soft = *plain.scene.solids.back().soft;
+    EXPECT_EQ(plain.scene.solids.back().shape.planes[soft.face].normal, Vec3(0, 0, 1));
+    EXPECT_EQ(soft.depth_m, 0.25) << "half of what there is";
+    EXPECT_EQ(soft.stiffness_fraction, 0.2);
+    EXPECT_EQ(soft.recovery_s, 0.5);
+    EXPECT_FALSE(soft.plastic);
+    const Reading all =
+        thing(key("soft", "plastic") + key("soft_side", "west") + key("soft_depth", "8") + key("soft_stiffness", "0.5") + key("soft_yield", "2"));
+    EXPECT_THAT(all.said, IsEmpty());
+    const Solid& solid = all.scene.solids.back();
+    EXPECT_EQ(solid.shape.planes[solid.soft->face].normal, Vec3(-1, 0, 0));
+    EXPECT_EQ(solid.soft->depth_m, 0.25);
+    EXPECT_EQ(solid.soft->stiffness_fraction, 0.5);
+    EXPECT_EQ(solid.soft->yield_n, 2.0);
+    EXPECT_TRUE(solid.soft->plastic);
+
+    EXPECT_THAT(thing(key("soft", "fluffy")).said, ElementsAre(HasSubstr("neither elastic nor plastic. It stays hard.")));
+    EXPECT_THAT(thing(key("soft", "elastic") + key("soft_depth", "0")).said, ElementsAre(HasSubstr("soft to no depth")));
+    EXPECT_FALSE(thing(key("soft", "elastic") + key("soft_depth", "0")).scene.solids.back().soft);
+    const Reading deep =
+        thing(key("soft", "elastic") + key("soft_depth", "16") + key("soft_stiffness", "7") + key("soft_recovery", "x") + key("soft_side", "nort"));
+    EXPECT_EQ(deep.said.size(), 4U) << testing::PrintToString(deep.said);
+    EXPECT_NEAR(deep.scene.solids.back().soft->depth_m, 0.9 * 0.5, 1e-12) << "something hard is left underneath";
+    EXPECT_EQ(deep.scene.solids.back().soft->stiffness_fraction, 0.6);
+}
+
 TEST(MapEffects, survive_being_cut_at_every_byte) {
     const std::string text = kFloor + effect_entity("magnet", key("pull", "object") + key("target", "x") + key("strength", "1")) +
                              effect_entity("force", key("origin", "32 64 96") + key("end", "1 2 3") + key("radius", "16"), "");

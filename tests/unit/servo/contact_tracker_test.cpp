@@ -110,6 +110,24 @@ TEST(ContactTracker, enters_and_leaves_liquids_and_does_not_stutter_at_their_sur
     EXPECT_EQ(bench.count(ContactEventKind::LeaveLiquid, kPool), 1);
 }
 
+TEST(ContactTracker, meets_what_gives_way_like_what_does_not) {
+    Bench bench;
+    TouchResult soft;
+    soft.soft = kFloor;
+    soft.soft_force_n = Vec3(0, 0, 0.2);
+    for (int i = 0; i < 30; ++i) bench.tick(soft, Vec3(0, 0, -0.1));
+    EXPECT_EQ(bench.count(ContactEventKind::Begin, kFloor), 1);
+    EXPECT_NEAR(bench.seen.at(0).force_n, 0.2, 1e-12);
+    EXPECT_NEAR(bench.seen.at(0).speed_m_per_s, 0.1, 1e-12);
+    TouchResult through = touching({kFloor});  // down to its hard floor: still the same thing
+    through.soft = soft.soft;
+    through.soft_force_n = soft.soft_force_n;
+    for (int i = 0; i < 30; ++i) bench.tick(through);
+    for (int i = 0; i < 30; ++i) bench.tick(TouchResult{});
+    EXPECT_EQ(bench.count(ContactEventKind::Begin, kFloor), 1);
+    EXPECT_EQ(bench.count(ContactEventKind::End, kFloor), 1);
+}
+
 TEST(ContactTracker, clear_ends_everything_once) {
     Bench bench;
     TouchResult touch = touching({kFloor, kWall});

@@ -1,0 +1,92 @@
+#include "worlds/readers/map_soft.h"
+
+#include <array>
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLeastStiffness = 0.02, kMostStiffness = 0.6;
+constexpr double kShortestRecoveryS = 0.02, kLongestRecoveryS = 60.0;
+constexpr double kLeastYieldN = 0.1, kMostYieldN = 4.0;
+constexpr double kMostOfThickness = 0.9;  // the rest stays hard
+constexpr double kFacesThatWay = 0.7;     // cosine of 45 degrees
+
+struct SideRow {
+    std::string_view name;
+    Vec3 direction;
+};
+const std::array kSides{SideRow{"top", {0, 0, 1}},    SideRow{"bottom", {0, 0, -1}}, SideRow{"north", {0, 1, 0}},
+                        SideRow{"south", {0, -1, 0}}, SideRow{"east", {1, 0, 0}},    SideRow{"west", {-1, 0, 0}}};
+
+}  // namespace
+
+std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_unit, Diagnostics& diagnostics) {
+    const MapKey* soft = entity.find("soft");
+    if (!soft) return std::nullopt;
+    const std::string kind = lower_ascii(trimmed(soft->value).substr(0, 32));
+    SoftWish wish;
+    wish.place = soft->place;
+    if (kind != "elastic" && kind != "plastic") {
+        diagnostics.warn(soft->place, "It stays hard.", "the value \"{}\" of the key soft is neither elastic nor plastic.", excerpt(soft->value));
+        return std::nullopt;
+    }
+    wish.face.plastic = kind == "plastic";
+    const MapKeys keys(diagnostics, metres_per_unit);
+    if (const MapKey* depth = entity.find("soft_depth")) {
+        wish.depth_place = depth->place;
+        double value = 1.0;
+        if (parse_finite(trimmed(depth->value), value) && value <= 0.0) {
+            diagnostics.warn(depth->place, "It stays hard.", "this thing is soft to no depth.");
+            return std::nullopt;
+        }
+        wish.face.depth_m = keys.number_of(entity, "soft_depth", 0.0, kFarthestM, "a length in units").value_or(0.0) * metres_per_unit;
+    }
+    wish.face.stiffness_fraction =
+        keys.number_of(entity, "soft_stiffness", kLeastStiffness, kMostStiffness, "0.02 to 0.6").value_or(wish.face.stiffness_fraction);
+    wish.face.recovery_s = keys.number_of(entity, "soft_recovery", kShortestRecoveryS, kLongestRecoveryS, "0.02 to 60 seconds").value_or(wish.face.recovery_s);
+    wish.face.yield_n = keys.number_of(entity, "soft_yield", kLeastYieldN, kMostYieldN, "0.1 to 4 newtons").value_or(wish.face.yield_n);
+    if (const MapKey* side = entity.find("soft_side")) {
+        const std::string value = lower_ascii(trimmed(side->value).substr(0, 32));
+        const auto found = std::find_if(kSides.begin(), kSides.end(), [&](const SideRow& row) { return row.name == value; });
+        if (found != kSides.end()) {
+            wish.side = found->direction;
+        } else {
+            std::vector<std::string> names;
+            for (const SideRow& row : kSides) names.emplace_back(row.name);
+            diagnostics.warn(side->place, "The top was taken.", "the value \"{}\" of the key soft_side is no side. The nearest is {}.", excerpt(side->value),
+                             nearest_name(value, names));
+        }
+    }
+    return wish;
+}
+
+std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name, Diagnostics& diagnostics) {
+    const std::string what = name.empty() ? "this thing" : name;
+    SoftFace soft = wish.face;
+    double best = kFacesThatWay;
+    bool found = false;
+    for (std::size_t i = 0; i < shape.planes.size(); ++i)
+        if (const double along = glm::dot(shape.planes[i].normal, wish.side); along > best) {
+            best = along;
+            soft.face = i;
+            found = true;
+        }
+    if (!found) {
+        diagnostics.warn(wish.place, "It stays hard.", "{} has no face that looks to its soft side.", what);
+        return std::nullopt;
+    }
+    double lowest = 0.0;  // of all corners, under the face
+    for (const Polygon& face : shape.faces)
+        for (const Vec3& corner : face.points_m) lowest = std::min(lowest, signed_distance(shape.planes[soft.face], corner));
+    const double most = kMostOfThickness * -lowest;
+    if (soft.depth_m <= 0.0) soft.depth_m = 0.5 * -lowest;
+    if (soft.depth_m > most) {
+        diagnostics.warn(wish.depth_place, "Nine tenths of it were taken.", "{} is not as thick as it is soft.", what);
+        soft.depth_m = most;
+    }
+    return soft;
+}
+
+}  // namespace handrail
