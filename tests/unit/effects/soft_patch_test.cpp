@@ -122,8 +122,10 @@ TEST(SoftPatch, pushes_back_with_stiffness_times_depth_on_an_untouched_face) {
 
 TEST(SoftPatch, follows_its_law_within_two_per_cent) {
     // Random wandering and pressing against the second implementation, which steps the dent four times as finely.
+    // Whole loops, since their beginning alone hardly presses; under the sanitizers fewer of them.
+    const unsigned seeds = static_cast<unsigned>(std::max(2, scaled(6)));
     for (const bool plastic : {false, true})
-        for (unsigned seed = 1; seed <= 6; ++seed) {
+        for (unsigned seed = 1; seed <= seeds; ++seed) {
             SoftPatch patch = patch_of(plastic, seed % 2 ? 1.0 : 12.0);
             const double scale = seed % 2 ? 1.0 : 12.0;
             patch.recovery_s = 0.05 * seed;
@@ -135,7 +137,7 @@ TEST(SoftPatch, follows_its_law_within_two_per_cent) {
             Law law(scene->soft_patches[0], tuning.radius_m, scale);
             const std::vector<Vec3> loop = random_loop(seed, 0.05);
             double largest = 0.0, worst = 0.0;
-            for (int i = 0; i < scaled(1200); ++i) {
+            for (int i = 0; i < 1200; ++i) {
                 const Vec3 p = loop[static_cast<std::size_t>(i)];
                 const Vec3 goal = Vec3(0.1 + p.x, 0.08 + p.y, tuning.radius_m / scale + 0.3 * p.z - 0.004) * scale;
                 const Vec3 expected = law.tick(goal, 1e-3), force = touch_tick(state, *scene, tuning, goal, 1e-3).force_n;
