@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t kLongestFileBytes = std::size_t{1} << 20;
 constexpr std::string_view kDevicePrefix = "workspace.device.";
+constexpr std::string_view kProfilePrefix = "profile.";
 constexpr std::string_view kKeysPrefix = "keys.";
 
 struct Entry {
@@ -27,28 +28,34 @@ struct Entry {
 };
 using Layer = std::map<std::string, Entry>;  // by full key; device and command names as they were written
 
-// A full key seen as an entry of one of the open families.
-struct DeviceKey {
+// A full key seen as an entry of one of the open families: a device by name, or a profile.
+template <class Field>
+struct MemberKey {
     std::string device;
-    const OverrideInfo* field;
+    const Field* field;
 };
 
-std::optional<DeviceKey> split_device_key(std::string_view key) {
-    if (!key.starts_with(kDevicePrefix)) return std::nullopt;
-    key.remove_prefix(kDevicePrefix.size());
+template <class Field>
+std::optional<MemberKey<Field>> split_member_key(std::string_view key, std::string_view prefix, std::span<const Field> fields) {
+    if (!key.starts_with(prefix)) return std::nullopt;
+    key.remove_prefix(prefix.size());
     const std::size_t dot = key.rfind('.');
     if (dot == std::string_view::npos || dot == 0) return std::nullopt;
     std::string_view device = key.substr(0, dot);
     if (device.size() > 2 && device.front() == '"' && device.back() == '"') device = device.substr(1, device.size() - 2);
     if (device.find('"') != std::string_view::npos || !is_short_text(device)) return std::nullopt;
-    for (const OverrideInfo& info : override_table())
-        if (info.field == key.substr(dot + 1)) return DeviceKey{lower_ascii(device), &info};
+    for (const Field& info : fields)
+        if (info.field == key.substr(dot + 1)) return MemberKey<Field>{lower_ascii(device), &info};
     return std::nullopt;
 }
+
+std::optional<MemberKey<OverrideInfo>> split_device_key(std::string_view key) { return split_member_key(key, kDevicePrefix, override_table()); }
+std::optional<MemberKey<ProfileInfo>> split_profile_key(std::string_view key) { return split_member_key(key, kProfilePrefix, profile_table()); }
 
 // One spelling for each key: device names in lower case.
 std::string canonical_key(std::string_view key) {
     if (const auto device = split_device_key(key)) return fmt::format("{}{}.{}", kDevicePrefix, device->device, device->field->field);
+    if (const auto profile = split_profile_key(key)) return fmt::format("{}{}.{}", kProfilePrefix, profile->device, profile->field->field);
     return std::string(key);
 }
 
@@ -141,8 +148,10 @@ std::string with_value(std::string text, std::span<const std::string> path, cons
     } catch (const toml::parse_error&) {
         return text;
     }
-    const bool device = path.size() == 4;
-    const std::string header = device ? fmt::format("[workspace.device.{}]", toml_text(path[2])) : fmt::format("[{}]", path[0]);
+    std::string header = "[" + path[0];  // [walk], [profile."NAME"], [workspace.device."NAME"]
+    if (path.size() == 4) header += "." + path[1];
+    if (path.size() > 2) header += "." + toml_text(path[path.size() - 2]);
+    header += "]";
     const std::string line = fmt::format("{} = {}\n", path.back(), toml_text(value));
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find('\n', at), text.size() - 1) + 1;
@@ -158,6 +167,7 @@ std::string with_value(std::string text, std::span<const std::string> path, cons
 
 std::vector<std::string> path_of(std::string_view key) {
     if (const auto device = split_device_key(key)) return {"workspace", "device", device->device, std::string(device->field->field)};
+    if (const auto profile = split_profile_key(key)) return {"profile", profile->device, std::string(profile->field->field)};
     const std::size_t dot = key.find('.');
     return {std::string(key.substr(0, dot)), std::string(key.substr(dot + 1))};
 }
@@ -168,6 +178,7 @@ struct SettingsStore::Impl {
     std::vector<std::string> command_words;
     std::map<SettingSource, Layer> layers;  // weakest first
     fs::path user_file;
+    std::set<std::string> damaged_profiles;  // in the person's file
     Settings values;
 
     // The names a person may have meant, for the sentence about an unknown one.
@@ -175,6 +186,8 @@ struct SettingsStore::Impl {
         std::vector<std::string> names;
         if (key.starts_with(kDevicePrefix) && key.rfind('.') >= kDevicePrefix.size()) {
             for (const OverrideInfo& info : override_table()) names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
+        } else if (key.starts_with(kProfilePrefix) && key.rfind('.') >= kProfilePrefix.size()) {
+            for (const ProfileInfo& info : profile_table()) names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
         } else {
             for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
             for (const std::string& word : command_words) names.push_back(fmt::format("{}{}", kKeysPrefix, word));
@@ -189,6 +202,10 @@ struct SettingsStore::Impl {
             return number_in_range(key, *device->field->plain, value).map([&](double number) {
                 target.workspace.devices[device->device].*device->field->at = number;
             });
+        if (const auto profile = split_profile_key(key)) {
+            DeviceProfile changed = target.profiles[profile->device];
+            return apply(key, *profile->field, value, changed).map([&] { target.profiles[profile->device] = changed; });
+        }
         if (key.starts_with(kKeysPrefix) && key.size() > kKeysPrefix.size()) {
             const std::string word = key.substr(kKeysPrefix.size());
             const bool known = std::find(command_words.begin(), command_words.end(), word) != command_words.end();
@@ -213,17 +230,21 @@ struct SettingsStore::Impl {
                 const Result<void> applied = apply_to(values, key, entry.value);
                 contract_pre(applied.has_value());  // entries were checked on their way into the layer
             }
+        // Measured anew, it is whole again.
+        for (const std::string& damaged : damaged_profiles)
+            if (const auto profile = values.profiles.find(damaged); profile == values.profiles.end() || !profile->second.ceiling_n)
+                values.damaged_profiles.insert(damaged);
     }
 
-    void collect(const toml::table& table, const std::string& prefix, const fs::path& path, SettingSource source, Layer& layer,
+    void collect(const toml::table& table, const std::string& prefix, const fs::path& path, SettingSource source, Layer& layer, std::set<std::string>& damaged,
                  std::vector<Diagnostic>& problems) const {
         for (const auto& [name, node] : table) {
             // A dot inside a quoted name does not make a path; only devices may have one in their name.
             const std::string_view plain = name.str();
-            const bool quoted = plain.find('.') != std::string_view::npos && prefix != kDevicePrefix;
+            const bool quoted = plain.find('.') != std::string_view::npos && prefix != kDevicePrefix && prefix != kProfilePrefix;
             const std::string key = canonical_key(quoted ? fmt::format("{}\"{}\"", prefix, plain) : fmt::format("{}{}", prefix, plain));
             if (const toml::table* inner = node.as_table()) {
-                collect(*inner, key + ".", path, source, layer, problems);
+                collect(*inner, key + ".", path, source, layer, damaged, problems);
                 continue;
             }
             const auto line = static_cast<int>(node.source().begin.line);
@@ -231,13 +252,24 @@ struct SettingsStore::Impl {
             Result<void> checked = check(key, value.value_or(std::string{}), source);
             if (const SettingInfo* info = find_setting(key); info && !value)
                 checked = fail(fmt::format("The setting {} is a list or a date, but must be {}.", key, range_of(*info)));
+            const auto profile = split_profile_key(key);
             if (checked) {
                 layer[key] = {*value, fmt::format("{}:{}", path.string(), line)};
-            } else {
-                problems.push_back({Severity::Error, path.filename().string(), line, static_cast<int>(node.source().begin.column), checked.error().message,
-                                    "It is not used; the rest applies."});
+            } else if (!profile || damaged.insert(profile->device).second) {
+                const char* done = profile ? "This profile is set aside and its device held at light force; handrail calibrate measures it anew."
+                                           : "It is not used; the rest applies.";
+                problems.push_back(
+                    {Severity::Error, path.filename().string(), line, static_cast<int>(node.source().begin.column), checked.error().message, done});
             }
         }
+    }
+
+    // A profile with a value that cannot be is of no use as a whole: a force that was right with that value may be wrong without it.
+    static void set_aside(const std::set<std::string>& damaged, Layer& layer) {
+        std::erase_if(layer, [&](const auto& entry) {
+            const auto profile = split_profile_key(entry.first);
+            return profile && damaged.contains(profile->device);
+        });
     }
 
     // The strongest source that says something about this key.
@@ -270,7 +302,10 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
     }
     std::vector<Diagnostic> problems;
     Layer layer;
-    impl_->collect(*table, "", path, source, layer, problems);
+    std::set<std::string> damaged;
+    impl_->collect(*table, "", path, source, layer, damaged, problems);
+    Impl::set_aside(damaged, layer);
+    if (source == SettingSource::UserFile) impl_->damaged_profiles = std::move(damaged);
     // A TOML table is sorted by name; people read their file from the top.
     std::stable_sort(problems.begin(), problems.end(), [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
     impl_->layers[source] = std::move(layer);
@@ -284,6 +319,7 @@ Result<void> SettingsStore::set(std::string_view key, std::string_view value, Se
     SettingValue parsed = std::string(value);
     if (const SettingInfo* info = find_setting(name)) parsed = value_from_word(*info, value);
     else if (const auto device = split_device_key(name)) parsed = value_from_word(*device->field->plain, value);
+    else if (const auto profile = split_profile_key(name)) parsed = value_from_word(*profile->field, value);
     if (const Result<void> checked = impl_->check(name, parsed, source); !checked) return checked;
     impl_->layers[source][name] = {std::move(parsed), source == SettingSource::CommandLine ? "--set" : ""};
     impl_->rebuild();
@@ -299,6 +335,7 @@ Result<void> SettingsStore::set_assignment(std::string_view assignment, SettingS
 
 void SettingsStore::clear(SettingSource source) {
     impl_->layers.erase(source);
+    if (source == SettingSource::UserFile) impl_->damaged_profiles.clear();
     impl_->rebuild();
 }
 
@@ -316,6 +353,7 @@ std::vector<SettingRow> SettingsStore::explain() const {
     for (const auto& [key, value] : family) {
         if (const auto device = split_device_key(key))
             add(key, value, device->field->plain->unit, range_of(*device->field->plain), device->field->plain->meaning);
+        else if (const auto profile = split_profile_key(key)) add(key, value, profile->field->unit, range_of(*profile->field), profile->field->meaning);
         else add(key, value, "", "a key's name", "The key of this command.");
     }
     return rows;
@@ -352,6 +390,10 @@ Result<void> SettingsStore::save_user_file() {
         if (!says_the_same(text, *table)) return not_saved({path.filename().string(), 0, 0, "Something in this file cannot be written back as it was."});
     }
     return write_file_atomically(path, text);
+}
+
+std::string profile_key(std::string_view device_name, std::string_view serial) {
+    return lower_ascii(serial.empty() ? std::string(device_name) : fmt::format("{} {}", device_name, serial));
 }
 
 std::string_view source_name(SettingSource source) {

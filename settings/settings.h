@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,20 @@
 namespace handrail {
 
 enum class ForceCeiling { Light, Normal, Full };  // 1.2 N, 2.5 N, the device's own
-enum class FrameChoice { Map, Walk };             // north up, or turning with the body
+inline constexpr double kLightCeiling_n = 1.2, kNormalCeiling_n = 2.5;
+enum class FrameChoice { Map, Walk };  // north up, or turning with the body
+enum class SpeechThrough { Auto, ScreenReader, SpeechDispatcher, Embedded, Text };
+enum class HoldingHand { Right, Left };
+
+// What `handrail calibrate` found out about one device and the person who holds it, as [profile."falcon a9001"] in the file. Empty: not measured.
+struct DeviceProfile {
+    std::optional<double> ceiling_n;                    // strongest comfortable force, 0.5 to 40; the smaller of this and haptic.ceiling counts
+    std::optional<double> gentlest_n;                   // the least that was noticed, 0.02 to 2
+    std::optional<HoldingHand> hand;                    // that holds it
+    std::optional<double> scale;                        // as workspace.scale
+    std::optional<double> offset_ahead_m, offset_up_m;  // as in workspace
+    std::optional<double> width_m, depth_m, height_m;   // of the comfortable reach, hand metres, 0.01 to 1
+};
 
 struct Settings {
     struct Workspace {
@@ -24,6 +38,10 @@ struct Settings {
         double offset_up_m = 0.0;      // hand metres, -0.1 to 0.1
         double hand_height_m = 1.0;    // world metres of the workspace's middle above the soles, 0 to 2
         FrameChoice frame = FrameChoice::Map;
+        double turn_deg = 0.0;    // of the workspace against its frame, clockwise, -180 to 180
+        bool follows_walk = true;  // the workspace goes where the body walks
+        bool rim = true;           // pressing past the rim of the reach scrolls it
+        int grab_button = 1;       // of the device: the world goes along with the hand while it is held; 0 to 8, 0 is none
         // Overrides by device name, as [workspace.device."falcon"] in the file; empty fields keep the values above.
         struct Override {
             std::optional<double> scale, offset_ahead_m, offset_up_m, hand_height_m;
@@ -35,8 +53,11 @@ struct Settings {
         double friction_mu = 0.3;         // 0 to 2
         double damping_ns_per_m = 5.0;    // of hand speed, 0 to 20
         double ball_diameter_mm = 4.0;    // felt, at scale 60, 1 to 10
+        double edge_rounding_mm = 1.5;    // of convex edges, felt, 0 to 3; finer than scale 30 edges are sharp
         ForceCeiling ceiling = ForceCeiling::Normal;
-        std::string device = "auto";  // auto, none, or a device name
+        bool button_to_feel = false;  // force only while a button of the device is held
+        std::string device = "auto";       // auto, none, or a device name
+        std::string left_device = "none";  // a second device, in the left hand: none, a device name or a serial number
     } haptic;
     struct Walk {
         double step_length_m = 0.7;   // 0.2 to 1.5
@@ -45,10 +66,12 @@ struct Settings {
         double body_radius_m = 0.25;  // 0.1 to 0.6
     } walk;
     struct Speech {
-        int rate_wpm = 175;              // 80 to 450
-        int verbosity = 2;               // 0 to 4
-        std::string voice = "en";        // espeak-ng voice name or language
-        bool distances_in_steps = true;  // else metres
+        SpeechThrough through = SpeechThrough::Auto;  // who speaks; where that one is missing, the next in this order does
+        int rate_wpm = 175;                           // 80 to 450
+        int verbosity = 2;                            // 0 to 4
+        std::string voice = "en";                     // espeak-ng voice name or language
+        bool distances_in_steps = true;               // else metres
+        bool crowding_hint = false;                   // told on entering where many materials lie close together
     } speech;
     struct Sound {
         double volume = 1.0;  // 0 to 1, everything but alarms below 0.2
@@ -56,9 +79,29 @@ struct Settings {
         double contact_volume = 0.8;
         double footstep_volume = 0.6;
         double wall_tone_volume = 0.5;
-        bool wall_tone = true;
+        double world_volume = 0.7;
+        double earcon_volume = 1.0;
+        double reverberation = 0.15;        // of rooms, 0 to 1
+        int periods = 2;                    // of 256 samples that the sound device holds, 2 to 8; takes effect at the next start
+        bool headphones = true;             // filtered for the ears; else plain stereo, from the next start on
+        bool mono = false;                  // everything from the middle, for one loudspeaker or one ear
+        bool behind = true, height = true;  // second cues for what is behind, above and below
+        // Every cue on or off; alarms and what is asked for by name (the sound dictionary) always sound.
+        bool wall_tone = true, contact = true, slide = true, splash = true, door = true, footstep = true, bump = true, world = true, denied = true, forces = true,
+             turn = true, frame = true, arrived = true;
+        bool swap_sides = false;  // left and right ear are exchanged, for headphones worn or wired the other way round
+        bool workspace = true;    // a cue as those above: rim and grip
     } sound;
-    std::map<std::string, std::string> keys;  // command name -> key name, only where they differ from the built-in table
+    // Devices beside the hand: game pads and SpaceMouse.
+    struct Pads {
+        bool use = true;        // they are looked for, walk and give cues
+        bool triggers = true;   // resist, tremble and click
+        bool rumble = true;     // knocks and grain
+        double strength = 1.0;  // of all their cues, 0 to 1
+    } pads;
+    std::map<std::string, DeviceProfile> profiles;  // by profile_key()
+    std::set<std::string> damaged_profiles;         // found in the person's file and set aside; their devices get the light ceiling
+    std::map<std::string, std::string> keys;        // command name -> key name, only where they differ from the built-in table
 };
 
 // Where a value came from, weakest first.
@@ -87,7 +130,8 @@ public:
     const Settings& values() const;
     // Reads a TOML file as the layer `source`, in place of what that layer held. A damaged or unreadable file changes nothing; an unknown
     // key, a wrong type or a value out of range is a diagnostic naming the nearest key or legal range, and the rest applies. A missing
-    // file is no problem. A world may set only what world_may_set() allows: never a force or a speech setting.
+    // file is no problem. A profile with a value that cannot be is set aside as a whole, with one sentence. A world may set only what world_may_set() allows:
+    // never a force or a speech setting.
     std::vector<Diagnostic> load_file(const std::filesystem::path& path, SettingSource source);
     // One setting, from the command line, a world's own key, or a live change. Fails naming the nearest key or the legal range.
     Result<void> set(std::string_view key, std::string_view value, SettingSource source);
@@ -95,7 +139,7 @@ public:
     Result<void> set_assignment(std::string_view assignment, SettingSource source);
     // Forgets what one source said, as when a world is left.
     void clear(SettingSource source);
-    // Every setting in table order, then the entries of [workspace.device] and [keys].
+    // Every setting in table order, then the entries of [workspace.device], [profile] and [keys].
     std::vector<SettingRow> explain() const;
     // Saves live changes into the person's file, which keeps everything else it holds, unknown keys and comments too. Does nothing
     // when there were no live changes. A file that cannot be read or understood is never replaced.
@@ -108,6 +152,9 @@ private:
 
 // True if a world file may set this key.
 bool world_may_set(std::string_view key);
+
+// The name that a device's profile goes by: "falcon a9001", or "sim-t" where there is no serial number. Lower case.
+std::string profile_key(std::string_view device_name, std::string_view serial);
 
 // "default", "world", ...
 std::string_view source_name(SettingSource source);

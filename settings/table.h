@@ -58,6 +58,19 @@ struct OverrideInfo {
 };
 std::span<const OverrideInfo> override_table();
 
+// Fields of [profile."NAME"]: numbers, and the one choice, `hand`, whose words stand in `words`.
+struct ProfileInfo {
+    std::string_view field, unit, meaning;
+    double least = 0.0, most = 0.0;
+    std::optional<double> DeviceProfile::*number = nullptr;  // null: the hand
+    std::span<const std::string_view> words{};
+};
+std::span<const ProfileInfo> profile_table();
+std::string range_of(const ProfileInfo& info);
+// Writes the value into the profile, or fails in one sentence with the legal range and changes nothing.
+Result<void> apply(std::string_view key, const ProfileInfo& info, const SettingValue& value, DeviceProfile& profile);
+SettingValue value_from_word(const ProfileInfo& info, std::string_view word);
+
 // "1 to 500", "light, normal or full", "true or false".
 std::string range_of(const SettingInfo& info);
 // Writes the value into the settings, or fails in one sentence with the legal range and changes nothing.

@@ -3,22 +3,29 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "haptic/render/free_place.h"
+#include "worlds/scene/lint.h"
 #include "worlds/scene/models.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kLookHeight_m = 1.0;        // rays for words and tones leave the body here, above most furniture
-constexpr double kTurnRate_rad_per_s = 2.6;  // 150 degrees a second: at scale 60 a hand at the rim moves 10 cm/s through the world
+constexpr double kLookHeight_m = 1.0;             // rays for words and tones leave the body here, above most furniture
+constexpr double kTurnRate_rad_per_s = 2.6;       // 150 degrees a second: at scale 60 a hand at the rim moves 10 cm/s through the world
+constexpr double kStickTurnRate_rad_per_s = 1.6;  // 90 degrees a second with the stick all the way
 constexpr double kTurnRepeat_s = 0.4;
 constexpr double kTiltRate_rad_per_s = 0.8;
 constexpr double kMostTilt_rad = 1.2;
 constexpr double kHandKeySpeed_m_per_s = 0.06;
-constexpr double kHandTap_m = 0.005;  // one tap of a hand key
+constexpr double kHandTap_m = 0.005;              // one tap of a hand key
+constexpr double kPushSpeed_hand_m_per_s = 0.03;  // of the workspace by keys
+constexpr double kPushTap_s = 0.2;
+constexpr std::string_view kNoHand = "There is no touch device.";
 constexpr double kLeaveWindow_s = 5.0;
+constexpr double kSamePress_s = 0.25;
 constexpr double kToneRange_m = 2.0;
 constexpr double kBreakEvery_s = 15.0 * 60.0;
 constexpr double kMostPendingSteps = 8.0;
@@ -26,6 +33,14 @@ constexpr std::size_t kMostPathPoints = 4000;
 constexpr std::size_t kMostThings = 24;     // looked at for "where am I"
 constexpr std::size_t kMostThingsTold = 4;  // and spoken of
 constexpr int kTellName = 2, kTellAll = 4;  // verbosity
+
+// Which way the keys push the workspace, device frame; `held`: which of them count.
+template <class Held>
+Vec3 push_way(Held held) {
+    const auto sign = [&](Command plus, Command minus) { return (held(plus) ? 1.0 : 0.0) - (held(minus) ? 1.0 : 0.0); };
+    return {sign(Command::WorkspaceRight, Command::WorkspaceLeft), sign(Command::WorkspaceForward, Command::WorkspaceBack),
+            sign(Command::WorkspaceUp, Command::WorkspaceDown)};
+}
 
 }  // namespace
 
@@ -36,7 +51,7 @@ AppCore::AppCore(const Settings& settings, const HandFacts& hand)
 }
 
 void AppCore::lay_device_overrides() {
-    // The person's device overrides lie on top of the general workspace.
+    // On top of the general workspace lies what the person wrote for devices of this name, on top of that what was measured with this very one.
     const auto found = settings_.workspace.devices.find(std::string(hand_.spec.name));
     if (hand_.present && found != settings_.workspace.devices.end()) {
         const Settings::Workspace::Override& own = found->second;
@@ -45,6 +60,16 @@ void AppCore::lay_device_overrides() {
         settings_.workspace.offset_up_m = own.offset_up_m.value_or(settings_.workspace.offset_up_m);
         settings_.workspace.hand_height_m = own.hand_height_m.value_or(settings_.workspace.hand_height_m);
     }
+    if (const DeviceProfile* own = profile_of(hand_)) {
+        settings_.workspace.scale = own->scale.value_or(settings_.workspace.scale);
+        settings_.workspace.offset_ahead_m = own->offset_ahead_m.value_or(settings_.workspace.offset_ahead_m);
+        settings_.workspace.offset_up_m = own->offset_up_m.value_or(settings_.workspace.offset_up_m);
+    }
+}
+
+const DeviceProfile* AppCore::profile_of(const HandFacts& hand) const {
+    const auto found = settings_.profiles.find(profile_key(hand.spec.name, hand.serial));
+    return hand.present && found != settings_.profiles.end() ? &found->second : nullptr;
 }
 
 void AppCore::enter_world(std::shared_ptr<const Scene> scene, double now_s) {
@@ -66,9 +91,11 @@ void AppCore::enter_world(std::shared_ptr<const Scene> scene, double now_s) {
 }
 
 void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad, double now_s) {
-    scene_ = std::move(scene);
-    haptic_scene_ = compile_haptic(*scene_, MaterialSource::Library, 0, MeshOptions{});
+    scene_ = std::make_shared<const Scene>(with_movers_apart(*scene, HapticScene::kMostBodies, thing_of_mover_));
+    retune();
+    compile(0);
     things_.enter(*scene_, *haptic_scene_, now_s);
+    movers_.enter(scene_->movers);
     hand_shift_m_ = Vec3(0.0);
     walker_.reset();
     body_world_ = std::make_unique<BodyWorld>(scene_);
@@ -76,6 +103,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     walker_->place(feet_m);
     home_feet_m_ = walker_->state().feet_m;
     home_heading_rad_ = heading_rad_ = heading_goal_rad_ = wrap_angle(heading_rad);
+    soundscape_.enter(*scene_);
     inside_.clear();
     told_triggers_.clear();
     path_m_.assign(1, home_feet_m_);
@@ -84,42 +112,75 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     last_tick_s_ = now_s;
     ++worlds_entered_;
 
-    retune();
-    publish_pose(now_s, true);
+    publish_pose(now_s, PoseChange::Placed);
     say(entering_text(), SpeechClass::Answer, now_s);
+    if (settings_.speech.crowding_hint)
+        if (std::string crowded = crowded_view(*scene_); !crowded.empty()) say(std::move(crowded), SpeechClass::Answer, now_s);
+}
+
+// Never more than the ball's radius: see round_edges.h about inner corners.
+double AppCore::rounding_m() const {
+    return std::min(edge_rounding_m(settings_.haptic.edge_rounding_mm, tuning_.touch.world_m_per_hand_m), tuning_.touch.radius_m);
+}
+
+// After retune().
+void AppCore::adapt_edges(double now_s) {
+    if (rounding_m() != compiled_rounding_m_) change_world(world_now(), now_s);
+}
+
+// What of the scene a hand can touch. world: see HapticScene::world.
+void AppCore::compile(std::uint32_t world) {
+    compiled_rounding_m_ = rounding_m();
+    haptic_scene_ = compile_haptic(*scene_, exploring(compiled_rounding_m_, world));
 }
 
 void AppCore::retune() {
-    // Ball: felt diameter of the settings at scale 60, the same in the world at other scales, clamped to 2 to 6 mm in the hand and to
-    // a third of the narrowest door.
-    const double scale = settings_.workspace.scale;
-    const double felt_m = std::clamp(settings_.haptic.ball_diameter_mm * 1e-3 * 60.0 / scale, 0.002, 0.006);
-    double radius = 0.5 * felt_m * scale;
-    for (const Feature& feature : scene_->features)
-        if (feature.kind == FeatureKind::Door) {
-            const Vec3 size = feature.bounds_m.size_m();
-            radius = std::min(radius, std::max(size.x, size.y) / 6.0);
-        }
     tuning_.touch = TouchTuning{};
-    tuning_.touch.radius_m = radius;
-    tuning_.touch.world_m_per_hand_m = scale;
+    tuning_.touch.world_m_per_hand_m = scale();
+    tuning_.touch.radius_m = ball_radius_m(*scene_, settings_.haptic.ball_diameter_mm * 1e-3, scale());
     tuning_.touch.default_stiffness_fraction = settings_.haptic.stiffness_fraction;
     tuning_.touch.damping_ns_per_m = settings_.haptic.damping_ns_per_m;
+    tuning_.button_to_feel = settings_.haptic.button_to_feel;
     tuning_.touch.passivity_guard = true;  // acts only on surfaces that are damped too little to need none
     tuning_.touch.default_friction_static = tuning_.touch.default_friction_kinetic = settings_.haptic.friction_mu;
 
     if (hand_.present) tuning_.touch.rated_stiffness_n_per_m = hand_.spec.rated_stiffness_n_per_m;
-    switch (settings_.haptic.ceiling) {
-        case ForceCeiling::Light:
-            tuning_.force_ceiling_n = 1.2;
-            break;
-        case ForceCeiling::Normal:
-            tuning_.force_ceiling_n = 2.5;
-            break;
-        case ForceCeiling::Full:
-            tuning_.force_ceiling_n = hand_.spec.peak_force_n;
-            break;
-    }
+    tuning_.force_ceiling_n = ceiling_n(hand_);
+    tuning_.workspace.rim = settings_.workspace.rim;
+    // The first button is taken where the hand feels only while a button is held.
+    const int button = settings_.workspace.grab_button;
+    tuning_.workspace.grab_buttons = button == 0 || (button == 1 && settings_.haptic.button_to_feel) ? 0U : 1U << (button - 1);
+    tuning_.workspace.limits_m = scene_->bounds_m;
+}
+
+// The lowest of what the person chose for all devices and what was found comfortable with this one.
+double AppCore::ceiling_n(const HandFacts& hand) const {
+    double ceiling = hand.spec.peak_force_n;
+    if (settings_.haptic.ceiling == ForceCeiling::Light) ceiling = kLightCeiling_n;
+    if (settings_.haptic.ceiling == ForceCeiling::Normal) ceiling = kNormalCeiling_n;
+    if (const DeviceProfile* own = profile_of(hand); own && own->ceiling_n) ceiling = std::min(ceiling, *own->ceiling_n);
+    if (settings_.damaged_profiles.contains(profile_key(hand.spec.name, hand.serial))) ceiling = std::min(ceiling, kLightCeiling_n);
+    return ceiling;
+}
+
+double AppCore::scale() const {
+    if (!named_scale_) return settings_.workspace.scale;
+    return world_m_per_hand_m(*named_scale_, scene_->bounds_m, hand_.spec.workspace_radius_m);
+}
+
+void AppCore::set_hand(const HandFacts& hand, const Settings& settings, double now_s) {
+    contact_before_s_ += tool_.contact_s;
+    tool_ = ToolState{};
+    fault_lasted_ = false;
+    hand_ = hand;
+    hand_target_m_ = Vec3(0.0);
+    hand_shift_m_ = Vec3(0.0);
+    change_settings(settings, now_s);
+}
+
+void AppCore::offer_hand(const std::string& spoken_name, double now_s) {
+    offered_ = true;
+    say(fmt::format("I found a {}. Press {} to use it.", spoken_name, keys_.keys_of(Command::ToggleForces)), SpeechClass::Answer, now_s);
 }
 
 void AppCore::change_settings(const Settings& settings, double now_s) {
@@ -128,7 +189,8 @@ void AppCore::change_settings(const Settings& settings, double now_s) {
     keys_ = KeyMap(settings_.keys);
     if (!scene_) return;
     retune();
-    publish_pose(now_s, true);
+    adapt_edges(now_s);
+    publish_pose(now_s, PoseChange::Moved);
 }
 
 std::string AppCore::name_of(FeatureId feature) const {
@@ -210,14 +272,24 @@ void AppCore::press(Command command, double now_s) {
 void AppCore::release(Command command) { held_[static_cast<std::size_t>(command)] = false; }
 
 void AppCore::set_focus(bool focused) {
-    focused_ = focused;
-    if (!focused) std::fill(held_.begin(), held_.end(), false);
-    tuning_.forces_on = forces_wanted_ && focused_;
+    if (!focused) steering_ = {};
+    tuning_.focused = focused;
+    if (!focused) {
+        std::fill(held_.begin(), held_.end(), false);
+        let_go_of_world();
+    }
+}
+
+void AppCore::know_stops(std::uint32_t stops, double now_s) {
+    if (stops == stops_known_) return;
+    stops_known_ = stops;
+    if (!tuning_.panic) act(Command::StopEverything, now_s);
 }
 
 bool AppCore::idle() const {
     const bool walking = walker_ && (pending_way_m_ != 0.0 || !walker_->state().on_ground);
-    return !walking && heading_rad_ == heading_goal_rad_ && std::none_of(held_.begin(), held_.end(), [](bool down) { return down; });
+    const bool pushing = last_tick_s_ < push_until_s_;
+    return !walking && !pushing && heading_rad_ == heading_goal_rad_ && std::none_of(held_.begin(), held_.end(), [](bool down) { return down; });
 }
 
 void AppCore::act(Command command, double now_s) {
@@ -263,16 +335,43 @@ void AppCore::act(Command command, double now_s) {
             const bool to_walk = settings_.workspace.frame == FrameChoice::Map;
             settings_.workspace.frame = to_walk ? FrameChoice::Walk : FrameChoice::Map;
             setting_changes_.emplace_back("workspace.frame", to_walk ? "walk" : "map");
-            publish_pose(now_s, true);
-            CueRequest sound;
-            sound.kind = CueRequestKind::Play;
-            sound.sound = SoundKind::FrameSwitch;
-            sound.time_s = now_s;
-            sound.position_m = listener().ears_m;
-            cue(std::move(sound));
+            publish_pose(now_s, PoseChange::Moved);
+            play(SoundKind::FrameSwitch, now_s);
             answer(to_walk ? "Walk, turning with you" : "Map, north up", now_s);
             break;
         }
+        case Command::ScaleBuilding:
+        case Command::ScaleFloor:
+        case Command::ScaleRoom:
+        case Command::ScaleDetail:
+            zoom(static_cast<NamedScale>(static_cast<int>(command) - static_cast<int>(Command::ScaleBuilding)), now_s);
+            break;
+        case Command::WorkspaceForward:
+        case Command::WorkspaceBack:
+        case Command::WorkspaceLeft:
+        case Command::WorkspaceRight:
+        case Command::WorkspaceUp:
+        case Command::WorkspaceDown:
+            if (!hand_.present) return answer(std::string(kNoHand), now_s);
+            push_tap_ = push_way([command](Command one) { return one == command; });
+            push_until_s_ = now_s + kPushTap_s;
+            break;
+        case Command::WorkspaceTurnLeft:
+            turn_workspace(-settings_.walk.turn_deg, now_s);
+            break;
+        case Command::WorkspaceTurnRight:
+            turn_workspace(settings_.walk.turn_deg, now_s);
+            break;
+        case Command::WorkspaceCentre:
+            if (!hand_.present) return answer(std::string(kNoHand), now_s);
+            publish_pose(now_s, PoseChange::Placed);
+            answer("Workspace back at you", now_s);
+            break;
+        case Command::Grab:
+            if (!hand_.present) return answer(std::string(kNoHand), now_s);
+            tuning_.workspace.grab_key = !tuning_.workspace.grab_key;
+            if (tuning_.workspace.grab_key) answer("Grabbed. The world goes along with your hand.", now_s);
+            break;
         case Command::WhereAmI:
             answer(where_am_i(), now_s);
             break;
@@ -292,13 +391,18 @@ void AppCore::act(Command command, double now_s) {
             break;
         }
         case Command::StopEverything: {
+            // The switch and the window tell of the same press; the second telling must not silence what the first one says.
+            if (tuning_.panic && now_s - stopped_s_ < kSamePress_s) break;
+            stopped_s_ = now_s;
             tuning_.panic = true;
+            let_go_of_world();
             tone_loudness_ = 0.0;
             pending_way_m_ = 0.0;
             CueRequest request;
             request.kind = CueRequestKind::SilenceAll;
             request.time_s = now_s;
             cue(std::move(request));
+            say("Stopped. The force key brings the force back.", SpeechClass::Alarm, now_s);
             break;
         }
         case Command::Home:
@@ -307,6 +411,9 @@ void AppCore::act(Command command, double now_s) {
         case Command::BringOut:
             bring_out(now_s);
             break;
+        case Command::Use:
+            use(now_s);
+            break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
             answer(plan_view_ ? "Plan" : "First person", now_s);
@@ -314,10 +421,19 @@ void AppCore::act(Command command, double now_s) {
         case Command::Help:
             answer(help_text(), now_s);
             break;
+        case Command::NextSound:
+            cue(dictionary_.step(1, listener(), now_s));
+            break;
+        case Command::LastSound:
+            cue(dictionary_.step(-1, listener(), now_s));
+            break;
         case Command::VerbosityCycle:
             settings_.speech.verbosity = (settings_.speech.verbosity + 1) % 5;
             setting_changes_.emplace_back("speech.verbosity", fmt::format("{}", settings_.speech.verbosity));
             answer(fmt::format("Level {}", settings_.speech.verbosity), now_s);
+            break;
+        case Command::Calibrate:
+            calibration_asked_ = true;
             break;
         case Command::Leave:
             if (now_s - leave_asked_s_ <= kLeaveWindow_s) {
@@ -353,32 +469,60 @@ void AppCore::act(Command command, double now_s) {
 }
 
 void AppCore::toggle_forces(double now_s) {
-    const bool wake = tuning_.panic || tool_.fault != Fault::None || !forces_wanted_;
+    const bool stopped = tuning_.panic || stops_known_ != tuning_.stops_let_go;
+    if (offered_ && !stopped) {
+        offered_ = false;
+        offer_taken_ = true;
+        return;
+    }
+    const bool wake = stopped || tool_.fault != Fault::None || left_tool_.fault != Fault::None || !tuning_.forces_on;
     tuning_.panic = false;
-    forces_wanted_ = wake;
-    tuning_.forces_on = forces_wanted_ && focused_;
+    tuning_.stops_let_go = stops_known_;
+    tuning_.forces_on = wake;
     if (wake) ++tuning_.confirm;
-    CueRequest sound;
-    sound.kind = CueRequestKind::Play;
-    sound.sound = wake ? SoundKind::ForcesOn : SoundKind::ForcesOff;
-    sound.time_s = now_s;
-    sound.position_m = listener().ears_m;
-    cue(std::move(sound));
+    if (wake && tool_.fault_lasts) return answer(why_no_force_yet(), now_s);
+    play(wake ? SoundKind::ForcesOn : SoundKind::ForcesOff, now_s);
     answer(wake ? "Forces on" : "Forces off", now_s);
 }
 
-void AppCore::describe_touched(double now_s) {
-    if (tool_.contacts.count == 0) {
-        described_ = kNoFeature;
-        answer(hand_.present ? "The hand touches nothing." : "There is no touch device. F2 tells what is around you.", now_s);
-        return;
+// The answer to the force key while what took the force away is still there.
+std::string AppCore::why_no_force_yet() const {
+    switch (tool_.fault) {
+        case Fault::Unplugged:
+            return "The touch device is not plugged in.";
+        case Fault::TooHot:
+            return "The motors of the touch device are still too warm.";
+        default:
+            return fault_sentence(tool_.fault);
     }
-    const FeatureId id = tool_.contacts.contacts[tool_.contacts.strongest].feature;
-    // A person who asks is told the name at every verbosity, and everything there is to tell on asking again.
-    std::string text = describe_feature(*scene_, id, described_ == id ? kTellAll : std::max(kTellName, settings_.speech.verbosity));
-    if (text.empty()) text = sentence_case(name_of(id));
-    described_ = id;
-    answer(std::move(text), now_s);
+}
+
+// A person is told when a confirmation would bring the force back, where that comes by itself.
+void AppCore::notice_faults(double now_s) {
+    const bool was_waiting = std::exchange(fault_lasted_, tool_.fault_lasts);
+    if (!was_waiting || tool_.fault_lasts || !tool_.fault_latched) return;
+    const std::string key = keys_.keys_of(Command::ToggleForces);
+    if (tool_.fault == Fault::Unplugged) say(fmt::format("The touch device is plugged in again. Press {} to feel with it.", key), SpeechClass::Alarm, now_s);
+    if (tool_.fault == Fault::TooHot) say(fmt::format("The motors have cooled. Press {} to feel again.", key), SpeechClass::Alarm, now_s);
+}
+
+void AppCore::describe_touched(double now_s) {
+    if (!hand_.present) return answer(std::string(kNoHand) + " F2 tells what is around you.", now_s);
+    if (!two_hands()) return answer(touched_words(tool_), now_s);
+    answer(fmt::format("Right hand: {} Left hand: {}", touched_words(tool_), touched_words(left_tool_)), now_s);
+}
+
+// A person who asks is told the name at every verbosity, and everything there is to tell on asking again.
+std::string AppCore::touched_words(const ToolState& tool) {
+    FeatureId& described = &tool == &tool_ ? described_ : left_described_;
+    if (tool.contacts.count == 0) {
+        described = kNoFeature;
+        return "The hand touches nothing.";
+    }
+    const FeatureId id = tool.contacts.contacts[tool.contacts.strongest].feature;
+    const int verbosity = std::exchange(described, id) == id ? kTellAll : std::max(kTellName, settings_.speech.verbosity);
+    const std::string text = describe_feature(*scene_, id, verbosity);
+    return text.empty() ? sentence_case(name_of(id)) : text;
 }
 
 void AppCore::place(const Vec3& feet_m, double heading_rad, double now_s) {
@@ -387,8 +531,7 @@ void AppCore::place(const Vec3& feet_m, double heading_rad, double now_s) {
     pending_way_m_ = since_footstep_m_ = 0.0;
     blocked_ = false;
     path_m_.push_back(walker_->state().feet_m);
-    hand_shift_m_ = Vec3(0.0);
-    publish_pose(now_s, true);
+    publish_pose(now_s, PoseChange::Placed);
 }
 
 void AppCore::go_home(double now_s) {
@@ -399,7 +542,8 @@ void AppCore::go_home(double now_s) {
 // The hand cannot be moved, so the workspace is: to where the ball fits, as near as there is room. The same for a body that stands in something.
 void AppCore::bring_out(double now_s) {
     std::string said;
-    const Vec3 workspace_was = pose_.origin_m;
+    const auto workspace_m = [&] { return pose_.origin_m + shift_by_hand_m(); };
+    const Vec3 workspace_was = workspace_m();
     const auto how_far = [&](double way_m) {
         const std::string words = distance_words(way_m, distances());
         return words == distance_words(0.0, distances()) ? words : words + " away";
@@ -417,16 +561,14 @@ void AppCore::bring_out(double now_s) {
     if (hand_.present) {
         const double clearance = 1.2 * tuning_.touch.radius_m;
         const auto poses = std::span(things_.frame().poses).first(things_.frame().count);
-        const Vec3 hand = tool_.hip_m + (pose_.origin_m - workspace_was);
+        const Vec3 hand = tool_.hip_m + (workspace_m() - workspace_was);
         const Surrounding around = surrounding_of(*haptic_scene_, poses, hand, clearance);
         if (around.distance_m <= 0.0 || (tool_.contacts.ghosted && said.empty())) {
-            const Aabb& bounds = scene_->bounds_m;
-            const double farthest = 10.0 + (bounds.empty() ? 0.0 : glm::length(bounds.size_m()));
-            const auto free = nearest_free_place(*haptic_scene_, poses, hand, clearance, farthest);
+            const auto free = nearest_free_place(*haptic_scene_, poses, hand, clearance, farthest_m());
             if (free) {
                 const double way = glm::length(*free - hand);
                 hand_shift_m_ += *free - hand;
-                publish_pose(now_s, true);
+                publish_pose(now_s, PoseChange::Moved);
                 said += fmt::format("{}Your hand was in {}. It is out, {}.", said.empty() ? "" : " ",
                                     around.feature ? name_of(around.feature) : std::string("something"), how_far(way));
             } else {
@@ -437,18 +579,22 @@ void AppCore::bring_out(double now_s) {
     answer(said.empty() ? "You are inside nothing." : said, now_s);
 }
 
+// As far as anything can be from a hand in this world.
+double AppCore::farthest_m() const { return 10.0 + (scene_->bounds_m.empty() ? 0.0 : glm::length(scene_->bounds_m.size_m())); }
+
 // The same world with something added or removed: everything else goes on.
 void AppCore::change_world(Scene scene, double now_s) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
-    haptic_scene_ = compile_haptic(*scene_, MaterialSource::Library, haptic_scene_->world, MeshOptions{});
+    compile(haptic_scene_->world);
     things_.enter(*scene_, *haptic_scene_, now_s);
+    movers_.follow(scene_->movers);
     rebuild_body_world();
 }
 
 void AppCore::rebuild_body_world() {
     const WalkerState stood = walker_->state();
     walker_.reset();
-    body_world_ = std::make_unique<BodyWorld>(scene_);
+    body_world_ = std::make_unique<BodyWorld>(scene_, things_.all());
     walker_ = std::make_unique<Walker>(*body_world_, body_size(*scene_, settings_.walk.body_radius_m));
     walker_->resume(stood);
 }
@@ -509,18 +655,26 @@ void AppCore::move_hand_by_keys(double dt_s) {
     if (way != Vec3(0.0)) move_hand(way * (kHandKeySpeed_m_per_s * dt_s));
 }
 
-void AppCore::tick(double now_s, const ToolState& tool) {
+void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
     tool_ = tool;
+    left_tool_ = left_tool;
     if (!scene_) return;
     const double dt_s = std::clamp(now_s - last_tick_s_, 0.0, 0.1);
     last_tick_s_ = now_s;
-    if (things_.tick(now_s, dt_s) && !things_.moving()) {
-        // Everything stands still again: from now on it is seen and walked into where it is.
-        scene_ = std::make_shared<const Scene>(world_now());
+    play_movers(now_s, dt_s);
+    if (const bool arrived = things_.tick(now_s, dt_s); arrived || movers_arrived_) {
+        movers_arrived_ = false;
+        // From now on it is seen where it is, as soon as everything stands still again.
+        if (!things_.moving() && !movers_.any_moving()) {
+            scene_ = std::make_shared<const Scene>(world_now());
+            movers_.follow(scene_->movers);
+        }
+        rebuild_body_world();
+    } else if (things_.moving() || movers_.any_moving()) {
         rebuild_body_world();
     }
     if (dt_s > 0.0) {
-        turn(dt_s);
+        turn(now_s, dt_s);
         if (held(Command::TurnLeft) != held(Command::TurnRight) && now_s - last_turn_repeat_s_ >= kTurnRepeat_s)
             act(held(Command::TurnLeft) ? Command::TurnLeft : Command::TurnRight, now_s);
         const double tilt = (held(Command::TiltUp) ? 1.0 : 0.0) - (held(Command::TiltDown) ? 1.0 : 0.0);
@@ -528,20 +682,35 @@ void AppCore::tick(double now_s, const ToolState& tool) {
         move_hand_by_keys(dt_s);
         walk(now_s, dt_s);
     }
+    notice_faults(now_s);
+    push_workspace(now_s);
+    notice_workspace(now_s);
     notice_volumes(now_s);
     tone_of_walls(now_s);
-    publish_pose(now_s, false);
-    if (tool.contact_s >= (breaks_told_ + 1.0) * kBreakEvery_s) {
-        breaks_told_ = std::floor(tool.contact_s / kBreakEvery_s);
-        say(fmt::format("You have been touching for {}. A short break is good for arm and hand.", minutes_words(tool.contact_s)), SpeechClass::Ambient, now_s);
+    soundscape_.tick(*body_world_, listener().ears_m, now_s, cues_);
+    publish_pose(now_s, PoseChange::Walked);
+    const double contact_s = contact_before_s_ + tool.contact_s;
+    if (contact_s >= (breaks_told_ + 1.0) * kBreakEvery_s) {
+        breaks_told_ = std::floor(contact_s / kBreakEvery_s);
+        say(fmt::format("You have been touching for {}. A short break is good for arm and hand.", minutes_words(contact_s)), SpeechClass::Ambient, now_s);
     }
 }
 
-void AppCore::turn(double dt_s) {
+void AppCore::steer(const Steering& steering) {
+    const auto share = [](double value) { return std::isfinite(value) ? std::clamp(value, -1.0, 1.0) : 0.0; };
+    steering_ = {share(steering.ahead), share(steering.right), share(steering.turn_right)};
+}
+
+// A stick turns as far as it is pushed and long; which way one faces is told when it comes to rest.
+void AppCore::turn(double now_s, double dt_s) {
+    if (steering_.turn_right != 0.0) heading_goal_rad_ = wrap_angle(heading_goal_rad_ + steering_.turn_right * kStickTurnRate_rad_per_s * dt_s);
     const double left = wrap_angle(heading_goal_rad_ - heading_rad_);
     const double most = kTurnRate_rad_per_s * dt_s;
     heading_rad_ = std::abs(left) <= most ? heading_goal_rad_ : wrap_angle(heading_rad_ + std::copysign(most, left));
+    if (std::exchange(stick_turns_, steering_.turn_right != 0.0) && !stick_turns_) answer(sentence_case(std::string(compass_word(heading_goal_rad_))), now_s);
 }
+
+double AppCore::passage_width_m() const { return scene_ ? free_space(*body_world_, feet_m(), kLookHeight_m, heading_rad_).width_m : 0.0; }
 
 void AppCore::walk(double now_s, double dt_s) {
     const double keys = (held(Command::Forward) ? 1.0 : 0.0) - (held(Command::Back) ? 1.0 : 0.0);
@@ -551,7 +720,13 @@ void AppCore::walk(double now_s, double dt_s) {
     else way = std::clamp(pending_way_m_, -stride, stride);
     if (way * pending_way_m_ > 0.0) pending_way_m_ -= std::copysign(std::min(std::abs(way), std::abs(pending_way_m_)), pending_way_m_);
 
-    const Vec3 wish = forward_of_heading(heading_rad_) * (way / dt_s);
+    Vec3 wish = forward_of_heading(heading_rad_) * (way / dt_s);
+    // A stick goes as fast as it is pushed, sideways too, never faster than a key.
+    if (way == 0.0 && (steering_.ahead != 0.0 || steering_.right != 0.0)) {
+        const Vec3 pushed = forward_of_heading(heading_rad_) * steering_.ahead + forward_of_heading(heading_rad_ + kPi / 2.0) * steering_.right;
+        wish = pushed * (settings_.walk.speed_m_per_s / std::max(1.0, glm::length(pushed)));
+        way = glm::length(wish) * dt_s;
+    }
     const WalkResult walked = walker_->tick(wish, dt_s);
     const Vec3 feet = feet_m();
     if (glm::length(feet - path_m_.back()) > 0.25) {
@@ -571,6 +746,7 @@ void AppCore::walk(double now_s, double dt_s) {
         step.position_m = feet;
         cue(std::move(step));
     }
+    ground_ = walked.ground;
     if (walked.landed) say(fmt::format("You fell {:.1f} metres.", walked.fell_m), SpeechClass::Answer, now_s);
 
     if (walked.bump) {
@@ -584,6 +760,8 @@ void AppCore::walk(double now_s, double dt_s) {
             bump.material = scene_->material(walked.bump->material).sound;
             bump.position_m = feet + Vec3(0.0, 0.0, kLookHeight_m) - walked.bump->normal * walker_->size().radius_m;
             cue(std::move(bump));
+            if (const int met = mover_of(walked.bump->feature); met >= 0 && scene_->features[walked.bump->feature.value].kind == FeatureKind::Button)
+                press_mover(static_cast<std::uint32_t>(met), false, now_s);  // in games a button is walked against
         }
         blocked_ = true;
     } else if (way != 0.0 && walked.walked_m > 0.9 * std::abs(way)) {
@@ -601,6 +779,7 @@ void AppCore::notice_volumes(double now_s) {
     for (const FeatureId liquid : body_world_->volumes_at(feet_m(), walker_->size().height_m, SolidRole::Liquid)) now.push_back(liquid);
     for (const FeatureId id : now) {
         const Feature* feature = scene_->find(id);
+        if (feature && std::find(inside_.begin(), inside_.end(), id) == inside_.end()) meet_switch(id, now_s);
         if (!feature || std::find(inside_.begin(), inside_.end(), id) != inside_.end()) continue;
         if (feature->kind == FeatureKind::Liquid) {
             CueRequest splash;
@@ -640,17 +819,148 @@ void AppCore::tone_of_walls(double now_s) {
     cue(std::move(tone));
 }
 
-void AppCore::publish_pose(double now_s, bool jump) {
-    const Settings::Workspace& workspace = settings_.workspace;
-    const double heading = workspace.frame == FrameChoice::Walk ? heading_rad_ : 0.0;
-    pose_.heading_rad = heading;
-    pose_.origin_m = feet_m() + Vec3(0.0, 0.0, workspace.hand_height_m + workspace.offset_up_m * workspace.scale) +
-                     forward_of_heading(heading) * (workspace.offset_ahead_m * workspace.scale) + hand_shift_m_;
-    pose_.time_s = now_s;
-    if (jump) ++pose_.jump;
+// Each servo lays its own hand's shift on the pose; the other hand's comes with it.
+WorkspacePose AppCore::pose_beside(const Vec3& others_shift_m) const {
+    WorkspacePose pose = pose_;
+    pose.origin_m += others_shift_m;
+    return pose;
 }
 
-Listener AppCore::listener() const { return {feet_m() + Vec3(0.0, 0.0, walker_ ? walker_->size().eye_height_m : 1.6), heading_rad_}; }
+void AppCore::set_left_hand(const HandFacts& hand, double now_s) {
+    left_hand_ = hand;
+    left_tool_ = {};
+    if (scene_) publish_pose(now_s, PoseChange::Moved);
+}
+
+ServoTuning AppCore::left_tuning() const {
+    ServoTuning tuning = tuning_;
+    tuning.touch.rated_stiffness_n_per_m = left_hand_.spec.rated_stiffness_n_per_m;
+    tuning.force_ceiling_n = ceiling_n(left_hand_);
+    tuning.workspace.grab_key = false;  // the key is the right hand's, the button each hand's own
+    tuning.workspace.push_hand_m_per_s = Vec3(0.0);
+    return tuning;
+}
+
+double AppCore::workspace_heading_rad() const {
+    const double frame = settings_.workspace.frame == FrameChoice::Walk ? heading_rad_ : 0.0;
+    return frame + radians_from_degrees(settings_.workspace.turn_deg);
+}
+
+// Where the middle of the workspace belongs, before anything has moved it.
+Vec3 AppCore::workspace_origin_m() const {
+    const Settings::Workspace& workspace = settings_.workspace;
+    Vec3 origin = workspace.follows_walk ? feet_m() : anchor_feet_m_;
+    if (named_scale_ == NamedScale::Building && !scene_->bounds_m.empty()) {
+        const Vec3 centre = scene_->bounds_m.centre_m();
+        origin = Vec3(centre.x, centre.y, origin.z);
+    } else {
+        origin += forward_of_heading(workspace_heading_rad()) * (workspace.offset_ahead_m * scale());
+    }
+    return origin + Vec3(0.0, 0.0, workspace.hand_height_m + workspace.offset_up_m * scale());
+}
+
+// Walked: the body may have gone a little way. Moved: the workspace jumps, from where the hand had moved it to. Placed: it is where it belongs again.
+void AppCore::publish_pose(double now_s, PoseChange change) {
+    if (change == PoseChange::Moved) hand_shift_m_ += shift_by_hand_m();
+    if (change == PoseChange::Placed) {
+        hand_shift_m_ = Vec3(0.0);
+        anchor_feet_m_ = feet_m();
+    }
+    pose_.heading_rad = workspace_heading_rad();
+    pose_.origin_m = workspace_origin_m() + hand_shift_m_;
+    pose_.time_s = now_s;
+    if (change == PoseChange::Walked) return;
+    ++pose_.jump;
+    let_go_of_world();
+}
+
+// Changes scale or heading of the workspace so that the place under the hand stays there; out of whatever it would be inside.
+template <class Change>
+void AppCore::change_under_hand(Change change, double now_s) {
+    const bool known = tool_.ticks > 0 && tool_.workspace_jump == pose_.jump;
+    const Vec3 place_m = tool_.proxy_m;
+    const bool keeps_place = change() && known;
+    retune();
+    adapt_edges(now_s);
+    const auto hand_m = [&](const Vec3& origin_m) { return frame_of(origin_m, workspace_heading_rad()).to_world(tool_.hand_m, scale()); };
+    Vec3 shift{0.0};
+    if (keeps_place) shift = place_m - hand_m(workspace_origin_m());
+    const auto poses = std::span(things_.frame().poses).first(things_.frame().count);
+    const double clearance = 1.2 * tuning_.touch.radius_m;
+    const Vec3 hand = hand_m(workspace_origin_m() + shift);
+    if (surrounding_of(*haptic_scene_, poses, hand, clearance).distance_m <= 0.0)
+        if (const auto free = nearest_free_place(*haptic_scene_, poses, hand, clearance, farthest_m())) shift += *free - hand;
+    hand_shift_m_ = shift - shift_by_hand_m();
+    publish_pose(now_s, PoseChange::Moved);
+}
+
+void AppCore::zoom(NamedScale scale_name, double now_s) {
+    if (!hand_.present) return answer(std::string(kNoHand), now_s);
+    change_under_hand(
+        [&] {
+            named_scale_ = scale_name;
+            return scale_name != NamedScale::Building;  // that has its own place, round the whole building
+        },
+        now_s);
+    answer(scale_sentence(scale_name, scale(), hand_.spec.workspace_radius_m, distances()), now_s);
+}
+
+void AppCore::turn_workspace(double by_deg, double now_s) {
+    if (!hand_.present) return answer(std::string(kNoHand), now_s);
+    change_under_hand(
+        [&] {
+            const double turned_rad = radians_from_degrees(settings_.workspace.turn_deg + by_deg);
+            settings_.workspace.turn_deg = std::round(degrees_from_radians(wrap_angle(turned_rad)) * 1e6) / 1e6;
+            return true;
+        },
+        now_s);
+    const double deg = settings_.workspace.turn_deg;
+    setting_changes_.emplace_back("workspace.turn_deg", fmt::format("{}", deg));
+    play(SoundKind::TurnTick, now_s);
+    answer(deg == 0.0 ? "Workspace straight" : fmt::format("Workspace turned {:g} degrees to the {}", std::abs(deg), deg > 0.0 ? "right" : "left"), now_s);
+}
+
+void AppCore::push_workspace(double now_s) {
+    Vec3 way = push_way([&](Command one) { return held(one); });
+    if (way == Vec3(0.0) && now_s < push_until_s_) way = push_tap_;
+    tuning_.workspace.push_hand_m_per_s = way * kPushSpeed_hand_m_per_s;
+}
+
+// Tells when the workspace has come to rest, and when it can go no farther.
+void AppCore::notice_workspace(double now_s) {
+    const WorkspaceMotion now = tool_.workspace_motion != WorkspaceMotion::Still ? tool_.workspace_motion : left_tool_.workspace_motion;
+    const WorkspaceMotion before = std::exchange(motion_told_, now);
+    if (before != motion_told_ && motion_told_ == WorkspaceMotion::Still)
+        say(workspace_words(), before == WorkspaceMotion::Scrolled ? SpeechClass::Ambient : SpeechClass::Answer, now_s);
+    if (std::exchange(limit_told_, tool_.workspace_at_limit || left_tool_.workspace_at_limit) || !limit_told_) return;
+    play(SoundKind::Denied, now_s);
+    say("The world ends here.", SpeechClass::Ambient, now_s);
+}
+
+std::string AppCore::workspace_words() const {
+    const Vec3 from_body = hand_shift_m_ + shift_by_hand_m() + workspace_origin_m() - feet_m();
+    const Vec3 level(from_body.x, from_body.y, 0.0);
+    const double up_m = from_body.z - settings_.workspace.hand_height_m - settings_.workspace.offset_up_m * scale();
+    std::string text =
+        glm::length(level) < 0.5 * settings_.walk.step_length_m
+            ? "Workspace round you"
+            : fmt::format("Workspace {}, {}", distance_words(glm::length(level), distances()), relative_words(std::atan2(level.x, level.y), heading_rad_));
+    if (std::abs(up_m) >= 0.25) text += fmt::format(", {} {}", distance_words(std::abs(up_m), {false, 1.0}), up_m > 0.0 ? "up" : "down");
+    return text;
+}
+
+void AppCore::play(SoundKind kind, double now_s) {
+    CueRequest sound;
+    sound.kind = CueRequestKind::Play;
+    sound.sound = kind;
+    sound.time_s = now_s;
+    sound.position_m = listener().ears_m;
+    cue(std::move(sound));
+}
+
+Listener AppCore::listener() const {
+    return {feet_m() + Vec3(0.0, 0.0, walker_ ? walker_->size().eye_height_m : 1.6), heading_rad_, soundscape_.reverberation_s()};
+}
 
 ViewState AppCore::view(const ToolState& tool, const std::string& last_spoken) const {
     ViewState view;
@@ -664,7 +974,7 @@ ViewState AppCore::view(const ToolState& tool, const std::string& last_spoken) c
     view.ball_radius_m = tool.ball_radius_m;
     view.touching = tool.contacts.count > 0;
     view.plan_view = plan_view_;
-    view.forces_on = tuning_.forces_on && !tuning_.panic;
+    view.forces_on = tuning_.forces_on && tuning_.focused && !tuning_.panic;
     view.north_up = settings_.workspace.frame == FrameChoice::Map;
     view.last_spoken = last_spoken;
     view.path_m = path_m_;

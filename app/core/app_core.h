@@ -10,11 +10,14 @@
 
 #include "app/core/command.h"
 #include "app/core/key_map.h"
+#include "app/core/mover_play.h"
 #include "app/core/placed_things.h"
+#include "app/core/soundscape.h"
 #include "app/core/surroundings.h"
 #include "app/core/view.h"
 #include "app/core/walker.h"
 #include "app/core/words.h"
+#include "app/core/workspace_scale.h"
 #include "audio-cues/plan/cue_planner.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/servo/servo_tick.h"
@@ -27,6 +30,13 @@ struct HandFacts {
     bool present = false;
     bool simulated = false;
     DeviceSpec spec{};
+    std::string serial = {};  // empty: it has none
+};
+
+// What a stick or a puck wants of the body: shares of walking speed and of the turning rate, -1 to 1; 0 at rest.
+struct Steering {
+    double ahead = 0.0, right = 0.0, turn_right = 0.0;
+    bool operator==(const Steering&) const = default;
 };
 
 class AppCore {
@@ -41,19 +51,29 @@ public:
     // Puts the body somewhere else in this world; the workspace jumps with it.
     void place(const Vec3& feet_m, double heading_rad, double now_s);
     // Sets a thing down, takes it away or sends it elsewhere while everything goes on: touched, it neither knocks nor leaks. Each fails with a
-    // sentence and changes nothing: see worlds/scene/models.h; too many things at once; a speed that is not above zero. Walking meets a thing where it
-    // last stood still.
+    // sentence and changes nothing: see worlds/scene/models.h; too many things at once; a speed that is not above zero. Walking meets a thing where it is.
     Result<void> add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at, const std::string& material, double now_s);
     Result<void> remove_thing(const std::string& name, double now_s);
     Result<void> send_thing(const std::string& name, const Placement& to, double speed_m_per_s);
     // Where the thing of that name is now; none of that name: nothing.
     std::optional<Placement> thing_at(const std::string& name) const;
 
+    // Another device, or none, in place of the one there was; the settings are those of outside, as in change_settings.
+    void set_hand(const HandFacts& hand, const Settings& settings, double now_s);
+    // A device that could be used has been plugged in: says so, and the force key takes it the next time. offer_taken() is true once.
+    void offer_hand(const std::string& spoken_name, double now_s);
+    bool offer_taken() { return std::exchange(offer_taken_, false); }
+
     // New settings from outside; the world stays. Force ramps in again where the workspace changes.
     void change_settings(const Settings& settings, double now_s);
 
     void press(Command command, double now_s);
     void release(Command command);
+    // How often the stop key was pressed, from whoever sees it before the app does (ServoSwitches::stops): told before the keys of each frame. The
+    // servo has stopped already; this makes the rest follow.
+    void know_stops(std::uint32_t stops, double now_s);
+    // Sticks act until told otherwise or the keyboard is lost, beside the keys. What is not finite counts as rest.
+    void steer(const Steering& steering);
     // The window lost or regained the keyboard: nothing stays held and force fades away while it is lost.
     void set_focus(bool focused);
     // Moves the simulated hand's target, device frame; clamped to its reach.
@@ -61,17 +81,25 @@ public:
     // A sentence from outside (problems while loading, device news).
     void say(std::string text, SpeechClass speech_class, double now_s);
 
+    // A second device in the left hand, or none: its own ball and ceiling in the same workspace, with the scale of the first. What one hand does to the
+    // workspace the other goes along with.
+    void set_left_hand(const HandFacts& hand, double now_s);
+
     // now_s never goes back; steps over 0.1 s are cut to 0.1 s of walking.
-    void tick(double now_s, const ToolState& tool);
+    void tick(double now_s, const ToolState& tool, const ToolState& left_tool = {});
 
     // What others take after each tick.
     std::shared_ptr<const Scene> scene() const { return scene_; }
     std::shared_ptr<const HapticScene> haptic_scene() const { return haptic_scene_; }
     // Rises when another world was entered; scene() may be another one without that, when something was added, moved or removed.
     int worlds_entered() const { return worlds_entered_; }
-    const WorkspacePose& pose() const { return pose_; }
+    // Of the only or right hand, and of the left one.
+    WorkspacePose pose() const { return pose_beside(shift_of(left_tool_)); }
+    WorkspacePose left_pose() const { return pose_beside(shift_of(tool_)); }
     const BodyFrame& bodies() const { return things_.frame(); }
     const ServoTuning& tuning() const { return tuning_; }
+    ServoTuning left_tuning() const;
+    bool two_hands() const { return hand_.present && left_hand_.present; }
     const Vec3& hand_target_m() const { return hand_target_m_; }  // device frame
     Listener listener() const;
     std::vector<CueRequest> take_cues() { return std::exchange(cues_, {}); }
@@ -82,30 +110,67 @@ public:
     const KeyMap& keys() const { return keys_; }
     // Nothing is on its way any more: no steps pending, no turn unfinished, nothing held.
     bool idle() const;
+    // The set-up by voice was asked for; once for each time.
+    bool take_calibration_request() { return std::exchange(calibration_asked_, false); }
     bool wants_to_leave() const { return wants_to_leave_; }
     const Vec3& feet_m() const { return walker_->state().feet_m; }
     bool standing() const { return walker_->state().on_ground; }
     double heading_rad() const { return heading_rad_; }
+    // Free space across the way, at the height of the waist; 0 where a side is open.
+    double passage_width_m() const;
 
     // The answer to "where am I", also used on entering.
     std::string where_am_i() const;
 
 private:
     void lay_device_overrides();
+    const DeviceProfile* profile_of(const HandFacts& hand) const;  // of the hand's device; null where it has none
     void retune();
+    double rounding_m() const;
+    void adapt_edges(double now_s);
+    void compile(std::uint32_t world);
     void act(Command command, double now_s);
     void walk(double now_s, double dt_s);
-    void turn(double dt_s);
+    void turn(double now_s, double dt_s);
     void move_hand_by_keys(double dt_s);
     void notice_volumes(double now_s);
     void tone_of_walls(double now_s);
-    void publish_pose(double now_s, bool jump);
+    enum class PoseChange { Walked, Moved, Placed };
+    void publish_pose(double now_s, PoseChange change);
+    Vec3 shift_of(const ToolState& tool) const { return tool.workspace_jump == pose_.jump ? tool.workspace_shift_m : Vec3(0.0); }
+    // How the hands themselves have moved the workspace since the pose's last jump.
+    Vec3 shift_by_hand_m() const { return shift_of(tool_) + shift_of(left_tool_); }
+    WorkspacePose pose_beside(const Vec3& others_shift_m) const;
+    double ceiling_n(const HandFacts& hand) const;
+    std::string touched_words(const ToolState& tool);
+    Vec3 workspace_origin_m() const;
+    double workspace_heading_rad() const;
+    template <class Change>
+    void change_under_hand(Change change, double now_s);
+    void zoom(NamedScale scale, double now_s);
+    void turn_workspace(double by_deg, double now_s);
+    void push_workspace(double now_s);
+    void notice_workspace(double now_s);
+    void let_go_of_world() { tuning_.workspace.grab_key = false; }
+    std::string workspace_words() const;
+    double scale() const;
+    double farthest_m() const;
+    void play(SoundKind kind, double now_s);
     void cue(CueRequest request) { cues_.push_back(std::move(request)); }
     void answer(std::string text, double now_s);
     void toggle_forces(double now_s);
+    std::string why_no_force_yet() const;
+    void notice_faults(double now_s);
     void describe_touched(double now_s);
     void go_home(double now_s);
     void bring_out(double now_s);
+    // Doors, lifts, buttons and teleporters: app_core_movers.cpp.
+    void use(double now_s);
+    void play_movers(double now_s, double dt_s);
+    void meet_switch(FeatureId volume, double now_s);
+    int mover_of(FeatureId feature) const;
+    bool usable(std::size_t mover) const;
+    void press_mover(std::uint32_t mover, bool back_again, double now_s);
     void change_world(Scene scene, double now_s);
     void rebuild_body_world();
     Scene world_now() const;
@@ -116,14 +181,22 @@ private:
     bool held(Command command) const { return held_[static_cast<std::size_t>(command)]; }
 
     Settings settings_;
-    HandFacts hand_;
+    HandFacts hand_, left_hand_;
     KeyMap keys_;
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const HapticScene> haptic_scene_;
+    double compiled_rounding_m_ = 0.0;  // of edges in it
     int worlds_entered_ = 0;
     PlacedThings things_;
+    MoverPlay movers_;
+    bool movers_arrived_ = false;
+    std::vector<FeatureId> used_switches_;  // that act only once
+    std::vector<int> thing_of_mover_;       // place among things_, -1: part of the building
+    FeatureId ground_ = kNoFeature;         // what the body stands on
     std::unique_ptr<BodyWorld> body_world_;
     std::unique_ptr<Walker> walker_;
+    Soundscape soundscape_;
+    SoundDictionary dictionary_;
     Vec3 home_feet_m_{0.0};
     double home_heading_rad_ = 0.0;
 
@@ -134,8 +207,18 @@ private:
     double since_footstep_m_ = 0.0;
     bool blocked_ = false;  // a bump was told and the body has not got away since
     std::vector<bool> held_;
+    Steering steering_;
+    bool stick_turns_ = false;
     double last_turn_repeat_s_ = 0.0;
-    Vec3 hand_shift_m_{0.0};  // of the workspace, world metres: brought out of something; until one is put elsewhere
+    std::optional<NamedScale> named_scale_;  // none: the scale of the settings
+    Vec3 anchor_feet_m_{0.0};                // where the workspace stays while it does not follow the body
+    // Of the workspace, world metres, on top of which the servo lays its own since the last jump: brought out of something, scrolled, zoomed under the hand;
+    // until one is put elsewhere.
+    Vec3 hand_shift_m_{0.0};
+    Vec3 push_tap_{0.0};  // the workspace, by a tap of a key: which way and until when
+    double push_until_s_ = -1.0;
+    WorkspaceMotion motion_told_ = WorkspaceMotion::Still;
+    bool limit_told_ = false;
     WorkspacePose pose_;
     ServoTuning tuning_;
     Vec3 hand_target_m_{0.0};
@@ -144,16 +227,20 @@ private:
     std::vector<FeatureId> inside_;         // volumes the body is in
     std::vector<FeatureId> told_triggers_;  // each trigger speaks once
     std::vector<Vec3> path_m_;
-    ToolState tool_;
+    ToolState tool_, left_tool_;
     double last_tick_s_ = -1.0;
     double leave_asked_s_ = -1e9;
+    double stopped_s_ = -1e9;
     double breaks_told_ = 0.0;
+    double contact_before_s_ = 0.0;  // with devices used earlier
+    bool offered_ = false, offer_taken_ = false;
     double tone_loudness_ = 0.0;
-    FeatureId described_ = kNoFeature;  // what "what is this" last told of
+    FeatureId described_ = kNoFeature, left_described_ = kNoFeature;  // what "what is this" last told of
+    bool fault_lasted_ = false;
     bool plan_view_ = false;
     bool wants_to_leave_ = false;
-    bool forces_wanted_ = true;  // the f key; tuning_.forces_on is this and the focus
-    bool focused_ = true;
+    bool calibration_asked_ = false;
+    std::uint32_t stops_known_ = 0;
 };
 
 }  // namespace handrail

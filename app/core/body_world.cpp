@@ -14,10 +14,10 @@ double support(const Vec3& normal, const BodyShape& body) {
 
 }  // namespace
 
-BodyWorld::BodyWorld(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
+BodyWorld::BodyWorld(std::shared_ptr<const Scene> scene, std::span<const Placement> placed) : scene_(std::move(scene)) {
     add_scene(*scene_, nullptr, -1);
     for (std::size_t i = 0; i < scene_->placed.size(); ++i) {
-        const PlacedFrame frame(scene_->placed[i].at);
+        const PlacedFrame frame(i < placed.size() ? placed[i] : scene_->placed[i].at);
         add_scene(*scene_->placed[i].model, &frame, static_cast<std::int32_t>(i));
     }
     std::stable_sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
@@ -153,30 +153,68 @@ TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape&
         met_face = enter_face;
     });
     best.end_m = from_m + step * best.fraction;
-    if (met && met->placed >= 0) {
-        best.feature = scene_->placed[static_cast<std::size_t>(met->placed)].feature;
-        best.material = scene_->placed[static_cast<std::size_t>(met->placed)].material;
-    } else if (met && met->triangle) {
-        best.feature = scene_->triangles[met->solid].feature;
-        best.material = scene_->triangles[met->solid].material;
-    } else if (met) {
-        const Solid& solid = scene_->solids[met->solid];
-        // A bevel has no face of its own: the visible face that looks most its way names it. So does a hidden face.
-        double most = -2.0;
-        for (std::size_t face = 0; face < solid.shape.planes.size(); ++face) {
-            const bool named = face < solid.face_features.size() && solid.face_features[face];
-            double likeness = glm::dot(solid.shape.planes[face].normal, best.normal);
-            if (static_cast<std::int32_t>(face) == met_face) likeness = 1.0 + 1e-6;
-            if (named && likeness > most) {
-                most = likeness;
-                best.feature = solid.face_features[face];
-                best.material = solid.face_materials[face];
-            }
-        }
-        if (!best.feature) best.feature = solid.feature;
-    }
+    if (met) name_hit(*met, met_face, best.normal, best.feature, best.material);
     if (length == 0.0) best.hit = false;
     return best;
+}
+
+void BodyWorld::name_hit(const Piece& piece, std::int32_t face, const Vec3& normal, FeatureId& feature, MaterialId& material) const {
+    if (piece.placed >= 0) {
+        feature = scene_->placed[static_cast<std::size_t>(piece.placed)].feature;
+        material = scene_->placed[static_cast<std::size_t>(piece.placed)].material;
+        return;
+    }
+    if (piece.triangle) {
+        feature = scene_->triangles[piece.solid].feature;
+        material = scene_->triangles[piece.solid].material;
+        return;
+    }
+    const Solid& solid = scene_->solids[piece.solid];
+    // A bevel has no face of its own: the visible face that looks most its way names it. So does a hidden face.
+    double most = -2.0;
+    for (std::size_t i = 0; i < solid.shape.planes.size(); ++i) {
+        const bool named = i < solid.face_features.size() && solid.face_features[i];
+        double likeness = glm::dot(solid.shape.planes[i].normal, normal);
+        if (static_cast<std::int32_t>(i) == face) likeness = 1.0 + 1e-6;
+        if (named && likeness > most) {
+            most = likeness;
+            feature = solid.face_features[i];
+            material = solid.face_materials[i];
+        }
+    }
+    if (!feature) feature = solid.feature;
+}
+
+std::vector<Crossing> BodyWorld::crossings(const Vec3& from_m, const Vec3& to_m) const {
+    const double length = glm::length(to_m - from_m);
+    std::vector<Crossing> found;
+    if (length == 0.0) return found;
+    Aabb sweep;
+    sweep.include(from_m);
+    sweep.include(to_m);
+    visit_near(sweep, [&](const Piece& piece) {
+        if (piece.clip_only) return;
+        double enter = 0.0, leave = 1.0;
+        Vec3 normal{0.0};
+        std::int32_t face = -1;
+        for (std::uint32_t k = piece.first_plane; k < piece.first_plane + piece.plane_count; ++k) {
+            const Bound& bound = bounds_[k];
+            const double d0 = signed_distance(bound.plane, from_m), d1 = signed_distance(bound.plane, to_m);
+            if (d0 > 0.0 && d1 > 0.0) return;
+            if (d0 > 0.0 && d0 / (d0 - d1) >= enter) {
+                enter = d0 / (d0 - d1);
+                normal = bound.plane.normal;
+                face = bound.face;
+            } else if (d1 > 0.0) {
+                leave = std::min(leave, d0 / (d0 - d1));
+            }
+        }
+        if (enter <= 0.0 || leave >= 1.0 || enter > leave) return;
+        Crossing crossing{enter * length, leave * length, kNoFeature, kDefaultMaterial};
+        name_hit(piece, face, normal, crossing.feature, crossing.material);
+        found.push_back(crossing);
+    });
+    return found;
 }
 
 bool BodyWorld::blocked(const Vec3& feet_m, const BodyShape& body) const {

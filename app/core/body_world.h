@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "worlds/scene/scene.h"
@@ -26,14 +27,24 @@ struct TraceHit {
     bool hit = false;
 };
 
+// A stretch of a straight way that lies in something solid, from its start.
+struct Crossing {
+    double enter_m = 0.0, leave_m = 0.0;
+    FeatureId feature = kNoFeature;
+    MaterialId material = kDefaultMaterial;
+};
+
 class BodyWorld {
 public:
-    explicit BodyWorld(std::shared_ptr<const Scene> scene);
+    // placed: where the scene's placed things stand, in their order; left out, where the scene has them.
+    explicit BodyWorld(std::shared_ptr<const Scene> scene, std::span<const Placement> placed = {});
 
     const Scene& scene() const { return *scene_; }
     // Moves the body from one place towards another and stops at the first solid. A piece that the body already overlaps at the start is
     // ignored, so that one can always walk out of it. `through_clips`: rays look through what only stops bodies.
     TraceHit trace(const Vec3& from_m, const Vec3& to_m, const BodyShape& body, bool through_clips = false) const;
+    // Everything solid on a straight way, in no order; what only stops bodies and what holds either end is left out.
+    std::vector<Crossing> crossings(const Vec3& from_m, const Vec3& to_m) const;
     // True when a solid overlaps the body standing there.
     bool blocked(const Vec3& feet_m, const BodyShape& body) const;
     // Volumes of that role (Liquid, Trigger, Teleport) which the upright line feet..feet+height meets; feature ids in file order.
@@ -56,6 +67,7 @@ private:
     };
     void add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed);
     void add_piece(const std::vector<Bound>& bounds, Piece piece);
+    void name_hit(const Piece& piece, std::int32_t face, const Vec3& normal, FeatureId& feature, MaterialId& material) const;
     template <class Visit>
     void visit_near(const Aabb& box, Visit visit) const;
 

@@ -17,6 +17,20 @@ enum class Command : std::uint8_t {
     TiltDown,
     ToggleForces,
     SwitchFrame,  // Map <-> Walk
+    ScaleBuilding,
+    ScaleFloor,
+    ScaleRoom,
+    ScaleDetail,
+    WorkspaceForward,  // the workspace moves on while the key is held
+    WorkspaceBack,
+    WorkspaceLeft,
+    WorkspaceRight,
+    WorkspaceUp,
+    WorkspaceDown,
+    WorkspaceTurnLeft,
+    WorkspaceTurnRight,
+    WorkspaceCentre,  // back to the body
+    Grab,             // the world goes along with the hand, until pressed again
     WhereAmI,
     Heading,
     WhatIsThis,  // what the hand touches
@@ -25,9 +39,13 @@ enum class Command : std::uint8_t {
     StopEverything,  // F12: all force and sound
     Home,
     BringOut,  // out of whatever the hand or the body is inside
+    Use,       // opens or shuts the door, presses the button, that the hand touches or the body stands before
     PlanView,
     Help,
+    NextSound,
+    LastSound,  // the sound dictionary: names and plays one sound after the other
     VerbosityCycle,
+    Calibrate,  // the set-up by voice, run by whoever owns the device
     Leave,  // Escape: asks once more at the top
     // The hand without a device: the simulated hand's target moves.
     HandForward,

@@ -9,18 +9,37 @@ constexpr double kFrames_per_s = 60.0;
 }  // namespace
 
 HeadlessSession::HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech)
-    : app_(settings, hand),
-      facts_(hand),
-      audio_(audio),
-      speech_(speech),
-      planner_(settings),
-      hand_(std::make_shared<SimulatedHand>()),
-      servo_state_(hand.present ? hand.spec : ideal_device_spec()) {
-    if (!hand.present) return;
+    : app_(settings, hand), facts_(hand), audio_(audio), speech_(speech), planner_(settings) {
+    if (hand.present) hands_[0].take(hand.spec);
+}
+
+void HeadlessSession::Hand::take(const DeviceSpec& spec) {
+    simulated->command.publish(still_hand());
+    device = std::make_unique<SimulatedDevice>(spec, simulated);
+    state = std::make_unique<ServoState>(spec);
+}
+
+void HeadlessSession::give_left_hand(const HandFacts& facts) {
+    hands_[1].take(facts.spec);
+    app_.set_left_hand(facts, now_s());
+    planner_.set_two_hands(app_.two_hands());
+}
+
+HandCommand HeadlessSession::still_hand() {
     HandCommand still;
     still.mode = HandMode::Move;
-    hand_->command.publish(still);
-    device_ = std::make_unique<SimulatedDevice>(hand.spec, hand_);
+    return still;
+}
+
+void HeadlessSession::press(Command command) {
+    if (command == Command::StopEverything) switches_.stop();
+    app_.know_stops(switches_.stops.load(), now_s());
+    app_.press(command, now_s());
+}
+
+void HeadlessSession::set_focus(bool focused) {
+    switches_.focused = focused;
+    app_.set_focus(focused);
 }
 
 void HeadlessSession::change_settings(const Settings& settings) {
@@ -30,21 +49,28 @@ void HeadlessSession::change_settings(const Settings& settings) {
 
 void HeadlessSession::advance() {
     ++milliseconds_;
-    if (device_ && milliseconds_ % servo_every_ms_ == 0) servo();
+    for (std::size_t which = 0; which < hands_.size(); ++which)
+        if (hands_[which].device && milliseconds_ % servo_every_ms_ == 0) servo(which);
     // Frames fall on the first millisecond at or after their time.
     if (now_s() * kFrames_per_s >= static_cast<double>(frames_)) {
         ++frames_;
-        app_.tick(now_s(), tool_);
+        app_.tick(now_s(), hands_[0].tool, hands_[1].tool);
         if (!app_.take_setting_changes().empty()) planner_.set_settings(app_.settings());
     }
     if (milliseconds_ % kCueEvery_ms == 0) cues();
 }
 
-void HeadlessSession::servo() {
-    const DeviceSample sample = device_->read(now_s());
-    device_->write(servo_tick(servo_state_, app_.haptic_scene().get(), app_.tuning(), app_.pose(), sample, now_s(), &app_.bodies()));
-    tool_ = servo_state_.tool();
-    for (const ContactEvent& event : servo_state_.events()) contacts_.push_back(event);
+void HeadlessSession::servo(std::size_t which) {
+    Hand& hand = hands_[which];
+    const DeviceSample sample = hand.device->read(now_s());
+    const ServoTuning tuning = with_switches(which == 0 ? app_.tuning() : app_.left_tuning(), switches_);
+    const WorkspacePose pose = which == 0 ? app_.pose() : app_.left_pose();
+    hand.device->write(servo_tick(*hand.state, app_.haptic_scene().get(), tuning, pose, sample, now_s(), &app_.bodies()));
+    hand.tool = hand.state->tool();
+    for (const ContactEvent& event : hand.state->events()) {
+        contacts_.push_back(event);
+        contacts_.back().hand = static_cast<std::uint8_t>(which);
+    }
 }
 
 void HeadlessSession::cues() {

@@ -1,6 +1,7 @@
 #include "app/core/placed_things.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace handrail {
 
@@ -27,8 +28,15 @@ void PlacedThings::send(std::size_t thing, const Placement& to, double speed_m_p
     t.parts_per_s = way > 0.0 ? speed_m_per_s / way : 1.0;
 }
 
+void PlacedThings::put(std::size_t thing, const Placement& at) {
+    Thing& t = things_[thing];
+    put_ = put_ || !(t.at == at);
+    t.at = at;
+    t.part = 1.0;
+}
+
 bool PlacedThings::tick(double now_s, double dt_s) {
-    bool moved = false, arrived = false;
+    bool moved = std::exchange(put_, false), arrived = false;
     for (Thing& t : things_) {
         if (t.part >= 1.0) continue;
         t.part = std::min(1.0, t.part + t.parts_per_s * dt_s);
@@ -38,6 +46,12 @@ bool PlacedThings::tick(double now_s, double dt_s) {
     }
     if (moved) publish(now_s);
     return arrived;
+}
+
+std::vector<Placement> PlacedThings::all() const {
+    std::vector<Placement> all;
+    for (const Thing& t : things_) all.push_back(t.at);
+    return all;
 }
 
 bool PlacedThings::moving() const {

@@ -16,12 +16,15 @@ public:
     // Slides and turns a thing evenly to another placement; speed > 0, in world metres per second of its position (a pure turn or change of size takes
     // one second). Index into Scene::placed.
     void send(std::size_t thing, const Placement& to, double speed_m_per_s);
+    // A thing that somebody else moves stands there from the next tick on.
+    void put(std::size_t thing, const Placement& at);
     // True when something that was on its way has arrived.
     bool tick(double now_s, double dt_s);
 
     std::size_t size() const { return things_.size(); }
     const Placement& at(std::size_t thing) const { return things_[thing].at; }
     bool moving() const;
+    std::vector<Placement> all() const;
     // For the servo: rises in number whenever something moved.
     const BodyFrame& frame() const { return frame_; }
 
@@ -33,6 +36,7 @@ private:
     void publish(double now_s);
 
     std::vector<Thing> things_;
+    bool put_ = false;  // since the last tick
     BodyFrame frame_;
 };
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "audio-cues/plan/sinks.h"
+#include "audio-cues/plan/sound_table.h"
 #include "worlds/base/files.h"
 #include "worlds/base/text.h"
 
@@ -16,10 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kSoundNames{"contact",   "slide",      "footstep", "bump",         "wall tone", "splash", "denied",
-                                 "forces on", "forces off", "turn",     "frame switch", "arrived",   "alarm",  "beep"};
-constexpr std::array kMaterialNames{"plaster", "wood",  "brick",   "concrete", "tile", "carpet", "metal", "glass",  "stone",  "rubber",
-                                    "grass",   "water", "plastic", "cloth",    "sand", "earth",  "ice",   "grille", "generic"};
+// Every sound has a name and every material a word: one table for people and scenarios.
+std::vector<std::string_view> all_sound_names() {
+    std::vector<std::string_view> names;
+    for (const SoundInfo& row : sound_table()) names.push_back(row.name);
+    return names;
+}
+std::vector<std::string_view> all_material_names() {
+    std::vector<std::string_view> names;
+    for (int i = 0; i <= static_cast<int>(SoundClass::Generic); ++i) names.push_back(material_sound_name(static_cast<SoundClass>(i)));
+    return names;
+}
 
 // Thrown inside this file only, so that the reading code can be a list of what is wanted; read_scenario turns it into a Result.
 struct Bad {
@@ -130,6 +137,13 @@ std::optional<Rotation> read_turn(Fields& fields) {
     return rotation_about(axis / length, radians_from_degrees(fields.number("turn_deg", -360.0, 360.0)));
 }
 
+bool is_left(Fields& fields) {
+    if (!fields.has("whose")) return false;
+    const std::string hand = fields.text("whose");
+    if (hand != "left" && hand != "right") throw Bad{fields.line(), "\"whose\" must be \"left\" or \"right\": which of two hands."};
+    return hand == "left";
+}
+
 ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     Fields fields(table, "An action");
     ScenarioAction action;
@@ -164,11 +178,13 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     }
     if (is("trouble")) {
         const std::string kind = fields.text("trouble");
-        static const std::vector<std::string> kinds_known{"nan", "jump", "freeze", "unplug", "late"};
+        static const std::vector<std::string> kinds_known{"nan", "jump", "freeze", "unplug", "late", "hot", "error"};
         if (std::find(kinds_known.begin(), kinds_known.end(), kind) == kinds_known.end())
             throw Bad{line_of(fields.node("trouble")), fmt::format("There is no trouble \"{}\". Did you mean \"{}\"?", kind, nearest_name(kind, kinds_known))};
         action.step = ScenarioTrouble{kind, fields.number("for_s", 0.0, kLongest_s)};
     }
+    if (is("button")) action.step = DeviceButton{fields.flag("button")};
+    if (is("focus")) action.step = KeyboardFocus{fields.flag("focus")};
     if (is("place")) action.step = PlaceBody{fields.vector("place"), radians_from_degrees(fields.number_or("heading_deg", 0.0, -360.0, 360.0))};
     if (is("set")) {
         const std::string pair = fields.text("set");
@@ -178,12 +194,14 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     }
     if (fields.has("name")) action.name = fields.text("name");
     if (fields.has("at_s")) action.at_s = fields.number("at_s", 0.0, kLongest_s);
+    action.left = is_left(fields);
     if (fields.has("meanwhile")) action.meanwhile = fields.flag("meanwhile");
     fields.done();
     if (kinds != 1)
-        throw Bad{
-            action.line,
-            "An action must hold exactly one of press, hold, wait_s, move_to, move_by, sweep_at, push_n, rest_at, add, remove, send, trouble, place, set."};
+        throw Bad{action.line,
+                  "An action must hold exactly one of press, hold, wait_s, move_to, move_by, sweep_at, push_n, rest_at, add, remove, send, trouble, button, "
+                  "focus, place, "
+                  "set."};
     return action;
 }
 
@@ -226,8 +244,7 @@ Moment read_moment(Fields& fields, const char* key, const std::set<std::string>&
     return moment;
 }
 
-template <std::size_t N>
-void must_be_one_of(const std::string& word, const std::array<const char*, N>& known, int line, const char* what) {
+void must_be_one_of(const std::string& word, std::span<const std::string_view> known, int line, const char* what) {
     if (std::find(known.begin(), known.end(), word) != known.end()) return;
     throw Bad{line,
               fmt::format("There is no {} \"{}\". Did you mean \"{}\"?", what, word, nearest_name(word, std::vector<std::string>(known.begin(), known.end())))};
@@ -246,11 +263,12 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
     };
     const auto sound = [&](const char* key) {
         e.text = fields.text(key);
-        must_be_one_of(e.text, kSoundNames, e.line, "sound");
+        must_be_one_of(e.text, all_sound_names(), e.line, "sound");
         if (fields.has("material")) {
             e.material = fields.text("material");
-            must_be_one_of(e.material, kMaterialNames, e.line, "sound material");
+            must_be_one_of(e.material, all_material_names(), e.line, "sound material");
         }
+        if (fields.has("muffled_db")) e.muffled_db = fields.range("muffled_db");
     };
     const auto direction = [&](const char* key) {
         e.vector = fields.vector(key);
@@ -280,6 +298,7 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         if (fields.has("direction")) direction("direction");
     }
     if (is("force_step_n", Check::ForceStep)) e.high = fields.number("force_step_n", 0.0, 1e6);
+    if (is("force_spike", Check::ForceSpike)) e.high = fields.number("force_spike", 0.0, 1e6);
     if (is("force_line_n", Check::ForceLine)) {
         e.high = fields.number("force_line_n", 0.0, 1e6);
         e.from_hz = e.to_hz = fields.number("hz", 0.1, 500.0);
@@ -330,6 +349,7 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
     if (is("free", Check::Free)) fields.flag("free");
     if (fields.has("times")) e.times = static_cast<int>(fields.number("times", 0.0, 1e6));
     if (fields.has("always")) e.always = fields.flag("always");
+    e.left = is_left(fields);
     if (fields.has("after")) e.from = read_moment(fields, "after", names);
     if (fields.has("delay_s")) e.from.offset_s += fields.number("delay_s", 0.0, kLongest_s);
     if (fields.has("before")) {
@@ -363,6 +383,7 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
     scenario.title = fields.text("title");
     scenario.world = find_world(fields.text("world"), folders, line_of(fields.node("world")));
     if (fields.has("device")) scenario.device = fields.text("device");
+    if (fields.has("left_device")) scenario.left_device = fields.text("left_device");
     if (fields.has("start")) {
         const toml::table* start = fields.node("start").as_table();
         if (!start) throw Bad{line_of(fields.node("start")), "\"start\" must be a table with \"feet\" and \"heading_deg\"."};
@@ -405,9 +426,6 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
 }
 
 }  // namespace
-
-std::string_view sound_name(int sound_kind) { return kSoundNames.at(static_cast<std::size_t>(sound_kind)); }
-std::string_view material_sound_name(int sound_class) { return kMaterialNames.at(static_cast<std::size_t>(sound_class)); }
 
 Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>& world_folders) {
     const auto text = read_whole_file(file, std::size_t{1} << 24);

@@ -42,7 +42,13 @@ struct RestHand {
 struct ScenarioTrouble {
     std::string kind;
     double for_s;
-};  // trouble = "nan" | "jump" | "freeze" | "unplug" | "late"
+};  // trouble = "nan" | "jump" | "freeze" | "unplug" | "late" | "hot" | "error"
+struct DeviceButton {
+    bool down;
+};  // button = true: the device's first button goes down and stays there
+struct KeyboardFocus {
+    bool here;
+};  // focus = false: the window loses the keyboard
 struct PlaceBody {
     Vec3 feet_m;
     double heading_rad;
@@ -68,14 +74,15 @@ struct SendThing {
     double speed_m_per_s;
 };  // send = "crate": slides there in a straight line while everything goes on
 
-using ScenarioStep =
-    std::variant<TapCommand, HoldCommand, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, PlaceBody, ChangeSetting, AddThing, RemoveThing, SendThing>;
+using ScenarioStep = std::variant<TapCommand, HoldCommand, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceBody,
+                                  ChangeSetting, AddThing, RemoveThing, SendThing>;
 
 struct ScenarioAction {
     std::string name;  // for after/before; may be empty
     ScenarioStep step = Wait{0.0};
     std::optional<double> at_s;  // else when the action before it ends
     bool meanwhile = false;      // starts together with the action before it
+    bool left = false;           // whose = "left": it is the left hand's
     int line = 0;
 };
 
@@ -93,6 +100,7 @@ enum class Check {
     NotSound,
     Force,        // force_n = [min, max] of the magnitude, or along `direction`
     ForceStep,    // force_step_n: largest change between ticks
+    ForceSpike,   // force_spike: never more than so many times what it was a tick before, nor than at the window's begin
     ForceLine,    // force_line_n with hz: amplitude at that frequency
     ForceBand,    // force_band_n with from_hz, to_hz: largest amplitude of any line there
     ForceAngle,   // force_angle_deg, direction: the force looks there, wherever it is above 0.05 N
@@ -114,8 +122,9 @@ enum class Check {
 
 struct Expectation {
     Check check = Check::Say;
-    std::string text;      // words, sound name, feature name
-    std::string material;  // sounds
+    std::string text;                                 // words, sound name, feature name
+    std::string material;                             // sounds
+    std::optional<std::array<double, 2>> muffled_db;  // sounds: lost on the way, from and to
     std::optional<int> times;
     double low = 0.0, high = 0.0;  // force range, limits
     Vec3 vector{0.0};              // direction or place; NaN components are not looked at
@@ -123,6 +132,7 @@ struct Expectation {
     double tolerance = 0.0;
     double from_hz = 0.0, to_hz = 0.0;
     bool always = true;  // in the whole window; else at least once
+    bool left = false;   // whose = "left": what the left hand touches and feels
     Moment from, to;
     bool has_to = false;
     int line = 0;
@@ -132,7 +142,7 @@ struct Scenario {
     std::string title;
     std::filesystem::path file;
     std::filesystem::path world;  // as found
-    std::string device = "none";
+    std::string device = "none", left_device = "none";
     bool has_start = false;
     Vec3 start_feet_m{0.0};
     double start_heading_rad = 0.0;
@@ -148,9 +158,5 @@ struct Scenario {
 // Reads one file. World names are looked for beside the file, below it, then in `world_folders`. Any mistake - an unknown key, a wrong
 // type, a name that no action has - fails with its line; nothing is half read.
 Result<Scenario> read_scenario(const std::filesystem::path& file, const std::vector<std::filesystem::path>& world_folders);
-
-// Sound names as scenarios write them: "contact", "wall tone"; empty for kinds that none may expect.
-std::string_view sound_name(int sound_kind);
-std::string_view material_sound_name(int sound_class);
 
 }  // namespace handrail

@@ -57,51 +57,59 @@ public:
 
 private:
     // World place -> device place, by the workspace as it is now.
-    Vec3 in_device(const Vec3& world_m) {
-        const WorkspacePose& pose = session_.app().pose();
-        const WorkspaceFrame frame = frame_of(pose.origin_m, pose.heading_rad);
-        return frame.turn_to_device(world_m - pose.origin_m) / session_.app().tuning().touch.world_m_per_hand_m;
+    Vec3 in_device(const Vec3& world_m, bool left) {
+        const WorkspacePose pose = left ? session_.app().left_pose() : session_.app().pose();
+        const ToolState& tool = session_.tool(left);
+        const Vec3 origin_m = pose.origin_m + (tool.workspace_jump == pose.jump ? tool.workspace_shift_m : Vec3(0.0));
+        const WorkspaceFrame frame = frame_of(origin_m, pose.heading_rad);
+        return frame.turn_to_device(world_m - origin_m) / session_.app().tuning().touch.world_m_per_hand_m;
     }
-    Vec3 hand_now() {
-        session_.hand().state.refresh();
-        return session_.hand().state.read().position_m;
+    Vec3 hand_now(bool left) {
+        session_.hand(left).state.refresh();
+        return session_.hand(left).state.read().position_m;
     }
-    void command_hand(const HandCommand& command) { session_.hand().command.publish(command); }
+    // The buttons stay as they are whatever else the hand does.
+    void command_hand(HandCommand command, bool left) {
+        command.buttons = buttons_[left];
+        hand_command_[left] = command;
+        session_.hand(left).command.publish(command);
+    }
 
     // Begins an action; how long it takes, in seconds.
     Result<double> begin(const ScenarioAction& action) {
         const double now = session_.now_s();
+        const bool left = action.left;
         if (const auto* tap = std::get_if<TapCommand>(&action.step)) {
-            session_.app().press(tap->command, now);
+            session_.press(tap->command);
             return kTap_s;
         }
         if (const auto* hold = std::get_if<HoldCommand>(&action.step)) {
-            session_.app().press(hold->command, now);
+            session_.press(hold->command);
             return hold->for_s;
         }
         if (const auto* wait = std::get_if<Wait>(&action.step)) return wait->for_s;
         if (const auto* move = std::get_if<MoveHand>(&action.step)) {
-            const Vec3 from = hand_now();
-            const Vec3 to = move->relative ? from + in_device(session_.app().pose().origin_m + move->to_m) : in_device(move->to_m);
+            const Vec3 from = hand_now(left);
+            const Vec3 to = move->relative ? from + in_device(move->to_m, left) - in_device(Vec3(0.0), left) : in_device(move->to_m, left);
             HandCommand command;
             command.mode = HandMode::Move;
             command.target_m = to;
             command.speed_m_per_s = move->speed_m_per_s;
-            command_hand(command);
+            command_hand(command, left);
             return glm::length(to - from) / move->speed_m_per_s;
         }
         if (const auto* push = std::get_if<PushHand>(&action.step)) {
             HandCommand command;
             command.mode = HandMode::Push;
             command.push_n = push->force_n;
-            command_hand(command);
+            command_hand(command, left);
             return push->for_s;
         }
         if (const auto* rest = std::get_if<RestHand>(&action.step)) {
             HandCommand command;
             command.mode = HandMode::Rest;
-            command.target_m = in_device(rest->at_m);
-            command_hand(command);
+            command.target_m = in_device(rest->at_m, left);
+            command_hand(command, left);
             return rest->for_s;
         }
         if (const auto* trouble = std::get_if<ScenarioTrouble>(&action.step)) {
@@ -111,8 +119,10 @@ private:
             if (trouble->kind == "jump") device.jump_samples = samples, device.jump_m = Vec3(kJumpTrouble_m, 0.0, 0.0);
             if (trouble->kind == "freeze") device.silent_samples = samples;
             if (trouble->kind == "unplug") device.unplugged = true;
+            device.hot = trouble->kind == "hot";
+            device.failed = trouble->kind == "error";
             if (trouble->kind == "late") session_.slow_servo(2);
-            session_.hand().trouble.publish(device);
+            session_.hand(left).trouble.publish(device);
             return trouble->for_s;
         }
         if (const auto* add = std::get_if<AddThing>(&action.step)) {
@@ -130,6 +140,11 @@ private:
             const double way = glm::length(to.position_m - at->position_m);
             return way > 0.0 ? way / send->speed_m_per_s : 1.0;
         }
+        if (const auto* button = std::get_if<DeviceButton>(&action.step)) {
+            buttons_[left] = button->down ? 1U : 0U;
+            command_hand(hand_command_[left], left);
+        }
+        if (const auto* focus = std::get_if<KeyboardFocus>(&action.step)) session_.set_focus(focus->here);
         if (const auto* place = std::get_if<PlaceBody>(&action.step)) session_.app().place(place->feet_m, place->heading_rad, now);
         if (const auto* change = std::get_if<ChangeSetting>(&action.step)) {
             if (const auto set = settings_.set(change->key, change->value, SettingSource::Live); !set)
@@ -156,23 +171,42 @@ private:
         if (std::get_if<PushHand>(&action.step)) {
             HandCommand still;
             still.mode = HandMode::Move;
-            still.target_m = hand_now();
-            command_hand(still);
+            still.target_m = hand_now(action.left);
+            command_hand(still, action.left);
         }
         if (const auto* trouble = std::get_if<ScenarioTrouble>(&action.step)) {
             if (trouble->kind == "late") session_.slow_servo(1);
-            session_.hand().trouble.publish(DeviceTrouble{});
+            session_.hand(action.left).trouble.publish(DeviceTrouble{});
         }
     }
 
     const Scenario& scenario_;
     HeadlessSession& session_;
     SettingsStore& settings_;
+    // Of the only or right hand, and of the left one.
+    std::array<std::uint32_t, 2> buttons_{};
+    std::array<HandCommand, 2> hand_command_{HeadlessSession::still_hand(), HeadlessSession::still_hand()};
     std::map<std::string, std::shared_ptr<const Scene>> models_;
     std::vector<Running> runs_;
 };
 
 constexpr double kLongestRun_s = 3600.0;
+
+LoggedTick logged(HeadlessSession& session, std::size_t hand) {
+    const ToolState& tool = session.tool(hand);
+    LoggedTick tick;
+    tick.time_s = session.now_s();
+    tick.force_n = tool.force_n;
+    tick.hip_m = tool.hip_m;
+    tick.proxy_m = tool.proxy_m;
+    tick.radius_m = tool.ball_radius_m;
+    tick.scale = session.app().tuning().touch.world_m_per_hand_m;
+    tick.contact = tool.contacts.count > 0;
+    if (tick.contact) tick.touched = tool.contacts.contacts[tool.contacts.strongest].feature;
+    tick.feet_m = session.app().feet_m();
+    tick.heading_rad = session.app().heading_rad();
+    return tick;
+}
 
 }  // namespace
 
@@ -181,14 +215,17 @@ Result<SessionLog> run_scenario(const Scenario& scenario, std::shared_ptr<const 
     SettingsStore settings;
     for (const auto& [key, value] : scenario.settings)
         if (const auto set = settings.set(key, value, SettingSource::CommandLine); !set) return fail(set.error().message, file);
-    HandFacts facts;
-    if (scenario.device != "none") {
-        const DeviceSpec* spec = find_device_spec(scenario.device);
-        if (!spec)
-            return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", scenario.device, nearest_name(scenario.device, device_names())), file);
-        facts = {true, true, *spec};
+    std::array<HandFacts, 2> facts;
+    for (std::size_t which = 0; which < facts.size(); ++which) {
+        const std::string& device = which == 0 ? scenario.device : scenario.left_device;
+        if (device == "none") continue;
+        const DeviceSpec* spec = find_device_spec(device);
+        if (!spec) return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", device, nearest_name(device, device_names())), file);
+        facts[which].present = facts[which].simulated = true;
+        facts[which].spec = *spec;
     }
-    HeadlessSession session(settings.values(), facts, audio, speech);
+    HeadlessSession session(settings.values(), facts[0], audio, speech);
+    if (facts[1].present) session.give_left_hand(facts[1]);
     if (scenario.has_start) session.app().enter_world_at(scene, scenario.start_feet_m, scenario.start_heading_rad, 0.0);
     else session.app().enter_world(scene, 0.0);
 
@@ -200,19 +237,8 @@ Result<SessionLog> run_scenario(const Scenario& scenario, std::shared_ptr<const 
         if (!player.done()) last_action_s = session.now_s();
         else if (session.now_s() >= last_action_s + scenario.tail_s) break;
         session.advance();
-        const ToolState& tool = session.tool();
-        LoggedTick tick;
-        tick.time_s = session.now_s();
-        tick.force_n = tool.force_n;
-        tick.hip_m = tool.hip_m;
-        tick.proxy_m = tool.proxy_m;
-        tick.radius_m = tool.ball_radius_m;
-        tick.scale = session.app().tuning().touch.world_m_per_hand_m;
-        tick.contact = tool.contacts.count > 0;
-        if (tick.contact) tick.touched = tool.contacts.contacts[tool.contacts.strongest].feature;
-        tick.feet_m = session.app().feet_m();
-        tick.heading_rad = session.app().heading_rad();
-        log.ticks.push_back(tick);
+        log.ticks.push_back(logged(session, 0));
+        if (facts[1].present) log.left_ticks.push_back(logged(session, 1));
     }
     player.note_times(log);
     log.scene = session.app().scene();

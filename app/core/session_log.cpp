@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "app/core/words.h"
+#include "audio-cues/plan/sound_table.h"
 #include "worlds/scene/lint.h"
 
 #include "worlds/scene/primitive.h"
@@ -76,7 +77,8 @@ std::string shown(const Vec3& v) { return fmt::format("({:.4f}, {:.4f}, {:.4f})"
 
 class Checker {
 public:
-    Checker(const Scenario& scenario, const SessionLog& log, const Scene& scene, const Expectation& e) : log_(log), scene_(scene), e_(e) {
+    Checker(const Scenario& scenario, const SessionLog& log, const Scene& scene, const Expectation& e)
+        : log_(log), ticks_(e.left ? log.left_ticks : log.ticks), scene_(scene), e_(e) {
         window_ = {moment(e.from), e.has_to ? moment(e.to) : log.end_s};
         where_ = fmt::format("{} line {}, {:.3f} to {:.3f} s", scenario.file.filename().string(), e.line, window_.from_s, window_.to_s);
     }
@@ -103,6 +105,8 @@ public:
                     fmt::format("force {} to {} N", e_.low, e_.high));
             case Check::ForceStep:
                 return force_step();
+            case Check::ForceSpike:
+                return force_spike();
             case Check::ForceLine:
             case Check::ForceBand:
                 return force_lines();
@@ -201,8 +205,8 @@ private:
     }
 
     bool is_wanted(const LoggedSound& s) const {
-        return sound_name(static_cast<int>(s.cue.kind)) == e_.text &&
-               (e_.material.empty() || material_sound_name(static_cast<int>(s.cue.material)) == e_.material);
+        if (info(s.cue.kind).name != e_.text || (!e_.material.empty() && material_sound_name(s.cue.material) != e_.material)) return false;
+        return !e_.muffled_db || (s.cue.loudness > 0.0 && s.cue.muffled_db >= (*e_.muffled_db)[0] && s.cue.muffled_db <= (*e_.muffled_db)[1]);
     }
 
     std::string sound() const {
@@ -215,8 +219,7 @@ private:
                 ++found;
                 latest_ms = std::max(latest_ms, (s.time_s - s.cue.event_time_s) * 1e3);
             } else if (!s.loop && others.size() < 400) {
-                others += fmt::format(" {:.3f} s {} of {}", s.time_s, sound_name(static_cast<int>(s.cue.kind)),
-                                      material_sound_name(static_cast<int>(s.cue.material)));
+                others += fmt::format(" {:.3f} s {} of {}", s.time_s, info(s.cue.kind).name, material_sound_name(s.cue.material));
             }
         }
         const bool wanted = e_.check == Check::Sound;
@@ -248,7 +251,7 @@ private:
         std::string last;
         double last_s = 0.0;
         bool any_tick = false;
-        for (const LoggedTick& t : log_.ticks) {
+        for (const LoggedTick& t : ticks_) {
             if (!window_.has(t.time_s)) continue;
             any_tick = true;
             const std::string wrong = test(t);
@@ -265,7 +268,7 @@ private:
     std::string force_step() const {
         const LoggedTick* before = nullptr;
         double worst = 0.0, when = 0.0;
-        for (const LoggedTick& t : log_.ticks) {
+        for (const LoggedTick& t : ticks_) {
             if (!window_.has(t.time_s)) continue;
             if (before) {
                 const double step = glm::length(t.force_n - before->force_n);
@@ -284,7 +287,7 @@ private:
         double worst = 0.0;
         for (int axis = 0; axis < 3; ++axis) {
             std::vector<double> samples;
-            for (const LoggedTick& t : log_.ticks)
+            for (const LoggedTick& t : ticks_)
                 if (window_.has(t.time_s)) samples.push_back(t.force_n[axis]);
             worst = std::max(worst, line_amplitude(samples, 1e-3, e_.from_hz, e_.to_hz));
         }
@@ -296,7 +299,7 @@ private:
         double best_n = 0.0, best_hz = 0.0;
         for (int axis = 0; axis < 3; ++axis) {
             std::vector<double> samples;
-            for (const LoggedTick& t : log_.ticks)
+            for (const LoggedTick& t : ticks_)
                 if (window_.has(t.time_s)) samples.push_back(t.force_n[axis]);
             const double step_hz = samples.empty() ? 1.0 : 0.25e3 / static_cast<double>(samples.size());
             for (double hz = e_.from_hz; hz <= e_.to_hz; hz += step_hz)
@@ -318,9 +321,26 @@ private:
         return fail(fmt::format("\"{}\" to be named", e_.text), problems.empty() ? "nothing to be reported" : problems.front());
     }
 
+    std::string force_spike() const {
+        const LoggedTick* first = nullptr;
+        const LoggedTick* before = nullptr;
+        for (const LoggedTick& t : ticks_) {
+            if (!window_.has(t.time_s)) continue;
+            if (!first) first = &t;
+            if (before) {
+                const double force = glm::length(t.force_n), last = glm::length(before->force_n), begin = glm::length(first->force_n);
+                if (force > e_.high * std::min(last, begin) + 1e-9)
+                    return fail(fmt::format("force of at most {} times the last one", e_.high),
+                                fmt::format("{:.4f} N at {:.3f} s after {:.4f} N, and {:.4f} N at the begin", force, t.time_s, last, begin));
+            }
+            before = &t;
+        }
+        return first ? std::string() : fail("a force", "the window holds no tick");
+    }
+
     std::string force_rising() const {
         const LoggedTick* before = nullptr;
-        for (const LoggedTick& t : log_.ticks) {
+        for (const LoggedTick& t : ticks_) {
             if (!window_.has(t.time_s)) continue;
             if (before && glm::length(t.force_n) < glm::length(before->force_n) - 1e-9)
                 return fail("force that only rises",
@@ -343,6 +363,7 @@ private:
     }
 
     const SessionLog& log_;
+    const std::vector<LoggedTick>& ticks_;
     const Scene& scene_;
     const Expectation& e_;
     Window window_{};

@@ -37,11 +37,12 @@ struct LoggedLine {
 };
 
 struct SessionLog {
-    std::vector<LoggedTick> ticks;  // one per millisecond
+    std::vector<LoggedTick> ticks;       // one per millisecond
+    std::vector<LoggedTick> left_ticks;  // of the left hand, where there are two
     std::vector<LoggedSound> sounds;
     std::vector<LoggedLine> lines;
     std::map<std::string, std::pair<double, double>> action_times;  // name -> start, end
-    std::shared_ptr<const Scene> scene;  // as it was at the end: it knows the name of everything that was ever added
+    std::shared_ptr<const Scene> scene;                             // as it was at the end: it knows the name of everything that was ever added
     double end_s = 0.0;
 };
 

@@ -38,17 +38,25 @@ void add_settings_options(CLI::App& app, SettingsOptions& options) {
         ->take_all();
 }
 
+std::string part_words() {
+    std::string words;
+    for (const WizardPartInfo& part : wizard_parts()) words += fmt::format("{}{}", words.empty() ? "" : ", ", part.word);
+    return words;
+}
+
 // The whole grammar. Lives as long as one parse; the commands' arguments are filled in place.
 struct Grammar {
     CLI::App app{"Handrail: learn a building by touch, sound and speech.\nWithout a command it opens WORLD, or a first small world of its own."};
     ExploreCall explore;
+    std::vector<std::string> explore_devices;  // --device, once or twice
     InfoArguments info;
     TouchArguments touch;
     ScenarioArguments scenario;
     BenchArguments bench;
     SettingsCall settings;
     DevicesArguments devices;
-    CLI::App *info_app, *touch_app, *scenario_app, *bench_app, *settings_app, *devices_app;
+    ExploreCall calibrate;
+    CLI::App *calibrate_app, *info_app, *touch_app, *scenario_app, *bench_app, *settings_app, *devices_app;
 
     Grammar() {
         app.name("handrail");
@@ -58,7 +66,12 @@ struct Grammar {
         app.footer("Exit status: 0 done, 1 it failed, 2 wrong usage. A world whose file is named like a command is opened as ./info.");
         app.add_option("WORLD", explore.arguments.world, "the world to explore")->type_name("");
         app.add_flag("--no-window", explore.arguments.no_window, "stay in the terminal");
-        app.add_option("--device", explore.arguments.device, "haptic device by name or serial number, or none")->type_name("NAME");
+        app.add_option("--device", explore_devices, "haptic device by name or serial number, or none; given twice, the first is for the right hand")
+            ->type_name("NAME")
+            ->type_size(1)
+            ->expected(1)
+            ->allow_extra_args(false)
+            ->take_all();
         add_map_scale(app, explore.arguments.common);
         add_settings_options(app, explore.settings);
 
@@ -114,10 +127,23 @@ struct Grammar {
         settings_app->add_flag("--explain", settings.arguments.explain, "with unit, range, meaning and where each value comes from");
         add_settings_options(*settings_app, settings.settings);
 
+        calibrate_app = app.add_subcommand("calibrate", "set up headphones, touch device, force and reach, led by voice");
+        calibrate.arguments.calibrate = *parse_wizard_parts("");
+        const auto take_parts = [this](const std::string& words) {
+            auto parts = parse_wizard_parts(words);
+            if (!parts) throw CLI::ValidationError(parts.error().sentence());
+            calibrate.arguments.calibrate = std::move(*parts);
+        };
+        calibrate_app->add_option_function<std::string>("--only", take_parts, fmt::format("only these parts, such as headphones,reach; of {}", part_words()))
+            ->type_name("PARTS");
+        calibrate_app->add_flag("--no-window", calibrate.arguments.no_window, "stay in the terminal");
+        calibrate_app->add_option("--device", calibrate.arguments.device, "haptic device by name or serial number, or none")->type_name("NAME");
+        add_settings_options(*calibrate_app, calibrate.settings);
+
         devices_app = app.add_subcommand("devices", "say which touch devices are plugged in, and what each is and needs");
         devices_app->add_flag("--json", devices.json, "as one JSON object");
 
-        for (CLI::App* sub : {info_app, touch_app, scenario_app, bench_app, settings_app, devices_app})
+        for (CLI::App* sub : {calibrate_app, info_app, touch_app, scenario_app, bench_app, settings_app, devices_app})
             sub->set_help_flag("-h,--help", "say how to use this command");
     }
 
@@ -229,11 +255,16 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     CLI::App& chosen = grammar.chosen();
     if (&chosen != &grammar.app)
         if (auto error = options_before_command(grammar)) return *error;
+    if (grammar.explore_devices.size() > 2)
+        return UsageError{"There are two hands, so --device can be given twice at most." + std::string(help_hint(grammar.app))};
+    if (!grammar.explore_devices.empty()) grammar.explore.arguments.device = grammar.explore_devices.front();
+    if (grammar.explore_devices.size() > 1) grammar.explore.arguments.left_device = grammar.explore_devices.back();
     if (&chosen == grammar.info_app) return grammar.info;
     if (&chosen == grammar.scenario_app) return grammar.scenario;
     if (&chosen == grammar.bench_app) return grammar.bench;
     if (&chosen == grammar.settings_app) return grammar.settings;
     if (&chosen == grammar.devices_app) return grammar.devices;
+    if (&chosen == grammar.calibrate_app) return grammar.calibrate;
     if (&chosen == grammar.touch_app) {
         if (auto error = check_touch(grammar.touch)) return *error;
         return grammar.touch;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/wizard/wizard.h"
 #include "settings/settings.h"
 #include "worlds/readers/reader.h"
 
@@ -76,6 +77,8 @@ struct ExploreArguments {
     std::optional<std::filesystem::path> world;  // none: the bundled first world
     bool no_window = false;                      // --no-window
     std::optional<std::string> device;           // --device NAME|SERIAL|none
+    std::optional<std::string> left_device;      // --device once more
+    std::optional<std::vector<WizardPart>> calibrate;  // `handrail calibrate`: these parts of the set-up and no world
     std::vector<Diagnostic> settings_problems;   // met while reading the settings; to be spoken, not only printed
 };
 int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err);

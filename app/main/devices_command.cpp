@@ -50,6 +50,7 @@ Json json_of(const FoundDevice& device) {
             {"stiffness_limit_n_per_m", known(device.spec ? device.spec->rated_stiffness_n_per_m : 0.0)},
             {"slowest_rate_hz", known(device.spec ? device.spec->min_rate_hz : 0.0)},
             {"rate_hz", known(device.rate_hz)},
+            {"state", device_state(device)},
             {"usable", device.usable},
             {"problem", known(device.problem)}};
 }
@@ -64,7 +65,8 @@ void tell(const FoundDevice& device, std::ostream& out) {
         out << fmt::format("  Reach {:.0f} centimetres around its middle, force up to {:g} newtons, walls up to {:g} newtons per metre.\n",
                            device.spec->workspace_radius_m * 100.0, device.spec->peak_force_n, device.spec->rated_stiffness_n_per_m);
     if (device.rate_hz > 0.0) out << fmt::format("  Up to {:g} times a second.\n", device.rate_hz);
-    if (!device.problem.empty()) out << fmt::format("  It cannot be used yet. {}\n", device.problem);
+    if (device.usable) out << fmt::format("  State: {}.\n", device_state(device));
+    else out << fmt::format("  It cannot be used yet. {}\n", device.problem);
 }
 
 }  // namespace

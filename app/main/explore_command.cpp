@@ -9,16 +9,18 @@
 #include <deque>
 #include <future>
 
+#include "app/companions/companion_session.h"
 #include "app/core/app_core.h"
 #include "app/main/commands.h"
+#include "app/main/find_hand.h"
+#include "app/main/left_hand.h"
 #include "app/main/world_files.h"
 #include "app/terminal/terminal.h"
 #include "app/window/window.h"
+#include "app/wizard/wizard_session.h"
 #include "audio-cues/sinks/audio_thread.h"
 #include "audio-cues/sinks/sound_outputs.h"
 #include "haptic/device/simulated_device.h"
-#include "haptic/drivers/found_device.h"
-#include "haptic/drivers/guarded_device.h"
 #include "haptic/servo/servo_loop.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/text.h"
@@ -30,6 +32,7 @@ namespace {
 constexpr double kFrame_s = 1.0 / 60.0;
 constexpr double kProgressEvery_s = 2.0;
 constexpr double kSettles_s = 0.2;
+constexpr double kServoPeriod_s = 1e-3;
 constexpr double kLastWords_s = 3.0;  // how long the end waits for what is being said
 
 // Set by SIGINT, SIGTERM and SIGHUP; the loop looks at it each frame. A plain flag is all that a signal handler may touch.
@@ -55,58 +58,6 @@ private:
     static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
     std::array<struct sigaction, 3> before_{};
 };
-
-// Which hand there is, and for a real one how the guard finds it.
-struct Hand {
-    HandFacts facts;
-    std::vector<std::string> guard_arguments;  // empty: no real device
-};
-
-Hand simulated_hand(std::string_view name) { return {HandFacts{true, true, *find_device_spec(name)}, {}}; }
-
-Hand real_hand(const FoundDevice& device) {
-    Hand hand{HandFacts{true, false, *device.spec}, {device.name}};
-    if (!device.serial.empty()) hand.guard_arguments.push_back(device.serial);
-    return hand;
-}
-
-// By name or serial number, none, or auto: what is plugged in, else a simulated hand.
-Result<Hand> choose_hand(const std::string& wanted, std::vector<std::string>& news) {
-    if (wanted == "none") {
-        news.push_back("No touch device, as you asked. Everything works with keyboard and sound.");
-        return Hand{};
-    }
-    const DeviceSpec* spec = find_device_spec(wanted);
-    if (spec && spec->name.starts_with("sim-")) return simulated_hand(spec->name);
-    const std::vector<FoundDevice> found = find_devices();
-    if (wanted == "auto") {
-        for (const FoundDevice& device : found) {
-            if (device.kind != DeviceKind::Kinesthetic) continue;
-            news.push_back(fmt::format("I found a {}.", device.model));
-            if (device.usable) return real_hand(device);
-            news.push_back(device.problem);
-        }
-        if (news.empty()) news.push_back("No touch device was found. A simulated hand follows the mouse and the keys.");
-        else news.push_back("A simulated hand follows the mouse and the keys instead.");
-        return simulated_hand("sim-t");
-    }
-    for (const FoundDevice& device : found) {
-        if (!is_meant(device, wanted)) continue;
-        if (device.kind != DeviceKind::Kinesthetic) return fail(fmt::format("The {} cannot push a hand in space. Use sim-t, sim-f or none.", device.model));
-        if (!device.usable) return fail(fmt::format("The {} cannot be used yet. {}", device.model, device.problem));
-        return real_hand(device);
-    }
-    if (!spec) {
-        std::vector<std::string> names = device_names();
-        for (const FoundDevice& device : found) names.push_back(device.name);
-        return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", wanted, nearest_name(wanted, names)));
-    }
-    const std::vector<std::string> drivable = openable_device_names();
-    if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end())
-        return fail(fmt::format("The {} cannot be driven yet. Use sim-t, sim-f or none.", spec->spoken_name));
-    if (is_found_only_by_opening(spec->name)) return Hand{HandFacts{true, false, *spec}, {std::string(spec->name)}};
-    return fail(fmt::format("The {} is not plugged in. Use sim-t, sim-f or none.", spec->spoken_name));
-}
 
 // Reads the world on a thread of its own, while its progress is said every two seconds.
 class WorldLoading {
@@ -134,21 +85,32 @@ public:
     // Exit status. Problems that keep it from starting go to `err` too.
     int run(std::ostream& err) {
         std::vector<std::string> news;
-        auto hand = choose_hand(arguments_.device.value_or(settings_.values().haptic.device), news);
-        if (!hand) {
-            fmt::print(err, "{}\n", hand.error().sentence());
-            return 1;
-        }
-        open_hand(*hand, news);
+        const std::string wanted = wanted_hand();
+        const auto hand = hand_without_looking(wanted);
         open_ears(news);
-        app_ = std::make_unique<AppCore>(settings_.values(), hand->facts);
+        app_ = std::make_unique<AppCore>(settings_.values(), HandFacts{});
         for (const Diagnostic& problem : arguments_.settings_problems) news.push_back(problem.sentence());
         open_window(news);
-        say("Handrail. " + joined(news));
+        if (wanted == "none") news.push_back("No touch device, as you asked. Everything works with keyboard and sound.");
+        asked_s_ = clock_.now_s();
+        say("Handrail. " + joined(news), asked_s_);
         ears_->start();
-        if (servo_) servo_->start();
+        if (arguments_.calibrate) {
+            begin_wizard(*arguments_.calibrate);
+            calibrate();
+            finish(err);
+            return 0;
+        }
+        // Until a real hand is found, and where none is, a simulated one is there; who asked for a certain device waits for that.
+        if (hand) use_hand(hand->facts, nullptr);
+        else if (wanted == "auto") use_hand(simulated_hand("sim-t").facts, nullptr);
+        if (!hand) search_.emplace(wanted);
+        else if (wanted != "none") plug_watch_.emplace(std::nullopt);
+        if (settings_.values().pads.use) companions_.emplace(clock_);
 
-        const int status = load_world(err) ? explore() : 1;
+        left_.look_for(arguments_.left_device.value_or(settings_.values().haptic.left_device));
+
+        const int status = load_world(err) ? explore(err) : 1;
         finish(err);
         return status;
     }
@@ -164,46 +126,238 @@ private:
         return text;
     }
 
-    // Becomes no hand, with a sentence, when it cannot be opened.
-    void open_hand(Hand& hand, std::vector<std::string>& news) {
-        if (!hand.facts.present) return;
-        std::unique_ptr<HapticDevice> device;
-        if (hand.facts.simulated) {
-            simulated_ = std::make_shared<SimulatedHand>();
-            device = std::make_unique<SimulatedDevice>(hand.facts.spec, simulated_);
-        } else {
-            auto guarded = std::make_unique<GuardedDevice>(hand.facts.spec, find_guard_program(), hand.guard_arguments);
-            guarded_ = guarded.get();
-            device = std::move(guarded);
-        }
-        servo_ = std::make_unique<ServoLoop>(std::move(device), clock_);
-        const auto opened = servo_->open();
-        if (guarded_)
-            for (std::string& sentence : guarded_->take_news()) news.push_back(std::move(sentence));
-        if (opened) return;
-        news.push_back(opened.error().sentence());
-        guarded_ = nullptr;
+    // Puts this hand in place of the one there was; `device` is open, or null for a simulated hand or none. Waits for a force that is still on to fade,
+    // at most 76 ms.
+    void use_hand(const HandFacts& facts, std::unique_ptr<GuardedDevice> device) {
+        if (servo_) servo_->stop();
         servo_.reset();
-        hand.facts = {};
+        simulated_.reset();
+        guarded_ = device.get();
+        facts_ = facts;
+        tool_ = {};
+        told_how_it_runs_ = guard_missed_ = false;
+        app_->set_hand(facts, settings_.values(), clock_.now_s());
+        if (!facts.present) return;
+        std::unique_ptr<HapticDevice> held = std::move(device);
+        if (facts.simulated) {
+            simulated_ = std::make_shared<SimulatedHand>();
+            held = std::make_unique<SimulatedDevice>(facts.spec, simulated_);
+        }
+        servo_ = std::make_unique<ServoLoop>(std::move(held), clock_, kServoPeriod_s, ServoLoop::Links{&switches_, &contacts_});
+        handed_haptic_scene_.reset();
+        handed_bodies_ = 0;
+        if (const auto opened = servo_->open(); opened) return servo_->start();
+        // It was open a moment ago, so it went away meanwhile.
+        servo_.reset();
+        guarded_ = nullptr;
+        facts_ = {};
+        app_->set_hand({}, settings_.values(), clock_.now_s());
     }
 
-    void say(std::string text) {
-        app_->say(std::move(text), SpeechClass::Answer, clock_.now_s());
+    // ---- the set-up by voice ----
+
+    void begin_wizard(std::span<const WizardPart> parts) {
+        wizard_ = std::make_unique<WizardSession>(settings_.values(), parts);
+        wizard_stops_ = switches_.stops;
+        wizard_let_go_ = app_->tuning().stops_let_go;
+        handed_haptic_scene_.reset();
+        CueRequest no_tone;
+        no_tone.kind = CueRequestKind::WallTone;
+        no_tone.loudness = 0.0;
+        ears_->post(std::move(no_tone));
+    }
+
+    // Alone, without a world.
+    void calibrate() {
+        watch_lines();
+        double next_s = clock_.now_s();
+        while (!ended() && wizard_) {
+            const double now_s = clock_.now_s();
+            if (window_) look_at_window();
+            else take_lines(now_s);
+            look_for_hand_by_wizard();
+            if (wizard_) guide(now_s);
+            ViewState view;
+            view.last_spoken = last_spoken_;
+            if (window_) window_->draw(view);
+            next_s = std::max(next_s + kFrame_s, now_s);
+            clock_.sleep_until_s(next_s);
+        }
+    }
+
+    // The search begins when the wizard comes to it, so that what it tells is heard in its place.
+    void look_for_hand_by_wizard() {
+        if (!wizard_searched_ && wizard_->wizard().wants_search()) {
+            wizard_searched_ = true;
+            const std::string wanted = wanted_hand();
+            if (const auto hand = hand_without_looking(wanted)) use_hand(hand->facts, nullptr);
+            else search_.emplace(wanted);
+        }
+        if (!search_) return;
+        const bool ready = search_->ready();
+        for (std::string& sentence : search_->take_news()) wizard_news_.push_back(std::move(sentence));
+        if (!ready) return;
+        auto found = search_->take();
+        search_.reset();
+        if (!found) wizard_news_.push_back(found.error().sentence());
+        else if (found->device) use_hand(found->facts, std::move(found->device));
+    }
+
+    // A simulated hand counts only for who asked for one: nobody else wants to be asked to move its grip.
+    WizardSearch wizard_search() const {
+        if (search_) return WizardSearch::Looking;
+        const bool simulated = simulated_ && hand_without_looking(wanted_hand());
+        if (servo_ && (guarded_ || simulated)) return WizardSearch::Ready;
+        return arguments_.calibrate && !wizard_searched_ ? WizardSearch::NotBegun : WizardSearch::Nothing;
+    }
+
+    void guide(double now_s) {
+        const std::uint32_t stops = switches_.stops;
+        if (std::exchange(wizard_stops_, stops) != stops) wizard_->press("F12", now_s);
+        if (servo_) tool_ = servo_->tool();
+        WizardSense sense;
+        sense.now_s = now_s;
+        sense.audible = has_sound_;
+        sense.speaking = ears_->speaking();
+        if (app_->scene()) sense.listener = app_->listener();
+        sense.search = wizard_search();
+        sense.news = std::exchange(wizard_news_, {});
+        sense.hand = facts_;
+        sense.tool = tool_;
+        wizard_->tick(sense);
+        hand_over();
+        for (SpokenLine& line : ears_->take_spoken()) last_spoken_ = std::move(line.text);
+        if (wizard_->finished()) end_wizard(now_s);
+    }
+
+    void end_wizard(double now_s) {
+        const bool stopped = wizard_->wizard().tuning().panic;
+        wizard_confirms_ += wizard_->wizard().tuning().confirm;
+        wizard_.reset();
+        handed_haptic_scene_.reset();
+        handed_bodies_ = 0;
+        if (!app_->scene()) return;
+        app_->change_settings(settings_.values(), now_s);
+        app_->know_stops(wizard_stops_, now_s);
+        if (app_->tuning().panic && !stopped) {  // stopped and gone on with in the wizard
+            app_->press(Command::ToggleForces, now_s);
+            app_->release(Command::ToggleForces);
+        }
+        say(fmt::format("Back in {}.", app_->scene()->name));
+    }
+
+    void hand_over_wizard() {
+        bool changed = false;
+        for (const auto& [key, value] : wizard_->wizard().take_setting_changes()) changed |= settings_.set(key, value, SettingSource::Live).has_value();
+        if (changed) ears_->set_settings(settings_.values());
+        for (CueRequest& cue : wizard_->take_cues()) ears_->post(std::move(cue));
+        if (!servo_) return;
+        if (const auto scene = wizard_->wizard().haptic_scene(); scene != handed_haptic_scene_) servo_->set_scene(handed_haptic_scene_ = scene);
+        ServoTuning tuning = wizard_->wizard().tuning();
+        if (!tuning.panic) wizard_let_go_ = wizard_stops_;
+        tuning.stops_let_go = wizard_let_go_;
+        tuning.focused = app_->tuning().focused;
+        tuning.confirm += app_->tuning().confirm + wizard_confirms_;
+        servo_->set_tuning(tuning);
+        servo_->set_pose(wizard_->wizard().pose());
+        if (simulated_) simulated_->command.publish(wizard_->simulated_hand());
+    }
+
+    // A device that nobody set up yet.
+    void offer_calibration() {
+        if (!settings_.values().profiles.contains(profile_key(facts_.spec.name, facts_.serial)))
+            say(fmt::format("This {} is not set up for you yet. {} does that, in two minutes.", facts_.spec.spoken_name,
+                            app_->keys().keys_of(Command::Calibrate)),
+                asked_s_);
+    }
+
+    std::string wanted_hand() const { return arguments_.device.value_or(settings_.values().haptic.device); }
+
+    // What the search and the plugs have to tell; a hand that was found takes its place. False when a device that was asked for on the command line
+    // cannot be had.
+    bool look_for_hand(std::ostream& err) {
+        if (plug_watch_) plug_watch_->rest(search_.has_value() || guarded_ != nullptr);
+        if (search_) {
+            const bool ready = search_->ready();
+            for (std::string& sentence : search_->take_news()) say(std::move(sentence), asked_s_);
+            if (ready) {
+                auto found = search_->take();
+                search_.reset();
+                if (!plug_watch_) plug_watch_.emplace(found ? std::optional(std::move(found->plugged)) : std::nullopt);
+                if (!found) {
+                    say(found.error().sentence());
+                    if (guarded_) use_hand(simulated_hand("sim-t").facts, nullptr);  // what it stood in for is gone for good
+                    if (servo_) return true;                                         // the hand there was goes on
+                    if (arguments_.device) {
+                        fmt::print(err, "{}\n", found.error().sentence());
+                        return false;
+                    }
+                    say("A simulated hand follows the mouse and the keys instead. You can plug a device in at any time.", clock_.now_s());
+                    use_hand(simulated_hand("sim-t").facts, nullptr);
+                    return true;
+                }
+                if (found->device) {
+                    use_hand(found->facts, std::move(found->device));
+                    offer_calibration();
+                }
+            }
+            return true;
+        }
+        if (app_->offer_taken() && offer_) {
+            asked_s_ = clock_.now_s();
+            say(fmt::format("Opening the {}.", offer_->spoken_name), asked_s_);
+            search_.emplace(offer_->name);
+            return true;
+        }
+        if (guarded_ && !guard_missed_ && guarded_->guard_ended()) {
+            guard_missed_ = true;
+            const DeviceSpec& spec = servo_->device_spec();
+            offer(PluggedHand{std::string(spec.name), std::string(spec.spoken_name), {}, {}});
+        }
+        if (!plug_watch_) return true;
+        for (PluggedHand& hand : plug_watch_->take_new()) {
+            if (hand.problem.empty()) offer(std::move(hand));
+            else say(fmt::format("I found a {}. {}", hand.spoken_name, hand.problem));
+        }
+        return true;
+    }
+
+    void offer(PluggedHand hand) {
+        app_->offer_hand(hand.spoken_name, clock_.now_s());
+        offer_ = std::move(hand);
+    }
+
+    // Once, for a real device: what may make it uneven.
+    void tell_how_it_runs() {
+        if (told_how_it_runs_ || !guarded_) return;
+        const ServoReport& report = servo_->report();
+        if (report.scheduling == Scheduling::NotStarted) return;
+        told_how_it_runs_ = true;
+        if (report.scheduling == Scheduling::Ordinary) say(scheduling_sentence(report.scheduling));
+        if (!report.memory_locked) say(memory_sentence(report.memory_locked));
+    }
+
+    void say(std::string text) { say(std::move(text), clock_.now_s()); }
+    // Sentences of one asked_s are one reply and wait for each other; those of another one interrupt.
+    void say(std::string text, double asked_s) {
+        app_->say(std::move(text), SpeechClass::Answer, asked_s);
         hand_over();
     }
 
     void open_ears(std::vector<std::string>& news) {
         SoundOutputs outputs = open_sound_outputs(settings_.values(), STDOUT_FILENO);
-        audible_ = outputs.audible;
+        has_sound_ = !outputs.description.empty();
         news.push_back(std::move(outputs.description));
-        ears_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_, servo_ ? &servo_->events() : nullptr,
-                                              settings_.values());
+        ears_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_, &contacts_, settings_.values(), &left_.contacts());
     }
 
     void open_window(std::vector<std::string>& news) {
         if (arguments_.no_window) return;
-        if (auto opened = Window::open(); opened) window_ = std::move(*opened);
-        else news.push_back(opened.error().message);
+        auto opened = Window::open();
+        if (!opened) return news.push_back(opened.error().message);
+        window_ = std::move(*opened);
+        window_->watch_keys({[keys = app_->keys()](const std::string& key) { return keys.find(key) == Command::StopEverything; }, [this] { switches_.stop(); },
+                             [this](bool focused) { switches_.focused = focused; }});
     }
 
     bool ended() const { return end_asked.load(std::memory_order_relaxed) || closed_; }
@@ -216,6 +370,7 @@ private:
         while (!loading.ready()) {
             clock_.sleep_until_s(clock_.now_s() + kFrame_s);
             if (window_) look_at_window();
+            if (!look_for_hand(err)) return false;
             if (clock_.now_s() - told_s >= kProgressEvery_s) {
                 told_s = clock_.now_s();
                 say(fmt::format("Loading, {} percent.", loading.percent()));
@@ -231,23 +386,41 @@ private:
         const ReadReport& report = scene->report;
         if (report.warnings_in_all > 0)
             say(fmt::format("{} {} in this file; the first: {}", report.warnings_in_all, report.warnings_in_all == 1 ? "problem" : "problems",
-                            report.warnings.front().sentence()));
-        app_->enter_world(std::make_shared<const Scene>(std::move(*scene)), clock_.now_s());
+                            report.warnings.front().sentence()),
+                asked_s_);
+        app_->enter_world(std::make_shared<const Scene>(std::move(*scene)), asked_s_);  // goes on with the greeting instead of cutting it short
         return true;
     }
 
-    int explore() {
+    int explore(std::ostream& err) {
         double next_s = clock_.now_s();
+        watch_lines();
         while (!ended() && !app_->wants_to_leave()) {
             const double now_s = clock_.now_s();
+            app_->know_stops(switches_.stops, now_s);
             if (window_) look_at_window();
             else take_lines(now_s);
+            if (!look_for_hand(err)) return 1;
+            if (companions_)
+                for (std::string& sentence : companions_->guide(*app_, now_s)) say(std::move(sentence));
             if (servo_) tool_ = servo_->tool();
+            tell_how_it_runs();
             if (guarded_)
                 for (std::string& sentence : guarded_->take_news()) say(std::move(sentence));
-            app_->tick(now_s, tool_);
-            hand_over();
+            notice_left_hand(now_s);
+            if (app_->take_calibration_request() && !wizard_) {
+                std::vector<WizardPart> parts;
+                for (const WizardPartInfo& part : wizard_parts()) parts.push_back(part.part);
+                begin_wizard(parts);
+            }
+            if (wizard_) {
+                guide(now_s);
+            } else {
+                app_->tick(now_s, tool_, left_.tool());
+                hand_over();
+            }
             for (SpokenLine& line : ears_->take_spoken()) last_spoken_ = std::move(line.text);
+            hold_more_sound();
             if (window_) window_->draw(app_->view(tool_, last_spoken_));
             next_s = std::max(next_s + kFrame_s, now_s);
             clock_.sleep_until_s(next_s);
@@ -255,7 +428,15 @@ private:
         return 0;
     }
 
-    // To the servo and the ears, what this frame changed.
+    // A second hand beside the first, once it is found.
+    void notice_left_hand(double now_s) {
+        std::vector<std::string> news;
+        if (left_.take_change(news)) app_->set_left_hand(left_.facts(), now_s);
+        if (std::exchange(two_hands_told_, app_->two_hands()) != app_->two_hands()) ears_->set_two_hands(app_->two_hands());
+        for (std::string& sentence : news) say(std::move(sentence));
+    }
+
+    // To the servos and the ears, what this frame changed.
     void hand_over() {
         bool changed = false;
         for (const auto& [key, value] : app_->take_setting_changes()) changed |= settings_.set(key, value, SettingSource::Live).has_value();
@@ -265,14 +446,20 @@ private:
             if (std::exchange(handed_world_, app_->worlds_entered()) != app_->worlds_entered()) ears_->enter_world(handed_scene_);
             else ears_->follow_edit(handed_scene_);
         }
-        for (CueRequest& cue : app_->take_cues()) ears_->post(std::move(cue));
+        std::vector<CueRequest> cues = app_->take_cues();
+        if (companions_) companions_->follow(*app_, cues, servo_ ? &tool_ : nullptr, clock_.now_s());
+        for (CueRequest& cue : cues) ears_->post(std::move(cue));
         if (app_->scene()) ears_->set_listener(app_->listener());
+        left_.hand_over(*app_);
+        if (wizard_) return hand_over_wizard();
         if (!servo_ || !app_->scene()) return;
         if (app_->haptic_scene() != handed_haptic_scene_) {
             handed_haptic_scene_ = app_->haptic_scene();
             servo_->set_scene(handed_haptic_scene_);
         }
-        servo_->set_tuning(app_->tuning());
+        ServoTuning tuning = app_->tuning();
+        tuning.confirm += wizard_confirms_;
+        servo_->set_tuning(tuning);
         servo_->set_pose(app_->pose());
         if (std::exchange(handed_bodies_, app_->bodies().number) != app_->bodies().number) servo_->set_bodies(app_->bodies());
         if (!simulated_) return;
@@ -281,11 +468,21 @@ private:
         simulated_->command.publish(command);
     }
 
+    // Where two periods of the sound device drop out it gets three, from the next start on.
+    void hold_more_sound() {
+        if (settings_.values().sound.periods >= 3 || !ears_->sound_drops_out() || !settings_.set("sound.periods", "3", SettingSource::Live)) return;
+        say("Sound drops out on this machine. From the next start on it is a little later and steadier.");
+    }
+
     void look_at_window() {
         const double now_s = clock_.now_s();
         for (const WindowEvent& event : window_->poll()) {
             if (const auto* key = std::get_if<KeyEvent>(&event)) {
                 const auto command = app_->keys().find(key->key);
+                if (wizard_) {  // the stop key has come by the switches
+                    if (key->action != KeyAction::Release && command != Command::StopEverything) wizard_->press(key->key, now_s);
+                    continue;
+                }
                 if (!command || !app_->scene()) continue;
                 if (key->action == KeyAction::Press) app_->press(*command, now_s);
                 else if (key->action == KeyAction::Release) app_->release(*command);
@@ -299,9 +496,39 @@ private:
         }
     }
 
+    void watch_lines() {
+        if (!window_) lines_watch_.emplace(STDIN_FILENO, [this](std::string_view line) { return stops_at_once(line); });
+    }
+
+    // The word for the stop key, typed at a terminal, does not wait for its turn. In a file or a pipe it does: there it is a line of a script.
+    // On the line watch's thread.
+    bool stops_at_once(std::string_view line) {
+        if (!typed_) return false;
+        const auto parsed = parse_terminal_line(line);
+        if (!parsed || parsed->command != Command::StopEverything) return false;
+        switches_.stop();
+        return true;
+    }
+
     // Lines are carried out one after the other, each when what the one before began is over, so that a script reads as it is lived.
     void take_lines(double now_s) {
-        for (std::string& line : input_.take()) lines_.push_back(std::move(line));
+        const bool ended = lines_watch_->ended();  // asked first: lines that came before the end are taken below
+        bool emptied = false;
+        std::vector<std::string> typed = lines_watch_->take(emptied);
+        if (emptied) {
+            lines_.clear();
+            repeat_left_ = 0;
+        }
+        for (std::string& line : typed) lines_.push_back(std::move(line));
+        if (wizard_) {
+            if (!wizard_->wants_line(now_s)) return;
+            if (lines_.empty()) {
+                if (ended) wizard_->end_of_lines();
+                return;
+            }
+            wizard_->type(std::move(lines_.front()));
+            return lines_.pop_front();
+        }
         if (repeat_left_ == 0 && !app_->idle()) {
             settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts
             return;
@@ -313,7 +540,7 @@ private:
             return;
         }
         if (lines_.empty()) {
-            closed_ = input_.ended();
+            closed_ = ended && !search_;
             return;
         }
         const std::string line = std::move(lines_.front());
@@ -340,9 +567,12 @@ private:
 
     // Forces down first, then the last words, then the settings.
     void finish(std::ostream& err) {
+        companions_.reset();
+        search_.reset();
+        left_.stop();
         if (servo_) servo_->stop();
         hand_over();
-        ears_->stop(audible_ && !end_asked ? kLastWords_s : 0.0);
+        ears_->stop(end_asked ? 0.0 : kLastWords_s);
         if (const auto saved = settings_.save_user_file(); !saved) fmt::print(err, "{}\n", saved.error().sentence());
     }
 
@@ -350,14 +580,31 @@ private:
     SettingsStore& settings_;
     EndSignals signals_;
     SteadyClock clock_;
+    ServoSwitches switches_;
+    ServoLoop::EventRing contacts_;  // of whichever device is in use
     std::shared_ptr<SimulatedHand> simulated_;
     std::unique_ptr<ServoLoop> servo_;
-    GuardedDevice* guarded_ = nullptr;  // servo_ owns it
+    GuardedDevice* guarded_ = nullptr;       // servo_ owns it
+    HandFacts facts_;                        // of the hand in use
+    std::unique_ptr<WizardSession> wizard_;  // while it leads through the set-up
+    bool wizard_searched_ = false;
+    std::vector<std::string> wizard_news_;
+    std::uint32_t wizard_stops_ = 0, wizard_let_go_ = 0, wizard_confirms_ = 0;
+    std::optional<HandSearch> search_;
+    std::optional<PlugWatch> plug_watch_;
+    std::optional<PluggedHand> offer_;  // the last one made
+    double asked_s_ = 0.0;              // when the program or the person began the search
+    bool told_how_it_runs_ = false;
+    bool guard_missed_ = false;  // and the device offered anew
+    LeftHand left_{clock_, switches_};
+    bool two_hands_told_ = false;
     std::unique_ptr<AudioThread> ears_;
-    bool audible_ = false;  // there is a sound device: last words are worth waiting for
+    bool has_sound_ = false;  // there is a sound device
     std::unique_ptr<AppCore> app_;
     std::unique_ptr<Window> window_;
-    LineInput input_{STDIN_FILENO};
+    std::optional<CompanionSession> companions_;
+    const bool typed_ = ::isatty(STDIN_FILENO) == 1;
+    std::optional<LineWatch> lines_watch_;
     std::deque<std::string> lines_;
     Command repeat_command_ = Command::Forward;
     int repeat_left_ = 0;

@@ -5,6 +5,7 @@
 #include "app/main/commands.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/compile/touch_model.h"
+#include "settings/settings.h"
 #include "worlds/base/clock.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/lint.h"
@@ -172,9 +173,12 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     }
     if (arguments.lint) return tell_lint(*scene, out);
     // What exploring makes of it.
-    MeshReport mesh;
-    const TouchModel touch = touch_model(*compile_haptic(*scene, MaterialSource::Library, 0, MeshOptions{}, &mesh));
-    for (std::string& sentence : mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
+    CompileReport compiled;
+    const Settings defaults;
+    const double rounding_m = edge_rounding_m(defaults.haptic.edge_rounding_mm, defaults.workspace.scale);
+    const TouchModel touch = touch_model(*compile_haptic(*scene, exploring(rounding_m), &compiled));
+    for (std::string& sentence : compiled.mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
+    for (std::string& sentence : compiled.rounding.sentences()) scene->report.simplified.push_back(std::move(sentence));
     if (arguments.json) out << json_of(*scene, touch, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else tell(*scene, touch, cost, out);
     return 0;

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <charconv>
 
@@ -75,6 +77,40 @@ std::vector<std::string> LineInput::take() {
         }
     }
     return lines;
+}
+
+LineWatch::LineWatch(int descriptor, std::function<bool(std::string_view)> at_once)
+    : input_(descriptor), descriptor_(descriptor), at_once_(std::move(at_once)), wake_(::eventfd(0, EFD_CLOEXEC)), thread_([this] { run(); }) {}
+
+LineWatch::~LineWatch() {
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const ssize_t written = ::write(wake_.get(), &one, sizeof one);
+    thread_.join();
+}
+
+std::vector<std::string> LineWatch::take(bool& emptied) {
+    const std::lock_guard guard(mutex_);
+    emptied = std::exchange(emptied_, false);
+    return std::exchange(lines_, {});
+}
+
+void LineWatch::run() {
+    while (!input_.ended()) {
+        std::array<pollfd, 2> watched{pollfd{descriptor_, POLLIN, 0}, pollfd{wake_.get(), POLLIN, 0}};
+        if (::poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) break;
+        if (watched[1].revents != 0) return;
+        for (std::string& line : input_.take()) {
+            // Held while the line acts too: whoever takes lines after it was seen finds none from before it.
+            const std::lock_guard guard(mutex_);
+            if (at_once_(line)) {
+                lines_.clear();
+                emptied_ = true;
+            } else {
+                lines_.push_back(std::move(line));
+            }
+        }
+    }
+    ended_.store(true, std::memory_order_release);
 }
 
 }  // namespace handrail

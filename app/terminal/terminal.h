@@ -1,12 +1,17 @@
 // The program by lines of text: the same commands that keys give, typed as words, for a console screen reader, a pipe or a test. App thread.
 #pragma once
 
+#include <atomic>
+#include <functional>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "app/core/command.h"
+#include "worlds/base/descriptor.h"
 #include "worlds/base/result.h"
 
 namespace handrail {
@@ -36,6 +41,33 @@ private:
     int descriptor_;
     std::string partial_;
     bool ended_ = false;
+};
+
+// The same on a thread of its own, so that a line which must not wait is seen at once, whatever the app's thread is doing.
+class LineWatch {
+public:
+    // at_once is asked of each line as it arrives, on the watch's thread. True: it is done already, and no line before it is to be done any more.
+    LineWatch(int descriptor, std::function<bool(std::string_view)> at_once);
+    ~LineWatch();
+    LineWatch(const LineWatch&) = delete;
+    LineWatch& operator=(const LineWatch&) = delete;
+
+    // App thread. `emptied` is set when lines that an earlier call gave are not to be done any more.
+    std::vector<std::string> take(bool& emptied);
+    bool ended() const { return ended_.load(std::memory_order_acquire); }
+
+private:
+    void run();
+
+    LineInput input_;  // the watch's thread
+    int descriptor_;
+    std::function<bool(std::string_view)> at_once_;
+    Descriptor wake_;
+    std::mutex mutex_;  // guards lines_ and emptied_
+    std::vector<std::string> lines_;
+    bool emptied_ = false;
+    std::atomic<bool> ended_{false};
+    std::thread thread_;  // last
 };
 
 }  // namespace handrail

@@ -9,6 +9,7 @@
 
 // As GLFW's own header of native access declares it; that one asks for more X headers than we need.
 extern "C" Display* glfwGetX11Display();
+extern "C" XID glfwGetX11Window(GLFWwindow*);
 
 namespace handrail {
 namespace {
@@ -63,6 +64,7 @@ public:
     }
 
     ~Impl() {
+        watch_.reset();
         renderer_.reset();
         if (window_) glfwDestroyWindow(window_);
         if (!initialised_) return;
@@ -78,6 +80,11 @@ public:
             events_.emplace_back(CloseRequest{});
         }
         return std::exchange(events_, {});
+    }
+
+    bool watch_keys(KeyWatchCalls calls) {
+        watch_ = KeyWatch::start(XDisplayString(glfwGetX11Display()), glfwGetX11Window(window_), std::move(calls));
+        return watch_ != nullptr;
     }
 
     void draw(const ViewState& view) {
@@ -150,6 +157,7 @@ private:
 
     bool initialised_ = false;
     GLFWwindow* window_ = nullptr;
+    std::unique_ptr<KeyWatch> watch_;
     std::unique_ptr<Renderer> renderer_;
     KeyTracker keys_;
     std::vector<WindowEvent> events_;
@@ -172,6 +180,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
 }
 
 std::vector<WindowEvent> Window::poll() { return impl_->poll(); }
+bool Window::watch_keys(KeyWatchCalls calls) { return impl_->watch_keys(std::move(calls)); }
 void Window::draw(const ViewState& view) { impl_->draw(view); }
 Picture Window::picture(const ViewState& view) { return impl_->picture(view); }
 

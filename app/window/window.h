@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/core/view.h"
+#include "app/window/key_watch.h"
 #include "app/window/keys.h"
 #include "app/window/picture.h"
 #include "worlds/base/result.h"
@@ -47,6 +48,10 @@ public:
 
     // What happened since the last call, in order. Never waits. When the focus goes, releases of all held keys come after its FocusChange.
     std::vector<WindowEvent> poll();
+
+    // From now on keys and the keyboard's loss are told on a thread of their own too, at once; see KeyWatch. poll() gives them all the same.
+    // False when the display allows no second connection.
+    bool watch_keys(KeyWatchCalls calls);
 
     // Shows the view; call it each time round the loop. The same thread also feeds ears and hand, so this does not wait for the screen's
     // refresh, costs nothing when neither view nor window changed, and where drawing is slow skips pictures so as to take at most a third

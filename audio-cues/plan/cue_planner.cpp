@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "audio-cues/plan/sound_table.h"
 #include "audio-cues/plan/speakable.h"
 
 namespace handrail {
@@ -19,7 +21,10 @@ constexpr double kSlideSilent_s = 0.15;          // no slide event for this long
 constexpr double kSlideOwner_s = 0.05;           // events come every 10 ms while a surface is slid along
 constexpr double kSlideSlowest_m_per_s = 0.004;  // of hand travel; slower is inaudible
 constexpr double kFastTouch_m_per_s = 0.3;       // of hand travel; a brisk tap, full loudness
-constexpr double kAlarmFloor = 0.2;              // settings: everything but alarms may fall below
+constexpr double kDemonstrates_s = 2.5;
+constexpr std::uint32_t kDemonstration = 0xffffffffU;             // the source of a loop that is only shown
+constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;  // of the wall tone, at its range and at the wall
+constexpr double kAlarmFloor = 0.2;                               // settings: everything but alarms may fall below
 constexpr std::size_t kMostAlarmsWaiting = 4;
 
 std::string metres(double length_m) {
@@ -49,15 +54,17 @@ std::string describe_feature(const Scene& scene, FeatureId id, int verbosity) {
     return sentence_case(text);
 }
 
-CuePlanner::CuePlanner(Settings settings) : settings_(std::move(settings)) {}
+CuePlanner::CuePlanner(Settings settings) : settings_(std::move(settings)) { hands_[1].number = 1; }
 
 void CuePlanner::set_settings(const Settings& settings) { settings_ = settings; }
 
 void CuePlanner::enter_world(std::shared_ptr<const Scene> scene) {
     scene_ = std::move(scene);
-    touched_.clear();
-    recent_.clear();
-    name_.reset();
+    for (Hand& hand : hands_) {
+        hand.touched.clear();
+        hand.recent.clear();
+        hand.name.reset();
+    }
 }
 
 void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) { scene_ = std::move(scene); }
@@ -65,6 +72,7 @@ void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) { scene_ = std:
 void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech) {
     // 1. The sinks take the time first, so that what is played below carries it.
     audio.set_listener(inputs.listener);
+    audio.set_speaking(speech.speaking());
     audio.tick(inputs.now_s);
     speech.tick(inputs.now_s);
     if (const auto news = audio.news()) ask(*news, SpeechClass::Alarm, inputs.now_s, false);
@@ -73,13 +81,16 @@ void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& spe
     for (const ContactEvent& event : inputs.contacts) on_contact(event, audio);
     for (const CueRequest& request : inputs.requests) on_request(request, inputs.now_s, audio, speech);
     // 3. Loops whose cause is gone.
-    if (sliding_ && inputs.now_s - slide_s_ > kSlideSilent_s) stop_slide(audio);
+    for (Hand& hand : hands_)
+        if (hand.sliding && inputs.now_s - hand.slide_s > kSlideSilent_s) stop_slide(hand, audio);
     if (wall_tone_on_ && !settings_.sound.wall_tone) {
         audio.set_loop({.kind = SoundKind::WallTone, .loudness = 0.0});
         wall_tone_on_ = false;
     }
+    keep_world_sounds(audio);
     // 4. One voice.
     speak_waiting(inputs.now_s, speech);
+    demonstrate(inputs.now_s, audio, speech);
 }
 
 void CuePlanner::flush(double now_s, SpeechSink& speech) {
@@ -92,22 +103,11 @@ SoundClass CuePlanner::sound_of(MaterialId material) const {
 }
 
 double CuePlanner::volume_of(SoundKind kind) const {
+    const SoundInfo& row = info(kind);
     const Settings::Sound& sound = settings_.sound;
-    switch (kind) {
-        case SoundKind::Contact:
-        case SoundKind::Slide:
-        case SoundKind::Splash:
-            return sound.volume * sound.contact_volume;
-        case SoundKind::Footstep:
-        case SoundKind::Bump:
-            return sound.volume * sound.footstep_volume;
-        case SoundKind::WallTone:
-            return sound.volume * sound.wall_tone_volume;
-        case SoundKind::Alarm:
-            return std::max(sound.volume, kAlarmFloor);
-        default:
-            return sound.volume;
-    }
+    if (row.on != nullptr && !(sound.*row.on)) return 0.0;
+    const double volume = sound.volume * (sound.*row.volume);
+    return kind == SoundKind::Alarm ? std::max(volume, kAlarmFloor) : volume;
 }
 
 void CuePlanner::play(SoundCue cue, AudioSink& audio) const {
@@ -116,38 +116,51 @@ void CuePlanner::play(SoundCue cue, AudioSink& audio) const {
     if (cue.loudness > 0.0) audio.play(cue);
 }
 
-void CuePlanner::touch(FeatureId feature) {
-    if (feature && !is_touched(feature)) touched_.push_back(feature);
+bool CuePlanner::is_touched(const Hand& hand, FeatureId feature) { return std::find(hand.touched.begin(), hand.touched.end(), feature) != hand.touched.end(); }
+
+void CuePlanner::stop_slide(Hand& hand, AudioSink& audio) {
+    if (hand.sliding) audio.set_loop({.kind = SoundKind::Slide, .loudness = 0.0, .source = hand.number});
+    hand.sliding = false;
 }
 
-bool CuePlanner::is_touched(FeatureId feature) const { return std::find(touched_.begin(), touched_.end(), feature) != touched_.end(); }
-
-void CuePlanner::stop_slide(AudioSink& audio) {
-    if (sliding_) audio.set_loop({.kind = SoundKind::Slide, .loudness = 0.0});
-    sliding_ = false;
+// Met, and named unless the hand is known to touch it.
+void CuePlanner::touch(Hand& hand, const ContactEvent& event) {
+    if (event.feature && !is_touched(hand, event.feature)) hand.touched.push_back(event.feature);
+    name_touched(hand, whose(hand.number), event.feature, event.time_s, kSettle_s, kKeepName_s);
 }
 
-void CuePlanner::name_touched(FeatureId feature, double time_s, double settle_s, double keep_s) {
+// They stay where they are, so what the sink is told follows from what was asked for and what the person wants to hear now.
+void CuePlanner::keep_world_sounds(AudioSink& audio) {
+    for (const SoundCue& asked : world_sounds_) {
+        SoundCue cue = asked;
+        cue.loudness = hushed_ ? 0.0 : cue.loudness * volume_of(cue.kind);
+        audio.set_loop(cue);
+    }
+    std::erase_if(world_sounds_, [](const SoundCue& cue) { return cue.loudness <= 0.0; });
+}
+
+void CuePlanner::name_touched(Hand& hand, const std::string& prefix, FeatureId feature, double time_s, double settle_s, double keep_s) {
     if (!scene_) return;
     const std::string text = describe_feature(*scene_, feature, settings_.speech.verbosity);
     if (text.empty()) return;
     // A hand that trembles between two surfaces must not put the name off for ever: the first touch sets the time, the last one the name.
-    const double due_s = name_ ? std::min(name_->due_s, time_s + settle_s) : time_s + settle_s;
-    name_ = Waiting{.utterance = {.text = text, .speech_class = SpeechClass::Contact},
-                    .due_s = due_s,
-                    .asked_s = time_s,
-                    .touched = feature,
-                    .expires_s = time_s + settle_s + keep_s};
+    const double due_s = hand.name ? std::min(hand.name->due_s, time_s + settle_s) : time_s + settle_s;
+    hand.name = Waiting{.utterance = {.text = prefix + text, .speech_class = SpeechClass::Contact},
+                        .due_s = due_s,
+                        .asked_s = time_s,
+                        .touched = feature,
+                        .expires_s = time_s + settle_s + keep_s};
 }
 
 void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
+    Hand& hand = hands_[event.hand];
     switch (event.kind) {
         case ContactEventKind::Begin: {
             hushed_ = false;
-            std::erase_if(recent_, [&](const RecentContact& r) { return event.time_s - r.time_s >= kChatter_s; });
-            const bool chatter = std::any_of(recent_.begin(), recent_.end(), [&](const RecentContact& r) { return r.feature == event.feature; });
+            std::erase_if(hand.recent, [&](const RecentContact& r) { return event.time_s - r.time_s >= kChatter_s; });
+            const bool chatter = std::any_of(hand.recent.begin(), hand.recent.end(), [&](const RecentContact& r) { return r.feature == event.feature; });
             if (!chatter) {
-                recent_.push_back({event.feature, event.time_s});
+                hand.recent.push_back({event.feature, event.time_s});
                 // Loudness follows the square root of speed: a slow touch of 1 cm/s is still heard over the room.
                 const double force_of_blow = std::sqrt(std::min(1.0, std::max(0.0, event.speed_m_per_s) / kFastTouch_m_per_s));
                 play({.kind = SoundKind::Contact,
@@ -157,33 +170,31 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
                       .event_time_s = event.time_s},
                      audio);
             }
-            touch(event.feature);
-            name_touched(event.feature, event.time_s, kSettle_s, kKeepName_s);
+            touch(hand, event);
             return;
         }
         case ContactEventKind::Slide: {
-            if (event.feature && !is_touched(event.feature)) {  // slid onto something else without leaving the surface
-                touch(event.feature);
-                name_touched(event.feature, event.time_s, kSettle_s, kKeepName_s);
-            }
+            if (event.feature && !is_touched(hand, event.feature)) touch(hand, event);  // slid onto something else without leaving the surface
             // In a corner two surfaces are slid along at once; one of them is heard until it stops, not both in turn.
-            if (sliding_ && event.feature != slide_feature_ && event.time_s - slide_s_ < kSlideOwner_s) return;
-            slide_s_ = event.time_s;
-            slide_feature_ = event.feature;
-            if (hushed_ || event.speed_m_per_s < kSlideSlowest_m_per_s) return stop_slide(audio);
+            if (hand.sliding && event.feature != hand.slide_feature && event.time_s - hand.slide_s < kSlideOwner_s) return;
+            hand.slide_s = event.time_s;
+            hand.slide_feature = event.feature;
+            if (hushed_ || event.speed_m_per_s < kSlideSlowest_m_per_s) return stop_slide(hand, audio);
             const double pace = std::min(1.0, event.speed_m_per_s / kFastTouch_m_per_s);
-            sliding_ = true;
+            if (volume_of(SoundKind::Slide) == 0.0) return stop_slide(hand, audio);
+            hand.sliding = true;
             audio.set_loop({.kind = SoundKind::Slide,
                             .material = sound_of(event.material),
                             .position_m = event.position_m,
                             .loudness = std::sqrt(pace) * volume_of(SoundKind::Slide),
                             .pitch = 0.75 + 0.5 * pace,
-                            .event_time_s = event.time_s});
+                            .event_time_s = event.time_s,
+                            .source = hand.number});
             return;
         }
         case ContactEventKind::End:
-            std::erase(touched_, event.feature);
-            if (touched_.empty() || slide_feature_ == event.feature) stop_slide(audio);
+            std::erase(hand.touched, event.feature);
+            if (hand.touched.empty() || hand.slide_feature == event.feature) stop_slide(hand, audio);
             return;
         case ContactEventKind::EnterLiquid:
         case ContactEventKind::LeaveLiquid: {
@@ -195,18 +206,27 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
                   .loudness = entering ? 1.0 : 0.4,
                   .event_time_s = event.time_s},
                  audio);
-            if (entering) {
-                touch(event.feature);
-                name_touched(event.feature, event.time_s, kSettle_s, kKeepName_s);
-            } else {
-                std::erase(touched_, event.feature);
-            }
+            if (entering) touch(hand, event);
+            else std::erase(hand.touched, event.feature);
             return;
         }
         case ContactEventKind::FaultRaised:
-            stop_slide(audio);
-            play({.kind = SoundKind::Alarm, .event_time_s = event.time_s}, audio);
-            ask(fault_sentence(event.fault), SpeechClass::Alarm, event.time_s, false);
+            stop_slide(hand, audio);
+            play({.kind = is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm, .event_time_s = event.time_s}, audio);
+            // What waits for a confirmation is told again when it comes again at once: the person has just asked for the force.
+            ask(whose(event.hand) + fault_sentence(event.fault), SpeechClass::Alarm, event.time_s, !passes_by_itself(event.fault));
+            return;
+        case ContactEventKind::RimPassed:
+            play({.kind = SoundKind::Rim, .event_time_s = event.time_s}, audio);
+            return;
+        case ContactEventKind::RimLeft:
+            play({.kind = SoundKind::RimBack, .event_time_s = event.time_s}, audio);
+            return;
+        case ContactEventKind::Grabbed:
+            play({.kind = SoundKind::Grab, .event_time_s = event.time_s}, audio);
+            return;
+        case ContactEventKind::LetGo:
+            play({.kind = SoundKind::LetGo, .event_time_s = event.time_s}, audio);
             return;
         case ContactEventKind::FaultCleared:
             play({.kind = SoundKind::ForcesOn, .event_time_s = event.time_s}, audio);
@@ -216,7 +236,12 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
 
 void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& audio, SpeechSink& speech) {
     const double asked_s = request.time_s > 0.0 ? request.time_s : now_s;
-    SoundCue cue{.material = request.material, .position_m = request.position_m, .loudness = request.loudness, .event_time_s = asked_s};
+    SoundCue cue{.material = request.material,
+                 .position_m = request.position_m,
+                 .loudness = request.loudness,
+                 .event_time_s = asked_s,
+                 .muffled_db = request.muffled_db,
+                 .source = request.source};
     switch (request.kind) {
         case CueRequestKind::Say:
             if (request.speech_class == SpeechClass::Answer)
@@ -236,12 +261,14 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             const Feature* feature = scene_ ? scene_->find(request.feature) : nullptr;
             if (cue.material == SoundClass::Generic && feature != nullptr) cue.material = sound_of(feature->material);
             play(cue, audio);
-            name_touched(request.feature, asked_s, 0.0, kKeepBump_s);
+            name_touched(hands_[0], "", request.feature, asked_s, 0.0, kKeepBump_s);
             return;
         }
         case CueRequestKind::WallTone: {
             cue.kind = SoundKind::WallTone;
-            cue.loudness = hushed_ || !settings_.sound.wall_tone ? 0.0 : std::clamp(request.loudness, 0.0, 1.0) * volume_of(SoundKind::WallTone);
+            cue.loudness = hushed_ ? 0.0 : std::clamp(request.loudness, 0.0, 1.0) * volume_of(SoundKind::WallTone);
+            // Rhythm tells the distance where loudness and side cannot, as through one loudspeaker.
+            cue.pulses_per_s = kSlowestPulse_hz + (kFastestPulse_hz - kSlowestPulse_hz) * std::clamp(request.loudness, 0.0, 1.0);
             const bool on = cue.loudness > 0.0;
             if (on || wall_tone_on_) audio.set_loop(cue);
             wall_tone_on_ = on;
@@ -249,19 +276,38 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         }
         case CueRequestKind::StopSpeech:
         case CueRequestKind::SilenceAll:
+            end_demonstration(audio);
             speech.stop();
             flush(now_s, speech);
-            name_.reset();
+            for (Hand& hand : hands_) hand.name.reset();
             hint_.reset();
             if (request.kind == CueRequestKind::StopSpeech) return;
             audio.stop_all();
-            sliding_ = wall_tone_on_ = false;
+            for (Hand& hand : hands_) hand.sliding = false;
+            wall_tone_on_ = false;
             hushed_ = true;
             return;
         case CueRequestKind::Play:
             cue.kind = request.sound;
             play(cue, audio);
             return;
+        case CueRequestKind::Demonstrate:
+            end_demonstration(audio);
+            cue.kind = request.sound;
+            cue.source = kDemonstration;
+            if (cue.kind == SoundKind::WallTone) cue.pulses_per_s = 0.5 * (kSlowestPulse_hz + kFastestPulse_hz);
+            demonstration_ = Demonstration{.cue = cue};
+            answer({.utterance = {.text = request.text}, .asked_s = asked_s, .repeatable = true}, now_s, speech);
+            return;
+        case CueRequestKind::WorldSound: {
+            cue.kind = request.sound;
+            cue.loudness = std::clamp(request.loudness, 0.0, 1.0);
+            const auto same = std::find_if(world_sounds_.begin(), world_sounds_.end(),
+                                           [&](const SoundCue& known) { return known.kind == cue.kind && known.source == cue.source; });
+            if (same != world_sounds_.end()) *same = cue;
+            else world_sounds_.push_back(cue);
+            return;
+        }
         case CueRequestKind::Repeat: {
             const std::string text = spoken_.empty() ? "Nothing has been said yet." : spoken_.back().text;
             answer({.utterance = {.text = text}, .asked_s = asked_s, .repeatable = true}, now_s, speech);
@@ -278,7 +324,7 @@ void CuePlanner::ask(const std::string& text, SpeechClass speech_class, double a
         alarms_.push_back(std::move(waiting));
     } else if (settings_.speech.verbosity > 0) {
         waiting.expires_s = asked_s + kKeepName_s;
-        (speech_class == SpeechClass::Contact ? name_ : hint_) = std::move(waiting);
+        (speech_class == SpeechClass::Contact ? hands_[0].name : hint_) = std::move(waiting);
     }
 }
 
@@ -309,14 +355,26 @@ void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
         answers_.pop_front();
     }
     const bool engaged = waiting() || busy_with(SpeechClass::Alarm) || busy_with(SpeechClass::Answer);
-    if (name_ && name_->due_s <= now_s) {
-        const bool stale = now_s > name_->expires_s && !is_touched(name_->touched);
-        if (!stale && !engaged) say_now(*name_, now_s, speech);
-        if (stale || !engaged) name_.reset();
+    for (Hand& hand : hands_) {
+        // One hand's name does not cut the other's short; it waits as behind an answer.
+        const bool others = busy_with(SpeechClass::Contact) && naming_ != hand.number;
+        speak_name(hand, now_s, engaged || others, speech);
     }
     // A hint is never kept for later: by then it is about something else.
-    if (hint_ && !waiting() && !name_ && !speech.speaking()) say_now(*hint_, now_s, speech);
+    const bool naming = std::any_of(hands_.begin(), hands_.end(), [](const Hand& hand) { return hand.name.has_value(); });
+    if (hint_ && !waiting() && !naming && !speech.speaking()) say_now(*hint_, now_s, speech);
     hint_.reset();
+}
+
+void CuePlanner::speak_name(Hand& hand, double now_s, bool engaged, SpeechSink& speech) {
+    if (!hand.name || hand.name->due_s > now_s) return;
+    const bool stale = now_s > hand.name->expires_s && !is_touched(hand, hand.name->touched);
+    if (stale || !engaged) {
+        const Waiting name = *std::exchange(hand.name, std::nullopt);
+        if (stale) return;
+        naming_ = hand.number;
+        say_now(name, now_s, speech);
+    }
 }
 
 bool CuePlanner::keep_line(const Waiting& waiting, double now_s) {
@@ -338,6 +396,34 @@ void CuePlanner::say_now(const Waiting& waiting, double now_s, SpeechSink& speec
     speech.say(utterance);
     speaking_class_ = utterance.speech_class;
     speaking_asked_s_ = waiting.asked_s;
+}
+
+// First its name, then the sound, so that neither covers the other.
+void CuePlanner::demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech) {
+    if (!demonstration_) return;
+    Demonstration& shown = *demonstration_;
+    if (shown.playing) {
+        if (now_s >= shown.ends_s) end_demonstration(audio);
+        return;
+    }
+    if (!answers_.empty() || speech.speaking()) return;
+    const SoundInfo& row = info(shown.cue.kind);
+    shown.cue.loudness = std::max(kAlarmFloor, settings_.sound.volume * (settings_.sound.*row.volume));
+    shown.cue.event_time_s = now_s;
+    shown.playing = true;
+    shown.ends_s = now_s + kDemonstrates_s;
+    const bool loop = is_world_sound(shown.cue.kind) || shown.cue.kind == SoundKind::Slide || shown.cue.kind == SoundKind::WallTone;
+    if (loop) return audio.set_loop(shown.cue);
+    audio.play(shown.cue);
+    demonstration_.reset();
+}
+
+void CuePlanner::end_demonstration(AudioSink& audio) {
+    if (!demonstration_) return;
+    SoundCue silent = demonstration_->cue;
+    silent.loudness = 0.0;
+    if (demonstration_->playing) audio.set_loop(silent);
+    demonstration_.reset();
 }
 
 }  // namespace handrail

@@ -2,6 +2,7 @@
 // time, so scenarios replay it exactly. One thread (the audio thread; in scenarios the only one).
 #pragma once
 
+#include <array>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -18,14 +19,16 @@
 namespace handrail {
 
 enum class CueRequestKind : std::uint8_t {
-    Say,         // text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
-    Footstep,    // material, position
-    Bump,        // body met `feature` at `position`; thud, and its name unless that was said within 5 s
-    WallTone,    // loudness by distance, at `position`; loudness 0: off
-    StopSpeech,  // Control key: the voice is silent and what waited to be said is dropped
-    SilenceAll,  // F12: voice and sounds; loops stay off until the next step, bump or touch
-    Play,        // sound kind at position
-    Repeat,      // last utterance again
+    Say,          // text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
+    Footstep,     // material, position
+    Bump,         // body met `feature` at `position`; thud, and its name unless that was said within 5 s
+    WallTone,     // loudness by distance, at `position`; loudness 0: off
+    StopSpeech,   // Control key: the voice is silent and what waited to be said is dropped
+    SilenceAll,   // F12: voice and sounds; loops stay off until the next step, bump or touch
+    Play,         // sound kind at position
+    Repeat,       // last utterance again
+    Demonstrate,  // says `text`, then plays `sound` of `material`, switched off or not; a loop for 2.5 s
+    WorldSound,   // loop `sound` of `source` at `position`, as loud as its map says, `muffled_db` by what is in between; loudness 0: not heard
 };
 
 // What the app asks to be heard; sent through a queue to the audio thread.
@@ -40,6 +43,8 @@ struct CueRequest {
     FeatureId feature = kNoFeature;
     Vec3 position_m{0.0};
     double loudness = 1.0;
+    double muffled_db = 0.0;   // as SoundCue
+    std::uint32_t source = 0;  // as SoundCue
 };
 
 // Everything said, newest last, for the window's large text and for tests.
@@ -74,6 +79,8 @@ public:
     void enter_world(std::shared_ptr<const Scene> scene);  // names and materials to speak of; forgets what the hand touched
     // The same world with something added, moved or removed: names are looked up here from now on, and nothing is said again.
     void follow_edit(std::shared_ptr<const Scene> scene);
+    // With two hands it is said which one touches: "Left hand: door".
+    void set_two_hands(bool two) { two_hands_ = two; }
     // Handles all inputs in order, contacts first, and drives the sinks, their tick() included. `now_s` never goes back.
     void tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech);
     // At the end: what still waits is written, so that text sinks hold every answer.
@@ -103,14 +110,31 @@ private:
     void ask(const std::string& text, SpeechClass speech_class, double asked_s, bool repeatable);
     void answer(Waiting waiting, double now_s, SpeechSink& speech);
     void write_waiting(std::deque<Waiting>& queue, double now_s, SpeechSink& speech);
-    void name_touched(FeatureId feature, double time_s, double settle_s, double keep_s);
-    void touch(FeatureId feature);
-    bool is_touched(FeatureId feature) const;
-    void stop_slide(AudioSink& audio);
+    // What one hand touches and is heard of it.
+    struct Hand {
+        std::uint8_t number = 0;
+        std::vector<FeatureId> touched;     // now
+        std::vector<RecentContact> recent;  // contact sounds of the last 50 ms
+        std::optional<Waiting> name;
+        bool sliding = false;
+        FeatureId slide_feature;
+        double slide_s = 0.0;  // time of the last slide event
+    };
+
+    void name_touched(Hand& hand, const std::string& prefix, FeatureId feature, double time_s, double settle_s, double keep_s);
+    void touch(Hand& hand, const ContactEvent& event);
+    static bool is_touched(const Hand& hand, FeatureId feature);
+    void stop_slide(Hand& hand, AudioSink& audio);
+    void speak_name(Hand& hand, double now_s, bool engaged, SpeechSink& speech);
+    // "Left hand: " where there are two.
+    std::string whose(std::size_t hand) const { return !two_hands_ ? "" : hand == 0 ? "Right hand: " : "Left hand: "; }
+    void keep_world_sounds(AudioSink& audio);
+    void demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech);
+    void end_demonstration(AudioSink& audio);
     void speak_waiting(double now_s, SpeechSink& speech);
     bool keep_line(const Waiting& waiting, double now_s);  // false: said within 5 s
     void say_now(const Waiting& waiting, double now_s, SpeechSink& speech);
-    double volume_of(SoundKind kind) const;
+    double volume_of(SoundKind kind) const;  // 0 where it is switched off
     void play(SoundCue cue, AudioSink& audio) const;
     SoundClass sound_of(MaterialId material) const;
 
@@ -121,18 +145,23 @@ private:
     std::uint64_t spoken_in_all_ = 0;
     std::unordered_map<std::string, double> said_at_s_;  // texts of the last 5 s
     std::deque<Waiting> alarms_, answers_;
-    std::optional<Waiting> name_, hint_;
+    std::optional<Waiting> hint_;
     SpeechClass speaking_class_ = SpeechClass::Ambient;  // of the last utterance; counts while the sink is speaking
     double speaking_asked_s_ = 0.0;
 
-    std::vector<FeatureId> touched_;     // what the hand touches now
-    std::vector<RecentContact> recent_;  // contact sounds of the last 50 ms
-    bool sliding_ = false;
-    FeatureId slide_feature_;
-    double slide_s_ = 0.0;  // time of the last slide event
+    std::array<Hand, 2> hands_;  // the only or right one, the left one
+    bool two_hands_ = false;
+    std::uint8_t naming_ = 0;  // whose touch was named last
     bool wall_tone_on_ = false;
-    bool hushed_ = false;  // after SilenceAll, until something happens
+    std::vector<SoundCue> world_sounds_;  // as asked for, before volume; those that sound are the ones with a volume
+    bool hushed_ = false;                 // after SilenceAll, until something happens
     bool left_foot_ = false;
+    struct Demonstration {
+        SoundCue cue;
+        bool playing = false;  // a loop
+        double ends_s = 0.0;
+    };
+    std::optional<Demonstration> demonstration_;
 };
 
 }  // namespace handrail

@@ -46,6 +46,26 @@ enum class SoundKind : std::uint8_t {
     Bump,      // body meets a wall
     WallTone,  // loop, soft, at the side of the nearest wall
     Splash,
+    DoorMoves,  // a door, lift or button sets off
+    DoorShuts,
+    Bell,  // at one side, to find out which ear is which
+    // Sounds of the world, loops that stay at their places: what a map's sounds and particles are heard as.
+    Hum,
+    Buzz,
+    Drone,
+    Drip,
+    Wind,
+    Swamp,
+    Thunder,
+    Stream,
+    Fire,
+    Clock,
+    Fan,
+    Rain,
+    Birds,
+    Tolling,
+    Music,
+    Shimmer,  // anything else
     // Earcons: heard in the middle of the head, wherever their position is.
     Denied,
     ForcesOn,
@@ -53,13 +73,18 @@ enum class SoundKind : std::uint8_t {
     TurnTick,
     FrameSwitch,
     Arrived,
+    Rim,      // the workspace begins to scroll
+    RimBack,  // and has ended
+    Grab,
+    LetGo,
     Alarm,
     Beep,
 };
 inline constexpr int kSoundKinds = static_cast<int>(SoundKind::Beep) + 1;
 inline bool is_earcon(SoundKind kind) noexcept { return kind >= SoundKind::Denied; }
+inline bool is_world_sound(SoundKind kind) noexcept { return kind >= SoundKind::Hum && kind <= SoundKind::Shimmer; }
 
-// A sound at a place. Loops keep sounding under their kind until set_loop gives them volume 0.
+// A sound at a place. Loops keep sounding under their kind and source until set_loop gives them volume 0.
 struct SoundCue {
     SoundKind kind = SoundKind::Contact;
     SoundClass material = SoundClass::Generic;
@@ -67,21 +92,28 @@ struct SoundCue {
     double loudness = 1.0;      // 0 to 1
     double pitch = 1.0;         // factor
     double event_time_s = 0.0;  // when what it tells of happened; latency is counted from here
+    double pulses_per_s = 0.0;  // loops: swells that often; 0: steady
+    double muffled_db = 0.0;    // lost in doors and walls on the way, on top of distance; high tones lose more
+    std::uint32_t source = 0;   // which of several loops of one kind; of Slide, which hand
 };
 
 struct Listener {
     Vec3 ears_m{0.0};
     double heading_rad = 0.0;
+    double reverberation_s = 0.0;  // of the room around, until 60 dB are gone; 0: open air
 };
 
 class AudioSink {
 public:
     virtual ~AudioSink() = default;
     virtual void play(const SoundCue& cue) = 0;
-    virtual void set_loop(const SoundCue& cue) = 0;  // one loop per kind; loudness 0 fades it out
+    virtual void set_loop(const SoundCue& cue) = 0;  // one loop per kind and source; loudness 0 fades it out
     virtual void set_listener(const Listener& listener) = 0;
-    virtual void stop_all() = 0;          // every sound but speech, at once, click-free
-    virtual void tick(double now_s) = 0;  // housekeeping, about every 5 ms
+    virtual void set_sound(const Settings::Sound& /*settings*/) {}  // sides, mono, reverberation and second cues, from now on; volumes are CuePlanner's
+    virtual void set_speaking(bool /*speaking*/) {}                 // a voice speaks that is not the sink's own: sounds step back for it too
+    virtual void stop_all() = 0;                                    // every sound but speech, at once, click-free
+    virtual void tick(double now_s) = 0;                            // housekeeping, about every 5 ms
+    virtual bool drops_out() const { return false; }                // the device runs dry again and again: it wants more periods
     // A sentence about the sink itself, fit to be spoken ("The sound device was lost ..."); each is given once.
     virtual std::optional<std::string> news() { return std::nullopt; }
 };

@@ -5,8 +5,9 @@
 
 namespace handrail {
 
-AudioThread::AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock, ContactRing* contacts, const Settings& settings)
-    : clock_(clock), contacts_(contacts), audio_(std::move(audio)), speech_(std::move(speech)), planner_(settings) {}
+AudioThread::AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock, ContactRing* contacts, const Settings& settings,
+                         ContactRing* left_contacts)
+    : clock_(clock), contacts_{contacts, left_contacts}, audio_(std::move(audio)), speech_(std::move(speech)), planner_(settings) {}
 
 AudioThread::~AudioThread() { stop(); }
 
@@ -45,6 +46,11 @@ void AudioThread::follow_edit(std::shared_ptr<const Scene> scene) {
     else inbox_.edited = std::move(scene);
 }
 
+void AudioThread::set_two_hands(bool two) {
+    const std::lock_guard lock(mutex_);
+    inbox_.two_hands = two;
+}
+
 std::vector<SpokenLine> AudioThread::take_spoken() {
     const std::lock_guard lock(mutex_);
     return std::exchange(outbox_, {});
@@ -59,13 +65,23 @@ void AudioThread::step() {
     if (inbox.settings) {
         planner_.set_settings(*inbox.settings);
         speech_->set_speech(inbox.settings->speech);
+        audio_->set_sound(inbox.settings->sound);
     }
+    if (inbox.two_hands) planner_.set_two_hands(*inbox.two_hands);
     if (inbox.scene) planner_.enter_world(std::move(*inbox.scene));
     if (inbox.edited) planner_.follow_edit(std::move(*inbox.edited));
+    drops_out_.store(audio_->drops_out(), std::memory_order_relaxed);
     events_.clear();
-    if (contacts_ != nullptr) contacts_->consume_all([&](const ContactEvent& event) { events_.push_back(event); });
+    for (std::size_t hand = 0; hand < contacts_.size(); ++hand) {
+        if (contacts_[hand] == nullptr) continue;
+        contacts_[hand]->consume_all([&](const ContactEvent& event) {
+            events_.push_back(event);
+            events_.back().hand = static_cast<std::uint8_t>(hand);
+        });
+    }
     listener_.refresh();
     planner_.tick({.now_s = clock_.now_s(), .contacts = events_, .requests = inbox.requests, .listener = listener_.read()}, *audio_, *speech_);
+    speaking_.store(speech_->speaking() || planner_.waiting(), std::memory_order_relaxed);
     publish();
 }
 

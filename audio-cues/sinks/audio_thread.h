@@ -3,6 +3,7 @@
 // step() is the whole body of the loop, so the owner of virtual time needs no thread.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -25,8 +26,10 @@ public:
     static constexpr double kPeriod_s = 0.005;
     static constexpr double kFade_s = 0.030;  // ticks on for this long at the end, so that nothing clicks
 
-    // Clock and ring outlive this object; the ring may be null where there is no hand. The clock is the one that times contact events.
-    AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock, ContactRing* contacts, const Settings& settings);
+    // Clock and rings outlive this object; a ring may be null where there is no hand, the second is the left hand's where there are two. The clock is the
+    // one that times contact events.
+    AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock, ContactRing* contacts, const Settings& settings,
+                ContactRing* left_contacts = nullptr);
     ~AudioThread();
     AudioThread(const AudioThread&) = delete;
     AudioThread& operator=(const AudioThread&) = delete;
@@ -35,14 +38,19 @@ public:
     // say, fades and joins; more often does no harm, and the destructor does it too.
     void start();
     void stop(double finish_speech_s = 0.0);
+    // As AudioSink::drops_out, at the last tick. App thread.
+    bool sound_drops_out() const { return drops_out_.load(std::memory_order_relaxed); }
 
     // App thread; each holds a mutex for microseconds at most.
     void post(CueRequest request);
     void set_settings(const Settings& settings);
     void enter_world(std::shared_ptr<const Scene> scene);
     void follow_edit(std::shared_ptr<const Scene> scene);  // see CuePlanner
-    std::vector<SpokenLine> take_spoken();  // what was said since the last call, oldest first
+    std::vector<SpokenLine> take_spoken();                 // what was said since the last call, oldest first
+    void set_two_hands(bool two);
     void set_listener(const Listener& listener) { listener_.publish(listener); }
+    // Something is being said or waits to be, as of the last tick.
+    bool speaking() const { return speaking_.load(std::memory_order_relaxed); }
 
     // One tick at the clock's time: the thread's body, or for the owner of virtual time.
     void step();
@@ -52,6 +60,7 @@ private:
         std::vector<CueRequest> requests;
         std::optional<Settings> settings;
         std::optional<std::shared_ptr<const Scene>> scene, edited;
+        std::optional<bool> two_hands;
     };
 
     void run();
@@ -60,14 +69,15 @@ private:
     Clock& clock_;
     std::thread thread_;  // app thread
     std::atomic<bool> stop_asked_{false};
+    std::atomic<bool> speaking_{false};
     double finish_speech_s_ = 0.0;  // written before stop_asked_
     bool stopped_ = false;          // app thread
 
     std::mutex mutex_;  // guards inbox_ and outbox_
     Inbox inbox_;
     std::vector<SpokenLine> outbox_;
-    LatestValue<Listener> listener_;  // app thread to audio thread
-    ContactRing* contacts_;           // servo thread to audio thread
+    LatestValue<Listener> listener_;        // app thread to audio thread
+    std::array<ContactRing*, 2> contacts_;  // servo threads to audio thread, one for each hand
 
     // Audio thread only while it runs.
     std::unique_ptr<AudioSink> audio_;
@@ -75,6 +85,8 @@ private:
     CuePlanner planner_;
     std::vector<ContactEvent> events_;  // of this tick; kept for its memory
     std::uint64_t published_ = 0;       // of planner_.spoken_in_all()
+
+    std::atomic<bool> drops_out_{false};  // audio thread to app thread
 };
 
 }  // namespace handrail

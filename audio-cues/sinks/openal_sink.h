@@ -26,14 +26,13 @@ public:
     struct Options {
         Output output = Output::Device;
         std::string device = {};                     // OpenAL's name of a playback device; empty: the default one
+        int periods = 2;                             // of 256 samples; the first sink of a process decides for all
         bool hrtf = true;                            // false: plain stereo, for loudspeakers
         std::function<bool()> still_connected = {};  // stands in for the device's own report, so that a test can pull the plug
     };
-    // At most this many sounds besides the voice; the least important or oldest gives way.
+    // At most this many sounds besides the voice; the least important gives way, of equals the oldest, and of the world's own the quietest.
     static constexpr int kMostSounds = 3;
     static constexpr double kDuckingDb = -9.0;  // sounds but alarms, while the voice speaks
-    // A sound keeps its loudness to this distance and loses half of it by three times that: the hand may touch far from the ears.
-    static constexpr double kNear_m = 2.0;
 
     // Sets ALSOFT_CONF for the moment of opening (256 samples x 2 periods) unless the person has set it: call before other threads read
     // the environment. Fails only where OpenAL has no loopback device.
@@ -43,8 +42,11 @@ public:
     void play(const SoundCue& cue) override;
     void set_loop(const SoundCue& cue) override;
     void set_listener(const Listener& listener) override;
+    void set_sound(const Settings::Sound& settings) override;
+    void set_speaking(bool speaking) override;
     void stop_all() override;  // fades within one mixing period of 5.3 ms
     void tick(double now_s) override;
+    bool drops_out() const override;
     std::optional<std::string> news() override;
 
     // "Sound goes to Built-in Audio, for headphones."

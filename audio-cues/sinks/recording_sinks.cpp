@@ -14,22 +14,33 @@ HeardSound RecordingAudio::heard(const SoundCue& cue) const {
 void RecordingAudio::play(const SoundCue& cue) { sounds_.push_back(heard(cue)); }
 
 void RecordingAudio::set_loop(const SoundCue& cue) {
-    std::optional<SoundCue>& loop = loops_[static_cast<std::size_t>(cue.kind)];
-    const bool was_on = loop.has_value(), is_on = cue.loudness > 0.0;
-    const bool same =
-        was_on == is_on &&
-        (!is_on || (loop->loudness == cue.loudness && loop->pitch == cue.pitch && loop->position_m == cue.position_m && loop->material == cue.material));
-    if (!same) changes_.push_back(heard(cue));
-    if (is_on) loop = cue;
-    else loop.reset();
+    const std::pair key{cue.kind, cue.source};
+    const auto loop = loops_.find(key);
+    const bool was_on = loop != loops_.end(), is_on = cue.loudness > 0.0;
+    const auto alike = [](const SoundCue& a, const SoundCue& b) {
+        return a.loudness == b.loudness && a.pitch == b.pitch && a.position_m == b.position_m && a.material == b.material && a.muffled_db == b.muffled_db;
+    };
+    if (was_on != is_on || (is_on && !alike(loop->second, cue))) changes_.push_back(heard(cue));
+    if (is_on) loops_.insert_or_assign(key, cue);
+    else loops_.erase(key);
 }
 
 void RecordingAudio::stop_all() {
     silences_s_.push_back(now_s_);
-    for (auto& loop : loops_) loop.reset();
+    loops_.clear();
 }
 
-std::optional<SoundCue> RecordingAudio::loop(SoundKind kind) const { return loops_[static_cast<std::size_t>(kind)]; }
+std::optional<SoundCue> RecordingAudio::loop(SoundKind kind, std::uint32_t source) const {
+    const auto found = loops_.find({kind, source});
+    return found == loops_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<SoundCue> RecordingAudio::world_sounds() const {
+    std::vector<SoundCue> sounds;
+    for (const auto& [key, cue] : loops_)
+        if (is_world_sound(key.first)) sounds.push_back(cue);
+    return sounds;
+}
 
 void RecordingSpeech::cut() {
     if (!speaking()) return;

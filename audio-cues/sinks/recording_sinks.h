@@ -2,9 +2,10 @@
 // What they hold is what a person would have heard, as far as it can be told without samples; OpenALSink's tests measure those.
 #pragma once
 
-#include <array>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "audio-cues/plan/sinks.h"
@@ -29,10 +30,11 @@ public:
     void stop_all() override;
     void tick(double now_s) override { now_s_ = now_s; }
 
-    const std::vector<HeardSound>& sounds() const { return sounds_; }         // one-shots in order
-    const std::vector<HeardSound>& loop_changes() const { return changes_; }  // each call that changed a loop's loudness, pitch, place or material
-    std::optional<SoundCue> loop(SoundKind kind) const;                       // what sounds now under this kind
-    const std::vector<double>& silences_s() const { return silences_s_; }     // when stop_all was called
+    const std::vector<HeardSound>& sounds() const { return sounds_; }              // one-shots in order
+    const std::vector<HeardSound>& loop_changes() const { return changes_; }       // each call that changed a loop's loudness, pitch, place or material
+    std::optional<SoundCue> loop(SoundKind kind, std::uint32_t source = 0) const;  // what sounds now under this kind and source
+    std::vector<SoundCue> world_sounds() const;                                    // the world's loops that sound now
+    const std::vector<double>& silences_s() const { return silences_s_; }          // when stop_all was called
     const Listener& listener() const { return listener_; }
 
 private:
@@ -41,7 +43,7 @@ private:
     double now_s_ = 0.0;
     Listener listener_;
     std::vector<HeardSound> sounds_, changes_;
-    std::array<std::optional<SoundCue>, kSoundKinds> loops_;
+    std::map<std::pair<SoundKind, std::uint32_t>, SoundCue> loops_;  // that sound
     std::vector<double> silences_s_;
 };
 

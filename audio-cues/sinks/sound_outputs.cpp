@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "audio-cues/sinks/espeak_speech.h"
+#include "audio-cues/sinks/embedded_voice.h"
 #include "audio-cues/sinks/openal_sink.h"
+#include "audio-cues/sinks/speechd_speech.h"
 #include "audio-cues/sinks/text_speech.h"
+#include "audio-cues/sinks/voice_router.h"
 
 namespace handrail {
 namespace {
@@ -33,20 +35,20 @@ private:
 
 SoundOutputs open_sound_outputs(const Settings& settings, int text_fd) {
     SoundOutputs outputs;
-    std::vector<std::unique_ptr<SpeechSink>> voices;
-    voices.push_back(std::make_unique<TextSpeech>(text_fd));
+    std::vector<std::unique_ptr<Voice>> voices;
+    voices.push_back(std::make_unique<SpeechdSpeech>(settings.speech));
     const auto channel = std::make_shared<VoiceChannel>();
-    if (auto opened = OpenALSink::open(channel, {}); !opened) {
+    if (auto opened = OpenALSink::open(channel, {.periods = settings.sound.periods, .hrtf = settings.sound.headphones}); !opened) {
         outputs.audio = std::make_unique<SilentAudio>(fmt::format("There is no sound: {}", opened.error().sentence()));
     } else {
-        outputs.audible = (*opened)->has_device();
-        if (outputs.audible) {
-            outputs.description = (*opened)->description();
-            voices.push_back(open_voice(channel, settings.speech));
-        }
+        // The sinks have one owner, who lets go of the voice first.
+        voices.push_back(std::make_unique<EmbeddedVoice>(
+            channel, [sound = opened->get()] { return sound->has_device(); }, settings.speech));
+        if ((*opened)->has_device()) outputs.description = (*opened)->description();
         outputs.audio = std::move(*opened);
+        outputs.audio->set_sound(settings.sound);
     }
-    outputs.speech = std::make_unique<TeeSpeech>(std::move(voices));
+    outputs.speech = std::make_unique<VoiceRouter>(std::move(voices), std::make_unique<TextSpeech>(text_fd), nullptr, settings.speech);
     return outputs;
 }
 

@@ -12,12 +12,12 @@ namespace handrail {
 struct SoundOutputs {
     std::unique_ptr<AudioSink> audio;
     std::unique_ptr<SpeechSink> speech;
-    bool audible = false;     // there is a sound device
     std::string description;  // "Sound goes to Built-in Audio, for headphones."; empty where the sinks' news() says what is missing
 };
 
-// Text on `text_fd` always. With a sound device: OpenAL, and the embedded voice, or its beeps where there is none. Without a device the
-// text alone, so that no line waits for a voice that nobody hears. What is missing is said by the sinks' news().
+// Text on `text_fd` always. The voice is the first that is there of speech-dispatcher and, with a sound device, the embedded voice or its
+// beeps (see VoiceRouter). Without any of them it is the text alone, so that no line waits for a voice that nobody hears. What is missing is
+// said by the sinks' news(). The audio sink must outlive the speech sink.
 SoundOutputs open_sound_outputs(const Settings& settings, int text_fd);
 
 }  // namespace handrail

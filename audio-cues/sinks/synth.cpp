@@ -235,23 +235,226 @@ std::vector<float> wall_tone(Noise& noise) {
     return out;
 }
 
-// A broad burst and rising bubbles (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4), 2005).
+// A bubble rings and rises (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4), 2005). Past the end it goes on at the start,
+// as a loop wants it.
+void add_bubble(std::vector<float>& out, std::size_t from, double hz, double ring_s, double level) {
+    double phase = 0.0, envelope = level;
+    const double decay = decay_per_sample(ring_s);
+    const std::size_t length = samples_of(ring_s), attack = samples_of(0.0005);
+    for (std::size_t i = 0; i < length; ++i, envelope *= decay) {
+        phase += 2.0 * kPi * hz * (1.0 + 0.4 * static_cast<double>(i) / static_cast<double>(length)) / kRate;
+        const double rise = std::min(1.0, static_cast<double>(i) / static_cast<double>(attack));
+        out[(from + i) % out.size()] += static_cast<float>(rise * envelope * std::sin(phase));
+    }
+}
+
 std::vector<float> splash(Noise& noise) {
     std::vector<float> out(samples_of(0.7));
     add_noise_burst(out, 0, 3500.0, 0.45, 0.5, noise);
     for (int bubble = 0; bubble < 14; ++bubble) {
         const auto from = static_cast<std::size_t>((0.02 + 0.45 * noise.uniform()) * kRate);
-        const double hz = 500.0 + 1400.0 * noise.uniform(), ring_s = 0.04 + 0.08 * noise.uniform(), level = 0.15 + 0.25 * noise.uniform();
-        double phase = 0.0, envelope = level;
-        const double decay = decay_per_sample(ring_s);
-        const std::size_t end = std::min(out.size(), from + samples_of(ring_s));
-        for (std::size_t i = from; i < end; ++i, envelope *= decay) {
-            const double age = static_cast<double>(i - from) / kRate / ring_s;
-            phase += 2.0 * kPi * hz * (1.0 + 0.4 * age) / kRate;
-            out[i] += static_cast<float>(envelope * std::sin(phase));
-        }
+        const double hz = 500.0 + 1400.0 * noise.uniform(), ring_s = 0.04 + 0.08 * noise.uniform();
+        add_bubble(out, from, hz, ring_s, 0.15 + 0.25 * noise.uniform());
     }
     finish(out, kPeak);
+    return out;
+}
+
+// A latch, then a hinge that creaks: stick and slip at a rate that rises as the leaf gains speed.
+std::vector<float> door_moves(Noise& noise) {
+    std::vector<float> out(samples_of(0.6));
+    add_noise_burst(out, 0, 2600.0, 0.02, 0.5, noise);
+    for (double at_s = 0.08, every_s = 0.022; at_s < 0.5; at_s += every_s, every_s *= 0.97) {
+        add_mode(out, samples_of(at_s), 420.0 + 500.0 * at_s, 0.05, 0.30);
+        add_mode(out, samples_of(at_s), 1130.0 + 900.0 * at_s, 0.03, 0.18);
+    }
+    finish(out, kPeak);
+    return out;
+}
+
+// A leaf that falls into its frame, and the latch.
+std::vector<float> door_shuts(Noise& noise) {
+    std::vector<float> out(samples_of(0.45));
+    add_noise_burst(out, 0, 700.0, 0.06, 0.5, noise);
+    add_mode(out, 0, 95.0, 0.16, 1.0);
+    add_mode(out, 0, 210.0, 0.09, 0.5);
+    add_noise_burst(out, samples_of(0.05), 3200.0, 0.012, 0.5, noise);
+    finish(out, kPeak);
+    return out;
+}
+
+// A small hand bell, struck twice: bright, so that both ears can tell its side.
+std::vector<float> bell() {
+    std::vector<float> out(samples_of(1.0));
+    for (const double from_s : {0.0, 0.22})
+        for (std::size_t mode = 0; mode < 5; ++mode) {
+            // Hum, prime, tierce, quint and nominal (Fletcher & Rossing, chapter 21).
+            constexpr std::array kPartials{0.5, 1.0, 1.2, 1.5, 2.0}, kLevels{0.3, 0.6, 0.7, 0.4, 1.0};
+            add_mode(out, samples_of(from_s), 1450.0 * kPartials[mode], 0.7 / kPartials[mode], kLevels[mode]);
+        }
+    finish(out, kPeak);
+    return out;
+}
+
+// The world's own sounds: loops of whole seconds, so that every steady tone in them has whole periods and no seam.
+
+// Steady tones above a lowest one, the k-th at `slope` to the power of k.
+void add_harmonics(std::vector<float>& out, double hz, int count, double level, double slope) {
+    for (int k = 1; k <= count; ++k, level *= slope) {
+        // The sine by its recursion, of two multiplications a sample; over four seconds it drifts by less than a float can tell.
+        const double w = 2.0 * kPi * hz * k / kRate, twice_cos = 2.0 * std::cos(w);
+        double y = 0.0, before = -level * std::sin(w);
+        for (float& s : out) {
+            s += static_cast<float>(y);
+            const double next = twice_cos * y - before;
+            before = y;
+            y = next;
+        }
+    }
+}
+
+// Noise around a pitch that may wander: `shape(t)` gives centre in Hz and level, t from 0 to 1 over the loop.
+template <class Shape>
+void add_air(std::vector<float>& out, Noise& noise, double q, Shape shape) {
+    std::vector<float> air(out.size() + samples_of(0.2));
+    constexpr std::size_t kHold = 480;  // the filter is set a hundred times a second
+    double low = 0.0, band = 0.0, f = 0.0, level = 0.0;
+    for (std::size_t i = 0; i < air.size(); ++i) {
+        if (i % kHold == 0) {
+            const auto [hz, gain] = shape(static_cast<double>(i % out.size()) / static_cast<double>(out.size()));
+            f = 2.0 * std::sin(kPi * std::min(hz, kRate / 7.0) / kRate);
+            level = gain;
+        }
+        low += f * band;
+        band += f * (noise() - low - band / q);
+        air[i] = static_cast<float>(level * band / q);
+    }
+    close_loop(air, out.size());
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += air[i];
+}
+
+// A tone that swells, glides and ends: a chirp, a croak, a note.
+void add_call(std::vector<float>& out, double start_s, double length_s, double from_hz, double to_hz, double level) {
+    const std::size_t from = samples_of(start_s), length = samples_of(length_s);
+    double phase = 0.0;
+    for (std::size_t i = 0; i < length; ++i) {
+        const double t = static_cast<double>(i) / static_cast<double>(length);
+        phase += 2.0 * kPi * (from_hz + (to_hz - from_hz) * t) / kRate;
+        const double swell = std::sin(kPi * t);
+        out[(from + i) % out.size()] += static_cast<float>(level * swell * swell * (std::sin(phase) + 0.3 * std::sin(2.0 * phase)));
+    }
+}
+
+// A decaying tone that goes on past the end at the start.
+void add_ring(std::vector<float>& out, double start_s, double hz, double ring_s, double level) {
+    std::vector<float> ring(samples_of(ring_s));
+    add_mode(ring, 0, hz, ring_s, level);
+    const std::size_t attack = samples_of(0.0005), from = samples_of(start_s);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        out[(from + i) % out.size()] += ring[i] * static_cast<float>(std::min(1.0, static_cast<double>(i) / static_cast<double>(attack)));
+}
+
+std::vector<float> world_loop(SoundKind kind, Noise& noise) {
+    const auto steady = [](double hz, double level) { return [=](double) { return std::pair(hz, level); }; };
+    const auto between = [&](double low, double high) { return low + (high - low) * noise.uniform(); };
+    std::vector<float> out(samples_of(4.0));
+    const double length_s = 4.0;
+    switch (kind) {
+        case SoundKind::Hum:
+            add_harmonics(out, 120.0, 4, 0.5, 0.45);
+            add_air(out, noise, 0.7, steady(900.0, 0.35));
+            break;
+        case SoundKind::Buzz:
+            add_harmonics(out, 100.0, 40, 0.12, 0.97);
+            for (std::size_t i = 0; i < out.size(); ++i)  // flickers eight times a second
+                out[i] *= static_cast<float>(0.75 + 0.25 * std::sin(2.0 * kPi * 8.0 * static_cast<double>(i) / kRate));
+            break;
+        case SoundKind::Drone:
+            add_harmonics(out, 55.0, 6, 0.5, 0.6);
+            add_harmonics(out, 55.5, 6, 0.5, 0.6);  // beats twice a second
+            add_air(out, noise, 0.8, steady(320.0, 0.5));
+            break;
+        case SoundKind::Drip:
+            for (const double at_s : {0.1, 0.95, 1.3, 2.4, 3.15}) {
+                const double hz = between(900.0, 1500.0);
+                add_bubble(out, samples_of(at_s), hz, 0.12, between(0.6, 1.0));
+            }
+            break;
+        case SoundKind::Wind:
+            add_air(out, noise, 3.0,
+                    [](double t) { return std::pair(420.0 + 180.0 * std::sin(2.0 * kPi * t), 0.7 + 0.3 * std::sin(2.0 * kPi * (2.0 * t + 0.3))); });
+            break;
+        case SoundKind::Swamp:
+            for (int k = 0; k < 24; ++k) add_call(out, k / 6.0, 0.06, 4300.0, 4400.0, 0.35);
+            for (const double at_s : {0.5, 0.72, 2.6}) add_call(out, at_s, 0.18, 180.0, 120.0, 1.0);
+            for (int k = 0; k < 8; ++k) {
+                const double hz = between(250.0, 500.0);
+                add_bubble(out, samples_of(between(0.0, length_s)), hz, 0.15, 0.4);
+            }
+            break;
+        case SoundKind::Thunder:
+            add_air(out, noise, 0.7,
+                    [](double t) { return std::pair(90.0, t < 0.5 ? (0.3 + 0.7 * std::sin(40.0 * t) * std::sin(40.0 * t)) * std::sin(2.0 * kPi * t) : 0.0); });
+            break;
+        case SoundKind::Stream:
+            add_air(out, noise, 0.6, steady(1800.0, 0.25));
+            for (int k = 0; k < 260; ++k) {
+                const double hz = between(450.0, 2200.0), ring_s = between(0.02, 0.09), level = between(0.05, 0.4);
+                add_bubble(out, samples_of(between(0.0, length_s)), hz, ring_s, level);
+            }
+            break;
+        case SoundKind::Fire:
+            add_air(out, noise, 0.7, [](double t) { return std::pair(260.0, 0.5 + 0.2 * std::sin(2.0 * kPi * 5.0 * t)); });
+            for (int k = 0; k < 70; ++k) {
+                const double at_s = between(0.0, length_s - 0.05), edge_hz = between(2500.0, 8000.0), ring_s = between(0.004, 0.02);
+                add_noise_burst(out, samples_of(at_s), edge_hz, ring_s, between(0.05, 0.5), noise);
+            }
+            break;
+        case SoundKind::Clock:
+            for (int k = 0; k < 4; ++k) {
+                const double hz = k % 2 == 0 ? 2600.0 : 2050.0;
+                add_ring(out, k + 0.1, hz, 0.045, 1.0);
+                add_ring(out, k + 0.1, 1.73 * hz, 0.03, 0.6);
+            }
+            break;
+        case SoundKind::Fan:
+            add_air(out, noise, 0.6, [](double) { return std::pair(700.0, 0.6); });
+            for (std::size_t i = 0; i < out.size(); ++i)  // its blades pass twenty times a second
+                out[i] *= static_cast<float>(0.7 + 0.3 * std::sin(2.0 * kPi * 20.0 * static_cast<double>(i) / kRate));
+            break;
+        case SoundKind::Rain:
+            add_air(out, noise, 0.5, steady(5200.0, 0.25));
+            for (int k = 0; k < 500; ++k) {
+                const double at_s = between(0.0, length_s), hz = between(2500.0, 7000.0), ring_s = between(0.004, 0.012);
+                add_ring(out, at_s, hz, ring_s, between(0.05, 0.4));
+            }
+            break;
+        case SoundKind::Birds:
+            for (int song = 0; song < 4; ++song)
+                for (int k = 0; k < 3 + song % 2; ++k) {
+                    const double from_hz = between(2600.0, 3400.0), to_hz = between(3600.0, 4800.0);
+                    add_call(out, song + 0.1 + 0.17 * k, 0.09, from_hz, to_hz, between(0.5, 1.0));
+                }
+            break;
+        case SoundKind::Tolling:
+            // Hum, prime, tierce, quint and nominal (Fletcher & Rossing, chapter 21).
+            for (const auto& [ratio, level] : {std::pair(0.5, 0.5), std::pair(1.0, 0.8), std::pair(1.2, 0.7), std::pair(1.5, 0.4), std::pair(2.0, 1.0)})
+                add_ring(out, 0.0, 392.0 * ratio, 3.6 / std::sqrt(ratio), level);
+            break;
+        case SoundKind::Music:
+            for (int k = 0; k < 8; ++k) {
+                constexpr std::array kTune{262.0, 330.0, 392.0, 523.0, 392.0, 330.0, 294.0, 392.0};
+                for (int h = 1; h <= 4; ++h) add_ring(out, 0.5 * k, kTune[static_cast<std::size_t>(k)] * h, 0.9 / h, 0.8 / (h * h));
+            }
+            break;
+        default:  // Shimmer
+            for (int k = 0; k < 40; ++k) {
+                const double at_s = between(0.0, length_s), hz = 1200.0 * std::pow(2.0, std::floor(between(0.0, 8.0)) / 4.0);
+                add_ring(out, at_s, hz, 0.35, between(0.2, 0.7));
+            }
+            break;
+    }
+    scale_to_peak(out, 0.8 * kPeak);
     return out;
 }
 
@@ -270,6 +473,14 @@ std::vector<float> earcon(SoundKind kind) {
             return synthesise_notes(std::array{Note{0.0, 0.06, 600.0, 0.8}, Note{0.06, 0.06, 900.0, 1.0}, Note{0.12, 0.1, 600.0, 0.8}});
         case SoundKind::Arrived:
             return synthesise_notes(std::array{Note{0.0, 0.06, 784.0, 0.8}, Note{0.09, 0.06, 988.0, 0.9}, Note{0.18, 0.2, 1175.0, 1.0}});
+        case SoundKind::Rim:
+            return synthesise_notes(std::array{Note{0.0, 0.02, 330.0, 1.0}, Note{0.035, 0.02, 440.0, 1.0}, Note{0.07, 0.05, 550.0, 0.9}});
+        case SoundKind::RimBack:
+            return synthesise_notes(std::array{Note{0.0, 0.02, 550.0, 0.8}, Note{0.035, 0.04, 330.0, 0.8}});
+        case SoundKind::Grab:
+            return synthesise_notes(std::array{Note{0.0, 0.025, 220.0, 1.0}, Note{0.03, 0.07, 294.0, 1.0}});
+        case SoundKind::LetGo:
+            return synthesise_notes(std::array{Note{0.0, 0.07, 294.0, 0.8}, Note{0.09, 0.03, 220.0, 0.8}});
         case SoundKind::Alarm:
             return synthesise_notes(
                 std::array{Note{0.0, 0.11, 1047.0, 1.0}, Note{0.13, 0.11, 740.0, 1.0}, Note{0.26, 0.11, 1047.0, 1.0}, Note{0.39, 0.16, 740.0, 1.0}});
@@ -284,7 +495,7 @@ bool varies_by_material(SoundKind kind) {
     return kind == SoundKind::Contact || kind == SoundKind::Slide || kind == SoundKind::Footstep || kind == SoundKind::Bump;
 }
 
-bool is_loop(SoundKind kind) { return kind == SoundKind::Slide || kind == SoundKind::WallTone; }
+bool is_loop(SoundKind kind) { return kind == SoundKind::Slide || kind == SoundKind::WallTone || is_world_sound(kind); }
 
 std::vector<float> synthesise(SoundKind kind, SoundClass material) {
     Noise noise(seed_of(kind, varies_by_material(kind) ? material : SoundClass::Generic));
@@ -301,8 +512,14 @@ std::vector<float> synthesise(SoundKind kind, SoundClass material) {
             return wall_tone(noise);
         case SoundKind::Splash:
             return splash(noise);
+        case SoundKind::DoorMoves:
+            return door_moves(noise);
+        case SoundKind::DoorShuts:
+            return door_shuts(noise);
+        case SoundKind::Bell:
+            return bell();
         default:
-            return earcon(kind);
+            return is_world_sound(kind) ? world_loop(kind, noise) : earcon(kind);
     }
 }
 

@@ -69,12 +69,17 @@ HapticMaterial compile_material(const Material& material, MaterialSource source,
     return compiled;
 }
 
-// Textures lie on a mesh straight along the axis in which its thing is thinnest: continuous over every edge, whatever the facets. On z where two are equal.
+// Textures lie on a mesh straight along the axis in which its thing is thinnest: continuous over every edge, whatever the facets. On z where two are equal. Of
+// a thing that moves its own axes count, and the texture goes with it.
 std::vector<std::uint8_t> mesh_axes(const Scene& scene) {
     std::vector<Aabb> boxes(scene.features.size());
-    for (const MeshTriangle& t : scene.triangles)
-        if (t.feature.value < boxes.size())
-            for (const Vec3& p : {t.a_m, t.b_m, t.c_m}) boxes[t.feature.value].include(p);
+    const auto include = [&](FeatureId feature, const MeshTriangle& t) {
+        if (feature.value >= boxes.size()) return;
+        for (const Vec3& p : {t.a_m, t.b_m, t.c_m}) boxes[feature.value].include(p);
+    };
+    for (const MeshTriangle& t : scene.triangles) include(t.feature, t);
+    for (const PlacedModel& placed : scene.placed)
+        for (const MeshTriangle& t : placed.model->triangles) include(placed.feature, t);
     std::vector<std::uint8_t> axes(boxes.size(), 2);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (boxes[i].empty()) continue;
@@ -96,10 +101,9 @@ std::vector<SurfaceLabel> labels_of(const Solid& solid) {
     return labels;
 }
 
-// Triangles of one feature and material are one surface. label: instead of their own.
-void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, const SurfaceLabel* label, const MeshOptions& options,
-                   MeshReport& report) {
-    if (triangles.empty()) return;
+// Triangles of one feature and material that are touched from the same side are one surface. label: instead of their own.
+void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, TouchSide side, const SurfaceLabel* label,
+                      const MeshOptions& options, MeshReport& report) {
     std::vector<SurfaceLabel> labels;
     std::map<std::pair<std::uint32_t, MaterialId>, std::uint32_t> known;
     std::vector<Vec3> corners_m;
@@ -107,24 +111,34 @@ void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>&
     corners_m.reserve(3 * triangles.size());
     surfaces.reserve(triangles.size());
     for (const MeshTriangle& t : triangles) {
+        if (t.side != side) continue;
         corners_m.insert(corners_m.end(), {t.a_m, t.b_m, t.c_m});
         const SurfaceLabel own = label ? *label : SurfaceLabel{t.feature, t.material, false};
         const auto [surface, is_new] = known.try_emplace({own.feature.value, own.material}, static_cast<std::uint32_t>(labels.size()));
         if (is_new) labels.push_back(own);
         surfaces.push_back(surface->second);
     }
+    if (surfaces.empty()) return;
     const PreparedMesh mesh = prepare_mesh(corners_m, surfaces, options);
     std::vector<SurfaceLabel> of_triangles;
     of_triangles.reserve(mesh.surfaces.size());
     for (const std::uint32_t surface : mesh.surfaces) of_triangles.push_back(labels[surface]);
-    builder.add_mesh(mesh.mesh, of_triangles);
-    for (std::size_t i = 0; i < mesh.polygons.size(); ++i) builder.add_polygon(mesh.polygons[i].points_m, labels[mesh.polygon_surfaces[i]]);
+    builder.add_mesh(mesh.mesh, of_triangles, side);
+    for (std::size_t i = 0; i < mesh.polygons.size(); ++i) builder.add_polygon(mesh.polygons[i].points_m, labels[mesh.polygon_surfaces[i]], side);
     report += mesh.report;
 }
 
+void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, const SurfaceLabel* label, const MeshOptions& options,
+                   MeshReport& report) {
+    for (const TouchSide side : {TouchSide::Both, TouchSide::Front, TouchSide::Back}) add_triangles_of(builder, triangles, side, label, options, report);
+}
+
 // A round solid is felt as what it is, under the name of its first face.
-void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<const SurfaceLabel> labels) {
-    std::visit(Overloaded{[&](std::monostate) { builder.add_solid(solid.shape.planes, solid.shape.bounds_m, labels); },
+void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<const SurfaceLabel> labels, const RoundedSolid* rounded) {
+    std::visit(Overloaded{[&](std::monostate) {
+                              if (rounded) builder.add_solid(rounded->planes, rounded->bounds_m, labels, rounded->rounding_m);
+                              else builder.add_solid(solid.shape.planes, solid.shape.bounds_m, labels);
+                          },
                           [&](const SphereShape& sphere) { builder.add_sphere(sphere, labels[0]); },
                           [&](const CapsuleShape& capsule) { builder.add_capsule(capsule, labels[0]); },
                           [&](const CylinderShape& cylinder) { builder.add_cylinder(cylinder, labels[0]); },
@@ -175,31 +189,54 @@ void add_soft_solid(HapticSceneBuilder& builder, const Solid& solid) {
     builder.add_soft(std::move(patch));
 }
 
-// What of a model can be touched, all under one name and of one material.
-std::shared_ptr<const HapticScene> compile_model(const Scene& model, const SurfaceLabel& label, const MeshOptions& mesh, MeshReport& report) {
+// Nothing when edges stay sharp.
+std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, CompileReport& report) {
+    if (!(radius_m > 0.0)) return {};
+    RoundingReport done;
+    std::vector<RoundedSolid> solids = round_edges(scene, radius_m, done);
+    report.rounding += done;
+    return solids;
+}
+
+// What of a model can be touched, all under one name and of one material. One that is set down larger is as large to the hand, so its own rounding is less.
+std::shared_ptr<const HapticScene> compile_model(const PlacedModel& placed, const CompileOptions& options, CompileReport& report) {
+    const Scene& model = *placed.model;
+    const SurfaceLabel label{placed.feature, placed.material, false};
     HapticSceneBuilder builder;
-    for (const Solid& solid : model.solids)
-        if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) add_touchable(builder, solid, std::span(&label, 1));
-    add_triangles(builder, model.triangles, &label, mesh, report);
+    const std::vector<RoundedSolid> rounded = rounded_solids(model, options.edge_rounding_m / placed.at.scale, report);
+    for (std::size_t i = 0; i < model.solids.size(); ++i)
+        if (model.solids[i].role == SolidRole::Solid || model.solids[i].role == SolidRole::Mover)
+            add_touchable(builder, model.solids[i], std::span(&label, 1), rounded.empty() ? nullptr : &rounded[i]);
+    if (options.shade_meshes) builder.shade_meshes();
+    add_triangles(builder, model.triangles, &label, options.mesh, report.mesh);
     return builder.build();
 }
 
 }  // namespace
 
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials, std::uint32_t world, const MeshOptions& mesh,
-                                                  MeshReport* report) {
-    MeshReport done;
+CompileOptions exploring(double edge_rounding_m, std::uint32_t world) { return {MaterialSource::Library, world, MeshOptions{}, true, edge_rounding_m}; }
+
+std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials) {
+    CompileOptions options;
+    options.materials = materials;
+    options.shade_meshes = materials == MaterialSource::Library;
+    return compile_haptic(scene, options);
+}
+
+std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options, CompileReport* report) {
+    CompileReport done;
     std::vector<HapticMaterial> compiled;
     compiled.reserve(scene.materials.size());
     Reliefs reliefs;
-    for (const Material& material : scene.materials) compiled.push_back(compile_material(material, materials, reliefs));
+    for (const Material& material : scene.materials) compiled.push_back(compile_material(material, options.materials, reliefs));
     HapticSceneBuilder builder(std::move(compiled));
-    if (std::vector<Relief> list = reliefs.take(); !list.empty())
-        builder.set_reliefs(std::move(list), scene.triangles.empty() ? std::vector<std::uint8_t>{} : mesh_axes(scene));
-    for (const Solid& solid : scene.solids) {
+    if (std::vector<Relief> list = reliefs.take(); !list.empty()) builder.set_reliefs(std::move(list), mesh_axes(scene));
+    const std::vector<RoundedSolid> rounded = rounded_solids(scene, options.edge_rounding_m, done);
+    for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+        const Solid& solid = scene.solids[i];
         if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) {
             if (solid.soft) add_soft_solid(builder, solid);
-            else add_touchable(builder, solid, labels_of(solid));
+            else add_touchable(builder, solid, labels_of(solid), rounded.empty() ? nullptr : &rounded[i]);
         } else if (solid.role == SolidRole::Liquid) {
             LiquidVolume liquid;
             liquid.planes = solid.shape.planes;
@@ -212,13 +249,15 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSo
             builder.add_liquid(std::move(liquid), solid.shape.bounds_m);
         }
     }
-    if (materials == MaterialSource::Library) builder.shade_meshes();
-    add_triangles(builder, scene.triangles, nullptr, mesh, done);
-    for (const PlacedModel& placed : scene.placed)
-        builder.add_body(placed.feature, compile_model(*placed.model, {placed.feature, placed.material, false}, mesh, done), placed.at);
+    if (options.shade_meshes) builder.shade_meshes();
+    add_triangles(builder, scene.triangles, nullptr, options.mesh, done.mesh);
+    for (const PlacedModel& placed : scene.placed) builder.add_body(placed.feature, compile_model(placed, options, done), placed.at);
     add_effects(builder, scene);
-    if (report) *report += done;
-    return builder.build(world);
+    if (report) {
+        report->mesh += done.mesh;
+        report->rounding += done.rounding;
+    }
+    return builder.build(options.world);
 }
 
 }  // namespace handrail

@@ -10,8 +10,9 @@ struct Row {
     std::string_view key, one;
 };
 // In the order of ObstacleKind.
-constexpr std::array kKinds{Row{"triangles", "triangle"}, Row{"polygons", "polygon"}, Row{"boxes", "box"},          Row{"brushes", "brush"},
-                            Row{"spheres", "sphere"},     Row{"capsules", "capsule"}, Row{"cylinders", "cylinder"}, Row{"cones", "cone"}};
+constexpr std::array kKinds{Row{"triangles", "triangle"}, Row{"polygons", "polygon"}, Row{"boxes", "box"},
+                            Row{"brushes", "brush"},      Row{"spheres", "sphere"},   Row{"capsules", "capsule"},
+                            Row{"cylinders", "cylinder"}, Row{"cones", "cone"},       Row{"shapes_of_their_own", "shape of its own"}};
 static_assert(kKinds.size() == kObstacleKinds);
 // In the order of EffectLaw's alternatives.
 constexpr std::array kLaws{
@@ -59,6 +60,10 @@ TouchModel touch_model(const HapticScene& scene) {
           count_if(scene.materials, [](const HapticMaterial& m) { return m.stiffness_fraction >= 0.0; }));
     count("materials_with_friction", "material with a friction of its own",
           count_if(scene.materials, [](const HapticMaterial& m) { return m.friction_kinetic >= 0.0; }));
+    const auto is_rounded = [](const Obstacle& o) { return o.rounding != 0; };
+    std::size_t rounded = count_if(scene.obstacles, is_rounded);
+    for (const HapticBody& body : scene.bodies) rounded += count_if(body.shape->obstacles, is_rounded);
+    count("rounded_solids", "solid with rounded edges", rounded);
     return model;
 }
 

@@ -19,6 +19,8 @@ struct DeviceSpec {
     double min_rate_hz = 600.0;      // slower than this for 20 ms fades the force; 0: never
     double encoder_quantum_m = 0.0;  // step of the measured position along each axis; 0: not known or none
     bool kinesthetic = true;
+    // Share of the peak force that the motors bear as root mean square over ten seconds.
+    double sustained_share = 0.8;
 };
 
 std::span<const DeviceSpec> device_specs();

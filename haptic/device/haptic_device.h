@@ -16,7 +16,11 @@ struct DeviceSample {
     std::uint32_t buttons = 0;  // bit 0 is the first
     bool fresh = true;          // false when the device had no new answer for this tick
     bool connected = true;
-    bool homed = true;  // false while the device does not know where it is: its position means nothing, and no force may act
+    bool homed = true;            // false while the device does not know where it is: its position means nothing, and no force may act
+    std::uint8_t homed_legs = 0;  // bit by leg, of a device that finds its zero leg by leg; others leave it 0
+    bool hot = false;             // the device says that its motors are too warm
+    bool failed = false;          // the driver says that the device is there but does not do as it is told
+    Vec3 gimbal_rad{0.0};         // angles of the grip about right, forward and up as its maker counts them; zero where nothing measures them
 };
 
 struct ForceCommand {
@@ -27,7 +31,7 @@ class HapticDevice {
 public:
     virtual ~HapticDevice() = default;
     virtual const DeviceSpec& spec() const = 0;
-    virtual Result<void> open() = 0;                       // app thread, before the servo starts
+    virtual Result<void> open() = 0;  // app thread, before the servo starts
     // On the servo thread never blocks longer than 1 ms. A driver that must wait longer for its hardware lives in the guard process, and what
     // the servo holds in its place never waits at all (haptic/drivers).
     virtual DeviceSample read(double now_s) noexcept = 0;

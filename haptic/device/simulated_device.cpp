@@ -51,7 +51,10 @@ DeviceSample SimulatedDevice::read(double now_s) noexcept {
 
     DeviceSample sample;
     sample.buttons = command_.buttons;
+    sample.gimbal_rad = command_.gimbal_rad;
     sample.position_m = measured_m();
+    sample.hot = trouble_.hot;
+    sample.failed = trouble_.failed;
     if (trouble_.unplugged) {
         sample.position_m = last_answer_m_;
         sample.fresh = false;

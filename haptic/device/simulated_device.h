@@ -27,6 +27,7 @@ struct HandCommand {
     double speed_m_per_s = 0.0;  // Move only; 0 or less: there at once
     Vec3 push_n{0.0};
     std::uint32_t buttons = 0;
+    Vec3 gimbal_rad{0.0};
 };
 
 // Ways to break, for tests and scenarios. Each counts samples from the moment it is published; 0 is sound.
@@ -36,6 +37,8 @@ struct DeviceTrouble {
     Vec3 jump_m{0.0};
     int silent_samples = 0;  // no new answer: the last position again, fresh = false; negative: for good
     bool unplugged = false;
+    bool hot = false;     // the motors report that they are too warm
+    bool failed = false;  // the driver reports that the device does not do as it is told
 };
 
 // Where the hand truly is and what it feels: no encoder step, no trouble. For drawing, scenarios and tests.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "haptic/drivers/force_packing.h"
 #include "haptic/drivers/vendor_library.h"
 
 namespace handrail {
@@ -72,10 +73,7 @@ public:
     // After a position that cannot be, zero until one that can.
     void write(const ForceCommand& command) noexcept override {
         if (!open_) return;
-        Vec3 force = believed_ && is_finite(command.force_n) ? command.force_n : Vec3(0.0);
-        const double newtons = std::sqrt(glm::dot(force, force));
-        if (!std::isfinite(newtons)) force = Vec3(0.0);
-        else if (newtons > spec_.peak_force_n) force *= spec_.peak_force_n / newtons;
+        const Vec3 force = believed_ ? held_to(command.force_n, spec_.peak_force_n) : Vec3(0.0);
         call_.set_force(-force.y, force.x, force.z, kDefaultDevice);
     }
 

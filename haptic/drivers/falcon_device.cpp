@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "haptic/drivers/falcon_kinematics.h"
+#include "haptic/drivers/force_packing.h"
 #include "worlds/base/files.h"
 
 namespace handrail {
@@ -221,7 +222,7 @@ Result<void> FalconDevice::open() {
                                     falcon_firmware_folder().string()));
         Result<void> done = fail("");
         for (int attempt = 1; attempt <= kUploadTries && !done && !lost_; ++attempt) {
-            tell(attempt == 1 ? "Waking the Falcon; this can take a few tries." : fmt::format("Waking the Falcon, try {}.", attempt));
+            tell(attempt == 1 ? "The Falcon needs waking, this may take three tries. Try 1." : fmt::format("Try {}.", attempt));
             done = upload({reinterpret_cast<const std::uint8_t*>(image.data()), image.size()});
         }
         if (!done) return done;
@@ -237,7 +238,7 @@ void FalconDevice::forget_place() noexcept {
 }
 
 bool FalconDevice::is_stuck(const std::array<int, 3>& encoders) noexcept {
-    bool stuck = false;
+    int farthest = 0;  // that another leg has turned while one stood still
     for (std::size_t leg = 0; leg < 3; ++leg) {
         Stillness& still = stillness_[leg];
         if (!watches_legs_ || encoders[leg] != still.count) {
@@ -248,11 +249,13 @@ bool FalconDevice::is_stuck(const std::array<int, 3>& encoders) noexcept {
         for (std::size_t other = 0; other < 3; ++other) {
             still.others_low[other] = std::min(still.others_low[other], encoders[other]);
             still.others_high[other] = std::max(still.others_high[other], encoders[other]);
-            stuck = stuck || (still.answers >= kStuckAnswers && still.others_high[other] - still.others_low[other] > kStuckCounts);
+            if (still.answers >= kStuckAnswers) farthest = std::max(farthest, still.others_high[other] - still.others_low[other]);
         }
     }
     watches_legs_ = true;
-    return stuck;
+    const double left = std::clamp(static_cast<double>(kDistrustCounts - farthest) / (kDistrustCounts - kSuspectCounts), 0.0, 1.0);
+    trust_ = std::min(left, trust_ + kTrustPerAnswer);
+    return farthest > kStuckCounts;
 }
 
 DeviceSample FalconDevice::read(double) noexcept {
@@ -270,6 +273,7 @@ DeviceSample FalconDevice::read(double) noexcept {
     sample.fresh = true;
     sample.buttons = status_.buttons;
     sample.homed = status_.homed_legs == 7;
+    sample.homed_legs = status_.homed_legs;
     if (!sample.homed) {  // the counts mean nothing yet, and jump when they begin to
         forget_place();
         sample.position_m = Vec3(0.0);
@@ -291,13 +295,8 @@ DeviceSample FalconDevice::read(double) noexcept {
 
 void FalconDevice::write(const ForceCommand& command) noexcept {
     std::array<int, 3> motors{};
-    Vec3 force_n = command.force_n;
-    if (knows_place_ && is_finite(force_n) && clock_.now_s() - answered_s_ < kZeroAfterSilenceS) {
-        const double highest = std::max({std::abs(force_n.x), std::abs(force_n.y), std::abs(force_n.z)});
-        const double ceiling_n = kShareOfPeak * spec_.peak_force_n;
-        if (highest > ceiling_n) force_n *= ceiling_n / highest;  // first, so that no square runs over
-        const double newtons = std::sqrt(glm::dot(force_n, force_n));
-        if (newtons > ceiling_n) force_n *= ceiling_n / newtons;
+    if (knows_place_ && clock_.now_s() - answered_s_ < kZeroAfterSilenceS) {
+        const Vec3 force_n = held_to(command.force_n, kShareOfPeak * spec_.peak_force_n) * trust_;
         if (const auto torques = falcon_torques(grip_m_, leg_angles_rad_, turn_device_to_falcon(force_n)))
             motors = falcon_motor_counts(*torques, options_.counts_per_nm);
     }

@@ -39,6 +39,12 @@ public:
     // Over a few answers, so that no two of them can agree by chance.
     static constexpr int kStuckCounts = 150;
     static constexpr int kStuckAnswers = 10;
+    // Three encoders for three directions leave nothing to check against, and a hand may well draw a few millimetres of line along which one leg stands
+    // still. So suspicion first costs force and not a fault: from kSuspectCounts (about 2 mm) on it goes down, at kDistrustCounts it is gone, and it is
+    // back over 20 answers once the leg moves by a single count. A movement that would turn the stuck leg alone shows nothing at all.
+    static constexpr int kSuspectCounts = 50;
+    static constexpr int kDistrustCounts = 100;
+    static constexpr double kTrustPerAnswer = 0.05;
 
     // The clock outlives it.
     FalconDevice(std::unique_ptr<ByteLink> link, Clock& clock, FalconOptions options = {});
@@ -85,6 +91,7 @@ private:
         int answers = 0;  // that showed it unchanged
         std::array<int, 3> others_low{}, others_high{};
     };
+    double trust_ = 1.0;  // share of the force that a leg's stillness leaves
     bool watches_legs_ = false;
     std::array<Stillness, 3> stillness_{};
 };

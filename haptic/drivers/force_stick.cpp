@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "haptic/drivers/force_packing.h"
+
 namespace handrail {
 
 Result<void> ForceStick::open() {
@@ -26,10 +28,14 @@ DeviceSample ForceStick::read(double) noexcept {
 
 void ForceStick::write(const ForceCommand& command) noexcept {
     if (!open_ || lost_) return;
-    const double right = command.force_n.x, forward = command.force_n.y;
-    const double newtons = std::sqrt(right * right + forward * forward);
-    const bool sound = std::isfinite(newtons) && newtons > 0.0;
-    lost_ = !link_->constant(sound ? newtons / spec_.peak_force_n : 0.0, sound ? std::atan2(-right, -forward) : 0.0);
+    // A force up cannot be given, but one that is no number says that nothing of it is to be believed.
+    if (!is_finite(command.force_n)) {
+        lost_ = !link_->constant(0.0, 0.0);
+        return;
+    }
+    const Vec3 force = held_to({command.force_n.x, command.force_n.y, 0.0}, spec_.peak_force_n);
+    const double newtons = std::sqrt(force.x * force.x + force.y * force.y);
+    lost_ = !link_->constant(newtons / spec_.peak_force_n, newtons > 0.0 ? std::atan2(-force.x, -force.y) : 0.0);
 }
 
 void ForceStick::close() noexcept {

@@ -16,6 +16,7 @@
 #include "haptic/drivers/hd_device.h"
 #include "haptic/drivers/hid_link.h"
 #include "haptic/drivers/playstation_pad.h"
+#include "haptic/drivers/space_mouse.h"
 #include "haptic/drivers/usb_link.h"
 #include "worlds/base/text.h"
 
@@ -25,6 +26,8 @@ namespace {
 constexpr std::array kFalconIds{UsbId{0x0403, 0xcb48}};
 
 std::string why_not(const UsbDeviceInfo& usb) { return usb.permitted ? fmt::format("It cannot be opened: {}.", usb.problem) : permission_advice(); }
+
+std::string place_of(const UsbDeviceInfo& usb) { return fmt::format("USB bus {}, device {}", usb.bus, usb.address); }
 
 std::string falcon_firmware_state(bool running) {
     if (running) return "running";
@@ -61,7 +64,7 @@ void find_falcons(std::vector<FoundDevice>& found) {
         device.name = "falcon";
         device.model = "Novint Falcon";
         device.driver = "Handrail's own, over libusb";
-        device.connection = fmt::format("USB bus {}, device {}", usb.bus, usb.address);
+        device.connection = place_of(usb);
         device.serial = usb.serial;
         device.spec = *find_device_spec("falcon");
         device.rate_hz = 1000.0;
@@ -72,19 +75,7 @@ void find_falcons(std::vector<FoundDevice>& found) {
     }
 }
 
-struct PadId {
-    std::uint16_t product;
-    PadModel model;
-    std::string_view name, spoken;
-};
-constexpr std::uint16_t kSony = 0x054c;
-constexpr std::array kPads{PadId{0x0ce6, PadModel::DualSense, "dualsense", "DualSense"}, PadId{0x0df2, PadModel::DualSense, "dualsense", "DualSense Edge"},
-                           PadId{0x05c4, PadModel::DualShock4, "dualshock4", "DualShock 4"}, PadId{0x09cc, PadModel::DualShock4, "dualshock4", "DualShock 4"}};
-// 3Dconnexion, and Logitech, who sold theirs before and sells much else.
-constexpr std::uint16_t kConnexion = 0x256f, kLogitech = 0x046d;
-constexpr std::uint16_t kGenericDesktop = 1, kMultiAxis = 8;
-
-void look_at_pad(const HidDeviceInfo& hid, const PadId& id, FoundDevice& device) {
+void look_at_pad(const HidDeviceInfo& hid, const PadIdentity& id, FoundDevice& device) {
     device.name = id.name;
     device.model = id.spoken;
     device.kind = DeviceKind::Cues;
@@ -105,9 +96,9 @@ void look_at_pad(const HidDeviceInfo& hid, const PadId& id, FoundDevice& device)
 
 void find_hid_devices(std::vector<FoundDevice>& found) {
     for (const HidDeviceInfo& hid : list_hid_devices()) {
-        const auto pad = std::find_if(kPads.begin(), kPads.end(), [&](const PadId& id) { return hid.vendor == kSony && hid.product == id.product; });
-        const bool puck = (hid.vendor == kConnexion || hid.vendor == kLogitech) && hid.usage_page == kGenericDesktop && hid.usage == kMultiAxis;
-        if (pad == kPads.end() && !puck) continue;
+        const auto pad = playstation_pad(hid.vendor, hid.product);
+        const bool puck = is_space_mouse(hid);
+        if (!pad && !puck) continue;
         FoundDevice device;
         device.driver = "Handrail's own, over hidapi";
         device.connection = fmt::format("{}, {}", hid.bluetooth ? "Bluetooth" : "USB", hid.path);
@@ -135,7 +126,13 @@ struct Maker {
     std::array<std::string_view, 3> libraries;
 };
 constexpr std::array kMakers{Maker{{0x1451, 0}, "Force Dimension", "omega", {"libdhd.so.3", "libdhd.so", ""}},
-                             Maker{{0x0301, 0x2988}, "3D Systems", "touch", {"libHD.so", "libHD.so.3.4", "libHD.so.3.0"}}};
+                             Maker{{0x2988, 0}, "3D Systems", "touch", {"libHD.so", "libHD.so.3.4", "libHD.so.3.0"}}};
+
+std::string_view model_of(const Maker& maker, const UsbDeviceInfo& usb) {
+    for (const std::string_view name : {"omega", "sigma", "lambda", "delta"})
+        if (lower_ascii(usb.product_name).starts_with(name)) return name;
+    return maker.default_device;
+}
 
 bool library_lies_somewhere(const Maker& maker) {
     std::vector<std::string> folders{"/usr/lib", "/usr/lib64", "/usr/lib/x86_64-linux-gnu", "/usr/local/lib", "/lib/x86_64-linux-gnu"};
@@ -159,13 +156,11 @@ void find_makers_devices(std::vector<FoundDevice>& found) {
         if (!plugged) return;
         for (const UsbDeviceInfo& usb : *plugged) {
             FoundDevice device;
-            device.name = maker.default_device;
-            for (const std::string_view name : {"omega", "sigma", "lambda", "delta"})
-                if (lower_ascii(usb.product_name).starts_with(name)) device.name = name;
+            device.name = model_of(maker, usb);
             device.spec = *find_device_spec(device.name);
             device.model = fmt::format("{} {}", maker.name, usb.product_name.empty() ? std::string(device.spec->spoken_name) : usb.product_name);
             device.driver = fmt::format("its maker's library {}, loaded when it is chosen", maker.libraries.front());
-            device.connection = fmt::format("USB bus {}, device {}", usb.bus, usb.address);
+            device.connection = place_of(usb);
             device.serial = usb.serial;
             device.firmware = "its own";
             device.calibration = "told when it is opened";
@@ -198,7 +193,7 @@ void find_ff_devices(std::vector<FoundDevice>& found) {
     for (const FfDeviceInfo& ff : list_ff_devices()) {
         const bool stick = ff.abilities.constant && ff.abilities.stick;
         const bool known = std::any_of(found.begin(), found.end(), [](const FoundDevice& device) { return device.driver.ends_with("hidapi"); });
-        if (!stick && known && (ff.name.find("DualSense") != std::string::npos || ff.name.find("Wireless Controller") != std::string::npos)) continue;
+        if (!stick && known && is_event_node_of_a_playstation_pad(ff.name)) continue;
         FoundDevice device;
         device.name = stick ? "force-stick" : "rumble-pad";
         device.model = ff.name.empty() ? device.name : ff.name;
@@ -242,6 +237,11 @@ Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock
 
 }  // namespace
 
+std::string_view device_state(const FoundDevice& device) {
+    if (!device.usable) return "cannot be used yet";
+    return device.calibration.starts_with("not ") ? "needs calibration" : "ready";
+}
+
 std::vector<FoundDevice> find_devices() {
     std::vector<FoundDevice> found;
     find_falcons(found);
@@ -250,6 +250,24 @@ std::vector<FoundDevice> find_devices() {
     find_hid_devices(found);
     find_ff_devices(found);
     return found;
+}
+
+std::vector<PluggedHand> plugged_hands() {
+    std::vector<PluggedHand> hands;
+    const auto add_usb = [&](std::span<const UsbId> ids, auto&& name_of) {
+        const auto plugged = list_usb_devices(ids);
+        if (!plugged) return;
+        for (const UsbDeviceInfo& usb : *plugged) {
+            const DeviceSpec& spec = *find_device_spec(name_of(usb));
+            hands.push_back({std::string(spec.name), std::string(spec.spoken_name), place_of(usb), usb.problem.empty() ? std::string() : why_not(usb)});
+        }
+    };
+    add_usb(kFalconIds, [](const UsbDeviceInfo&) { return std::string_view("falcon"); });
+    for (const Maker& maker : kMakers) add_usb(std::span(&maker.id, 1), [&](const UsbDeviceInfo& usb) { return model_of(maker, usb); });
+    for (const FfDeviceInfo& ff : list_ff_devices())
+        if (ff.abilities.constant && ff.abilities.stick)
+            hands.push_back({"force-stick", ff.name.empty() ? std::string(find_device_spec("force-stick")->spoken_name) : ff.name, ff.path, {}});
+    return hands;
 }
 
 std::string permission_advice() {

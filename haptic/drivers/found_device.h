@@ -31,8 +31,23 @@ struct FoundDevice {
     std::string problem;  // why not, and what to do; one or two sentences
 };
 
+// In a word or two what the device can do now: "ready", "needs calibration", "cannot be used yet".
+std::string_view device_state(const FoundDevice& device);
+
 // Everything that a driver of ours can speak to.
 std::vector<FoundDevice> find_devices();
+
+// A device that can push a hand, by what the bus says of it: nothing is asked of the device itself. Those on older wires than USB and those behind
+// a service are not seen.
+struct PluggedHand {
+    std::string name;         // as --device takes it
+    std::string spoken_name;  // "Falcon"
+    std::string place;        // bus and address, or the event node
+    std::string problem;      // why it may not be opened; empty when it may
+
+    bool operator==(const PluggedHand&) const = default;
+};
+std::vector<PluggedHand> plugged_hands();
 
 // Where `cmake --install` puts the rule that lets the person at the seat open devices.
 inline constexpr std::string_view kUdevRule = "70-handrail.rules";

@@ -29,6 +29,7 @@ namespace {
 // The guard's descriptors begin here.
 constexpr int kFirstFd = 3;
 constexpr std::size_t kLongestSentence = 4096;
+constexpr int kLookMs = 50;  // whether the opening was given up
 
 struct Message {
     GuardMessage kind;
@@ -100,6 +101,7 @@ Result<void> GuardedDevice::start_guard() {
 }
 
 Result<void> GuardedDevice::open() {
+    if (life_fd_ >= 0 && guard_lives()) return {};
     close();
     if (auto started = start_guard(); !started) {
         close();
@@ -109,12 +111,13 @@ Result<void> GuardedDevice::open() {
     const double deadline_s = clock.now_s() + kOpenS;
     for (;;) {
         pollfd watched{life_fd_, POLLIN, 0};
-        const double left_s = deadline_s - clock.now_s();
-        if (left_s <= 0.0 || ::poll(&watched, 1, static_cast<int>(left_s * 1000.0) + 1) <= 0) {
-            if (left_s > 0.0 && errno == EINTR) continue;
+        const bool late = clock.now_s() >= deadline_s;
+        if (late || given_up_.exchange(false, std::memory_order_acq_rel)) {
             close();
-            return fail(fmt::format("The {} did not get ready within {:.0f} seconds.", spec_.spoken_name, kOpenS));
+            return fail(late ? fmt::format("The {} did not get ready within {:.0f} seconds.", spec_.spoken_name, kOpenS)
+                             : fmt::format("The {} was not waited for.", spec_.spoken_name));
         }
+        if (::poll(&watched, 1, kLookMs) <= 0) continue;
         const auto message = receive(life_fd_);
         if (!message) {
             close();
@@ -125,6 +128,7 @@ Result<void> GuardedDevice::open() {
             close();
             return fail(message->sentence);
         }
+        if (tell_) tell_(message->sentence);
         news_.push_back(message->sentence);
     }
     last_ = {};

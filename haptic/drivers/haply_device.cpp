@@ -10,6 +10,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "haptic/drivers/force_packing.h"
+
 namespace handrail {
 namespace {
 
@@ -89,10 +91,8 @@ public:
 
     void write(const ForceCommand& command) noexcept override {
         if (!open_ || lost_ || in_flight_ > 1) return;  // the service answers each; more would only queue
-        Vec3 force = command.force_n;
-        const double newtons = std::sqrt(glm::dot(force, force));
-        if (!std::isfinite(newtons) || !state_.homed || clock_.now_s() - answered_s_ > kZeroAfterSilenceS) force = Vec3(0.0);
-        else if (newtons > spec_.peak_force_n) force *= spec_.peak_force_n / newtons;
+        const bool allowed = state_.homed && clock_.now_s() - answered_s_ <= kZeroAfterSilenceS;
+        const Vec3 force = allowed ? held_to(command.force_n, spec_.peak_force_n) : Vec3(0.0);
         guarded([&] { return send(force); });
     }
 

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "haptic/drivers/force_packing.h"
 #include "haptic/drivers/vendor_library.h"
 #include "worlds/base/latest_value.h"
 #include "worlds/base/text.h"
@@ -20,11 +21,11 @@ struct ErrorInfo {
 };
 
 constexpr Handle kInvalid = 0xFFFFFFFFU;
-constexpr Enum kButtons = 0x2000, kPosition = 0x2050, kModel = 0x2501, kCalibrationStyle = 0x2555, kStiffness = 0x2602, kMaxForce = 0x2603, kForce = 0x2700,
+constexpr Enum kButtons = 0x2000, kPosition = 0x2050, kGimbal = 0x2150, kModel = 0x2501, kCalibrationStyle = 0x2555, kStiffness = 0x2602, kMaxForce = 0x2603, kForce = 0x2700,
                kForceOutput = 0x4000, kForceClamping = 0x4001, kCalibrated = 0x5000,
                kCalibrationNeedsUpdate = 0x5001;  // anything else: by hand, such as into the inkwell
 constexpr unsigned short kPriority = 32767;
-constexpr unsigned kFirstForceError = 0x0200, kLastForceError = 0x0204, kFirstDeviceError = 0x0300, kLastDeviceError = 0x0304;
+constexpr unsigned kFirstForceError = 0x0200, kWarmMotors = 0x0200, kLastForceError = 0x0204, kFirstDeviceError = 0x0300, kLastDeviceError = 0x0304;
 constexpr double kMetresPerMillimetre = 1e-3;
 
 struct Functions {
@@ -75,7 +76,9 @@ public:
         const bool fresh = sample_.refresh();
         DeviceSample sample = sample_.read();
         sample.fresh = fresh;
-        sample.connected = handle_ != kInvalid && !lost_.load(std::memory_order_acquire);
+        sample.connected = handle_ != kInvalid && !lost_.load(std::memory_order_acquire);  // first: by then the reason stands beside it
+        sample.hot = hot_.load(std::memory_order_acquire);
+        sample.failed = failed_.load(std::memory_order_acquire);
         return sample;
     }
 
@@ -107,6 +110,8 @@ private:
         int buttons = 0;
         call_.get_double(kPosition, &theirs.x);
         call_.get_integer(kButtons, &buttons);
+        Vec3 gimbal{0.0};
+        call_.get_double(kGimbal, &gimbal.x);
         const Enum calibration = call_.check_calibration();
         if (calibration == kCalibrationNeedsUpdate) {
             int style = 0;
@@ -115,11 +120,8 @@ private:
         }
 
         force_.refresh();
-        Vec3 force = force_.read();
-        const double newtons = std::sqrt(glm::dot(force, force));
-        const bool allowed = is_finite(theirs) && std::isfinite(newtons) && calibration == kCalibrated && !stopped_ && !ending_.load(std::memory_order_acquire);
-        if (!allowed) force = Vec3(0.0);
-        else if (newtons > spec_.peak_force_n) force *= spec_.peak_force_n / newtons;
+        const bool allowed = is_finite(theirs) && calibration == kCalibrated && !stopped_ && !ending_.load(std::memory_order_acquire);
+        const Vec3 force = allowed ? held_to(force_.read(), spec_.peak_force_n) : Vec3(0.0);
         const double out[3]{force.x, force.z, -force.y};
         call_.set_double(kForce, out);
         call_.end_frame(handle_);
@@ -127,11 +129,15 @@ private:
         DeviceSample sample;
         sample.position_m = Vec3(theirs.x, -theirs.z, theirs.y) * kMetresPerMillimetre;
         sample.buttons = static_cast<std::uint32_t>(buttons);
+        if (is_finite(gimbal)) sample.gimbal_rad = gimbal;
         sample.homed = calibration == kCalibrated;
         sample_.publish(sample);
         for (ErrorInfo error = call_.get_error(); error.code != 0; error = call_.get_error()) {
             // The library has switched the motors off: too warm, too fast, too strong. They stay off until the device is opened again.
-            if (error.code >= kFirstForceError && error.code <= kLastForceError) stopped_ = true;
+            if (error.code >= kFirstForceError && error.code <= kLastForceError) {
+                (error.code == kWarmMotors ? hot_ : failed_).store(true, std::memory_order_release);
+                stopped_ = true;
+            }
             if (error.code >= kFirstDeviceError && error.code <= kLastDeviceError) lost_.store(true, std::memory_order_release);
             if (stopped_) lost_.store(true, std::memory_order_release);
         }
@@ -163,7 +169,7 @@ private:
     unsigned long scheduled_ = 0;
     bool running_ = false;
     bool stopped_ = false;  // library thread
-    std::atomic<bool> ending_{false}, lost_{false};
+    std::atomic<bool> ending_{false}, lost_{false}, hot_{false}, failed_{false};
     LatestValue<Vec3> force_{Vec3(0.0)};  // owner -> library thread
     LatestValue<DeviceSample> sample_;    // library thread -> owner
 };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace handrail {
 namespace {
@@ -34,6 +35,12 @@ private:
     std::unique_ptr<hid_device, DeviceEnd> device_;
 };
 
+// hidapi keeps its last error in one place for all threads, and looks around and opens through it.
+std::mutex& hidapi_lock() {
+    static std::mutex lock;
+    return lock;
+}
+
 // Names are Latin enough for a sentence; what is not becomes a question mark.
 std::string narrow(const wchar_t* text) {
     std::string out;
@@ -44,6 +51,7 @@ std::string narrow(const wchar_t* text) {
 }  // namespace
 
 std::vector<HidDeviceInfo> list_hid_devices() {
+    const std::lock_guard guard(hidapi_lock());
     std::vector<HidDeviceInfo> found;
     hid_device_info* all = hid_enumerate(0, 0);
     for (const hid_device_info* at = all; at; at = at->next) {
@@ -65,6 +73,7 @@ std::vector<HidDeviceInfo> list_hid_devices() {
 }
 
 Result<std::unique_ptr<HidLink>> open_hid_link(const HidDeviceInfo& device) {
+    const std::lock_guard guard(hidapi_lock());
     hid_device* opened = hid_open_path(device.path.c_str());
     if (!opened) return fail(fmt::format("The {} cannot be opened.", device.product_name.empty() ? "device" : device.product_name));
     return std::unique_ptr<HidLink>(std::make_unique<HidapiLink>(opened));

@@ -32,7 +32,7 @@ struct HidDeviceInfo {
     std::string path, serial, product_name;
 };
 
-// Every HID device plugged in or connected, by path.
+// Every HID device plugged in or connected, by path. Both functions may be called from any thread.
 std::vector<HidDeviceInfo> list_hid_devices();
 Result<std::unique_ptr<HidLink>> open_hid_link(const HidDeviceInfo& device);
 

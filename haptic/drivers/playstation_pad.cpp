@@ -33,9 +33,31 @@ void put_checksum(std::vector<std::uint8_t>& report) {
 
 double stick(std::uint8_t value) noexcept { return std::clamp((static_cast<double>(value) - 128.0) / 127.0, -1.0, 1.0); }
 
+std::uint8_t coil(double share) noexcept { return static_cast<std::uint8_t>(std::isfinite(share) ? std::lround(std::clamp(share, 0.0, 1.0) * 255.0) : 0); }
+
 int level(double share) noexcept { return std::isfinite(share) ? static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * 8.0)) : 0; }
 
 }  // namespace
+
+std::optional<PadIdentity> playstation_pad(std::uint16_t vendor, std::uint16_t product) noexcept {
+    constexpr std::uint16_t kSony = 0x054c;
+    if (vendor != kSony) return std::nullopt;
+    switch (product) {
+        case 0x0ce6:
+            return PadIdentity{PadModel::DualSense, "dualsense", "DualSense"};
+        case 0x0df2:
+            return PadIdentity{PadModel::DualSense, "dualsense", "DualSense Edge"};
+        case 0x05c4:
+        case 0x09cc:
+            return PadIdentity{PadModel::DualShock4, "dualshock4", "DualShock 4"};
+        default:
+            return std::nullopt;
+    }
+}
+
+bool is_event_node_of_a_playstation_pad(std::string_view name) noexcept {
+    return name.find("DualSense") != std::string_view::npos || name.find("Wireless Controller") != std::string_view::npos;
+}
 
 TriggerEffect trigger_off() noexcept { return {0x05}; }
 
@@ -58,14 +80,15 @@ TriggerEffect trigger_vibrates(int from_zone, int strength, int frequency_hz) no
     return effect;
 }
 
-PadOutput pad_output_for(const PadCue& cue) noexcept {
+PadOutput pad_output_for(const FingerCue& cue) noexcept {
     PadOutput output;
     const int resistance = level(cue.nearness * (0.4 + 0.6 * std::clamp(std::isfinite(cue.hardness) ? cue.hardness : 0.0, 0.0, 1.0)));
     if (cue.doorway) output.right = trigger_clicks(3, 6, 8);
     else if (resistance > 0 && cue.material_hz >= 1.0) output.right = trigger_vibrates(2, resistance, static_cast<int>(std::min(cue.material_hz, 255.0)));
     else if (resistance > 0) output.right = trigger_resists(2, resistance);
     if (const int slope = level(cue.slope); slope > 0) output.left = trigger_resists(2, slope);
-    output.strong = static_cast<std::uint8_t>(std::isfinite(cue.knock) ? std::lround(std::clamp(cue.knock, 0.0, 1.0) * 255.0) : 0);
+    output.strong = coil(cue.knock);
+    output.weak = coil(cue.grain);
     return output;
 }
 

@@ -10,14 +10,26 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "haptic/device/finger_cue.h"
 #include "haptic/drivers/hid_link.h"
 
 namespace handrail {
 
 enum class PadModel : std::uint8_t { DualSense, DualShock4 };
 enum class PadBus : std::uint8_t { Usb, Bluetooth };
+
+// Sony's pads by their numbers on the bus.
+struct PadIdentity {
+    PadModel model = PadModel::DualSense;
+    std::string_view name, spoken;  // "dualsense", "DualSense Edge"
+};
+std::optional<PadIdentity> playstation_pad(std::uint16_t vendor, std::uint16_t product) noexcept;
+
+// The kernel gives such a pad an event node too, by the pad's own name.
+bool is_event_node_of_a_playstation_pad(std::string_view name) noexcept;
 
 struct PadInput {
     double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;  // -1 to 1, right and forward positive
@@ -38,17 +50,7 @@ struct PadOutput {
     std::uint8_t strong = 0, weak = 0;  // rumble of the left and the right coil
 };
 
-// What is touched, as fingers are told it: the right trigger resists by nearness and hardness, clicks at a doorway and trembles by material;
-// the left one resists a slope; the coils give a knock.
-struct PadCue {
-    double nearness = 0.0;  // 0 far, 1 touching
-    double hardness = 1.0;  // 0 soft, 1 hard
-    bool doorway = false;
-    double material_hz = 0.0;  // 0: smooth
-    double slope = 0.0;        // 0 level, 1 as steep as stairs
-    double knock = 0.0;        // 0 to 1
-};
-PadOutput pad_output_for(const PadCue& cue) noexcept;
+PadOutput pad_output_for(const FingerCue& cue) noexcept;
 
 // Reports as bytes. A Bluetooth input with a wrong checksum, and anything that is no full input report, is nothing.
 std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const PadOutput& output, bool improved_rumble, int sequence);

@@ -24,6 +24,11 @@ Vec3 three(std::span<const std::uint8_t> bytes) noexcept {
 
 }  // namespace
 
+bool is_space_mouse(const HidDeviceInfo& device) noexcept {
+    constexpr std::uint16_t kConnexion = 0x256f, kLogitech = 0x046d, kGenericDesktop = 1, kMultiAxis = 8;
+    return (device.vendor == kConnexion || device.vendor == kLogitech) && device.usage_page == kGenericDesktop && device.usage == kMultiAxis;
+}
+
 bool SpaceMouse::take(std::span<const std::uint8_t> report, double now_s) noexcept {
     if (report.size() < 2) return false;
     const auto body = report.subspan(1);

@@ -18,6 +18,9 @@ struct PuckState {
     std::uint32_t buttons = 0;
 };
 
+// 3Dconnexion's, and Logitech's, who sold theirs before and sells much else.
+bool is_space_mouse(const HidDeviceInfo& device) noexcept;
+
 class SpaceMouse {
 public:
     static constexpr double kDeadBand = 0.08;     // of full deflection: a resting hand moves nobody

@@ -62,18 +62,14 @@ int axis_side(const Vec3& normal) {
 
 }  // namespace
 
-ClosestPoint HapticScene::closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept {
-    const Obstacle& o = obstacles[obstacle];
+ClosestPoint HapticScene::closest_but_triangle(const Obstacle& o, const Vec3& local_m) const noexcept {
     switch (o.kind) {
-        case ObstacleKind::Triangle: {
-            const Corners& t = mesh.triangles[o.shape];
-            return closest_point_of_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m);
-        }
         case ObstacleKind::Polygon: {
             const PolygonRange& range = polygons[o.shape];
             return closest_point(PolygonShape{range.normal, std::span(polygon_corners).subspan(range.first_corner, range.corners)}, local_m);
         }
         case ObstacleKind::Box:
+            if (o.rounding != 0) return closest_point(boxes[o.shape], rounding_m(o), local_m);
             return closest_point(boxes[o.shape], local_m);
         case ObstacleKind::Sphere:
             return closest_point(spheres[o.shape], local_m);
@@ -83,10 +79,18 @@ ClosestPoint HapticScene::closest(std::uint32_t obstacle, const Vec3& local_m) c
             return closest_point(cylinders[o.shape], local_m);
         case ObstacleKind::Cone:
             return closest_point(cones[o.shape], local_m);
+        case ObstacleKind::Custom: {
+            const CustomObstacle& custom = customs[o.shape];
+            ClosestPoint found = custom.closest(local_m - custom.position_m, custom.data.get());
+            found.point_m += custom.position_m;
+            return found;
+        }
         case ObstacleKind::Brush:
+        case ObstacleKind::Triangle:
             break;
     }
-    return closest_point(std::span(planes).subspan(o.shape, o.planes), local_m);
+    const std::span solid = std::span(planes).subspan(o.shape, o.planes);
+    return o.rounding != 0 ? closest_point(solid, rounding_m(o), local_m) : closest_point(solid, local_m);
 }
 
 double HapticScene::in_front_m(std::uint32_t obstacle, const Vec3& local_m) const noexcept {
@@ -127,6 +131,7 @@ std::uint32_t HapticScene::face(std::uint32_t obstacle, const Vec3& normal) cons
         case ObstacleKind::Triangle:
         case ObstacleKind::Sphere:
         case ObstacleKind::Capsule:
+        case ObstacleKind::Custom:
             return 0;
         case ObstacleKind::Polygon:
             return glm::dot(polygons[o.shape].normal, normal) < 0.0 ? 1 : 0;
@@ -138,17 +143,24 @@ std::uint32_t HapticScene::face(std::uint32_t obstacle, const Vec3& normal) cons
         case ObstacleKind::Brush:
             break;
     }
-    const std::uint32_t faces = o.kind == ObstacleKind::Box ? 6 : o.planes;
+    const SurfaceLabel* const label = &labels[o.first_label];
     std::uint32_t best = 0;
     double best_along = -std::numeric_limits<double>::infinity();
-    for (std::uint32_t face = 0; face < faces; ++face) {
-        double along =
-            o.kind == ObstacleKind::Box ? (face % 2 == 1 ? 1.0 : -1.0) * normal[static_cast<int>(face / 2)] : glm::dot(planes[o.shape + face].normal, normal);
-        if (labels[o.first_label + face].hidden) along -= 4.0;
-        if (along > best_along) {
-            best_along = along;
-            best = face;
-        }
+    const auto look = [&](std::uint32_t face, double along) noexcept {
+        if (label[face].hidden) along -= 4.0;
+        if (!(along > best_along)) return;
+        best_along = along;
+        best = face;
+    };
+    if (o.kind == ObstacleKind::Box) {
+        look(0, -normal.x);
+        look(1, normal.x);
+        look(2, -normal.y);
+        look(3, normal.y);
+        look(4, -normal.z);
+        look(5, normal.z);
+    } else {
+        for (std::uint32_t face = 0; face < o.planes; ++face) look(face, glm::dot(planes[o.shape + face].normal, normal));
     }
     return best;
 }
@@ -179,7 +191,7 @@ void HapticSceneBuilder::add_sheet(const Corners& corners, const SurfaceLabel& l
     const bool same = !scene_.obstacles.empty() && scene_.obstacles.back().kind == ObstacleKind::Triangle && scene_.labels.back() == label;
     if (!same) scene_.labels.push_back(label);
     scene_.obstacles.push_back(
-        {ObstacleKind::Triangle, side, static_cast<std::uint32_t>(scene_.mesh.triangles.size()), 0, static_cast<std::uint32_t>(scene_.labels.size()) - 1});
+        {ObstacleKind::Triangle, side, 0, static_cast<std::uint32_t>(scene_.mesh.triangles.size()), 0, static_cast<std::uint32_t>(scene_.labels.size()) - 1});
     scene_.mesh.triangles.push_back(corners);
     Aabb bounds;
     for (const std::uint32_t corner : corners) bounds.include(scene_.mesh.points_m[corner]);
@@ -239,7 +251,40 @@ void HapticSceneBuilder::add_cone(const ConeShape& cone, std::span<const Surface
     scene_.cones.push_back(cone);
 }
 
-void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels) {
+bool is_sound(const CustomObstacle& obstacle) {
+    const Aabb& box = obstacle.bounds_m;
+    const Vec3 size = box.size_m();
+    if (!obstacle.closest || box.empty() || !is_finite(size) || !is_finite(obstacle.position_m) || !(std::min({size.x, size.y, size.z}) > 0.0)) return false;
+    // From the surface of boxes around it: 7 x 7 x 7 places without the inner ones, and the same with a wider box.
+    constexpr int kSteps = 6;
+    const double slack = 1e-9 * glm::length(size);
+    std::vector<ClosestPoint> found;
+    for (const double wide : {1.2, 3.0})
+        for (int i = 0; i < (kSteps + 1) * (kSteps + 1) * (kSteps + 1); ++i) {
+            const std::array<int, 3> step{i % (kSteps + 1), i / (kSteps + 1) % (kSteps + 1), i / ((kSteps + 1) * (kSteps + 1))};
+            if (std::none_of(step.begin(), step.end(), [](int k) { return k == 0 || k == kSteps; })) continue;
+            const Vec3 at = box.centre_m() + size * (Vec3(step[0], step[1], step[2]) / (0.5 * kSteps) - 1.0) * (0.5 * wide);
+            const ClosestPoint one = obstacle.closest(at, obstacle.data.get());
+            if (!is_finite(one.point_m) || !is_finite(one.normal) || !(std::abs(glm::length(one.normal) - 1.0) < 1e-9)) return false;
+            if (!(std::abs(glm::dot(one.normal, at - one.point_m) - one.distance_m) < slack) || !(one.distance_m > 0.0)) return false;
+            if (distance_squared(box, one.point_m) > slack * slack) return false;
+            found.push_back(one);
+        }
+    return std::all_of(found.begin(), found.end(), [&](const ClosestPoint& plane) {
+        return std::all_of(found.begin(), found.end(),
+                           [&](const ClosestPoint& other) { return glm::dot(plane.normal, other.point_m - plane.point_m) <= slack; });
+    });
+}
+
+bool HapticSceneBuilder::add_custom(CustomObstacle obstacle, const SurfaceLabel& label) {
+    if (!is_sound(obstacle)) return false;
+    const Aabb bounds{obstacle.bounds_m.min_m + obstacle.position_m, obstacle.bounds_m.max_m + obstacle.position_m};
+    add_obstacle(ObstacleKind::Custom, scene_.customs.size(), 1, std::span(&label, 1), grown(bounds));
+    scene_.customs.push_back(std::move(obstacle));
+    return true;
+}
+
+void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels, double rounding_m) {
     const auto label_of = [&](std::size_t face) { return labels[labels.size() == planes.size() ? face : 0]; };
     if (planes.size() == 6) {
         std::array<bool, 6> seen{};
@@ -254,10 +299,31 @@ void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bo
             sides[static_cast<std::size_t>(side)] = label_of(face);
             (side % 2 == 1 ? box.max_m : box.min_m)[side / 2] = side % 2 == 1 ? planes[face].offset_m : -planes[face].offset_m;
         }
-        if (axis_aligned) return add_box(box, sides);
+        if (axis_aligned) {
+            add_box(box, sides);
+            scene_.obstacles.back().rounding = rounding(rounding_m);
+            return;
+        }
     }
     add_obstacle(ObstacleKind::Brush, scene_.planes.size(), planes.size(), labels, grown(bounds_m));
+    scene_.obstacles.back().rounding = rounding(rounding_m);
     scene_.planes.insert(scene_.planes.end(), planes.begin(), planes.end());
+}
+
+// A world has few different ones; beyond the last number the next smaller serves.
+std::uint16_t HapticSceneBuilder::rounding(double rounding_m) {
+    if (!(rounding_m > 0.0)) return 0;
+    std::vector<double>& known = scene_.roundings_m;
+    const auto at = std::find(known.begin(), known.end(), rounding_m);
+    if (at != known.end()) return static_cast<std::uint16_t>(at - known.begin());
+    if (known.size() <= 0xFFFF) {
+        known.push_back(rounding_m);
+        return static_cast<std::uint16_t>(known.size() - 1);
+    }
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < known.size(); ++i)
+        if (known[i] < rounding_m && known[i] > known[best]) best = i;
+    return static_cast<std::uint16_t>(best);
 }
 
 void HapticSceneBuilder::add_liquid(LiquidVolume liquid, const Aabb& bounds_m) {
@@ -386,6 +452,7 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     for (CapsuleShape& capsule : scene_.capsules) capsule.start_m -= origin;
     for (CylinderShape& cylinder : scene_.cylinders) cylinder.bottom_m -= origin;
     for (ConeShape& cone : scene_.cones) cone.base_m -= origin;
+    for (CustomObstacle& custom : scene_.customs) custom.position_m -= origin;
     if (shades_ && !scene_.mesh.triangles.empty()) {
         scene_.shading = shade_mesh(scene_.mesh.points_m, scene_.mesh.triangles);
         if (scene_.shading.highest_m <= 0.0) scene_.shading = {};  // nothing here is curved
@@ -420,6 +487,8 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     prepare_effects();
     lay_grids(scene_.soft_patches);
     scene_.media = !scene_.liquids.empty() || !scene_.effects.empty() || !scene_.soft_patches.empty();
+    scene_.plain =
+        scene_.bodies.empty() && !scene_.one_sided_sheets && !scene_.fields && scene_.effects.empty() && scene_.soft_patches.empty() && !scene_.liquid_surfaces;
     scene_.generation = next_generation.fetch_add(1);
     scene_.world = world != 0 ? world : scene_.generation;
     return std::make_shared<const HapticScene>(std::move(scene_));

@@ -53,21 +53,32 @@ enum class ObstacleKind : std::uint8_t {
     Capsule,
     Cylinder,
     Cone,
+    Custom,  // convex solid given by a function
 };
-inline constexpr std::size_t kObstacleKinds = 8;
+inline constexpr std::size_t kObstacleKinds = 9;
 
-// From where a sheet (triangle or polygon) can be touched. Its front is the side from which its corners run counter-clockwise. A sheet of one side stops
-// only a ball that came from there; from behind one passes freely and without force.
-enum class TouchSide : std::uint8_t { Both, Front, Back };
+// A convex solid of one's own, given by a function. It runs on the servo thread: no allocation, lock or exception, and only + - * / and square root, so that
+// every machine gives the same numbers. For a place outside the solid it gives the nearest place of the surface and the distance, with an error far below
+// what is felt (1e-9 m); for one inside, any negative distance. Exact at every place is the plane: dot(normal, o) <= dot(normal, point_m) for every place o of
+// the solid, normal of length 1. That is what keeps a ball outside at any speed.
+struct CustomObstacle {
+    ClosestPoint (*closest)(const Vec3& at_m, const void* data) noexcept = nullptr;  // the solid's own coordinates
+    std::shared_ptr<const void> data;                                                // lives as long as the scene
+    Vec3 position_m{0.0};                                                            // of the own zero, world
+    Aabb bounds_m;                                                                   // around the solid, own coordinates
+};
+// True when it has a function and a size, and the function keeps the promise above at 386 places around and between them.
+bool is_sound(const CustomObstacle& obstacle);
 
 // One convex thing that stops the proxy.
 struct Obstacle {
     ObstacleKind kind = ObstacleKind::Triangle;
     TouchSide side = TouchSide::Both;  // of sheets; solids have none
+    std::uint16_t rounding = 0;        // of a box or brush: into roundings_m
     std::uint32_t shape = 0;           // into mesh.triangles or the list of its kind; for a brush the first of its planes
     std::uint32_t planes = 0;          // of a brush
     std::uint32_t first_label = 0;     // triangle 1 (shared by triangles that follow each other), polygon 2 (front, back), box 6 (-x +x -y +y -z +z), brush one
-                                       // per plane, sphere and capsule 1, cylinder 3 (side, bottom, top), cone 2 (side, base)
+                                       // per plane, sphere, capsule and custom 1, cylinder 3 (side, bottom, top), cone 2 (side, base)
 };
 
 // The corners of one flat polygon among HapticScene::polygon_corners.
@@ -123,12 +134,14 @@ struct HapticScene {
     TriangleMesh mesh;  // corners shared by all triangles that have them
     std::vector<Aabb> boxes;
     std::vector<Plane> planes;
+    std::vector<double> roundings_m{0.0};  // radii of the edges of boxes and brushes; [0]: sharp
     std::vector<PolygonRange> polygons;
     std::vector<PolygonCorner> polygon_corners;
     std::vector<SphereShape> spheres;
     std::vector<CapsuleShape> capsules;
     std::vector<CylinderShape> cylinders;
     std::vector<ConeShape> cones;
+    std::vector<CustomObstacle> customs;
     std::vector<SurfaceLabel> labels;
     bool one_sided_sheets = false;               // some sheet can be touched from one side only
     Bvh obstacle_bvh;                            // item i is obstacles[i]
@@ -136,25 +149,32 @@ struct HapticScene {
     Bvh liquid_bvh;                              // item i is liquids[i]
     bool media = false;                          // there are liquids, effects or soft patches
     bool liquid_surfaces = false;                // some liquid has buoyancy or a film
+    bool plain = false;                          // has nothing that PlainFeatures leaves out (tick_features.h)
     std::vector<EffectVolume> effects;           // in the file's order
     Bvh effect_bvh;                              // item i is effects[i], those that hang on no body
     std::vector<std::uint32_t> hanging_effects;  // of effects: those that hang on a body
     std::vector<SoftPatch> soft_patches;
     std::vector<HapticBody> bodies;         // at most kMostBodies
     std::vector<HapticMaterial> materials;  // same order as Scene::materials; entry 0 is the default wall
-    std::vector<Relief> reliefs;            // height and friction textures; empty: not one instruction more per tick than a branch
+    std::vector<Relief> reliefs;            // height and friction textures
     MeshShading shading;                    // of `mesh`, where asked for
     bool fields = false;                    // reliefs or shading, here or in a body
     std::vector<std::uint8_t> relief_axis;  // by FeatureId of a mesh: 0, 1 or 2, the axis along which its textures are laid on
 
     // Local coordinates. Never empty of meaning: index < obstacles.size().
-    ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
-    // Cheaper than closest(): true only where the obstacle is farther than reach_m; false where that is not plain to see.
-    bool surely_beyond(std::uint32_t obstacle, const Vec3& local_m, double reach_m) const noexcept {
+    ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept {
         const Obstacle& o = obstacles[obstacle];
-        if (o.kind != ObstacleKind::Triangle) return false;
+        if (o.kind != ObstacleKind::Triangle) return closest_but_triangle(o, local_m);
         const Corners& t = mesh.triangles[o.shape];
-        return surely_beyond_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m, reach_m);
+        return closest_point_of_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m);
+    }
+    // Cheaper than closest(), for obstacles not near: some plane that supports the obstacle, and how far in front of it the point is, no more than its
+    // distance. 0 where no such plane is plain to see.
+    double quick_support(std::uint32_t obstacle, const Vec3& local_m, Vec3& normal) const noexcept {
+        const Obstacle& o = obstacles[obstacle];
+        if (o.kind != ObstacleKind::Triangle) return 0.0;
+        const Corners& t = mesh.triangles[o.shape];
+        return support_towards(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m, normal);
     }
     // Some surface is felt elsewhere than its obstacle lies: textures or shading (surface_field.h).
     bool has_fields() const noexcept { return fields; }
@@ -173,8 +193,13 @@ struct HapticScene {
     const SurfaceLabel& label(std::uint32_t obstacle, std::uint32_t face) const noexcept { return labels[obstacles[obstacle].first_label + face]; }
     const SurfaceLabel& surface(std::uint32_t obstacle, const Vec3& normal) const noexcept { return label(obstacle, face(obstacle, normal)); }
     const HapticMaterial& material(MaterialId id) const noexcept { return materials[id < materials.size() ? id : kDefaultMaterial]; }
+    // The radius of the edges of a box or brush.
+    double rounding_m(const Obstacle& o) const noexcept { return roundings_m[o.rounding]; }
     // How many obstacles of each kind, indexed by ObstacleKind. Looks at all of them: not for the tick.
     std::array<std::size_t, kObstacleKinds> obstacle_counts() const noexcept;
+
+private:
+    ClosestPoint closest_but_triangle(const Obstacle& o, const Vec3& local_m) const noexcept;
 };
 
 // Collects world-coordinate shapes, then builds the scene. Off the real-time path; one thread.
@@ -195,8 +220,9 @@ public:
     // One label for all faces, or six: -x +x -y +y -z +z.
     void add_box(const Aabb& box_m, std::span<const SurfaceLabel> labels);
     void add_box(const Aabb& box_m, const SurfaceLabel& label = {}) { add_box(box_m, std::span(&label, 1)); }
-    // A bounded convex solid; labels: one per plane or one for all. Becomes a box when it is an axis-aligned one.
-    void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels);
+    // A bounded convex solid; labels: one per plane or one for all. Becomes a box when it is an axis-aligned one. rounding_m: of its edges and corners; every
+    // face must still have an area when it has moved in by as much.
+    void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels, double rounding_m = 0.0);
     void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, const SurfaceLabel& label = {}) { add_solid(planes, bounds_m, std::span(&label, 1)); }
     // Round solids; sizes are finite and not negative, axes of unit length: whoever feeds the builder refuses others. Labels: one for all faces, or one each.
     void add_sphere(const SphereShape& sphere, const SurfaceLabel& label = {});
@@ -205,6 +231,8 @@ public:
     void add_cylinder(const CylinderShape& cylinder, const SurfaceLabel& label = {}) { add_cylinder(cylinder, std::span(&label, 1)); }
     void add_cone(const ConeShape& cone, std::span<const SurfaceLabel> labels);  // side, base
     void add_cone(const ConeShape& cone, const SurfaceLabel& label = {}) { add_cone(cone, std::span(&label, 1)); }
+    // False, and nothing added, for one that is not sound.
+    bool add_custom(CustomObstacle obstacle, const SurfaceLabel& label = {});
     void add_liquid(LiquidVolume liquid, const Aabb& bounds_m);
     // False, and nothing added, for one that is not sound or when there are kMostSoftPatches already.
     bool add_soft(SoftPatch patch);
@@ -226,6 +254,7 @@ public:
 private:
     void prepare_effects();
     void add_sheet(const Corners& corners, const SurfaceLabel& label, TouchSide side);
+    std::uint16_t rounding(double rounding_m);
     void add_obstacle(ObstacleKind kind, std::size_t shape, std::size_t faces, std::span<const SurfaceLabel> labels, const Aabb& bounds_m);
 
     bool shades_ = false;

@@ -9,24 +9,26 @@ namespace {
 
 constexpr double kDrag_n_per_m = 400.0;
 constexpr double kLargestDrag_n = 4.0;
-constexpr double kLargestFlow_n = 2.0;               // of a liquid that flows: a stream is a source, its power stays below this times its speed
-constexpr double kImmersion_hand_m = 0.01;           // half the depth over which a liquid's surface sets in
+constexpr double kLargestFlow_n = 2.0;  // of a liquid that flows: a stream is a source, its power stays below this times its speed
+constexpr double kRounding_m = 1e-9;
+constexpr double kLook_hand_m = 0.1;                 // how much farther than it is felt liquid is looked for
 constexpr double kFilm_hand_m = 0.004;               // half the thickness of the surface film
 constexpr double kFilmSteepest = 0.857763884960707;  // of F = (2 A / w) y exp(-y^2), in A / w: the film's key is its largest force
 constexpr double kFloatRamp_s = 0.100;
 
-// How deep a point lies below the surface of a liquid: its exposed faces where it has any. Negative outside.
-double depth_in(const LiquidVolume& liquid, const Vec3& local_m, bool& inside) noexcept {
-    double exposed = -std::numeric_limits<double>::infinity(), all = exposed;
+// How deep a point lies below the surface of a liquid: its exposed faces where it has any. Negative outside. `all`: how far out of the volume, at least;
+// not positive inside.
+double depth_in(const LiquidVolume& liquid, const Vec3& local_m, double& all) noexcept {
+    double exposed = -std::numeric_limits<double>::infinity();
+    all = exposed;
     for (std::size_t i = 0; i < liquid.planes.size(); ++i) {
         const double out = signed_distance(liquid.planes[i], local_m);
         all = std::max(all, out);
         if (!liquid.hidden[i]) exposed = std::max(exposed, out);
     }
-    inside = all <= 0.0;
     // Beside or beyond a covered face the liquid is not there, however deep the point is below the exposed ones.
     const bool any_exposed = exposed > -std::numeric_limits<double>::infinity();
-    return any_exposed && inside ? -exposed : -all;
+    return any_exposed && all <= 0.0 ? -exposed : -all;
 }
 
 // What all volumes that reach the ball are like together: each by its share.
@@ -56,10 +58,14 @@ Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const
     std::size_t count = 0;
     std::uint32_t inside_of = 0;
     bool inside_any = false;
-    scene.liquid_bvh.within(at, reach, [&](std::uint32_t item, double&) {
-        bool inside = false;
-        const double depth = depth_in(scene.liquids[item], at, inside);
-        if (inside && (!inside_any || item > inside_of)) {
+    looked_from_m_ = at;
+    looked_generation_ = scene.generation;
+    nearest_m_ = reach + kLook_hand_m * hand.scale;
+    scene.liquid_bvh.within(at, nearest_m_, [&](std::uint32_t item, double&) {
+        double out = 0.0;
+        const double depth = depth_in(scene.liquids[item], at, out);
+        nearest_m_ = std::min(nearest_m_, out - kRounding_m);
+        if (out <= 0.0 && (!inside_any || item > inside_of)) {
             inside_any = true;
             inside_of = item;
         }
@@ -156,7 +162,7 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
 
 Vec3 LiquidState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept {
     in = kNoFeature;
-    if (scene.liquids.empty()) return Vec3(0.0);
+    if (scene.liquids.empty() || surely_dry(scene, ball_local_m, hand.scale)) return Vec3(0.0);
     if (world_ != scene.world || liquids_ != scene.liquids.size()) {
         world_ = scene.world;
         liquids_ = scene.liquids.size();

@@ -13,6 +13,11 @@ constexpr double kFarthestLook_m = 4.0;  // free-space bounds beyond this save n
 // of a round room everything is equally near), this one visits a few nodes.
 constexpr double kLoose = 0.7;
 
+// Of the way from what is needed now to how far is looked: nearer obstacles get the cut at their closest point, farther ones a quick one. None: the ball then
+// meets loose cuts and takes more rounds; all: 1,000 instructions more per tick on a sphere of a million triangles.
+constexpr double kExact = 0.3;
+constexpr double kFarther = 1.03;  // than the last gathering went, where obstacles are dense
+
 constexpr int kMostSubSteps = 64;  // of a body's way within one move; faster ones count as gone here and appeared there
 constexpr int kHurryMoves = 8;     // moves in which the ball reaches a goal that only a vanished thing kept it from
 
@@ -36,8 +41,8 @@ ProxySolver::ProxySolver()
       looked_ahead_(kMaxCandidates),
       sheets_(kMaxCandidates),
       awake_(kMaxCandidates),
-      nearest_(kMaxCandidates + 1),
-      nearest_cuts_(kMaxCandidates + 1),
+      nearest_(kMaxCandidates + kSpareCandidates),
+      nearest_normals_(kMaxCandidates + kSpareCandidates),
       ghosts_(kMaxGhosts),
       tracks_(HapticScene::kMostBodies) {}
 
@@ -45,6 +50,7 @@ void ProxySolver::reset() noexcept {
     placed_ = false;
     basis_.count = 0;
     known_m_ = -1.0;
+    dense_m_ = kFarthestLook_m;
     ghost_count_ = 0;
     gatherings_ = 0;
     carrier_ = kStill;
@@ -71,19 +77,21 @@ Vec3 ProxySolver::to_own(const HapticScene& scene, const Hold& hold, const Vec3&
     return hold.body == kStill ? local : tracks_[hold.body].frame.to_own(local) - scene.bodies[hold.body].shape->origin_m;
 }
 
+template <class Has>
 HalfSpace ProxySolver::support(const HapticScene& scene, int candidate, const Vec3& at, double& distance_m) const noexcept {
     const auto i = static_cast<std::size_t>(candidate);
-    const ClosestPoint found =
-        owners_[i] == kStill ? scene.closest(obstacles_[i], anchor_m_ + at) : closest_of_body(scene, obstacles_[i], owners_[i], anchor_m_ + at);
+    const ClosestPoint found = !Has::kBodies || owners_[i] == kStill ? scene.closest(obstacles_[i], anchor_m_ + at)
+                                                                     : closest_of_body(scene, obstacles_[i], owners_[i], anchor_m_ + at);
     distance_m = found.distance_m;
     return {found.normal, glm::dot(found.normal, found.point_m - anchor_m_)};
 }
 
 // A body's cut is kept in the body's frame too, where it stays valid however the body moves.
+template <class Has>
 void ProxySolver::keep_cut(int candidate, const HalfSpace& cut) noexcept {
     const auto i = static_cast<std::size_t>(candidate);
     cuts_[i] = cut;
-    if (owners_[i] == kStill) return;
+    if (!Has::kBodies || owners_[i] == kStill) return;
     const PlacedFrame& frame = tracks_[owners_[i]].frame;
     own_cuts_[i] = {frame.turned_back(cut.normal), (cut.offset_m + glm::dot(cut.normal, anchor_m_ - frame.position_m)) / frame.scale};
 }
@@ -112,7 +120,8 @@ void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double 
     const Vec3 at = local_m();
     const double scale = body == kStill ? 1.0 : tracks_[body].frame.scale;
     const Vec3 own = body == kStill ? at : tracks_[body].frame.to_own(at) - shape.origin_m;
-    shape.obstacle_bvh.within(own, radius_m / scale, [&](std::uint32_t item, double&) {
+    int looks = kMostLooks;
+    const double known = shape.obstacle_bvh.nearest_first(own, radius_m / scale, looks, queue_, [&](std::uint32_t item, double&) {
         const double distance = shape.closest(item, own).distance_m * scale;
         if (shape.solid(item) && distance <= 0.0) {
             if (ghost_count_ < kMaxGhosts) ghosts_[static_cast<std::size_t>(ghost_count_++)] = {item, body};
@@ -120,6 +129,9 @@ void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double 
             radius_m_ = std::min(radius_m_, std::max(distance, kSmallestRadius_m));
         }
     });
+    looks_ += kMostLooks - looks;
+    // Where there was too much to look at, what was not looked at may begin here.
+    if (looks <= 0) radius_m_ = std::min(radius_m_, std::max(known * scale, kSmallestRadius_m));
 }
 
 void ProxySolver::release_ghosts(const HapticScene& scene, const Vec3& goal_local_m, double radius_m, double exit_m) noexcept {
@@ -134,48 +146,61 @@ void ProxySolver::release_ghosts(const HapticScene& scene, const Vec3& goal_loca
     }
 }
 
-// The `most` nearest obstacles of a shape within reach into nearest_, as a heap with the farthest on top. Returns how far all are known:
-// reach_m, or less when there were more or the looks ran out. Own metres.
-double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, std::size_t most) noexcept {
+// The `most` nearest obstacles of a shape within reach into nearest_, each with a cut; what is not near is ranked by how far its cut is. Returns how far
+// all are known: reach_m, or less when there were more or the looks ran out. Own metres.
+double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m, std::size_t most) noexcept {
+    const auto before = [](const Candidate& a, const Candidate& b) { return nearer(a.distance_m, a.obstacle, b.distance_m, b.obstacle); };
+    std::uint32_t normals = 0;
     nearest_count_ = 0;
-    const auto less = [](const Candidate& a, const Candidate& b) { return nearer(a.distance_m, a.obstacle, b.distance_m, b.obstacle); };
-    std::uint32_t free_cut = 0;
-    bool heaped = false;
-    return shape.obstacle_bvh.nearest_first(at, reach_m, looks_left_, queue_, [&](std::uint32_t item, double& reach) {
+    const auto drop_farthest = [&] {
+        const auto begin = nearest_.begin(), last = begin + static_cast<std::ptrdiff_t>(most > 0 ? most - 1 : 0);
+        std::nth_element(begin, last, begin + static_cast<std::ptrdiff_t>(nearest_count_), before);
+        nearest_count_ = most;
+        return last->distance_m;
+    };
+    double known = shape.obstacle_bvh.nearest_first(at, reach_m, looks_left_, queue_, [&](std::uint32_t item, double& reach) {
         if (ghost_count_ > 0 && is_ghost(item, body)) return;
-        if (nearest_count_ == most && shape.surely_beyond(item, at, reach)) return;
-        const ClosestPoint found = shape.closest(item, at);
-        if (found.distance_m > reach) return;
-        nearest_cuts_[free_cut] = {found.normal, glm::dot(found.normal, found.point_m - at)};
-        nearest_[nearest_count_++] = {found.distance_m, item, free_cut++};
-        // Boxes come roughly nearest first, so a heap pays only from the first that is too many.
-        if (nearest_count_ <= most) return;
-        const auto end = nearest_.begin() + static_cast<std::ptrdiff_t>(nearest_count_);
-        if (heaped) std::push_heap(nearest_.begin(), end, less);
-        else std::make_heap(nearest_.begin(), end, less);
-        heaped = true;
-        std::pop_heap(nearest_.begin(), end, less);
-        free_cut = nearest_[--nearest_count_].cut;
-        reach = nearest_[0].distance_m;
+        // Places behind the kept ones hold numbers of normals that are free again.
+        Candidate& candidate = nearest_[nearest_count_];
+        if (nearest_count_ == normals) candidate.normal = normals++;
+        Vec3& normal = nearest_normals_[candidate.normal];
+        double distance = shape.quick_support(item, at, normal);
+        if (distance > reach) return;
+        if (distance < needed_m + kExact * (reach - needed_m)) {
+            const ClosestPoint found = shape.closest(item, at);
+            distance = -glm::dot(found.normal, found.point_m - at);
+            if (found.distance_m > reach) return;
+            normal = found.normal;
+        }
+        candidate.distance_m = distance;
+        candidate.obstacle = item;
+        if (++nearest_count_ == most + kSpareCandidates) reach = std::min(reach, drop_farthest());
     });
+    if (nearest_count_ > most) known = std::min(known, drop_farthest());
+    return known;
 }
 
 // Adds the obstacles of one shape within reach_m of a place to the candidates, each with a fresh cut; where that is too many, as far as the
 // nearest go. Returns the distance up to which all are candidates. Own metres.
 double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m) noexcept {
     const std::size_t room = static_cast<std::size_t>(kMaxCandidates - count_);
+    const std::size_t comfortable = std::min<std::size_t>(kComfortableCandidates, room);
     looks_left_ = kMostLooks;
-    double known = gather_nearest(shape, body, at, reach_m, std::min<std::size_t>(kComfortableCandidates, room));
+    // Where obstacles are dense, about as far as the last look went: looking farther first only to drop what was found takes half of the time.
+    const double likely = body == kStill ? std::clamp(kFarther * dense_m_, needed_m, std::max(reach_m, needed_m)) : reach_m;
+    double known = gather_nearest(shape, body, at, likely, needed_m, comfortable);
+    if (likely < reach_m && known == likely && nearest_count_ < comfortable / 2) known = gather_nearest(shape, body, at, reach_m, needed_m, comfortable);
     looks_ += kMostLooks - looks_left_;
+    if (body == kStill) dense_m_ = known;
     if (known < needed_m) {
         looks_left_ = kMostLooks;
-        known = gather_nearest(shape, body, at, reach_m, room);
+        known = gather_nearest(shape, body, at, reach_m, needed_m, room);
         looks_ += kMostLooks - looks_left_;
         step_.truncated = step_.truncated || known < needed_m;
     }
     for (std::size_t k = 0; k < nearest_count_; ++k) {
         const auto i = static_cast<std::size_t>(count_++);
-        cuts_[i] = nearest_cuts_[nearest_[k].cut];
+        cuts_[i] = {nearest_normals_[nearest_[k].normal], -nearest_[k].distance_m};
         obstacles_[i] = nearest_[k].obstacle;
         owners_[i] = body;
         looked_ahead_[i] = 0;
@@ -504,14 +529,15 @@ double ProxySolver::fraction_to_waking(const HapticScene& scene, const Vec3& ste
     return fraction;
 }
 
-bool ProxySolver::project() noexcept { return project_on_half_spaces(goal_m_, std::span(cuts_).first(static_cast<std::size_t>(count_)), radius_m_, basis_); }
+bool ProxySolver::project() noexcept {
+    if (count_ > 0) return project_on_half_spaces(goal_m_, std::span(cuts_).first(static_cast<std::size_t>(count_)), radius_m_, basis_);
+    basis_.count = 0;
+    basis_.point_m = goal_m_;
+    return true;
+}
 
 // A ball that had to shrink grows while the space lets it: pushed out by its own cuts, never through another.
 void ProxySolver::grow(const HapticScene& scene, double radius_m, double growth_m) noexcept {
-    if (radius_m_ >= radius_m) {
-        radius_m_ = radius_m;
-        return;
-    }
     if (growth_m <= 0.0) return;
     for (int i = 0; i < count_; ++i) {
         if (asleep(i)) continue;
@@ -549,6 +575,7 @@ double ProxySolver::fraction_inside(const Vec3& step) const noexcept {
 // Renews the cuts that hold the ball from where it is; true when one of them did not touch or has turned, so another round is due. Once per
 // move a cut that does not touch is renewed from where the ball would go without it: sliding over a tessellated plane then takes one
 // round per triangle instead of 5 to 20.
+template <class Has>
 bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
     std::array<Vec3, 3> ahead{goal_m_, goal_m_, goal_m_};
     const auto held = [this](int k) { return wall(basis_.index[static_cast<std::size_t>(k)]); };
@@ -571,15 +598,15 @@ bool ProxySolver::renew_holding_cuts(const HapticScene& scene) noexcept {
         const int i = basis_.index[static_cast<std::size_t>(a)];
         const Vec3 old_normal = cuts_[static_cast<std::size_t>(i)].normal;
         double distance = 0.0;
-        HalfSpace cut = support(scene, i, ball_m_, distance);
+        HalfSpace cut = support<Has>(scene, i, ball_m_, distance);
         const bool apart = distance - radius_m_ > kTouching_m;
         if (apart && looked_ahead_[static_cast<std::size_t>(i)] != moves_) {
             looked_ahead_[static_cast<std::size_t>(i)] = moves_;
             double distance_ahead = 0.0;
-            const HalfSpace further = support(scene, i, ahead[static_cast<std::size_t>(a)], distance_ahead);
+            const HalfSpace further = support<Has>(scene, i, ahead[static_cast<std::size_t>(a)], distance_ahead);
             if (distance_ahead > 1e-12 && glm::dot(further.normal, ball_m_) - further.offset_m >= radius_m_ - kProjectionTolerance_m) cut = further;
         }
-        keep_cut(i, cut);
+        keep_cut<Has>(i, cut);
         const Vec3 turn = cut.normal - old_normal;
         stale = stale || apart || glm::dot(turn, turn) * glm::dot(pull, pull) > kTouching_m * kTouching_m;
     }
@@ -626,10 +653,11 @@ bool ProxySolver::arc_step(const HapticScene& scene, double way_left_m) noexcept
     return true;
 }
 
+template <class Has>
 const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Request& request) noexcept {
     const double radius = std::max(request.radius_m, kSmallestRadius_m);
     const Vec3 goal_local = request.goal_m - scene.origin_m;
-    step_ = Step{};
+    step_.begin();
     looks_ = 0;
     if (scene_ != &scene || generation_ != scene.generation) {
         // The same world with something added or removed: the ball is where it was, and what kept it from its goal may be gone.
@@ -645,7 +673,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     ++moves_;
     radius_m_ = std::min(radius_m_, radius);
     if (ghost_count_ > 0) release_ghosts(scene, goal_local, radius, request.ghost_exit_m);
-    if (body_count_ > 0 && request.bodies_number != bodies_number_) advance_bodies(scene, request, radius);
+    if (Has::kBodies && body_count_ > 0 && request.bodies_number != bodies_number_) advance_bodies(scene, request, radius);
     carrier_ = kStill;
     step_.ghosted = ghost_count_ > 0;
 
@@ -656,10 +684,10 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     const double margin = std::max(request.margin_m, 2.0 * way_left);
     path_size_ = 0;
     const bool looks = request.most_rounds > 0;
-    if (looks && known_around(ball_m_) < way_left + radius) gather(scene, radius + margin, radius + way_left);
+    if (looks && known_around<Has>(ball_m_) < way_left + radius) gather(scene, radius + margin, radius + way_left);
     goal_m_ = goal_local - anchor_m_;
-    if (one_sided_count_ > 0) turn_sheets(scene);
-    if (looks) grow(scene, radius, request.growth_m);
+    if (Has::kOneSided && one_sided_count_ > 0) turn_sheets(scene);
+    if (looks && radius_m_ < radius) grow(scene, radius, request.growth_m);
     path_[0] = ball_m_;
     path_size_ = 1;
     step_.converged = false;
@@ -670,14 +698,14 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
         bool solved = project();
         Vec3 way = basis_.point_m - ball_m_;
         if (!solved) way *= fraction_inside(way);
-        if (one_sided_count_ > 0) {
+        if (Has::kOneSided && one_sided_count_ > 0) {
             if (const double fraction = fraction_to_waking(scene, way); fraction < 1.0) {
                 way *= fraction;
                 solved = false;
             }
         }
         const double length = glm::length(way);
-        const double known_way = known_around(ball_m_) - radius;
+        const double known_way = known_around<Has>(ball_m_) - radius;
         if (length > 0.0 && length > std::min(way_left, known_way)) {
             const double part = std::clamp(known_way, 0.0, way_left);
             ball_m_ += way * (part / length);
@@ -686,7 +714,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
             if (way_left > 0.0 && stages_left-- > 0 && looks_ < kMostLooks) {
                 gather(scene, radius + margin, radius + way_left);
                 goal_m_ = goal_local - anchor_m_;
-                if (known_around(ball_m_) > radius) continue;
+                if (known_around<Has>(ball_m_) > radius) continue;
             }
             step_.capped = true;
             break;
@@ -694,17 +722,17 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
         way_left -= length;
         ball_m_ = solved ? basis_.point_m : ball_m_ + way;
         path_[static_cast<std::size_t>(path_size_++)] = ball_m_;
-        if (one_sided_count_ > 0 && turn_sheets(scene)) continue;
+        if (Has::kOneSided && one_sided_count_ > 0 && turn_sheets(scene)) continue;
         if (basis_.count == 0) {
             step_.converged = solved;
             break;
         }
         if (!looks) break;
-        if (!renew_holding_cuts(scene)) {
+        if (!renew_holding_cuts<Has>(scene)) {
             step_.converged = solved;
             break;
         }
-        if (solved && arc_step(scene, std::min(way_left, known_around(ball_m_) - radius))) {
+        if (solved && arc_step(scene, std::min(way_left, known_around<Has>(ball_m_) - radius))) {
             step_.converged = true;
             break;
         }
@@ -718,6 +746,7 @@ const ProxySolver::Step& ProxySolver::move(const HapticScene& scene, const Reque
     return step_;
 }
 
+template <class Has>
 void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
     const Vec3 target = basis_.point_m;
     const double reach2 = reach_m * reach_m;
@@ -741,8 +770,13 @@ void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
         const HalfSpace h = wall(i);
         if (glm::dot(h.normal, ball_m_) >= h.offset_m - 0.1 * kProjectionTolerance_m) continue;
         double distance = 0.0;
-        keep_cut(i, support(scene, i, ball_m_, distance));
+        keep_cut<Has>(i, support<Has>(scene, i, ball_m_, distance));
     }
 }
+
+template const ProxySolver::Step& ProxySolver::move<PlainFeatures>(const HapticScene&, const Request&) noexcept;
+template const ProxySolver::Step& ProxySolver::move<AllFeatures>(const HapticScene&, const Request&) noexcept;
+template void ProxySolver::hold_back<PlainFeatures>(const HapticScene&, double) noexcept;
+template void ProxySolver::hold_back<AllFeatures>(const HapticScene&, double) noexcept;
 
 }  // namespace handrail

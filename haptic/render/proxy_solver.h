@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "haptic/render/haptic_scene.h"
+#include "haptic/render/tick_features.h"
 #include "worlds/geometry/half_space_projection.h"
 
 namespace handrail {
@@ -23,7 +24,8 @@ namespace handrail {
 class ProxySolver {
 public:
     static constexpr int kMaxCandidates = 1024;        // 32 kB of cuts; beyond it the nearest are kept and Step::truncated is set
-    static constexpr int kComfortableCandidates = 48;  // more make the margin shrink first: each costs 15 instructions in every scan
+    static constexpr int kComfortableCandidates = 38;  // more make the margin shrink first: each costs 6 instructions in every scan
+    static constexpr int kSpareCandidates = 16;        // found beyond these before the farthest are dropped
     static constexpr int kMaxIterations = 64;
     static constexpr int kMaxGhosts = 256;
     static constexpr int kMaxStages = 8;     // gatherings within one move, for leaps through crowded places
@@ -62,14 +64,24 @@ public:
         bool converged = true, truncated = false, capped = false, ghosted = false;
         bool pushed = false;    // a body moved the ball
         bool squeezed = false;  // the ball had to shrink
+
+        // For the next move; the holds are written up to the count anyhow.
+        void begin() noexcept {
+            count = iterations = 0;
+            converged = true;
+            truncated = capped = ghosted = pushed = squeezed = false;
+        }
     };
 
     ProxySolver();
 
     // The next move starts at its goal.
     void reset() noexcept;
+    // Has: AllFeatures, or PlainFeatures where scene.plain.
+    template <class Has = AllFeatures>
     const Step& move(const HapticScene& scene, const Request& request) noexcept;
     // After move(): the friction cone. Walks back along the path until the ball is reach_m from where the goal pulls it, or to its start.
+    template <class Has = AllFeatures>
     void hold_back(const HapticScene& scene, double reach_m) noexcept;
     // After move(): from now to the next move the ball goes with this body (kStill: with none), as friction makes it.
     void ride(std::uint16_t body) noexcept { carrier_ = body; }
@@ -108,12 +120,13 @@ public:
         return {cut.normal, cut.offset_m + glm::dot(cut.normal, anchor_m_)};
     }
     std::uint64_t gatherings() const noexcept { return gatherings_; }
+    int looks() const noexcept { return looks_; }  // nodes and obstacles looked at in the last move for starting and gathering
 
 private:
     struct Candidate {
-        double distance_m;
+        double distance_m;  // at most that of the obstacle: how far its cut is
         std::uint32_t obstacle;
-        std::uint32_t cut;  // of nearest_cuts_
+        std::uint32_t normal;  // of nearest_normals_
     };
     struct Ghost {
         std::uint32_t obstacle;
@@ -144,15 +157,16 @@ private:
     void make_room(const HapticScene& scene, const Vec3& wish_m) noexcept;
     void drop_body(std::uint16_t body) noexcept;
     // How far around a place every obstacle is a candidate.
+    template <class Has = AllFeatures>
     double known_around(const Vec3& at_m) const noexcept {
         const double known = known_m_ - glm::length(at_m);
-        if (body_count_ == 0) return known;
+        if (!Has::kBodies || body_count_ == 0) return known;
         return bodies_moved_ ? known_of_bodies(at_m, known) : std::min(known, bodies_known_m_ - glm::length(at_m));
     }
     double known_of_bodies(const Vec3& at_m, double known_m) const noexcept;
     void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
     double collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m) noexcept;
-    double gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, std::size_t most) noexcept;
+    double gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m, std::size_t most) noexcept;
     void release_ghosts(const HapticScene& scene, const Vec3& goal_local_m, double radius_m, double exit_m) noexcept;
     bool is_ghost(std::uint32_t obstacle, std::uint16_t body) const noexcept;
     ClosestPoint closest_of_body(const HapticScene& scene, std::uint32_t obstacle, std::uint16_t body, const Vec3& local_m) const noexcept;
@@ -160,9 +174,11 @@ private:
         const std::uint16_t body = owners_[static_cast<std::size_t>(candidate)];
         return body == kStill ? scene : *scene.bodies[body].shape;
     }
+    template <class Has = AllFeatures>
     void keep_cut(int candidate, const HalfSpace& cut) noexcept;
     void grow(const HapticScene& scene, double radius_m, double growth_m) noexcept;
     bool project() noexcept;
+    template <class Has>
     bool renew_holding_cuts(const HapticScene& scene) noexcept;
     // Sheets of one side.
     double in_front_m(const HapticScene& scene, int candidate, const PlacedFrame& frame, const Vec3& at_m) const noexcept;
@@ -177,6 +193,7 @@ private:
     bool asleep(int candidate) const noexcept { return one_sided_count_ > 0 && sheets_[static_cast<std::size_t>(candidate)] == Sheet::Asleep; }
     bool arc_step(const HapticScene& scene, double way_left_m) noexcept;
     double fraction_inside(const Vec3& step) const noexcept;
+    template <class Has = AllFeatures>
     HalfSpace support(const HapticScene& scene, int candidate, const Vec3& at, double& distance_m) const noexcept;
     // The cut with the ball's radius: what the ball's centre must satisfy.
     HalfSpace wall(int i) const noexcept {
@@ -194,8 +211,8 @@ private:
     std::vector<Sheet> sheets_;                // per candidate
     std::vector<Ghost> awake_;                 // sheets of one side that were awake when candidates were last gathered
     int awake_count_ = 0, one_sided_count_ = 0;
-    std::vector<Candidate> nearest_;  // heap of gather_nearest
-    std::vector<HalfSpace> nearest_cuts_;
+    std::vector<Candidate> nearest_;  // of gather_nearest
+    std::vector<Vec3> nearest_normals_;
     std::size_t nearest_count_ = 0;
     std::vector<Ghost> ghosts_;
     std::vector<Track> tracks_;  // of the scene's bodies
@@ -208,6 +225,7 @@ private:
     int ghost_count_ = 0;
     int count_ = 0;
     double known_m_ = -1.0;  // every obstacle nearer to the anchor than this is a candidate
+    double dense_m_ = 4.0;   // as far as the last gathering of what stands still went
     ProjectionBasis basis_;
     Vec3 scene_origin_m_{0.0}, anchor_m_{0.0}, ball_m_{0.0}, goal_m_{0.0};
     double radius_m_ = 0.0;

@@ -11,25 +11,28 @@ constexpr double kFlat = 1.0 - 1e-12;  // cosine between a hold and its face's n
 // Distances to the other faces of a solid, along this one. A border behind which the solid goes on under another one is none.
 void borders_of_box(const HapticScene& shape, const Obstacle& o, std::uint32_t face, const Vec3& at, ReliefBorder& border) noexcept {
     const Aabb& box = shape.boxes[o.shape];
+    const double rounding = shape.rounding_m(o);  // what is rounded is no longer flat
     for (std::uint32_t side = 0; side < 6; ++side) {
         if (side / 2 == face / 2 || shape.labels[o.first_label + side].hidden) continue;
         const auto axis = static_cast<int>(side / 2);
         Vec3 away(0.0);
         away[axis] = side % 2 == 1 ? -1.0 : 1.0;
-        border.add(side % 2 == 1 ? box.max_m[axis] - at[axis] : at[axis] - box.min_m[axis], away);
+        border.add((side % 2 == 1 ? box.max_m[axis] - at[axis] : at[axis] - box.min_m[axis]) - rounding, away);
     }
 }
 
 void borders_of_brush(const HapticScene& shape, const Obstacle& o, std::uint32_t face, const Vec3& at, ReliefBorder& border) noexcept {
     const Plane& own = shape.planes[o.shape + face];
     const Vec3 on_face = at - own.normal * signed_distance(own, at);
+    const double rounding = shape.rounding_m(o);
     for (std::uint32_t side = 0; side < o.planes; ++side) {
         if (side == face || shape.labels[o.first_label + side].hidden) continue;
         const Plane& other = shape.planes[o.shape + side];
-        const Vec3 along = other.normal - own.normal * glm::dot(other.normal, own.normal);
+        const double turn = glm::dot(other.normal, own.normal);
+        const Vec3 along = other.normal - own.normal * turn;
         const double sine = std::sqrt(glm::dot(along, along));
         if (sine < 1e-6) continue;  // the opposite face
-        border.add(-signed_distance(other, on_face) / sine, along / -sine);
+        border.add((-signed_distance(other, on_face) - rounding * (1.0 - turn)) / sine, along / -sine);
     }
 }
 
@@ -157,6 +160,7 @@ SurfaceField surface_field(const HapticScene& scene, const HapticScene& shape, c
             case ObstacleKind::Capsule:
             case ObstacleKind::Cylinder:
             case ObstacleKind::Cone:
+            case ObstacleKind::Custom:
                 onto.z = 1.0;  // straight from above
                 break;
         }

@@ -11,6 +11,7 @@
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/soft_patch.h"
 #include "haptic/render/surface_field.h"
+#include "haptic/render/tick_features.h"
 #include "haptic/render/tick_math.h"
 
 namespace handrail {
@@ -77,8 +78,12 @@ struct TouchState::Impl {
 
     FieldPress field_press(const HapticScene& scene, const TouchTuning& tuning, const ProxySolver::Step& step, const std::array<std::uint32_t, 3>& faces,
                            double dt_s) noexcept;
-    TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
-                     const BodyPoses& bodies) noexcept;
+    // What liquids, effects and soft patches do to the hand, bounded together; fills in their part of the result.
+    Vec3 media_n(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, const Vec3& goal_step_m, double dt_s, const BodyPoses& bodies,
+                 TouchResult& result) noexcept;
+    template <class Has>
+    [[gnu::always_inline]] inline TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
+                                                   const BodyPoses& bodies) noexcept;
 };
 
 // The surfaces' shifts, weighed by how hard each holds, shorten the press P to P - s with s = sum(multiplier * shift) / P: a potential 1/2 K (P - s)^2 over the
@@ -156,11 +161,32 @@ TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& sc
     return out;
 }
 
+Vec3 TouchState::Impl::media_n(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, const Vec3& goal_step_m, double dt_s,
+                               const BodyPoses& bodies, TouchResult& result) noexcept {
+    HandMotion hand;
+    hand.goal_m = goal_m;
+    hand.step_m = goal_step_m / tuning.world_m_per_hand_m;
+    hand.dt_s = dt_s;
+    hand.scale = tuning.world_m_per_hand_m;
+    hand.stiffest_n_per_m = tuning.rated_stiffness_n_per_m;
+    hand.held = tuning.held;
+    hand.bodies = bodies.poses;
+    const SoftPatch* pressed = nullptr;
+    result.soft_force_n = soft.force_n(scene, hand, result.proxy_m, tuning.radius_m, pressed);
+    if (pressed) {
+        result.soft = pressed->feature;
+        result.soft_material = pressed->material;
+    }
+    const Vec3 media = liquids.force_n(scene, hand, solver.local_m(), result.liquid) + effects.force_n(scene, hand) + result.soft_force_n;
+    result.effects_truncated = effects.truncated();
+    return shortened(media, kLargestEffect_n);
+}
+
+template <class Has>
 TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
                                    const BodyPoses& bodies) noexcept {
     const double scale = tuning.world_m_per_hand_m;
     const Vec3 goal_step = has_goal ? goal_m - last_goal_m : Vec3(0.0);
-    const Vec3 hand_step = goal_step / scale;               // through the world
     const Vec3 own_step = (goal_step - carried_m) / scale;  // of the hand itself, not of a workspace that walks with the body
     last_goal_m = goal_m;
     has_goal = true;
@@ -176,7 +202,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     request.most_rounds = tuning.most_rounds;
     request.bodies = bodies.poses;
     request.bodies_number = bodies.number;
-    const ProxySolver::Step& step = solver.move(scene, request);
+    const ProxySolver::Step& step = solver.move<Has>(scene, request);
 
     TouchResult result;
     ContactSet& contacts = result.contacts;
@@ -190,10 +216,11 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     for (int k = 0; k < step.count; ++k) {
         const ProxySolver::Hold& hold = step.holds[static_cast<std::size_t>(k)];
         sum += hold.multiplier_m;
-        faces[static_cast<std::size_t>(k)] = ProxySolver::shape_of(scene, hold).face(hold.obstacle, solver.turned_to_own(hold, hold.normal));
+        faces[static_cast<std::size_t>(k)] = Has::kBodies ? ProxySolver::shape_of(scene, hold).face(hold.obstacle, solver.turned_to_own(hold, hold.normal))
+                                                          : scene.face(hold.obstacle, hold.normal);
     }
     Vec3 press = solver.press_m();
-    const bool has_fields = scene.has_fields() && step.count > 0;
+    const bool has_fields = Has::kFields && scene.has_fields() && step.count > 0;
     FieldPress field;
     if (has_fields) {
         field = field_press(scene, tuning, step, faces, dt_s);
@@ -203,7 +230,8 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     Feel blend;
     for (int k = 0; k < step.count && !(has_fields && !field.touching); ++k) {
         const ProxySolver::Hold& hold = step.holds[static_cast<std::size_t>(k)];
-        const SurfaceLabel& label = ProxySolver::shape_of(scene, hold).label(hold.obstacle, faces[static_cast<std::size_t>(k)]);
+        const HapticScene& shape = Has::kBodies ? ProxySolver::shape_of(scene, hold) : scene;
+        const SurfaceLabel& label = shape.label(hold.obstacle, faces[static_cast<std::size_t>(k)]);
         const double share = sum > 0.0 ? hold.multiplier_m / sum : 1.0 / step.count;
         if (share > hardest) {
             hardest = share;
@@ -223,8 +251,8 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         feel = blend;
         const double mu = (feel.friction_kinetic + (feel.friction_static - feel.friction_kinetic) * grip) * field.friction;
         if (mu > 0.0) {
-            solver.hold_back(scene, mu * press_length);
-            solver.ride(step.holds[contacts.strongest].body);
+            solver.hold_back<Has>(scene, mu * press_length);
+            if (Has::kBodies) solver.ride(step.holds[contacts.strongest].body);
         }
     }
     result.slide_m = solver.slide_m();
@@ -255,7 +283,7 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         has_speed = true;
     }
     const bool touching = contacts.count > 0 && press_length > 0.0;
-    const bool guarding = tuning.passivity_guard && feel.damping_ns_per_m < PassivityGuard::kNotNeeded_ns_per_m;
+    const bool guarding = Has::kGuard && tuning.passivity_guard && feel.damping_ns_per_m < PassivityGuard::kNotNeeded_ns_per_m;
     if (touching) {
         const Vec3 normal = press / press_length;
         const double normal_force = glm::dot(force, normal);
@@ -270,26 +298,10 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     if (guarding) guard.given(force);
 
     // 5. Liquids, effects and what gives way.
-    if (scene.media) {
-        HandMotion hand;
-        hand.goal_m = goal_m;
-        hand.step_m = hand_step;
-        hand.dt_s = dt_s;
-        hand.scale = scale;
-        hand.stiffest_n_per_m = tuning.rated_stiffness_n_per_m;
-        hand.held = tuning.held;
-        hand.bodies = bodies.poses;
-        const SoftPatch* pressed = nullptr;
-        result.soft_force_n = soft.force_n(scene, hand, result.proxy_m, tuning.radius_m, pressed);
-        if (pressed) {
-            result.soft = pressed->feature;
-            result.soft_material = pressed->material;
-        }
-        const Vec3 media = liquids.force_n(scene, hand, solver.local_m(), result.liquid) + effects.force_n(scene, hand) + result.soft_force_n;
-        result.effects_truncated = effects.truncated();
-        force += shortened(media, kLargestEffect_n);
+    if (scene.media && (Has::kMedia || !liquids.surely_dry(scene, solver.local_m(), scale))) {
+        force += media_n(scene, tuning, goal_m, goal_step, dt_s, bodies, result);
+        if (glm::dot(force, force) < kSmallestForce_n * kSmallestForce_n) force = Vec3(0.0);
     }
-    if (glm::dot(force, force) < kSmallestForce_n * kSmallestForce_n) force = Vec3(0.0);
     result.force_n = force;
     return result;
 }
@@ -316,9 +328,14 @@ void TouchState::reset_filters() noexcept {
 
 const ProxySolver& TouchState::solver() const noexcept { return impl_->solver; }
 
-TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
-                       const BodyPoses& bodies) noexcept {
-    return state.impl().tick(scene, tuning, goal_m, dt_s, carried_m, bodies);
+template <class Has>
+TouchResult touch_tick_with(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
+                            const BodyPoses& bodies) noexcept {
+    return state.impl().tick<Has>(scene, tuning, goal_m, dt_s, carried_m, bodies);
 }
+template TouchResult touch_tick_with<PlainFeatures>(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&, double, const Vec3&,
+                                                    const BodyPoses&) noexcept;
+template TouchResult touch_tick_with<AllFeatures>(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&, double, const Vec3&,
+                                                  const BodyPoses&) noexcept;
 
 }  // namespace handrail

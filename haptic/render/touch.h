@@ -10,6 +10,7 @@
 #include <span>
 
 #include "haptic/render/haptic_scene.h"
+#include "haptic/render/tick_features.h"
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
 
@@ -102,12 +103,21 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
+// One tick, compiled for AllFeatures, or for PlainFeatures and then only right where touch_tick() chooses it (tick_features.h).
+template <class Has>
+TouchResult touch_tick_with(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
+                            const BodyPoses& bodies) noexcept;
+
 // One tick. goal_m: the HIP (haptic interface point) in world metres, finite and within 1e6 m. dt_s: time since the last tick, > 0.
 // A scene with another address or generation than last time is met as a fresh candidate set around the old proxy.
 // carried_m: how far a walking body carried the workspace since the last tick, world metres. The proxy and liquids meet the whole motion;
 // damping and the passivity guard only what the hand itself did, else every step of the body would knock in the hand (test: walking_*).
 // bodies: where the scene's bodies are on this tick; left out, they stand as the scene has them.
-TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s,
-                       const Vec3& carried_m = Vec3(0.0), const BodyPoses& bodies = {}) noexcept;
+inline TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s,
+                              const Vec3& carried_m = Vec3(0.0), const BodyPoses& bodies = {}) noexcept {
+    const bool plain = scene.plain > tuning.passivity_guard;  // plain and no guard, in one comparison
+    return plain ? touch_tick_with<PlainFeatures>(state, scene, tuning, goal_m, dt_s, carried_m, bodies)
+                 : touch_tick_with<AllFeatures>(state, scene, tuning, goal_m, dt_s, carried_m, bodies);
+}
 
 }  // namespace handrail

@@ -11,7 +11,20 @@
 
 namespace handrail {
 
-enum class ContactEventKind : std::uint8_t { Begin, Slide, End, EnterLiquid, LeaveLiquid, FaultRaised, FaultCleared };
+enum class ContactEventKind : std::uint8_t {
+    Begin,
+    Slide,
+    End,
+    EnterLiquid,
+    LeaveLiquid,
+    FaultRaised,
+    FaultCleared,
+    // The hand moves its workspace (WorkspaceMover).
+    RimPassed,
+    RimLeft,
+    Grabbed,
+    LetGo,
+};
 
 // What ears need to know of the hand, in order, each with its tick time.
 struct ContactEvent {
@@ -23,6 +36,7 @@ struct ContactEvent {
     double speed_m_per_s = 0.0;  // hand speed: approach for Begin, along the surface for Slide (0: it stopped), through it for liquids
     double force_n = 0.0;        // from this surface, before any ceiling
     Fault fault = Fault::None;
+    std::uint8_t hand = 0;  // which of two; whoever collects the events of both writes it
 };
 
 // What one tick has to tell, in order. A tick that has more to tell than fits says so in `lost`.

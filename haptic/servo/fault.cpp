@@ -22,6 +22,14 @@ const char* fault_sentence(Fault fault) {
             return "The touch device does not know its position yet. Move the grip through its whole reach.";
         case Fault::BadForce:
             return "Handrail computed a force that cannot be. The force is off; press the force key to try again.";
+        case Fault::TooHot:
+            return "The motors of the touch device are too warm. Its force is off until they have cooled.";
+        case Fault::DriverError:
+            return "The touch device reports an error. Its force is off; press the force key to try again.";
+        case Fault::FocusLost:
+            return "The window lost the keyboard. The force is off until it is back.";
+        case Fault::ButtonReleased:
+            return "Button released. The force is off until you hold it.";
     }
     return "";
 }

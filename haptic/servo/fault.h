@@ -15,8 +15,17 @@ enum class Fault : std::uint8_t {
     Stalled,       // one gap of the loop over 25 ms; the force comes back by itself
     Unhomed,       // the device does not yet know where it is
     BadForce,      // the renderer computed a force that is no number: our mistake; latched
+    TooHot,        // the device says so, or it was asked for more than its motors bear; latched
+    DriverError,   // the driver says that the device does not do as it is told; latched
+    // Nothing is broken: the force waits, and comes back by itself with a ramp.
+    FocusLost,       // the window lost the keyboard
+    ButtonReleased,  // force only while the device's button is held, and it is not
 };
 
+// Nothing is broken; no alarm is due.
+inline bool is_pause(Fault fault) { return fault == Fault::FocusLost || fault == Fault::ButtonReleased; }
+// The force comes back by itself when the cause is gone, and a ramp over.
+inline bool passes_by_itself(Fault fault) { return is_pause(fault) || fault == Fault::DeviceSilent || fault == Fault::Stalled || fault == Fault::Unhomed; }
 // Fit to be spoken; empty for None.
 const char* fault_sentence(Fault fault);
 

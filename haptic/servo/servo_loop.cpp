@@ -2,6 +2,8 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 
@@ -17,7 +19,20 @@ Scheduling ask_for_real_time() noexcept {
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &wish) == 0 ? Scheduling::RealTime : Scheduling::Ordinary;
 }
 
+// For the whole process and until its end; pages are locked as they are touched, so nothing grows by it. Only where there is no limit: below one,
+// every later growth of the program would fail once it is reached.
+bool lock_memory() noexcept {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return false;
+    return mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
+}
+
 }  // namespace
+
+std::string memory_sentence(bool locked) {
+    return locked ? ""
+                  : "The memory of touch is not locked, so a computer short of memory may interrupt it; an unlimited memlock for this user would allow it.";
+}
 
 std::string scheduling_sentence(Scheduling scheduling) {
     switch (scheduling) {
@@ -31,8 +46,17 @@ std::string scheduling_sentence(Scheduling scheduling) {
     return "";
 }
 
-ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s)
-    : clock_(clock), period_s_(period_s), device_(std::move(device)), state_(device_->spec()) {}
+ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s) : ServoLoop(std::move(device), clock, period_s, Links{}) {}
+
+ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s, const Links& links)
+    : clock_(clock),
+      period_s_(period_s),
+      device_(std::move(device)),
+      own_events_(links.events ? nullptr : std::make_unique<EventRing>()),
+      events_(links.events ? links.events : own_events_.get()),
+      own_switches_(links.switches ? nullptr : std::make_unique<ServoSwitches>()),
+      switches_(links.switches ? links.switches : own_switches_.get()),
+      state_(device_->spec()) {}
 
 ServoLoop::~ServoLoop() { stop(); }
 
@@ -112,7 +136,7 @@ bool ServoLoop::step() noexcept {
     pose_.refresh();
     bodies_.refresh();
     const bool stopping = stop_asked_.load(std::memory_order_acquire);
-    ServoTuning tuning = tuning_.read();
+    ServoTuning tuning = with_switches(tuning_.read(), *switches_);
     if (stopping) tuning.forces_on = false;
     const SceneHandle scene = scene_.read();
 
@@ -123,7 +147,7 @@ bool ServoLoop::step() noexcept {
     // Nothing of an older scene is looked at any more.
     scene_in_use_.store(scene.number, std::memory_order_release);
     for (const ContactEvent& event : state_.events())
-        if (!events_.push(event)) ++ring_lost_;
+        if (!events_->push(event)) ++ring_lost_;
     tool_.publish(state_.tool());
     tool_for_ears_.publish(state_.tool());
     counted_.durations.add(clock_.now_s() - start_s);
@@ -133,6 +157,7 @@ bool ServoLoop::step() noexcept {
 
 void ServoLoop::run() noexcept {
     counted_.scheduling = ask_for_real_time();
+    counted_.memory_locked = lock_memory();
     double next_s = clock_.now_s();
     while (step()) {
         next_s += period_s_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptic/device/haptic_device.h"
+#include "haptic/servo/servo_switches.h"
 #include "haptic/servo/servo_tick.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/latest_value.h"
@@ -26,6 +27,7 @@ struct ServoReport {
     DurationHistogram durations;  // of a tick with reading and writing the device, by the Clock
     std::uint64_t overruns = 0;   // ticks after which the next one was already due
     Scheduling scheduling = Scheduling::NotStarted;
+    bool memory_locked = false;  // no page of the program can be away when the servo needs it
 };
 
 class ServoLoop {
@@ -33,8 +35,16 @@ public:
     // 1024 events are 3.4 s of three surfaces slid along at once, so a stalled ear loses none of a short stall.
     using EventRing = SpscRing<ContactEvent, 1024>;
 
+    // What others hold so that it outlives a device that is replaced by another while the program runs. Each outlives the loop; a ring belongs to one
+    // loop at a time. Null: the loop has its own.
+    struct Links {
+        const ServoSwitches* switches = nullptr;
+        EventRing* events = nullptr;
+    };
+
     // The clock outlives the loop.
     ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s = 1e-3);
+    ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s, const Links& links);
     ~ServoLoop();
     ServoLoop(const ServoLoop&) = delete;
     ServoLoop& operator=(const ServoLoop&) = delete;
@@ -59,7 +69,7 @@ public:
     std::size_t scenes_kept();
 
     // Ears' thread.
-    EventRing& events() { return events_; }
+    EventRing& events() { return *events_; }
     const ToolState& tool_for_ears();
 
     // One tick at the clock's time: the thread's body, or for the owner of virtual time. False when stop was asked for and the force is gone.
@@ -99,7 +109,10 @@ private:
     LatestValue<BodyFrame> bodies_;
     LatestValue<ToolState> tool_, tool_for_ears_;
     LatestValue<ServoReport> report_;
-    EventRing events_;
+    std::unique_ptr<EventRing> own_events_;  // null when it was given one
+    EventRing* events_;
+    std::unique_ptr<ServoSwitches> own_switches_;  // nobody sets these
+    const ServoSwitches* switches_;
 
     // Servo thread only.
     ServoState state_;
@@ -109,5 +122,7 @@ private:
 
 // "Touch runs in real time." or what is missing for it, fit to be spoken or printed; empty before the start.
 std::string scheduling_sentence(Scheduling scheduling);
+// What is missing where the memory may not be locked; empty where it is.
+std::string memory_sentence(bool locked);
 
 }  // namespace handrail

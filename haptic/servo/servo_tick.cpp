@@ -24,7 +24,7 @@ bool loses_place(Fault fault) noexcept { return fault == Fault::Unplugged || fau
 
 }  // namespace
 
-ServoState::ServoState(const DeviceSpec& spec) : spec_(spec) {}
+ServoState::ServoState(const DeviceSpec& spec) : spec_(spec), mover_(spec) {}
 
 void ServoState::measure_rate(double dt_s) noexcept {
     counters_.periods.add(dt_s);
@@ -48,32 +48,62 @@ void ServoState::raise(Fault fault, bool latched) noexcept {
     fault_latched_ = latched;
     events_.push({ContactEventKind::FaultRaised, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault});
     if (loses_place(fault)) {
+        place_lost_ = true;
         touch_.reset_filters();
         velocity_m_per_s_ = Vec3(0.0);
     }
-    if (fault == Fault::Unplugged) {
-        tracker_.clear(tool_.time_s, events_);
-        tool_.contacts = {};
-        tool_.liquid = kNoFeature;
-        tool_.buttons = 0;
-        tool_.waiting_for_hand = true;
-        has_first_ = false;
-        trusts_last_ = false;
-    }
+}
+
+// Nobody holds anything any more, and wherever the hand is when the device is back, it moves first.
+void ServoState::lose_device() noexcept {
+    place_lost_ = true;
+    touch_.reset_filters();
+    velocity_m_per_s_ = Vec3(0.0);
+    tracker_.clear(tool_.time_s, events_);
+    tool_.contacts = {};
+    tool_.liquid = kNoFeature;
+    tool_.buttons = 0;
+    tool_.waiting_for_hand = true;
+    has_first_ = false;
+    trusts_last_ = false;
+    mover_.let_go();
 }
 
 void ServoState::clear_fault() noexcept {
     events_.push({ContactEventKind::FaultCleared, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault_});
     fault_ = Fault::None;
     fault_latched_ = false;
+    place_lost_ = false;
     rate_watch_ = {};
+}
+
+bool ServoState::cause_lasts(const DeviceSample& sample) const noexcept {
+    return !sample.connected || sample.hot || sample.failed || (fault_ == Fault::TooHot && heat_.too_warm());
+}
+
+// A pause is told where it takes a force away, and then its end is too; while nothing is felt both go without a word.
+void ServoState::watch_pauses(const ServoTuning& tuning) noexcept {
+    const Fault pause = !tuning.focused ? Fault::FocusLost : tuning.button_to_feel && tool_.buttons == 0 ? Fault::ButtonReleased : Fault::None;
+    if (pause == tool_.pause) return;
+    const Fault before = tool_.pause;
+    tool_.pause = pause;
+    const auto tell = [&](ContactEventKind kind, Fault fault) {
+        events_.push({kind, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault});
+    };
+    if (pause != Fault::None && limiter_.gain() > 0.0 && fault_ == Fault::None) {
+        tell(ContactEventKind::FaultRaised, pause);
+        pause_told_ = true;
+    } else if (pause == Fault::None && pause_told_) {
+        if (fault_ == Fault::None) tell(ContactEventKind::FaultCleared, before);
+        pause_told_ = false;
+    }
 }
 
 void ServoState::confirm(const DeviceSample& sample, std::uint32_t number) noexcept {
     if (number == confirm_seen_) return;
     confirm_seen_ = number;
-    if (!fault_latched_ || !sample.connected) return;
-    if (loses_place(fault_)) start_over();
+    if (!fault_latched_ || cause_lasts(sample)) return;
+    if (place_lost_) start_over();
     clear_fault();
     limiter_.restart();
 }
@@ -83,6 +113,7 @@ void ServoState::start_over() noexcept {
     touch_.reset();
     tracker_.clear(tool_.time_s, events_);
     limiter_.restart();
+    mover_.let_go();
     goal_known_ = false;
     velocity_m_per_s_ = Vec3(0.0);
     wanted_n_ = Vec3(0.0);
@@ -97,9 +128,15 @@ void ServoState::lose_time() noexcept { keep_off_s_ = limiter_.gain() < 1.0 ? Fo
 ServoState::Answer ServoState::judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept {
     since_answer_s_ += dt_s;
     if (!sample.connected) {
-        raise(Fault::Unplugged, true);
+        // A driver that lets its device go because of heat or an error says so.
+        raise(sample.hot ? Fault::TooHot : sample.failed ? Fault::DriverError : Fault::Unplugged, true);
+        if (connected_) lose_device();
+        connected_ = false;
         return Answer::None;
     }
+    connected_ = true;
+    if (sample.hot) raise(Fault::TooHot, true);
+    if (sample.failed) raise(Fault::DriverError, true);
     if (!sample.fresh) {
         if (since_answer_s_ > kLongGapS) {
             if (fault_ != Fault::DeviceSilent) lose_time();
@@ -110,6 +147,7 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
     }
     const double period_s = since_answer_s_;
     since_answer_s_ = 0.0;
+    tool_.homed_legs = sample.homed_legs;
     if (!sample.homed) {
         if (fault_ != Fault::Unhomed) start_over();
         raise(Fault::Unhomed, false);
@@ -141,6 +179,7 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
     tool_.hand_m = sample.position_m;
     tool_.hip_m = goal_m;
     tool_.buttons = sample.buttons;
+    tool_.gimbal_rad = sample.gimbal_rad;
     if (!has_first_) {
         has_first_ = true;
         first_m_ = sample.position_m;
@@ -163,6 +202,23 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
     return Answer::Good;
 }
 
+// The hand moves its workspace: rim, grab and keys. What it begins and ends is told.
+void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, double scale, double dt_s) noexcept {
+    const WorkspaceMotion before = mover_.motion();
+    const double ceiling_n = std::min(tuning.force_ceiling_n, spec_.peak_force_n);
+    // A hand whose place is in doubt moves nothing.
+    const bool sound = fault_ == Fault::None && tool_.pause == Fault::None && !tool_.waiting_for_hand;
+    mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{}, {tool_.hand_m, tool_.buttons, length(wanted_n_), ceiling_n, &tool_.contacts}, scale, dt_s);
+    tool_.hip_m = frame.to_world(tool_.hand_m, scale);
+    const WorkspaceMotion now = mover_.motion();
+    if (now == before) return;
+    const auto tell = [&](ContactEventKind kind) { events_.push({kind, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None}); };
+    if (before == WorkspaceMotion::Scrolled) tell(ContactEventKind::RimLeft);
+    if (before == WorkspaceMotion::Grabbed) tell(ContactEventKind::LetGo);
+    if (now == WorkspaceMotion::Scrolled) tell(ContactEventKind::RimPassed);
+    if (now == WorkspaceMotion::Grabbed) tell(ContactEventKind::Grabbed);
+}
+
 void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s,
                        const BodyPoses& bodies) noexcept {
     TouchTuning touch = tuning.touch;
@@ -177,7 +233,8 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
     if (goal_known_) {
-        carried_m = frame.to_world(hand_at_goal_m_, scale) - goal_m_;
+        // A hand that takes the world along does not move through it.
+        carried_m = mover_.motion() == WorkspaceMotion::Grabbed ? goal_m - goal_m_ : frame.to_world(hand_at_goal_m_, scale) - goal_m_;
         const Vec3 velocity = (goal_m - goal_m_) / (scale * dt_s);
         velocity_m_per_s_ += (velocity - velocity_m_per_s_) * (dt_s / (kVelocityPoleS + dt_s));
     }
@@ -186,7 +243,8 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     goal_known_ = true;
 
     const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s, carried_m, bodies);
-    wanted_n_ = frame.turn_to_device(result.force_n);
+    wanted_n_ = frame.turn_to_device(result.force_n) + mover_.rim_force_n();
+    if (is_finite(result.proxy_m)) mover_.give_way(goal_m, result.proxy_m, length(result.contact_force_n));
     if (!is_finite(result.proxy_m)) {
         wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // let the limiter judge it
         return;
@@ -206,8 +264,9 @@ ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool l
         fade_s = hurry_s_;
         return ForceFlow::Fade;
     }
+    if (fault_ == Fault::TooHot && connected_) return ForceFlow::Fade;
     if (fault_ != Fault::None) return ForceFlow::Cut;
-    return tuning.forces_on ? ForceFlow::Run : ForceFlow::Fade;
+    return tuning.forces_on && tool_.pause == Fault::None ? ForceFlow::Run : ForceFlow::Fade;
 }
 
 ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
@@ -237,10 +296,11 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
 
     // 2. The workspace in the world; what makes everything felt before invalid.
     const bool jumped = s.playback_.give(pose, now_s);
-    const WorkspaceFrame frame = s.playback_.at(now_s, dt_s);
+    WorkspaceFrame frame = s.playback_.at(now_s, dt_s);
     const double scale = tuning.touch.world_m_per_hand_m;
     const std::uint32_t generation = scene ? scene->generation : 0;
     if (jumped || scale != s.scale_ || (!scene && s.tool_.scene_generation != 0)) s.start_over();
+    if (jumped) s.mover_.recentre();
     // Another world ramps in; in the same one with something added or removed the proxy sees to it that nothing knocks.
     const std::uint32_t world = scene ? scene->world : 0;
     if (world != s.tool_.scene_world) s.limiter_.restart();
@@ -255,10 +315,12 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
     } else if (answer == ServoState::Answer::Good && s.fault_ != Fault::None && !s.fault_latched_) {
         s.clear_fault();
     }
+    s.watch_pauses(tuning);
 
     // 4. Touch.
     s.since_touch_s_ = std::min(s.since_touch_s_ + dt_s, kLongestTouchStepS);
     if (answer == ServoState::Answer::Good) {
+        s.move_workspace(frame, tuning, scale, s.since_touch_s_);
         if (scene) {
             BodyPoses poses;
             if (bodies && !scene->bodies.empty()) {
@@ -268,7 +330,7 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
             s.touch(*scene, tuning, frame, s.tool_.hip_m, s.since_touch_s_, poses);
         } else {
             s.tool_.proxy_m = s.tool_.hip_m;
-            s.wanted_n_ = Vec3(0.0);
+            s.wanted_n_ = s.mover_.rim_force_n();
         }
         s.since_touch_s_ = 0.0;
     }
@@ -276,9 +338,11 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
     // 5. The only way out.
     double fade_s = 0.0;
     const ForceFlow flow = s.flow(tuning, scene != nullptr, long_gap, fade_s);
-    const double ceiling_n = std::min(tuning.force_ceiling_n, s.spec_.peak_force_n);
+    const double ceiling_n = std::min({tuning.force_ceiling_n, s.spec_.peak_force_n, s.mover_.ceiling_n()});
     const Vec3 force_n = s.limiter_.limit(s.wanted_n_, ceiling_n, flow, dt_s, fade_s);
     if (s.limiter_.broken()) s.raise(Fault::BadForce, true);
+    s.heat_.add(length(force_n), s.spec_.sustained_share * s.spec_.peak_force_n, dt_s);
+    if (s.heat_.too_warm()) s.raise(Fault::TooHot, true);
 
     // 6. What others may know.
     ToolState& tool = s.tool_;
@@ -286,6 +350,12 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
     tool.force_gain = s.limiter_.gain();
     tool.fault = s.fault_ != Fault::None ? s.fault_ : answer == ServoState::Answer::Bad ? s.bad_kind_ : Fault::None;
     tool.fault_latched = s.fault_latched_;
+    tool.fault_lasts = s.fault_latched_ && s.cause_lasts(sample);
+    tool.warmth = s.heat_.warmth();
+    tool.workspace_motion = s.mover_.motion();
+    tool.workspace_at_limit = s.mover_.at_limit();
+    tool.workspace_shift_m = s.mover_.shift_m();
+    tool.workspace_jump = pose.jump;
     ++tool.ticks;
     s.counters_.lost_events += s.events_.lost;
     return {force_n};

@@ -9,8 +9,10 @@
 #include "haptic/render/touch.h"
 #include "haptic/servo/body_playback.h"
 #include "haptic/servo/contact_tracker.h"
+#include "haptic/servo/heat_budget.h"
 #include "haptic/servo/rate_watch.h"
 #include "haptic/servo/workspace_map.h"
+#include "haptic/servo/workspace_mover.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
@@ -19,10 +21,14 @@ struct ServoTuning {
     // touch.rated_stiffness_n_per_m is what is asked for; the servo lowers it to effective_stiffness_n_per_m at the measured rate.
     // A change of touch.world_m_per_hand_m is met like a jump of the workspace.
     TouchTuning touch;
-    double force_ceiling_n = 2.5;  // chosen by the person; the device's peak always holds too
-    bool forces_on = true;         // f key: ramps up over 1 s, fades away over 75 ms
-    bool panic = false;            // F12: zero on this very tick, until cleared
-    std::uint32_t confirm = 0;     // a new number lets a latched fault go (ramp of 1 s), if its cause is gone
+    double force_ceiling_n = 2.5;    // chosen by the person; the device's peak always holds too
+    bool forces_on = true;           // f key: ramps up over 1 s, fades away over 75 ms
+    bool panic = false;              // F12: zero on this very tick, until cleared
+    bool focused = true;             // the window has the keyboard; without it the force fades over 75 ms and ramps up with it
+    bool button_to_feel = false;     // dead-man mode: force only while a button of the device is held; released, it fades over 75 ms
+    std::uint32_t stops_let_go = 0;  // the count of ServoSwitches::stops up to which the person wants the force back
+    std::uint32_t confirm = 0;       // a new number lets a latched fault go (ramp of 1 s), if its cause is gone
+    WorkspaceTuning workspace;
 };
 
 // What the app and ears may know of the hand; published each tick.
@@ -36,13 +42,23 @@ struct ToolState {
     ContactSet contacts;
     FeatureId liquid = kNoFeature;
     std::uint32_t buttons = 0;
+    Vec3 gimbal_rad{0.0};          // of the grip, where the device has them
+    std::uint8_t homed_legs = 0;   // as DeviceSample has it
     Fault fault = Fault::None;     // latched or present
     bool fault_latched = false;    // needs a new ServoTuning::confirm
+    bool fault_lasts = false;      // its cause is still there: a confirmation would be in vain
+    Fault pause = Fault::None;     // FocusLost or ButtonReleased: why the force waits though nothing is wrong
+    double warmth = 0.0;           // of the motors by the heat budget; at 1 the force is taken away
     bool waiting_for_hand = true;  // no force until the hand has moved by 3 mm (since the start, or since it was plugged in again)
     double contact_s = 0.0;        // contact time since start (break hint)
     std::uint64_t ticks = 0;
     double rate_hz = 0.0;  // measured over the last second; 0 during the first
     std::uint32_t scene_generation = 0, scene_world = 0;
+    // How the hand has moved its workspace since the pose's last jump, and that jump's number.
+    WorkspaceMotion workspace_motion = WorkspaceMotion::Still;
+    bool workspace_at_limit = false;
+    Vec3 workspace_shift_m{0.0};
+    std::uint32_t workspace_jump = 0;
 };
 
 // Counted since the start.
@@ -78,10 +94,14 @@ private:
 
     void measure_rate(double dt_s) noexcept;
     void raise(Fault fault, bool latched) noexcept;
+    void lose_device() noexcept;
+    void watch_pauses(const ServoTuning& tuning) noexcept;
+    bool cause_lasts(const DeviceSample& sample) const noexcept;
     void clear_fault() noexcept;
     void confirm(const DeviceSample& sample, std::uint32_t number) noexcept;
     void start_over() noexcept;
     void lose_time() noexcept;
+    void move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, double scale, double dt_s) noexcept;
     Answer judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
     void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s,
                const BodyPoses& bodies) noexcept;
@@ -91,25 +111,30 @@ private:
     TouchState touch_;
     ForceLimiter limiter_;
     PosePlayback playback_;
+    WorkspaceMover mover_;
     BodyPlayback bodies_;
     ContactTracker tracker_;
     RateWatch rate_watch_;
+    HeatBudget heat_;
     TickEvents events_;
     ToolState tool_;
     ServoCounters counters_;
 
     Fault fault_ = Fault::None;
     bool fault_latched_ = false;
+    bool place_lost_ = false;      // by the fault: what was felt before it does not hold any more
+    bool pause_told_ = false;      // tool_.pause took a force away, so its end is told too
     double window_start_s_ = 0.0;  // of the rate measurement
     std::uint64_t window_ticks_ = 0;
     double mean_period_s_ = 1e-3;  // between device answers, one pole of 1 s
     double since_answer_s_ = 0.0;
     double since_touch_s_ = 0.0;
     double keep_off_s_ = 0.0;  // no force for so long yet: stalls came again during the ramp
-    double scale_ = 0.0;  // world metres per hand metre of the last tick
+    double scale_ = 0.0;       // world metres per hand metre of the last tick
     std::uint32_t confirm_seen_ = 0;
     int bad_run_ = 0;  // bad answers in a row
     Fault bad_kind_ = Fault::None;
+    bool connected_ = false;
     bool trusts_last_ = false;  // tool_.hand_m is a place the next sample must be near
     bool has_first_ = false;
     Vec3 first_m_{0.0};  // where the hand was when it was first seen
@@ -117,7 +142,7 @@ private:
     Vec3 wanted_n_{0.0};  // device frame, before the limiter; held while the device is silent
     bool goal_known_ = false;
     Vec3 goal_m_{0.0};
-    Vec3 hand_at_goal_m_{0.0};  // device frame, where the hand was when the goal was goal_m_
+    Vec3 hand_at_goal_m_{0.0};    // device frame, where the hand was when the goal was goal_m_
     Vec3 velocity_m_per_s_{0.0};  // hand metres, world axes, one pole at 50 Hz
 };
 

@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.."
 build=${1:-build/release}
 shift || true
 scenes=("$@")
-[ ${#scenes[@]} -gt 0 ] || scenes=("T1 plane" "T4b three" "T5a crevice" "T6 box edge, solid" "T9a slivers" "T16a soup" "sphere of 980" "sphere of 9680" "sphere of 100820" "map first_room")
+[ ${#scenes[@]} -gt 0 ] || scenes=("T1 plane" "T4b three" "T5a crevice" "T6 box edge, solid" "T9a slivers" "T16a soup" "sphere of 980" "sphere of 9680" "sphere of 100820" "sphere of 1003520" "map first_room")
 command -v valgrind >/dev/null || { echo "valgrind is missing; install the package valgrind." >&2; exit 1; }
 out=$(mktemp)
 trap 'rm -f "$out"' EXIT

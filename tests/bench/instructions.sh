@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Mean instructions per tick, counted by callgrind: of servo_tick, and of touch_tick within it, on the recorded walk through quake-e1m1.map (ball 5 mm,
-# scale 1); with the word spheres, of touch_tick on spheres of 1e3 to 1e6 triangles (mesh_touch); with surfaces, on textures and shading (surface_touch);
+# scale 1); with the word spheres, of touch_tick on spheres of 1e3 to 1e6 triangles (mesh_touch); with surfaces, on each way to feel a surface (surface_touch);
 # with bodies, among things that stand or move (bodies_touch).
 #   tests/bench/instructions.sh [BUILD_FOLDER] [TICKS] [MOST] [walk|spheres|surfaces|bodies]     default build/release 60000 5000 walk; fails above MOST
 set -euo pipefail
@@ -21,7 +21,7 @@ count() {
 case $where in
 walk) for part in servo touch; do count "${part}_tick" "$build/bin/touch_walk" "$ticks" "$part"; done ;;
 spheres) for frequency in 7 22 71 224; do count touch_tick "$build/bin/mesh_touch" "$ticks" "$frequency" count; done ;;
-surfaces) for kind in plain friction sine square picture facets shaded; do count "touch_tick on $kind" "$build/bin/surface_touch" "$ticks" "$kind"; done ;;
+surfaces) for kind in plain slippery weakening damped guarded rounded sheet one-sided friction sine square picture facets shaded; do count "touch_tick on $kind" "$build/bin/surface_touch" "$ticks" "$kind"; done ;;
 bodies) for mode in none still far pushing; do count "touch_tick, bodies $mode" "$build/bin/bodies_touch" "$ticks" "$mode"; done ;;
 *) echo "walk, spheres, surfaces or bodies, not $where."; exit 2 ;;
 esac

@@ -10,9 +10,8 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/render/proxy_solver.h"
 #include "haptic/render/touch.h"
-#include "tests/support/real_worlds.h"
+#include "tests/bench/walked_scene.h"
 #include "tests/support/reference_proxy.h"
-#include "worlds/readers/reader.h"
 
 namespace handrail::test {
 namespace {
@@ -127,18 +126,9 @@ bool explained(const Judge& judge, const Vec3& before, const Vec3& goal, const V
 }
 
 int run(long ticks, std::uint32_t seed) {
-    const auto path = real_world("quake-e1m1.map");
-    if (!path) {
-        std::cout << "Skipped: quake-e1m1.map is not here; set HANDRAIL_REAL_WORLDS to the folder that holds it.\n";
-        return 77;
-    }
-    ReadOptions options;
-    options.guess_materials = false;
-    const Result<Scene> scene = read_world(*path, options);
-    if (!scene || scene->starts.empty()) {
-        std::cerr << (scene ? std::string("The map has no start.") : scene.error().sentence()) << '\n';
-        return 1;
-    }
+    int status = 0;
+    const std::optional<Scene> scene = walked_scene(status);
+    if (!scene) return status;
     const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
     Judge judge(*scene);
     TouchTuning tuning;
@@ -189,7 +179,10 @@ int run(long ticks, std::uint32_t seed) {
         if (i % 50000 != 0 && jump_n > std::max(1.0, kStiffness_n_per_m * glm::length(goal - goal_before)) + 1e-6) {
             ++found.jumps;
             found.largest_jump_n = std::max(found.largest_jump_n, jump_n);
-            if (!explained(judge, ball_before, goal, ball)) return broken(i, fmt::format("the force jumped by {:.2f} N where no edge explains it", jump_n));
+            // On a tick that the speed cap cut, the ball is on its way and may stand beside the direct one by one capped step.
+            const double on_its_way_n = r.contacts.capped ? kStiffness_n_per_m * (glm::length(goal - goal_before) + tuning.slide_cap_hand_m) : 0.0;
+            if (jump_n > on_its_way_n && !explained(judge, ball_before, goal, ball))
+                return broken(i, fmt::format("the force jumped by {:.2f} N where no edge explains it", jump_n));
         }
         normal = r.contacts.count > 0 ? std::optional<Vec3>(r.contacts.contacts[r.contacts.strongest].normal) : std::nullopt;
         walker.stuck = glm::length(r.slide_m) < 2.5e-5 ? walker.stuck + 1 : 0;

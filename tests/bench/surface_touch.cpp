@@ -1,5 +1,8 @@
-// What textures and shading cost: a ball slides over a floor, plain or textured, or over a tessellated sphere, faceted or shaded. Under callgrind,
-// instructions.sh counts what measured_ticks() does.  surface_touch TICKS plain|friction|sine|square|picture|facets|shaded
+// What each way to feel a surface costs: a ball slides over a floor that is plain (with friction), without friction, with friction that weakens, damped,
+// guarded, rounded at its edges, a sheet, a sheet of one side, or textured; or over a tessellated sphere, faceted or shaded. Under callgrind,
+// instructions.sh counts what measured_ticks() does.
+//   surface_touch TICKS plain|slippery|weakening|damped|guarded|rounded|sheet|one-sided|friction|sine|square|picture|facets|shaded
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
@@ -26,12 +29,26 @@ std::shared_ptr<const HapticScene> floor_of(const std::string& kind) {
     std::vector<float> depths(128 * 128);
     for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = static_cast<float>(i * 7919 % 101) * 0.01F;
     relief.picture = std::make_shared<const HeightField>(128, 128, depths);
+    const bool textured = kind == "friction" || kind == "sine" || kind == "square" || kind == "picture";
     HapticMaterial material;
-    material.friction_static = material.friction_kinetic = 0.3;
-    material.relief = kind == "plain" ? -1 : 0;
+    material.friction_static = material.friction_kinetic = kind == "slippery" ? 0.0 : 0.3;
+    if (kind == "weakening") material.friction_static = 0.5;
+    if (kind == "damped") material.damping_ns_per_m = 5.0;
+    material.relief = textured ? 0 : -1;
     HapticSceneBuilder builder({material});
-    builder.add_box({{-5, -5, -1}, {5, 5, 0}});
-    if (kind != "plain") builder.set_reliefs({relief});
+    const Aabb box{{-5, -5, -1}, {5, 5, 0}};
+    const std::array<Vec3, 4> top{Vec3(-5, -5, 0), Vec3(5, -5, 0), Vec3(5, 5, 0), Vec3(-5, 5, 0)};
+    if (kind == "sheet" || kind == "one-sided") {
+        builder.add_polygon(top, SurfaceLabel{}, kind == "sheet" ? TouchSide::Both : TouchSide::Front);
+    } else if (kind == "rounded") {
+        const std::array<Plane, 6> planes{Plane{{1, 0, 0}, 5},  Plane{{-1, 0, 0}, 5}, Plane{{0, 1, 0}, 5},
+                                          Plane{{0, -1, 0}, 5}, Plane{{0, 0, 1}, 0},  Plane{{0, 0, -1}, 1}};
+        const SurfaceLabel label;
+        builder.add_solid(planes, box, std::span(&label, 1), 0.003);
+    } else {
+        builder.add_box(box);
+    }
+    if (textured) builder.set_reliefs({relief});
     return builder.build();
 }
 
@@ -47,6 +64,7 @@ int run(int ticks, const std::string& kind) {
         goals = sphere_slide(0.5, tuning.radius_m, 0.2, ticks);
     } else {
         scene = floor_of(kind);
+        tuning.passivity_guard = kind == "guarded";
         for (int i = 0; i < ticks; ++i)
             goals.emplace_back(0.1 * std::sin(1e-3 * i), 0.1 * std::sin(7e-4 * i), std::max(0.005 - 0.003 - 5e-4 * std::sin(5e-3 * i), 0.02 - 2e-4 * i));
     }

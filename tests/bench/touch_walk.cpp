@@ -1,5 +1,6 @@
 // Walks and touches through quake-e1m1.map at a ball of 5 mm and scale 1. Under callgrind, instructions.sh counts the whole servo_tick (sample checks,
-// workspace, touch, events, limiter), or touch_tick alone with the word touch as second argument.
+// workspace, touch, events, limiter), or of touch_tick alone: as shipped (touch), with every optional feature compiled out (plain), or with all compiled
+// in, used or not (all).  touch_walk [TICKS [servo|touch|plain|all]]
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -7,8 +8,7 @@
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/servo/servo_tick.h"
 #include "tests/bench/walk.h"
-#include "tests/support/real_worlds.h"
-#include "worlds/readers/reader.h"
+#include "tests/bench/walked_scene.h"
 
 namespace handrail::test {
 namespace {
@@ -18,12 +18,15 @@ struct Tally {
     long touching = 0, gatherings = 0, worst_iterations = 0;
 };
 
+using Tick = TouchResult(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&, double, const Vec3&, const BodyPoses&) noexcept;
+
 // The name that callgrind is told to count from and to: nothing else is in it.
+template <Tick tick>
 [[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals, TouchState& state) {
     Tally tally;
     for (const Vec3& goal : goals) {
-        const TouchResult r = touch_tick(state, scene, tuning, goal, 1e-3);
-        tally.checksum += r.force_n.x;
+        const TouchResult r = tick(state, scene, tuning, goal, 1e-3, Vec3(0.0), {});
+        tally.checksum += r.force_n.x + 3.0 * r.force_n.y + 7.0 * r.force_n.z + r.proxy_m.x * 1e-6;
         tally.touching += r.contacts.count > 0;
         tally.worst_iterations = std::max<long>(tally.worst_iterations, r.contacts.iterations);
     }
@@ -44,19 +47,10 @@ struct Tally {
     return tally;
 }
 
-int run(int ticks, bool touch_only) {
-    const auto path = real_world("quake-e1m1.map");
-    if (!path) {
-        std::cout << "Skipped: quake-e1m1.map is not here; set HANDRAIL_REAL_WORLDS to the folder that holds it.\n";
-        return 77;
-    }
-    ReadOptions options;
-    options.guess_materials = false;
-    const Result<Scene> scene = read_world(*path, options);
-    if (!scene || scene->starts.empty()) {
-        std::cerr << (scene ? std::string("The map has no start.") : scene.error().sentence()) << '\n';
-        return 1;
-    }
+int run(int ticks, const std::string& part) {
+    int status = 0;
+    const std::optional<Scene> scene = walked_scene(status);
+    if (!scene) return status;
     const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
     TouchTuning tuning;
     tuning.damping_ns_per_m = 5.0;
@@ -67,7 +61,10 @@ int run(int ticks, bool touch_only) {
     ServoTuning servo_tuning;
     servo_tuning.touch = tuning;
     const auto begin = std::chrono::steady_clock::now();
-    const Tally tally = touch_only ? measured_ticks(*haptic, tuning, goals, touch_state) : measured_ticks(*haptic, servo_tuning, goals, servo_state);
+    const Tally tally = part == "touch"   ? measured_ticks<touch_tick>(*haptic, tuning, goals, touch_state)
+                        : part == "plain" ? measured_ticks<touch_tick_with<PlainFeatures>>(*haptic, tuning, goals, touch_state)
+                        : part == "all"   ? measured_ticks<touch_tick_with<AllFeatures>>(*haptic, tuning, goals, touch_state)
+                                          : measured_ticks(*haptic, servo_tuning, goals, servo_state);
     const double ns = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
     std::cout << fmt::format("{} obstacles, {} ticks, {:.1f} % touching, {:.0f} ns per tick, at most {} rounds, ended {:.1f} m from the start, checksum {}\n",
                              haptic->obstacles.size(), ticks, 100.0 * static_cast<double>(tally.touching) / ticks, ns / ticks, tally.worst_iterations,
@@ -78,4 +75,4 @@ int run(int ticks, bool touch_only) {
 }  // namespace
 }  // namespace handrail::test
 
-int main(int argc, char** argv) { return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 60000, argc > 2 && std::string(argv[2]) == "touch"); }
+int main(int argc, char** argv) { return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 60000, argc > 2 ? argv[2] : "servo"); }

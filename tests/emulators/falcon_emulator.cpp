@@ -219,7 +219,10 @@ void FalconEmulator::move_hand() {
             grip_m[axis] = std::clamp(grip_m[axis], low, high);
         }
     }
-    if (homing_asked_ && static_cast<int>(frames) > frames_until_homed) homed_legs_ = 7;
+    if (homes_by_moving) {
+        if (homing_asked_ && grip_m.z > 0.155) homed_legs_ |= 3;
+        if (homing_asked_ && homed_legs_ == 3 && grip_m.z < 0.115) homed_legs_ = 7;
+    } else if (homing_asked_ && static_cast<int>(frames) > frames_until_homed) homed_legs_ = 7;
     else if (homing_asked_ && static_cast<int>(frames) > frames_until_homed / 2) homed_legs_ |= 1;
     const Vec3 angles = leg_angles_at(grip_m);
     for (int leg = 0; leg < 3; ++leg) {

@@ -22,7 +22,43 @@ void append_checksum(std::vector<std::uint8_t>& report) {
     for (int i = 0; i < 4; ++i) report.push_back(static_cast<std::uint8_t>(crc >> (8 * i)));
 }
 
+enum class ReportWay : std::uint8_t { Input = 0x81, Output = 0x91, Feature = 0xb1 };
+
+// One application on the generic desktop page, its reports in bytes.
+class Descriptor {
+public:
+    explicit Descriptor(std::uint8_t usage) : bytes_{0x05, 0x01, 0x09, usage, 0xa1, 0x01, 0x06, 0x00, 0xff, 0x15, 0x00, 0x26, 0xff, 0x00, 0x75, 8} {}
+    Descriptor& report(ReportWay way, std::uint8_t number, std::uint8_t size) {
+        bytes_.insert(bytes_.end(), {0x85, number, 0x95, size, 0x09, number, static_cast<std::uint8_t>(way), 0x02});
+        return *this;
+    }
+    std::vector<std::uint8_t> end() {
+        bytes_.push_back(0xc0);
+        return std::move(bytes_);
+    }
+
+private:
+    std::vector<std::uint8_t> bytes_;
+};
+
 }  // namespace
+
+std::vector<std::uint8_t> PadEmulator::descriptor() const {
+    Descriptor pad(5);
+    if (bluetooth_) {
+        pad.report(ReportWay::Input, 0x01, 9);
+        for (const ReportWay way : {ReportWay::Input, ReportWay::Output}) pad.report(way, dual_sense_ ? 0x31 : 0x11, 77);
+        pad.report(ReportWay::Feature, dual_sense_ ? 0x05 : 0x02, dual_sense_ ? 40 : 36);
+    } else {
+        pad.report(ReportWay::Input, 0x01, 63).report(ReportWay::Output, dual_sense_ ? 0x02 : 0x05, dual_sense_ ? 47 : 31);
+    }
+    if (dual_sense_) pad.report(ReportWay::Feature, 0x20, 63);
+    return pad.end();
+}
+
+std::vector<std::uint8_t> PuckEmulator::descriptor() const {
+    return Descriptor(8).report(ReportWay::Input, 1, 6).report(ReportWay::Input, 2, 6).report(ReportWay::Input, 3, 4).report(ReportWay::Output, 4, 1).end();
+}
 
 bool PadEmulator::take(std::span<const std::uint8_t> report) {
     std::span<const std::uint8_t> body = report;

@@ -16,6 +16,8 @@ namespace handrail::test {
 class HidEmulator {
 public:
     virtual ~HidEmulator() = default;
+    // What its reports are, as the bus tells it: usage, numbers and lengths; the meaning of single bits is left out.
+    virtual std::vector<std::uint8_t> descriptor() const = 0;
     // A report the host wrote; false when the device refuses it.
     virtual bool take(std::span<const std::uint8_t> report) = 0;
     // A feature report by number; empty when there is none.
@@ -28,6 +30,7 @@ public:
 class PadEmulator final : public HidEmulator {
 public:
     PadEmulator(bool dual_sense, bool bluetooth) : dual_sense_(dual_sense), bluetooth_(bluetooth) {}
+    std::vector<std::uint8_t> descriptor() const override;
     bool take(std::span<const std::uint8_t> report) override;
     std::vector<std::uint8_t> feature(std::uint8_t number) override;
     // Queues an input report as the pad is held now: short over Bluetooth until the calibration was asked for.
@@ -56,6 +59,7 @@ private:
 // A SpaceMouse: only what it tells matters, and its light.
 class PuckEmulator final : public HidEmulator {
 public:
+    std::vector<std::uint8_t> descriptor() const override;
     bool take(std::span<const std::uint8_t> report) override {
         if (report.size() != 2 || report[0] != 4) return false;
         light = report[1] != 0;

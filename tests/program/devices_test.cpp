@@ -14,7 +14,7 @@ ProgramRun run(std::vector<std::string> arguments, const std::filesystem::path& 
     ProgramCall call;
     call.program = HANDRAIL_PROGRAM;
     call.arguments = std::move(arguments);
-    call.input = "where\nquit\n";
+    call.input = "where\n";  // the end of input waits for the search for devices, "quit" does not
     if (!libraries.empty()) call.environment["LD_LIBRARY_PATH"] = libraries.string();
     return run_program(call);
 }
@@ -28,6 +28,29 @@ TEST(Devices, without_any_says_so_in_words_and_as_data) {
     const auto json = nlohmann::json::parse(data.out);
     EXPECT_TRUE(json["devices"].is_array());
     EXPECT_EQ(json["udev_rule"], "70-handrail.rules");
+}
+
+TEST(Devices, rule_that_lets_people_open_them_is_placed_by_installing) {
+    const TemporaryFolder prefix;
+    ProgramCall call;
+    call.program = CMAKE_PROGRAM;
+    call.arguments = {"--install", BUILD_FOLDER, "--prefix", prefix.path().string()};
+    const ProgramRun installed = run_program(call);
+    ASSERT_EQ(installed.exit_status, 0) << installed.err;
+    const std::string rule = content_of(prefix.path() / "lib/udev/rules.d/70-handrail.rules");
+    EXPECT_EQ(rule, content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "haptic/drivers/70-handrail.rules"));
+    EXPECT_THAT(rule, HasSubstr("uaccess"));
+    EXPECT_TRUE(std::filesystem::exists(prefix.path() / "bin/handrail"));
+    EXPECT_TRUE(std::filesystem::exists(prefix.path() / "libexec/handrail/handrail-guard"));
+}
+
+TEST(Devices, a_pad_that_is_not_plugged_in_costs_a_sentence) {
+    for (const char* name : {"dualsense", "SpaceMouse"}) {
+        const ProgramRun said = run({"--no-window", "--device", name});
+        EXPECT_EQ(said.exit_status, 0) << said.err;
+        EXPECT_THAT(said.out, HasSubstr("Plug it in whenever you like"));
+        EXPECT_THAT(said.out, HasSubstr("First room."));
+    }
 }
 
 TEST(Devices, one_that_is_not_plugged_in_is_said_to_be_so) {

@@ -117,6 +117,35 @@ TEST(OneSidedSheets, feel_from_their_side_as_sheets_of_both_sides_do) {
     EXPECT_TRUE(front.scene()->one_sided_sheets);
 }
 
+// A sheet on a body that comes down on a resting hand pushes it from its front and passes through it from behind, whatever the turn of the body.
+TEST(OneSidedSheets, of_a_moving_body_push_from_the_front_and_pass_from_behind) {
+    for (const bool front : {true, false}) {
+        HapticSceneBuilder shape;
+        shape.add_polygon(std::vector<Vec3>{{-.1, -.1, 0}, {.1, -.1, 0}, {.1, .1, 0}, {-.1, .1, 0}}, SurfaceLabel{FeatureId{1}}, TouchSide::Front);
+        HapticSceneBuilder builder;
+        ASSERT_TRUE(builder.add_body(FeatureId{1}, shape.build(), {}));
+        const auto scene = builder.build();
+        // The front looks to where the hand is, or away from it.
+        Placement at;
+        if (!front) at.rotation = rotation_about({1, 0, 0}, kPi);
+        TouchState state;
+        double strongest = 0.0;
+        for (int i = 0; i < 600; ++i) {
+            at.position_m = {0.0, 0.0, -0.03 + 1e-4 * i};
+            const BodyPose pose{at, true};
+            const TouchResult r =
+                touch_tick(state, *scene, plain_tuning(kRadius), {0.01, 0.02, 0.0}, 1e-3, Vec3(0.0), {std::span(&pose, 1), static_cast<std::uint64_t>(i) + 1});
+            strongest = std::max(strongest, glm::length(r.force_n));
+            if (front && r.contacts.count > 0) {
+                ASSERT_NEAR(r.proxy_m.z, at.position_m.z + kRadius, 1e-7) << i;
+                ASSERT_GT(r.force_n.z, 0.0);
+            }
+        }
+        EXPECT_EQ(strongest > 10.0, front) << "30 mm behind the sheet that carried the ball off, or nothing";
+        EXPECT_TRUE(front || strongest == 0.0);
+    }
+}
+
 TEST(OneSidedSheets, a_hand_half_way_through_from_behind_may_turn_back) {
     TouchWorld world;
     world.polygon({{-.1, -.1, 0}, {.1, -.1, 0}, {.1, .1, 0}, {-.1, .1, 0}}, TouchSide::Front);

@@ -3,91 +3,11 @@
 #include <cmath>
 
 #include "haptic/render/relief.h"
-#include "tests/property/replay.h"
+#include "tests/property/closed_loops.h"
 #include "tests/support/sphere_mesh.h"
 
 namespace handrail::test {
 namespace {
-
-constexpr double kStiffness_n_per_m = 1000.0;  // of plain_tuning
-
-// A smooth closed path round `middle`: a few harmonics with random phases, each coordinate at most `reach` away.
-std::vector<Vec3> closed_loop(std::mt19937& random, const Vec3& middle, const Vec3& reach_m, double seconds) {
-    std::uniform_real_distribution<double> phase(0.0, 2.0 * kPi), weight(0.2, 1.0);
-    constexpr int kHarmonics = 5;
-    std::array<std::array<double, kHarmonics>, 3> phases, weights;
-    for (int axis = 0; axis < 3; ++axis) {
-        double sum = 0.0;
-        for (int k = 0; k < kHarmonics; ++k) {
-            phases[axis][k] = phase(random);
-            weights[axis][k] = weight(random) / (k + 1);
-            sum += weights[axis][k];
-        }
-        for (double& w : weights[axis]) w /= sum;
-    }
-    const int ticks = static_cast<int>(seconds * 1000.0);
-    std::vector<Vec3> goals;
-    for (int i = 0; i <= ticks; ++i) {
-        Vec3 goal = middle;
-        for (int axis = 0; axis < 3; ++axis)
-            for (int k = 0; k < kHarmonics; ++k) goal[axis] += reach_m[axis] * weights[axis][k] * std::sin(2.0 * kPi * (k + 1) * i / ticks + phases[axis][k]);
-        goals.push_back(goal);
-    }
-    return goals;
-}
-
-// The same loop, begun and ended where it is farthest from everything, so that no press is stored at either end.
-std::vector<Vec3> begun_in_the_open(const HapticScene& scene, std::vector<Vec3> goals) {
-    std::size_t best = 0;
-    double widest = -1.0;
-    for (std::size_t i = 0; i < goals.size(); i += 50) {
-        double clearance = 1e9;
-        for (std::uint32_t o = 0; o < scene.obstacles.size(); ++o) clearance = std::min(clearance, scene.closest(o, goals[i] - scene.origin_m).distance_m);
-        if (clearance > widest) {
-            widest = clearance;
-            best = i;
-        }
-    }
-    EXPECT_GT(widest, 0.006) << "this loop is never in the open";
-    goals.pop_back();
-    std::rotate(goals.begin(), goals.begin() + static_cast<std::ptrdiff_t>(best), goals.end());
-    goals.push_back(goals.front());
-    return goals;
-}
-
-std::vector<Vec3> with_quantum(std::vector<Vec3> goals, double quantum_m) {
-    for (Vec3& goal : goals) goal = glm::round(goal / quantum_m) * quantum_m;
-    return goals;
-}
-
-struct Loop {
-    double energy_j = 0.0;   // given to the hand, trapezoid
-    double allowed_j = 0.0;  // what the trapezoid may be off where a surface begins or ceases to hold: I11
-    double largest_n = 0.0, largest_jump_n = 0.0;
-};
-
-Loop run(const HapticScene& scene, const std::vector<Vec3>& goals, const TouchTuning& tuning) {
-    Loop loop;
-    Vec3 last_force(0.0), last_goal(0.0);
-    int last_count = 0;
-    bool first = true;
-    replay(scene, goals, {}, tuning, [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
-        if (!first) {
-            const double way = glm::length(goal - last_goal), change = glm::length(r.force_n - last_force);
-            loop.energy_j += 0.5 * glm::dot(last_force + r.force_n, goal - last_goal);
-            loop.largest_jump_n = std::max(loop.largest_jump_n, change);
-            // A corner of the force within the step: at most half the change times the way; for the onset of a plain contact K |dg|^2 / 8.
-            if (r.contacts.count != last_count) loop.allowed_j += std::max(kStiffness_n_per_m * way * way / 8.0, 0.5 * std::min(change, 1.0) * way);
-        }
-        loop.largest_n = std::max(loop.largest_n, glm::length(r.force_n));
-        last_count = r.contacts.count;
-        first = false;
-        last_force = r.force_n;
-        last_goal = goal;
-    });
-    loop.allowed_j += 1e-9 * kStiffness_n_per_m;
-    return loop;
-}
 
 std::shared_ptr<const HeightField> random_picture(std::mt19937& random) {
     const int width = 8 + static_cast<int>(random() % 57), height = 8 + static_cast<int>(random() % 57);
@@ -218,8 +138,11 @@ TriangleMesh shaken_torus(std::mt19937& random, int around, int across, double s
     return mesh;
 }
 
-TEST(ShadedMesh, gives_no_energy_over_random_closed_loops) {  // I11
+// Over shaken tori and coarse spheres, pressed up to `deepest_m`. Above the ball's radius, 5 mm, it passes the edges of facets by jumps, with and without
+// shading; I11 then allows each of these ticks what the trapezoid may be off there.
+void gives_no_energy(double deepest_m) {
     const int loops = scaled(40);
+    const bool jumps = deepest_m > 0.005;
     double worst_j = -1.0, worst_jump_n = 0.0;
     int touched = 0;
     for (int seed = 1; seed <= loops; ++seed) {
@@ -227,20 +150,22 @@ TEST(ShadedMesh, gives_no_energy_over_random_closed_loops) {  // I11
         const auto scene = mesh_scene(seed % 2 == 0 ? sphere_mesh(2 + seed % 5, 0.1) : shaken_torus(random, 16 + seed % 9, 10 + seed % 7, 5e-4), true);
         EXPECT_TRUE(scene->has_fields());
         const double start = seed % 2 == 0 ? 0.1 : 0.04;
-        // Pressed up to 4 mm deep: deeper than its radius, 5 mm, a ball passes the edges of facets by jumps.
         const Vec3 middle(seed % 2 == 0 ? 0.0 : 0.1, 0.0, start + 0.008);
-        const auto goals = begun_in_the_open(*scene, closed_loop(random, middle, {0.04, 0.04, 0.007}, 4.0));
+        const auto goals = begun_in_the_open(*scene, closed_loop(random, middle, {0.04, 0.04, deepest_m + 0.003}, 4.0));
         for (const bool quantised : {false, true}) {
             const Loop loop = run(*scene, quantised ? with_quantum(goals, 6e-5) : goals, uncapped_tuning(0.005));
             worst_j = std::max(worst_j, loop.energy_j);
             worst_jump_n = std::max(worst_jump_n, quantised ? 0.0 : loop.largest_jump_n);
             touched += loop.largest_n > 0.5;
-            EXPECT_LE(loop.energy_j, loop.allowed_j) << "seed " << seed << (quantised ? ", quantised" : "");
+            EXPECT_LE(loop.energy_j, loop.allowed_j + (jumps ? loop.edges_j : 0.0)) << "seed " << seed << (quantised ? ", quantised" : "");
         }
     }
     EXPECT_GE(4 * touched, loops);
     std::cout << "    worst loop gives " << 1e6 * worst_j << " uJ; largest change in a tick " << worst_jump_n << " N\n";
 }
+
+TEST(ShadedMesh, gives_no_energy_over_random_closed_loops) { gives_no_energy(0.004); }                   // I11
+TEST(ShadedMesh, gives_no_energy_when_pressed_deeper_than_the_balls_radius) { gives_no_energy(0.012); }  // I11
 
 TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
     // A cube of triangles: every edge is sharper than the crease, every face flat; shading must change nothing at all.

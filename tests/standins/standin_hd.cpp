@@ -69,6 +69,8 @@ void hdGetDoublev(unsigned int what, double* out) {
     if (what == 0x2050) {
         for (int i = 0; i < 3; ++i) out[i] = state.position_mm[i];
         if (state.nan) out[1] = std::numeric_limits<double>::quiet_NaN();
+    } else if (what == 0x2150) {
+        for (int i = 0; i < 3; ++i) out[i] = 0.1 * (i + 1);
     } else if (what == 0x2603) {
         *out = 3.0;
     } else if (what == 0x2602) {

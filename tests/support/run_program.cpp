@@ -25,11 +25,22 @@ bool drain(int fd, std::string& into) {
 
 }  // namespace
 
+std::map<std::string, std::string> bare_environment(const std::string& home) {
+    return {{"HOME", home},
+            {"XDG_CONFIG_HOME", ""},
+            {"DISPLAY", ""},
+            {"WAYLAND_DISPLAY", ""},
+            {"LC_ALL", "C"},
+            {"NO_AT_BRIDGE", "1"},
+            {"ALSOFT_DRIVERS", "null"},
+            {"SPEECHD_ADDRESS", "unix_socket:/nonexistent"},
+            {"BRLAPI_HOST", ":99999"}};
+}
+
 ProgramRun run_program(const ProgramCall& call) {
     char home[] = "/tmp/handrail-test-home-XXXXXX";
     if (!::mkdtemp(home)) return {};
-    std::map<std::string, std::string> environment{{"HOME", home},  {"XDG_CONFIG_HOME", ""}, {"DISPLAY", ""},           {"WAYLAND_DISPLAY", ""},
-                                                   {"LC_ALL", "C"}, {"NO_AT_BRIDGE", "1"},   {"ALSOFT_DRIVERS", "null"}};
+    std::map<std::string, std::string> environment = bare_environment(home);
     for (const auto& [name, value] : call.environment) environment[name] = value;
 
     int in[2], out[2], err[2];

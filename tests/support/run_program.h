@@ -24,6 +24,9 @@ struct ProgramCall {
     double allowed_s = 120.0;
 };
 
+// What a program of ours sees when nothing is there: no display, no screen reader, no speech server, a null sound device, this home.
+std::map<std::string, std::string> bare_environment(const std::string& home);
+
 // Sound goes to a null device (ALSOFT_DRIVERS=null) and HOME is a fresh folder unless the call says otherwise.
 ProgramRun run_program(const ProgramCall& call);
 

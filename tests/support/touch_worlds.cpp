@@ -179,6 +179,8 @@ std::shared_ptr<const HapticScene> TouchWorld::scene(const Motion& motion) const
             case ObstacleKind::Cone:
                 builder.add_cone(make_cone(from, axis, length, s.radius), label);
                 break;
+            case ObstacleKind::Custom:
+                break;  // worlds of their own build them
             case ObstacleKind::Box:
             case ObstacleKind::Brush: {
                 Aabb bounds;
@@ -214,6 +216,8 @@ BruteForce TouchWorld::judge(const Motion& motion) const {
                 break;
             case ObstacleKind::Cone:
                 judge.add([a, b, radius](const LVec& p) { return nearest_on_cone(a, b, radius, p); }, s.points, s.radius);
+                break;
+            case ObstacleKind::Custom:
                 break;
             case ObstacleKind::Box:
             case ObstacleKind::Brush:

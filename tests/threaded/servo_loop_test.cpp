@@ -284,6 +284,48 @@ TEST(ServoLoop, stopping_takes_the_force_away_within_75_ms_then_closes) {
     EXPECT_EQ(notes.opened, 1);
 }
 
+// F12 in virtual time, with no help of the app: whoever sees the key sets the switch, and the next tick is zero.
+TEST(ServoLoop, the_stop_switch_is_zero_at_the_next_tick_and_a_lost_keyboard_within_76_of_them) {
+    for (const bool stop : {true, false}) {
+        VirtualClock clock;
+        ServoSwitches switches;
+        ServoLoop::EventRing ring;
+        auto hand = std::make_shared<SimulatedHand>();
+        ServoLoop loop(std::make_unique<SimulatedDevice>(*find_device_spec("sim-f"), hand), clock, kTick, {&switches, &ring});
+        ASSERT_TRUE(loop.open());
+        loop.set_tuning(room_tuning());
+        loop.set_scene(test::wall_scene(0.4));
+        const auto steps = [&](int count) {
+            for (int i = 0; i < count; ++i) {
+                loop.step();
+                clock.sleep_until_s(clock.now_s() + kTick);
+            }
+        };
+        for (const double y : {0.004, 0.006}) {
+            hand->command.publish({HandMode::Move, Vec3(0, y, 0), 0.05, Vec3(0.0), 0});
+            steps(1500);
+        }
+        ASSERT_GT(glm::length(loop.tool().force_n), 0.3);
+        if (stop) switches.stop();
+        else switches.focused = false;
+        steps(stop ? 1 : 76);
+        EXPECT_EQ(loop.tool().force_n, Vec3(0.0)) << stop;
+        steps(500);
+        EXPECT_EQ(loop.tool().force_n, Vec3(0.0)) << stop;
+        ContactEvent event, last;
+        while (ring.pop(event)) last = event;
+        EXPECT_EQ(last.kind == ContactEventKind::FaultRaised, !stop) << "the app says what a stop is";
+        ServoTuning let_go = room_tuning();
+        let_go.stops_let_go = switches.stops;
+        loop.set_tuning(let_go);
+        switches.focused = true;
+        steps(1);
+        EXPECT_GT(loop.tool().force_gain, 0.0);
+        EXPECT_LT(loop.tool().force_gain, 2e-3);
+        loop.stop();
+    }
+}
+
 TEST(ServoLoop, the_destructor_stops_a_running_thread) {
     NotingDevice::Notes notes;
     VirtualClock clock;  // sleeping moves it: the thread runs as fast as it can
@@ -350,6 +392,72 @@ TEST(ServoLoop, counts_the_events_that_nobody_fetched_in_time) {
     const std::size_t waiting = loop.events().read_available();
     EXPECT_GE(waiting, 1000u);
     EXPECT_GT(loop.report().counters.lost_events, 100u);
+}
+
+// Two devices are two hands: a thread each over one scene, and what stops one does not stop the other.
+TEST(ServoLoop, two_loops_share_a_scene_and_the_stop_key_and_nothing_else) {
+    SteadyClock clock;
+    ServoSwitches switches;
+    const auto scene = test::wall_scene(1.2, FeatureId{1});
+    struct Hand {
+        std::shared_ptr<SimulatedHand> simulated = std::make_shared<SimulatedHand>();
+        ServoLoop::EventRing events;
+        std::unique_ptr<ServoLoop> loop;
+    };
+    std::array<Hand, 2> hands;
+    WorkspacePose pose;
+    pose.time_s = clock.now_s();
+    for (std::size_t i = 0; i < hands.size(); ++i) {
+        Hand& hand = hands[i];
+        DeviceSpec spec = *find_device_spec(i == 0 ? "sim-t" : "sim-f");
+        spec.min_rate_hz = 0.0;  // how busy this machine is does not matter here
+        hand.loop =
+            std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(spec, hand.simulated), clock, kTick, ServoLoop::Links{&switches, &hand.events});
+        ASSERT_TRUE(hand.loop->open());
+        ServoTuning tuning = room_tuning();
+        tuning.force_ceiling_n = i == 0 ? 0.5 : 2.0;
+        hand.loop->set_scene(scene);
+        hand.loop->set_tuning(tuning);
+        hand.loop->set_pose(pose);
+    }
+    for (Hand& hand : hands) hand.loop->start();
+    const auto put = [&](const Vec3& at_m) {
+        for (Hand& hand : hands) {
+            HandCommand command;
+            command.mode = HandMode::Move;
+            command.target_m = at_m;
+            command.speed_m_per_s = 0.1;
+            hand.simulated->command.publish(command);
+        }
+    };
+    // Until it is so; a machine that is busy may take long, one that is wrong never ends.
+    const auto until = [&](auto holds) {
+        while (!holds()) clock.sleep_until_s(clock.now_s() + kTick);
+    };
+    const auto force_n = [&](std::size_t i) { return glm::length(hands[i].loop->tool().force_n); };
+    put({0.0, 0.01, 0.0});
+    until([&] { return !hands[0].loop->tool().waiting_for_hand && !hands[1].loop->tool().waiting_for_hand; });
+    put({0.0, 0.03, 0.0});
+    until([&] { return force_n(0) > 0.45 && force_n(1) > 0.55; });
+    EXPECT_LE(force_n(0), 0.5 + 1e-9) << "each has its own ceiling";
+    for (Hand& hand : hands) {
+        bool met = false;
+        until([&] {
+            hand.events.consume_all([&](const ContactEvent& event) { met |= event.kind == ContactEventKind::Begin && event.feature == FeatureId{1}; });
+            return met;
+        });
+    }
+    DeviceTrouble trouble;
+    trouble.unplugged = true;
+    hands[1].simulated->trouble.publish(trouble);
+    until([&] { return hands[1].loop->tool().fault == Fault::Unplugged; });
+    EXPECT_EQ(force_n(1), 0.0);
+    const std::uint64_t then = hands[0].loop->tool().ticks;
+    until([&] { return hands[0].loop->tool().ticks > then + 50; });
+    EXPECT_NE(hands[0].loop->tool().fault, Fault::Unplugged);
+    switches.stop();
+    until([&] { return force_n(0) == 0.0; });
+    for (Hand& hand : hands) hand.loop->stop();
 }
 
 }  // namespace

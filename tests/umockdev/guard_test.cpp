@@ -115,20 +115,27 @@ TEST_F(GuardProcess, unplugging_is_seen_and_plugging_in_again_too) {
 // The program itself, in the first room, with a hand that presses on the floor with 2 N.
 class RunningProgram {
 public:
-    explicit RunningProgram(const std::filesystem::path& home) {
+    explicit RunningProgram(const std::filesystem::path& home, const std::string& device = "falcon", const std::string& command = "") {
         std::array<int, 2> input{-1, -1}, output{-1, -1};
         if (::pipe2(input.data(), O_CLOEXEC) != 0 || ::pipe2(output.data(), O_CLOEXEC) != 0) return;
         posix_spawn_file_actions_t actions;
         posix_spawn_file_actions_init(&actions);
         posix_spawn_file_actions_adddup2(&actions, input[0], 0);
         posix_spawn_file_actions_adddup2(&actions, output[1], 1);
-        std::vector<std::string> words{HANDRAIL_PROGRAM, "--no-window", "--device", "falcon"};
+        std::vector<std::string> words{HANDRAIL_PROGRAM, "--no-window", "--device", device};
+        if (!command.empty()) words.insert(words.begin() + 1, command);
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
-        std::vector<std::string> variables{"HOME=" + home.string(), "ALSOFT_DRIVERS=null"};
-        for (char** variable = environ; *variable; ++variable)
-            if (!std::string_view(*variable).starts_with("HOME=") && !std::string_view(*variable).starts_with("XDG_")) variables.emplace_back(*variable);
+        // No speech server either: one that is started forks, and umockdev's lock does not outlive a fork beside a thread that looks for devices.
+        const auto bare = test::bare_environment(home.string());
+        std::vector<std::string> variables;
+        for (char** variable = environ; *variable; ++variable) {
+            const std::string_view whole = *variable;
+            if (!whole.starts_with("XDG_") && !bare.contains(std::string(whole.substr(0, whole.find('='))))) variables.emplace_back(whole);
+        }
+        for (const auto& [name, value] : bare)
+            if (!value.empty()) variables.push_back(name + "=" + value);
         std::vector<char*> envp;
         for (std::string& variable : variables) envp.push_back(variable.data());
         envp.push_back(nullptr);
@@ -162,6 +169,14 @@ public:
             if (said().find(words) != std::string::npos) return true;
         return false;
     }
+    // A second time.
+    bool says_again(const std::string& words) {
+        for (const auto end = Clock_::now() + 30s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
+            const std::string text = said();
+            if (text.find(words, text.find(words) + 1) != std::string::npos) return true;
+        }
+        return false;
+    }
     void type(std::string_view line) { [[maybe_unused]] const auto written = ::write(input_, line.data(), line.size()); }
     void kill_and_wait() {
         ::kill(pid_, SIGKILL);
@@ -169,6 +184,11 @@ public:
     }
     void end() {
         if (pid_ > 0) kill_and_wait();
+    }
+    int wait_for_end() {
+        int status = -1;
+        ::waitpid(std::exchange(pid_, -1), &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
 private:
@@ -182,7 +202,7 @@ private:
 class DyingProgram : public GuardProcess {
 protected:
     void press_on_the_floor() {
-        ASSERT_TRUE(program_.says("First room.")) << program_.said();
+        ASSERT_TRUE(program_.says("First room.") && program_.says("The Falcon is ready.")) << program_.said();
         for (const double up_m : {0.006, 0.0}) {  // a first movement, then the ramp of 1 s
             std::this_thread::sleep_for(100ms);
             const std::lock_guard guard(bus_.lock);
@@ -196,13 +216,17 @@ protected:
         }
         // A machine busy with other things may trip the rate watch; the force key brings the force back, as for anybody.
         std::size_t answered = 0;
-        ASSERT_TRUE(wait([&] {
-            if (const std::size_t alerts = count_of(program_.said(), "press the force key"); alerts > answered) {
-                answered = alerts;
-                program_.type("forces\n");
-            }
-            return std::abs(bus_.falcon.force_on_hand_n().y - 2.0) < 0.1 && glm::length(bus_.falcon.velocity_m_per_s) < 0.01 && bus_.falcon.grip_m.y > -0.035;
-        })) << program_.said();
+        ASSERT_TRUE(wait(
+            [&] {
+                if (const std::size_t alerts = count_of(program_.said(), "press the force key"); alerts > answered) {
+                    answered = alerts;
+                    program_.type("forces\n");
+                }
+                return std::abs(bus_.falcon.force_on_hand_n().y - 2.0) < 0.1 && glm::length(bus_.falcon.velocity_m_per_s) < 0.01 &&
+                       bus_.falcon.grip_m.y > -0.035;
+            },
+            60s))
+            << program_.said();
     }
     static std::size_t count_of(const std::string& text, std::string_view words) {
         std::size_t count = 0;
@@ -253,6 +277,152 @@ TEST_F(DyingProgram, frozen_with_2_newtons_in_the_hand_leaves_zero_behind) {
     expect_zero_since(frozen, 50);
 }
 
+// Nothing is there at the start; a Falcon that is plugged in later is told of, taken with the force key, woken, and felt.
+TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
+    struct Bed {
+        UMockdevTestbed* bed = umockdev_testbed_new();
+        ~Bed() { g_object_unref(bed); }
+    } bed;
+    ASSERT_TRUE(umockdev_in_mock_environment());
+    const test::TemporaryFolder home;
+    RunningProgram program(home.path(), "auto");
+    ASSERT_TRUE(program.says("No touch device was found.") && program.says("First room.")) << program.said();
+    test::MockFalconBus bus(bed.bed);
+    {
+        const std::lock_guard guard(bus.lock);
+        bus.falcon.stage = test::FalconEmulator::Stage::Running;
+    }
+    ASSERT_TRUE(program.says("I found a Falcon. Press F or the grave key to use it.")) << program.said();
+    program.type("where\n");
+    ASSERT_TRUE(program.says("You are at the base")) << "the keyboard goes on meanwhile";
+    program.type("forces\n");
+    ASSERT_TRUE(program.says("Opening the Falcon.") && program.says("The Falcon is ready.")) << program.said();
+    // The hand moves first; then there is force against the wall it is pushed into.
+    const auto moved_to = [&](double y_m) {
+        const std::lock_guard guard(bus.lock);
+        bus.falcon.grip_m.y = y_m;
+    };
+    bool felt = false;
+    for (const auto end = Clock_::now() + 30s; !felt && Clock_::now() < end;) {
+        for (const double y_m : {0.006, 0.0, -0.01, -0.02}) {
+            moved_to(y_m);
+            std::this_thread::sleep_for(300ms);
+            const std::lock_guard guard(bus.lock);
+            felt = felt || bus.falcon.motors != std::array<int, 3>{};
+        }
+    }
+    EXPECT_TRUE(felt) << program.said();
+    // Without its guard a device is unplugged, and can be taken again.
+    pid_t guard_process = 0;
+    for (const auto& thread : std::filesystem::directory_iterator(fmt::format("/proc/{}/task", program.pid())))
+        if (guard_process == 0) std::ifstream(thread.path() / "children") >> guard_process;
+    ASSERT_GT(guard_process, 0);
+    ::kill(guard_process, SIGKILL);
+    ASSERT_TRUE(program.says("Device unplugged.") && program.says_again("I found a Falcon.")) << program.said();
+    program.type("forces\n");
+    ASSERT_TRUE(program.says_again("The Falcon is ready.")) << program.said();
+    const std::lock_guard guard(bus.lock);
+    EXPECT_LE(bus.falcon.largest_force_n, 3.0);
+}
+
+class CalibratingProgram : public GuardProcess {
+protected:
+    // Waits until these words are said. On a machine busy with other things a fault may come between: Enter goes on, as for anybody. False when they
+    // are not said within 90 s, or the guard, for want of time, let the device go.
+    bool hears(const std::string& words) {
+        for (const auto end = Clock_::now() + 90s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
+            const std::string said = program_->said();
+            if (said.find(words) != std::string::npos) return true;
+            if (said.find("I go on without it") != std::string::npos) {
+                lost_ = true;
+                return false;
+            }
+            std::size_t faults = 0;
+            for (std::size_t at = said.find("Here Enter goes on"); at != std::string::npos; at = said.find("Here Enter goes on", at + 1)) ++faults;
+            if (std::exchange(faults_, faults) < faults) program_->type("\n");
+        }
+        ADD_FAILURE() << "\"" << words << "\" was never said:\n" << program_->said();
+        return false;
+    }
+    bool hears_and_types(const std::string& words, std::string_view line) {
+        if (!hears(words)) return false;
+        program_->type(line);
+        return true;
+    }
+    // The hand glides there, 0.2 mm with each exchange.
+    bool move_to(const Vec3& grip_m) {
+        {
+            const std::lock_guard guard(bus_.lock);
+            target_m_ = grip_m;
+        }
+        return wait([&] { return bus_.falcon.grip_m == grip_m; });
+    }
+    void glide(test::FalconEmulator& falcon) const {
+        constexpr double kPerFrame_m = 2e-4;
+        const Vec3 way_m = target_m_ - falcon.grip_m;
+        const double length_m = glm::length(way_m);
+        falcon.grip_m = length_m <= kPerFrame_m ? target_m_ : falcon.grip_m + way_m * (kPerFrame_m / length_m);
+    }
+    void press_button(bool down) {
+        const std::lock_guard guard(bus_.lock);
+        bus_.falcon.buttons = down ? 4 : 0;
+    }
+    bool feels_and_presses() {
+        for (const auto end = Clock_::now() + 60s; Clock_::now() < end;) {
+            if (!hears("I will press")) return false;  // and answers what came between
+            if (wait([this] { return glm::length(bus_.falcon.force_on_hand_n()) > 0.2; }, 1s)) break;
+        }
+        press_button(true);
+        const bool felt = hears("Felt at");
+        press_button(false);
+        return felt;
+    }
+    bool sweeps() {
+        for (const Vec3& side :
+             {Vec3(0.03, 0.0, 0.125), Vec3(-0.03, 0.0, 0.125), Vec3(0.0, 0.02, 0.125), Vec3(0.0, -0.02, 0.125), Vec3(0.0, 0.0, 0.15), Vec3(0.0, 0.0, 0.1)}) {
+            if (!move_to(side)) return false;
+            std::this_thread::sleep_for(100ms);  // the program looks sixty times a second
+        }
+        return true;
+    }
+    bool is_led_through() {
+        return hears_and_types("bell on your left", "left\nright\n") && hears("Pull it all the way towards you.") && move_to({0.0, 0.0, 0.16}) &&
+               hears("Push it in, away from you.") && move_to({0.0, 0.0, 0.11}) && hears("Which hand holds it?") && move_to({-0.03, 0.0, 0.11}) &&
+               hears("Left hand.") && feels_and_presses() && hears_and_types("Now a wall.", "\n") && hears("Nothing will push with more than 1.2 newtons.") &&
+               hears("Move the grip as far as is comfortable") && sweeps() && hears_and_types("Each side clicks", "\n") &&
+               hears_and_types("Your reach spans", "\n") && hears_and_types("The rim is on; Up", "\n") && hears_and_types("Your step is", "65\n") &&
+               hears("You are set up.");
+    }
+
+    test::TemporaryFolder home_;
+    std::optional<RunningProgram> program_;
+    std::size_t faults_ = 0;
+    bool lost_ = false;
+    Vec3 target_m_{0.0, 0.0, 0.145};  // under bus_.lock
+};
+
+TEST_F(CalibratingProgram, leads_through_the_whole_set_up_by_voice_and_keeps_a_profile) {
+    {
+        const std::lock_guard guard(bus_.lock);
+        bus_.falcon.homes_by_moving = true;
+        bus_.falcon.after_frame = [this](test::FalconEmulator& falcon) { glide(falcon); };
+    }
+    program_.emplace(home_.path(), "falcon", "calibrate");
+    if (!is_led_through()) {
+        if (lost_) GTEST_SKIP() << "this machine is too busy to play a Falcon: the guard had to let it go";
+        FAIL() << program_->said();
+    }
+    EXPECT_EQ(program_->wait_for_end(), 0);
+    const std::string settings = test::content_of(home_.path() / ".config" / "handrail" / "settings.toml");
+    EXPECT_THAT(settings,
+                testing::AllOf(testing::HasSubstr("[profile.\"falcon"), testing::HasSubstr("ceiling_n = 1.2"), testing::HasSubstr("hand = \"left\""),
+                               testing::HasSubstr("gentlest_n = 0."), testing::HasSubstr("width_m = 0.06"), testing::HasSubstr("step_length_m = 0.65")));
+    const std::lock_guard guard(bus_.lock);
+    EXPECT_EQ(bus_.falcon.frames_before_homed_with_force, 0U);
+    EXPECT_LE(bus_.falcon.largest_force_n, 1.2 + 0.05);
+    EXPECT_TRUE(no_force_now());
+}
+
 TEST_F(GuardProcess, devices_command_tells_every_fact_of_the_falcon) {
     test::ProgramCall call;
     call.program = HANDRAIL_PROGRAM;
@@ -295,7 +465,6 @@ TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_
     EXPECT_THAT(asleep.out, testing::HasSubstr("cannot be used yet"));
     // Left to itself the program says so and goes on with a simulated hand; asked for that very device it ends.
     call.arguments = {"--no-window"};
-    call.input = "quit\n";
     const test::ProgramRun left_to_itself = test::run_program(call);
     EXPECT_EQ(left_to_itself.exit_status, 0) << left_to_itself.err;
     EXPECT_THAT(left_to_itself.out, testing::AllOf(testing::HasSubstr("I found a Novint Falcon."), testing::HasSubstr("simulated hand follows"),

@@ -1,14 +1,12 @@
 // Pads and pucks through the hidapi that people have, on hidraw nodes that umockdev plays.
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/playstation_pad.h"
-#include "haptic/drivers/space_mouse.h"
+#include "tests/emulators/hid_claims.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/run_program.h"
 #include "tests/umockdev/mock_hidraw.h"
-#include "worlds/base/clock.h"
 
 namespace handrail {
 namespace {
@@ -32,9 +30,9 @@ protected:
     } bed_;
     test::PadEmulator usb_pad_{true, false}, bluetooth_pad_{true, true};
     test::PuckEmulator puck_;
-    MockHidraw usb_node_{bed_.bed, usb_pad_, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller", 5}};
-    MockHidraw bluetooth_node_{bed_.bed, bluetooth_pad_, {1, true, 0x054c, 0x0ce6, "Wireless Controller", 5}};
-    MockHidraw puck_node_{bed_.bed, puck_, {2, false, 0x046d, 0xc626, "SpaceNavigator", 8}};
+    MockHidraw usb_node_{bed_.bed, usb_pad_, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"}};
+    MockHidraw bluetooth_node_{bed_.bed, bluetooth_pad_, {1, true, 0x054c, 0x0ce6, "Wireless Controller"}};
+    MockHidraw puck_node_{bed_.bed, puck_, {2, false, 0x046d, 0xc626, "SpaceNavigator"}};
 };
 
 TEST_F(OverHidapi, all_three_are_listed_with_what_is_known_of_them) {
@@ -51,39 +49,9 @@ TEST_F(OverHidapi, dual_sense_exchanges_a_thousand_reports_over_usb_and_bluetoot
     for (const bool bluetooth : {false, true}) {
         test::PadEmulator& emulator = bluetooth ? bluetooth_pad_ : usb_pad_;
         MockHidraw& node = bluetooth ? bluetooth_node_ : usb_node_;
-        auto link = open(0x054c, bluetooth);
-        ASSERT_TRUE(link);
-        PlaystationPad pad(std::move(link), PadModel::DualSense, bluetooth ? PadBus::Bluetooth : PadBus::Usb);
-        const auto opened = pad.open();
-        ASSERT_TRUE(opened) << opened.error().sentence();
-        EXPECT_EQ(pad.firmware(), "2.24");
-        const SteadyClock clock;
-        const double begun_s = clock.now_s();
-        for (int i = 0; i < 1000; ++i) {
-            PadOutput output;
-            output.strong = static_cast<std::uint8_t>(i);
-            output.right = trigger_resists(3, 1 + i % 8);
-            ASSERT_TRUE(pad.write(output)) << i;
-            {
-                const std::lock_guard guard(node.lock);
-                ASSERT_EQ(emulator.strong, output.strong);
-                ASSERT_EQ(emulator.right_effect, output.right);
-                emulator.triggers = {static_cast<std::uint8_t>(i), 0};
-                emulator.tell();
-            }
-            node.ring();
-            const auto input = pad.read(2.0);
-            ASSERT_TRUE(input) << i;
-            ASSERT_EQ(std::lround(input->left_trigger * 255.0), i % 256);
-        }
-        std::printf("%s: %.0f pairs per second\n", bluetooth ? "Bluetooth" : "USB", 1000.0 / (clock.now_s() - begun_s));
-        const std::lock_guard guard(node.lock);
-        EXPECT_EQ(emulator.bad, 0U);
-        EXPECT_EQ(emulator.sequence_breaks, 0);
-        EXPECT_EQ(node.writes, 1001U);
+        test::exchange_a_thousand_reports(open(0x054c, bluetooth), bluetooth ? PadBus::Bluetooth : PadBus::Usb, emulator, node.lock, [&] { node.ring(); });
+        EXPECT_EQ(node.writes, 1002U) << "one on opening and one on letting go";
     }
-    EXPECT_EQ(usb_pad_.right_effect, trigger_off()) << "let go";
-    EXPECT_EQ(bluetooth_pad_.strong, 0);
 }
 
 TEST_F(OverHidapi, bluetooth_report_with_a_wrong_checksum_is_not_believed) {
@@ -99,21 +67,7 @@ TEST_F(OverHidapi, bluetooth_report_with_a_wrong_checksum_is_not_believed) {
 }
 
 TEST_F(OverHidapi, space_mouse_steers) {
-    SpaceMouse mouse(open(0x046d, false));
-    {
-        const std::lock_guard guard(puck_node_.lock);
-        puck_.tell(1, {0, -350, 0});
-        puck_.tell(2, {0, 0, -350});
-        puck_.tell_buttons(1);
-    }
-    puck_node_.ring();
-    const PuckState state = mouse.poll(0.0);
-    EXPECT_EQ(state.move, Vec3(0.0, 1.0, 0.0));
-    EXPECT_EQ(state.turn, Vec3(0.0, 0.0, 1.0));
-    EXPECT_EQ(state.buttons, 1U);
-    EXPECT_TRUE(mouse.light(true));
-    const std::lock_guard guard(puck_node_.lock);
-    EXPECT_TRUE(puck_.light);
+    test::steer_with_a_space_mouse(open(0x046d, false), puck_, puck_node_.lock, [&] { puck_node_.ring(); });
 }
 
 TEST_F(OverHidapi, devices_command_tells_of_pads_and_pucks) {

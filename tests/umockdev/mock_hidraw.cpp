@@ -27,7 +27,7 @@ void add(UMockdevTestbed* bed, const std::string& description) {
 }  // namespace
 
 MockHidraw::MockHidraw(UMockdevTestbed* bed, HidEmulator& device, const Identity& identity)
-    : device_(device), identity_(identity), descriptor_{0x05, 0x01, 0x09, identity.usage, 0xa1, 0x01, 0xc0} {
+    : device_(device), identity_(identity), descriptor_(device.descriptor()) {
     const std::string id = fmt::format("{:04X}:{:08X}:{:08X}", identity.bluetooth ? 5 : 3, identity.vendor, identity.product);
     std::string above;
     if (identity.bluetooth) {

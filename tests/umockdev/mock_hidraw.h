@@ -18,7 +18,6 @@ public:
         bool bluetooth;
         std::uint16_t vendor, product;
         std::string name;
-        std::uint8_t usage;  // on the generic desktop page: 5 game pad, 8 multi-axis
     };
     MockHidraw(UMockdevTestbed* bed, HidEmulator& device, const Identity& identity);
     ~MockHidraw();

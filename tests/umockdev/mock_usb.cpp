@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <sys/ioctl.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace handrail::test {
@@ -13,81 +14,95 @@ namespace {
 
 usbdevfs_urb& urb_of(UMockdevIoctlData* data) { return *reinterpret_cast<usbdevfs_urb*>(data->data); }
 
-// Device and configuration of an FT232-class chip with the Falcon's numbers: one interface, bulk in 0x81, bulk out 0x02.
-std::string descriptors() {
-    static constexpr std::uint8_t kBytes[] = {18,   1,  0x00, 0x02, 0, 0, 0, 8,    0x03, 0x04, 0x48, 0xcb, 0x00, 0x04, 0, 0,  0, 1, 9, 2, 32,   0, 1,  1, 0,
-                                              0x80, 45, 9,    4,    0, 0, 2, 0xff, 0xff, 0xff, 0,    7,    5,    0x81, 2, 64, 0, 0, 7, 5, 0x02, 2, 64, 0, 0};
+std::string hex(std::span<const std::uint8_t> bytes) {
     std::string text;
-    for (const std::uint8_t byte : kBytes) text += fmt::format("{:02X}", byte);
+    for (const std::uint8_t byte : bytes) text += fmt::format("{:02X}", byte);
     return text;
 }
 
 }  // namespace
 
-MockFalconBus::MockFalconBus(UMockdevTestbed* bed) {
+MockUsbDevice::MockUsbDevice(UMockdevTestbed* bed, UsbFunction& function, int address) : function_(function) {
     ::signal(SIGPIPE, SIG_IGN);  // umockdev answers processes that tests have killed
-    const std::string device =
-        "P: /devices/pci0000:00/usb1/1-1\nN: bus/usb/001/007\nE: DEVNAME=/dev/bus/usb/001/007\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\n"
-        "E: BUSNUM=001\nE: DEVNUM=007\nE: MAJOR=189\nE: MINOR=6\nA: busnum=1\\n\nA: devnum=7\\n\nA: speed=12\\n\nA: idVendor=0403\\n\n"
-        "A: idProduct=cb48\\n\nA: bConfigurationValue=1\\n\nA: bNumConfigurations=1\\n\nA: devpath=1\\n\nH: descriptors=" +
-        descriptors() + "\n";
+    const std::vector<std::uint8_t> numbers = function.device_descriptor();
+    const std::string node = fmt::format("bus/usb/{:03}/{:03}", kBus, address);
+    const std::string device = fmt::format(
+        "P: /devices/pci0000:00/usb{0}/{0}-{1}\nN: {2}\nE: DEVNAME=/dev/{2}\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nE: BUSNUM={0:03}\n"
+        "E: DEVNUM={1:03}\nE: MAJOR=189\nE: MINOR={3}\nA: busnum={0}\\n\nA: devnum={1}\\n\nA: speed=12\\n\nA: idVendor={4:04x}\\n\n"
+        "A: idProduct={5:04x}\\n\nA: bConfigurationValue=1\\n\nA: bNumConfigurations=1\\n\nA: devpath={1}\\n\nH: descriptors={6}{7}\n",
+        kBus, address, node, address - 1, numbers[8] | numbers[9] << 8, numbers[10] | numbers[11] << 8, hex(numbers), hex(function.configuration_descriptor()));
     GError* error = nullptr;
     if (!umockdev_testbed_add_from_string(bed, device.c_str(), &error)) throw std::runtime_error(error->message);
     handler_ = umockdev_ioctl_base_new();
     g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(on_ioctl), this);
-    if (!umockdev_testbed_attach_ioctl(bed, "/dev/bus/usb/001/007", handler_, &error)) throw std::runtime_error(error->message);
+    if (!umockdev_testbed_attach_ioctl(bed, ("/dev/" + node).c_str(), handler_, &error)) throw std::runtime_error(error->message);
 }
 
-MockFalconBus::~MockFalconBus() {
+MockUsbDevice::~MockUsbDevice() {
     g_signal_handlers_disconnect_by_data(handler_, this);
     g_object_unref(handler_);
 }
 
-gboolean MockFalconBus::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
-    auto& bus = *static_cast<MockFalconBus*>(self);
+gboolean MockUsbDevice::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self) {
+    auto& bus = *static_cast<MockUsbDevice*>(self);
     const std::lock_guard guard(bus.lock);
     return bus.answer(client);
 }
 
-void MockFalconBus::finish(const Urb& urb, int status, int length) {
+void MockUsbDevice::finish(const Urb& urb, int status, std::size_t length) {
     urb_of(urb.urb).status = status;
-    urb_of(urb.urb).actual_length = length;
+    urb_of(urb.urb).actual_length = static_cast<int>(length);
     done_.push_back(urb);
 }
 
-// IN transfers wait until the chip has bytes, or its latency timer sends two status bytes alone.
-void MockFalconBus::serve_waiting() {
+// Transfers to the host wait until the device has something to tell.
+void MockUsbDevice::serve_waiting() {
     const auto now = std::chrono::steady_clock::now();
-    while (!waiting_.empty() && (falcon.has_payload() || now - waiting_.front().since >= std::chrono::milliseconds(falcon.latency_ms))) {
+    while (!waiting_.empty()) {
         const Urb urb = waiting_.front();
-        waiting_.pop_front();
         const auto room = static_cast<std::size_t>(urb_of(urb.urb).buffer_length);
-        finish(urb, 0, static_cast<int>(falcon.in(urb.buffer->data, room)));
+        const auto packet = function_.in(room, std::chrono::duration_cast<std::chrono::milliseconds>(now - urb.since));
+        if (!packet) return;
+        waiting_.pop_front();
+        std::copy_n(packet->begin(), std::min(packet->size(), room), urb.buffer->data);
+        finish(urb, 0, std::min(packet->size(), room));
     }
 }
 
-void MockFalconBus::submit(UMockdevIoctlData* data) {
+// Eight bytes of set-up, then the data of either way.
+void MockUsbDevice::control(const Urb& urb) {
+    constexpr std::size_t kSetup = 8;
+    std::uint8_t* bytes = urb.buffer->data;
+    const auto room = static_cast<std::size_t>(urb_of(urb.urb).buffer_length);
+    if (room < kSetup) return finish(urb, -EPIPE, 0);
+    const UsbSetup setup = usb_setup({bytes, kSetup});
+    std::vector<std::uint8_t> data;
+    if (!setup.to_host()) data.assign(bytes + kSetup, bytes + std::min<std::size_t>(room, kSetup + setup.length));
+    if (!function_.answer(setup, data)) return finish(urb, -EPIPE, 0);
+    const std::size_t size = std::min<std::size_t>({data.size(), setup.length, room - kSetup});
+    if (setup.to_host()) std::copy_n(data.begin(), size, bytes + kSetup);
+    finish(urb, 0, size);
+}
+
+void MockUsbDevice::submit(UMockdevIoctlData* data) {
     usbdevfs_urb& urb = urb_of(data);
     UMockdevIoctlData* buffer = umockdev_ioctl_data_resolve(data, offsetof(usbdevfs_urb, buffer), static_cast<gsize>(urb.buffer_length), nullptr);
     const Urb held{static_cast<UMockdevIoctlData*>(g_object_ref(data)), buffer ? static_cast<UMockdevIoctlData*>(g_object_ref(buffer)) : nullptr,
                    std::chrono::steady_clock::now()};
-    if (urb.type == USBDEVFS_URB_TYPE_CONTROL && buffer) {
-        const std::uint8_t* setup = buffer->data;
-        const bool taken = setup[0] == 0x40 && falcon.control(setup[1], static_cast<std::uint16_t>(setup[2] | setup[3] << 8));
-        finish(held, taken ? 0 : -EPIPE, 0);
-    } else if (urb.endpoint == 0x02 && buffer) {
-        falcon.out(buffer->data, static_cast<std::size_t>(urb.buffer_length));
-        finish(held, 0, urb.buffer_length);
-    } else if (urb.endpoint == 0x81 && buffer) {
+    if (!buffer) {
+        finish(held, -EPIPE, 0);
+    } else if (urb.type == USBDEVFS_URB_TYPE_CONTROL) {
+        control(held);
+    } else if (urb.endpoint & 0x80) {
         waiting_.push_back(held);
     } else {
-        finish(held, -EPIPE, 0);
+        function_.out({buffer->data, static_cast<std::size_t>(urb.buffer_length)});
+        finish(held, 0, static_cast<std::size_t>(urb.buffer_length));
     }
     serve_waiting();
 }
 
-gboolean MockFalconBus::answer(UMockdevIoctlClient* client) {
-    ++requests;
+gboolean MockUsbDevice::answer(UMockdevIoctlClient* client) {
     UMockdevIoctlData* argument = umockdev_ioctl_client_get_arg(client);
     const auto resolved = [&](std::size_t size) { return umockdev_ioctl_data_resolve(argument, 0, size, nullptr); };
     const auto complete = [&](long result, int error) {

@@ -1,5 +1,5 @@
-// A USB bus in umockdev with one Falcon on it: usbfs answered by the emulator, as the kernel would. The bed answers on a thread of its own;
-// `lock` guards the emulator.
+// USB devices in umockdev: usbfs answered as the kernel would, for any device of tests/emulators/usb_function.h. The bed answers on a thread of
+// its own; `lock` guards the emulator.
 #pragma once
 
 #include <umockdev.h>
@@ -8,23 +8,21 @@
 #include <deque>
 #include <mutex>
 
-#include "tests/emulators/falcon_emulator.h"
+#include "tests/emulators/usb_function.h"
 
 namespace handrail::test {
 
-class MockFalconBus {
+class MockUsbDevice {
 public:
-    static constexpr int kBus = 1, kAddress = 7;
+    static constexpr int kBus = 1;
 
-    explicit MockFalconBus(UMockdevTestbed* bed);
-    ~MockFalconBus();
-    MockFalconBus(const MockFalconBus&) = delete;
-    MockFalconBus& operator=(const MockFalconBus&) = delete;
+    MockUsbDevice(UMockdevTestbed* bed, UsbFunction& function, int address);
+    ~MockUsbDevice();
+    MockUsbDevice(const MockUsbDevice&) = delete;
+    MockUsbDevice& operator=(const MockUsbDevice&) = delete;
 
     std::mutex lock;
-    FalconEmulator falcon;
     bool unplugged = false;  // every request fails with ENODEV from now on
-    std::uint64_t requests = 0;
 
 private:
     struct Urb {
@@ -35,11 +33,20 @@ private:
     static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
     gboolean answer(UMockdevIoctlClient* client);
     void submit(UMockdevIoctlData* data);
+    void control(const Urb& urb);
     void serve_waiting();
-    void finish(const Urb& urb, int status, int length);
+    void finish(const Urb& urb, int status, std::size_t length);
 
+    UsbFunction& function_;
     UMockdevIoctlBase* handler_ = nullptr;
     std::deque<Urb> waiting_, done_;
+};
+
+// One Falcon on the bus.
+class MockFalconBus : public FalconAndItsChip, public MockUsbDevice {
+public:
+    static constexpr int kAddress = 7;
+    explicit MockFalconBus(UMockdevTestbed* bed) : MockUsbDevice(bed, chip, kAddress) {}
 };
 
 }  // namespace handrail::test

@@ -3,12 +3,13 @@
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
 
+#include "tests/support/virtual_display.h"
 #include "tests/window/small_room.h"
-#include "tests/window/virtual_display.h"
 
 namespace handrail {
 
@@ -214,6 +215,38 @@ TEST_F(WindowTest, lets_go_of_held_keys_when_the_focus_goes_and_says_when_it_ret
     EXPECT_TRUE(std::holds_alternative<KeyEvent>(events_.back())) << "releases come after the news";
     ASSERT_TRUE(display_->xdotool("keyup Up search --name '^Handrail$' windowfocus --sync"));
     ASSERT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
+}
+
+// Nobody polls the window here: what must not wait comes all the same.
+TEST_F(WindowTest, tells_a_watched_key_and_the_loss_of_the_keyboard_without_being_polled) {
+    std::atomic<int> stops{0}, others{0};
+    std::atomic<bool> focused{true};
+    ASSERT_TRUE(window_->watch_keys(
+        {[&](const std::string& key) { return ++others, key == "F12" || key == "Shift+Escape"; }, [&] { ++stops; }, [&](bool now) { focused = now; }}));
+    const auto soon = [](auto&& condition) {
+        for (int i = 0; i < 4000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        return condition();
+    };
+    ASSERT_TRUE(display_->xdotool("key F11 Escape Control_L F12"));
+    EXPECT_TRUE(soon([&] { return stops == 1; }));
+    EXPECT_EQ(others, 3) << "a modifier alone is no key";
+    ASSERT_TRUE(display_->xdotool("key shift+Escape"));
+    EXPECT_TRUE(soon([&] { return stops == 2; }));
+    Desktop().take_keyboard_away();
+    EXPECT_TRUE(soon([&] { return !focused; }));
+    ASSERT_TRUE(display_->xdotool("search --name '^Handrail$' windowfocus --sync"));
+    EXPECT_TRUE(soon([&] { return focused.load(); }));
+    // The window itself has lost nothing by it.
+    EXPECT_TRUE(wait_for([&] { return count<FocusChange>() == 2; }));
+    const auto all = keys();
+    EXPECT_EQ(std::count(all.begin(), all.end(), press("F12")), 1);
+}
+
+TEST_F(WindowTest, a_watch_outlives_the_display) {
+    ASSERT_TRUE(window_->watch_keys({[](const std::string&) { return true; }, [] {}, [](bool) {}}));
+    display_->kill();
+    ASSERT_TRUE(wait_for([&] { return count<CloseRequest>() == 1; }));
+    window_.reset();
 }
 
 TEST_F(WindowTest, shows_on_the_screen_what_it_drew_and_follows_its_size) {

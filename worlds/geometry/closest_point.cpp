@@ -215,7 +215,24 @@ ClosestPoint closest_point(const Aabb& box, const Vec3& p) noexcept {
     return best;
 }
 
-ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& p) noexcept {
+ClosestPoint closest_point(const Aabb& box, double rounding_m, const Vec3& p) noexcept {
+    const Vec3 core = glm::clamp(p, box.min_m + rounding_m, box.max_m - rounding_m);
+    const Vec3 away = p - core;
+    const int beyond = static_cast<int>(away.x != 0.0) + static_cast<int>(away.y != 0.0) + static_cast<int>(away.z != 0.0);
+    const double distance = glm::length(away);
+    if (beyond < 2 || distance <= kSideless_m) return closest_point(box, p);
+    const Vec3 normal = away / distance;
+    return {core + normal * rounding_m, normal, distance - rounding_m};
+}
+
+namespace {
+
+template <bool kRounded>
+ClosestPoint closest_of_planes(std::span<const Plane> solid, [[maybe_unused]] double rounding_m, const Vec3& p) noexcept {
+    const auto inwards = [&](double distance) {
+        if constexpr (kRounded) return distance + rounding_m;
+        else return distance;
+    };
     double deepest = -std::numeric_limits<double>::infinity();
     std::size_t nearest = 0;
     for (std::size_t i = 0; i < solid.size(); ++i) {
@@ -226,13 +243,13 @@ ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& p) noexcept
         }
     }
     const ClosestPoint on_plane{p - solid[nearest].normal * deepest, solid[nearest].normal, deepest};
-    if (deepest <= kSideless_m) return on_plane;
+    if (inwards(deepest) <= kSideless_m) return on_plane;
     ProjectionBasis basis;
     const bool solved = project_on_half_spaces(
         Vec3(0.0), static_cast<int>(solid.size()),
         [&](int i) {
             const Plane& plane = solid[static_cast<std::size_t>(i)];
-            return HalfSpace{-plane.normal, signed_distance(plane, p)};
+            return HalfSpace{-plane.normal, inwards(signed_distance(plane, p))};
         },
         basis);
     // A plane of the solid always supports it, so the fallback is a legal, only less tight, answer.
@@ -242,7 +259,18 @@ ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& p) noexcept
         const double distance = signed_distance(plane, p);
         return {p - plane.normal * distance, plane.normal, distance};
     }
-    return from_corner(p + basis.point_m, p, solid[nearest].normal);
+    ClosestPoint corner = from_corner(p + basis.point_m, p, solid[nearest].normal);
+    if constexpr (kRounded) {
+        corner.point_m += corner.normal * rounding_m;
+        corner.distance_m -= rounding_m;
+    }
+    return corner;
 }
+
+}  // namespace
+
+ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& p) noexcept { return closest_of_planes<false>(solid, 0.0, p); }
+
+ClosestPoint closest_point(std::span<const Plane> solid, double rounding_m, const Vec3& p) noexcept { return closest_of_planes<true>(solid, rounding_m, p); }
 
 }  // namespace handrail

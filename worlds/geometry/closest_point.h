@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -29,11 +30,15 @@ struct TriangleShape {
 };
 TriangleShape make_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m) noexcept;
 
-// True only where the triangle is farther than reach_m: the plane that stands halfway to its middle keeps it off. Cheaper than preparing it.
-inline bool surely_beyond_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const Vec3& point_m, double reach_m) noexcept {
+// The plane that supports a triangle square to the line from its middle to a point: a quarter of the work of closest_point, and from afar nearly as tight.
+// Returns how far the point is in front of it, at most its distance from the triangle; 0, and no normal, where that plane does not keep it off.
+inline double support_towards(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const Vec3& point_m, Vec3& normal) noexcept {
     const Vec3 away = 3.0 * point_m - (a_m + b_m + c_m);
     const double gap = std::min({glm::dot(point_m - a_m, away), glm::dot(point_m - b_m, away), glm::dot(point_m - c_m, away)});
-    return gap > 0.0 && gap * gap > reach_m * reach_m * glm::dot(away, away) * (1.0 + 1e-9);
+    if (!(gap > 0.0)) return 0.0;
+    const double per_length = 1.0 / std::sqrt(glm::dot(away, away));
+    normal = away * per_length;
+    return gap * per_length;
 }
 
 // A corner of a flat convex polygon, with the direction out of the edge that leads to the next corner: in the plane, not of unit length.
@@ -66,6 +71,10 @@ ClosestPoint closest_point(const PolygonShape& polygon, const Vec3& point_m) noe
 ClosestPoint closest_point(const Aabb& box, const Vec3& point_m) noexcept;
 // A bounded convex solid given by its planes (at least 4). Inside, the nearest plane.
 ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& point_m) noexcept;
+// The same solids with every edge and corner rounded: all places within rounding_m of what is left when each face moves in by as much. Over a face the
+// answer is that of the sharp solid, bit for bit. Expects that every face still has an area when it has moved in.
+ClosestPoint closest_point(const Aabb& box, double rounding_m, const Vec3& point_m) noexcept;
+ClosestPoint closest_point(std::span<const Plane> solid, double rounding_m, const Vec3& point_m) noexcept;
 
 // Squared distance from a point to a box; 0 inside.
 inline double distance_squared(const Aabb& box, const Vec3& p) noexcept {

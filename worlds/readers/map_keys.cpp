@@ -13,6 +13,14 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
+std::optional<TouchSide> touch_side_named(std::string_view word) {
+    const std::string name = lower_ascii(trimmed(word).substr(0, 16));
+    if (name == "both") return TouchSide::Both;
+    if (name == "front") return TouchSide::Front;
+    if (name == "back") return TouchSide::Back;
+    return std::nullopt;
+}
+
 std::optional<double> MapKeys::number_of(const MapEntity& entity, std::string_view key, double least, double most, std::string_view range) const {
     const MapKey* found = entity.find(key);
     if (!found) return std::nullopt;

@@ -4,11 +4,15 @@
 #include <optional>
 #include <string_view>
 
+#include "worlds/geometry/triangle_mesh.h"
 #include "worlds/readers/map_syntax.h"
 
 namespace handrail {
 
 std::string_view trimmed(std::string_view text);
+
+// "both", "front" or "back", in any case.
+std::optional<TouchSide> touch_side_named(std::string_view word);
 
 class MapKeys {
 public:

@@ -1,9 +1,11 @@
-// Wavefront .obj meshes: triangles as two-sided sheets. Damage is reported by line and the rest loads.
+// Wavefront .obj meshes: triangles as sheets, two-sided unless a comment "#touch_side front" or "back" says otherwise for the faces below it. Damage is
+// reported by line and the rest loads.
 #include <charconv>
 #include <map>
 
 #include "worlds/base/text.h"
 #include "worlds/readers/diagnostics.h"
+#include "worlds/readers/map_keys.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
 
@@ -89,6 +91,7 @@ private:
         for (bool more = true; more;) {
             const std::size_t end = std::min(bytes_.find_first_of("\r\n", begin), bytes_.size());
             std::string_view text = bytes_.substr(begin, end - begin);
+            if (constexpr std::string_view kSide = "#touch_side"; text.starts_with(kSide)) read_side(text.substr(kSide.size()));
             text = text.substr(0, text.find('#'));
             more = text.ends_with('\\') && end < bytes_.size();
             if (more) text.remove_suffix(1);
@@ -98,6 +101,12 @@ private:
         }
         at_ = begin;
         return true;
+    }
+
+    // A comment, so that other programs pass it over.
+    void read_side(std::string_view word) {
+        if (const std::optional<TouchSide> side = touch_side_named(word)) side_ = *side;
+        else diagnostics_.warn({next_line_, 1}, "It was passed over.", "\"{}\" is none of both, front and back.", excerpt(trimmed(word)));
     }
 
     struct Word {
@@ -191,7 +200,7 @@ private:
         const FeatureId id = feature_of(name_);
         Feature& feature = scene_.features[id.value];
         for (const auto& [a, b, c] : triangles_of(corners_m)) {
-            scene_.triangles.push_back({corners_m[a], corners_m[b], corners_m[c], id, material_});
+            scene_.triangles.push_back({corners_m[a], corners_m[b], corners_m[c], id, material_, side_});
             const double area = 0.5 * glm::length(glm::cross(corners_m[b] - corners_m[a], corners_m[c] - corners_m[a]));
             feature.area_m2 += area;
             areas_m2_[{id.value, material_}] += area;
@@ -256,6 +265,7 @@ private:
     std::vector<Vertex> vertices_;
     std::string name_;                        // of the current object or group
     MaterialId material_ = kDefaultMaterial;  // current
+    TouchSide side_ = TouchSide::Both;        // current
     std::map<std::string, FeatureId> features_;
     std::map<std::string, MaterialId> materials_;
     std::map<std::string, std::string> guessed_from_;

@@ -8,6 +8,7 @@
 #include "worlds/readers/height_picture.h"
 #include "worlds/readers/map_effects.h"
 #include "worlds/readers/map_keys.h"
+#include "worlds/readers/map_movers.h"
 #include "worlds/readers/map_soft.h"
 #include "worlds/readers/map_syntax.h"
 #include "worlds/readers/reader.h"
@@ -67,6 +68,13 @@ bool is_structure(std::string_view class_name) {
     return class_name.empty() || class_name == "worldspawn" || class_name == "func_group" || class_name.starts_with("func_detail");
 }
 
+// Fire, fountains and the like: seen in other programs, felt in none, heard here.
+bool is_particles(std::string_view class_name) {
+    constexpr std::array<std::string_view, 9> kStarts{"particle",  "light_torch", "light_flame", "env_fire",   "env_spark",
+                                                      "env_steam", "env_smoke",   "misc_fire",   "misc_sparks"};
+    return std::any_of(kStarts.begin(), kStarts.end(), [&](std::string_view start) { return class_name.starts_with(start); });
+}
+
 struct SoundRow {
     std::string_view class_name, name;
 };
@@ -79,6 +87,13 @@ constexpr std::array kSounds{
     SoundRow{"ambient_suck_wind", "wind"},
     SoundRow{"ambient_swamp*", "swamp"},
     SoundRow{"ambient_thunder", "thunder"},
+    SoundRow{"light_torch*", "torch"},
+    SoundRow{"light_flame*", "flame"},
+    SoundRow{"particle_explo*", "explosion"},
+    SoundRow{"particle_fire*", "fire"},
+    SoundRow{"particle_fountain*", "fountain"},
+    SoundRow{"particle_rain*", "rain"},
+    SoundRow{"particle_snow*", "snow"},
 };
 
 // What one texture says about the brush it covers.
@@ -149,6 +164,7 @@ public:
         choose_base();
         attach_effects(effects_, scene_, diagnostics_);
         name_world();
+        attach_movers(movers_, scene_, diagnostics_);
         write_report();
         progress(1.0);
         return std::move(scene_);
@@ -182,6 +198,7 @@ private:
         PatchGrid grid;
         FeatureId feature;
         MaterialId material = kDefaultMaterial;
+        TouchSide side = TouchSide::Both;
     };
 
     void progress(double fraction) const {
@@ -242,6 +259,8 @@ private:
             diagnostics_.warn(entity.place, "That part is missing here.", "this entity stands for the content of another file.");
         if (class_name.starts_with("info_player_")) read_start(entity, class_name, index);
         if (class_name.starts_with("func_door")) ++scene_.report.doors;
+        note_name(movers_, entity);
+        if (class_name == "info_teleport_destination") read_destination(entity);
         if (entity.value("cs_name") == "PHANTOM" || entity.value("name") == "PHANTOM") {
             left_out_cursor_ = true;
             for (const MapBrush& brush : entity.brushes) counted_solid_of(brush);
@@ -258,7 +277,7 @@ private:
         }
         if (!entity.brushes.empty() || !entity.patches.empty()) read_brushes(entity, class_name, index);
         else if (!world && !class_name.empty() && !class_name.starts_with("info_player_") && class_name.find("light") != 0 &&
-                 !class_name.starts_with("ambient_"))
+                 !class_name.starts_with("ambient_") && !is_particles(class_name) && class_name != "target_speaker")
             ++shapeless_things_;
     }
 
@@ -282,6 +301,16 @@ private:
         if (entity.find("building")) stated_building_ = yes_no_of(entity, "building");
     }
 
+    // Clockwise from north, 0 to 2 pi.
+    double heading_of(const MapEntity& entity) {
+        double angle_deg = 0.0;
+        if (entity.find("angle")) angle_deg = number_of(entity, "angle", -1e6, 1e6, "degrees").value_or(0.0);
+        else if (const std::optional<Vec3> angles = vector_of(entity, entity.find("angles") ? "angles" : "mangle")) angle_deg = angles->y;
+        if (angle_deg == -1.0 || angle_deg == -2.0) angle_deg = 0.0;  // these two mean up and down
+        const double heading = std::remainder(radians_from_degrees(90.0 - angle_deg), 2.0 * kPi);
+        return heading < 0.0 ? heading + 2.0 * kPi : heading;
+    }
+
     void read_start(const MapEntity& entity, const std::string& class_name, int index) {
         ++scene_.report.starts;
         const std::optional<Vec3> origin = vector_of(entity, "origin");
@@ -291,16 +320,17 @@ private:
         }
         Start start;
         start.feet_m = (*origin - Vec3{0.0, 0.0, kOriginAboveSolesUnits}) * units_;
-        double angle_deg = 0.0;
-        if (entity.find("angle")) angle_deg = number_of(entity, "angle", -1e6, 1e6, "degrees").value_or(0.0);
-        else if (const std::optional<Vec3> angles = vector_of(entity, entity.find("angles") ? "angles" : "mangle")) angle_deg = angles->y;
-        if (angle_deg == -1.0 || angle_deg == -2.0) angle_deg = 0.0;  // these two mean up and down
-        start.heading_rad = std::remainder(radians_from_degrees(90.0 - angle_deg), 2.0 * kPi);
-        if (start.heading_rad < 0.0) start.heading_rad += 2.0 * kPi;
+        start.heading_rad = heading_of(entity);
         start.name = text_of(entity, "name");
         start.base = class_name == "info_player_start";
         start.source = {entity.place.line, index};
         scene_.starts.push_back(std::move(start));
+    }
+
+    // Where teleporters lead: like a start, but nobody starts there.
+    void read_destination(const MapEntity& entity) {
+        if (const std::optional<Vec3> origin = vector_of(entity, "origin"))
+            note_destination(movers_, entity, (*origin - Vec3{0.0, 0.0, kOriginAboveSolesUnits}) * units_, heading_of(entity));
     }
 
     void choose_base() {
@@ -315,8 +345,11 @@ private:
 
     void read_sound(const MapEntity& entity, const std::string& class_name) {
         const bool ambient = class_name.starts_with("ambient_");
-        const std::string sound = text_of(entity, "sound");
-        if (!ambient && sound.empty()) return;
+        std::string sound = text_of(entity, "sound");
+        // Other games' editors write the file to play under these keys.
+        if (sound.empty() && class_name == "ambient_generic") sound = text_of(entity, "message");
+        if (sound.empty() && class_name == "target_speaker") sound = text_of(entity, "noise");
+        if (!ambient && sound.empty() && !is_particles(class_name)) return;
         SoundSource source;
         source.sound = sound.empty() ? class_name : sound;
         source.name = text_of(entity, "name");
@@ -324,6 +357,7 @@ private:
             if (source.name.empty() && sound.empty() && fits(row.class_name, class_name)) source.name = row.name;
         if (source.name.empty())
             source.name = words_of_name(ambient && sound.empty() ? std::string_view(class_name).substr(8) : std::string_view(source.sound));
+        source.loudness = number_of(entity, "volume", 0.0, 1.0, "0 to 1").value_or(1.0);
         if (const std::optional<Vec3> origin = vector_of(entity, "origin")) {
             source.position_m = *origin * units_;
         } else {
@@ -648,10 +682,11 @@ private:
 
     void read_brushes(const MapEntity& entity, const std::string& class_name, int index) {
         const Meaning meaning = meaning_of(entity, class_name, index);
+        const TouchSide side = touch_side_of(entity);
         // One brush stays as it is where a box was asked for: it may be a turned one.
         if (meaning.exact && !entity.brushes.empty() && (*meaning.exact != PrimitiveKind::Box || entity.brushes.size() > 1)) {
             FeatureId thing = read_exact(entity, meaning, index);
-            for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, thing);
+            for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, thing, side);
             return;
         }
         FeatureId whole = kNoFeature;
@@ -729,8 +764,10 @@ private:
                 solid.soft = soft_face_of(*meaning.soft, solid.shape, meaning.feature.name, diagnostics_);
             scene_.solids.push_back(std::move(solid));
         }
-        for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, whole);
+        for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, whole, side);
         if (moves) ++scene_.report.movers;
+        if (moves) note_mover(movers_, entity, class_name, whole, keys_);
+        if (whole && meaning.role == SolidRole::Trigger) note_switch(movers_, entity, class_name, whole);
         if (whole && scene_.features[whole.value].kind == FeatureKind::Door) {
             Feature& door = scene_.features[whole.value];
             const Vec3 size = door.bounds_m.size_m();
@@ -745,14 +782,27 @@ private:
 
     // ---- curved patches ----
 
+    // From where an entity's patches are touched. Brushes have an inside and no sides.
+    TouchSide touch_side_of(const MapEntity& entity) {
+        const MapKey* key = entity.find("touch_side");
+        if (!key) return TouchSide::Both;
+        if (entity.patches.empty()) {
+            diagnostics_.warn(key->place, "It was left out.", "the key touch_side stands on a thing without curved patches. A brush is solid from every side.");
+            return TouchSide::Both;
+        }
+        if (const std::optional<TouchSide> side = touch_side_named(key->value)) return *side;
+        diagnostics_.warn(key->place, "Both were taken.", "the value \"{}\" of the key touch_side is none of both, front and back.", excerpt(key->value));
+        return TouchSide::Both;
+    }
+
     // Notes a patch of an entity; `whole` is the entity's thing, made here where it has only patches.
-    void read_patch(const MapPatch& patch, const Meaning& meaning, int index, FeatureId& whole) {
+    void read_patch(const MapPatch& patch, const Meaning& meaning, int index, FeatureId& whole, TouchSide side) {
         const TextureFacts& facts = facts_of(patch.texture);
         if ((meaning.role != SolidRole::Solid && meaning.role != SolidRole::Mover) || facts.sense != TextureSense::Ordinary) {
             ++patches_left_out_;
             return;
         }
-        Bent bent{patch.grid_units, kNoFeature, material_of(meaning, facts, patch.texture)};
+        Bent bent{patch.grid_units, kNoFeature, material_of(meaning, facts, patch.texture), side};
         Aabb box;
         for (Vec3& p : bent.grid.points_m) {
             p *= units_;
@@ -797,7 +847,7 @@ private:
             Feature& feature = scene_.features[bent.feature.value];
             for (const Corners& t : made.mesh.triangles) {
                 const Vec3 &a = made.mesh.points_m[t[0]], &b = made.mesh.points_m[t[1]], &c = made.mesh.points_m[t[2]];
-                scene_.triangles.push_back({a, b, c, bent.feature, bent.material});
+                scene_.triangles.push_back({a, b, c, bent.feature, bent.material, bent.side});
                 feature.area_m2 += 0.5 * glm::length(glm::cross(b - a, c - a));
                 for (const Vec3& p : {a, b, c}) {
                     feature.bounds_m.include(p);
@@ -909,6 +959,7 @@ private:
     std::vector<std::vector<FaceLook>> looks_;  // one per solid
     std::vector<Volume> volumes_;
     std::vector<ReadEffect> effects_;
+    ReadMovers movers_;
     std::vector<Bent> bent_;
     double curve_error_m_ = 1e-3;
     int patches_left_out_ = 0;

@@ -37,7 +37,8 @@ struct MapReader {
 //   message    a longer description; of a trigger: spoken on entering it
 //   cs_name    liquid, dynamic_box, dynamic_sphere, dynamic_cylinder; else a name;   viscosity 0 to 100 Ns/m of hand speed (liquids)
 //   shape      box, sphere, cylinder, cone or capsule: one exact shape in the box around the entity's brushes; axis   x, y, z, -x, -y or -z: its direction
-//   sound      makes the entity a sound source (with an origin, or at the middle of its brushes); ambient_* classes are sources without it
+//   sound      makes the entity a sound source (with an origin, or at the middle of its brushes); ambient_* classes and particles (particle*, torches,
+//              flames, env_fire, env_spark*, env_steam, env_smoke*) are sources without it;   volume   0 to 1
 //   building   on worldspawn: 1 a building with the body of a person, 0 a game map. Without it a map with game things (wad or worldtype on
 //              worldspawn; lights, items, monsters, weapons, ambients, deathmatch starts) is a game map, unless it has a `thing` or a cs_name.
 // A start's origin lies 24 units above the soles; info_player_start is the base, else the first start.

@@ -57,6 +57,14 @@ std::vector<std::vector<Aabb>> visible(const Scene& scene) {
     return boxes;
 }
 
+// Of the materials, those with a name that something here is made of.
+std::vector<std::size_t> named(const Scene& scene, const std::vector<std::vector<Aabb>>& boxes) {
+    std::vector<std::size_t> used;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        if (!boxes[i].empty() && !scene.materials[i].name.empty()) used.push_back(i);
+    return used;
+}
+
 double distance_in_plan(const Aabb& box, const Vec3& p) {
     const Vec3 d = glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0));
     return std::sqrt(d.x * d.x + d.y * d.y);
@@ -82,22 +90,9 @@ bool can_be_told_apart(const Finish& a, const Finish& b) {
            textures_differ(a, b);
 }
 
-LintReport lint_materials(const Scene& scene) {
-    LintReport report;
+std::string crowded_view(const Scene& scene) {
     const std::vector<std::vector<Aabb>> boxes = visible(scene);
-    std::vector<std::size_t> used;
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        if (!boxes[i].empty() && !scene.materials[i].name.empty()) used.push_back(i);
-    std::set<std::string> told;
-    for (std::size_t a = 0; a < used.size(); ++a)
-        for (std::size_t b = 0; b < a; ++b) {
-            const Finish one = finish_of(scene.materials[used[b]]), other = finish_of(scene.materials[used[a]]);
-            if (one.name == other.name || can_be_told_apart(one, other)) continue;
-            if (!told.insert(one.name < other.name ? one.name + "/" + other.name : other.name + "/" + one.name).second) continue;
-            report.problems.push_back(fmt::format("{} and {} cannot be told apart by touch: stiffness {:g} and {:g}, friction {:g} and {:g}. {}",
-                                                  capital(one.name), other.name, one.stiffness_fraction, other.stiffness_fraction, one.friction_mu,
-                                                  other.friction_mu, advice(one, other)));
-        }
+    const std::vector<std::size_t> used = named(scene, boxes);
     // Views: round the middle of every surface of a named material. The fullest one is told.
     std::set<std::string> most;
     Vec3 where(0.0);
@@ -112,10 +107,26 @@ LintReport lint_materials(const Scene& scene) {
             most = names;
             where = box.centre_m();
         }
-    if (most.size() > kMostMaterialsInView)
-        report.warnings.push_back(
-            fmt::format("There are {} materials within one view round {:.1f} metres east, {:.1f} north: {}. More than {} at once are hard to keep apart.",
-                        most.size(), where.x, where.y, fmt::join(most, ", "), kMostMaterialsInView));
+    if (most.size() <= kMostMaterialsInView) return {};
+    return fmt::format("There are {} materials within one view round {:.1f} metres east, {:.1f} north: {}. More than {} at once are hard to keep apart.",
+                       most.size(), where.x, where.y, fmt::join(most, ", "), kMostMaterialsInView);
+}
+
+LintReport lint_materials(const Scene& scene) {
+    LintReport report;
+    const std::vector<std::vector<Aabb>> boxes = visible(scene);
+    const std::vector<std::size_t> used = named(scene, boxes);
+    std::set<std::string> told;
+    for (std::size_t a = 0; a < used.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            const Finish one = finish_of(scene.materials[used[b]]), other = finish_of(scene.materials[used[a]]);
+            if (one.name == other.name || can_be_told_apart(one, other)) continue;
+            if (!told.insert(one.name < other.name ? one.name + "/" + other.name : other.name + "/" + one.name).second) continue;
+            report.problems.push_back(fmt::format("{} and {} cannot be told apart by touch: stiffness {:g} and {:g}, friction {:g} and {:g}. {}",
+                                                  capital(one.name), other.name, one.stiffness_fraction, other.stiffness_fraction, one.friction_mu,
+                                                  other.friction_mu, advice(one, other)));
+        }
+    if (std::string crowded = crowded_view(scene); !crowded.empty()) report.warnings.push_back(std::move(crowded));
     return report;
 }
 

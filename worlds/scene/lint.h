@@ -33,6 +33,8 @@ struct LintReport {
     std::vector<std::string> problems;  // pairs that cannot be told apart, and what to change
     std::vector<std::string> warnings;  // places with too many materials, stick-slip
 };
+// A sentence where more than kMostMaterialsInView named materials lie within one view, about the fullest one; empty where none is so full.
+std::string crowded_view(const Scene& scene);
 // Over the named materials that a hand can reach in this world.
 LintReport lint_materials(const Scene& scene);
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
+#include <variant>
 
 #include "worlds/base/text.h"
 
@@ -17,15 +19,6 @@ Aabb touchable_bounds(const Scene& model) {
         if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) bounds.include(solid.shape.bounds_m);
     for (const MeshTriangle& t : model.triangles)
         for (const Vec3& p : {t.a_m, t.b_m, t.c_m}) bounds.include(p);
-    return bounds;
-}
-
-Aabb placed_bounds(const Aabb& own, const Placement& at) {
-    const PlacedFrame frame(at);
-    Aabb bounds;
-    for (int corner = 0; corner < 8; ++corner)
-        bounds.include(
-            frame.to_world({(corner & 1 ? own.max_m : own.min_m).x, (corner & 2 ? own.max_m : own.min_m).y, (corner & 4 ? own.max_m : own.min_m).z}));
     return bounds;
 }
 
@@ -45,11 +38,39 @@ void draw_placed(Scene& world, const PlacedModel& placed) {
     }
 }
 
+template <class Shape>
+void shift(Shape& shape, const Vec3& by_m) {
+    if constexpr (std::is_same_v<Shape, SphereShape>) shape.centre_m += by_m;
+    else if constexpr (std::is_same_v<Shape, CapsuleShape>) shape.start_m += by_m;
+    else if constexpr (std::is_same_v<Shape, CylinderShape>) shape.bottom_m += by_m;
+    else if constexpr (std::is_same_v<Shape, ConeShape>) shape.base_m += by_m;
+}
+
+// The same solid in a frame whose zero is there.
+Solid seen_from(Solid solid, const Vec3& zero_m) {
+    for (Plane& plane : solid.shape.planes) plane.offset_m -= glm::dot(plane.normal, zero_m);
+    for (Polygon& face : solid.shape.faces)
+        for (Vec3& p : face.points_m) p -= zero_m;
+    solid.shape.bounds_m.min_m -= zero_m;
+    solid.shape.bounds_m.max_m -= zero_m;
+    std::visit([&](auto& round) { shift(round, -zero_m); }, solid.round);
+    return solid;
+}
+
 void undraw(Scene& world, FeatureId feature) {
     std::erase_if(world.surfaces, [&](const SurfacePolygon& surface) { return surface.feature == feature; });
 }
 
 }  // namespace
+
+Aabb placed_bounds(const Aabb& own, const Placement& at) {
+    const PlacedFrame frame(at);
+    Aabb bounds;
+    for (int corner = 0; corner < 8; ++corner)
+        bounds.include(
+            frame.to_world({(corner & 1 ? own.max_m : own.min_m).x, (corner & 2 ? own.max_m : own.min_m).y, (corner & 4 ? own.max_m : own.min_m).z}));
+    return bounds;
+}
 
 Result<std::shared_ptr<const Scene>> primitive_model(const Primitive& primitive) {
     Result<Solid> solid = make_solid(primitive);
@@ -120,6 +141,46 @@ void move_placed(Scene& world, std::size_t thing, const Placement& at) {
     world.features[placed.feature.value].bounds_m = placed_bounds(touchable_bounds(*placed.model), at);
     undraw(world, placed.feature);
     draw_placed(world, placed);
+}
+
+Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector<int>& thing_of_mover) {
+    Scene scene = world;
+    thing_of_mover.assign(world.movers.size(), -1);
+    std::vector<bool> leaves(world.features.size(), false);
+    for (std::size_t i = 0; i < world.movers.size(); ++i) {
+        const Mover& mover = world.movers[i];
+        if (!mover.moves() || scene.placed.size() >= most_things) continue;
+        const auto own = [&](FeatureId feature) { return feature == mover.feature; };
+        auto model = std::make_shared<Scene>();
+        model->materials.emplace_back();
+        model->features.push_back(world.features[mover.feature.value]);
+        MaterialId material = kDefaultMaterial;
+        for (const Solid& solid : world.solids) {
+            if (!own(solid.feature) || solid.role != SolidRole::Mover) continue;
+            if (!solid.face_materials.empty()) material = solid.face_materials.front();
+            model->solids.push_back(seen_from(solid, mover.pivot_m));
+            model->solids.back().feature = FeatureId{0};
+        }
+        for (const MeshTriangle& t : world.triangles)
+            if (own(t.feature))
+                model->triangles.push_back({t.a_m - mover.pivot_m, t.b_m - mover.pivot_m, t.c_m - mover.pivot_m, FeatureId{0}, kDefaultMaterial, t.side});
+        if (model->solids.empty() && model->triangles.empty()) continue;
+        model->bounds_m = touchable_bounds(*model);
+        thing_of_mover[i] = static_cast<int>(scene.placed.size());
+        leaves[mover.feature.value] = true;
+        scene.placed.push_back({mover.feature, std::move(model), material, mover.at(mover.rests_far ? 1.0 : 0.0)});
+    }
+    const auto left = [&](FeatureId feature) { return feature.value < leaves.size() && leaves[feature.value]; };
+    std::erase_if(scene.solids, [&](const Solid& solid) { return solid.role == SolidRole::Mover && left(solid.feature); });
+    std::erase_if(scene.triangles, [&](const MeshTriangle& t) { return left(t.feature); });
+    std::erase_if(scene.surfaces, [&](const SurfacePolygon& surface) { return left(surface.feature); });
+    for (const int thing : thing_of_mover) {
+        if (thing < 0) continue;
+        const PlacedModel& placed = scene.placed[static_cast<std::size_t>(thing)];
+        scene.features[placed.feature.value].bounds_m = placed_bounds(placed.model->bounds_m, placed.at);
+        draw_placed(scene, placed);
+    }
+    return scene;
 }
 
 Result<Scene> without_placed(const Scene& world, const std::string& name) {

@@ -13,8 +13,10 @@
 #include "worlds/geometry/convex.h"
 #include "worlds/geometry/placement.h"
 #include "worlds/geometry/round_shapes.h"
+#include "worlds/geometry/triangle_mesh.h"
 #include "worlds/scene/effect.h"
 #include "worlds/scene/material.h"
+#include "worlds/scene/mover.h"
 #include "worlds/scene/source_place.h"
 
 namespace handrail {
@@ -73,11 +75,12 @@ struct Solid {
     SourcePlace source;
 };
 
-// A triangle of a mesh file: a two-sided sheet without an inside. Degenerate ones are kept.
+// A triangle of a mesh file or patch: a sheet without an inside. Degenerate ones are kept.
 struct MeshTriangle {
     Vec3 a_m, b_m, c_m;
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
+    TouchSide side = TouchSide::Both;
 };
 
 // Exposed surface for drawing, naming and area; hidden parts are gone.
@@ -99,8 +102,9 @@ struct Start {
 
 struct SoundSource {
     Vec3 position_m{0.0};
-    std::string name;   // fit to be spoken: "computer hum"
-    std::string sound;  // which sound: the class name or the key `sound`
+    std::string name;       // fit to be spoken: "computer hum"
+    std::string sound;      // which sound: the class name or the key `sound`
+    double loudness = 1.0;  // 0 to 1
 };
 
 struct Scene;
@@ -140,6 +144,8 @@ struct Scene {
     std::vector<Start> starts;  // in file order; the base one is marked
     std::vector<SoundSource> sounds;
     std::vector<Effect> effects;  // forces that hang in space
+    std::vector<Mover> movers;    // which of the solids above can go where
+    std::vector<Switch> switches;
     ReadReport report;
 
     const Feature* find(FeatureId id) const { return id.value < features.size() ? &features[id.value] : nullptr; }

@@ -32,6 +32,10 @@ std::vector<Planned> plan(const BenchOptions& options, std::vector<std::string>&
         for (int seed = 0; seed <= (options.quick ? 0 : std::min(seeds, 1)); ++seed)
             add(fmt::format("sphere of {} triangles", 20 * frequency * frequency), seed,
                 [=, quick = options.quick]() -> Result<BenchWorld> { return sphere_world(frequency, quick ? 1000 : 6000, static_cast<std::uint32_t>(seed)); });
+    for (const double within_m : options.quick ? std::vector<double>{} : std::vector<double>{1e-3, 1.5e-3, 2e-3, 3e-3})
+        for (int seed = 0; seed <= std::min(seeds, 1); ++seed)
+            add(fmt::format("simplified sphere of 9680 triangles, within {:g} mm", within_m * 1e3), seed,
+                [=]() -> Result<BenchWorld> { return sphere_world(22, 6000, static_cast<std::uint32_t>(seed), within_m); });
     for (const std::filesystem::path& map : options.maps)
         for (int seed = 0; seed <= (options.quick ? 0 : std::min(seeds, 1)); ++seed)
             add("map " + map.stem().string(), seed,
@@ -73,7 +77,7 @@ BenchReport run_bench(const BenchOptions& options) {
         const BenchWorld& world = *made;
         const Truth truth = truth_of(world, options.quick ? 2e7 : 2e10);
         report.scenes.push_back({world.name, world.family, world.scene->obstacles.size(), world.goals_m.size(), world.build_s, world.bytes_per_obstacle,
-                                 !truth.reference_m.empty()});
+                                 !truth.reference_m.empty(), world.simplify_bound_m, world.simplify_measured_m});
         // The knobs' curves come from the scenes as they stand and one random lie each; a quick run has the main renderers alone.
         for (const Contestant& contestant : options.quick || world.seed > 1 ? main_contestants() : knobbed_contestants()) {
             if (contestant.key == "handrail_uncapped" && !world.hard_case) continue;

@@ -26,6 +26,7 @@ struct SceneCost {
     std::size_t obstacles = 0, ticks = 0;
     double build_s = 0.0, bytes_per_obstacle = 0.0;
     bool referenced = false;
+    double simplify_bound_m = 0.0, simplify_measured_m = 0.0;  // 0: not simplified
 };
 
 // The stiffest wall that a hand of 0.3 kg and 3 Ns/m holds when it presses with 6 N (haptic/loop), delay 1 ms, no damping by the renderer.

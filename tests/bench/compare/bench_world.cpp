@@ -6,6 +6,7 @@
 #include <random>
 
 #include "haptic/compile/compile_haptic.h"
+#include "haptic/compile/simplify_mesh.h"
 #include "tests/bench/walk.h"
 #include "tests/support/random_families.h"
 #include "tests/support/reference_proxy.h"
@@ -81,7 +82,7 @@ std::vector<BenchWorld> hard_case_worlds(std::uint32_t seed) {
     return worlds;
 }
 
-BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed) {
+BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double simplify_m) {
     constexpr double kSphere_m = 0.5, kSpeed_m_per_s = 0.2, kNear_m = 0.02;
     std::mt19937 random(seed);
     const test::Motion motion = seed == 0 ? test::Motion{} : test::random_turn(random);
@@ -89,6 +90,13 @@ BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed) {
     TriangleMesh mesh = test::sphere_mesh(frequency, kSphere_m);
     for (Vec3& p : mesh.points_m) p = motion(p);
     world.family = fmt::format("sphere of {} triangles", mesh.triangles.size());
+    if (simplify_m > 0.0) {
+        SimplifiedMesh simplified = simplify_mesh(mesh, std::vector<std::uint32_t>(mesh.triangles.size(), 0), simplify_m);
+        mesh = std::move(simplified.mesh);
+        world.family = fmt::format("simplified {}, within {:g} mm", world.family, simplify_m * 1e3);
+        world.simplify_bound_m = simplify_m;
+        world.simplify_measured_m = simplified.measured_m;
+    }
     world.name = seed == 0 ? world.family : fmt::format("{}, seed {}", world.family, seed);
     world.seed = seed;
     world.sphere_radius_m = kSphere_m;

@@ -28,6 +28,7 @@ struct BenchWorld {
     bool hard_case = false;              // a small world of the families T1 to T16
     bool judged = true;                  // the judge knows everything that the scene holds
     double sphere_radius_m = 0.0;        // a tessellated sphere around zero: the exact answer is known
+    double simplify_bound_m = 0.0, simplify_measured_m = 0.0;  // of a mesh made coarser: asked for, and found (haptic/compile/simplify_mesh)
     double build_s = 0.0;
     double bytes_per_obstacle = 0.0;  // heap taken by building, all of it
 
@@ -43,7 +44,8 @@ struct BenchWorld {
 // seed, and the cases that have none turned, shifted, with a ball of 2 to 6 mm; the hand off by up to half a millimetre.
 std::vector<BenchWorld> hard_case_worlds(std::uint32_t seed);
 // A hand that slides at 0.2 m/s, 2 to 5 mm deep, over a sphere of 0.5 m made of 20 frequency^2 triangles.
-BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed);
+// simplify_m > 0: made coarser within that distance first.
+BenchWorld sphere_world(int frequency, int ticks, std::uint32_t seed, double simplify_m = 0.0);
 // A hand that walks and feels its way through a map, from its first start.
 Result<BenchWorld> map_world(const std::filesystem::path& map, int ticks, std::uint32_t seed);
 

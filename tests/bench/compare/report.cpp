@@ -15,8 +15,8 @@ using Json = nlohmann::ordered_json;
 
 // Error below which nothing can be told apart, a millionth of what any device resolves: where plots end.
 constexpr double kLeastError_m = 1e-12;
-// Families of spheres are named "sphere of N triangles".
-constexpr std::string_view kSphere = "sphere of ";
+// Families of spheres are named "sphere of N triangles"; made coarser, "simplified sphere of N triangles, within E mm".
+constexpr std::string_view kSphere = "sphere of ", kSimplified = "simplified ";
 
 bool hard_case(const std::string& family) { return family.size() > 1 && family[0] == 'T' && family[1] >= '0' && family[1] <= '9'; }
 
@@ -161,16 +161,18 @@ void table(std::ostringstream& out, const std::vector<Summary>& rows, bool markd
 std::string family_words(const BenchReport& report, const std::string& family) {
     int scenes = 0;
     std::size_t ticks = 0, obstacles = 0;
-    double build_s = 0.0, bytes = 0.0;
+    double build_s = 0.0, bytes = 0.0, simplified_m = 0.0;
     for (const SceneCost& c : report.scenes)
         if (c.family == family) {
             ++scenes;
+            simplified_m = std::max(simplified_m, c.simplify_measured_m);
             ticks += c.ticks;
             obstacles = std::max(obstacles, c.obstacles);
             build_s = std::max(build_s, c.build_s);
             bytes = std::max(bytes, c.bytes_per_obstacle);
         }
-    return fmt::format("{}: {} scene{}, up to {} obstacle{}, {} ticks; built in {}, {:.0f} bytes each", family, scenes, scenes == 1 ? "" : "s", obstacles,
+    return fmt::format("{}{}: {} scene{}, up to {} obstacle{}, {} ticks; built in {}, {:.0f} bytes each", family,
+                       simplified_m > 0.0 ? fmt::format(" (measured: {})", length_words(simplified_m)) : "", scenes, scenes == 1 ? "" : "s", obstacles,
                        obstacles == 1 ? "" : "s", ticks, time_words(build_s), bytes);
 }
 
@@ -236,6 +238,42 @@ void tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
     }
 }
 
+// Every family in a row, every renderer in a column: the tables that results.md speaks of.
+void at_a_glance(std::ostringstream& out, const BenchReport& report) {
+    const std::vector<Summary> all = summaries(report);
+    std::vector<Summary> titles;
+    for (const Summary& s : all)
+        if (is_main(s) && std::none_of(titles.begin(), titles.end(), [&](const Summary& t) { return t.renderer == s.renderer; })) titles.push_back(s);
+    const auto one_table = [&](const std::string& heading, auto&& belongs, auto&& cell) {
+        std::string rows;
+        for (const std::string& family : families_of(all)) {
+            if (!belongs(family)) continue;
+            rows += "| " + family + " |";
+            for (const Summary& t : titles) {
+                const auto found = std::find_if(all.begin(), all.end(), [&](const Summary& s) { return s.family == family && s.renderer == t.renderer; });
+                rows += " " + (found == all.end() ? std::string("-") : cell(*found)) + " |";
+            }
+            rows += '\n';
+        }
+        if (rows.empty()) return;
+        out << "\n### At a glance: " << heading << "\n\n| Family |";
+        for (const Summary& t : titles) out << ' ' << t.title << " |";
+        out << "\n|---|";
+        for (std::size_t i = 0; i < titles.size(); ++i) out << "---|";
+        out << '\n' << rows;
+    };
+    one_table(
+        "mean tick and error, rms", [](const std::string& f) { return f.find("sphere") == std::string::npos; },
+        [](const Summary& s) { return time_words(s.mean_s) + (s.referenced > 0 ? ", " + length_words(s.error_rms_m) : ""); });
+    one_table(
+        "sliding over a sphere of 0.5 m; mean and worst tick, direction of the force, instructions",
+        [](const std::string& f) { return f.find("sphere") != std::string::npos; },
+        [](const Summary& s) {
+            return fmt::format("{}, {}, {:.2g} degrees rms{}", time_words(s.mean_s), time_words(s.worst_s), degrees_from_radians(s.direction_rms_rad),
+                               s.instructions >= 0.0 ? fmt::format(", {:.0f} instructions", s.instructions) : "");
+        });
+}
+
 // Points of the main renderers, and the curves that the knobs draw.
 Plot plot_of(const std::string& title, const std::vector<Summary>& rows, double Summary::*error, const std::string& error_title, double least) {
     Plot plot{title, "mean time of one tick, nanoseconds", error_title, 0.0, least, {}};
@@ -292,6 +330,7 @@ std::string markdown_of(const BenchReport& report) {
         "says how to read this.\n",
         report.machine, report.quick ? ", quickly: times are rough" : "");
     for (const std::string& sentence : report.left_out) out << '\n' << sentence << '\n';
+    at_a_glance(out, report);
     tables(out, report, true);
     return out.str();
 }
@@ -339,7 +378,9 @@ std::string json_of(const BenchReport& report) {
                           {"ticks", c.ticks},
                           {"build_s", c.build_s},
                           {"bytes_per_obstacle", c.bytes_per_obstacle},
-                          {"referenced", c.referenced}});
+                          {"referenced", c.referenced},
+                          {"simplify_bound_m", c.simplify_bound_m},
+                          {"simplify_measured_m", c.simplify_measured_m}});
     for (const Stability& s : report.stability)
         stability.push_back({{"wall", s.wall}, {"renderer", s.renderer}, {"stable_stiffness_n_per_m", s.stiffness_n_per_m}});
     for (const ServoThread& s : report.servo)
@@ -395,29 +436,31 @@ std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& rep
                     found->points.push_back({triangles, (worst ? s.worst_s : s.mean_s) * 1e9, {}});
                 }
             }
-        } else if (std::any_of(rows.begin(), rows.end(), [](const Summary& s) { return s.referenced > 0; })) {
+        } else if (!family.starts_with(kSimplified) && std::any_of(rows.begin(), rows.end(), [](const Summary& s) { return s.referenced > 0; })) {
             files.emplace_back("bench-" + file_word(family) + ".svg",
                                svg_of(plot_of("Speed against error, " + family, rows, &Summary::error_rms_m, error, kLeastError_m)));
         }
     }
     if (!cost.series.empty()) files.emplace_back("bench-triangles.svg", svg_of(cost));
-    Plot density{"How dense a mesh must be",
-                 "mean time of one tick, nanoseconds",
-                 "error of the force's direction against the exact sphere, rms, degrees",
-                 0.0,
-                 0.0,
-                 {}};
+    const std::string direction = "error of the force's direction against the exact sphere, rms, degrees";
+    Plot density{"How dense a mesh must be", "mean time of one tick, nanoseconds", direction, 0.0, 0.0, {}};
+    Plot simplified{"What simplifying a mesh buys", "mean time of one tick, nanoseconds", direction, 0.0, 0.0, {}};
     for (const Summary& s : by_family) {
         if (s.direction_rms_rad < 0.0 || !is_main(s)) continue;
-        auto found = std::find_if(density.series.begin(), density.series.end(), [&](const PlotSeries& c) { return c.name == s.title; });
-        if (found == density.series.end()) {
-            density.series.push_back({s.title, {}, true});
-            found = density.series.end() - 1;
+        // "9680" of a sphere as it is, "0.3 mm" of one made coarser.
+        const bool coarser = s.family.starts_with(kSimplified);
+        const std::size_t digits = coarser ? s.family.find("within ") + 7 : kSphere.size();
+        const std::string label = s.family.substr(digits, coarser ? std::string::npos : s.family.find(" triangles") - digits);
+        std::vector<PlotSeries>& series = coarser ? simplified.series : density.series;
+        auto found = std::find_if(series.begin(), series.end(), [&](const PlotSeries& c) { return c.name == s.title; });
+        if (found == series.end()) {
+            series.push_back({s.title, {}, true});
+            found = series.end() - 1;
         }
-        found->points.push_back({s.mean_s * 1e9, degrees_from_radians(s.direction_rms_rad),
-                                 s.renderer == "handrail" ? s.family.substr(kSphere.size(), s.family.find(" triangles") - kSphere.size()) : ""});
+        found->points.push_back({s.mean_s * 1e9, degrees_from_radians(s.direction_rms_rad), s.renderer == "handrail" ? label : ""});
     }
     if (!density.series.empty()) files.emplace_back("bench-density.svg", svg_of(density));
+    if (!simplified.series.empty()) files.emplace_back("bench-simplified.svg", svg_of(simplified));
     return files;
 }
 

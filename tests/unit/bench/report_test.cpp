@@ -57,6 +57,14 @@ TEST(BenchReport, takes_counted_instructions) {
     EXPECT_NE(json_of(report).find("1234.5"), std::string::npos);
 }
 
+TEST(BenchWorlds, a_simplified_sphere_is_coarser_within_its_bound_and_says_so) {
+    const BenchWorld fine = sphere_world(7, 10, 0), coarse = sphere_world(7, 10, 0, 10e-3);
+    EXPECT_LT(coarse.scene->obstacles.size(), fine.scene->obstacles.size());
+    EXPECT_GT(coarse.simplify_measured_m, 0.0);
+    EXPECT_LE(coarse.simplify_measured_m, coarse.simplify_bound_m);
+    EXPECT_EQ(coarse.family, "simplified sphere of 980 triangles, within 10 mm");
+}
+
 TEST(BenchPlots, have_a_title_words_for_all_points_and_axes_with_units) {
     const auto files = plots_of(small_report());
     ASSERT_GE(files.size(), 3U);

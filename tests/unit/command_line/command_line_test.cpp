@@ -38,11 +38,29 @@ TEST(CommandLine, explores_a_world_with_every_option) {
     EXPECT_EQ(call.arguments.world, "my.map");
     EXPECT_TRUE(call.arguments.no_window);
     EXPECT_EQ(call.arguments.device, "none");
+    EXPECT_FALSE(call.arguments.left_device);
+    const auto two = parsed_as<ExploreCall>({"--device", "touch", "--device", "falcon", "my.map"});
+    EXPECT_EQ(two.arguments.device, "touch");
+    EXPECT_EQ(two.arguments.left_device, "falcon");
+    EXPECT_EQ(two.arguments.world, "my.map");
+    EXPECT_THAT(refused({"--device", "a", "--device", "b", "--device", "c"}), HasSubstr("two hands"));
     EXPECT_EQ(call.arguments.common.map_scale_m_per_unit, 0.025);
     EXPECT_EQ(call.settings.file, "mine.toml");
     EXPECT_EQ(call.settings.assignments, (Words{"workspace.scale=40", "walk.turn_deg=45"}));
     EXPECT_FALSE(parsed_as<ExploreCall>({}).arguments.world);
     EXPECT_EQ(parsed_as<ExploreCall>({"--set", "workspace.scale=40", "my.map"}).arguments.world, "my.map") << "--set takes one word only";
+}
+
+TEST(CommandLine, calibrates_all_parts_or_those_that_are_named) {
+    const auto all = parsed_as<ExploreCall>({"calibrate"});
+    ASSERT_TRUE(all.arguments.calibrate);
+    EXPECT_EQ(all.arguments.calibrate->size(), wizard_parts().size());
+    const auto some = parsed_as<ExploreCall>({"calibrate", "--only", "reach,headphones", "--device", "falcon", "--no-window", "--settings", "mine.toml"});
+    EXPECT_EQ(*some.arguments.calibrate, (std::vector{WizardPart::Headphones, WizardPart::Reach}));
+    EXPECT_EQ(some.arguments.device, "falcon");
+    EXPECT_EQ(some.settings.file, "mine.toml");
+    EXPECT_FALSE(parsed_as<ExploreCall>({}).arguments.calibrate);
+    EXPECT_THAT(refused({"calibrate", "--only", "rech"}), HasSubstr("nearest is reach"));
 }
 
 TEST(CommandLine, opens_a_world_named_like_a_command_by_its_path) {

@@ -1,4 +1,5 @@
 #include "haptic/compile/compile_haptic.h"
+#include "haptic/render/touch.h"
 
 namespace handrail {
 namespace {
@@ -39,6 +40,65 @@ TEST(CompileHaptic, makes_obstacles_of_solids_and_movers_volumes_of_liquids_and_
     EXPECT_EQ(compiled->liquids[0].feature, FeatureId{static_cast<std::uint32_t>(SolidRole::Liquid)});
     EXPECT_EQ(compiled->surface(1, {0, 0, 1}).feature, FeatureId{static_cast<std::uint32_t>(SolidRole::Mover)});
     EXPECT_EQ(compiled->surface(2, {0, 0, 1}).feature, FeatureId{9});
+}
+
+TEST(CompileHaptic, keeps_the_side_from_which_sheets_are_touched_also_where_they_are_joined) {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.features.resize(1);
+    const Vec3 a(0, 0, 0), b(1, 0, 0), c(1, 1, 0), d(0, 1, 0);
+    for (const TouchSide side : {TouchSide::Front, TouchSide::Back, TouchSide::Both}) {
+        scene.triangles = {{a, b, c, FeatureId{0}, 0, side}, {a, c, d, FeatureId{0}, 0, side}};
+        const auto compiled = compile_haptic(scene, MaterialSource::KeysOnly);
+        ASSERT_EQ(compiled->obstacles.size(), 1U) << "one square";
+        EXPECT_EQ(compiled->obstacles[0].side, side);
+        EXPECT_EQ(compiled->one_sided_sheets, side != TouchSide::Both);
+    }
+    scene.triangles[1].side = TouchSide::Front;
+    EXPECT_EQ(compile_haptic(scene, MaterialSource::KeysOnly)->obstacles.size(), 2U) << "different sides are different surfaces";
+}
+
+TEST(CompileHaptic, lays_textures_and_shading_on_what_moves_as_on_what_stands) {
+    // A slightly bent sheet, thin along x: four facets round an axis.
+    auto model = std::make_shared<Scene>();
+    model->materials.resize(1);
+    const auto at = [](int k, double z) { return Vec3(0.1 * std::cos(0.1 * k), 0.1 * std::sin(0.1 * k), z); };
+    for (int k = -2; k < 2; ++k) {
+        model->triangles.push_back({at(k, 0.0), at(k + 1, 0.0), at(k + 1, 0.1)});
+        model->triangles.push_back({at(k, 0.0), at(k + 1, 0.1), at(k, 0.1)});
+    }
+    Scene scene;
+    scene.materials.resize(2);
+    scene.materials[1].wave = TextureWave{};
+    scene.materials[1].wave->shape = WaveShape::Sine;
+    scene.materials[1].wave->depth_hand_m = 4e-4;
+    scene.materials[1].wave->period_hand_m = 0.01;
+    scene.features.resize(1);
+    PlacedModel placed;
+    placed.feature = FeatureId{0};
+    placed.material = 1;
+    placed.model = model;
+    scene.placed.push_back(placed);
+    const auto felt = compile_haptic(scene, exploring(0.0)), replayed = compile_haptic(scene, MaterialSource::KeysOnly);
+    ASSERT_EQ(felt->bodies.size(), 1U);
+    EXPECT_GT(felt->bodies[0].shape->shading.highest_m, 1e-5) << "curved";
+    EXPECT_EQ(replayed->bodies[0].shape->shading.highest_m, 0.0) << "a replay meets the facets";
+    ASSERT_EQ(felt->relief_axis.size(), 1U);
+    EXPECT_EQ(felt->relief_axis[0], 0) << "along its own x";
+    // The pattern goes with it: where the body is does not matter to what is felt over one place of it.
+    const auto press = [&](const Vec3& moved_m) {
+        TouchState state;
+        TouchTuning tuning;
+        const BodyPose pose{Placement{moved_m}, true};
+        TouchResult r;
+        for (int i = 0; i < 300; ++i)
+            r = touch_tick(state, *felt, tuning, moved_m + Vec3(0.115 - 6e-5 * i, 0.003, 0.0531), 1e-3, Vec3(0.0), {std::span(&pose, 1), 1});
+        EXPECT_GT(glm::length(r.force_n), 1.0);
+        return r.force_n;
+    };
+    const Vec3 here = press(Vec3(0.0));
+    EXPECT_LE(glm::length(press({0.25, -0.5, 0.125}) - here), 1e-6);
+    EXPECT_LE(glm::length(press({0.003, 0.0041, 0.0017}) - here), 1e-6);
 }
 
 TEST(CompileHaptic, keeps_slanted_solids_as_brushes_and_names_their_faces) {

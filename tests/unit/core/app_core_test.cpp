@@ -5,6 +5,8 @@
 #include "tests/support/box_scene.h"
 #include "worlds/scene/models.h"
 
+#include <functional>
+
 namespace handrail {
 namespace {
 
@@ -59,6 +61,51 @@ struct Session {
     std::vector<CueRequest> cues;
 };
 
+TEST(AppCore, says_once_on_entering_where_many_materials_crowd_unless_that_is_switched_off) {  // G3
+    Scene scene = *room();
+    for (const char* name : {"concrete", "wood", "carpet", "rubber", "steel grille", "glass"}) {
+        Material material;
+        material.name = name;
+        scene.triangles.push_back({{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, kNoFeature, material_id(scene, material)});
+        if (scene.triangles.size() < 5) continue;
+        Settings settings;
+        for (const bool hint : {true, false}) {
+            settings.speech.crowding_hint = hint;
+            AppCore app(settings, Session::facts(false));
+            app.enter_world(std::make_shared<Scene>(scene), 0.0);
+            int told = 0;
+            for (double now = 0.0; now < 1.0; now += 0.1) {
+                app.tick(now, ToolState{});
+                for (const CueRequest& cue : app.take_cues()) told += cue.text.find("6 materials within one view") != std::string::npos;
+            }
+            EXPECT_EQ(told, hint && scene.triangles.size() == 6 ? 1 : 0);
+        }
+    }
+}
+
+TEST(AppCore, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sharp_at_scales_for_details) {  // G7
+    Settings settings;
+    AppCore app(settings, Session::facts(true));
+    app.enter_world(room(), 0.0);
+    const auto largest = [&] {
+        const auto& all = app.haptic_scene()->roundings_m;
+        return *std::max_element(all.begin(), all.end());
+    };
+    EXPECT_NEAR(largest(), 0.09, 1e-12) << "1.5 millimetres at 1:60: the table";
+    const std::uint32_t world = app.haptic_scene()->world;
+    settings.workspace.scale = 120.0;
+    app.change_settings(settings, 1.0);
+    EXPECT_GT(largest(), 0.1);
+    EXPECT_EQ(app.haptic_scene()->world, world) << "the same world, so nothing ramps but the scale";
+    settings.workspace.scale = 15.0;
+    app.change_settings(settings, 2.0);
+    EXPECT_EQ(largest(), 0.0);
+    settings.workspace.scale = 60.0;
+    settings.haptic.edge_rounding_mm = 0.0;
+    app.change_settings(settings, 3.0);
+    EXPECT_EQ(largest(), 0.0);
+}
+
 TEST(AppCore, says_on_entering_what_how_large_where_which_way_and_what_to_try) {
     Session s;
     s.run(0.1);
@@ -106,6 +153,55 @@ TEST(AppCore, turns_snap_to_notches_and_the_body_follows_at_a_bounded_rate) {
     EXPECT_EQ(s.said().back(), "East");
 }
 
+TEST(AppCoreSteering, a_stick_walks_as_fast_as_it_is_pushed_and_stops_when_let_go) {
+    Session s;
+    s.app.steer({.ahead = 0.5});
+    s.run(1.0);
+    EXPECT_NEAR(s.app.feet_m().y, 1.0, 0.02);
+    s.app.steer({.right = 1.0});
+    s.run(1.0);
+    EXPECT_NEAR(s.app.feet_m().x, 4.0, 0.02);
+    EXPECT_NEAR(s.app.feet_m().y, 1.0, 0.02);
+    s.app.steer({.ahead = 1.0, .right = 1.0});
+    const Vec3 before = s.app.feet_m();
+    s.run(0.5);
+    EXPECT_NEAR(glm::length(s.app.feet_m() - before), 0.5, 0.02) << "aslant no faster";
+    s.app.steer({});
+    const Vec3 at = s.app.feet_m();
+    s.run(1.0);
+    EXPECT_EQ(s.app.feet_m(), at);
+}
+
+TEST(AppCoreSteering, a_stick_turns_at_90_degrees_a_second_and_tells_where_to_once_it_rests) {
+    Session s;
+    s.app.steer({.turn_right = 1.0});
+    s.run(0.5);
+    EXPECT_NEAR(s.app.heading_rad(), 0.8, 0.02);
+    EXPECT_EQ(s.said().size(), 1U) << "only what was said on entering";
+    s.app.steer({});
+    s.run(0.1);
+    EXPECT_EQ(s.said().back(), "North-east");
+    EXPECT_EQ(s.said().size(), 2U);
+}
+
+TEST(AppCoreSteering, what_is_no_number_is_rest_and_a_lost_keyboard_lets_go) {
+    Session s;
+    const Vec3 at = s.app.feet_m();
+    s.app.steer({std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()});
+    s.run(0.5);
+    EXPECT_EQ(s.app.feet_m(), at);
+    EXPECT_EQ(s.app.heading_rad(), 0.0);
+    s.app.steer({.ahead = 1.0});
+    s.app.set_focus(false);
+    s.run(0.5);
+    EXPECT_EQ(s.app.feet_m(), at);
+}
+
+TEST(AppCoreSteering, passage_is_as_wide_as_the_room_across_the_way) {
+    Session s;
+    EXPECT_NEAR(s.app.passage_width_m(), 6.0, 1e-3);
+}
+
 TEST(AppCore, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
     Session s(true);
     s.tap(Command::TurnRight);
@@ -120,6 +216,31 @@ TEST(AppCore, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
     s.tap(Command::SwitchFrame);
     EXPECT_EQ(s.said().back(), "Map, north up");
     EXPECT_EQ(s.app.take_setting_changes().back().second, "map");
+}
+
+TEST(AppCore, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
+    Settings settings;
+    settings.haptic.ceiling = ForceCeiling::Full;
+    settings.workspace.devices["sim-t"].scale = 90.0;
+    DeviceProfile& measured = settings.profiles["sim-t 7"];
+    measured.ceiling_n = 1.7;
+    measured.scale = 30.0;
+    measured.offset_ahead_m = 0.02;
+    measured.offset_up_m = 0.01;
+    settings.damaged_profiles.insert("sim-t 8");
+    const auto core_of = [&](const std::string& serial) {
+        AppCore core(settings, HandFacts{true, true, *find_device_spec("sim-t"), serial});
+        core.enter_world(room(), 0.0);
+        return std::pair(core.tuning(), core.pose().origin_m - core.feet_m());
+    };
+    const auto [tuning, middle_m] = core_of("7");
+    EXPECT_EQ(tuning.force_ceiling_n, 1.7);
+    EXPECT_EQ(tuning.touch.world_m_per_hand_m, 30.0);
+    EXPECT_NEAR(middle_m.y, 0.02 * 30.0, 1e-12);
+    EXPECT_NEAR(middle_m.z, 1.0 + 0.01 * 30.0, 1e-12);
+    EXPECT_EQ(core_of("8").first.force_ceiling_n, kLightCeiling_n) << "a damaged profile is no reason for full force";
+    EXPECT_EQ(core_of("8").first.touch.world_m_per_hand_m, 90.0) << "what was written for devices of that name still holds";
+    EXPECT_EQ(core_of("9").first.force_ceiling_n, find_device_spec("sim-t")->peak_force_n);
 }
 
 TEST(AppCore, workspace_reaches_further_ahead_than_behind_in_the_frame_in_force) {
@@ -156,6 +277,81 @@ TEST(AppCore, f12_raises_panic_until_f_confirms) {
     EXPECT_NE(s.app.tuning().confirm, confirm);
     s.tap(Command::ToggleForces);
     EXPECT_FALSE(s.app.tuning().forces_on);
+}
+
+TEST(AppCore, a_stop_seen_by_the_servos_switch_is_followed_and_only_f_lets_it_go) {
+    Session s(true);
+    s.app.know_stops(1, s.now);
+    s.app.press(Command::StopEverything, s.now);  // the window tells of the same press
+    s.run(0.1);
+    EXPECT_TRUE(s.app.tuning().panic);
+    EXPECT_EQ(s.app.tuning().stops_let_go, 0U);
+    EXPECT_EQ(s.count(CueRequestKind::SilenceAll), 1) << "one press, told twice";
+    EXPECT_THAT(s.said().back(), testing::HasSubstr("Stopped."));
+    s.tap(Command::ToggleForces);
+    EXPECT_FALSE(s.app.tuning().panic);
+    EXPECT_TRUE(s.app.tuning().forces_on);
+    EXPECT_EQ(s.app.tuning().stops_let_go, 1U);
+}
+
+TEST(AppCore, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
+    Session s(true);
+    s.tool.fault = Fault::Unplugged;
+    s.tool.fault_latched = s.tool.fault_lasts = true;
+    s.run(0.1);
+    s.tap(Command::ToggleForces);
+    EXPECT_EQ(s.said().back(), "The touch device is not plugged in.");
+    s.tool.fault_lasts = false;
+    s.run(0.1);
+    EXPECT_EQ(s.said().back(), "The touch device is plugged in again. Press F or the grave key to feel with it.");
+    const std::uint32_t confirm = s.app.tuning().confirm;
+    s.tap(Command::ToggleForces);
+    EXPECT_NE(s.app.tuning().confirm, confirm);
+    EXPECT_EQ(s.said().back(), "Forces on");
+    s.tool = ToolState{};
+    s.run(0.1);
+    s.tool.fault = Fault::TooHot;
+    s.tool.fault_latched = s.tool.fault_lasts = true;
+    s.run(0.1);
+    s.tap(Command::ToggleForces);
+    EXPECT_EQ(s.said().back(), "The motors of the touch device are still too warm.");
+}
+
+TEST(AppCore, losing_the_keyboard_is_handed_to_the_servo_and_lets_keys_go) {
+    Session s(true);
+    s.app.press(Command::Forward, s.now);
+    s.app.set_focus(false);
+    EXPECT_FALSE(s.app.tuning().focused);
+    EXPECT_TRUE(s.app.tuning().forces_on) << "the person still wants them";
+    s.run(1.0);
+    const double y = s.app.feet_m().y;
+    s.run(1.0);
+    EXPECT_EQ(s.app.feet_m().y, y);
+    s.app.set_focus(true);
+    EXPECT_TRUE(s.app.tuning().focused);
+}
+
+TEST(AppCore, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key) {
+    Session s(false);
+    s.app.offer_hand("Falcon", s.now);
+    s.run(0.1);
+    EXPECT_EQ(s.said().back(), "I found a Falcon. Press F or the grave key to use it.");
+    EXPECT_FALSE(s.app.offer_taken());
+    s.tap(Command::ToggleForces);
+    EXPECT_TRUE(s.app.offer_taken());
+    EXPECT_FALSE(s.app.offer_taken()) << "once";
+    EXPECT_TRUE(s.app.tuning().forces_on);
+    const Vec3 feet = s.app.feet_m();
+    s.tool.contact_s = 500.0;
+    s.run(0.1);
+    s.app.set_hand(Session::facts(true), Settings{}, s.now);
+    s.tool = ToolState{};
+    s.tap(Command::ToggleForces);
+    EXPECT_FALSE(s.app.tuning().forces_on) << "now it is the force key again";
+    EXPECT_EQ(s.app.feet_m(), feet);
+    s.tool.contact_s = 401.0;  // of the new device; with the old one more than a quarter of an hour
+    s.run(0.2);
+    EXPECT_THAT(s.said().back(), testing::HasSubstr("15 minutes"));
 }
 
 TEST(AppCore, hints_at_a_break_once_for_each_quarter_hour_of_contact) {
@@ -289,6 +485,120 @@ TEST(AppCore, brings_body_and_hand_out_of_what_they_are_in) {
     s.tap(Command::BringOut);
     EXPECT_NE(s.said().back().find("You stood in something"), std::string::npos) << s.said().back();
     EXPECT_GE(std::max(std::abs(s.app.feet_m().x - 3.0), std::abs(s.app.feet_m().y - 2.0)), 1.25 - 1e-3);
+}
+
+TEST(AppCore, says_the_scale_first_and_keeps_the_place_under_the_hand) {
+    Session s(true);
+    s.run(0.1);
+    s.tool.ticks = 10;
+    s.tool.workspace_jump = s.app.pose().jump;
+    s.tool.hand_m = Vec3(0.01, 0.02, 0.0);
+    s.tool.proxy_m = s.app.pose().origin_m + s.tool.hand_m * 60.0;
+    s.run(0.1);
+    s.cues.clear();
+    for (const auto& [command, sentence, scale] :
+         {std::tuple{Command::ScaleDetail, "Detail, 2.4 metres wide, 3 steps", 15.0}, std::tuple{Command::ScaleFloor, "Floor, 19 metres wide, 25 steps", 120.0},
+          std::tuple{Command::ScaleRoom, "Room, 9.6 metres wide, 14 steps", 60.0}}) {
+        const std::uint32_t jump = s.app.pose().jump;
+        s.app.press(command, s.now);
+        s.app.release(command);
+        EXPECT_EQ(s.app.tuning().touch.world_m_per_hand_m, scale);
+        EXPECT_NEAR(glm::length(s.app.pose().origin_m + s.tool.hand_m * scale - s.tool.proxy_m), 0.0, 1e-9);
+        EXPECT_EQ(s.app.pose().jump, jump + 1);
+        s.tool.workspace_jump = jump + 1;
+        s.run(0.1);
+        EXPECT_EQ(s.said().front(), sentence);
+        s.cues.clear();
+    }
+    EXPECT_EQ(s.app.settings().workspace.scale, 60.0) << "a named scale changes no setting";
+}
+
+TEST(AppCore, building_scale_lays_the_building_round_the_hand_and_not_the_hand_into_a_wall) {
+    Session s(true);
+    s.run(0.1);
+    s.tool.ticks = 10;
+    s.tool.workspace_jump = s.app.pose().jump;
+    // The middle of the bounds is (3, 2); at the scale that fits 6.4 by 4.4 m the hand would be in the north wall.
+    s.tool.hand_m = Vec3(0.0, 0.035, 0.0);
+    s.tool.proxy_m = s.app.pose().origin_m + s.tool.hand_m * 60.0;
+    s.run(0.1);
+    s.app.press(Command::ScaleBuilding, s.now);
+    const double scale = s.app.tuning().touch.world_m_per_hand_m;
+    EXPECT_NEAR(scale, 0.5 * std::hypot(6.4, 4.4) / (0.8 * 0.08), 1e-9);
+    const Vec3 hand = s.app.pose().origin_m + s.tool.hand_m * scale;
+    EXPECT_GE(surrounding_of(*s.app.haptic_scene(), {}, hand, 1.0).distance_m, s.app.tuning().touch.radius_m);
+    EXPECT_LT(glm::length(s.app.pose().origin_m - Vec3(3.0, 2.0, 1.0)), 1.0);
+}
+
+TEST(AppCore, workspace_stays_when_it_does_not_follow_the_walk) {
+    Session s(true);
+    Settings own;
+    own.workspace.follows_walk = false;
+    s.app.change_settings(own, s.now);
+    s.run(0.1);
+    const Vec3 before = s.app.pose().origin_m;
+    s.tap(Command::Forward);
+    s.run(1.0);
+    EXPECT_NEAR(s.app.feet_m().y, 1.2, 1e-3);
+    EXPECT_EQ(s.app.pose().origin_m, before);
+    s.tap(Command::WorkspaceCentre);
+    EXPECT_NEAR(s.app.pose().origin_m.y, before.y + 0.7, 1e-3);
+}
+
+TEST(AppCore, grabbing_by_key_ends_with_the_key_the_stop_key_and_a_lost_window) {
+    Session s(true);
+    s.run(0.1);
+    for (const auto& end : std::vector<std::function<void()>>{[&] { s.tap(Command::Grab); }, [&] { s.tap(Command::StopEverything); },
+                                                              [&] { s.app.set_focus(false); }, [&] { s.tap(Command::Home); }}) {
+        s.tap(Command::Grab);
+        EXPECT_TRUE(s.app.tuning().workspace.grab_key);
+        end();
+        EXPECT_FALSE(s.app.tuning().workspace.grab_key);
+    }
+}
+
+TEST(AppCore, the_ways_to_move_the_workspace_are_the_persons_choice) {
+    Session s(true);
+    EXPECT_TRUE(s.app.tuning().workspace.rim);
+    EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 1U);
+    Settings own;
+    own.workspace.rim = false;
+    own.workspace.grab_button = 3;
+    s.app.change_settings(own, s.now);
+    EXPECT_FALSE(s.app.tuning().workspace.rim);
+    EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 4U);
+    own.workspace.grab_button = 1;
+    own.haptic.button_to_feel = true;
+    s.app.change_settings(own, s.now);
+    EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 0U) << "the button that is held to feel anything does not grab";
+}
+
+TEST(AppCore, two_hands_have_their_own_limits_and_go_along_with_each_others_workspace) {
+    Session s(true);
+    HandFacts left;
+    left.present = left.simulated = true;
+    left.spec = *find_device_spec("sim-t");
+    s.app.set_left_hand(left, s.now);
+    s.run(0.1);
+    Settings own;
+    own.haptic.ceiling = ForceCeiling::Full;
+    s.app.change_settings(own, s.now);
+    EXPECT_EQ(s.app.left_tuning().force_ceiling_n, 3.3);
+    EXPECT_EQ(s.app.left_tuning().touch.rated_stiffness_n_per_m, 400.0);
+    own.profiles[profile_key("sim-t", "")].ceiling_n = 0.9;
+    s.app.change_settings(own, s.now);
+    EXPECT_EQ(s.app.left_tuning().force_ceiling_n, 0.9) << "what was found comfortable with this device";
+    EXPECT_EQ(s.app.tuning().force_ceiling_n, ideal_device_spec().peak_force_n) << "and not with that one";
+    EXPECT_EQ(s.app.tuning().touch.rated_stiffness_n_per_m, ideal_device_spec().rated_stiffness_n_per_m);
+    ToolState right_tool, left_tool;
+    const Vec3 origin = s.app.pose().origin_m;
+    right_tool.workspace_jump = left_tool.workspace_jump = s.app.pose().jump;
+    right_tool.workspace_shift_m = Vec3(1.0, 0.0, 0.0);
+    left_tool.workspace_shift_m = Vec3(0.0, 0.0, 0.5);
+    s.app.tick(s.now += 0.02, right_tool, left_tool);
+    // Each servo adds its own: both workspaces lie at the sum.
+    EXPECT_LT(glm::length(s.app.pose().origin_m + right_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)), 1e-3);
+    EXPECT_LT(glm::length(s.app.left_pose().origin_m + left_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)), 1e-3);
 }
 
 }  // namespace

@@ -85,6 +85,9 @@ TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_s
     holds(Check::ForceStep, [](Expectation& e) { e.high = 0.00101; });
     fails(Check::ForceStep, [](Expectation& e) { e.high = 0.0009; });
     fails(Check::ForceBand, [](Expectation& e) { e.high = 0.0, e.from_hz = 1, e.to_hz = 10; });
+    holds(Check::ForceSpike, [](Expectation& e) { e.high = 1.2, e.from.offset_s = 0.6, e.to.offset_s = 0.61, e.has_to = true; });
+    fails(Check::ForceSpike, [](Expectation& e) { e.high = 1.2, e.from.offset_s = 0.6; });
+    fails(Check::ForceSpike, [](Expectation& e) { e.high = 1.2, e.from.offset_s = 2.0; });
     holds(Check::ForceRising, [](Expectation&) {});
     holds(Check::SlideRatio, [](Expectation& e) { e.low = 0, e.high = 0.1, e.vector = {0, -1, 0}, e.from.offset_s = 0.6; });
     fails(Check::SlideRatio, [](Expectation& e) { e.low = 0.1, e.high = 0.2, e.vector = {0, -1, 0}, e.from.offset_s = 0.6; });

@@ -1,5 +1,8 @@
 #include "audio-cues/plan/cue_planner.h"
 
+#include "audio-cues/plan/sound_table.h"
+#include "audio-cues/plan/speakable.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -316,6 +319,23 @@ TEST_F(CuePlannerTest, fault_sounds_and_speaks_as_an_alarm) {
     EXPECT_THAT(heard(), ElementsAre(SoundKind::Alarm));
 }
 
+TEST_F(CuePlannerTest, a_fault_that_waits_for_the_person_is_told_each_time_and_a_pause_is_no_alarm) {
+    ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
+    for (const auto& [kind, times] : {std::pair{Fault::LateLoop, 2U}, std::pair{Fault::Stalled, 1U}, std::pair{Fault::ButtonReleased, 1U}}) {
+        wait(6.0);
+        const std::size_t lines = speech.lines().size(), sounds = audio.sounds().size();
+        fault.fault = kind;
+        for (int i = 0; i < 2; ++i) {
+            fault.time_s = now_s;
+            tick({fault});
+            wait(1.0);
+        }
+        EXPECT_EQ(speech.lines().size() - lines, times) << static_cast<int>(kind);
+        ASSERT_EQ(audio.sounds().size() - sounds, 2U);
+        EXPECT_EQ(audio.sounds().back().cue.kind, is_pause(kind) ? SoundKind::ForcesOff : SoundKind::Alarm);
+    }
+}
+
 TEST_F(CuePlannerTest, alarms_never_fall_below_a_fifth_of_full_loudness) {
     set([](Settings& s) { s.sound.volume = 0.0; });
     ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
@@ -413,6 +433,133 @@ TEST_F(CuePlannerTest, switching_the_wall_tone_off_silences_it) {
     EXPECT_FALSE(audio.loop(SoundKind::WallTone));
     tick({}, {request(CueRequestKind::WallTone)});
     EXPECT_FALSE(audio.loop(SoundKind::WallTone));
+}
+
+TEST_F(CuePlannerTest, sounds_of_the_world_obey_volume_switch_and_silence_and_come_back) {
+    CueRequest clock = request(CueRequestKind::WorldSound);
+    clock.sound = SoundKind::Clock;
+    clock.source = 4;
+    clock.loudness = 0.5;
+    clock.muffled_db = 14.0;
+    clock.position_m = {1.0, 2.0, 3.0};
+    tick({}, {clock});
+    ASSERT_EQ(audio.world_sounds().size(), 1U);
+    const SoundCue cue = *audio.loop(SoundKind::Clock, 4);
+    EXPECT_DOUBLE_EQ(cue.loudness, 0.5 * Settings{}.sound.world_volume);
+    EXPECT_EQ(cue.muffled_db, 14.0);
+    EXPECT_EQ(cue.position_m, clock.position_m);
+    CueRequest lamp = clock;
+    lamp.source = 5;
+    tick({}, {lamp});
+    EXPECT_EQ(audio.world_sounds().size(), 2U) << "two sources of one kind are two loops";
+    tick({}, {request(CueRequestKind::SilenceAll)});
+    tick();
+    EXPECT_TRUE(audio.world_sounds().empty());
+    tick({}, {request(CueRequestKind::Footstep)});
+    EXPECT_EQ(audio.world_sounds().size(), 2U) << "they had not stopped";
+    set([](Settings& s) { s.sound.world = false; });
+    tick();
+    EXPECT_TRUE(audio.world_sounds().empty());
+    set([](Settings& s) { s.sound.world = true; });
+    lamp.loudness = 0.0;
+    tick({}, {lamp});
+    EXPECT_EQ(audio.world_sounds().size(), 1U);
+}
+
+TEST_F(CuePlannerTest, every_cue_but_an_alarm_can_be_switched_off) {
+    set([](Settings& s) {
+        Settings::Sound& sound = s.sound;
+        for (bool* on : {&sound.contact, &sound.slide, &sound.splash, &sound.door, &sound.footstep, &sound.bump, &sound.wall_tone, &sound.world, &sound.denied,
+                         &sound.forces, &sound.turn, &sound.frame, &sound.arrived, &sound.workspace})
+            *on = false;
+    });
+    for (const SoundInfo& row : sound_table()) {
+        CueRequest cue = request(is_world_sound(row.kind) ? CueRequestKind::WorldSound : CueRequestKind::Play);
+        cue.sound = row.kind;
+        tick({}, {cue});
+    }
+    begin(kNorth);
+    ContactEvent slide = event(ContactEventKind::Slide, kNorth);
+    slide.speed_m_per_s = 0.2;
+    tick({slide});
+    EXPECT_THAT(heard(), ElementsAre(SoundKind::Bell, SoundKind::Alarm, SoundKind::Beep));
+    EXPECT_TRUE(audio.loop_changes().empty());
+}
+
+TEST_F(CuePlannerWithVoice, sound_dictionary_names_first_and_plays_when_the_voice_has_finished) {
+    CueRequest shown = request(CueRequestKind::Demonstrate);
+    shown.sound = SoundKind::Clock;
+    shown.text = "Clock: a ticking clock.";
+    set([](Settings& s) { s.sound.world = false; });
+    tick({}, {shown});
+    ASSERT_THAT(said(), ElementsAre("Clock: a ticking clock."));
+    const double spoken_until_s = speech.lines()[0].end_s;
+    EXPECT_TRUE(audio.world_sounds().empty());
+    wait(spoken_until_s - now_s + 0.02);
+    ASSERT_EQ(audio.world_sounds().size(), 1U) << "switched off or not";
+    wait(2.0);
+    EXPECT_EQ(audio.world_sounds().size(), 1U);
+    wait(0.6);
+    EXPECT_TRUE(audio.world_sounds().empty()) << "a loop ends by itself";
+    // A key ends it at once, and what was not played yet is not played.
+    tick({}, {shown});
+    wait(1.5);
+    EXPECT_EQ(audio.world_sounds().size(), 1U);
+    tick({}, {request(CueRequestKind::StopSpeech)});
+    EXPECT_TRUE(audio.world_sounds().empty());
+    shown.sound = SoundKind::Arrived;
+    tick({}, {shown});
+    tick({}, {request(CueRequestKind::StopSpeech)});
+    wait(5.0);
+    EXPECT_THAT(heard(), IsEmpty());
+}
+
+TEST(SoundTable, dictionary_holds_every_sound_with_its_name_and_meaning) {
+    const std::vector<DictionaryEntry> entries = sound_dictionary();
+    for (const SoundInfo& row : sound_table()) {
+        const auto known = std::count_if(entries.begin(), entries.end(), [&](const DictionaryEntry& e) { return e.kind == row.kind; });
+        EXPECT_EQ(known, row.kind == SoundKind::Contact ? 18 : 1) << row.name;
+    }
+    for (const DictionaryEntry& entry : entries) {
+        EXPECT_EQ(speakable(entry.text), entry.text);
+        EXPECT_EQ(entry.text.back(), '.');
+    }
+}
+
+TEST(SoundTable, words_of_maps_are_heard_as_what_they_say) {
+    const std::pair<const char*, SoundKind> rows[]{{"ambient_comp_hum", SoundKind::Hum},
+                                                   {"ambient_drip", SoundKind::Drip},
+                                                   {"ambient_drone", SoundKind::Drone},
+                                                   {"ambient_flouro_buzz", SoundKind::Buzz},
+                                                   {"ambient_light_buzz", SoundKind::Buzz},
+                                                   {"ambient_suck_wind", SoundKind::Wind},
+                                                   {"ambient_swamp2", SoundKind::Swamp},
+                                                   {"ambient_thunder", SoundKind::Thunder},
+                                                   {"particle_fountain", SoundKind::Stream},
+                                                   {"light_torch_small_walltorch", SoundKind::Fire},
+                                                   {"Clock-Tick 2", SoundKind::Clock},
+                                                   {"water/stream1.wav", SoundKind::Stream},
+                                                   {"env_steam", SoundKind::Fan},
+                                                   {"church bells", SoundKind::Tolling},
+                                                   {"ambient", SoundKind::Shimmer},
+                                                   {"", SoundKind::Shimmer},
+                                                   {"\xff\xfe", SoundKind::Shimmer}};
+    for (const auto& [word, kind] : rows) EXPECT_EQ(world_sound_of(word), kind) << word;
+}
+
+TEST(SoundTable, distance_never_makes_louder_and_world_sounds_end_at_their_range) {
+    for (const SoundInfo& row : sound_table()) {
+        double last = 1.0;
+        for (double d = 0.0; d < 60.0; d += 0.25) {
+            const double gain = distance_gain(row.kind, d);
+            EXPECT_LE(gain, last);
+            last = gain;
+        }
+        if (is_world_sound(row.kind)) {
+            EXPECT_EQ(last, 0.0);
+        }
+    }
+    EXPECT_NEAR(distance_gain(SoundKind::Hum, 4.0), 0.5 * distance_gain(SoundKind::Hum, 2.0), 1e-12) << "half at twice the distance, as in the open";
 }
 
 TEST_F(CuePlannerTest, keeps_the_last_500_lines) {
@@ -550,6 +697,37 @@ TEST_F(CuePlannerTest, same_inputs_give_the_same_speech_and_sound) {
     ASSERT_EQ(audio.sounds().size(), audio2.sounds().size());
     for (std::size_t i = 0; i < audio.sounds().size(); ++i) EXPECT_EQ(audio.sounds()[i].cue.loudness, audio2.sounds()[i].cue.loudness);
     EXPECT_EQ(audio.loop_changes().size(), audio2.loop_changes().size());
+}
+
+TEST_F(CuePlannerTest, with_two_hands_says_which_one_touches_and_keeps_their_sounds_apart) {
+    planner.set_two_hands(true);
+    const auto of_left = [&](ContactEvent e, const Vec3& at_m) {
+        e.hand = 1;
+        e.position_m = at_m;
+        return e;
+    };
+    tick({event(ContactEventKind::Begin, kNorth), of_left(event(ContactEventKind::Begin, kDoor), {-2.0, 0.0, 1.0})});
+    wait(0.1);
+    EXPECT_THAT(said(), ElementsAre("Right hand: North wall, plaster", "Left hand: Door, wood, handle on the east side"));
+    ASSERT_EQ(audio.sounds().size(), 2U);
+    EXPECT_EQ(audio.sounds()[0].cue.position_m, Vec3(1.0, 2.0, 3.0));
+    EXPECT_EQ(audio.sounds()[1].cue.position_m, Vec3(-2.0, 0.0, 1.0)) << "where that hand is";
+    // Both slide; one stops.
+    tick({event(ContactEventKind::Slide, kNorth), of_left(event(ContactEventKind::Slide, kDoor), {-2.0, 0.0, 1.0})});
+    ASSERT_TRUE(audio.loop(SoundKind::Slide, 0) && audio.loop(SoundKind::Slide, 1));
+    EXPECT_EQ(audio.loop(SoundKind::Slide, 0)->material, SoundClass::Plaster);
+    EXPECT_EQ(audio.loop(SoundKind::Slide, 1)->material, SoundClass::Wood);
+    tick({of_left(event(ContactEventKind::End, kDoor), {-2.0, 0.0, 1.0})});
+    EXPECT_TRUE(audio.loop(SoundKind::Slide, 0));
+    EXPECT_FALSE(audio.loop(SoundKind::Slide, 1));
+    // The same thing by the other hand is news.
+    tick({of_left(event(ContactEventKind::Begin, kNorth), {-1.0, 4.0, 1.0})});
+    wait(0.1);
+    EXPECT_EQ(said().back(), "Left hand: North wall, plaster");
+    ContactEvent gone = of_left(event(ContactEventKind::FaultRaised, kNorth), Vec3(0.0));
+    gone.fault = Fault::Unplugged;
+    tick({gone});
+    EXPECT_EQ(said().back(), "Left hand: Device unplugged. Everything else goes on.");
 }
 
 }  // namespace

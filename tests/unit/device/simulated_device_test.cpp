@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "tests/support/precompiled.h"
+#include "tests/support/world_axes.h"
 
 namespace handrail {
 namespace {
@@ -174,6 +175,31 @@ TEST(SimulatedDevice, same_commands_give_the_same_samples_bit_for_bit) {
         return seen;
     };
     EXPECT_EQ(run(), run());
+}
+
+// S126: the axes of the hand are those of the world.
+TEST(SimulatedDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
+    for (int axis = 0; axis < 3; ++axis) {
+        auto hand = std::make_shared<SimulatedHand>();
+        SimulatedDevice device(*find_device_spec("sim-t"), hand);
+        ASSERT_TRUE(device.open());
+        HandCommand command;
+        command.mode = HandMode::Move;
+        command.target_m[axis] = 0.01;
+        hand->command.publish(command);
+        device.read(0.0);
+        const DeviceSample seen = device.read(0.001);
+        const test::ThroughWorld through = test::through_world(device.spec(), seen.position_m, axis);
+        test::expect_east_north_up(through, axis, 0.01, 1e-12);
+        command.mode = HandMode::Push;
+        hand->command.publish(command);
+        Vec3 last = seen.position_m;
+        for (int i = 2; i < 60; ++i) {
+            device.write(through.command);
+            last = device.read(0.001 * i).position_m;
+        }
+        EXPECT_GT(last[axis], 0.0101) << axis;
+    }
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
 
 // The reader asks for its keys by name; every name it asks for must have a row, and every row must be asked for.
 TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
-    static const std::regex kAsked(R"re((?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of_key|vector_of)\((?:entity_?,\s*)?"([a-z_]+)")re");
+    static const std::regex kAsked(R"re((?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of_key|vector_of|name_of_key)\((?:entity_?,\s*)?"([a-z_]+)")re");
     std::string source = test::content_of(kRoot / "worlds" / "readers" / "quake_map.cpp");
-    for (const char* more : {"map_effects.cpp", "map_soft.cpp"}) source += test::content_of(kRoot / "worlds" / "readers" / more);
+    for (const char* more : {"map_effects.cpp", "map_movers.cpp", "map_soft.cpp"}) source += test::content_of(kRoot / "worlds" / "readers" / more);
     std::set<std::string> asked;
     for (auto it = std::sregex_iterator(source.begin(), source.end(), kAsked); it != std::sregex_iterator(); ++it) asked.insert((*it)[1]);
     asked.erase("_external_map");  // content of another program, left out and said

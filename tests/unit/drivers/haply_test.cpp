@@ -13,6 +13,7 @@
 
 #include "tests/support/precompiled.h"
 #include "tests/support/scale.h"
+#include "tests/support/world_axes.h"
 
 namespace handrail {
 namespace {
@@ -136,10 +137,11 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
     auto device = open_haply_device(clock, service.port());
     ASSERT_TRUE(device);
     for (const Vec3& asked : {Vec3(1e9, 0, 0), Vec3(0, 1e9, -1e9), Vec3(std::nan(""), 1, 1), Vec3(0, INFINITY, 0), Vec3(1, 0, 0)}) {
-        do {
-            (*device)->read(0.0);
-            (*device)->write({asked});
-        } while (!(*device)->read(0.0).fresh);
+        for (int answer = 0; answer < 2; ++answer)  // the first may be to what was asked before
+            do {
+                (*device)->read(0.0);
+                (*device)->write({asked});
+            } while (!(*device)->read(0.0).fresh);
         const std::lock_guard guard(service.lock);
         if (is_finite(asked)) {
             EXPECT_GT(glm::dot(service.force, asked / glm::length(asked)), 0.999 * glm::length(service.force));
@@ -147,6 +149,34 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
             EXPECT_EQ(service.force, Vec3(0.0));
         }
         EXPECT_LE(glm::length(service.force), (*device)->spec().peak_force_n + 1e-9);
+    }
+}
+
+// S126, as the service's documentation is understood.
+TEST(HaplyDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
+    for (int axis = 0; axis < 3; ++axis) {
+        StandInService service;
+        Vec3 theirs{0.0};
+        theirs[axis] = 1.0;
+        {
+            const std::lock_guard guard(service.lock);
+            service.place = 0.01 * theirs;
+        }
+        SteadyClock clock;
+        auto device = open_haply_device(clock, service.port());
+        ASSERT_TRUE(device) << device.error().sentence();
+        const auto exchange = [&](const ForceCommand& command) {
+            for (;;) {
+                (*device)->write(command);
+                if (const DeviceSample sample = (*device)->read(0.0); sample.fresh) return sample;
+            }
+        };
+        const DeviceSample seen = exchange({});
+        const test::ThroughWorld through = test::through_world((*device)->spec(), seen.position_m, axis);
+        test::expect_east_north_up(through, axis, 0.01, 1e-9);
+        for (int i = 0; i < 3; ++i) exchange(through.command);
+        const std::lock_guard guard(service.lock);
+        EXPECT_LT(glm::length(service.force - theirs * through.command.force_n[axis]), 1e-6) << axis;
     }
 }
 

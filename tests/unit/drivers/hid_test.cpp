@@ -138,7 +138,7 @@ TEST(TriggerEffects, are_the_published_bytes) {
 
 TEST(PadCues, grow_with_nearness_and_hardness_and_click_at_doorways) {
     EXPECT_EQ(pad_output_for({}).right, trigger_off());
-    PadCue wall;
+    FingerCue wall;
     wall.nearness = 1.0;
     EXPECT_EQ(pad_output_for(wall).right, trigger_resists(2, 8));
     wall.hardness = 0.0;
@@ -147,7 +147,7 @@ TEST(PadCues, grow_with_nearness_and_hardness_and_click_at_doorways) {
     EXPECT_EQ(pad_output_for(wall).right, trigger_vibrates(2, 3, 60));
     wall.doorway = true;
     EXPECT_EQ(pad_output_for(wall).right[0], 0x25);
-    PadCue odd;
+    FingerCue odd;
     odd.nearness = odd.hardness = odd.slope = odd.knock = odd.material_hz = std::nan("");
     EXPECT_EQ(pad_output_for(odd).right, trigger_off());
     EXPECT_EQ(pad_output_for(odd).strong, 0);

@@ -7,6 +7,7 @@
 #include "haptic/drivers/dhd_device.h"
 #include "haptic/drivers/hd_device.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/world_axes.h"
 #include "worlds/base/clock.h"
 
 namespace handrail {
@@ -88,7 +89,7 @@ TEST(DhdDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
 }
 
 // S126, both makers: x right, y forward, z up, for places and for forces.
-TEST(VendorDevices, hand_right_forward_up_is_x_y_z_and_a_force_pushes_the_same_way) {
+TEST(VendorDevices, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
     const std::array<Vec3, 3> dhd_axes{Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1)}, hd_axes{Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)};
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 expected{0.0};
@@ -99,9 +100,12 @@ TEST(VendorDevices, hand_right_forward_up_is_x_y_z_and_a_force_pushes_the_same_w
             ASSERT_TRUE(device);
             const Vec3 theirs = dhd_axes[static_cast<std::size_t>(axis)];
             dhd.place(0.01 * theirs.x, 0.01 * theirs.y, 0.01 * theirs.z);
-            EXPECT_LT(glm::length((*device)->read(0.0).position_m - 0.01 * expected), 1e-12) << axis;
-            (*device)->write({expected});
-            EXPECT_LT(glm::length(dhd.told().force - theirs), 1e-12) << axis;
+            const DeviceSample seen = (*device)->read(0.0);
+            EXPECT_LT(glm::length(seen.position_m - 0.01 * expected), 1e-12) << axis;
+            const test::ThroughWorld through = test::through_world((*device)->spec(), seen.position_m, axis);
+            test::expect_east_north_up(through, axis, 0.01, 1e-12);
+            (*device)->write(through.command);
+            EXPECT_LT(glm::length(dhd.told().force - theirs * through.command.force_n[axis]), 1e-9) << axis;
         }
         const Hd hd;
         auto device = open_hd_device(STANDIN_HD);
@@ -109,10 +113,15 @@ TEST(VendorDevices, hand_right_forward_up_is_x_y_z_and_a_force_pushes_the_same_w
         const Vec3 theirs = hd_axes[static_cast<std::size_t>(axis)];
         hd.place(10.0 * theirs.x, 10.0 * theirs.y, 10.0 * theirs.z);
         std::this_thread::sleep_for(10ms);
-        EXPECT_LT(glm::length((*device)->read(0.0).position_m - 0.01 * expected), 1e-9) << axis;
-        (*device)->write({expected});
-        for (int i = 0; i < 2000 && glm::length(hd.told().force - theirs) > 1e-12; ++i) std::this_thread::sleep_for(1ms);
-        EXPECT_LT(glm::length(hd.told().force - theirs), 1e-12) << axis;
+        const DeviceSample seen = (*device)->read(0.0);
+        EXPECT_LT(glm::length(seen.position_m - 0.01 * expected), 1e-9) << axis;
+        EXPECT_LT(glm::length(seen.gimbal_rad - Vec3(0.1, 0.2, 0.3)), 1e-12) << "as the library tells them";
+        const test::ThroughWorld through = test::through_world((*device)->spec(), seen.position_m, axis);
+        test::expect_east_north_up(through, axis, 0.01, 1e-9);
+        (*device)->write(through.command);
+        const Vec3 pushed = theirs * through.command.force_n[axis];
+        for (int i = 0; i < 2000 && glm::length(hd.told().force - pushed) > 1e-9; ++i) std::this_thread::sleep_for(1ms);
+        EXPECT_LT(glm::length(hd.told().force - pushed), 1e-9) << axis;
     }
 }
 
@@ -206,16 +215,24 @@ TEST(HdDevice, gives_no_force_before_it_is_calibrated_nor_at_places_that_are_no_
     EXPECT_EQ(hd.told().force, Vec3(0.0));
 }
 
-TEST(HdDevice, a_force_error_of_the_library_ends_the_device) {
-    const Hd hd;
-    auto device = open_hd_device(STANDIN_HD);
-    ASSERT_TRUE(device);
-    (*device)->write({{0.0, 1.0, 0.0}});
-    hd.call<void(unsigned)>("standin_error")(0x0202);
-    for (int i = 0; i < 2000 && (*device)->read(0.0).connected; ++i) std::this_thread::sleep_for(1ms);
-    EXPECT_FALSE((*device)->read(0.0).connected);
-    std::this_thread::sleep_for(20ms);
-    EXPECT_EQ(hd.told().force, Vec3(0.0));
+TEST(HdDevice, a_force_error_of_the_library_ends_the_device_and_heat_is_told_apart) {
+    for (const unsigned code : {0x0200U, 0x0202U}) {
+        const Hd hd;
+        auto device = open_hd_device(STANDIN_HD);
+        ASSERT_TRUE(device);
+        (*device)->write({{0.0, 1.0, 0.0}});
+        hd.call<void(unsigned)>("standin_error")(code);
+        DeviceSample sample = (*device)->read(0.0);
+        for (int i = 0; i < 2000 && sample.connected; ++i) {
+            std::this_thread::sleep_for(1ms);
+            sample = (*device)->read(0.0);
+        }
+        EXPECT_FALSE(sample.connected);
+        EXPECT_EQ(sample.hot, code == 0x0200U);
+        EXPECT_EQ(sample.failed, code != 0x0200U);
+        std::this_thread::sleep_for(20ms);
+        EXPECT_EQ(hd.told().force, Vec3(0.0));
+    }
 }
 
 // The library hangs; whoever reads is told at once that nothing is new, and the servo takes the force away after 25 ms.

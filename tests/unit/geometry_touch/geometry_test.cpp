@@ -53,8 +53,20 @@ TEST(ClosestPointOfTriangle, agrees_with_brute_force_in_all_vertex_orders_degene
             const ClosestPoint unprepared = closest_point_of_triangle(s[i], s[j], s[k], p);
             ASSERT_NEAR(unprepared.distance_m, q.distance_m, rounding);
             ASSERT_LE(glm::length(unprepared.normal - q.normal), q.distance_m > 1e-6 ? 1e-6 + 3.0 * rounding / q.distance_m : 2.1);
-            for (const double reach : {0.5 * expected, 0.999 * expected, expected, 1.5 * expected})
-                ASSERT_TRUE(reach < expected || !surely_beyond_triangle(s[i], s[j], s[k], p, reach + rounding)) << "round " << round;
+            Vec3 support{0.0};
+            const double apart = support_towards(s[i], s[j], s[k], p, support);
+            ASSERT_LE(apart, expected + rounding) << "round " << round;
+            const Vec3 middle = (s[0] + s[1] + s[2]) / 3.0;
+            double reach = 0.0;
+            for (const Vec3& corner : s) {
+                if (apart > 0.0) {
+                    ASSERT_GE(glm::dot(support, p - corner), apart - rounding) << "round " << round;
+                }
+                reach = std::max(reach, glm::length(corner - middle));
+            }
+            if (expected > reach + rounding) {
+                ASSERT_GT(apart, 0.0) << "from farther than the triangle reaches there is such a plane, round " << round;
+            }
             SCOPED_TRACE(fmt::format("seed {} round {} degenerate {}", kSeed, round, shape.degenerate));
             ASSERT_NEAR(q.distance_m, expected, rounding + (shape.degenerate ? 1e-7 : 0.0));
             ASSERT_NEAR(glm::length(q.normal), 1.0, 1e-12);

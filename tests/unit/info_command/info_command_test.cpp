@@ -108,6 +108,21 @@ TEST(InfoCommand, says_what_exploring_makes_of_a_mesh) {
                               "4 triangles were joined to one flat polygon, at most 0 millimetres out of plane (bound 0.01 millimetres)."}));
 }
 
+TEST(InfoCommand, says_which_edges_are_rounded_and_which_stay_sharp_and_why) {
+    const test::TemporaryFolder folder;
+    // A block of a metre, a plate of a centimetre, and two blocks whose ends meet in part, so that neither covers the other's.
+    const std::filesystem::path file =
+        folder.write("edges.map", test::entity("worldspawn", "", test::box_brush(0, 0, 0, 100, 100, 100)) +
+                                      test::entity("func_wall", test::key("name", "Plate"), test::box_brush(300, 0, 0, 400, 100, 1)) +
+                                      test::entity("func_wall", test::key("name", "Left"), test::box_brush(600, 0, 0, 700, 100, 100)) +
+                                      test::entity("func_wall", test::key("name", "Right"), test::box_brush(700, 50, 0, 800, 150, 100)));
+    const nlohmann::json json = nlohmann::json::parse(info(file, true, 0.01).out);
+    EXPECT_EQ(json["touch_model"]["rounded_solids"], 1);
+    EXPECT_EQ(json["simplified"],
+              nlohmann::json({"Edges of 1 solid are felt rounded by 0.09 metres of the world.", "1 solid keeps sharp edges: too thin to be rounded (Plate).",
+                              "2 solids keep sharp edges: a groove would open where they join others (Left, Right)."}));
+}
+
 TEST(InfoCommand, fails_with_one_sentence_and_nothing_on_stdout) {
     const test::TemporaryFolder folder;
     for (const bool json : {false, true}) {

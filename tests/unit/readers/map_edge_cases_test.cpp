@@ -228,6 +228,22 @@ TEST(MapEdgeCases, liquids_keep_their_viscosity_and_sounds_their_place) {
     EXPECT_EQ(reading.scene.sounds[1].sound, "clock_tick");
 }
 
+TEST(MapEdgeCases, particles_and_other_games_sounds_are_heard_at_their_place) {
+    const Reading reading = read(entity("worldspawn", {}, kCube) + entity("particle_fountain", key("origin", "32 0 0") + key("volume", "0.5")) +
+                                 entity("light_torch_small_walltorch", key("origin", "64 0 0")) +
+                                 entity("ambient_generic", key("origin", "96 0 0") + key("message", "ambience/wind2.wav")) +
+                                 entity("target_speaker", key("origin", "128 0 0") + key("noise", "world/clock") + key("volume", "7")));
+    ASSERT_EQ(reading.scene.sounds.size(), 4U);
+    EXPECT_EQ(reading.scene.sounds[0].name, "fountain");
+    EXPECT_EQ(reading.scene.sounds[0].loudness, 0.5);
+    EXPECT_EQ(reading.scene.sounds[1].name, "torch");
+    EXPECT_EQ(reading.scene.sounds[1].loudness, 1.0);
+    EXPECT_EQ(reading.scene.sounds[2].sound, "ambience/wind2.wav");
+    EXPECT_EQ(reading.scene.sounds[3].sound, "world/clock");
+    EXPECT_EQ(reading.scene.sounds[3].loudness, 1.0);
+    EXPECT_THAT(reading.said, ElementsAre(HasSubstr("volume")));
+}
+
 TEST(MapEdgeCases, guessing_can_be_switched_off_without_changing_the_walls) {
     const std::string text = entity("worldspawn", {}, box_brush(0, 0, 0, 128, 16, 96, "brick1") + box_brush(128, 0, 0, 256, 16, 96, "wood1"));
     ReadOptions plain;

@@ -30,6 +30,28 @@ Reading read(const std::string& brushes, const std::string& keys = {}) {
     return reading_of(read_quake_map(entity("worldspawn", keys, kFloor + brushes), "p.map"));
 }
 
+TEST(MapPatches, are_touched_from_the_side_that_their_thing_names) {  // S28
+    const auto side_of = [](const std::string& value, std::vector<std::string>* said = nullptr) {
+        Reading reading =
+            reading_of(read_quake_map(entity("worldspawn", {}, kFloor) + entity("func_wall", value.empty() ? "" : key("touch_side", value), patch()), "p.map"));
+        if (said) *said = reading.said;
+        EXPECT_FALSE(reading.scene.triangles.empty());
+        for (const MeshTriangle& t : reading.scene.triangles) EXPECT_EQ(t.side, reading.scene.triangles[0].side);
+        return reading.scene.triangles.at(0).side;
+    };
+    EXPECT_EQ(side_of(""), TouchSide::Both);
+    EXPECT_EQ(side_of("both"), TouchSide::Both);
+    EXPECT_EQ(side_of("front"), TouchSide::Front);
+    EXPECT_EQ(side_of("Back "), TouchSide::Back);
+    std::vector<std::string> said;
+    EXPECT_EQ(side_of("inside", &said), TouchSide::Both);
+    ASSERT_EQ(said.size(), 1U);
+    EXPECT_NE(said[0].find("none of both, front and back"), std::string::npos) << said[0];
+    const Reading solid = reading_of(read_quake_map(entity("worldspawn", key("touch_side", "front"), kFloor), "p.map"));
+    ASSERT_EQ(solid.said.size(), 1U);
+    EXPECT_NE(solid.said[0].find("without curved patches"), std::string::npos) << solid.said[0];
+}
+
 TEST(MapPatches, become_triangles_within_a_millimetre_and_are_told_with_their_error) {
     const Reading reading = read(patch());
     EXPECT_TRUE(reading.said.empty());

@@ -33,6 +33,17 @@ TEST(ReadObj, splits_polygons_keeps_coordinates_and_counts) {
     EXPECT_EQ(reading.scene.features.at(0).name, "test") << "without names the file's";
 }
 
+TEST(ReadObj, takes_the_side_from_which_faces_are_touched_from_a_comment) {  // S28
+    const Reading reading =
+        read(kSquare +
+             "f 1 2 3\n#touch_side front\nf 1 3 4\n# touch_side back\nf 1 2 4\n#touch_side back\r\nf 2 3 4\n#touch_side BOTH\nf 1 2 3 4\n#touch_side up\n");
+    ASSERT_EQ(reading.scene.triangles.size(), 6U);
+    const std::vector<TouchSide> expected{TouchSide::Both, TouchSide::Front, TouchSide::Front, TouchSide::Back, TouchSide::Both, TouchSide::Both};
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(reading.scene.triangles[i].side, expected[i]) << i;
+    ASSERT_EQ(reading.said.size(), 1U);
+    EXPECT_THAT(reading.said[0], HasSubstr("\"up\" is none of both, front and back"));
+}
+
 TEST(ReadObj, cuts_concave_polygons_into_ears) {
     // An arrow head: 3 units of area, and no triangle may cover the notch around
     // (1, 0.5).

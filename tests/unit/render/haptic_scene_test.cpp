@@ -29,6 +29,12 @@ std::shared_ptr<const HapticScene> one_of_each(const Vec3& at) {
     builder.add_cylinder({x(6), up, 2.0, 1.0}, cylinder);
     const std::array<SurfaceLabel, 2> cone{label(80), label(81)};
     builder.add_cone(make_cone(x(7), up, 2.0, 1.0), cone);
+    CustomObstacle custom;
+    custom.closest = [](const Vec3& p, const void* data) noexcept { return closest_point(*static_cast<const SphereShape*>(data), p); };
+    custom.data = std::make_shared<const SphereShape>(SphereShape{up, 1.0});
+    custom.position_m = x(8);
+    custom.bounds_m = {{-1, -1, 0}, {1, 1, 2}};
+    EXPECT_TRUE(builder.add_custom(custom, label(90)));
     return builder.build();
 }
 
@@ -64,7 +70,8 @@ TEST(HapticScene, knows_place_and_surface_of_every_kind_near_and_far) {
                                {6, {0.3, 0, 5}, 3, 72},
                                {7, Vec3(0.5, 0, 1) + slant, 1, 80},
                                {7, {0, 0, 5}, 3, 80},
-                               {7, {0.3, 0, -2}, 2, 81}}) {
+                               {7, {0.3, 0, -2}, 2, 81},
+                               {8, {3, 4, 1}, 4, 90}}) {
             const auto [distance, feature] = look(row.obstacle, row.from);
             EXPECT_NEAR(distance, row.distance, rounding) << row.obstacle;
             EXPECT_EQ(feature, row.feature) << row.obstacle;
@@ -76,7 +83,7 @@ TEST(HapticScene, knows_place_and_surface_of_every_kind_near_and_far) {
 TEST(HapticScene, holds_a_ball_at_every_kind_with_the_label_of_the_face) {
     for (const Vec3& at : {Vec3(0.0), Vec3(4e5, -7e5, 3e4)}) {
         const auto scene = one_of_each(at);
-        for (const auto& [x, feature] : {std::pair{20.0, 30U}, {40.0, 50U}, {50.0, 60U}, {60.0, 72U}, {70.0, 80U}}) {
+        for (const auto& [x, feature] : {std::pair{20.0, 30U}, {40.0, 50U}, {50.0, 60U}, {60.0, 72U}, {70.0, 80U}, {80.0, 90U}}) {
             TouchState state;
             TouchTuning tuning;
             TouchResult r;

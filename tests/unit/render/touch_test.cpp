@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "haptic/render/proxy_solver.h"
+#include "tests/support/sphere_mesh.h"
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
@@ -366,6 +367,21 @@ TEST(TouchTick, survives_every_finite_input) {  // I1
                 const TouchResult r = touch_tick(state, *scene, tuning, {x, 0, z}, dt);
                 EXPECT_TRUE(is_finite(r.proxy_m) && is_finite(r.force_n)) << x << ' ' << z << ' ' << dt;
             }
+}
+
+TEST(TouchTick, a_start_among_countless_triangles_looks_at_a_bounded_number_of_them) {
+    // A round room of 20,480 triangles that is smaller than the ball: from its middle all are equally near.
+    HapticSceneBuilder builder;
+    builder.add_mesh(sphere_mesh(32, 0.004));
+    const auto scene = builder.build();
+    TouchState state;
+    TouchTuning tuning;
+    for (int i = 0; i < 200; ++i) {
+        const TouchResult r = touch_tick(state, *scene, tuning, Vec3(0.0), kTick_s);
+        ASSERT_LE(state.solver().looks(), 4 * ProxySolver::kMostLooks) << "tick " << i;
+        ASSERT_LE(glm::length(r.proxy_m) + r.radius_m, 0.004 + 1e-9) << "nothing of the ball is outside, tick " << i;
+        ASSERT_GT(r.radius_m, 0.0);
+    }
 }
 
 TEST(TouchTick, feels_nothing_in_an_empty_scene) {

@@ -1,9 +1,10 @@
-#include "haptic/servo/servo_tick.h"
+#include "haptic/servo/servo_switches.h"
 
 #include <limits>
 #include <random>
 
 #include "tests/support/precompiled.h"
+#include "tests/support/random_families.h"
 #include "tests/support/servo_rig.h"
 
 namespace handrail {
@@ -253,6 +254,135 @@ TEST(ServoTick, panic_is_zero_on_this_very_tick_and_back_by_the_ramp) {
     EXPECT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * 1e-3, 1e-9);
 }
 
+// Fades and ends after this many ticks at most; never above what it was.
+void expect_fade_to_zero(ServoRig& rig, double from_n) {
+    double last = from_n;
+    for (int i = 0; i < 76; ++i) {
+        const double force = glm::length(rig.tick(kPressed).force_n);
+        ASSERT_LE(force, last + 1e-12) << i;
+        last = force;
+    }
+    ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0));
+}
+
+TEST(ServoTick, motors_that_report_heat_lose_their_force_within_100_ms_and_are_confirmed_when_cool) {
+    ServoRig rig;
+    rig.press(kPressed);
+    rig.sample.hot = true;
+    expect_fade_to_zero(rig, kPressN);
+    EXPECT_EQ(rig.tool().fault, Fault::TooHot);
+    EXPECT_TRUE(rig.tool().fault_latched && rig.tool().fault_lasts);
+    EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
+    ++rig.tuning.confirm;  // in vain: still hot
+    for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0));
+    rig.sample.hot = false;
+    for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0)) << "cool, and not confirmed";
+    EXPECT_FALSE(rig.tool().fault_lasts);
+    ++rig.tuning.confirm;
+    EXPECT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * 1e-3, 1e-9);
+    EXPECT_EQ(rig.tool().fault, Fault::None);
+}
+
+TEST(ServoTick, motors_that_report_nothing_are_spared_by_the_heat_budget) {
+    ServoRig rig;  // peak 3.3 N, of which 80 % may be held
+    rig.tuning.force_ceiling_n = 100.0;
+    rig.press(kPressed);
+    const Vec3 hard = kPressed + Vec3(0, 0.005, 0);
+    rig.go(hard);
+    const double began_s = rig.now_s;
+    while (rig.tool().fault == Fault::None && rig.now_s < began_s + 60.0) rig.tick(hard);
+    EXPECT_EQ(rig.tool().fault, Fault::TooHot);
+    EXPECT_NEAR(rig.now_s - began_s, -10.0 * std::log(1.0 - 0.64), 1.0);
+    for (int i = 0; i < 77; ++i) rig.tick(hard);
+    EXPECT_EQ(rig.last.force_n, Vec3(0.0));
+    ++rig.tuning.confirm;
+    rig.tick(hard);
+    EXPECT_EQ(rig.tool().fault, Fault::TooHot) << "not cooled yet";
+    for (int i = 0; i < 7100; ++i) ASSERT_EQ(rig.tick(hard).force_n, Vec3(0.0));
+    EXPECT_FALSE(rig.tool().fault_lasts);
+    ++rig.tuning.confirm;
+    rig.tick(hard);
+    EXPECT_EQ(rig.tool().fault, Fault::None);
+}
+
+TEST(ServoTick, an_error_of_the_driver_is_zero_on_that_tick_and_latched) {
+    ServoRig rig;
+    rig.press(kPressed);
+    rig.sample.failed = true;
+    EXPECT_EQ(rig.tick(kPressed).force_n, Vec3(0.0));
+    EXPECT_EQ(rig.tool().fault, Fault::DriverError);
+    rig.sample.failed = false;
+    for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.tick(kPressed).force_n, Vec3(0.0));
+    ++rig.tuning.confirm;
+    EXPECT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * 1e-3, 1e-9);
+}
+
+TEST(ServoTick, a_driver_that_lets_a_hot_device_go_says_hot_and_not_unplugged) {
+    ServoRig rig;
+    rig.press(kPressed);
+    rig.sample.hot = true;
+    EXPECT_EQ(rig.unplugged_tick().force_n, Vec3(0.0));
+    EXPECT_EQ(rig.tool().fault, Fault::TooHot);
+    EXPECT_TRUE(rig.tool().waiting_for_hand);
+    rig.sample.hot = false;
+    ++rig.tuning.confirm;
+    for (int i = 0; i < 50; ++i) ASSERT_EQ(rig.unplugged_tick().force_n, Vec3(0.0));
+    EXPECT_TRUE(rig.tool().fault_lasts) << "not back yet";
+    rig.tick(kPressed);
+    EXPECT_FALSE(rig.tool().fault_lasts);
+}
+
+TEST(ServoTick, in_dead_man_mode_force_needs_a_held_button_and_is_gone_100_ms_after_it) {
+    ServoRig rig;
+    rig.tuning.button_to_feel = true;
+    rig.press(kPressed);
+    EXPECT_EQ(rig.last.force_n, Vec3(0.0));
+    EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 0) << "nothing was taken away yet";
+    rig.sample.buttons = 2;  // any of them
+    for (int i = 0; i < 1000; ++i) rig.tick(kPressed);
+    EXPECT_NEAR(rig.last.force_n.y, -kPressN, 1e-6);
+    rig.sample.buttons = 0;
+    expect_fade_to_zero(rig, kPressN);
+    EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
+    EXPECT_EQ(rig.first(ContactEventKind::FaultRaised).fault, Fault::ButtonReleased);
+    EXPECT_EQ(rig.tool().fault, Fault::None) << "nothing is broken";
+    EXPECT_EQ(rig.tool().pause, Fault::ButtonReleased);
+    rig.sample.buttons = 1;
+    EXPECT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * 1e-3, 1e-6);
+    EXPECT_EQ(rig.count(ContactEventKind::FaultCleared), 1);
+}
+
+TEST(ServoTick, without_the_keyboard_the_force_fades_and_comes_back_with_it_by_the_ramp_alone) {
+    ServoRig rig;
+    rig.press(kPressed);
+    rig.tuning.focused = false;
+    expect_fade_to_zero(rig, kPressN);
+    EXPECT_EQ(rig.first(ContactEventKind::FaultRaised).fault, Fault::FocusLost);
+    EXPECT_EQ(rig.tool().contacts.count, 1) << "the wall is still met, and heard";
+    rig.tuning.focused = true;
+    for (int i = 1; i <= 1000; ++i) ASSERT_NEAR(rig.tick(kPressed).force_n.y, -kPressN * std::min(1.0, i * 1e-3), 1e-6);
+}
+
+TEST(ServoSwitches, only_take_force_away_and_a_stop_after_the_one_let_go_counts) {
+    ServoSwitches switches;
+    ServoTuning tuning;
+    EXPECT_FALSE(with_switches(tuning, switches).panic);
+    switches.stop();
+    EXPECT_TRUE(with_switches(tuning, switches).panic);
+    tuning.stops_let_go = 1;
+    EXPECT_FALSE(with_switches(tuning, switches).panic);
+    switches.stop();  // pressed while the app let the first one go
+    EXPECT_TRUE(with_switches(tuning, switches).panic);
+    tuning.stops_let_go = 2;
+    tuning.panic = true;
+    EXPECT_TRUE(with_switches(tuning, switches).panic);
+    switches.focused = false;
+    EXPECT_FALSE(with_switches(tuning, switches).focused);
+    switches.focused = true;
+    tuning.focused = false;
+    EXPECT_FALSE(with_switches(tuning, switches).focused);
+}
+
 TEST(ServoTick, forces_off_fades_over_75_ms_and_on_ramps_over_a_second) {
     ServoRig rig;
     rig.press(kPressed);
@@ -359,7 +489,7 @@ TEST(ServoTick, counts_contact_time_rate_and_buttons) {
 
 // Whatever a device sends, what comes out is finite, below the ceiling, and the tool stays where a hand can be.
 TEST(ServoTick, is_finite_and_bounded_for_every_input) {
-    const std::uint64_t seed = std::random_device{}();
+    const std::uint64_t seed = test::seed_of_run();
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -391,6 +521,11 @@ TEST(ServoTick, is_finite_and_bounded_for_every_input) {
         if (random() % 500 == 0) rig.tuning.force_ceiling_n = random() % 2 ? 2.5 : wild();
         rig.sample.fresh = random() % 10 != 0;
         rig.sample.connected = random() % 1000 != 0;
+        rig.sample.hot = random() % 700 == 0;
+        rig.sample.failed = random() % 900 == 0;
+        rig.sample.buttons = static_cast<std::uint32_t>(random() % 3);
+        if (random() % 400 == 0) rig.tuning.button_to_feel = !rig.tuning.button_to_feel;
+        if (random() % 400 == 0) rig.tuning.focused = !rig.tuning.focused;
         const Vec3 sane = Vec3(0.0, 0.03 * std::sin(i * 0.005), 0.0);
         rig.tick_raw(random() % 4 == 0 ? Vec3(wild(), wild(), wild()) : sane, random() % 300 == 0 ? 0.05 : kTick);
         ASSERT_TRUE(is_finite(rig.last.force_n));

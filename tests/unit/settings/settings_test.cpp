@@ -152,6 +152,47 @@ TEST(Settings, keep_overrides_by_device_name_and_keys_by_command) {
     EXPECT_FALSE(store.set("workspace.device.falcon.scale", "5000", SettingSource::Live));
 }
 
+TEST(Profiles, are_kept_by_device_and_serial_number_and_say_where_they_come_from) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("settings.toml", "[profile.\"Falcon A9.1\"]\nceiling_n = 2\nhand = \"Left\"\nscael = 1\nfuture = [1]\n");
+    SettingsStore store;
+    EXPECT_THAT(sentences(store.load_file(file, SettingSource::UserFile)), testing::Each(HasSubstr("There is no setting profile.")));
+    const std::string key = profile_key("falcon", "A9.1");
+    EXPECT_EQ(key, "falcon a9.1");
+    ASSERT_TRUE(store.values().profiles.contains(key));
+    EXPECT_EQ(store.values().profiles.at(key).ceiling_n, 2.0);
+    EXPECT_EQ(store.values().profiles.at(key).hand, HoldingHand::Left);
+    EXPECT_THAT(row_of(store, "profile.falcon a9.1.ceiling_n").origin, HasSubstr("settings.toml:2"));
+    ASSERT_TRUE(store.set("profile." + key + ".ceiling_n", "1.5", SettingSource::Live));
+    ASSERT_TRUE(store.set("profile.sim-t.gentlest_n", "0.25", SettingSource::Live));
+    EXPECT_FALSE(store.set("profile.sim-t.gentlest_n", "25", SettingSource::Live));
+    EXPECT_FALSE(store.set("profile.sim-t.hand", "both", SettingSource::Live));
+    EXPECT_FALSE(store.set("profile.sim-t.ceiling_n", "3", SettingSource::World)) << "forces are the person's alone";
+    ASSERT_TRUE(store.save_user_file());
+    SettingsStore again;
+    again.load_file(file, SettingSource::UserFile);
+    ASSERT_EQ(again.values().profiles.size(), 2U);
+    EXPECT_EQ(again.values().profiles.at("sim-t").gentlest_n, 0.25);
+    EXPECT_THAT(content_of(file), testing::AllOf(HasSubstr("scael = 1"), HasSubstr("future = [1]"))) << "what is not understood is kept";
+}
+
+TEST(Profiles, damaged_in_one_value_are_set_aside_whole_with_one_sentence_until_measured_anew) {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write(
+        "settings.toml", "[profile.falcon]\nceiling_n = 2.0\nscale = -7\nhand = 3\n[profile.sim-t]\nceiling_n = 1.0\n[walk]\nstep_length_m = 0.6\n");
+    SettingsStore store;
+    const auto problems = sentences(store.load_file(file, SettingSource::UserFile));
+    ASSERT_THAT(problems, SizeIs(1));
+    EXPECT_THAT(problems[0], testing::AllOf(HasSubstr("profile.falcon."), HasSubstr("set aside"), HasSubstr("handrail calibrate")));
+    EXPECT_FALSE(store.values().profiles.contains("falcon")) << "nothing of it is used";
+    EXPECT_TRUE(store.values().damaged_profiles.contains("falcon"));
+    EXPECT_EQ(store.values().profiles.at("sim-t").ceiling_n, 1.0);
+    EXPECT_EQ(store.values().walk.step_length_m, 0.6);
+    ASSERT_TRUE(store.set("profile.falcon.ceiling_n", "1.1", SettingSource::Live));
+    EXPECT_TRUE(store.values().damaged_profiles.empty());
+    EXPECT_EQ(store.values().profiles.at("falcon").ceiling_n, 1.1);
+}
+
 TEST(SaveSettings, keeps_comments_unknown_keys_and_everything_else_the_person_wrote) {
     const TemporaryFolder folder;
     const fs::path file = folder.write(

@@ -145,6 +145,18 @@ TEST_F(OpenALSinkTest, sound_in_the_east_reaches_the_right_ear_first_when_facing
     EXPECT_GT(rms(right), 1.5 * rms(left));
 }
 
+TEST_F(OpenALSinkTest, swapped_sides_exchange_the_ears_at_once) {
+    for (const bool swapped : {false, true}) {
+        Settings::Sound settings;
+        settings.swap_sides = swapped;
+        sink->set_sound(settings);
+        forget();
+        sink->play(cue(SoundKind::Bell, {-1.5, 0.0, 0.0}));
+        run(1.2);
+        EXPECT_GT(rms(swapped ? right : left), 1.5 * rms(swapped ? left : right));
+    }
+}
+
 TEST_F(OpenALSinkTest, turning_round_changes_the_ear_and_the_middle_has_no_lead) {
     sink->set_loop(cue(SoundKind::WallTone, {2.0, 0.0, 0.0}));
     sink->set_listener({.ears_m = {0.0, 0.0, 0.0}, .heading_rad = kPi});
@@ -239,6 +251,309 @@ TEST_F(OpenALSinkTest, loop_that_had_to_give_way_comes_back) {
     EXPECT_LT(rms(listen(0.05)), 0.05 * alone);
     run(0.7);
     EXPECT_NEAR(rms(listen(0.1)), alone, 0.2 * alone);
+}
+
+// Energy of a signal between two frequencies, in dB of nothing in particular, by Goertzel's recursion on frames of 20 ms.
+double band_db(std::span<const float> x, double from_hz, double to_hz) {
+    constexpr std::size_t kFrame = 960;
+    double sum = 0.0;
+    for (double hz = from_hz; hz <= to_hz; hz += 50.0) {
+        const double c = 2.0 * std::cos(2.0 * kPi * hz / kSampleRate_hz);
+        for (std::size_t at = 0; at + kFrame <= x.size(); at += kFrame) {
+            double s1 = 0.0, s2 = 0.0;
+            for (std::size_t i = 0; i < kFrame; ++i) {
+                const double window = 0.5 - 0.5 * std::cos(2.0 * kPi * static_cast<double>(i) / kFrame);
+                const double s0 = window * static_cast<double>(x[at + i]) + c * s1 - s2;
+                s2 = s1;
+                s1 = s0;
+            }
+            sum += s1 * s1 + s2 * s2 - c * s1 * s2;
+        }
+    }
+    return 10.0 * std::log10(sum + 1e-30);
+}
+
+TEST_F(OpenALSinkTest, closed_door_takes_at_least_12_db_and_more_of_the_high_tones) {
+    SoundCue rain = cue(SoundKind::Rain, {0.0, 3.0, 0.0});  // broad, and steady over seconds
+    sink->set_loop(rain);
+    run(1.0);
+    const std::vector<float> open = listen(4.0);
+    rain.muffled_db = 14.0;
+    sink->set_loop(rain);
+    run(4.0);
+    const std::vector<float> closed = listen(4.0);
+    const double all_db = 20.0 * std::log10(rms(open) / rms(closed));
+    const double low_db = band_db(open, 200.0, 800.0) - band_db(closed, 200.0, 800.0);
+    const double high_db = band_db(open, 6000.0, 12000.0) - band_db(closed, 6000.0, 12000.0);
+    EXPECT_GE(all_db, 12.0);
+    EXPECT_GE(low_db, 12.0);
+    EXPECT_GE(high_db, low_db + 10.0);
+    std::cout << "    a closed door takes " << all_db << " dB, " << low_db << " dB at 0.2 to 0.8 kHz, " << high_db << " dB at 6 to 12 kHz\n";
+    rain.muffled_db = 0.0;
+    sink->set_loop(rain);
+    run(4.0);
+    EXPECT_NEAR(20.0 * std::log10(rms(listen(4.0)) / rms(open)), 0.0, 0.5) << "the door is open again";
+}
+
+TEST_F(OpenALSinkTest, sounds_of_the_world_give_way_to_what_one_does_without_pumping) {
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        SoundCue lamp = cue(SoundKind::Buzz, {2.0 + i, 0.0, 0.0});
+        lamp.source = i;
+        sink->set_loop(lamp);
+    }
+    run(0.5);
+    EXPECT_EQ(sink->sounds_playing(), 3);
+    // Steps every 0.6 s: the quietest lamp gives way at the first, and does not come back between them.
+    int changes = 0, before = -1;
+    for (int step = 0; step < 8; ++step) {
+        sink->play(cue(SoundKind::Footstep, {0.0, 0.0, -1.6}));
+        for (int i = 0; i < 112; ++i) {
+            period();
+            EXPECT_LE(sink->sounds_playing(), 3);
+        }
+        const int now = sink->sounds_playing();  // the step has rung out
+        if (now != before) ++changes;
+        before = now;
+    }
+    EXPECT_EQ(before, 2);
+    EXPECT_EQ(changes, 1);
+    run(2.0);
+    EXPECT_EQ(sink->sounds_playing(), 3) << "it comes back when there is room for longer";
+}
+
+TEST_F(OpenALSinkTest, leaving_world_sounds_fade_and_make_room_for_others) {
+    for (std::uint32_t round = 0; round < 12; ++round) {
+        SoundCue fire = cue(SoundKind::Fire, {2.0, 0.0, 0.0});
+        fire.source = round;
+        sink->set_loop(fire);
+        run(0.4);
+        EXPECT_EQ(sink->sounds_playing(), 1);
+        fire.loudness = 0.0;
+        sink->set_loop(fire);
+        EXPECT_EQ(sink->sounds_playing(), 0);
+    }
+    run(0.5);
+    EXPECT_LT(rms(listen(0.1)), 1e-6);
+}
+
+// Below `edge_hz`, twelve decibels an octave, the same for both ears.
+std::vector<double> low_passed(std::span<const float> x, double edge_hz) {
+    const double a = 1.0 - std::exp(-2.0 * kPi * edge_hz / kSampleRate_hz);
+    std::vector<double> y(x.size());
+    double one = 0.0, two = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) y[i] = two += a * ((one += a * (static_cast<double>(x[i]) - one)) - two);
+    return y;
+}
+
+// Seconds by which the right ear hears it first, below 1.5 kHz, between samples by a parabola through the peak of the cross-correlation.
+double interaural_s(std::span<const float> left, std::span<const float> right) {
+    const std::vector<double> l = low_passed(left, 1500.0), r = low_passed(right, 1500.0);
+    constexpr int kReach = 56;
+    std::vector<double> sums;
+    for (int k = -kReach; k <= kReach; ++k) {
+        double sum = 0.0;
+        for (std::size_t i = kReach; i + kReach < l.size(); ++i) sum += r[i] * l[static_cast<std::size_t>(static_cast<int>(i) + k)];
+        sums.push_back(sum);
+    }
+    const auto peak = std::max_element(sums.begin() + 1, sums.end() - 1);
+    const double before = *(peak - 1), at = *peak, after = *(peak + 1);
+    return (static_cast<double>(peak - sums.begin()) - kReach + 0.5 * (before - after) / (before - 2.0 * at + after)) / kSampleRate_hz;
+}
+
+TEST_F(OpenALSinkTest, time_between_the_ears_is_within_100_us_of_a_sphere_and_mirrored) {
+    // Woodworth: a sphere of 8.75 cm, sound at 343 m/s; behind as ahead.
+    const auto sphere_s = [](double azimuth_rad) {
+        const double side = std::asin(std::sin(azimuth_rad));
+        return 0.0875 / 343.0 * (side + std::sin(side));
+    };
+    sink->set_sound({.behind = false, .height = false});
+    double worst_s = 0.0, worst_mirror_s = 0.0;
+    for (int degrees = 0; degrees <= 180; degrees += 15) {
+        double heard_s[2];
+        for (const int side : {0, 1}) {
+            const double azimuth = radians_from_degrees(side == 0 ? degrees : -degrees);
+            sink->set_loop(cue(SoundKind::Rain, 2.0 * forward_of_heading(azimuth)));
+            run(0.4);
+            forget();
+            run(0.5);
+            heard_s[side] = interaural_s(left, right);
+            worst_s = std::max(worst_s, std::abs(heard_s[side] - sphere_s(azimuth)));
+            EXPECT_NEAR(heard_s[side], sphere_s(azimuth), 100e-6) << degrees << (side == 0 ? " right" : " left");
+        }
+        worst_mirror_s = std::max(worst_mirror_s, std::abs(heard_s[0] + heard_s[1]));
+        EXPECT_NEAR(heard_s[0], -heard_s[1], 10e-6) << degrees;
+    }
+    std::cout << "    worst distance from the sphere " << 1e6 * worst_s << " us, from the mirror " << 1e6 * worst_mirror_s << " us\n";
+}
+
+TEST_F(OpenALSinkTest, room_reverberates_for_as_long_as_it_should_within_10_percent) {
+    sink->set_sound({.reverberation = 1.0});
+    for (const double wanted_s : {0.3, 0.6, 1.0, 2.0, 4.0}) {
+        sink->set_listener({.ears_m = {0.0, 0.0, 0.0}, .heading_rad = 0.0, .reverberation_s = wanted_s});
+        run(wanted_s + 1.0);  // the room follows, and what still sounded in it is gone
+        // Schroeder: the energy that is still to come falls along a line; its slope between -5 and -25 dB, least squares. Three knocks of different
+        // colour at both ears are taken together, as one measures a hall, since each alone meets few of the room's modes.
+        std::vector<double> to_come(static_cast<std::size_t>((0.7 * wanted_s + 0.2) * kSampleRate_hz));
+        for (const SoundClass knock : {SoundClass::Brick, SoundClass::Concrete, SoundClass::Stone}) {
+            sink->play(cue(SoundKind::Contact, {0.0, 1.0, 0.0}, knock));
+            run(0.13);  // the longest of them rings for 105 ms
+            forget();
+            run(0.7 * wanted_s + 0.2);
+            double energy = 0.0;
+            for (std::size_t i = to_come.size(); i-- > 0;) {
+                energy += static_cast<double>(left[i]) * static_cast<double>(left[i]) + static_cast<double>(right[i]) * static_cast<double>(right[i]);
+                to_come[i] += energy;
+            }
+            run(wanted_s);
+        }
+        const double energy = to_come.front();
+        ASSERT_GT(energy, 1e-9) << wanted_s;
+        double n = 0.0, st = 0.0, sd = 0.0, stt = 0.0, std_ = 0.0;
+        for (std::size_t i = 0; i < to_come.size(); ++i) {
+            const double db = 10.0 * std::log10(to_come[i] / energy + 1e-30), t = static_cast<double>(i) / kSampleRate_hz;
+            if (db > -5.0 || db < -25.0) continue;
+            n += 1.0, st += t, sd += db, stt += t * t, std_ += t * db;
+        }
+        const double slope = (n * std_ - st * sd) / (n * stt - st * st);
+        EXPECT_NEAR(-60.0 / slope, wanted_s, 0.1 * wanted_s);
+        std::cout << "    wanted " << wanted_s << " s, reverberates " << -60.0 / slope << " s\n";
+    }
+}
+
+TEST_F(OpenALSinkTest, reverberation_is_weak_leaves_signals_dry_and_stops_with_everything) {
+    const auto after_a_knock = [&](Settings::Sound settings, SoundKind kind) {
+        sink->set_sound(settings);
+        sink->set_listener({.ears_m = {0.0, 0.0, 0.0}, .heading_rad = 0.0, .reverberation_s = 2.0});
+        run(3.0);
+        sink->play(cue(kind, {0.0, 1.0, 0.0}, SoundClass::Concrete));
+        const double knock = rms(listen(0.1));
+        return rms(listen(0.3)) / knock;
+    };
+    EXPECT_LT(after_a_knock({.reverberation = 0.0}, SoundKind::Contact), 1e-4);
+    const double plain = after_a_knock({}, SoundKind::Contact);
+    EXPECT_GT(plain, 0.001);
+    EXPECT_LT(plain, 0.3);
+    EXPECT_LT(after_a_knock({}, SoundKind::TurnTick), 1e-4);
+    sink->play(cue(SoundKind::Contact, {0.0, 1.0, 0.0}, SoundClass::Concrete));
+    run(0.1);
+    sink->stop_all();
+    run(0.03);
+    EXPECT_LT(rms(listen(0.2)), 1e-5) << "F12 ends the echo too";
+}
+
+// The largest step from one sample to the next.
+float largest_step(std::span<const float> x) {
+    float most = 0.0F;
+    for (std::size_t i = 1; i < x.size(); ++i) most = std::max(most, std::abs(x[i] - x[i - 1]));
+    return most;
+}
+
+TEST_F(OpenALSinkTest, whatever_is_cut_short_makes_no_step_above_a_hundredth_of_full_scale) {
+    constexpr float kNoClick = 0.01F;  // more than the sound's own largest step; a cut at a sample gives up to 0.3 here
+    const auto quiet_after = [&](const char* what, auto begin, auto cut) {
+        for (int phase = 0; phase < 7; ++phase) {
+            begin();
+            run(0.3 + 0.0011 * phase);
+            const float own = largest_step(std::span(left).last(4800));
+            const std::size_t from = left.size() - 2;
+            ASSERT_GT(rms(std::span(left).last(4800)), 0.01) << what;
+            cut();
+            run(0.1);
+            EXPECT_LE(largest_step(std::span(left).subspan(from)), own + kNoClick) << what << ", phase " << phase;
+            sink->stop_all();
+            voice->stop();
+            run(0.5);
+        }
+    };
+    std::vector<std::int16_t> tone(96000);
+    for (std::size_t i = 0; i < tone.size(); ++i) tone[i] = static_cast<std::int16_t>(9000.0 * std::sin(2.0 * kPi * 187.0 * static_cast<double>(i) / 48000.0));
+    const auto speak = [&] { voice->append(voice->begin(48000, 1.0), tone); };
+    const auto hum = [&](double loudness) {
+        SoundCue loop = cue(SoundKind::Drone, {0.5, 0.5, 0.0});
+        loop.loudness = loudness;
+        sink->set_loop(loop);
+    };
+    quiet_after("speech stopped", speak, [&] { voice->stop(); });
+    quiet_after("speech replaced by silence", speak, [&] { voice->append(voice->begin(48000, 1.0), std::vector<std::int16_t>(4800)); });
+    quiet_after(
+        "a sound of the world stopped", [&] { hum(1.0); }, [&] { hum(0.0); });
+    quiet_after(
+        "everything stopped", [&] { hum(1.0); }, [&] { sink->stop_all(); });
+    quiet_after(
+        "a sound of the world muffled by a wall", [&] { hum(1.0); },
+        [&] {
+            SoundCue loop = cue(SoundKind::Drone, {0.5, 0.5, 0.0});
+            loop.muffled_db = 24.0;
+            sink->set_loop(loop);
+        });
+    quiet_after(
+        "a ringing thing displaced",
+        [&] {
+            sink->play(cue(SoundKind::Bump, {0.0, 1.0, 0.0}, SoundClass::Metal));
+            hum(1.0);
+        },
+        [&] {
+            for (int i = 0; i < 3; ++i) sink->play({.kind = SoundKind::Arrived, .loudness = 1e-5});
+        });
+}
+
+TEST_F(OpenALSinkTest, sound_behind_flutters_one_ahead_does_not_and_neither_when_switched_off) {
+    // Depth of the swing at 9 Hz of the loudness in frames of 10 ms, against its mean.
+    const auto flutter = [&](double y_m, bool on) {
+        sink->set_sound({.reverberation = 0.0, .behind = on, .height = on});
+        sink->set_loop(cue(SoundKind::Rain, {0.0, y_m, 0.0}));
+        run(0.6);
+        const std::vector<float> x = listen(2.0);
+        double mean = 0.0, c = 0.0, s = 0.0;
+        for (std::size_t i = 0; i + 480 <= x.size(); i += 480) {
+            const double level = rms(std::span(x).subspan(i, 480)), angle = 2.0 * kPi * 9.0 * static_cast<double>(i) / kSampleRate_hz;
+            mean += level;
+            c += level * std::cos(angle);
+            s += level * std::sin(angle);
+        }
+        return 2.0 * std::hypot(c, s) / mean;
+    };
+    const double behind = flutter(-3.0, true);
+    EXPECT_GT(behind, 0.3);
+    EXPECT_LT(flutter(3.0, true), 0.25 * behind);
+    EXPECT_LT(flutter(-3.0, false), 0.25 * behind);
+}
+
+TEST_F(OpenALSinkTest, in_mono_both_ears_hear_the_same_and_the_wall_tones_rhythm_tells_the_distance) {
+    sink->set_sound({.mono = true});
+    SoundCue tone = cue(SoundKind::WallTone, {2.0, 0.0, 0.0});
+    // Swells in two seconds: times the loudness in frames of 10 ms comes up through its middle.
+    const auto swells = [&](double pulses_per_s) {
+        tone.pulses_per_s = pulses_per_s;
+        sink->set_loop(tone);
+        run(0.2);
+        forget();
+        run(2.0);
+        EXPECT_NEAR(rms(left), rms(right), 0.02 * rms(left));
+        const double middle = 0.8 * rms(left);
+        int count = 0;
+        bool up = true;
+        for (std::size_t i = 0; i + 480 <= left.size(); i += 480) {
+            const double level = rms(std::span(left).subspan(i, 480));
+            if (!up && level > middle) ++count, up = true;
+            else if (up && level < 0.6 * middle) up = false;
+        }
+        return count;
+    };
+    EXPECT_NEAR(swells(1.5), 3, 1);
+    EXPECT_NEAR(swells(6.0), 12, 1);
+}
+
+TEST_F(OpenALSinkTest, sounds_step_back_for_a_voice_of_somebody_else_too) {
+    sink->set_loop(cue(SoundKind::WallTone, {0.0, 1.0, 0.0}));
+    run(0.1);
+    const double before = rms(listen(1.0));
+    sink->set_speaking(true);
+    run(0.1);
+    EXPECT_NEAR(20.0 * std::log10(rms(listen(1.0)) / before), -9.0, 0.5);
+    sink->set_speaking(false);
+    run(0.5);
+    EXPECT_NEAR(rms(listen(1.0)), before, 0.05 * before);
 }
 
 TEST_F(OpenALSinkTest, sounds_fall_by_9_db_while_the_voice_speaks_and_alarms_do_not) {

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <future>
+
 namespace handrail {
 namespace {
 
@@ -39,6 +41,47 @@ TEST(LineInput, never_blocks_and_keeps_the_last_line_without_an_end) {
     EXPECT_EQ(input.take(), std::vector<std::string>{"forward"});
     EXPECT_TRUE(input.ended());
     ::close(ends[0]);
+}
+
+// Seen by its own thread, with nobody taking lines: what must not wait does not.
+TEST(LineWatch, a_line_that_must_not_wait_is_seen_at_once_and_empties_what_came_before) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    {
+        std::promise<std::string> seen;
+        LineWatch watch(ends[0], [&](std::string_view line) {
+            if (line != "stop") return false;
+            seen.set_value(std::string(line));
+            return true;
+        });
+        ASSERT_EQ(::write(ends[1], "forward 9\nstop\n", 15), 15);
+        EXPECT_EQ(seen.get_future().get(), "stop");
+        ASSERT_EQ(::write(ends[1], "where\n", 6), 6);
+        std::vector<std::string> lines;
+        bool emptied = false;
+        while (lines.empty() || lines.back() != "where") {
+            bool now = false;
+            for (std::string& line : watch.take(now)) lines.push_back(std::move(line));
+            emptied = emptied || now;
+        }
+        EXPECT_TRUE(emptied);
+        EXPECT_EQ(lines, std::vector<std::string>{"where"});
+        EXPECT_FALSE(watch.ended());
+        ::close(ends[1]);
+        while (!watch.ended()) {
+        }
+    }
+    ::close(ends[0]);
+}
+
+TEST(LineWatch, ends_while_it_waits) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    {
+        LineWatch watch(ends[0], [](std::string_view) { return false; });
+    }
+    ::close(ends[0]);
+    ::close(ends[1]);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tests/window/virtual_display.h"
+#include "tests/support/virtual_display.h"
 
 #include <signal.h>
 #include <sys/prctl.h>
@@ -6,18 +6,10 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
+
+#include "tests/support/child_process.h"
 
 namespace handrail::test {
-namespace {
-
-bool installed(const char* program) {
-    for (const char* folder : {"/usr/bin/", "/usr/local/bin/"})
-        if (::access((std::string(folder) + program).c_str(), X_OK) == 0) return true;
-    return false;
-}
-
-}  // namespace
 
 std::unique_ptr<VirtualDisplay> VirtualDisplay::start() {
     if (!installed("Xvfb") || !installed("xdotool")) return nullptr;

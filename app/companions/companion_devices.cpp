@@ -1,0 +1,154 @@
+#include "app/companions/companion_devices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace handrail {
+namespace {
+
+constexpr unsigned kButtons = 14;
+
+double together(double a, double b) { return std::clamp(a + b, -1.0, 1.0); }
+
+}  // namespace
+
+std::optional<Command> command_of(CompanionButton button) {
+    switch (button) {
+        case CompanionButton::South:
+            return Command::WhereAmI;
+        case CompanionButton::East:
+            return Command::WhatIsThis;
+        case CompanionButton::West:
+            return Command::Repeat;
+        case CompanionButton::North:
+            return Command::Heading;
+        case CompanionButton::LeftShoulder:
+        case CompanionButton::Left:
+            return Command::TurnLeft;
+        case CompanionButton::RightShoulder:
+        case CompanionButton::Right:
+            return Command::TurnRight;
+        case CompanionButton::Up:
+            return Command::Forward;
+        case CompanionButton::Down:
+            return Command::Back;
+        case CompanionButton::LeftSpecial:
+            return Command::StopSpeech;
+        case CompanionButton::RightSpecial:
+            return Command::StopEverything;
+        case CompanionButton::LeftStick:
+            return Command::Home;
+        case CompanionButton::RightStick:
+            return std::nullopt;
+    }
+    return std::nullopt;
+}
+
+void CompanionDevices::start() {
+    if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+}
+
+void CompanionDevices::stop() {
+    stop_asked_.store(true, std::memory_order_release);
+    if (thread_.joinable()) thread_.join();
+    plugged_.clear();
+    count_ = 0;
+}
+
+Steering CompanionDevices::steering() {
+    const std::lock_guard guard(mutex_);
+    return steering_;
+}
+
+std::vector<Command> CompanionDevices::take_commands() {
+    const std::lock_guard guard(mutex_);
+    return std::exchange(commands_, {});
+}
+
+std::vector<std::string> CompanionDevices::take_news() {
+    const std::lock_guard guard(mutex_);
+    return std::exchange(news_, {});
+}
+
+void CompanionDevices::give(const FingerCue& cue) {
+    const std::lock_guard guard(mutex_);
+    cue_ = cue;
+}
+
+void CompanionDevices::run() {
+    double next_s = clock_.now_s();
+    while (!stop_asked_.load(std::memory_order_acquire)) {
+        step();
+        next_s = std::max(next_s + (plugged_.empty() ? 10.0 * kPeriod_s : kPeriod_s), clock_.now_s());
+        clock_.sleep_until_s(next_s);
+    }
+    plugged_.clear();
+}
+
+// What is new is opened and named; one that could not be opened is not tried again until it was away.
+void CompanionDevices::look_around(double now_s) {
+    looked_s_ = now_s;
+    std::vector<FoundCompanion> found = find_companions();
+    std::erase_if(refused_, [&](const std::string& path) { return std::none_of(found.begin(), found.end(), [&](const auto& f) { return f.path == path; }); });
+    std::vector<std::string> news;
+    for (FoundCompanion& one : found) {
+        const bool known =
+            refused_.contains(one.path) || std::any_of(plugged_.begin(), plugged_.end(), [&](const Plugged& p) { return p.found.path == one.path; });
+        if (known) continue;
+        auto opened = open_companion(one);
+        if (!opened) {
+            refused_.insert(one.path);
+            news.push_back(opened.error().sentence());
+            continue;
+        }
+        news.push_back(fmt::format("I found a {}. {}", one.model, one.how_to));
+        Plugged plugged;
+        plugged.found = std::move(one);
+        plugged.device = std::move(*opened);
+        plugged_.push_back(std::move(plugged));
+    }
+    const std::lock_guard guard(mutex_);
+    news_.insert(news_.end(), std::make_move_iterator(news.begin()), std::make_move_iterator(news.end()));
+}
+
+// False when it is gone.
+bool CompanionDevices::serve(Plugged& plugged, const FingerCue& cue, double now_s, Steering& sum) {
+    const std::uint32_t was = plugged.state.buttons;
+    if (!plugged.device->read(plugged.state, now_s)) return false;
+    sum = {together(sum.ahead, plugged.state.ahead), together(sum.right, plugged.state.right), together(sum.turn_right, plugged.state.turn_right)};
+    for (unsigned i = 0; i < kButtons; ++i) {
+        if (!((plugged.state.buttons & ~was) >> i & 1U)) continue;
+        const std::lock_guard guard(mutex_);
+        if (const auto command = command_of(static_cast<CompanionButton>(i))) commands_.push_back(*command);
+    }
+    const bool due = cue != plugged.told ? now_s - plugged.told_s >= kCueEvery_s : now_s - plugged.told_s >= kCueAgain_s;
+    if (!due) return true;
+    plugged.told = cue;
+    plugged.told_s = now_s;
+    return plugged.device->cue(cue);
+}
+
+void CompanionDevices::step() {
+    const double now_s = clock_.now_s();
+    if (now_s - looked_s_ >= kLookAgain_s) look_around(now_s);
+    FingerCue cue;
+    {
+        const std::lock_guard guard(mutex_);
+        cue = cue_;
+    }
+    Steering sum;
+    std::vector<std::string> gone;
+    std::erase_if(plugged_, [&](Plugged& plugged) {
+        if (serve(plugged, cue, now_s, sum)) return false;
+        gone.push_back(fmt::format("The {} was unplugged.", plugged.found.model));
+        return true;
+    });
+    count_ = plugged_.size();
+    const std::lock_guard guard(mutex_);
+    steering_ = sum;
+    news_.insert(news_.end(), std::make_move_iterator(gone.begin()), std::make_move_iterator(gone.end()));
+}
+
+}  // namespace handrail

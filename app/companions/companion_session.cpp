@@ -1,0 +1,53 @@
+#include "app/companions/companion_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+
+CompanionSession::CompanionSession(Clock& clock, bool run_thread) : devices_(clock) {
+    if (run_thread) devices_.start();
+}
+
+std::vector<std::string> CompanionSession::guide(AppCore& app, double now_s) {
+    const Steering steering = devices_.steering();
+    if (steering != steering_) app.steer(steering);
+    steering_ = steering;
+    for (const Command command : devices_.take_commands()) {
+        app.press(command, now_s);
+        app.release(command);
+    }
+    return devices_.take_news();
+}
+
+void CompanionSession::follow(const AppCore& app, std::span<const CueRequest> requests, const ToolState* tool, double now_s) {
+    if (!devices_.any() || !app.scene()) return;
+    if (app.worlds_entered() != worlds_entered_) {
+        worlds_entered_ = app.worlds_entered();
+        planner_.enter_world(app.scene());
+    } else if (app.scene() != scene_) {
+        planner_.follow_edit(app.scene());
+    }
+    scene_ = app.scene();
+    planner_.set_settings(app.settings().pads);
+    devices_.give(planner_.tick({.now_s = now_s, .requests = requests, .tool = tool, .passage_width_m = app.passage_width_m()}));
+}
+
+bool is_companion(std::string_view name) {
+    const std::vector<std::string> names = companion_names();
+    return std::find(names.begin(), names.end(), lower_ascii(name)) != names.end();
+}
+
+std::string cues_and_walking_sentence(std::string_view model) {
+    return fmt::format("The {} gives cues and walks; it has no hand to touch with. Everything else works with keyboard and sound.", model);
+}
+
+std::string no_companion_sentence(std::string_view name) {
+    return fmt::format("No {} is plugged in. Plug it in whenever you like; until then everything works with keyboard and sound.",
+                       companion_model(lower_ascii(name)));
+}
+
+}  // namespace handrail

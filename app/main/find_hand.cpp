@@ -1,0 +1,153 @@
+#include "app/main/find_hand.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/companions/companion_session.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::chrono::seconds kLookEvery{2};
+
+Hand real_hand(const FoundDevice& device) {
+    Hand hand{HandFacts{true, false, *device.spec, device.serial}, {device.name}};
+    if (!device.serial.empty()) hand.guard_arguments.push_back(device.serial);
+    return hand;
+}
+
+}  // namespace
+
+Hand simulated_hand(std::string_view name) { return {HandFacts{true, true, *find_device_spec(name), {}}, {}}; }
+
+std::optional<Hand> hand_without_looking(const std::string& wanted) {
+    if (wanted == "none") return Hand{};
+    const DeviceSpec* spec = find_device_spec(wanted);
+    if (spec && spec->name.starts_with("sim-")) return simulated_hand(spec->name);
+    return std::nullopt;
+}
+
+Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<std::string>& news) {
+    const DeviceSpec* spec = find_device_spec(wanted);
+    const std::vector<FoundDevice> found = find_devices();
+    if (wanted == "auto") {
+        for (const FoundDevice& device : found) {
+            if (device.kind != DeviceKind::Kinesthetic) continue;
+            news.push_back(fmt::format("I found a {}.", device.model));
+            if (device.usable) return real_hand(device);
+            news.push_back(device.problem);
+        }
+        if (news.empty()) news.push_back("No touch device was found. A simulated hand follows the mouse and the keys.");
+        else news.push_back("A simulated hand follows the mouse and the keys instead.");
+        return std::nullopt;
+    }
+    for (const FoundDevice& device : found) {
+        if (!is_meant(device, wanted)) continue;
+        if (device.kind != DeviceKind::Kinesthetic) {
+            news.push_back(cues_and_walking_sentence(device.model));
+            return std::nullopt;
+        }
+        if (!device.usable) return fail(fmt::format("The {} cannot be used yet. {}", device.model, device.problem));
+        return real_hand(device);
+    }
+    if (is_companion(wanted)) {
+        news.push_back(no_companion_sentence(wanted));
+        return std::nullopt;
+    }
+    if (!spec) {
+        std::vector<std::string> names = device_names();
+        for (std::string& name : companion_names()) names.push_back(std::move(name));
+        for (const FoundDevice& device : found) names.push_back(device.name);
+        return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", wanted, nearest_name(wanted, names)));
+    }
+    const std::vector<std::string> drivable = openable_device_names();
+    if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end())
+        return fail(fmt::format("The {} cannot be driven yet. Use sim-t, sim-f or none.", spec->spoken_name));
+    if (is_found_only_by_opening(spec->name)) return Hand{HandFacts{true, false, *spec, {}}, {std::string(spec->name)}};
+    return fail(fmt::format("The {} is not plugged in. Use sim-t, sim-f or none.", spec->spoken_name));
+}
+
+HandSearch::HandSearch(std::string wanted) : found_(std::async(std::launch::async, [this, wanted = std::move(wanted)] { return search(wanted); })) {}
+
+HandSearch::~HandSearch() {
+    if (!found_.valid()) return;
+    {
+        const std::lock_guard guard(mutex_);
+        given_up_ = true;
+        if (opening_) opening_->give_up();
+    }
+    found_.wait();
+}
+
+void HandSearch::tell(std::string sentence) {
+    const std::lock_guard guard(mutex_);
+    if (!sentence.empty()) news_.push_back(std::move(sentence));
+}
+
+std::vector<std::string> HandSearch::take_news() {
+    const std::lock_guard guard(mutex_);
+    return std::exchange(news_, {});
+}
+
+bool HandSearch::ready() const { return found_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
+
+Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
+    std::vector<PluggedHand> plugged = plugged_hands();
+    std::vector<std::string> news;
+    auto hand = choose_hand(wanted, news);
+    for (std::string& sentence : news) tell(std::move(sentence));
+    if (!hand) return tl::unexpected(hand.error());
+    if (!*hand) return Found{{}, nullptr, std::move(plugged)};
+    auto device = std::make_unique<GuardedDevice>((*hand)->facts.spec, find_guard_program(), (*hand)->guard_arguments);
+    device->tell_while_opening([this](const std::string& sentence) { tell(sentence); });
+    {
+        const std::lock_guard guard(mutex_);
+        if (given_up_) return Found{};
+        opening_ = device.get();
+    }
+    const auto opened = device->open();
+    {
+        const std::lock_guard guard(mutex_);
+        opening_ = nullptr;
+    }
+    device->tell_while_opening(nullptr);
+    device->take_news();  // all told already
+    if (!opened) {
+        tell(opened.error().sentence());
+        return Found{{}, nullptr, std::move(plugged)};
+    }
+    return Found{(*hand)->facts, std::move(device), std::move(plugged)};
+}
+
+PlugWatch::PlugWatch(std::optional<std::vector<PluggedHand>> known) : known_(std::move(known)), thread_([this] { run(); }) {}
+
+PlugWatch::~PlugWatch() {
+    {
+        const std::lock_guard guard(mutex_);
+        ended_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+}
+
+std::vector<PluggedHand> PlugWatch::take_new() {
+    const std::lock_guard guard(mutex_);
+    return std::exchange(new_, {});
+}
+
+void PlugWatch::run() {
+    if (!known_) known_ = plugged_hands();
+    std::unique_lock lock(mutex_);
+    while (!wake_.wait_for(lock, kLookEvery, [this] { return ended_; })) {
+        if (resting_.load(std::memory_order_relaxed)) continue;
+        lock.unlock();
+        std::vector<PluggedHand> there = plugged_hands();
+        lock.lock();
+        for (const PluggedHand& hand : there)
+            if (std::find(known_->begin(), known_->end(), hand) == known_->end()) new_.push_back(hand);
+        known_ = std::move(there);
+    }
+}
+
+}  // namespace handrail

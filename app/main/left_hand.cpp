@@ -1,0 +1,77 @@
+#include "app/main/left_hand.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "haptic/device/simulated_device.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kPeriod_s = 1e-3;
+
+void move_into(std::vector<std::string>& all, std::vector<std::string> more) {
+    for (std::string& sentence : more) all.push_back(std::move(sentence));
+}
+
+}  // namespace
+
+void LeftHand::look_for(const std::string& wanted) {
+    if (wanted == "none") return;
+    simulated_ = hand_without_looking(wanted);
+    if (!simulated_) search_.emplace(wanted);
+}
+
+bool LeftHand::take_change(std::vector<std::string>& news) {
+    if (guarded_) move_into(news, guarded_->take_news());
+    if (simulated_) return use(std::exchange(simulated_, std::nullopt)->facts, nullptr, news);
+    if (!search_) return false;
+    const bool ready = search_->ready();
+    move_into(news, search_->take_news());
+    if (!ready) return false;
+    auto found = search_->take();
+    search_.reset();
+    if (!found) {
+        news.push_back("For the left hand: " + found.error().sentence());
+        return false;
+    }
+    return found->device && use(found->facts, std::move(found->device), news);
+}
+
+bool LeftHand::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device, std::vector<std::string>& news) {
+    guarded_ = device.get();
+    std::unique_ptr<HapticDevice> held = std::move(device);
+    if (facts.simulated) held = std::make_unique<SimulatedDevice>(facts.spec, std::make_shared<SimulatedHand>());
+    servo_ = std::make_unique<ServoLoop>(std::move(held), clock_, kPeriod_s, ServoLoop::Links{&switches_, &contacts_});
+    if (const auto opened = servo_->open(); !opened) {
+        news.push_back("For the left hand: " + opened.error().sentence());
+        guarded_ = nullptr;
+        servo_.reset();
+        return false;
+    }
+    facts_ = facts;
+    servo_->start();
+    news.push_back(fmt::format("The {} is in the left hand.", facts_.spec.spoken_name));
+    return true;
+}
+
+void LeftHand::hand_over(const AppCore& app) {
+    if (!servo_ || !app.scene()) return;
+    if (app.haptic_scene() != handed_scene_) {
+        handed_scene_ = app.haptic_scene();
+        servo_->set_scene(handed_scene_);
+    }
+    servo_->set_tuning(app.left_tuning());
+    servo_->set_pose(app.left_pose());
+    if (std::exchange(handed_bodies_, app.bodies().number) != app.bodies().number) servo_->set_bodies(app.bodies());
+}
+
+const ToolState& LeftHand::tool() { return servo_ ? servo_->tool() : none_; }
+
+void LeftHand::stop() {
+    search_.reset();
+    if (servo_) servo_->stop();
+}
+
+}  // namespace handrail

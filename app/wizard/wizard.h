@@ -1,0 +1,156 @@
+// The voice-led set-up of headphones, device, workspace and force, as a state machine: it is told what time it is, what the hand does and what the
+// person answers, and says what is to be heard, felt and stored. No thread, clock, device or sound of its own, so that the same machine runs in
+// the program and in tests. App thread, about 60 times a second.
+// Every question waits as long as it takes. Enter accepts what stands, Space says the question again word for word, Backspace (and Up where it
+// changes no value) goes back one, Escape explains, takes the force away and at the second press leaves; what was found until then is kept.
+// Force leaves through the servo's ForceLimiter as ever; here only its ceiling rises, in steps of a few hundredths of a newton.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "app/core/app_core.h"
+#include "audio-cues/plan/cue_planner.h"
+#include "haptic/servo/servo_tick.h"
+#include "settings/settings.h"
+
+namespace handrail {
+
+enum class WizardPart : std::uint8_t { Headphones, Find, Home, Hand, Gentlest, Strongest, Reach, Step };
+
+struct WizardPartInfo {
+    WizardPart part;
+    std::string_view word;  // "headphones", as --only takes it
+    bool needs_device;
+    std::string_view meaning;  // what Escape explains
+};
+std::span<const WizardPartInfo> wizard_parts();
+// "headphones,reach" to parts in their order; empty text is all of them. Fails naming the nearest word.
+Result<std::vector<WizardPart>> parse_wizard_parts(std::string_view words);
+
+enum class WizardKey : std::uint8_t { Enter, Repeat, Back, Leave, Left, Right, Up, Down, Stop };
+// A key, or figures as they are typed.
+using WizardEvent = std::variant<WizardKey, std::string>;
+
+enum class WizardSearch : std::uint8_t { NotBegun, Looking, Ready, Nothing };
+
+// What the wizard may know, given on every tick.
+struct WizardSense {
+    double now_s = 0.0;     // above zero, never goes back
+    bool audible = true;    // there is a sound device
+    bool speaking = false;  // something is being said
+    Listener listener;
+    WizardSearch search = WizardSearch::NotBegun;
+    std::vector<std::string> news;  // of the search, since the last tick
+    HandFacts hand;                 // once the search is Ready
+    ToolState tool;                 // the newest
+};
+
+class Wizard {
+public:
+    static constexpr double kGentlestMost_n = 1.0;  // what presses while the least noticed force is sought; below every ceiling
+    static constexpr double kGentlestRise_n_per_s = 0.2;
+    static constexpr double kCeilingRise_n_per_s = 1.0;  // of the wall's force when another ceiling is chosen
+
+    // parts: in their order, no part twice; with a device's part the device is sought, and homed where it must be.
+    Wizard(const Settings& settings, std::span<const WizardPart> parts);
+
+    void answer(const WizardEvent& event, double now_s);
+    void tick(const WizardSense& sense);
+
+    // What others take after each tick.
+    bool wants_search() const { return wants_search_; }  // the host is to look for a device now
+    std::vector<CueRequest> take_cues() { return std::exchange(cues_, {}); }
+    std::vector<std::pair<std::string, std::string>> take_setting_changes() { return std::exchange(changes_, {}); }
+    const ServoTuning& tuning() const { return tuning_; }
+    std::shared_ptr<const HapticScene> haptic_scene() const { return scene_; }  // null: nothing to be felt
+    WorkspacePose pose() const;
+    bool waits_for_person() const { return step_ != Step::Search && !finished_; }
+    bool finished() const { return finished_; }
+    std::string_view question() const { return question_; }  // as Space says it
+
+private:
+    enum class Step : std::uint8_t { BellLeft, BellRight, Search, Pull, Push, WhichHand, Press, Wall, Sweep, Scale, Beyond, StepLength, Done };
+    static constexpr std::uint32_t kFirstJump = 0x40000000;  // so that coming from a world and going back to one is a jump for the servo
+    static const WizardPartInfo& part_of(Step step);
+
+    bool is_skipped(Step step) const;
+    void enter(std::size_t index);
+    void go_on() { enter(index_ + 1); }
+    void go_back();
+    void ask();
+    std::string question_now() const;
+    std::string ceiling_words() const;
+    std::string span_words() const;
+    void say(std::string text);
+    void play(SoundKind kind, const Vec3& position_m);
+    void click();
+    void change(std::string_view key, std::string value) { changes_.emplace_back(key, std::move(value)); }
+    void change_profile(std::string_view field, std::string value);
+
+    void accept();
+    void adjust(WizardKey key);
+    void pause(std::string words);
+    void resume();
+    void keep_hand(HoldingHand hand);
+    void keep_gentlest(double felt_n);
+    void keep_ceiling();
+    void keep_reach();
+    void keep_step_length();
+
+    void hear_bell();
+    void watch_search();
+    void watch_hand(double dt_s);
+    void watch_homing();
+    void watch_sweep();
+    void begin_force(std::shared_ptr<const HapticScene> scene);
+
+    bool homed() const;
+    double radius_m() const;
+    double strongest_n() const;
+    double weakest_ceiling_n() const;
+    double first_ceiling_n() const;
+    DeviceProfile own_profile() const;
+
+    Settings settings_;
+    std::vector<Step> plan_;
+    bool home_wanted_ = false;  // else only where the device does not know its place
+    std::size_t index_ = 0;
+    Step step_ = Step::Search;
+    WizardSense sense_;
+    double now_s_ = 0.0;
+    double reply_s_ = 0.0;  // what is said with the same reply time is said one after the other; a new one interrupts
+    bool begun_ = false, finished_ = false, paused_ = false, wants_search_ = false, lost_device_ = false;
+    std::string question_;
+
+    double bell_due_s_ = 0.0;
+    double search_begun_s_ = -1.0;  // when the device was ready
+    bool button_was_down_ = false;
+    std::uint8_t legs_seen_ = 0, legs_at_start_ = 0;
+    bool was_homed_ = true, newly_homed_ = false;
+    Vec3 hand_at_start_m_{0.0}, least_m_{0.0}, most_m_{0.0};  // of this question, device frame
+    Vec3 measured_m_{0.0};                                    // size of the reach; zero: not measured
+    std::uint8_t sides_seen_ = 0;                             // bit 2i: low side of axis i; 2i + 1: its high side
+    double asked_s_ = 0.0;                                    // when the question was last begun
+    double held_top_s_ = 0.0;                                 // how long the gentlest part has pressed with its most
+    double gentlest_n_ = 0.3;
+    double wanted_ceiling_n_ = kLightCeiling_n;
+    double step_length_m_ = 0.7;
+    double scale_ = 60.0;
+    std::string typed_;
+
+    ServoTuning tuning_;
+    std::shared_ptr<const HapticScene> scene_;
+    std::uint32_t jump_ = 0;
+    std::vector<CueRequest> cues_;
+    std::vector<std::pair<std::string, std::string>> changes_;
+};
+
+}  // namespace handrail

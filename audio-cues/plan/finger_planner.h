@@ -1,0 +1,61 @@
+// Decides what fingers on a pad are told, as CuePlanner decides what ears are told: pure logic over what the hand touches, what the app asks to be
+// heard and a time, so that tests replay it exactly. App thread; a few comparisons a frame, and nobody calls it where no pad is.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "audio-cues/plan/cue_planner.h"
+#include "haptic/device/finger_cue.h"
+
+namespace handrail {
+
+struct FingerInputs {
+    double now_s = 0.0;
+    std::span<const CueRequest> requests;  // what the app asks to be heard this frame: bumps, steps, the tone of walls
+    const ToolState* tool = nullptr;       // nullptr: there is no hand
+    double passage_width_m = 0.0;          // free space across the way; 0: open
+};
+
+// Hardness is the surface's stiffness. A bump knocks, with the right trigger stiff until one is away from the wall; the wall ahead is near as the
+// wall tone is loud; the hand on a surface is near by its force. A door that is met, and a passage no wider than a door that is entered from a wider
+// place, click. Steps and slides give the grain of their material; stairs and slopes resist on the left.
+class FingerPlanner {
+public:
+    static constexpr double kKnock_s = 0.12, kBumpHolds_s = 0.6, kClick_s = 0.4, kStepGrain_s = 0.06, kSlopeHolds_s = 2.0;
+    static constexpr double kDoorWidth_m = 1.4, kWide_m = 1.8;
+
+    void set_settings(const Settings::Pads& settings) { settings_ = settings; }
+    void enter_world(std::shared_ptr<const Scene> scene);  // forgets what was met
+    void follow_edit(std::shared_ptr<const Scene> scene) { scene_ = std::move(scene); }
+    // `now_s` never goes back.
+    FingerCue tick(const FingerInputs& inputs);
+
+private:
+    struct Surface {
+        double hardness = 1.0;
+        double period_hand_m = 0.0;  // of its texture; 0: none
+        SoundClass sound = SoundClass::Generic;
+    };
+    Surface surface_of(MaterialId material) const;
+    void on_request(const CueRequest& request);
+    void on_passage(double width_m, double now_s);
+    void on_hand(const FingerInputs& inputs, FingerCue& cue);
+
+    Settings::Pads settings_;
+    std::shared_ptr<const Scene> scene_;
+    double wall_nearness_ = 0.0;
+    double bumped_s_ = -1e9, clicked_s_ = -1e9, stepped_s_ = -1e9;
+    Surface bumped_, stepped_on_;
+    double slope_ = 0.0;
+    std::optional<Vec3> last_step_m_, last_hand_m_;
+    double last_hand_s_ = 0.0;
+    bool was_wide_ = true;
+    FeatureId touched_door_ = kNoFeature;
+};
+
+// How many grains a second a material has under a foot or a slow hand; 0: smooth.
+double grain_hz(SoundClass sound) noexcept;
+
+}  // namespace handrail

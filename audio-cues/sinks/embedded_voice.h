@@ -1,0 +1,35 @@
+// The built-in voice as one of those VoiceRouter chooses from: espeak-ng, or beeps where its data is missing. Owned by the audio thread.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "audio-cues/sinks/voice.h"
+#include "audio-cues/sinks/voice_channel.h"
+
+namespace handrail {
+
+class EmbeddedVoice final : public Voice {
+public:
+    // `audible` tells whether what goes into the channel is heard; while it is not, the voice counts as gone. Called on the audio thread.
+    EmbeddedVoice(std::shared_ptr<VoiceChannel> channel, std::function<bool()> audible, const Settings::Speech& settings)
+        : channel_(std::move(channel)), audible_(std::move(audible)), settings_(settings) {}
+
+    SpeechThrough through() const override { return SpeechThrough::Embedded; }
+    VoiceState state() const override { return voice_ && audible_() ? VoiceState::Ready : VoiceState::Gone; }
+    void want(bool wanted) override;  // opens the voice when first wanted, about 3 ms
+
+    void say(const Utterance& utterance) override;
+    void stop() override;
+    bool speaking() const override { return voice_ && voice_->speaking(); }
+    void set_speech(const Settings::Speech& settings) override;
+    std::optional<std::string> news() override { return voice_ ? voice_->news() : std::nullopt; }
+
+private:
+    std::shared_ptr<VoiceChannel> channel_;
+    std::function<bool()> audible_;
+    Settings::Speech settings_;
+    std::unique_ptr<SpeechSink> voice_;
+};
+
+}  // namespace handrail

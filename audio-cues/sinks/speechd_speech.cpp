@@ -1,0 +1,334 @@
+#include "audio-cues/sinks/speechd_speech.h"
+
+#include <libspeechd.h>
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstdlib>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+
+namespace handrail {
+namespace {
+
+constexpr double kLongestStart_s = 5.0;   // from say() to the first word of a slow server
+constexpr double kSlowestLetter_s = 0.3;  // no voice is slower
+constexpr double kPatienceAtTheEnd_s = 0.5;
+
+struct CloseConnection {
+    void operator()(SPDConnection* connection) const { spd_close(connection); }
+};
+using Connection = std::unique_ptr<SPDConnection, CloseConnection>;
+
+}  // namespace
+
+struct SpeechdSpeech::Shared {
+    Shared() : wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+    ~Shared() { ::close(wake); }
+    Shared(const Shared&) = delete;
+    Shared& operator=(const Shared&) = delete;
+
+    const int wake;
+    bool start_server = false;  // set before the thread starts
+
+    std::mutex mutex;  // guards all below
+    std::condition_variable ended_changed;
+    bool wanted = false, quit = false, ended = false;
+    VoiceState state = VoiceState::Gone;
+    std::string language;
+    std::optional<Utterance> job;  // the newest only: saying cuts
+    bool silence = false;
+    std::uint64_t said = 0, finished = 0;  // utterances by number; speaking while they differ
+    std::uint64_t calls_begun = 0, calls_answered = 0;
+    int socket = -1;  // of the open connection
+    // What the server calls this client and the newest utterance, and up to which one it has reported an end.
+    std::size_t client = 0, message = 0, message_ended = 0;
+
+    void rouse() const {
+        const std::uint64_t one = 1;
+        if (::write(wake, &one, sizeof one) < 0) {
+            // Full: it is awake anyway.
+        }
+    }
+
+    void on_end(std::size_t ended_message, std::size_t of_client) {
+        const std::lock_guard lock(mutex);
+        if (of_client != client) return;
+        message_ended = std::max(message_ended, ended_message);
+        if (message != 0 && message_ended >= message) finished = std::max(finished, said_as_message);
+    }
+    std::uint64_t said_as_message = 0;  // the utterance that `message` is
+};
+
+namespace {
+
+// The callbacks of libspeechd come on its own thread and carry no pointer of ours; this leads back to the one instance that is connected.
+// Never destroyed, since that thread may outlive everything.
+struct EndListener {
+    std::mutex mutex;
+    std::weak_ptr<void> of;
+    void (*on_end)(void*, std::size_t, std::size_t) = nullptr;
+};
+EndListener& end_listener() {
+    static EndListener& only = *new EndListener;
+    return only;
+}
+
+void on_end_event(std::size_t message, std::size_t client, SPDNotificationType) {
+    EndListener& way_back = end_listener();
+    const std::lock_guard lock(way_back.mutex);
+    if (const auto of = way_back.of.lock()) way_back.on_end(of.get(), message, client);
+}
+
+}  // namespace
+
+// What runs on the worker thread.
+struct SpeechdSpeech::Worker {
+    Shared& shared;
+    Connection connection;
+    int volume_percent = 100;
+
+    template <class Call>
+    auto call(Call&& function) {
+        {
+            const std::lock_guard lock(shared.mutex);
+            ++shared.calls_begun;
+        }
+        auto result = function();
+        const std::lock_guard lock(shared.mutex);
+        shared.calls_answered = shared.calls_begun;
+        return result;
+    }
+
+    bool open(const std::string& language) {
+        char* error = nullptr;
+        connection.reset(call([&] { return spd_open2("handrail", "explore", nullptr, SPD_MODE_THREADED, nullptr, shared.start_server ? 1 : 0, &error); }));
+        std::free(error);
+        if (!connection) return false;
+        {
+            const std::lock_guard lock(shared.mutex);
+            shared.socket = connection->socket;
+        }
+        connection->callback_end = connection->callback_cancel = &on_end_event;
+        const int client = call([&] { return spd_get_client_id(connection.get()); });
+        if (client < 0) return false;
+        {
+            const std::lock_guard lock(shared.mutex);
+            shared.client = static_cast<std::size_t>(client);
+            shared.message = shared.message_ended = 0;
+        }
+        const bool told = call([&] { return spd_set_notification_on(connection.get(), SPD_END); }) == 0 &&
+                          call([&] { return spd_set_notification_on(connection.get(), SPD_CANCEL); }) == 0;
+        // The words are in this language, whatever the person's default voice speaks; which voice that is they have set up.
+        return told && call([&] { return spd_set_language(connection.get(), language.c_str()); }) == 0;
+    }
+
+    void close() {
+        {
+            const std::lock_guard lock(shared.mutex);
+            shared.socket = -1;
+            shared.finished = shared.said;
+        }
+        connection.reset();
+        volume_percent = 100;
+    }
+
+    bool say(const Utterance& utterance, std::uint64_t number) {
+        if (call([&] { return spd_cancel(connection.get()); }) != 0) return false;
+        const int percent = static_cast<int>(std::lround(100.0 * utterance.loudness));
+        if (percent != volume_percent && call([&] { return spd_set_volume(connection.get(), 2 * percent - 100); }) != 0) return false;
+        volume_percent = percent;
+        const SPDPriority priority = utterance.speech_class == SpeechClass::Alarm ? SPD_IMPORTANT : SPD_MESSAGE;
+        const int message = call([&] { return spd_say(connection.get(), priority, utterance.text.c_str()); });
+        if (message < 0) return false;
+        const std::lock_guard lock(shared.mutex);
+        shared.message = static_cast<std::size_t>(message);
+        shared.said_as_message = number;
+        if (shared.message_ended >= shared.message) shared.finished = std::max(shared.finished, number);  // the report came before the number
+        return true;
+    }
+
+    // False when the server has gone.
+    bool work_off() {
+        std::optional<Utterance> job;
+        bool silence = false;
+        std::uint64_t number = 0;
+        {
+            const std::lock_guard lock(shared.mutex);
+            job = std::exchange(shared.job, std::nullopt);
+            silence = std::exchange(shared.silence, false);
+            number = shared.said;
+        }
+        if (job) return say(*job, number);
+        return !silence || call([&] { return spd_cancel(connection.get()); }) == 0;
+    }
+
+    // Waits for something to do; false when the server has gone.
+    bool wait(double most_s) {
+        pollfd events[2] = {{shared.wake, POLLIN, 0}, {connection ? connection->socket : -1, POLLRDHUP, 0}};
+        ::poll(events, 2, most_s < 0.0 ? -1 : static_cast<int>(std::lround(1000.0 * most_s)));
+        std::uint64_t times = 0;
+        if (::read(shared.wake, &times, sizeof times) < 0) {
+            // Nobody called: the time is up.
+        }
+        return events[1].revents == 0;
+    }
+
+    void run() {
+        double retry_s = kFirstRetry_s;
+        for (;;) {
+            bool wanted = false;
+            std::string language;
+            {
+                const std::lock_guard lock(shared.mutex);
+                if (shared.quit) break;
+                wanted = shared.wanted;
+                language = shared.language;
+            }
+            if (!wanted) {
+                close();
+                wait(-1.0);
+                continue;
+            }
+            if (!connection) {
+                const bool usable = open(language);
+                if (!usable) close();
+                else retry_s = kFirstRetry_s;
+                set_state(usable ? VoiceState::Ready : VoiceState::Gone);
+                if (!usable) {
+                    wait(retry_s);
+                    retry_s = std::min(2.0 * retry_s, kSlowestRetry_s);
+                }
+                continue;
+            }
+            if (work_off() && wait(-1.0)) continue;
+            set_state(VoiceState::Gone);
+            close();
+            wait(retry_s);
+        }
+        close();
+    }
+
+    void set_state(VoiceState state) {
+        const std::lock_guard lock(shared.mutex);
+        shared.state = state;
+        if (state == VoiceState::Gone) shared.job.reset();
+    }
+};
+
+void SpeechdSpeech::work(const std::shared_ptr<Shared>& shared) {
+    // A server that has gone is an error code to us and no signal.
+    sigset_t pipe_signal;
+    sigemptyset(&pipe_signal);
+    sigaddset(&pipe_signal, SIGPIPE);
+    pthread_sigmask(SIG_BLOCK, &pipe_signal, nullptr);
+    {
+        EndListener& way_back = end_listener();
+        const std::lock_guard lock(way_back.mutex);
+        way_back.of = shared;
+        way_back.on_end = [](void* of, std::size_t message, std::size_t client) { static_cast<Shared*>(of)->on_end(message, client); };
+    }
+    Worker{.shared = *shared, .connection = nullptr}.run();
+    {
+        const std::lock_guard lock(shared->mutex);
+        shared->ended = true;
+    }
+    shared->ended_changed.notify_all();
+}
+
+SpeechdSpeech::SpeechdSpeech(const Settings::Speech& settings) : shared_(std::make_shared<Shared>()) {
+    shared_->start_server = std::getenv("SPEECHD_ADDRESS") == nullptr;
+    set_speech(settings);
+    thread_ = std::thread([shared = shared_] { work(shared); });
+}
+
+SpeechdSpeech::~SpeechdSpeech() {
+    std::unique_lock lock(shared_->mutex);
+    shared_->quit = true;
+    shared_->rouse();
+    const auto patience = std::chrono::duration<double>(kPatienceAtTheEnd_s);
+    bool ended = shared_->ended_changed.wait_for(lock, patience, [&] { return shared_->ended; });
+    if (!ended && shared_->socket >= 0) {
+        ::shutdown(shared_->socket, SHUT_RDWR);
+        ended = shared_->ended_changed.wait_for(lock, patience, [&] { return shared_->ended; });
+    }
+    lock.unlock();
+    if (ended) thread_.join();
+    else thread_.detach();
+}
+
+VoiceState SpeechdSpeech::state() const {
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->state;
+}
+
+void SpeechdSpeech::want(bool wanted) {
+    {
+        const std::lock_guard lock(shared_->mutex);
+        if (std::exchange(shared_->wanted, wanted) == wanted) return;
+        shared_->state = wanted ? VoiceState::Opening : VoiceState::Gone;
+    }
+    shared_->rouse();
+}
+
+void SpeechdSpeech::say(const Utterance& utterance) {
+    {
+        const std::lock_guard lock(shared_->mutex);
+        if (shared_->state != VoiceState::Ready) return;
+        shared_->job = utterance;
+        ++shared_->said;
+    }
+    speaks_until_s_ = now_s_ + kLongestStart_s + kSlowestLetter_s * static_cast<double>(utterance.text.size());
+    shared_->rouse();
+}
+
+void SpeechdSpeech::stop() {
+    {
+        const std::lock_guard lock(shared_->mutex);
+        shared_->job.reset();
+        shared_->silence = true;
+        shared_->finished = shared_->said;
+    }
+    shared_->rouse();
+}
+
+bool SpeechdSpeech::speaking() const {
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->finished < shared_->said && now_s_ < speaks_until_s_;
+}
+
+void SpeechdSpeech::tick(double now_s) {
+    now_s_ = now_s;
+    const std::lock_guard lock(shared_->mutex);
+    const bool unanswered = shared_->calls_begun != shared_->calls_answered;
+    if (!unanswered || watched_call_ != shared_->calls_begun) {
+        watched_call_ = unanswered ? shared_->calls_begun : 0;
+        watched_since_s_ = now_s;
+        return;
+    }
+    if (now_s - watched_since_s_ < kStalled_s) return;
+    // Cutting the connection makes the call fail, so that the thread comes back and tries anew later.
+    shared_->state = VoiceState::Gone;
+    shared_->finished = shared_->said;
+    if (shared_->socket >= 0) ::shutdown(shared_->socket, SHUT_RDWR);
+}
+
+void SpeechdSpeech::set_speech(const Settings::Speech& settings) {
+    const std::lock_guard lock(shared_->mutex);
+    // An espeak-ng voice may have a longer name; its language stands first.
+    const std::string& voice = settings.voice;
+    const std::size_t letters = std::min(voice.find('-'), voice.size());
+    shared_->language = letters == 2 || letters == 3 ? voice.substr(0, letters) : "en";
+}
+
+}  // namespace handrail

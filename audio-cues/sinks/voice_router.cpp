@@ -1,0 +1,139 @@
+#include "audio-cues/sinks/voice_router.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "audio-cues/plan/speakable.h"
+
+namespace handrail {
+
+std::string_view voice_name(SpeechThrough through) {
+    switch (through) {
+        case SpeechThrough::ScreenReader:
+            return "the screen reader";
+        case SpeechThrough::SpeechDispatcher:
+            return "the speech server";
+        case SpeechThrough::Embedded:
+            return "the built-in voice";
+        case SpeechThrough::Auto:
+        case SpeechThrough::Text:
+            break;
+    }
+    return "text";
+}
+
+VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<Companion> braille,
+                         const Settings::Speech& settings)
+    : voices_(std::move(voices)), text_(std::move(text)), braille_(std::move(braille)), through_(settings.through) {
+    want_what_is_allowed();
+}
+
+// The settings stand in the order of the voices, so a comparison says which of them are passed over.
+bool VoiceRouter::allowed(SpeechThrough voice) const { return voice >= through_; }
+
+void VoiceRouter::want_what_is_allowed() {
+    for (const auto& voice : voices_) voice->want(allowed(voice->through()));
+    asked_at_s_.reset();
+}
+
+bool VoiceRouter::waits_for_better(const Voice* best) const {
+    if (asked_at_s_ && now_s_ - *asked_at_s_ >= kPatience_s) return false;
+    for (const auto& voice : voices_) {
+        if (voice.get() == best) return false;
+        if (allowed(voice->through()) && voice->state() == VoiceState::Opening) return true;
+    }
+    return false;
+}
+
+void VoiceRouter::say(const Utterance& utterance) {
+    if (text_) text_->say(utterance);
+    if (braille_) braille_->say(utterance);
+    owed_.reset();
+    if (active_) {
+        active_->say(utterance);
+        current_ = utterance;
+    } else if (!chosen_) {
+        owed_ = utterance;
+    }
+}
+
+void VoiceRouter::write(const Utterance& utterance) {
+    if (text_) text_->write(utterance);
+    if (braille_) braille_->write(utterance);
+}
+
+void VoiceRouter::stop() {
+    if (text_) text_->stop();
+    if (braille_) braille_->stop();
+    if (active_) active_->stop();
+    current_.reset();
+    owed_.reset();
+}
+
+bool VoiceRouter::speaking() const { return owed_ || (active_ && active_->speaking()); }
+
+void VoiceRouter::tick(double now_s) {
+    now_s_ = now_s;
+    if (!asked_at_s_) asked_at_s_ = now_s;
+    if (text_) text_->tick(now_s);
+    if (braille_) braille_->tick(now_s);
+    for (const auto& voice : voices_) voice->tick(now_s);
+
+    if (current_ && active_ && active_->state() == VoiceState::Ready && !active_->speaking()) current_.reset();
+    const auto first_ready =
+        std::find_if(voices_.begin(), voices_.end(), [&](const auto& voice) { return allowed(voice->through()) && voice->state() == VoiceState::Ready; });
+    Voice* best = first_ready == voices_.end() ? nullptr : first_ready->get();
+    if (best != active_ && !waits_for_better(best)) hand_over_to(best);
+    else if (!chosen_ && !best && !waits_for_better(nullptr)) hand_over_to(nullptr);
+
+    // What a lost voice left comes after the sentence about the change, which the planner sends as an alarm.
+    if (owed_ && active_ && !news_ && !active_->speaking()) {
+        current_ = std::exchange(owed_, std::nullopt);
+        active_->say(*current_);
+    }
+}
+
+void VoiceRouter::hand_over_to(Voice* next) {
+    Voice* before = std::exchange(active_, next);
+    if (before && before->state() == VoiceState::Ready) before->stop();
+    if (current_) owed_ = std::exchange(current_, std::nullopt);
+    if (!next) owed_.reset();
+    if (braille_) braille_->want(!next || next->through() != SpeechThrough::ScreenReader);
+    tell_change(before, next);
+    chosen_ = true;
+    choosing_again_ = false;
+}
+
+void VoiceRouter::tell_change(const Voice* before, const Voice* after) {
+    const auto speaks = [](const Voice& voice) { return sentence_case(fmt::format("{} speaks now.", voice_name(voice.through()))); };
+    const bool lost = before && before->state() != VoiceState::Ready && !choosing_again_;
+    if (lost) {
+        const std::string left = after ? fmt::format("{} speaks now.", voice_name(after->through())) : std::string("there is only text now.");
+        news_ = sentence_case(fmt::format("{} has gone; {}", voice_name(before->through()), left));
+    } else if (chosen_) {
+        news_ = after ? speaks(*after) : std::string("There is only text now.");
+    } else if (through_ != SpeechThrough::Auto && through_ != SpeechThrough::Text && (!after || after->through() != through_)) {
+        // The person asked for one by name; without a word they would think it broken.
+        news_ = sentence_case(fmt::format("{} cannot be reached; {}", voice_name(through_),
+                                          after ? fmt::format("{} speaks instead.", voice_name(after->through())) : std::string("there is only text.")));
+    }
+}
+
+void VoiceRouter::set_speech(const Settings::Speech& settings) {
+    for (const auto& voice : voices_) voice->set_speech(settings);
+    if (std::exchange(through_, settings.through) == settings.through) return;
+    choosing_again_ = true;
+    want_what_is_allowed();
+}
+
+std::optional<std::string> VoiceRouter::news() {
+    if (news_) return std::exchange(news_, std::nullopt);
+    for (const auto& voice : voices_)
+        if (voice.get() == active_)
+            if (auto sentence = voice->news()) return sentence;
+    return braille_ ? braille_->news() : std::nullopt;
+}
+
+}  // namespace handrail

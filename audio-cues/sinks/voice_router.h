@@ -1,0 +1,63 @@
+// Who speaks: the first of several voices that is there, and never two. Text, and braille where no screen reader shows it, go along always.
+// Owned and called by the audio thread; calls return at once.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "audio-cues/sinks/voice.h"
+
+namespace handrail {
+
+// A braille display, or what else is to be silent while a screen reader has the words.
+class Companion : public SpeechSink {
+public:
+    virtual void want(bool wanted) = 0;
+};
+
+// While a better voice is still opening, the first words wait for it, at most kPatience_s; then the best that is ready has them. A voice
+// that goes in the middle of an utterance leaves it to the next one, after a sentence about the change. Where no voice is left the text is all.
+// With speech.through = X the voices before X are passed over; where X is missing, the next one speaks. Of the screen reader: see ReaderVoice.
+class VoiceRouter final : public SpeechSink {
+public:
+    static constexpr double kPatience_s = 1.0;
+
+    // `voices`: the best first. `text` is always given everything; `braille` too, unless a screen reader speaks. Either may be null.
+    VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<Companion> braille,
+                const Settings::Speech& settings);
+
+    void say(const Utterance& utterance) override;
+    void write(const Utterance& utterance) override;
+    void stop() override;
+    bool speaking() const override;
+    void tick(double now_s) override;
+    void set_speech(const Settings::Speech& settings) override;
+    std::optional<std::string> news() override;
+
+    // Who speaks now; Text: nobody.
+    SpeechThrough speaks() const { return active_ ? active_->through() : SpeechThrough::Text; }
+
+private:
+    bool allowed(SpeechThrough voice) const;
+    bool waits_for_better(const Voice* best) const;
+    void want_what_is_allowed();
+    void hand_over_to(Voice* next);
+    void tell_change(const Voice* before, const Voice* after);
+
+    std::vector<std::unique_ptr<Voice>> voices_;
+    std::unique_ptr<SpeechSink> text_;
+    std::unique_ptr<Companion> braille_;
+    SpeechThrough through_;
+    Voice* active_ = nullptr;           // one of voices_
+    bool chosen_ = false;               // a first choice was made
+    bool choosing_again_ = false;       // the settings changed: what follows is no loss
+    std::optional<double> asked_at_s_;  // when the voices were last told what is wanted
+    double now_s_ = 0.0;
+    std::optional<Utterance> current_;  // given to the active voice and perhaps not finished
+    std::optional<Utterance> owed_;     // to be said when a voice is free for it
+    std::optional<std::string> news_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,21 @@
+// The last link of every driver: no force leaves for a device that is not a number, or is more than the device may give. Pure; real-time safe.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+// The force itself where it is weak enough, else the peak in the same direction, however large it was; nothing where it is no number.
+inline Vec3 held_to(const Vec3& force_n, double peak_n) noexcept {
+    if (!is_finite(force_n) || !(peak_n > 0.0)) return Vec3(0.0);
+    const double largest = std::max({std::abs(force_n.x), std::abs(force_n.y), std::abs(force_n.z)});
+    if (largest == 0.0) return Vec3(0.0);
+    const Vec3 direction = force_n / largest;  // squares of what is left neither overflow nor vanish
+    const double length = std::sqrt(glm::dot(direction, direction));
+    return largest <= peak_n / length ? force_n : direction * (peak_n / length);
+}
+
+}  // namespace handrail

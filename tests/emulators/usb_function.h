@@ -1,0 +1,80 @@
+// A device as a USB bus sees it: descriptors, control requests, packets. Two buses carry it in the tests: umockdev's usbfs (tests/umockdev) and
+// the kernel's own, through USB/IP (tests/kernel). Not thread-safe; a bus locks around it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tests/emulators/falcon_emulator.h"
+#include "tests/emulators/hid_emulators.h"
+
+namespace handrail::test {
+
+// The eight bytes before every control transfer.
+struct UsbSetup {
+    std::uint8_t type = 0, request = 0;
+    std::uint16_t value = 0, index = 0, length = 0;
+    bool to_host() const { return (type & 0x80) != 0; }
+};
+UsbSetup usb_setup(std::span<const std::uint8_t> bytes);
+
+class UsbFunction {
+public:
+    virtual ~UsbFunction() = default;
+    virtual std::vector<std::uint8_t> device_descriptor() const = 0;
+    virtual std::vector<std::uint8_t> configuration_descriptor() const = 0;
+    virtual std::string product() const = 0;
+    // The requests of its class or its maker. To the host: fills `data`; from the host: `data` is what came. False: refused.
+    virtual bool control(const UsbSetup& setup, std::vector<std::uint8_t>& data) = 0;
+    virtual void out(std::span<const std::uint8_t> packet) = 0;
+    // One packet of at most `room` bytes for a host that has waited so long; nothing: it goes on waiting.
+    virtual std::optional<std::vector<std::uint8_t>> in(std::size_t room, std::chrono::milliseconds waited) = 0;
+
+    // Control requests that every device knows, then its own.
+    bool answer(const UsbSetup& setup, std::vector<std::uint8_t>& data);
+};
+
+// An FT232-class chip with the Falcon's numbers: one interface, bulk in 0x81, bulk out 0x02.
+class FalconOnUsb final : public UsbFunction {
+public:
+    explicit FalconOnUsb(FalconEmulator& falcon) : falcon_(falcon) {}
+    std::vector<std::uint8_t> device_descriptor() const override;
+    std::vector<std::uint8_t> configuration_descriptor() const override;
+    std::string product() const override { return "FALCON HAPTIC"; }
+    bool control(const UsbSetup& setup, std::vector<std::uint8_t>& data) override;
+    void out(std::span<const std::uint8_t> packet) override { falcon_.out(packet.data(), packet.size()); }
+    // Nothing to tell: two status bytes when the latency timer ends.
+    std::optional<std::vector<std::uint8_t>> in(std::size_t room, std::chrono::milliseconds waited) override;
+
+private:
+    FalconEmulator& falcon_;
+};
+
+struct FalconAndItsChip {
+    FalconEmulator falcon;
+    FalconOnUsb chip{falcon};
+};
+
+// A HID device with one interface: interrupt in 0x84 and out 0x03.
+class HidOnUsb final : public UsbFunction {
+public:
+    HidOnUsb(HidEmulator& device, std::uint16_t vendor, std::uint16_t product_number, std::string product_name)
+        : device_(device), vendor_(vendor), product_number_(product_number), product_(std::move(product_name)) {}
+    std::vector<std::uint8_t> device_descriptor() const override;
+    std::vector<std::uint8_t> configuration_descriptor() const override;
+    std::string product() const override { return product_; }
+    bool control(const UsbSetup& setup, std::vector<std::uint8_t>& data) override;
+    void out(std::span<const std::uint8_t> packet) override { device_.take(packet); }
+    std::optional<std::vector<std::uint8_t>> in(std::size_t room, std::chrono::milliseconds waited) override;
+
+private:
+    HidEmulator& device_;
+    std::uint16_t vendor_, product_number_;
+    std::string product_;
+};
+
+}  // namespace handrail::test

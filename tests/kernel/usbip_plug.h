@@ -1,0 +1,50 @@
+// Plugs a USB device made of bytes into the running kernel: vhci-hcd is a host controller whose cable is a socket, on which this answers every
+// transfer. Needs root and the module vhci-hcd. Has a thread of its own; `lock` guards the emulator.
+// Source: the USB/IP protocol, Documentation/usb/usbip_protocol.rst of Linux.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "tests/emulators/usb_function.h"
+
+namespace handrail::test {
+
+class UsbIpPlug {
+public:
+    enum class Speed : std::uint8_t { Full = 2, High = 3 };
+
+    // Throws when the kernel does not take it. `port`: of the controller, each used once at a time; 0 to 7.
+    UsbIpPlug(UsbFunction& function, int port, Speed speed);
+    ~UsbIpPlug();
+    UsbIpPlug(const UsbIpPlug&) = delete;
+    UsbIpPlug& operator=(const UsbIpPlug&) = delete;
+
+    // Pulls the plug; the kernel notices at once.
+    void unplug();
+
+    std::mutex lock;
+    std::atomic<std::uint64_t> transfers{0};
+
+private:
+    struct Waiting {
+        std::uint32_t number, room;
+        std::chrono::steady_clock::time_point since;
+    };
+    void run();
+    bool take_one();
+    void submitted(std::span<const std::uint32_t, 12> header);
+    void unlinked(std::span<const std::uint32_t, 12> header);
+    void serve_waiting();
+    void answer(std::uint32_t number, int status, std::size_t length, std::span<const std::uint8_t> data);
+
+    UsbFunction& function_;
+    int port_, socket_ = -1;
+    std::deque<Waiting> waiting_;
+    std::thread thread_;
+};
+
+}  // namespace handrail::test

@@ -1,0 +1,47 @@
+// Through to the world (S126): where a hand that a driver saw lies at heading 0, and what is told to the driver when the world pushes that hand.
+#pragma once
+
+#include "tests/support/servo_rig.h"
+
+namespace handrail::test {
+
+struct ThroughWorld {
+    Vec3 world_m{0.0};     // of the hand, from the middle of the workspace
+    ForceCommand command;  // while something pushes it along +axis of the world with 2 mm of press
+};
+
+inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, int axis) {
+    constexpr double kScale = 60.0, kBall = 0.1, kPress = 0.002;
+    ThroughWorld out;
+    ServoRig rig(spec);
+    rig.tuning.touch.world_m_per_hand_m = kScale;
+    rig.tuning.touch.radius_m = kBall;
+    rig.pose.origin_m = Vec3(7.0, -3.0, 1.0);
+    // Something fills all of the world up to where the ball is pressed by 2 mm of hand; the hand comes from the free side.
+    Aabb solid{Vec3(-500.0), Vec3(500.0)};
+    solid.max_m[axis] = rig.pose.origin_m[axis] + kScale * (seen_m[axis] + kPress) - kBall;
+    HapticSceneBuilder builder;
+    builder.add_box(solid);
+    rig.scene = builder.build();
+    Vec3 off{0.0};
+    off[axis] = 0.008;
+    rig.tick(seen_m + off);
+    rig.go(seen_m + 1.5 * off);
+    for (int i = 0; i < 1200; ++i) rig.tick(seen_m + off);
+    rig.go(seen_m);
+    out.command = rig.tick(seen_m);
+    out.world_m = rig.tool().hip_m - rig.pose.origin_m;
+    return out;
+}
+
+// That a place of step_m along the axis of the hand - right, forward, up - is 60 times as far east, north or up, and the push goes the same way.
+inline void expect_east_north_up(const ThroughWorld& through, int axis, double step_m, double within_m) {
+    Vec3 expected{0.0};
+    expected[axis] = 60.0 * step_m;
+    EXPECT_LT(glm::length(through.world_m - expected), 60.0 * within_m) << "axis " << axis;
+    const Vec3& force = through.command.force_n;
+    EXPECT_GT(force[axis], 0.1) << "axis " << axis;
+    EXPECT_NEAR(force[axis], glm::length(force), 1e-9) << "axis " << axis;
+}
+
+}  // namespace handrail::test

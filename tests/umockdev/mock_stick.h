@@ -1,0 +1,38 @@
+// An event node with force feedback in umockdev: a rumble pad, or a joystick with a constant force, and the hand on it. The bed answers on a thread
+// of its own; `lock` guards what it was told and what it tells.
+#pragma once
+
+#include <linux/input.h>
+#include <umockdev.h>
+
+#include <deque>
+#include <mutex>
+
+namespace handrail::test {
+
+class MockStick {
+public:
+    // Constant: a joystick with a constant force, else a pad that only rumbles.
+    MockStick(UMockdevTestbed* bed, bool constant);
+    ~MockStick();
+    MockStick(const MockStick&) = delete;
+    MockStick& operator=(const MockStick&) = delete;
+
+    void tell(std::uint16_t type, std::uint16_t code, int value);
+
+    std::mutex lock;
+    std::deque<input_event> events;
+    ff_effect effect{};
+    bool loaded = false, playing = false, unplugged = false;
+    int uploads = 0, gain = -1, bad_uploads = 0;
+
+private:
+    static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
+    static gboolean on_read(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
+    static gboolean on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
+
+    bool constant_;
+    UMockdevIoctlBase* handler_ = nullptr;
+};
+
+}  // namespace handrail::test

@@ -1,0 +1,46 @@
+#include "app/core/workspace_scale.h"
+
+#include "tests/support/box_scene.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kTouch = 0.075, kFalcon = 0.04;
+const Aabb kBounds{{0.0, 0.0, 0.0}, {30.0, 40.0, 6.0}};
+
+TEST(NamedScale, has_the_ratios_of_the_maps_and_fits_a_building_corner_to_corner_inside_the_rim) {
+    for (const double reach : {kTouch, kFalcon}) {
+        EXPECT_EQ(world_m_per_hand_m(NamedScale::Floor, kBounds, reach), 120.0);
+        EXPECT_EQ(world_m_per_hand_m(NamedScale::Room, kBounds, reach), 60.0);
+        EXPECT_EQ(world_m_per_hand_m(NamedScale::Detail, kBounds, reach), 15.0);
+    }
+    EXPECT_NEAR(world_m_per_hand_m(NamedScale::Building, kBounds, kTouch) * 0.8 * kTouch, 25.0, 1e-9);  // half of 50
+    EXPECT_EQ(world_m_per_hand_m(NamedScale::Building, kBounds, kFalcon), 500.0) << "no coarser than the setting allows";
+    EXPECT_EQ(world_m_per_hand_m(NamedScale::Building, Aabb{}, kTouch), 120.0) << "nothing to fit";
+}
+
+TEST(NamedScale, says_its_name_and_its_width_in_the_persons_units) {
+    const DistanceWords steps{true, 0.7}, metres{false, 0.7};
+    EXPECT_EQ(scale_sentence(NamedScale::Room, 60.0, kTouch, metres), "Room, 9 metres wide");
+    EXPECT_EQ(scale_sentence(NamedScale::Room, 60.0, kTouch, steps), "Room, 9 metres wide, 13 steps");
+    EXPECT_EQ(scale_sentence(NamedScale::Floor, 120.0, kTouch, metres), "Floor, 18 metres wide");
+    EXPECT_EQ(scale_sentence(NamedScale::Room, 60.0, kFalcon, metres), "Room, 4.8 metres wide");
+    EXPECT_EQ(scale_sentence(NamedScale::Detail, 15.0, kFalcon, metres), "Detail, 1.2 metres wide");
+    EXPECT_EQ(scale_sentence(NamedScale::Building, 416.7, kTouch, metres), "Building, 63 metres wide");
+}
+
+TEST(BallRadius, is_4_mm_felt_at_room_scale_2_to_6_mm_elsewhere_and_a_third_of_the_narrowest_door) {
+    test::SceneBuilder open;
+    open.box({0, 0, 0}, {1, 1, 1}, "block", SolidRole::Solid, "wood", FeatureKind::Object);
+    const Scene& plain = open.scene();
+    EXPECT_NEAR(ball_radius_m(plain, 0.004, 60.0), 0.12, 1e-12);
+    EXPECT_NEAR(ball_radius_m(plain, 0.004, 120.0), 0.12, 1e-12);
+    EXPECT_NEAR(ball_radius_m(plain, 0.004, 15.0), 0.045, 1e-12);  // 6 mm felt
+    EXPECT_NEAR(ball_radius_m(plain, 0.004, 400.0), 0.4, 1e-12);   // 2 mm felt
+    open.box({2, 0, 0}, {2.9, 0.1, 2.0}, "door", SolidRole::Solid, "wood", FeatureKind::Door);
+    for (const double scale : {15.0, 60.0, 120.0, 400.0}) EXPECT_LE(2.0 * ball_radius_m(open.scene(), 0.004, scale), 0.9 / 3.0 + 1e-12);
+    EXPECT_NEAR(ball_radius_m(open.scene(), 0.004, 400.0), 0.15, 1e-12);
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,40 @@
+#include "audio-cues/sinks/dropout_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace handrail {
+namespace {
+
+// A device that mixes 256 samples at a time, at a clock that drifts by 200 parts in a million, watched by a loop that is up to 20 ms late;
+// `stops_every_s`: after so long it starts again, one period behind.
+bool dropped(double seconds, double stops_every_s) {
+    constexpr double kPeriod_s = 256.0 / 48000.0;
+    std::minstd_rand random(3);
+    DropoutWatch watch;
+    for (double now_s = 100.0; now_s < 100.0 + seconds; now_s += 0.005 + (random() % 20 == 0 ? 0.02 : 0.0)) {
+        const double lost_s = stops_every_s > 0.0 ? std::floor((now_s - 100.0) / stops_every_s) * kPeriod_s : 0.0;
+        const double played_s = (now_s - 100.0) * 1.0002 - lost_s;
+        if (watch.tick(now_s, std::floor(played_s / kPeriod_s) * kPeriod_s)) return true;
+    }
+    return false;
+}
+
+TEST(DropoutWatch, says_nothing_of_a_device_that_keeps_up_however_late_its_watcher_is) { EXPECT_FALSE(dropped(600.0, 0.0)); }
+
+TEST(DropoutWatch, tells_three_dropouts_within_a_minute_and_not_one_in_a_minute) {
+    EXPECT_TRUE(dropped(60.0, 10.0));
+    EXPECT_TRUE(dropped(10.0, 1.5));
+    EXPECT_FALSE(dropped(600.0, 60.0));
+}
+
+TEST(DropoutWatch, one_long_sleep_of_the_machine_is_one_dropout) {
+    DropoutWatch watch;
+    for (double t = 0.0; t < 5.0; t += 0.005) EXPECT_FALSE(watch.tick(t, t));
+    for (double t = 3600.0; t < 3610.0; t += 0.005) EXPECT_FALSE(watch.tick(t, t - 3595.0));
+}
+
+}  // namespace
+}  // namespace handrail

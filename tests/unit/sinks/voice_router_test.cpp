@@ -1,0 +1,211 @@
+#include "audio-cues/sinks/voice_router.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace handrail {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// A voice that does what the test says, and a log of what it was given.
+class PlayedVoice final : public Voice {
+public:
+    explicit PlayedVoice(SpeechThrough through) : through_(through) {}
+    SpeechThrough through() const override { return through_; }
+    VoiceState state() const override { return wanted ? is : VoiceState::Gone; }
+    void want(bool w) override { wanted = w; }
+    void say(const Utterance& utterance) override {
+        said.push_back(utterance.text);
+        busy = true;
+    }
+    void stop() override {
+        ++stops;
+        busy = false;
+    }
+    bool speaking() const override { return busy && is == VoiceState::Ready; }
+
+    VoiceState is = VoiceState::Ready;
+    bool wanted = false, busy = false;
+    int stops = 0;
+    std::vector<std::string> said;
+
+private:
+    SpeechThrough through_;
+};
+
+class PlayedLine final : public Companion {
+public:
+    void want(bool w) override { wanted = w; }
+    void say(const Utterance& utterance) override { write(utterance); }
+    void write(const Utterance& utterance) override { lines.push_back(utterance.text); }
+    void stop() override {}
+    bool speaking() const override { return false; }
+
+    bool wanted = true;
+    std::vector<std::string> lines;
+};
+
+struct VoiceRouterTest : testing::Test {
+    void open(SpeechThrough through = SpeechThrough::Auto) {
+        settings.through = through;
+        auto r = std::make_unique<PlayedVoice>(SpeechThrough::ScreenReader);
+        auto s = std::make_unique<PlayedVoice>(SpeechThrough::SpeechDispatcher);
+        auto e = std::make_unique<PlayedVoice>(SpeechThrough::Embedded);
+        auto t = std::make_unique<PlayedLine>();
+        auto b = std::make_unique<PlayedLine>();
+        reader = r.get(), server = s.get(), embedded = e.get(), text = t.get(), braille = b.get();
+        reader->is = reader_at_first;
+        server->is = server_at_first;
+        std::vector<std::unique_ptr<Voice>> voices;
+        voices.push_back(std::move(r));
+        voices.push_back(std::move(s));
+        voices.push_back(std::move(e));
+        router = std::make_unique<VoiceRouter>(std::move(voices), std::move(t), std::move(b), settings);
+    }
+    void tick(double by_s = 0.005) { router->tick(now_s += by_s); }
+    std::vector<std::vector<std::string>> heard() const { return {reader->said, server->said, embedded->said}; }
+
+    Settings::Speech settings;
+    VoiceState reader_at_first = VoiceState::Gone, server_at_first = VoiceState::Ready;
+    PlayedVoice *reader = nullptr, *server = nullptr, *embedded = nullptr;
+    PlayedLine *text = nullptr, *braille = nullptr;
+    std::unique_ptr<VoiceRouter> router;
+    double now_s = 10.0;
+};
+
+TEST_F(VoiceRouterTest, only_the_best_voice_speaks_and_text_and_braille_have_it_too) {
+    open();
+    tick();
+    router->say({.text = "Welcome"});
+    EXPECT_THAT(heard(), ElementsAre(IsEmpty(), ElementsAre("Welcome"), IsEmpty()));
+    EXPECT_THAT(text->lines, ElementsAre("Welcome"));
+    EXPECT_THAT(braille->lines, ElementsAre("Welcome"));
+    EXPECT_FALSE(router->news()) << "the first choice is no news";
+}
+
+TEST_F(VoiceRouterTest, a_screen_reader_has_speech_and_braille_to_itself) {
+    reader_at_first = VoiceState::Ready;
+    open();
+    tick();
+    router->say({.text = "Welcome"});
+    EXPECT_THAT(heard(), ElementsAre(ElementsAre("Welcome"), IsEmpty(), IsEmpty()));
+    EXPECT_FALSE(braille->wanted);
+}
+
+TEST_F(VoiceRouterTest, the_first_words_wait_a_second_for_a_voice_that_is_opening_and_then_go_to_the_next) {
+    server_at_first = VoiceState::Opening;
+    open();
+    tick();
+    router->say({.text = "Welcome"});
+    EXPECT_TRUE(router->speaking()) << "still to be said";
+    EXPECT_THAT(text->lines, ElementsAre("Welcome")) << "text waits for nobody";
+    tick(0.9);
+    EXPECT_THAT(heard(), ElementsAre(IsEmpty(), IsEmpty(), IsEmpty()));
+    tick(0.2);
+    EXPECT_THAT(heard(), ElementsAre(IsEmpty(), IsEmpty(), ElementsAre("Welcome")));
+    EXPECT_THAT(text->lines, ElementsAre("Welcome"));
+}
+
+TEST_F(VoiceRouterTest, what_a_lost_voice_left_is_said_by_the_next_after_a_sentence_about_it) {
+    open();
+    tick();
+    router->say({.text = "You are at the base"});
+    server->is = VoiceState::Gone;
+    tick();
+    ASSERT_EQ(router->news(), "The speech server has gone; the built-in voice speaks now.");
+    EXPECT_TRUE(router->speaking());
+    tick();
+    EXPECT_THAT(embedded->said, ElementsAre("You are at the base"));
+    embedded->busy = false;
+    tick();
+    EXPECT_FALSE(router->speaking());
+    tick();
+    EXPECT_THAT(embedded->said, ElementsAre("You are at the base")) << "once";
+    EXPECT_THAT(text->lines, ElementsAre("You are at the base")) << "once";
+}
+
+TEST_F(VoiceRouterTest, what_was_finished_is_not_said_again_when_its_voice_goes) {
+    open();
+    tick();
+    router->say({.text = "North"});
+    server->busy = false;
+    tick();
+    server->is = VoiceState::Gone;
+    tick();
+    EXPECT_TRUE(router->news());
+    tick();
+    EXPECT_THAT(embedded->said, IsEmpty());
+}
+
+TEST_F(VoiceRouterTest, with_no_voice_left_it_says_so_in_text_and_nobody_waits) {
+    open();
+    tick();
+    router->say({.text = "North"});
+    server->is = embedded->is = VoiceState::Gone;
+    tick();
+    EXPECT_EQ(router->news(), "The speech server has gone; there is only text now.");
+    EXPECT_FALSE(router->speaking());
+    server->is = VoiceState::Ready;
+    tick();
+    EXPECT_EQ(router->news(), "The speech server speaks now.");
+}
+
+TEST_F(VoiceRouterTest, a_better_voice_that_comes_takes_over_and_the_worse_one_is_silent) {
+    open();
+    tick();
+    router->say({.text = "North"});
+    reader->is = VoiceState::Ready;
+    tick();
+    EXPECT_EQ(server->stops, 1);
+    EXPECT_EQ(router->news(), "The screen reader speaks now.");
+    tick();
+    EXPECT_THAT(reader->said, ElementsAre("North")) << "it was cut, so it is owed";
+}
+
+TEST_F(VoiceRouterTest, silence_drops_what_was_owed) {
+    open();
+    tick();
+    router->say({.text = "North"});
+    server->is = VoiceState::Gone;
+    tick();
+    router->stop();
+    EXPECT_TRUE(router->news());
+    tick();
+    EXPECT_THAT(embedded->said, IsEmpty());
+}
+
+TEST_F(VoiceRouterTest, the_setting_chooses_and_can_be_changed_while_it_speaks) {
+    reader_at_first = VoiceState::Ready;
+    open(SpeechThrough::Embedded);
+    tick();
+    router->say({.text = "North"});
+    EXPECT_THAT(heard(), ElementsAre(IsEmpty(), IsEmpty(), ElementsAre("North")));
+    EXPECT_FALSE(reader->wanted) << "what is passed over holds no connection";
+    settings.through = SpeechThrough::Text;
+    router->set_speech(settings);
+    tick();
+    EXPECT_EQ(router->news(), "There is only text now.");
+    EXPECT_FALSE(router->speaking());
+    settings.through = SpeechThrough::SpeechDispatcher;
+    router->set_speech(settings);
+    tick();
+    EXPECT_EQ(router->news(), "The speech server speaks now.");
+    router->say({.text = "South"});
+    EXPECT_THAT(server->said, ElementsAre("South"));
+    EXPECT_THAT(text->lines, ElementsAre("North", "South"));
+}
+
+TEST_F(VoiceRouterTest, who_asked_for_a_voice_that_is_not_there_is_told) {
+    server_at_first = VoiceState::Gone;
+    open(SpeechThrough::SpeechDispatcher);
+    tick();
+    EXPECT_EQ(router->news(), "The speech server cannot be reached; the built-in voice speaks instead.");
+}
+
+}  // namespace
+}  // namespace handrail

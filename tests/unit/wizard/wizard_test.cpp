@@ -1,0 +1,373 @@
+#include "app/wizard/wizard.h"
+
+#include "tests/unit/wizard/wizard_rig.h"
+
+namespace handrail::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+constexpr double kTwoMinutes_s = 120.0;
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const std::string& line : lines) text += line + "\n";
+    return text;
+}
+
+// Each of these was said, in this order.
+void expect_in_order(const std::vector<std::string>& lines, std::initializer_list<const char*> wanted) {
+    auto from = lines.begin();
+    for (const char* words : wanted) {
+        from = std::find_if(from, lines.end(), [&](const std::string& line) { return line.find(words) != std::string::npos; });
+        ASSERT_NE(from, lines.end()) << "\"" << words << "\" was not said in its place:\n" << joined(lines);
+        ++from;
+    }
+}
+
+TEST(WizardFromStartToEnd, with_a_simulated_touch_takes_a_brisk_person_less_than_two_minutes) {
+    HeldSimulated held;
+    WizardRig rig("", &held);
+    BriskPerson person(rig, &held);
+    const double begun_s = rig.now_s();
+    ASSERT_TRUE(person.answer_all(300.0)) << joined(rig.said());
+    std::printf("a brisk person with a simulated Touch: %.1f s\n", rig.now_s() - begun_s);
+    EXPECT_LT(rig.now_s() - begun_s, kTwoMinutes_s);
+    expect_in_order(rig.said(), {"bell on your left",
+                                 "And now on your right",
+                                 "looking for a touch device",
+                                 "The simulated Touch is ready",
+                                 "Take the grip",
+                                 "Good.",
+                                 "Push it in",
+                                 "Good.",
+                                 "Which hand",
+                                 "Left hand.",
+                                 "I will press",
+                                 "Felt at 0.",
+                                 "Now a wall",
+                                 "Normal, 2.5 newtons",
+                                 "with more than 2.5 newtons",
+                                 "as far as is comfortable",
+                                 "Your hand reaches",
+                                 "Your reach spans",
+                                 "Your step is",
+                                 "65 centimetres",
+                                 "You are set up."});
+    const DeviceProfile profile = rig.profile();
+    EXPECT_NEAR(profile.gentlest_n.value(), 0.4, 0.1);
+    EXPECT_EQ(profile.ceiling_n, 2.5);
+    EXPECT_EQ(profile.hand, HoldingHand::Left);
+    EXPECT_NEAR(profile.width_m.value(), 1.4 * 0.075, 0.01);
+    EXPECT_NEAR(profile.depth_m.value(), 1.3 * 0.075, 0.01);
+    // Measured from 0.6 ahead to 0.7 behind: the middle lies 0.05 radii behind; 5 parts ahead of the body and 3 behind are asked for.
+    EXPECT_NEAR(profile.offset_ahead_m.value(), (0.125 * 1.3 + 0.05) * 0.075, 0.003);
+    EXPECT_EQ(profile.scale, 60.0);
+    EXPECT_EQ(rig.store.values().walk.step_length_m, 0.65);
+    EXPECT_LE(rig.largest_force_n, 2.5 + 1e-9);
+    EXPECT_GT(rig.largest_force_n, 2.0) << "the wall was felt at what was chosen";
+    rig.run(0.2);
+    EXPECT_EQ(rig.force_n(), 0.0) << "nothing pushes when it is over";
+}
+
+TEST(WizardFromStartToEnd, with_a_falcon_wakes_and_homes_it_by_voice) {
+    VirtualClock clock;
+    HeldFalcon held(clock);
+    WizardRig rig("", &held, &clock);
+    BriskPerson person(rig, &held);
+    const double begun_s = rig.now_s();
+    ASSERT_TRUE(person.answer_all(300.0)) << joined(rig.said());
+    std::printf("a brisk person with a Falcon: %.1f s\n", rig.now_s() - begun_s);
+    EXPECT_LT(rig.now_s() - begun_s, kTwoMinutes_s);
+    expect_in_order(rig.said(), {"looking for a touch device", "needs waking, this may take three tries. Try 1", "Try 2", "The Falcon is ready.",
+                                 "Pull it all the way towards you.", "Good.", "Push it in", "Good.", "Left hand.", "Felt at 0.", "with more than 2.5 newtons",
+                                 "Your hand reaches", "You are set up."});
+    EXPECT_GE(rig.clicks(), 3) << "one for each leg that found its zero";
+    EXPECT_EQ(held.emulator.frames_before_homed_with_force, 0U);
+    EXPECT_LE(held.emulator.largest_force_n, 2.5 + 0.05);
+    EXPECT_EQ(rig.profile().hand, HoldingHand::Left);
+    EXPECT_NEAR(rig.profile().gentlest_n.value(), 0.4, 0.1);
+    EXPECT_TRUE(rig.store.values().profiles.contains("falcon a9001"));
+}
+
+TEST(WizardFromStartToEnd, with_no_device_says_so_and_does_the_rest) {
+    WizardRig rig;
+    BriskPerson person(rig, nullptr);
+    const double begun_s = rig.now_s();
+    ASSERT_TRUE(person.answer_all(300.0)) << joined(rig.said());
+    std::printf("a brisk person without a device: %.1f s\n", rig.now_s() - begun_s);
+    expect_in_order(rig.said(), {"bell on your left", "And now on your right", "No touch device. Everything works with keyboard and sound", "Your step is",
+                                 "You are set up."});
+    EXPECT_FALSE(rig.has_said("Take the grip"));
+    EXPECT_EQ(rig.store.values().walk.step_length_m, 0.65);
+    EXPECT_TRUE(rig.store.values().profiles.empty());
+}
+
+TEST(WizardFromStartToEnd, by_lines_of_a_script) {
+    HeldSimulated held;
+    WizardRig rig("", &held);
+    for (const char* line : {"left", "", "hand-back 15", "hand-forward 30", "hand-left 12", "wait 9", "button", "up", "hand-back 20", "hand-forward 20",
+                             "wait 2", "", "hand-right 30", "hand-left 30", "hand-forward 30", "hand-back 30", "", "", "down", "", "0.75"})
+        rig.session.type(line);
+    rig.session.end_of_lines();
+    ASSERT_TRUE(rig.run_until(
+        [&] {
+            held.command.target_m = rig.session.simulated_hand().target_m;
+            held.command.buttons = rig.session.simulated_hand().buttons;
+            held.hand->command.publish(held.command);
+            return rig.wizard().finished();
+        },
+        120.0));
+    rig.run(5.0);
+    EXPECT_TRUE(rig.has_said("You are set up.")) << joined(rig.said());
+    EXPECT_EQ(rig.profile().hand, HoldingHand::Left);
+    EXPECT_EQ(rig.profile().ceiling_n, 2.5);
+    EXPECT_GT(rig.profile().gentlest_n.value(), 0.2);
+    EXPECT_GT(rig.profile().width_m.value(), 0.1);
+    EXPECT_EQ(rig.store.values().walk.step_length_m, 0.75);
+    EXPECT_FALSE(rig.store.values().workspace.rim) << "one \"down\" switched it off";
+}
+
+TEST(Wizard, waits_as_long_as_it_takes_and_space_says_the_question_again_word_for_word) {
+    WizardRig rig("step");
+    rig.run(3600.0);
+    EXPECT_FALSE(rig.wizard().finished());
+    const std::string question(rig.wizard().question());
+    ASSERT_THAT(rig.said(), ElementsAre(question));
+    rig.key("Space");
+    rig.run(0.1);
+    EXPECT_THAT(rig.said(), ElementsAre(question, question));
+}
+
+TEST(Wizard, repairs_swapped_headphones_on_the_spot) {
+    WizardRig rig("headphones");
+    const auto side_of_last_bell = [&] {
+        double side = 0.0;
+        for (const HeardSound& sound : rig.audio.sounds())
+            if (sound.cue.kind == SoundKind::Bell) side = sound.cue.position_m.x;
+        return side;
+    };
+    rig.run(0.1);
+    EXPECT_LT(side_of_last_bell(), 0.0);
+    rig.key("Right");
+    rig.run(0.1);
+    EXPECT_TRUE(rig.store.values().sound.swap_sides);
+    EXPECT_TRUE(rig.asks("Headphones?")) << "asked once more";
+    rig.key("Left");
+    rig.run(0.1);
+    EXPECT_GT(side_of_last_bell(), 0.0);
+    rig.key("Enter");
+    rig.run(0.1);
+    EXPECT_TRUE(rig.wizard().finished());
+}
+
+TEST(Wizard, without_sound_has_no_ears_to_tell_apart) {
+    WizardRig rig("headphones,step");
+    rig.sense.audible = false;
+    rig.run(0.1);
+    EXPECT_TRUE(rig.has_said("There is no sound device"));
+    EXPECT_TRUE(rig.asks("Your step is"));
+}
+
+TEST(Wizard, escape_explains_and_takes_the_force_away_and_leaves_at_the_second_press) {
+    HeldSimulated held;
+    WizardRig rig("gentlest,step", &held);
+    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little. Then I will press"); }));
+    held.aim({0.0, 0.0, 0.01});
+    ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.3; })) << joined(rig.said());
+    rig.key("Escape");
+    rig.run(0.15);
+    EXPECT_EQ(rig.force_n(), 0.0);
+    EXPECT_TRUE(rig.has_said("It never presses with more than one newton. Enter goes on. Escape again leaves"));
+    rig.key("Enter");
+    EXPECT_TRUE(rig.run_until([&] { return rig.force_n() > 0.3; })) << "the same question begins again";
+    rig.key("Escape");
+    rig.key("Escape");
+    rig.run(0.15);
+    EXPECT_TRUE(rig.wizard().finished());
+    EXPECT_EQ(rig.force_n(), 0.0);
+    EXPECT_TRUE(rig.store.values().profiles.empty());
+}
+
+TEST(Wizard, the_stop_key_takes_all_force_at_once) {
+    HeldSimulated held;
+    WizardRig rig("gentlest", &held);
+    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+    held.aim({0.0, 0.0, 0.01});
+    ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.3; }));
+    rig.key("F12");
+    rig.run(0.003);  // the tick that hears of it and the device's own delay
+    EXPECT_EQ(rig.force_n(), 0.0);
+    rig.run(1.0);
+    EXPECT_EQ(rig.force_n(), 0.0);
+    EXPECT_FALSE(rig.audio.silences_s().empty());
+    rig.key("Enter");
+    EXPECT_TRUE(rig.run_until([&] { return rig.force_n() > 0.1; }));
+}
+
+TEST(Wizard, presses_in_small_steps_never_above_one_newton_and_lets_go_when_nobody_answers) {
+    HeldSimulated held;
+    WizardRig rig("gentlest", &held);
+    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+    rig.run(10.0);
+    EXPECT_EQ(rig.largest_force_n, 0.0) << "no force before a hand has moved";
+    held.aim({0.0, 0.0, 0.01});
+    ASSERT_TRUE(rig.run_until([&] { return rig.has_said("have let go"); }, 30.0));
+    EXPECT_LE(rig.largest_force_n, Wizard::kGentlestMost_n + 1e-12);
+    EXPECT_GT(rig.largest_force_n, 0.95);
+    EXPECT_LT(rig.largest_step_n, 0.02);
+    rig.run(0.5);
+    EXPECT_EQ(rig.force_n(), 0.0);
+    rig.key("Enter");
+    rig.run(0.1);
+    EXPECT_EQ(rig.profile().gentlest_n, Wizard::kGentlestMost_n);
+}
+
+TEST(Wizard, an_answer_before_anything_can_be_felt_keeps_the_default) {
+    HeldSimulated held;
+    WizardRig rig("gentlest", &held);
+    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+    rig.key("Enter");
+    rig.run(0.1);
+    EXPECT_EQ(rig.profile().gentlest_n, 0.3);
+}
+
+TEST(Wizard, chooses_the_ceiling_in_three_steps_and_finely_and_raises_what_stands_in_its_way) {
+    HeldSimulated held;
+    WizardRig rig("strongest", &held);
+    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Now a wall"); }));
+    EXPECT_THAT(std::string(rig.wizard().question()), HasSubstr("Force: light, 1.2 newtons"));
+    for (const char* key : {"Up", "Up", "Up", "Left", "Left"}) {
+        rig.key(key);
+        rig.run(0.05);
+    }
+    EXPECT_TRUE(rig.has_said("Full, 3.3 newtons."));
+    EXPECT_TRUE(rig.has_said("3.1 newtons."));
+    rig.key("Enter");
+    rig.run(0.1);
+    EXPECT_EQ(rig.profile().ceiling_n, 3.1);
+    EXPECT_EQ(rig.store.values().haptic.ceiling, ForceCeiling::Full);
+}
+
+TEST(Wizard, goes_back_one_question_and_up_does_so_where_it_changes_nothing) {
+    WizardRig rig("headphones,step");
+    rig.run(0.1);
+    rig.key("Backspace");
+    rig.run(0.1);
+    EXPECT_TRUE(rig.has_said("This is the first question."));
+    rig.key("Enter");
+    rig.run(0.1);
+    EXPECT_TRUE(rig.asks("And now"));
+    rig.key("Up");
+    rig.run(0.1);
+    EXPECT_TRUE(rig.asks("Headphones?"));
+    rig.key("Enter");
+    rig.key("Enter");
+    rig.run(0.1);
+    ASSERT_TRUE(rig.asks("Your step is 70"));
+    rig.key("Up");
+    rig.run(0.1);
+    EXPECT_TRUE(rig.asks("Your step is 75"));
+    rig.key("Backspace");
+    rig.run(0.1);
+    EXPECT_TRUE(rig.asks("And now"));
+}
+
+TEST(Wizard, takes_a_step_in_metres_centimetres_or_as_ten_steps_and_refuses_what_is_none) {
+    for (const auto& [typed, length_m] : {std::pair{"0.65", 0.65}, {"65", 0.65}, {"6.5", 0.65}, {"1.5", 1.5}, {"15", 1.5}, {"20", 0.2}}) {
+        WizardRig rig("step");
+        rig.session.type(typed);
+        rig.run(0.2);
+        EXPECT_TRUE(rig.wizard().finished()) << typed;
+        EXPECT_EQ(rig.store.values().walk.step_length_m, length_m) << typed;
+    }
+    for (const char* typed : {"0.1", "1.8", "151", "1e9", "-3", "0"}) {
+        WizardRig rig("step");
+        rig.session.type(typed);
+        rig.run(0.2);
+        EXPECT_FALSE(rig.wizard().finished()) << typed;
+        EXPECT_TRUE(rig.has_said("and " + std::string(typed) + " is none.")) << typed;
+        EXPECT_EQ(rig.store.values().walk.step_length_m, 0.7);
+    }
+}
+
+TEST(Wizard, goes_on_without_a_device_that_is_unplugged_and_without_its_force) {
+    HeldSimulated held;
+    WizardRig rig("gentlest,strongest,step", &held);
+    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+    held.aim({0.0, 0.0, 0.01});
+    ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; }));
+    DeviceTrouble unplugged;
+    unplugged.unplugged = true;
+    held.hand->trouble.publish(unplugged);
+    rig.run(0.1);
+    EXPECT_TRUE(rig.asks("Your step is"));
+    EXPECT_EQ(rig.force_n(), 0.0);
+    EXPECT_TRUE(rig.run_until([&] { return rig.has_said("The touch device was unplugged. I go on without it."); }, 10.0)) << "after the alarm";
+}
+
+TEST(Wizard, a_latched_fault_is_told_and_confirmed_with_enter) {
+    HeldSimulated held;
+    WizardRig rig("gentlest", &held);
+    ASSERT_TRUE(rig.run_until([&] { return rig.asks("Move the grip a little"); }));
+    held.aim({0.0, 0.0, 0.01});
+    ASSERT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; }));
+    DeviceTrouble trouble;
+    trouble.not_a_number_samples = 5;
+    held.hand->trouble.publish(trouble);
+    rig.run(0.3);
+    EXPECT_EQ(rig.force_n(), 0.0);
+    EXPECT_TRUE(rig.has_said("The touch device sent positions that cannot be."));
+    EXPECT_TRUE(rig.run_until([&] { return rig.has_said("Here Enter goes on"); }, 15.0)) << "after the alarm";
+    rig.key("Enter");
+    held.aim({0.0, 0.0, -0.01});
+    EXPECT_TRUE(rig.run_until([&] { return rig.force_n() > 0.2; })) << joined(rig.said());
+}
+
+TEST(Wizard, does_only_the_parts_that_are_asked_for_and_homes_only_what_does_not_know_its_place) {
+    HeldSimulated held;
+    WizardRig rig("reach,hand", &held);
+    ASSERT_TRUE(rig.run_until([&] { return rig.wizard().waits_for_person() && !rig.wizard().question().empty(); }));
+    EXPECT_TRUE(rig.asks("Which hand"));
+    rig.key("Enter");
+    rig.run(0.1);
+    EXPECT_TRUE(rig.asks("Move the grip as far"));
+    EXPECT_EQ(rig.profile().hand, HoldingHand::Right);
+    VirtualClock clock;
+    HeldFalcon falcon(clock);
+    WizardRig homing("hand", &falcon, &clock);
+    ASSERT_TRUE(homing.run_until([&] { return homing.wizard().waits_for_person(); }));
+    EXPECT_TRUE(homing.asks("Rest your arm"));
+    homing.key("Enter");
+    homing.run(0.1);
+    EXPECT_TRUE(homing.has_said("Not yet: it does not know its place. 0 of 3 legs do."));
+}
+
+TEST(WizardWords, know_their_parts_and_name_the_nearest) {
+    EXPECT_EQ(parse_wizard_parts("")->size(), wizard_parts().size());
+    EXPECT_THAT(*parse_wizard_parts("reach,Headphones,reach"), ElementsAre(WizardPart::Headphones, WizardPart::Reach));
+    const auto wrong = parse_wizard_parts("headphone");
+    ASSERT_FALSE(wrong);
+    EXPECT_THAT(wrong.error().sentence(), HasSubstr("the nearest is headphones"));
+    for (const char* line : {"lft", "hand-left x", "hand-left 0", "hand-left 1e9", "wait -1", "up nan"}) EXPECT_FALSE(parse_wizard_line(line)) << line;
+    EXPECT_THAT(parse_wizard_line("lft").error().sentence(), HasSubstr("Did you mean \"left\"?"));
+    EXPECT_EQ(parse_wizard_line("  \r")->events.size(), 1U);
+    EXPECT_EQ(parse_wizard_line("70")->events.size(), 2U);
+    EXPECT_NEAR(parse_wizard_line("HAND-left 4")->hand_by_m.x, -0.02, 1e-12);
+}
+
+TEST(WizardWords, the_end_of_input_leaves_and_keeps_what_was_set) {
+    WizardRig rig("headphones,step");
+    rig.session.type("right");
+    rig.session.type("what");
+    rig.session.end_of_lines();
+    rig.run(0.5);
+    EXPECT_TRUE(rig.wizard().finished());
+    EXPECT_TRUE(rig.has_said("There is no answer \"what\" here."));
+    EXPECT_TRUE(rig.has_said("What you have set is kept."));
+    EXPECT_TRUE(rig.store.values().sound.swap_sides);
+}
+
+}  // namespace
+}  // namespace handrail::test

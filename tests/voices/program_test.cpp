@@ -1,0 +1,105 @@
+// The whole program with the voices of a desktop, taken away in turn while somebody explores.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/voices/speech_server.h"
+
+namespace handrail::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// The program in a home of its own, typed to.
+class Exploring {
+public:
+    Exploring(const TemporaryFolder& folder, Environment environment, const std::vector<std::string>& arguments = {"--no-window", "--device", "none"})
+        : said_(folder.path() / "said") {
+        environment.merge(bare_environment(folder.path().string()));
+        std::vector<std::string> words{HANDRAIL_PROGRAM};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        process_ = ChildProcess::start(words, environment, said_);
+    }
+    std::string said() const { return content_of(said_); }
+    bool says(const std::string& words) const {
+        return eventually([&] { return said().find(words) != std::string::npos; });
+    }
+    ChildProcess& process() { return *process_; }
+    void type(const std::string& lines) { process_->type(lines); }
+
+private:
+    std::filesystem::path said_;
+    std::unique_ptr<ChildProcess> process_;
+};
+
+class ProgramSpeaking : public testing::Test {
+protected:
+    // With a speech server, until it has said where one is.
+    void explore() {
+        if (!installed("speech-dispatcher")) GTEST_SKIP() << "speech-dispatcher is not installed";
+        server = SpeechServer::start(folder.path(), 1);
+        ASSERT_TRUE(server->running()) << server->everything();
+        program = std::make_unique<Exploring>(folder, server->environment());
+        ASSERT_TRUE(eventually([&] { return server->spoke("facing north"); })) << program->said() << server->everything();
+    }
+    void leave() {
+        program->type("quit\n");
+        EXPECT_EQ(program->process().exit_status(), 0) << program->said();
+    }
+
+    TemporaryFolder folder;
+    std::unique_ptr<SpeechServer> server;
+    std::unique_ptr<Exploring> program;
+};
+
+TEST_F(ProgramSpeaking, through_the_speech_server_says_each_line_of_text_there_and_nowhere_else) {
+    ASSERT_NO_FATAL_FAILURE(explore());
+    if (!program) return;
+    program->type("heading\nwhere\n");
+    ASSERT_TRUE(eventually([&] { return server->spoke("Ahead: north wall"); })) << program->said() << server->everything();
+    leave();
+    // What was voiced is what was written; an answer that the next key cut short may be in the text alone.
+    for (const Recorded& entry : server->recorded()) {
+        if (entry.event != "speak") continue;
+        EXPECT_THAT(program->said(), HasSubstr(": " + entry.words + "\n"));
+    }
+    EXPECT_TRUE(server->spoke("Handrail.")) << server->everything();
+    EXPECT_THAT(program->said(), Not(HasSubstr("voice speaks"))) << "the built-in voice was never needed";
+}
+
+TEST_F(ProgramSpeaking, goes_on_when_the_speech_server_is_killed_and_takes_it_back_when_it_returns) {
+    ASSERT_NO_FATAL_FAILURE(explore());
+    if (!program) return;
+    server->kill();
+    EXPECT_TRUE(program->says("alert: The speech server has gone; the built-in voice speaks now.")) << program->said();
+    program->type("right 2\n");
+    EXPECT_TRUE(program->says("say: North-east")) << program->said();
+    ASSERT_TRUE(server->start_again()) << server->everything();
+    EXPECT_TRUE(program->says("alert: The speech server speaks now.")) << program->said();
+    program->type("heading\n");
+    EXPECT_TRUE(eventually([&] { return server->spoke("Facing north-east, 45 degrees"); })) << program->said() << server->everything();
+    leave();
+}
+
+TEST_F(ProgramSpeaking, a_frozen_speech_server_holds_up_neither_text_nor_the_next_voice) {
+    ASSERT_NO_FATAL_FAILURE(explore());
+    if (!program) return;
+    server->freeze();
+    program->type("heading\n");
+    EXPECT_TRUE(program->says("say: Facing north, 0 degrees")) << program->said();
+    EXPECT_TRUE(program->says("alert: The speech server has gone; the built-in voice speaks now.")) << program->said();
+    leave();
+}
+
+TEST_F(ProgramSpeaking, by_a_voice_that_was_asked_for_and_is_not_there_says_so) {
+    program = std::make_unique<Exploring>(folder, Environment{},
+                                          std::vector<std::string>{"--no-window", "--device", "none", "--set", "speech.through=speech-dispatcher"});
+    EXPECT_TRUE(program->says("alert: The speech server cannot be reached; the built-in voice speaks instead.")) << program->said();
+    leave();
+}
+
+}  // namespace
+}  // namespace handrail::test

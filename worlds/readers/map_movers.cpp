@@ -1,0 +1,231 @@
+#include "worlds/readers/map_movers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+// Defaults of the game of 1996, in units.
+constexpr double kDoorSpeed_units_per_s = 100.0, kLiftSpeed_units_per_s = 150.0, kButtonSpeed_units_per_s = 40.0;
+constexpr double kDoorLip_units = 8.0, kButtonLip_units = 4.0, kLiftLip_units = 8.0;
+constexpr double kNearDoor_units = 60.0, kAboveDoor_units = 8.0;  // where a body sets a door going
+constexpr double kDoorWait_s = 3.0, kButtonWait_s = 1.0, kLiftWait_s = 3.0;
+constexpr double kLeastTravel_s = 0.1, kMostTravel_s = 60.0;
+// Doors of a building.
+constexpr double kLeafTravel_s = 1.2;
+constexpr double kQuarterTurn_rad = kPi / 2.0;
+constexpr int kStartsOpen = 1, kDoNotLink = 4;  // bits of a door's spawnflags
+
+std::string name_of_key(const MapEntity& entity, std::string_view key) { return lower_ascii(trimmed(entity.value(key)).substr(0, 256)); }
+
+int flags_of(const MapEntity& entity) {
+    double flags = 0.0;
+    parse_finite(trimmed(entity.value("spawnflags")), flags);
+    return std::abs(flags) < 1e6 ? static_cast<int>(flags) : 0;
+}
+
+// Where the editor's angle points: -1 up, -2 down, else counter-clockwise from east.
+Vec3 direction_of_angle(double angle_deg) {
+    if (angle_deg == -1.0) return {0.0, 0.0, 1.0};
+    if (angle_deg == -2.0) return {0.0, 0.0, -1.0};
+    const auto clean = [](double v) { return std::round(v * 1e9) / 1e9; };
+    return {clean(std::cos(radians_from_degrees(angle_deg))), clean(std::sin(radians_from_degrees(angle_deg))), 0.0};
+}
+
+double travel_s(double way_m, double speed_m_per_s) { return std::clamp(way_m / std::max(speed_m_per_s, 1e-6), kLeastTravel_s, kMostTravel_s); }
+
+// The way along `direction` that uncovers a box but for the lip.
+Vec3 slide_of(const Aabb& bounds_m, const Vec3& direction, double lip_m) {
+    const double way = glm::dot(glm::abs(direction), bounds_m.size_m()) - lip_m;
+    return way > 0.0 ? direction * way : Vec3(0.0);
+}
+
+Aabb grown_by(Aabb box, const Vec3& by) {
+    box.min_m -= by;
+    box.max_m += by;
+    return box;
+}
+
+// A leaf that hangs on one of its upright edges: which, and to which side it opens. By default towards north or east.
+void hang(ReadMover& read, const std::string& hinge) {
+    const Aabb& box = read.bounds_m;
+    const Vec3 size = box.size_m();
+    const bool along_x = size.x >= size.y;  // how the closed leaf runs
+    const bool at_far_end = along_x ? hinge.find("east") != std::string::npos || hinge == "right" : hinge.find("north") != std::string::npos || hinge == "left";
+    const bool to_far_side = read.wish.empty() || read.wish == (along_x ? "north" : "east");
+    Mover& mover = read.mover;
+    mover.pivot_m = box.min_m;
+    if (along_x) {
+        mover.pivot_m.x = at_far_end ? box.max_m.x : box.min_m.x;
+        mover.pivot_m.y = to_far_side ? box.max_m.y : box.min_m.y;
+    } else {
+        mover.pivot_m.x = to_far_side ? box.max_m.x : box.min_m.x;
+        mover.pivot_m.y = at_far_end ? box.max_m.y : box.min_m.y;
+    }
+    // From its hinge the leaf points towards the other end; it turns towards the side it opens to.
+    const bool counter_clockwise = along_x ? at_far_end != to_far_side : at_far_end == to_far_side;
+    mover.swing_rad = counter_clockwise ? kQuarterTurn_rad : -kQuarterTurn_rad;
+    mover.travel_s = kLeafTravel_s;
+}
+
+}  // namespace
+
+void note_name(ReadMovers& found, const MapEntity& entity) {
+    if (std::string name = name_of_key(entity, "targetname"); !name.empty()) found.names.insert(std::move(name));
+}
+
+void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature, const MapKeys& keys) {
+    const bool door = class_name.starts_with("func_door"), lift = class_name.starts_with("func_plat"), button = class_name == "func_button";
+    if (!door && !lift && !button) return;
+    ReadMover read;
+    read.mover.feature = feature;
+    read.door = door;
+    read.lift = lift;
+    read.name = name_of_key(entity, "targetname");
+    read.target = name_of_key(entity, "target");
+    if (const MapKey* key = entity.find("target")) read.target_place = key->place;
+    read.wish = name_of_key(entity, "opens");
+    if (const MapKey* key = entity.find("opens")) read.wish_place = key->place;
+    read.linked = (flags_of(entity) & kDoNotLink) == 0;
+    read.has_angle = entity.find("angle") != nullptr;
+    read.angle_deg = keys.number_of(entity, "angle", -360.0, 360.0, "degrees, -1 for up and -2 for down").value_or(0.0);
+    read.speed_units = keys.number_of(entity, "speed", 0.0, 1e5, "units per second")
+                           .value_or(lift     ? kLiftSpeed_units_per_s
+                                     : button ? kButtonSpeed_units_per_s
+                                              : kDoorSpeed_units_per_s);
+    if (read.speed_units <= 0.0) read.speed_units = kButtonSpeed_units_per_s;  // the game's way of saying "as usual"
+    read.lip_units = keys.number_of(entity, "lip", -1e5, 1e5, "units").value_or(lift ? kLiftLip_units : button ? kButtonLip_units : kDoorLip_units);
+    read.height_units = keys.number_of(entity, "height", 0.0, 1e5, "units").value_or(0.0);
+    const std::optional<double> wait_s = keys.number_of(entity, "wait", -1.0, 3600.0, "seconds, or -1 for ever");
+    read.has_wait = wait_s.has_value();
+    read.mover.wait_s = wait_s.value_or(lift ? kLiftWait_s : button ? kButtonWait_s : kDoorWait_s);
+    read.mover.rests_far = door && (flags_of(entity) & kStartsOpen) != 0;
+    found.movers.push_back(std::move(read));
+}
+
+void note_switch(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature) {
+    if (!class_name.starts_with("trigger_") || class_name == "trigger_changelevel") return;
+    ReadSwitch read;
+    read.act.volume = feature;
+    read.act.once = class_name == "trigger_once" || class_name == "trigger_secret";
+    read.teleports = class_name == "trigger_teleport";
+    read.target = name_of_key(entity, "target");
+    read.place = entity.find("target") ? entity.find("target")->place : entity.place;
+    if (!read.target.empty()) found.switches.push_back(std::move(read));
+}
+
+void note_destination(ReadMovers& found, const MapEntity& entity, const Vec3& feet_m, double heading_rad) {
+    if (std::string name = name_of_key(entity, "targetname"); !name.empty()) found.destinations.push_back({std::move(name), feet_m, heading_rad});
+}
+
+void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
+    const double unit_m = scene.metres_per_unit;
+    std::vector<ReadMover>& movers = found.movers;
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        ReadMover& read = movers[i];
+        Mover& mover = read.mover;
+        const Feature& feature = scene.features[mover.feature.value];
+        read.bounds_m = feature.bounds_m;
+        if (read.bounds_m.empty()) continue;
+        mover.group = static_cast<std::uint32_t>(i);
+        mover.pivot_m = read.bounds_m.centre_m();
+        const bool flat = read.bounds_m.size_m().z < 0.5 * std::min(read.bounds_m.size_m().x, read.bounds_m.size_m().y);
+        static const std::vector<std::string> kWishes{"north", "east", "south", "west", "up", "down", "slide"};
+        if (!read.wish.empty() && std::find(kWishes.begin(), kWishes.end(), read.wish) == kWishes.end()) {
+            const std::string nearest = nearest_name(read.wish, kWishes);
+            diagnostics.warn(read.wish_place, fmt::format("{} was taken.", nearest), "a door opens to north, east, south or west, up, down, or by \"slide\".");
+            read.wish = nearest;
+        }
+        const bool swings = read.door && !flat && !scene.game_map && !read.has_angle && read.wish != "up" && read.wish != "down" && read.wish != "slide" &&
+                            feature.hinge != "top" && feature.hinge != "bottom";
+        if (swings) {
+            hang(read, feature.hinge);
+            if (!read.has_wait) mover.wait_s = -1.0;  // the person shuts it again
+        } else if (read.lift) {
+            const double way_m = read.height_units > 0.0 ? read.height_units * unit_m : read.bounds_m.size_m().z - read.lip_units * unit_m;
+            if (way_m > 0.0) mover.slide_m = {0.0, 0.0, -way_m};
+            mover.rests_far = read.name.empty();  // waits below until somebody steps on
+            mover.travel_s = travel_s(way_m, read.speed_units * unit_m);
+        } else {
+            Vec3 direction = direction_of_angle(read.angle_deg);
+            if (read.wish == "up") direction = {0.0, 0.0, 1.0};
+            if (read.wish == "down") direction = {0.0, 0.0, -1.0};
+            if (!read.has_angle && read.wish == "slide" && read.bounds_m.size_m().y > read.bounds_m.size_m().x) direction = {0.0, 1.0, 0.0};
+            mover.slide_m = slide_of(read.bounds_m, direction, read.lip_units * unit_m);
+            mover.travel_s = travel_s(glm::length(mover.slide_m), read.speed_units * unit_m);
+            if (!scene.game_map && !read.has_wait) mover.wait_s = -1.0;
+        }
+    }
+    // Doors of a game that touch one another are leaves of one door.
+    for (std::size_t i = 0; i < movers.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const ReadMover &a = movers[i], &b = movers[j];
+            if (!a.door || !b.door || !a.linked || !b.linked || a.mover.swing_rad != 0.0 || b.mover.swing_rad != 0.0) continue;
+            const Aabb near = grown_by(a.bounds_m, Vec3(unit_m));
+            const Vec3 gap = glm::max(near.min_m - b.bounds_m.max_m, b.bounds_m.min_m - near.max_m);
+            if (std::max({gap.x, gap.y, gap.z}) > 0.0) continue;
+            const std::uint32_t from = std::max(a.mover.group, b.mover.group), to = std::min(a.mover.group, b.mover.group);
+            for (ReadMover& other : movers)
+                if (other.mover.group == from) other.mover.group = to;
+        }
+    const auto targets = [&](const std::string& target) {
+        std::vector<std::uint32_t> all;
+        for (std::size_t i = 0; i < movers.size(); ++i)
+            if (!target.empty() && movers[i].name == target) all.push_back(static_cast<std::uint32_t>(i));
+        return all;
+    };
+    std::vector<bool> wanted(movers.size(), false);  // something sets it going
+    const auto want = [&](const std::vector<std::uint32_t>& list) {
+        for (const std::uint32_t i : list) wanted[i] = true;
+    };
+    for (ReadSwitch& read : found.switches) {
+        read.act.sets_going = targets(read.target);
+        want(read.act.sets_going);
+        if (!read.teleports) continue;
+        const auto to = std::find_if(found.destinations.begin(), found.destinations.end(), [&](const ReadDestination& d) { return d.name == read.target; });
+        if (to == found.destinations.end()) {
+            if (!found.names.contains(read.target))
+                diagnostics.warn(read.place, "It leads nowhere.", "this teleporter's target \"{}\" is not in the map.", excerpt(read.target));
+            continue;
+        }
+        read.act.leads_elsewhere = true;
+        read.act.feet_m = to->feet_m;
+        read.act.heading_rad = to->heading_rad;
+    }
+    for (ReadMover& read : movers) {
+        read.mover.sets_going = targets(read.target);
+        want(read.mover.sets_going);
+    }
+    // In a game a door without a name goes by itself when a body comes near, all its leaves together; one with a name waits for its button.
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        ReadMover& read = movers[i];
+        if (read.mover.moves() && read.lift && read.name.empty()) {
+            // Whoever stands in its shaft below.
+            Aabb shaft = read.bounds_m;
+            shaft.max_m.z = read.bounds_m.max_m.z + read.mover.slide_m.z + kAboveDoor_units * unit_m;
+            shaft.min_m.z = read.bounds_m.min_m.z + read.mover.slide_m.z;
+            read.mover.approach_m = shaft;
+        }
+        if (!read.door || !scene.game_map || read.mover.rests_far) continue;
+        Aabb all;
+        bool alone = true;
+        for (std::size_t j = 0; j < movers.size(); ++j)
+            if (movers[j].mover.group == read.mover.group) {
+                all.include(movers[j].bounds_m);
+                alone = alone && movers[j].name.empty();
+            }
+        if (alone) read.mover.approach_m = grown_by(all, Vec3(kNearDoor_units, kNearDoor_units, kAboveDoor_units) * unit_m);
+    }
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        // A door that its button opens is not opened by hand, where there is such a button.
+        if (movers[i].door && scene.game_map && wanted[i]) movers[i].mover.by_hand = false;
+        scene.movers.push_back(movers[i].mover);
+    }
+    for (ReadSwitch& read : found.switches)
+        if (read.act.leads_elsewhere || !read.act.sets_going.empty()) scene.switches.push_back(read.act);
+}
+
+}  // namespace handrail
