@@ -104,6 +104,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     home_feet_m_ = walker_->state().feet_m;
     home_heading_rad_ = heading_rad_ = heading_goal_rad_ = wrap_angle(heading_rad);
     soundscape_.enter(*scene_);
+    dialogue_.close_all();  // what it was about may be gone
     inside_.clear();
     told_triggers_.clear();
     path_m_.assign(1, home_feet_m_);
@@ -259,12 +260,7 @@ void AppCore::answer(std::string text, double now_s) { say(std::move(text), Spee
 void AppCore::press(Command command, double now_s) {
     if (held(command)) return;
     // Any key interrupts what is being said; Repeat wants it again, and Stop says so itself.
-    if (command != Command::Repeat && command != Command::StopSpeech && command != Command::StopEverything) {
-        CueRequest quiet;
-        quiet.kind = CueRequestKind::StopSpeech;
-        quiet.time_s = now_s;
-        cue(std::move(quiet));
-    }
+    if (command != Command::Repeat && command != Command::StopSpeech && command != Command::StopEverything) quiet(now_s);
     if (info(command).hold) held_[static_cast<std::size_t>(command)] = true;
     act(command, now_s);
 }
@@ -417,6 +413,9 @@ void AppCore::act(Command command, double now_s) {
         case Command::PlanView:
             plan_view_ = !plan_view_;
             answer(plan_view_ ? "Plan" : "First person", now_s);
+            break;
+        case Command::Menu:
+            open_menu(now_s);
             break;
         case Command::Help:
             answer(help_text(), now_s);
@@ -978,6 +977,7 @@ ViewState AppCore::view(const ToolState& tool, const std::string& last_spoken) c
     view.north_up = settings_.workspace.frame == FrameChoice::Map;
     view.last_spoken = last_spoken;
     view.path_m = path_m_;
+    view.dialogue = dialogue_.view();
     return view;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/core/command.h"
+#include "app/core/dialogue.h"
 #include "app/core/key_map.h"
 #include "app/core/mover_play.h"
 #include "app/core/placed_things.h"
@@ -69,6 +70,14 @@ public:
 
     void press(Command command, double now_s);
     void release(Command command);
+    // Lists and typed answers (dialogue.h). A key by name, characters, a line of a terminal: each is offered here first, and is a command only where nothing
+    // took it. A key that stops force, sound or speech is never taken.
+    bool take_key(std::string_view key, double now_s);
+    bool take_text(std::string_view utf8, double now_s);
+    bool take_line(std::string_view line, double now_s);
+    void open_list(ListSpec list, double now_s);
+    void ask_text(TextSpec question, double now_s);
+    const Dialogue& dialogue() const { return dialogue_; }
     // How often the stop key was pressed, from whoever sees it before the app does (ServoSwitches::stops): told before the keys of each frame. The
     // servo has stopped already; this makes the rest follow.
     void know_stops(std::uint32_t stops, double now_s);
@@ -158,6 +167,10 @@ private:
     void play(SoundKind kind, double now_s);
     void cue(CueRequest request) { cues_.push_back(std::move(request)); }
     void answer(std::string text, double now_s);
+    // Lists: app_core_dialogue.cpp.
+    bool reply(const DialogueReply& reply, double now_s);
+    void quiet(double now_s);
+    void open_menu(double now_s);
     void toggle_forces(double now_s);
     std::string why_no_force_yet() const;
     void notice_faults(double now_s);
@@ -197,6 +210,7 @@ private:
     std::unique_ptr<Walker> walker_;
     Soundscape soundscape_;
     SoundDictionary dictionary_;
+    Dialogue dialogue_;
     Vec3 home_feet_m_{0.0};
     double home_heading_rad_ = 0.0;
 

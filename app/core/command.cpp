@@ -10,12 +10,14 @@ namespace {
 
 // The keys of arrows, PageUp and PageDown, F, Home and Escape are those of the walking demo of the plugin that Handrail succeeds; they never change meaning.
 constexpr std::array kCommands{
+    // Walking and learning a place.
     CommandInfo{Command::Forward, "forward", "Up", true, "One step forward; held, walk."},
     CommandInfo{Command::Back, "back", "Down", true, "One step back; held, walk backwards."},
     CommandInfo{Command::TurnLeft, "left", "Left", true, "Turn left by one notch."},
     CommandInfo{Command::TurnRight, "right", "Right", true, "Turn right by one notch."},
     CommandInfo{Command::TiltUp, "tilt-up", "PageUp", true, "Look further up; for the picture only."},
     CommandInfo{Command::TiltDown, "tilt-down", "PageDown", true, "Look further down; for the picture only."},
+    // Marks and guidance, after force and frame.
     CommandInfo{Command::ToggleForces, "forces", "F Grave", false, "Forces on or off. On again also confirms after a fault."},
     CommandInfo{Command::SwitchFrame, "frame", "F4", false, "Change between Map, north up, and Walk, turning with you."},
     CommandInfo{Command::ScaleBuilding, "building", "F5", false, "All of the building within the hand's reach."},
@@ -32,6 +34,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::WorkspaceTurnRight, "workspace-turn-right", "Period", false, "Turn the workspace under the hand to the right by one notch."},
     CommandInfo{Command::WorkspaceCentre, "workspace-centre", "N", false, "Bring the workspace back to you."},
     CommandInfo{Command::Grab, "grab", "M", false, "Take the world along with the hand; again to let go."},
+    // Questions.
     CommandInfo{Command::WhereAmI, "where", "F2 1", false, "Where am I, which way do I face, what is around."},
     CommandInfo{Command::Heading, "heading", "C", false, "Which way do I face."},
     CommandInfo{Command::WhatIsThis, "what", "E", false, "What is the hand touching; again for its size."},
@@ -40,8 +43,11 @@ constexpr std::array kCommands{
     CommandInfo{Command::StopEverything, "stop", "F12", false, "Stop all force and all sound at once. F brings force back."},
     CommandInfo{Command::Home, "home", "Home", false, "Go back to the base, where you started."},
     CommandInfo{Command::BringOut, "out", "G", false, "Bring my hand and me out of anything we are inside."},
+    // Rooms, routes and what moves.
     CommandInfo{Command::Use, "use", "Enter", false, "Open or close the door, or press the button, that I touch or stand before."},
     CommandInfo{Command::PlanView, "plan", "F3", false, "Change the picture between first person and plan."},
+    // Help and settings.
+    CommandInfo{Command::Menu, "menu", "Tab", false, "A list of everything that can be done."},
     CommandInfo{Command::Help, "help", "F1", false, "Say the keys."},
     CommandInfo{Command::NextSound, "sounds", "F11", false, "Name and play the next sound of the sound dictionary."},
     CommandInfo{Command::LastSound, "sounds-back", "Shift+F11", false, "Name and play the sound before."},

@@ -9,12 +9,14 @@
 namespace handrail {
 
 enum class Command : std::uint8_t {
+    // Walking and learning a place.
     Forward,
     Back,  // a tap is one step; held, walking
     TurnLeft,
     TurnRight,
     TiltUp,
     TiltDown,
+    // Marks and guidance, after force and frame.
     ToggleForces,
     SwitchFrame,  // Map <-> Walk
     ScaleBuilding,
@@ -31,6 +33,7 @@ enum class Command : std::uint8_t {
     WorkspaceTurnRight,
     WorkspaceCentre,  // back to the body
     Grab,             // the world goes along with the hand, until pressed again
+    // Questions.
     WhereAmI,
     Heading,
     WhatIsThis,  // what the hand touches
@@ -39,8 +42,11 @@ enum class Command : std::uint8_t {
     StopEverything,  // F12: all force and sound
     Home,
     BringOut,  // out of whatever the hand or the body is inside
+    // Rooms, routes and what moves.
     Use,       // opens or shuts the door, presses the button, that the hand touches or the body stands before
     PlanView,
+    // Help and settings.
+    Menu,  // everything that can be done, in a list
     Help,
     NextSound,
     LastSound,  // the sound dictionary: names and plays one sound after the other

@@ -37,6 +37,15 @@ void HeadlessSession::press(Command command) {
     app_.press(command, now_s());
 }
 
+bool HeadlessSession::tap_key(const std::string& name) {
+    if (app_.take_key(name, now_s())) return true;
+    const auto command = app_.keys().find(name);
+    if (!command) return false;
+    press(*command);
+    app_.release(*command);
+    return true;
+}
+
 void HeadlessSession::set_focus(bool focused) {
     switches_.focused = focused;
     app_.set_focus(focused);

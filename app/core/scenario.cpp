@@ -152,6 +152,8 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     const auto is = [&](const char* key) { return fields.has(key) && (++kinds, true); };
     if (is("press")) action.step = TapCommand{command_named(fields, "press")};
     if (is("hold")) action.step = HoldCommand{command_named(fields, "hold"), fields.number("for_s", 0.0, kLongest_s)};
+    if (is("key")) action.step = TapKey{fields.text("key")};
+    if (is("type")) action.step = TypeText{fields.text("type")};
     if (is("wait_s")) action.step = Wait{fields.number("wait_s", 0.0, kLongest_s)};
     if (is("move_to")) action.step = MoveHand{fields.vector("move_to"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), false};
     if (is("move_by")) action.step = MoveHand{fields.vector("move_by"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), true};
@@ -199,7 +201,7 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     fields.done();
     if (kinds != 1)
         throw Bad{action.line,
-                  "An action must hold exactly one of press, hold, wait_s, move_to, move_by, sweep_at, push_n, rest_at, add, remove, send, trouble, button, "
+                  "An action must hold exactly one of press, hold, key, type, wait_s, move_to, move_by, sweep_at, push_n, rest_at, add, remove, send, trouble, button, "
                   "focus, place, "
                   "set."};
     return action;

@@ -23,6 +23,12 @@ struct HoldCommand {
     Command command;
     double for_s;
 };  // hold = "forward", for_s = 3
+struct TapKey {
+    std::string key;
+};  // key = "Down": by its name, to an open list or question, else the command it stands for
+struct TypeText {
+    std::string text;
+};  // type = "stairs": characters, one after the other
 struct Wait {
     double for_s;
 };  // wait_s = 1
@@ -74,7 +80,7 @@ struct SendThing {
     double speed_m_per_s;
 };  // send = "crate": slides there in a straight line while everything goes on
 
-using ScenarioStep = std::variant<TapCommand, HoldCommand, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceBody,
+using ScenarioStep = std::variant<TapCommand, HoldCommand, TapKey, TypeText, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceBody,
                                   ChangeSetting, AddThing, RemoveThing, SendThing>;
 
 struct ScenarioAction {

@@ -87,6 +87,15 @@ private:
             session_.press(hold->command);
             return hold->for_s;
         }
+        if (const auto* key = std::get_if<TapKey>(&action.step)) {
+            if (!session_.tap_key(key->key)) return fail(fmt::format("The key {} means nothing here.", key->key));
+            return kTap_s;
+        }
+        if (const auto* typed = std::get_if<TypeText>(&action.step)) {
+            for (const std::string& character : characters_of(typed->text))
+                if (!session_.app().take_text(character, now)) return fail(fmt::format("Nothing is open that could take \"{}\".", typed->text));
+            return kTap_s;
+        }
         if (const auto* wait = std::get_if<Wait>(&action.step)) return wait->for_s;
         if (const auto* move = std::get_if<MoveHand>(&action.step)) {
             const Vec3 from = hand_now(left);

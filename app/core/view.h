@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/dialogue.h"
 #include "worlds/base/vec.h"
 #include "worlds/scene/scene.h"
 
@@ -25,6 +26,7 @@ struct ViewState {
     bool north_up = true;      // Map frame
     std::string last_spoken;   // large text
     std::vector<Vec3> path_m;  // walked path, oldest first
+    DialogueView dialogue;     // the list or question that is open
 
     bool operator==(const ViewState&) const = default;
 };

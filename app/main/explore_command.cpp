@@ -483,9 +483,14 @@ private:
                     if (key->action != KeyAction::Release && command != Command::StopEverything) wizard_->press(key->key, now_s);
                     continue;
                 }
+                // The characters of a key belong to what was open before it.
+                typing_ = app_->dialogue().is_open();
+                if (key->action != KeyAction::Release && app_->take_key(key->key, now_s)) continue;
                 if (!command || !app_->scene()) continue;
                 if (key->action == KeyAction::Press) app_->press(*command, now_s);
                 else if (key->action == KeyAction::Release) app_->release(*command);
+            } else if (const auto* text = std::get_if<TextEvent>(&event)) {
+                if (typing_ && !wizard_) app_->take_text(text->utf8, now_s);
             } else if (const auto* motion = std::get_if<HandMotion>(&event)) {
                 app_->move_hand(motion->by_m);
             } else if (const auto* focus = std::get_if<FocusChange>(&event)) {
@@ -545,6 +550,7 @@ private:
         }
         const std::string line = std::move(lines_.front());
         lines_.pop_front();
+        if (app_->take_line(line, now_s)) return;
         const auto parsed = parse_terminal_line(line);
         if (!parsed) return say(parsed.error().message);
         if (parsed->leave) {
@@ -606,6 +612,7 @@ private:
     const bool typed_ = ::isatty(STDIN_FILENO) == 1;
     std::optional<LineWatch> lines_watch_;
     std::deque<std::string> lines_;
+    bool typing_ = false;  // a list or question was open when the last key went down
     Command repeat_command_ = Command::Forward;
     int repeat_left_ = 0;
     double settle_until_s_ = 0.0;

@@ -17,6 +17,16 @@ namespace {
 // After a change of size drivers may still present a buffer of the old one.
 constexpr int kFramesToSettle = 3;
 
+// A character beyond Unicode gives nothing; GLFW has none.
+std::string utf8_of(unsigned int c) {
+    const auto byte = [](unsigned int bits) { return static_cast<char>(bits); };
+    if (c < 0x80) return {byte(c)};
+    if (c < 0x800) return {byte(0xC0 | c >> 6), byte(0x80 | (c & 0x3F))};
+    if (c < 0x10000) return {byte(0xE0 | c >> 12), byte(0x80 | (c >> 6 & 0x3F)), byte(0x80 | (c & 0x3F))};
+    if (c < 0x110000) return {byte(0xF0 | c >> 18), byte(0x80 | (c >> 12 & 0x3F)), byte(0x80 | (c >> 6 & 0x3F)), byte(0x80 | (c & 0x3F))};
+    return {};
+}
+
 std::string glfw_problem() {
     const char* description = nullptr;
     glfwGetError(&description);
@@ -54,6 +64,7 @@ public:
 
         glfwSetWindowUserPointer(window_, this);
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) { self(w).take_key(key, action, mods); });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int character) { self(w).events_.emplace_back(TextEvent{utf8_of(character)}); });
         glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) { self(w).take_focus(focused == GLFW_TRUE); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).events_.emplace_back(CloseRequest{}); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).shown_.reset(); });

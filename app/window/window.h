@@ -27,10 +27,15 @@ struct FocusChange {
     bool focused = false;
 };
 
+// Characters as the keyboard's layout makes them, after the key's own event.
+struct TextEvent {
+    std::string utf8;
+};
+
 // The person closed the window, or the display went away. The window stays until it is destroyed.
 struct CloseRequest {};
 
-using WindowEvent = std::variant<KeyEvent, HandMotion, FocusChange, CloseRequest>;
+using WindowEvent = std::variant<KeyEvent, TextEvent, HandMotion, FocusChange, CloseRequest>;
 
 struct WindowOptions {
     std::string title = "Handrail";

@@ -59,6 +59,15 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
+std::vector<std::string> characters_of(std::string_view text) {
+    std::vector<std::string> characters;
+    for (const char byte : text) {
+        if (!characters.empty() && (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U) characters.back() += byte;
+        else characters.emplace_back(1, byte);
+    }
+    return characters;
+}
+
 bool parse_finite(std::string_view text, double& value) {
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
     double parsed = 0.0;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace handrail {
 
@@ -16,6 +17,9 @@ std::string lower_ascii(std::string_view text);
 
 // Well-formed UTF-8: no stray bytes, overlong forms, surrogates or values above U+10FFFF.
 bool is_utf8(std::string_view text);
+
+// The characters of well-formed UTF-8, one string each; of other text its bytes where they make none.
+std::vector<std::string> characters_of(std::string_view text);
 
 // A whole decimal number, independent of the locale; false for anything else, also for nan and infinity.
 bool parse_finite(std::string_view text, double& value);

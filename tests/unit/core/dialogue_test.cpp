@@ -1,0 +1,210 @@
+#include "app/core/dialogue.h"
+
+#include <gmock/gmock.h>
+
+#include "app/core/app_core.h"
+#include "tests/support/box_scene.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+struct Fruit {
+    std::vector<std::size_t> chosen;
+    int left = 0;
+    Dialogue dialogue;
+
+    ListSpec list(bool stays = false) {
+        ListSpec spec;
+        spec.title = "Fruit";
+        spec.items = {{"Apple", {}}, {"Banana", "3", true}, {"Blueberry", {}}, {"Cherry", {}}};
+        spec.chosen = [this](std::size_t i) { chosen.push_back(i); };
+        spec.left = [this] { ++left; };
+        spec.stays_open = stays;
+        return spec;
+    }
+    std::string key(std::string_view name) { return dialogue.key(name, 0.0).words; }
+};
+
+TEST(Dialogue, goes_through_a_list_and_stops_at_its_ends) {
+    Fruit f;
+    EXPECT_EQ(f.dialogue.open(f.list()), "Fruit. Apple, 1 of 4");
+    EXPECT_TRUE(f.dialogue.key("Up", 0.0).denied);
+    EXPECT_EQ(f.key("Down"), "Banana, 3, 2 of 4");
+    EXPECT_EQ(f.key("End"), "Cherry, 4 of 4");
+    EXPECT_TRUE(f.dialogue.key("Down", 0.0).denied);
+    EXPECT_EQ(f.key("Space"), "Cherry, 4 of 4");
+    EXPECT_EQ(f.key("Home"), "Apple, 1 of 4");
+    EXPECT_THAT(f.key("F1"), HasSubstr("Enter chooses"));
+    EXPECT_TRUE(f.dialogue.key("W", 0.0).taken) << "no key reaches the world while a list is open";
+    f.key("Enter");
+    EXPECT_EQ(f.chosen, std::vector<std::size_t>{0});
+    EXPECT_FALSE(f.dialogue.is_open());
+    EXPECT_FALSE(f.dialogue.key("Down", 0.0).taken);
+}
+
+TEST(Dialogue, finds_names_by_their_first_letters) {
+    Fruit f;
+    f.dialogue.open(f.list());
+    EXPECT_EQ(f.dialogue.typed("b", 10.0).words, "Banana, 3, 2 of 4");
+    EXPECT_EQ(f.dialogue.typed("b", 10.2).words, "Blueberry, 3 of 4") << "the same letter again goes on";
+    EXPECT_EQ(f.dialogue.typed("B", 20.0).words, "Banana, 3, 2 of 4");
+    EXPECT_EQ(f.dialogue.typed("l", 20.3).words, "Blueberry, 3 of 4") << "letters that follow are one word";
+    EXPECT_TRUE(f.dialogue.typed("z", 30.0).denied);
+    EXPECT_EQ(f.key("Space"), "Blueberry, 3 of 4");
+}
+
+TEST(Dialogue, changes_a_value_in_place) {
+    Fruit f;
+    ListSpec spec = f.list();
+    int value = 3;
+    spec.adjusted = [&](std::size_t item, int by) {
+        EXPECT_EQ(item, 1U);
+        return std::to_string(value += by);
+    };
+    f.dialogue.open(std::move(spec));
+    EXPECT_TRUE(f.dialogue.key("Right", 0.0).denied) << "an apple has no value";
+    f.key("Down");
+    EXPECT_EQ(f.key("Right"), "4");
+    EXPECT_EQ(f.key("Left"), "3");
+    EXPECT_EQ(f.key("Left"), "2");
+    EXPECT_EQ(f.dialogue.view().items[1].value, "2");
+}
+
+TEST(Dialogue, comes_back_to_the_list_below_and_ends_all_of_them_with_a_choice_that_ends) {
+    Fruit f;
+    f.dialogue.open(f.list(true));
+    f.key("Down");
+    f.key("Enter");
+    EXPECT_TRUE(f.dialogue.is_open());
+    ListSpec upper = f.list();
+    upper.title = "More";
+    f.dialogue.open(upper);
+    EXPECT_EQ(f.key("Escape"), "Fruit. Banana, 3, 2 of 4");
+    EXPECT_EQ(f.left, 1);
+    f.dialogue.open(upper);
+    f.key("Enter");
+    EXPECT_FALSE(f.dialogue.is_open());
+    EXPECT_EQ(f.chosen, (std::vector<std::size_t>{1, 0}));
+}
+
+// Choosing may open and close lists at will, also the one that is being chosen from.
+TEST(Dialogue, may_be_changed_by_what_was_chosen) {
+    Dialogue dialogue;
+    ListSpec list;
+    list.title = "Outer";
+    list.items = {{"one", {}, true}, {"two", {}}};
+    list.stays_open = true;
+    list.chosen = [&](std::size_t) {
+        for (int i = 0; i < 20; ++i) dialogue.open({.title = "Inner", .items = {{"a", {}}}, .chosen = [](std::size_t) {}});
+    };
+    list.adjusted = [&](std::size_t, int) {
+        dialogue.close_all();
+        return std::string("gone");
+    };
+    dialogue.open(list);
+    dialogue.key("Enter", 0.0);
+    EXPECT_EQ(dialogue.view().title, "Inner");
+    for (int i = 0; i < 20; ++i) dialogue.key("Escape", 0.0);
+    EXPECT_EQ(dialogue.view().title, "Outer");
+    dialogue.key("Left", 0.0);
+    EXPECT_FALSE(dialogue.is_open());
+}
+
+TEST(Dialogue, says_that_a_list_is_empty_and_opens_nothing) {
+    Dialogue dialogue;
+    EXPECT_EQ(dialogue.open({.title = "Marks", .items = {}, .chosen = {}}), "Marks: nothing there.");
+    EXPECT_FALSE(dialogue.is_open());
+}
+
+TEST(Dialogue, takes_text_of_any_letters_and_deletes_whole_ones) {
+    Dialogue dialogue;
+    std::string typed;
+    EXPECT_EQ(dialogue.ask({.question = "Name?", .text = "", .done = [&](std::string text) { typed = std::move(text); }}), "Name?");
+    EXPECT_TRUE(dialogue.typing());
+    EXPECT_TRUE(dialogue.key("Enter", 0.0).denied) << "nothing typed";
+    for (const std::string& c : characters_of(" Kü洞𝄞x")) dialogue.typed(c, 0.0);
+    EXPECT_EQ(dialogue.key("Backspace", 0.0).words, "x deleted");
+    EXPECT_EQ(dialogue.key("Backspace", 0.0).words, "𝄞 deleted");
+    EXPECT_EQ(dialogue.key("Up", 0.0).words, "Name?  Kü洞");
+    EXPECT_TRUE(dialogue.typed("\xC3", 0.0).denied);
+    for (int i = 0; i < 300; ++i) dialogue.typed("x", 0.0);
+    EXPECT_EQ(dialogue.view().text.size(), kLongestTyped);
+    dialogue.key("Enter", 0.0);
+    EXPECT_THAT(typed, StartsWith("Kü洞x"));
+    EXPECT_FALSE(dialogue.is_open());
+}
+
+TEST(Dialogue, works_by_lines) {
+    Fruit f;
+    f.dialogue.open(f.list(true));
+    EXPECT_EQ(f.dialogue.line("list", 0.0).words, "Fruit. 1: Apple. 2: Banana, 3. 3: Blueberry. 4: Cherry.");
+    EXPECT_EQ(f.dialogue.line("down", 0.0).words, "Banana, 3, 2 of 4");
+    f.dialogue.line("blue", 0.0);
+    f.dialogue.line("4", 0.0);
+    f.dialogue.line(" CHERRY ", 0.0);
+    EXPECT_EQ(f.chosen, (std::vector<std::size_t>{2, 3, 3}));
+    EXPECT_TRUE(f.dialogue.line("5", 0.0).denied);
+    EXPECT_TRUE(f.dialogue.line("pear", 0.0).denied);
+    std::string typed;
+    f.dialogue.ask({.question = "Name?", .text = "old", .done = [&](std::string text) { typed = std::move(text); }});
+    f.dialogue.line("the hall", 0.0);
+    EXPECT_EQ(typed, "the hall");
+    f.dialogue.line("escape", 0.0);
+    EXPECT_FALSE(f.dialogue.is_open());
+}
+
+struct Open {
+    explicit Open() : app(Settings{}, HandFacts{}) {
+        test::SceneBuilder b;
+        b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+        b.start({3, 0.5, 0}, 0.0);
+        app.enter_world(b.share(), 0.0);
+    }
+    std::vector<std::string> said() {
+        std::vector<std::string> lines;
+        for (const CueRequest& cue : app.take_cues())
+            if (cue.kind == CueRequestKind::Say) lines.push_back(cue.text);
+        return lines;
+    }
+    AppCore app;
+};
+
+TEST(AppCoreLists, hold_everything_that_can_be_done_and_do_it) {
+    Open s;
+    s.app.press(Command::Menu, 0.0);
+    s.app.release(Command::Menu);
+    ASSERT_EQ(s.app.dialogue().view().items.size() + 1, command_table().size());
+    s.said();
+    EXPECT_TRUE(s.app.take_text("w", 0.0));  // "Where am I ..." or "Which way ...", whichever comes first
+    EXPECT_TRUE(s.app.take_text("h", 0.1));
+    EXPECT_TRUE(s.app.take_text("i", 0.2));
+    EXPECT_TRUE(s.app.take_key("Enter", 0.3));
+    EXPECT_FALSE(s.app.dialogue().is_open());
+    EXPECT_THAT(s.said().back(), HasSubstr("Facing north"));
+}
+
+TEST(AppCoreLists, never_keep_the_keys_that_stop_force_sound_or_speech) {
+    Open s;
+    s.app.open_list({.title = "List", .items = {{"one", {}}}, .chosen = [](std::size_t) {}}, 0.0);
+    for (const char* key : {"F12", "Control", "Grave"}) EXPECT_FALSE(s.app.take_key(key, 0.0)) << key;
+    for (const char* key : {"Up", "F", "W", "F2"}) EXPECT_TRUE(s.app.take_key(key, 0.0)) << key;
+    EXPECT_FALSE(s.app.take_line("stop", 0.0));
+    EXPECT_TRUE(s.app.take_line("forward", 0.0));
+    s.app.enter_world(s.app.scene(), 1.0);
+    EXPECT_FALSE(s.app.dialogue().is_open()) << "in another world the list may mean nothing";
+}
+
+TEST(AppCoreLists, let_go_of_what_was_held) {
+    Open s;
+    s.app.press(Command::Forward, 0.0);
+    s.app.open_list({.title = "List", .items = {{"one", {}}}, .chosen = [](std::size_t) {}}, 0.0);
+    for (double now = 0.0; now < 1.0; now += 0.02) s.app.tick(now, ToolState{});
+    EXPECT_NEAR(s.app.feet_m().y, 0.5, 0.05);
+}
+
+}  // namespace
+}  // namespace handrail
