@@ -1,0 +1,267 @@
+#include "app/core/side_file.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "worlds/base/files.h"
+#include "worlds/base/overloaded.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kLongestFile_bytes = std::size_t{16} << 20;
+constexpr std::size_t kLongestFileName_bytes = 220;  // of 255, less our ending and that of a file being written
+constexpr std::string_view kEnding = ".handrail.toml";
+
+std::string checksum_of(std::string_view bytes) {
+    auto crc = ::crc32(0, Z_NULL, 0);
+    // In pieces, as zlib counts bytes in 32 bits.
+    for (std::size_t at = 0; at < bytes.size(); at += 1U << 30)
+        crc = ::crc32(crc, reinterpret_cast<const Bytef*>(bytes.data() + at), static_cast<uInt>(std::min<std::size_t>(bytes.size() - at, 1U << 30)));
+    return fmt::format("{:08x}", crc);
+}
+
+fs::path beside(const fs::path& world) {
+    fs::path path = world;
+    path += kEnding;
+    return path;
+}
+
+// Worlds of one name in different folders stay apart.
+fs::path in_data_folder(const fs::path& world, const fs::path& folder) {
+    std::error_code ec;
+    fs::path whole = fs::weakly_canonical(world, ec);
+    if (ec) whole = world;
+    const std::string name = world.filename().string();
+    return folder / "worlds" / fmt::format("{}-{}{}", name.substr(0, 150), checksum_of(whole.string()), kEnding);
+}
+
+bool is_there(const fs::path& path) {
+    std::error_code ec;
+    return fs::exists(fs::symlink_status(path, ec));
+}
+
+bool folder_takes_files(const fs::path& file) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+    return ::access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
+SideValue from_toml(const toml::node& node) {
+    if (const auto* v = node.as_boolean()) return v->get();
+    if (const auto* v = node.as_integer()) return v->get();
+    if (const auto* v = node.as_floating_point()) return v->get();
+    if (const auto* v = node.as_string()) return v->get();
+    if (const toml::array* list = node.as_array()) {
+        std::vector<double> numbers;
+        for (const toml::node& one : *list)
+            if (one.is_floating_point()) numbers.push_back(*one.value<double>());
+        if (!list->empty() && numbers.size() == list->size()) return numbers;
+    }
+    std::ostringstream out;
+    if (const toml::table* table = node.as_table()) {
+        toml::table inline_one = *table;
+        inline_one.is_inline(true);
+        out << toml::toml_formatter{inline_one, toml::format_flags::none};
+    } else {
+        out << toml::toml_formatter{node, toml::format_flags::none};
+    }
+    return SideText{out.str()};
+}
+
+void put(toml::table& table, const std::string& key, const SideValue& value) {
+    std::visit(Overloaded{[&](const std::vector<double>& numbers) {
+                              toml::array list;
+                              for (const double number : numbers) list.push_back(number);
+                              table.insert_or_assign(key, std::move(list));
+                          },
+                          [&](const SideText& text) {
+                              try {
+                                  toml::table parsed = toml::parse("v = " + text.toml);
+                                  table.insert_or_assign(key, *parsed.get("v"));
+                              } catch (const toml::parse_error&) {  // not from a file of ours; there is nothing to keep
+                              }
+                          },
+                          [&](const auto& plain) { table.insert_or_assign(key, plain); }},
+               value);
+}
+
+SideEntry entry_from(const toml::table& table) {
+    SideEntry entry;
+    for (const auto& [key, node] : table) entry.emplace(std::string(key.str()), from_toml(node));
+    return entry;
+}
+
+toml::table table_from(const SideEntry& entry) {
+    toml::table table;
+    for (const auto& [key, value] : entry) put(table, key, value);
+    return table;
+}
+
+// A name beside the file that nothing has yet; empty where there is none to be had.
+fs::path kept_name(const fs::path& path) {
+    for (int i = 1; i < 1000; ++i) {
+        fs::path kept = path;
+        kept += i == 1 ? std::string(".damaged") : fmt::format(".damaged-{}", i);
+        if (!is_there(kept)) return kept;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string text_of(const SideEntry& entry, const std::string& key, const std::string& otherwise) {
+    const auto found = entry.find(key);
+    const auto* text = found == entry.end() ? nullptr : std::get_if<std::string>(&found->second);
+    return text ? *text : otherwise;
+}
+
+double number_of(const SideEntry& entry, const std::string& key, double otherwise) {
+    const auto found = entry.find(key);
+    if (found == entry.end()) return otherwise;
+    if (const auto* whole = std::get_if<std::int64_t>(&found->second)) return static_cast<double>(*whole);
+    const auto* number = std::get_if<double>(&found->second);
+    return number && std::isfinite(*number) ? *number : otherwise;
+}
+
+std::vector<double> numbers_of(const SideEntry& entry, const std::string& key, std::size_t count) {
+    const auto found = entry.find(key);
+    const auto* numbers = found == entry.end() ? nullptr : std::get_if<std::vector<double>>(&found->second);
+    if (!numbers || numbers->size() != count) return {};
+    for (const double number : *numbers)
+        if (!std::isfinite(number)) return {};
+    return *numbers;
+}
+
+Result<std::string> good_name(std::string_view typed) {
+    const std::size_t first = typed.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return fail("A name needs at least one letter.");
+    const std::string name(typed.substr(first, typed.find_last_not_of(" \t\r\n") - first + 1));
+    if (!is_utf8(name)) return fail("This name is not written in UTF-8.");
+    if (name.size() > kLongestName_bytes) return fail(fmt::format("This name is too long; {} bytes are the most.", kLongestName_bytes));
+    for (const char c : name)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return fail("A name is one line without control characters.");
+    return name;
+}
+
+struct SideFile::Content {
+    fs::path path, other_path;  // where it is saved, and where when that folder refuses
+    std::string checksum;
+    toml::table root;
+    std::vector<std::string> news;
+    bool changed = false;
+
+    void read(const fs::path& from) {
+        const std::string name = from.filename().string();
+        std::string why;
+        if (const auto text = read_whole_file(from, kLongestFile_bytes); !text) {
+            why = "cannot be read";
+        } else {
+            try {
+                root = toml::parse(*text, from.string());
+                return;
+            } catch (const toml::parse_error& error) {
+                why = fmt::format("is damaged in line {}", error.source().begin.line);
+            }
+        }
+        const fs::path kept = kept_name(from);
+        std::error_code ec;
+        if (!kept.empty()) fs::rename(from, kept, ec);
+        if (!kept.empty() && !ec) {
+            news.push_back(fmt::format("What you had added to this world {}. It is kept as {}, and I start with nothing added.", why, kept.filename().string()));
+            return;
+        }
+        // It stays where it is and must not be written over.
+        news.push_back(fmt::format("What you had added to this world {}. It stays as {}, and I start with nothing added.", why, name));
+        if (path == from) std::swap(path, other_path);
+        if (path == from || path.empty()) path = kept;
+    }
+};
+
+SideFile::SideFile() : content_(std::make_unique<Content>()) {}
+SideFile::~SideFile() = default;
+SideFile::SideFile(SideFile&&) noexcept = default;
+SideFile& SideFile::operator=(SideFile&&) noexcept = default;
+
+SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder) {
+    SideFile file;
+    Content& content = *file.content_;
+    if (const auto bytes = read_whole_file(world)) content.checksum = checksum_of(*bytes);
+    const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
+    const bool near_works = near.filename().string().size() <= kLongestFileName_bytes && folder_takes_files(near);
+    content.path = near_works || far.empty() ? near : far;
+    content.other_path = near_works || far.empty() ? far : near;
+    // A folder that could not be written when something was added may be writable now, and the other way round.
+    for (const fs::path& from : {content.path, content.other_path})
+        if (!from.empty() && is_there(from)) {
+            content.read(from);
+            break;
+        }
+    return file;
+}
+
+const std::vector<std::string>& SideFile::news() const { return content_->news; }
+const fs::path& SideFile::path() const { return content_->path; }
+const std::string& SideFile::world_checksum() const { return content_->checksum; }
+
+std::vector<SideEntry> SideFile::entries(const std::string& name) const {
+    std::vector<SideEntry> entries;
+    if (const toml::array* list = content_->root[name].as_array())
+        for (const toml::node& node : *list)
+            if (const toml::table* table = node.as_table()) entries.push_back(entry_from(*table));
+    return entries;
+}
+
+void SideFile::set_entries(const std::string& name, const std::vector<SideEntry>& entries) {
+    toml::array list;
+    for (const SideEntry& entry : entries) list.push_back(table_from(entry));
+    if (list.empty()) content_->root.erase(name);
+    else content_->root.insert_or_assign(name, std::move(list));
+    content_->changed = true;
+}
+
+SideEntry SideFile::table(const std::string& name) const {
+    const toml::table* table = content_->root[name].as_table();
+    return table ? entry_from(*table) : SideEntry{};
+}
+
+void SideFile::set_table(const std::string& name, const SideEntry& table) {
+    if (table.empty()) content_->root.erase(name);
+    else content_->root.insert_or_assign(name, table_from(table));
+    content_->changed = true;
+}
+
+Result<void> SideFile::save() {
+    Content& content = *content_;
+    if (!content.changed || content.path.empty()) return {};
+    std::ostringstream out;
+    out << "# What was added to this world in Handrail. Lengths are world metres.\n" << toml::toml_formatter{content.root, toml::format_flags::none} << "\n";
+    auto written = write_file_atomically(content.path, out.str());
+    if (!written && !content.other_path.empty() && !is_there(content.other_path)) {
+        if (const auto elsewhere = write_file_atomically(content.other_path, out.str())) {
+            std::swap(content.path, content.other_path);
+            written = elsewhere;
+        }
+    }
+    if (!written) return tl::unexpected(written.error());
+    content.changed = false;
+    return {};
+}
+
+fs::path user_data_folder() {
+    // The base directory specification says: only an absolute XDG_DATA_HOME counts.
+    const char* data = std::getenv("XDG_DATA_HOME");
+    if (data && data[0] == '/') return fs::path(data) / "handrail";
+    const char* home = std::getenv("HOME");
+    if (home && home[0] == '/') return fs::path(home) / ".local" / "share" / "handrail";
+    return {};
+}
+
+}  // namespace handrail

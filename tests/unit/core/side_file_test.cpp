@@ -1,0 +1,170 @@
+// What a person adds to a world: kept beside it, never lost, never read wrong.
+#include "app/core/side_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <random>
+
+#include "tests/support/random_families.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+SideEntry mark(const std::string& name, double x) { return {{"name", name}, {"place_m", std::vector<double>{x, 0.1, -3.25}}, {"near_m", 0.1 + 0.2}}; }
+
+TEST(SideFile, keeps_entries_and_tables_beside_the_world_to_the_last_bit) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("house.map", "{ }");
+    SideFile file = SideFile::of_world(world, {});
+    EXPECT_TRUE(file.news().empty());
+    EXPECT_TRUE(file.entries("mark").empty());
+    file.set_entries("mark", {mark("Mark 1", 1e-17), mark("Zażółć \"gęślą\" \\ 家", 1.0)});
+    file.set_table("names", {{"Room 3", std::string("Kitchen")}});
+    ASSERT_TRUE(file.save());
+    EXPECT_TRUE(fs::exists(folder.path() / "house.map.handrail.toml"));
+
+    const SideFile again = SideFile::of_world(world, {});
+    EXPECT_TRUE(again.news().empty());
+    EXPECT_EQ(again.entries("mark"), (std::vector{mark("Mark 1", 1e-17), mark("Zażółć \"gęślą\" \\ 家", 1.0)}));
+    EXPECT_EQ(text_of(again.table("names"), "Room 3"), "Kitchen");
+    EXPECT_EQ(again.world_checksum(), file.world_checksum());
+    EXPECT_EQ(again.world_checksum().size(), 8U);
+}
+
+TEST(SideFile, keeps_what_it_does_not_know) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("a.map", "");
+    folder.write("a.map.handrail.toml",
+                 "later = 2031-01-02\n[[mark]]\nname = \"m\"\nof_a_later_version = { deep = [1, \"x\"] }\nwhole = [1, 2]\n[other.part]\nkey = 3\n");
+    SideFile file = SideFile::of_world(world, {});
+    auto marks = file.entries("mark");
+    ASSERT_EQ(marks.size(), 1U);
+    marks[0]["name"] = std::string("new");
+    file.set_entries("mark", marks);
+    ASSERT_TRUE(file.save());
+    const std::string text = test::content_of(folder.path() / "a.map.handrail.toml");
+    for (const char* part : {"2031-01-02", "of_a_later_version", "deep", "[ 1, \"x\" ]", "whole = [ 1, 2 ]", "[other.part]", "key = 3", "new"}) EXPECT_THAT(text, HasSubstr(part));
+    EXPECT_EQ(SideFile::of_world(world, {}).entries("mark"), marks);
+}
+
+TEST(SideFile, puts_a_damaged_file_aside_says_so_and_starts_empty) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("a.map", "x");
+    for (int round = 1; round <= 2; ++round) {
+        folder.write("a.map.handrail.toml", "[[mark]]\nname = \"half");
+        SideFile file = SideFile::of_world(world, {});
+        ASSERT_EQ(file.news().size(), 1U);
+        const std::string kept = round == 1 ? "a.map.handrail.toml.damaged" : "a.map.handrail.toml.damaged-2";
+        EXPECT_THAT(file.news()[0], HasSubstr("damaged in line 2"));
+        EXPECT_THAT(file.news()[0], HasSubstr(kept));
+        EXPECT_EQ(test::content_of(folder.path() / kept), "[[mark]]\nname = \"half");
+        EXPECT_TRUE(file.entries("mark").empty());
+        file.set_entries("mark", {mark("fresh", 1.0)});
+        ASSERT_TRUE(file.save());
+        EXPECT_EQ(SideFile::of_world(world, {}).entries("mark").size(), 1U);
+    }
+}
+
+TEST(SideFile, survives_being_cut_or_changed_at_every_byte) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("a.map", "x");
+    SideFile file = SideFile::of_world(world, {});
+    file.set_entries("mark", {mark("Mark 1", 2.0)});
+    ASSERT_TRUE(file.save());
+    const fs::path path = folder.path() / "a.map.handrail.toml";
+    const std::string whole = test::content_of(path);
+    std::mt19937 random(test::seed_of_run());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        std::string broken = whole;
+        if (i % 2 == 0) broken.resize(i);
+        else broken[i] = static_cast<char>(random());
+        folder.write("a.map.handrail.toml", broken);
+        const SideFile read = SideFile::of_world(world, {});
+        // Understood, or told and kept.
+        if (read.news().empty()) EXPECT_LE(read.entries("mark").size(), 1U);
+        else EXPECT_FALSE(fs::exists(path));
+        for (const SideEntry& entry : read.entries("mark")) {
+            text_of(entry, "name");
+            EXPECT_TRUE(numbers_of(entry, "place_m", 3).empty() || numbers_of(entry, "place_m", 3).size() == 3);
+        }
+    }
+}
+
+TEST(SideFile, goes_to_the_data_folder_where_the_worlds_folder_cannot_be_written) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+    const TemporaryFolder folder, data, other;
+    const fs::path world = folder.write("a.map", "x");
+    fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec);
+    SideFile file = SideFile::of_world(world, data.path());
+    file.set_entries("mark", {mark("m", 1.0)});
+    ASSERT_TRUE(file.save());
+    EXPECT_EQ(file.path().parent_path(), data.path() / "worlds");
+    EXPECT_EQ(SideFile::of_world(world, data.path()).entries("mark").size(), 1U);
+    // Another world of the same name has its own.
+    EXPECT_TRUE(SideFile::of_world(other.write("a.map", "x"), data.path()).entries("mark").empty());
+    // Once it can be written, what was there is not lost.
+    fs::permissions(folder.path(), fs::perms::owner_all);
+    EXPECT_EQ(SideFile::of_world(world, data.path()).entries("mark").size(), 1U);
+}
+
+TEST(SideFile, goes_to_the_data_folder_when_the_worlds_folder_takes_no_file_from_anybody) {
+    const TemporaryFolder data;
+    SideFile file = SideFile::of_world("/proc/version", data.path());
+    file.set_entries("mark", {mark("m", 1.0)});
+    ASSERT_TRUE(file.save());
+    EXPECT_EQ(file.path().parent_path(), data.path() / "worlds");
+    EXPECT_EQ(SideFile::of_world("/proc/version", data.path()).entries("mark").size(), 1U);
+}
+
+TEST(SideFile, takes_the_data_folder_when_saving_beside_the_world_fails) {
+    const TemporaryFolder folder, data;
+    // A name that fits the world and leaves no room for ours.
+    const std::string name(244, 'w');
+    const fs::path world = folder.write(name, "x");
+    SideFile file = SideFile::of_world(world, data.path());
+    file.set_entries("mark", {mark("m", 1.0)});
+    ASSERT_TRUE(file.save());
+    EXPECT_EQ(SideFile::of_world(world, data.path()).entries("mark").size(), 1U);
+    SideFile nowhere = SideFile::of_world(world, {});
+    nowhere.set_entries("mark", {mark("m", 1.0)});
+    EXPECT_FALSE(nowhere.save());
+}
+
+TEST(SideFile, in_memory_takes_and_gives_and_writes_nothing) {
+    SideFile file;
+    file.set_entries("mark", {mark("m", 1.0)});
+    EXPECT_EQ(file.entries("mark").size(), 1U);
+    EXPECT_TRUE(file.save());
+    EXPECT_TRUE(file.path().empty());
+}
+
+TEST(SideFile, reads_wrong_kinds_as_missing) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("a.map", "x");
+    folder.write("a.map.handrail.toml", "mark = 3\nnames = [1]\n[[spot]]\nname = 7\nplace_m = [1.0, nan, 2.0]\nnear_m = inf\n");
+    const SideFile file = SideFile::of_world(world, {});
+    EXPECT_TRUE(file.entries("mark").empty());
+    EXPECT_TRUE(file.table("names").empty());
+    const SideEntry spot = file.entries("spot").at(0);
+    EXPECT_EQ(text_of(spot, "name", "none"), "none");
+    EXPECT_TRUE(numbers_of(spot, "place_m", 3).empty());
+    EXPECT_EQ(number_of(spot, "near_m", -1.0), -1.0);
+}
+
+TEST(GoodName, takes_any_utf8_line_up_to_200_bytes) {
+    EXPECT_EQ(*good_name("  Bücher — 本  "), "Bücher — 本");
+    EXPECT_EQ(good_name(std::string(200, 'x'))->size(), 200U);
+    for (const std::string& bad : {std::string(), std::string("  \n"), std::string(201, 'x'), std::string("a\nb"), std::string("\xff"), std::string("a\0b", 3)})
+        EXPECT_FALSE(good_name(bad)) << bad;
+}
+
+}  // namespace
+}  // namespace handrail
