@@ -32,6 +32,8 @@ std::string side_words(int quarter, double heading_rad, DirectionChoice choice);
 std::string_view fine_compass_word(double heading_rad);
 // "12 minutes", "1 minute".
 std::string minutes_words(double seconds);
+// "a Falcon", "an omega": the article by the name's first letter.
+std::string with_article(std::string_view name);
 // First letter in upper case, for the start of a sentence; other bytes stay.
 std::string sentence_case(std::string text);
 
