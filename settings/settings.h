@@ -94,6 +94,7 @@ struct Settings {
              forces = true, turn = true, frame = true, arrived = true;
         bool swap_sides = false;  // left and right ear are exchanged, for headphones worn or wired the other way round
         bool workspace = true;    // a cue as those above: rim and grip
+        bool desk = true;         // likewise: what clicks at the desk
     } sound;
     // Devices beside the hand: game pads and SpaceMouse.
     struct Pads {

@@ -111,6 +111,7 @@ const std::array kTable{
     SettingInfo{"sound.arrived", "", "A signal tells that you have arrived.", kPersonOnly, SwitchField{HANDRAIL_AT(sound.arrived)}},
     SettingInfo{"sound.workspace", "", "Signals tell when the rim and the grip begin and end to move the workspace.", kPersonOnly,
                 SwitchField{HANDRAIL_AT(sound.workspace)}},
+    SettingInfo{"sound.desk", "", "The wall to your desk and what is pressed there click.", kPersonOnly, SwitchField{HANDRAIL_AT(sound.desk)}},
     SettingInfo{"sound.swap_sides", "", "Exchanges the left and the right ear, where headphones are the other way round.", kPersonOnly,
                 SwitchField{HANDRAIL_AT(sound.swap_sides)}},
     SettingInfo{"pads.use", "", "Game pads and SpaceMouse walk and give cues.", kPersonOnly, SwitchField{HANDRAIL_AT(pads.use)}},

@@ -228,6 +228,10 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
         case ContactEventKind::LetGo:
             play({.kind = SoundKind::LetGo, .event_time_s = event.time_s}, audio);
             return;
+        case ContactEventKind::DeskEntered:
+        case ContactEventKind::DeskLeft:
+            play({.kind = SoundKind::Click, .event_time_s = event.time_s}, audio);
+            return;
         case ContactEventKind::FaultCleared:
             play({.kind = SoundKind::ForcesOn, .event_time_s = event.time_s}, audio);
             return;

@@ -77,6 +77,7 @@ enum class SoundKind : std::uint8_t {
     RimBack,  // and has ended
     Grab,
     LetGo,
+    Click,  // the wall of the desk gave way, a control was pressed
     Alarm,
     Beep,
 };

@@ -54,6 +54,7 @@ constexpr std::array kTable{
     SoundInfo{SoundKind::RimBack, "rim back", "the hand is back inside the rim", &Sound::earcon_volume, &Sound::workspace},
     SoundInfo{SoundKind::Grab, "grab", "the world goes along with the hand", &Sound::earcon_volume, &Sound::workspace},
     SoundInfo{SoundKind::LetGo, "let go", "the world is let go of", &Sound::earcon_volume, &Sound::workspace},
+    SoundInfo{SoundKind::Click, "click", "you came to your desk or left it, or pressed something there", &Sound::earcon_volume, &Sound::desk},
     SoundInfo{SoundKind::Alarm, "alarm", "something is wrong; the reason is said", &Sound::earcon_volume, nullptr},
     SoundInfo{SoundKind::Beep, "beep", "stands for speech where there is no voice", &Sound::earcon_volume, nullptr},
 };

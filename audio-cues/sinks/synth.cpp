@@ -481,6 +481,8 @@ std::vector<float> earcon(SoundKind kind) {
             return synthesise_notes(std::array{Note{0.0, 0.025, 220.0, 1.0}, Note{0.03, 0.07, 294.0, 1.0}});
         case SoundKind::LetGo:
             return synthesise_notes(std::array{Note{0.0, 0.07, 294.0, 0.8}, Note{0.09, 0.03, 220.0, 0.8}});
+        case SoundKind::Click:
+            return synthesise_notes(std::array{Note{0.0, 0.012, 1800.0, 1.0}, Note{0.03, 0.02, 900.0, 0.8}});
         case SoundKind::Alarm:
             return synthesise_notes(
                 std::array{Note{0.0, 0.11, 1047.0, 1.0}, Note{0.13, 0.11, 740.0, 1.0}, Note{0.26, 0.11, 1047.0, 1.0}, Note{0.39, 0.16, 740.0, 1.0}});

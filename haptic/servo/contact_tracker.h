@@ -24,6 +24,9 @@ enum class ContactEventKind : std::uint8_t {
     RimLeft,
     Grabbed,
     LetGo,
+    // The wall towards the body let the hand through (PersonalSpace), on its own or because the place was lost.
+    DeskEntered,
+    DeskLeft,
 };
 
 // What ears need to know of the hand, in order, each with its tick time.

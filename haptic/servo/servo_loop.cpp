@@ -96,10 +96,12 @@ void ServoLoop::publish_report() noexcept {
     report_.publish(counted_);
 }
 
-void ServoLoop::set_scene(std::shared_ptr<const HapticScene> scene) {
+void ServoLoop::hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk) {
     free_scenes();
-    const SceneHandle handle{scene.get(), ++last_scene_};
-    kept_.push_back({handle.number, std::move(scene)});
+    world_ = std::move(scene);
+    desk_ = std::move(desk);
+    const SceneHandle handle{world_.get(), desk_.get(), ++last_scene_};
+    kept_.push_back({handle.number, world_, desk_});
     scene_.publish(handle);
 }
 
@@ -141,7 +143,7 @@ bool ServoLoop::step() noexcept {
     const SceneHandle scene = scene_.read();
 
     const DeviceSample sample = device_->read(start_s);
-    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s, &bodies_.read());
+    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s, &bodies_.read(), scene.desk);
     device_->write(command);
 
     // Nothing of an older scene is looked at any more.

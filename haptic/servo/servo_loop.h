@@ -57,8 +57,9 @@ public:
     void start();
     void stop();
 
-    // App thread; felt from the next tick on. A null scene is none.
-    void set_scene(std::shared_ptr<const HapticScene> scene);
+    // App thread; felt from the next tick on. A null scene is none. The desk: see servo_tick.
+    void set_scene(std::shared_ptr<const HapticScene> scene) { hand_over(std::move(scene), desk_); }
+    void set_desk(std::shared_ptr<const HapticScene> desk) { hand_over(world_, std::move(desk)); }
     void set_tuning(const ServoTuning& tuning) { tuning_.publish(tuning); }
     void set_pose(const WorkspacePose& pose) { pose_.publish(pose); }
     void set_bodies(const BodyFrame& bodies) { bodies_.publish(bodies); }
@@ -80,13 +81,15 @@ public:
 private:
     struct SceneHandle {
         const HapticScene* scene = nullptr;
+        const HapticScene* desk = nullptr;
         std::uint64_t number = 0;  // rising; the servo says up to which it has come
     };
     struct KeptScene {
         std::uint64_t number;
-        std::shared_ptr<const HapticScene> scene;
+        std::shared_ptr<const HapticScene> scene, desk;
     };
 
+    void hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk);
     void run() noexcept;
     void close() noexcept;
     void publish_report() noexcept;
@@ -100,6 +103,7 @@ private:
     std::atomic<bool> stop_asked_{false};
 
     std::vector<KeptScene> kept_;  // app thread only
+    std::shared_ptr<const HapticScene> world_, desk_;  // as handed over last
     std::uint64_t last_scene_ = 0;
     std::atomic<std::uint64_t> scene_in_use_{0};
 

@@ -16,6 +16,8 @@ constexpr double kVelocityPoleS = 1.0 / (2.0 * kPi * 50.0);
 constexpr double kRateWindowS = 1.0;
 constexpr double kZeroAfterSlowS = 0.095;  // of the 100 ms from the onset of a slow rate to zero force, less one tick of 5 ms
 constexpr double kLongestTouchStepS = 0.1;
+constexpr double kDeskBallRadiusM = 0.002;  // a felt diameter of 4 mm, as in a room
+constexpr double kDeskPressDepth = 0.15;    // of the reach: most that a push may need on a soft device
 
 double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
@@ -50,6 +52,7 @@ void ServoState::raise(Fault fault, bool latched) noexcept {
     if (loses_place(fault)) {
         place_lost_ = true;
         touch_.reset_filters();
+        desk_touch_.reset_filters();
         velocity_m_per_s_ = Vec3(0.0);
     }
 }
@@ -58,6 +61,7 @@ void ServoState::raise(Fault fault, bool latched) noexcept {
 void ServoState::lose_device() noexcept {
     place_lost_ = true;
     touch_.reset_filters();
+    desk_touch_.reset_filters();
     velocity_m_per_s_ = Vec3(0.0);
     tracker_.clear(tool_.time_s, events_);
     tool_.contacts = {};
@@ -67,6 +71,9 @@ void ServoState::lose_device() noexcept {
     has_first_ = false;
     trusts_last_ = false;
     mover_.let_go();
+    leftover_.clear();
+    space_.reset();
+    press_.let_go();
 }
 
 void ServoState::clear_fault() noexcept {
@@ -110,6 +117,10 @@ void ServoState::confirm(const DeviceSample& sample, std::uint32_t number) noexc
 
 // What was felt before no longer holds: the hand is elsewhere in the world, or in another one.
 void ServoState::start_over() noexcept {
+    space_.reset();
+    leftover_.clear();
+    met_ = false;
+    if (tool_.desk.open) stand_up();
     touch_.reset();
     tracker_.clear(tool_.time_s, events_);
     limiter_.restart();
@@ -205,10 +216,9 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
 // The hand moves its workspace: rim, grab and keys. What it begins and ends is told.
 void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, double scale, double dt_s) noexcept {
     const WorkspaceMotion before = mover_.motion();
-    const double ceiling_n = std::min(tuning.force_ceiling_n, spec_.peak_force_n);
     // A hand whose place is in doubt moves nothing.
     const bool sound = fault_ == Fault::None && tool_.pause == Fault::None && !tool_.waiting_for_hand;
-    mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{}, {tool_.hand_m, tool_.buttons, length(wanted_n_), ceiling_n, &tool_.contacts}, scale, dt_s);
+    mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{}, {tool_.hand_m, tool_.buttons, length(wanted_n_), ceiling_n(tuning), &tool_.contacts}, scale, dt_s);
     tool_.hip_m = frame.to_world(tool_.hand_m, scale);
     const WorkspaceMotion now = mover_.motion();
     if (now == before) return;
@@ -219,17 +229,98 @@ void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning
     if (now == WorkspaceMotion::Grabbed) tell(ContactEventKind::Grabbed);
 }
 
-void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s,
-                       const BodyPoses& bodies) noexcept {
+// As the device can render it at its measured rate.
+TouchTuning ServoState::tuned(const ServoTuning& tuning) const noexcept {
     TouchTuning touch = tuning.touch;
     const double damping = touch.override_damping_ns_per_m >= 0.0 ? touch.override_damping_ns_per_m : touch.damping_ns_per_m;
     const double stiffest = effective_stiffness_n_per_m(spec_, mean_period_s_, damping);
     touch.rated_stiffness_n_per_m = std::min(touch.rated_stiffness_n_per_m, stiffest);
     touch.override_stiffness_n_per_m = std::min(touch.override_stiffness_n_per_m, stiffest);
     touch.force_delay_s = spec_.delay_s;
-
     touch.held = !tool_.waiting_for_hand;
+    return touch;
+}
 
+double ServoState::ceiling_n(const ServoTuning& tuning) const noexcept { return std::min(tuning.force_ceiling_n, spec_.peak_force_n); }
+
+// The wall towards the body, whichever side the hand is on.
+void ServoState::meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale, double dt_s) noexcept {
+    const bool was_at_desk = tool_.desk.open;
+    if (was_at_desk) frame.origin_m += mover_.shift_m();
+    const TouchTuning touch = tuned(tuning);
+    const PersonalWall wall = personal_wall_of(spec_, ceiling_n(tuning), touch.rated_stiffness_n_per_m * touch.default_stiffness_fraction);
+    leftover_.tick(met_ ? tool_.hand_m - met_m_ : Vec3(0.0), dt_s);
+    met_m_ = tool_.hand_m;
+    met_ = true;
+    const bool there = desk && tuning.personal_space;
+    // A hand whose place is in doubt, or that moves its workspace or has just done so, meets no wall.
+    const bool whole = there && fault_ == Fault::None && !tool_.waiting_for_hand && mover_.ceiling_n() == std::numeric_limits<double>::infinity();
+    const Vec3 wall_was_n = space_.force_n();
+    const bool through = space_.tick(tool_.hand_m, wall, whole, dt_s);
+    if (!through && !(was_at_desk && !there)) return;
+    // What was felt on this side besides the wall goes as the wall's own force does.
+    const double gain = limiter_.gain();
+    leftover_.begin(gain > 0.0 ? limiter_.last_n() / gain - wall_was_n : Vec3(0.0), touch.rated_stiffness_n_per_m);
+    if (!was_at_desk) return sit_down();
+    // The ball is where it was; the workspace comes to it, so that the hand is there too and nothing presses.
+    stand_up();
+    const Vec3 way_m = tool_.proxy_m - frame.to_world(tool_.hand_m, scale);
+    mover_.shift(way_m);
+    frame.origin_m += way_m;
+    tool_.hip_m = frame.to_world(tool_.hand_m, scale);
+    touch_.reset_filters();
+    goal_known_ = false;
+    velocity_m_per_s_ = Vec3(0.0);
+}
+
+void ServoState::sit_down() noexcept {
+    tracker_.clear(tool_.time_s, events_);
+    tool_.contacts = {};
+    tool_.liquid = kNoFeature;
+    mover_.let_go();
+    desk_touch_.reset();
+    press_.let_go();
+    tool_.desk.open = true;
+    ++tool_.desk.visits;
+    events_.push({ContactEventKind::DeskEntered, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None});
+}
+
+void ServoState::stand_up() noexcept {
+    press_.let_go();
+    tool_.desk.open = false;
+    tool_.desk.touched = tool_.desk.held = kNoFeature;
+    tool_.desk.press_n = 0.0;
+    events_.push({ContactEventKind::DeskLeft, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None});
+}
+
+// The desk is felt at scale 1, in the device's own frame; what the hand knows of the world stays as it is.
+void ServoState::touch_desk(const HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept {
+    TouchTuning touch = tuned(tuning);
+    touch.world_m_per_hand_m = 1.0;
+    touch.radius_m = kDeskBallRadiusM;
+    const TouchResult result = touch_tick(desk_touch_, desk, touch, tool_.hand_m, dt_s);
+    tool_.hip_m = tool_.proxy_m;
+    if (!is_finite(result.proxy_m)) {
+        wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // let the limiter judge it
+        return;
+    }
+    wanted_n_ = result.force_n;
+    DeskTouch& at = tool_.desk;
+    at.hip_m = tool_.hand_m;
+    at.proxy_m = result.proxy_m;
+    at.press_n = length(result.contact_force_n);
+    at.touched = result.contacts.count > 0 ? result.contacts.contacts[result.contacts.strongest].feature : kNoFeature;
+    if (result.contacts.count > 0) tool_.contact_s += dt_s;
+    const double needed_n = std::min({DeskPress::kPressN, DeskPress::kPressShare * ceiling_n(tuning),
+                                      kDeskPressDepth * spec_.workspace_radius_m * touch.rated_stiffness_n_per_m * touch.default_stiffness_fraction});
+    press_.tick(at.touched, at.press_n, (tool_.buttons & 1U) != 0 && !tuning.button_to_feel, needed_n);
+    at.held = press_.held();
+    at.presses = press_.presses();
+}
+
+void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s,
+                       const BodyPoses& bodies) noexcept {
+    const TouchTuning touch = tuned(tuning);
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
     if (goal_known_) {
@@ -270,7 +361,7 @@ ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool l
 }
 
 ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
-                        double now_s, const BodyFrame* bodies) noexcept {
+                        double now_s, const BodyFrame* bodies, const HapticScene* desk) noexcept {
     ServoState& s = state;
     s.events_.count = 0;
     s.events_.lost = 0;
@@ -320,8 +411,12 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
     // 4. Touch.
     s.since_touch_s_ = std::min(s.since_touch_s_ + dt_s, kLongestTouchStepS);
     if (answer == ServoState::Answer::Good) {
-        s.move_workspace(frame, tuning, scale, s.since_touch_s_);
-        if (scene) {
+        if (!s.tool_.desk.open) s.move_workspace(frame, tuning, scale, s.since_touch_s_);
+        const bool wall = tuning.personal_space | s.tool_.desk.open;
+        if (wall) s.meet_wall(desk, tuning, frame, scale, s.since_touch_s_);
+        if (s.tool_.desk.open) {
+            s.touch_desk(*desk, tuning, s.since_touch_s_);  // the world waits
+        } else if (scene) {
             BodyPoses poses;
             if (bodies && !scene->bodies.empty()) {
                 s.bodies_.give(*bodies, jumped);
@@ -332,6 +427,7 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
             s.tool_.proxy_m = s.tool_.hip_m;
             s.wanted_n_ = s.mover_.rim_force_n();
         }
+        if (wall) s.wanted_n_ += s.space_.force_n() + s.leftover_.force_n();
         s.since_touch_s_ = 0.0;
     }
 

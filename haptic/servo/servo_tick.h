@@ -10,6 +10,7 @@
 #include "haptic/servo/body_playback.h"
 #include "haptic/servo/contact_tracker.h"
 #include "haptic/servo/heat_budget.h"
+#include "haptic/servo/personal_space.h"
 #include "haptic/servo/rate_watch.h"
 #include "haptic/servo/workspace_map.h"
 #include "haptic/servo/workspace_mover.h"
@@ -29,6 +30,18 @@ struct ServoTuning {
     std::uint32_t stops_let_go = 0;  // the count of ServoSwitches::stops up to which the person wants the force back
     std::uint32_t confirm = 0;       // a new number lets a latched fault go (ramp of 1 s), if its cause is gone
     WorkspaceTuning workspace;
+    bool personal_space = false;  // the wall towards the body is there, and the desk behind it; without it the tick pays one comparison
+};
+
+// At the desk: what the hand does there. Device frame, since the desk stands still before the person.
+struct DeskTouch {
+    bool open = false;     // the hand is at the desk; hip_m and proxy_m of ToolState then tell where in the world it comes back to
+    std::uint32_t visits = 0;  // how often it went there
+    Vec3 hip_m{0.0}, proxy_m{0.0};
+    FeatureId touched = kNoFeature;  // of the desk's scene
+    FeatureId held = kNoFeature;     // pressed, by a push or the device's button
+    std::uint32_t presses = 0;       // begun since the start
+    double press_n = 0.0;            // of the contact, before any ceiling
 };
 
 // What the app and ears may know of the hand; published each tick.
@@ -59,6 +72,7 @@ struct ToolState {
     bool workspace_at_limit = false;
     Vec3 workspace_shift_m{0.0};
     std::uint32_t workspace_jump = 0;
+    DeskTouch desk;
 };
 
 // Counted since the start.
@@ -88,7 +102,7 @@ public:
 
 private:
     friend ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose,
-                                   const DeviceSample& sample, double now_s, const BodyFrame* bodies) noexcept;
+                                   const DeviceSample& sample, double now_s, const BodyFrame* bodies, const HapticScene* desk) noexcept;
 
     enum class Answer { None, Bad, Good };
 
@@ -105,6 +119,12 @@ private:
     Answer judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
     void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s,
                const BodyPoses& bodies) noexcept;
+    double ceiling_n(const ServoTuning& tuning) const noexcept;
+    TouchTuning tuned(const ServoTuning& tuning) const noexcept;
+    void meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale, double dt_s) noexcept;
+    void sit_down() noexcept;
+    void stand_up() noexcept;
+    void touch_desk(const HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept;
     ForceFlow flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept;
 
     DeviceSpec spec_;
@@ -112,6 +132,12 @@ private:
     ForceLimiter limiter_;
     PosePlayback playback_;
     WorkspaceMover mover_;
+    PersonalSpace space_;
+    LeftoverForce leftover_;
+    DeskPress press_;
+    TouchState desk_touch_;
+    Vec3 met_m_{0.0};  // device frame, where the hand was when the wall was met last
+    bool met_ = false;
     BodyPlayback bodies_;
     ContactTracker tracker_;
     RateWatch rate_watch_;
@@ -148,8 +174,9 @@ private:
 
 // One tick. scene: null while there is none (no contact, no force). pose: the newest that is known, the same as before is fine.
 // now_s: the tick's time, the same clock as WorkspacePose::time_s; ticks come in rising time. bodies: the newest frame that is known, the same as
-// before is fine; null: the scene's bodies stand where it has them. Numbered stages stand in the source.
+// before is fine; null: the scene's bodies stand where it has them. desk: the scene behind the wall of ServoTuning::personal_space, device frame; null: there
+// is none. Numbered stages stand in the source.
 ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
-                        double now_s, const BodyFrame* bodies = nullptr) noexcept;
+                        double now_s, const BodyFrame* bodies = nullptr, const HapticScene* desk = nullptr) noexcept;
 
 }  // namespace handrail

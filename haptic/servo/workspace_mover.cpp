@@ -70,7 +70,7 @@ double Rim::speed(double distance_m) const noexcept {
 
 Vec3 WorkspaceMover::rim_force_n() const noexcept {
     const double force = rim_gain_ * rim_.force_n(distance_m_);
-    return rim_on_ && force > 0.0 ? hand_m_ * (-force / distance_m_) : Vec3(0.0);
+    return rim_on_ && force > 0.0 ? out_m_ * (-force / distance_m_) : Vec3(0.0);
 }
 
 double WorkspaceMover::ceiling_n() const noexcept {
@@ -89,14 +89,16 @@ Vec3 WorkspaceMover::wish_m(const WorkspaceFrame& frame, const WorkspaceTuning& 
                             double dt_s) const noexcept {
     if (motion_ == WorkspaceMotion::Grabbed) return hand_known_ ? frame.turn_to_world(hand_m_ - hand.at_m) * world_m_per_hand_m : Vec3(0.0);
     Vec3 speed = tuning.push_hand_m_per_s;
-    if (motion_ == WorkspaceMotion::Scrolled) speed += hand.at_m * (rim_.speed(distance_m_) / distance_m_);
+    if (motion_ == WorkspaceMotion::Scrolled) speed += out_m_ * (rim_.speed(distance_m_) / distance_m_);
     return along_contacts(frame.turn_to_world(speed) * (world_m_per_hand_m * dt_s), *hand.contacts);
 }
 
 void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m, double dt_s) noexcept {
     // 1. What the hand asks for.
     const WorkspaceMotion before = motion_;
-    distance_m_ = length(hand.at_m);
+    out_m_ = hand.at_m;
+    if (tuning.rim_open_behind) out_m_.y = std::max(0.0, out_m_.y);  // the distance stays smooth there, so the force does
+    distance_m_ = length(out_m_);
     rim_on_ = tuning.rim;
     const double scrolls_from_m = before == WorkspaceMotion::Scrolled ? rim_.top_m + kBackPart * (rim_.past_m - rim_.top_m) : rim_.past_m;
     if (tuning.grab_key || (hand.buttons & tuning.grab_buttons) != 0) motion_ = WorkspaceMotion::Grabbed;

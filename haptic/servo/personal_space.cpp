@@ -1,0 +1,62 @@
+#include "haptic/servo/personal_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handrail {
+
+PersonalWall personal_wall_of(const DeviceSpec& spec, double ceiling_n, double wall_n_per_m) noexcept {
+    PersonalWall wall;
+    wall.at_m = kPersonalWallAt * spec.workspace_radius_m;
+    wall.stiffness_n_per_m = std::min(kPersonalWallStiffest_n_per_m, wall_n_per_m);
+    if (!(wall.stiffness_n_per_m > 0.0)) return {wall.at_m, 0.0, 0.5 * (spec.workspace_radius_m - wall.at_m)};
+    const double break_n = std::min(kPersonalWallMost_n, kPersonalWallShare * std::max(0.0, ceiling_n));
+    // A device that is soft for its reach must not come to its end before the wall breaks.
+    wall.depth_m = std::min(break_n / wall.stiffness_n_per_m, 0.5 * (spec.workspace_radius_m - wall.at_m));
+    return wall;
+}
+
+bool PersonalSpace::tick(const Vec3& hand_m, const PersonalWall& wall, bool whole, double dt_s) noexcept {
+    if (!known_ || (inside_m_ <= 0.0 && stretch_m_ == 0.0)) wall_ = wall;
+    const double inside_m = -hand_m.y - wall_.at_m;
+    const double way_m = known_ ? inside_m - inside_m_ : 0.0;
+    inside_m_ = inside_m;
+    known_ = true;
+    if (!whole) armed_ = false;
+    if (armed_) {
+        const double most_m = wall_.stiffness_n_per_m > 0.0 ? kMostRiseN / wall_.stiffness_n_per_m : 0.0;
+        stretch_m_ = std::clamp(stretch_m_ + std::min(way_m, most_m), 0.0, std::max(0.0, std::min(inside_m, wall_.depth_m)));
+        if (inside_m < wall_.depth_m) return false;
+        armed_ = false;
+        return true;
+    }
+    stretch_m_ = std::max(0.0, stretch_m_ + std::min(0.0, way_m)) * (kReleaseS / (kReleaseS + dt_s));
+    if (stretch_m_ < 1e-7) stretch_m_ = 0.0;  // far below a motor's step
+    armed_ = whole && inside_m <= -kRearmM;
+    return false;
+}
+
+void LeftoverForce::begin(const Vec3& force_n, double stiffness_n_per_m) noexcept {
+    const double size = std::sqrt(glm::dot(force_n, force_n));
+    stretch_m_ = size > 1e-4 && stiffness_n_per_m > 0.0 ? size / stiffness_n_per_m : 0.0;
+    stiffness_n_per_m_ = stiffness_n_per_m;
+    direction_ = stretch_m_ > 0.0 ? force_n / size : Vec3(0.0);
+}
+
+void LeftoverForce::tick(const Vec3& hand_step_m, double dt_s) noexcept {
+    if (stretch_m_ == 0.0) return;
+    stretch_m_ = std::max(0.0, stretch_m_ - std::max(0.0, glm::dot(hand_step_m, direction_))) * (PersonalSpace::kReleaseS / (PersonalSpace::kReleaseS + dt_s));
+    if (stretch_m_ < 1e-7) stretch_m_ = 0.0;
+}
+
+void DeskPress::tick(FeatureId touched, double press_n, bool button, double needed_n) noexcept {
+    const bool pushed_before = pushed_, button_before = button_was_;
+    button_was_ = button;
+    pushed_ = touched && press_n >= (pushed_before ? kRelease * needed_n : needed_n);
+    if (held_ && !pushed_ && !button) held_ = kNoFeature;
+    if (held_ || !touched || !((pushed_ && !pushed_before) || (button && !button_before))) return;
+    held_ = touched;
+    ++presses_;
+}
+
+}  // namespace handrail
