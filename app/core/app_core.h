@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,7 +13,6 @@
 #include "app/core/key_map.h"
 #include "app/core/mover_play.h"
 #include "app/core/placed_things.h"
-#include "app/core/questions.h"
 #include "app/core/soundscape.h"
 #include "app/core/surroundings.h"
 #include "app/core/view.h"
@@ -189,22 +187,10 @@ private:
     void change_world(Scene scene, double now_s);
     void rebuild_body_world();
     Scene world_now() const;
-    // Questions: app_core_questions.cpp.
-    Telling telling() const;
-    Asker asker() const;
-    std::string state_of(const Sight& sight) const;
-    std::string tell_sight(const Sight& sight) const;
-    std::string tell_sights(std::span<const Sight> sights) const;
-    std::string around_me() const;
-    std::string ahead_of_me() const;
-    void look_round(int by, double now_s);
-    std::string heading_words() const;
-    std::string coordinates() const;
-    std::string scale_bar() const;
     std::string help_text() const;
     std::string entering_text() const;
     std::string name_of(FeatureId feature) const;
-    DistanceWords distances() const { return {settings_.speech.distances_in_steps, settings_.walk.step_length_m, settings_.speech.rounded}; }
+    DistanceWords distances() const { return {settings_.speech.distances_in_steps, settings_.walk.step_length_m}; }
     bool held(Command command) const { return held_[static_cast<std::size_t>(command)]; }
 
     Settings settings_;
@@ -225,7 +211,6 @@ private:
     Soundscape soundscape_;
     SoundDictionary dictionary_;
     Dialogue dialogue_;
-    LookRound look_round_;
     Vec3 home_feet_m_{0.0};
     double home_heading_rad_ = 0.0;
 

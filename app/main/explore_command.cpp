@@ -9,6 +9,7 @@
 #include <deque>
 #include <future>
 
+#include "app/accessible/accessible.h"
 #include "app/companions/companion_session.h"
 #include "app/core/app_core.h"
 #include "app/main/commands.h"
@@ -317,7 +318,7 @@ private:
         if (!plug_watch_) return true;
         for (PluggedHand& hand : plug_watch_->take_new()) {
             if (hand.problem.empty()) offer(std::move(hand));
-            else say(fmt::format("I found {}. {}", with_article(hand.spoken_name), hand.problem));
+            else say(fmt::format("I found a {}. {}", hand.spoken_name, hand.problem));
         }
         return true;
     }
@@ -345,7 +346,12 @@ private:
     }
 
     void open_ears(std::vector<std::string>& news) {
-        SoundOutputs outputs = open_sound_outputs(settings_.values(), STDOUT_FILENO);
+        std::shared_ptr<ReaderChannel> reader;
+        if (!arguments_.no_window) {
+            reader = std::make_shared<ReaderChannel>();
+            accessible_ = Accessible::start(reader);
+        }
+        SoundOutputs outputs = open_sound_outputs(settings_.values(), STDOUT_FILENO, std::move(reader));
         has_sound_ = !outputs.description.empty();
         news.push_back(std::move(outputs.description));
         ears_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_, &contacts_, settings_.values(), &left_.contacts());
@@ -354,8 +360,14 @@ private:
     void open_window(std::vector<std::string>& news) {
         if (arguments_.no_window) return;
         auto opened = Window::open();
-        if (!opened) return news.push_back(opened.error().message);
+        if (!opened) {
+            accessible_.reset();
+            return news.push_back(opened.error().message);
+        }
         window_ = std::move(*opened);
+        window_->offer_keys(
+            {[this](const KeyStroke& stroke) { return accessible_->offer(stroke); }, [this](std::uint64_t ticket) { return accessible_->verdict(ticket); }},
+            [keys = app_->keys()](const std::string& key) { return keys.find(key) == Command::StopEverything; });
         window_->watch_keys({[keys = app_->keys()](const std::string& key) { return keys.find(key) == Command::StopEverything; }, [this] { switches_.stop(); },
                              [this](bool focused) { switches_.focused = focused; }});
     }
@@ -495,6 +507,7 @@ private:
                 app_->move_hand(motion->by_m);
             } else if (const auto* focus = std::get_if<FocusChange>(&event)) {
                 app_->set_focus(focus->focused);
+                accessible_->set_focus(focus->focused);
             } else if (std::holds_alternative<CloseRequest>(event)) {
                 closed_ = true;
             }
@@ -604,6 +617,7 @@ private:
     bool guard_missed_ = false;  // and the device offered anew
     LeftHand left_{clock_, switches_};
     bool two_hands_told_ = false;
+    std::unique_ptr<Accessible> accessible_;  // with the window
     std::unique_ptr<AudioThread> ears_;
     bool has_sound_ = false;  // there is a sound device
     std::unique_ptr<AppCore> app_;

@@ -1,5 +1,6 @@
 #include "app/window/window.h"
 
+#include <X11/XKBlib.h>
 #include <X11/Xlib.h>
 
 #define GLFW_INCLUDE_NONE
@@ -63,8 +64,8 @@ public:
         renderer_ = std::move(*renderer);
 
         glfwSetWindowUserPointer(window_, this);
-        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) { self(w).take_key(key, action, mods); });
-        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int character) { self(w).events_.emplace_back(TextEvent{utf8_of(character)}); });
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int action, int mods) { self(w).take_key(key, code, action, mods); });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int character) { self(w).take_text(utf8_of(character)); });
         glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) { self(w).take_focus(focused == GLFW_TRUE); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).events_.emplace_back(CloseRequest{}); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).shown_.reset(); });
@@ -85,6 +86,7 @@ public:
 
     std::vector<WindowEvent> poll() {
         if (!display_lost_) glfwPollEvents();
+        take_decided_keys();
         if (display_lost_ && !told_of_loss_) {
             told_of_loss_ = true;
             for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
@@ -96,6 +98,11 @@ public:
     bool watch_keys(KeyWatchCalls calls) {
         watch_ = KeyWatch::start(XDisplayString(glfwGetX11Display()), glfwGetX11Window(window_), std::move(calls));
         return watch_ != nullptr;
+    }
+
+    void offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits) {
+        gate_.set_reader(std::move(reader));
+        never_waits_ = std::move(never_waits);
     }
 
     void draw(const ViewState& view) {
@@ -133,13 +140,44 @@ private:
         return size;
     }
 
-    void take_key(int key, int action, int mods) {
+    void take_key(int key, int code, int action, int mods) {
+        if (!never_waits_) return act_on_key(key, action, mods);
+        if (const auto name = key_name(key, mods); name && never_waits_(*name)) return act_on_key(key, action, mods);
+        const KeySym symbol = XkbKeycodeToKeysym(glfwGetX11Display(), static_cast<KeyCode>(code), 0, (mods & GLFW_MOD_SHIFT) ? 1 : 0);
+        const char* symbol_name = XKeysymToString(symbol);
+        KeyStroke stroke;
+        stroke.press = action != GLFW_RELEASE;
+        stroke.state = ((mods & GLFW_MOD_SHIFT) ? ShiftMask : 0U) | ((mods & GLFW_MOD_CONTROL) ? ControlMask : 0U) | ((mods & GLFW_MOD_ALT) ? Mod1Mask : 0U);
+        stroke.keycode = static_cast<unsigned>(code);
+        stroke.keysym = static_cast<unsigned>(symbol);
+        stroke.name = symbol_name ? symbol_name : "";
+        gate_.take({key, action, mods}, stroke, glfwGetTime());
+    }
+
+    void take_decided_keys() {
+        for (const KeyGate::Passed& passed : gate_.decided(glfwGetTime())) {
+            if (!passed.ours) {
+                keys_.other_input();
+                continue;
+            }
+            act_on_key(passed.key.glfw_key, passed.key.glfw_action, passed.key.glfw_modifiers);
+            if (!passed.text.empty()) events_.emplace_back(TextEvent{passed.text});
+        }
+    }
+
+    // What a key types comes right after the key, and shares its fate.
+    void take_text(std::string text) {
+        if (!gate_.take_text(text)) events_.emplace_back(TextEvent{std::move(text)});
+    }
+
+    void act_on_key(int key, int action, int mods) {
         for (KeyEvent& event : keys_.take(key, action, mods)) events_.emplace_back(std::move(event));
     }
 
     void take_focus(bool focused) {
         events_.emplace_back(FocusChange{focused});
         if (focused) return;
+        gate_.clear();
         // GLFW reports the releases after this, too; by then the tracker holds nothing any more.
         for (KeyEvent& event : keys_.let_go()) events_.emplace_back(std::move(event));
     }
@@ -171,6 +209,8 @@ private:
     std::unique_ptr<KeyWatch> watch_;
     std::unique_ptr<Renderer> renderer_;
     KeyTracker keys_;
+    KeyGate gate_;
+    std::function<bool(const std::string&)> never_waits_;  // empty: no reader is asked
     std::vector<WindowEvent> events_;
     std::optional<Vec2> cursor_;      // where the last motion event put it; asking GLFW would give where it is by now
     std::optional<ViewState> shown_;  // what stands in the window; none when it must be drawn again
@@ -192,6 +232,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
 
 std::vector<WindowEvent> Window::poll() { return impl_->poll(); }
 bool Window::watch_keys(KeyWatchCalls calls) { return impl_->watch_keys(std::move(calls)); }
+void Window::offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits) { impl_->offer_keys(std::move(reader), std::move(never_waits)); }
 void Window::draw(const ViewState& view) { impl_->draw(view); }
 Picture Window::picture(const ViewState& view) { return impl_->picture(view); }
 

@@ -2,12 +2,14 @@
 // touch, sound and the terminal. App thread only (GLFW wants the main one); at most one Window at a time.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "app/core/view.h"
+#include "app/window/key_gate.h"
 #include "app/window/key_watch.h"
 #include "app/window/keys.h"
 #include "app/window/picture.h"
@@ -57,6 +59,9 @@ public:
     // From now on keys and the keyboard's loss are told on a thread of their own too, at once; see KeyWatch. poll() gives them all the same.
     // False when the display allows no second connection.
     bool watch_keys(KeyWatchCalls calls);
+
+    // From now on a screen reader has each key first, except those that are not to wait for it (by name, as KeyEvent::key).
+    void offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits);
 
     // Shows the view; call it each time round the loop. The same thread also feeds ears and hand, so this does not wait for the screen's
     // refresh, costs nothing when neither view nor window changed, and where drawing is slow skips pictures so as to take at most a third

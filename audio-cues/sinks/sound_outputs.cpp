@@ -33,9 +33,10 @@ private:
 
 }  // namespace
 
-SoundOutputs open_sound_outputs(const Settings& settings, int text_fd) {
+SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shared_ptr<ReaderChannel> reader) {
     SoundOutputs outputs;
     std::vector<std::unique_ptr<Voice>> voices;
+    if (reader) voices.push_back(std::make_unique<ReaderVoice>(std::move(reader)));
     voices.push_back(std::make_unique<SpeechdSpeech>(settings.speech));
     const auto channel = std::make_shared<VoiceChannel>();
     if (auto opened = OpenALSink::open(channel, {.periods = settings.sound.periods, .hrtf = settings.sound.headphones}); !opened) {

@@ -16,9 +16,10 @@ enum class VoiceState {
 
 class Voice : public SpeechSink {
 public:
-    virtual SpeechThrough through() const = 0;  // its name in the settings
-    virtual VoiceState state() const = 0;       // as of the last tick()
-    virtual void want(bool wanted) = 0;         // false: it lets go of what it holds and looks no further
+    virtual SpeechThrough through() const = 0;         // its name in the settings
+    virtual VoiceState state() const = 0;              // as of the last tick()
+    virtual void want(bool wanted) = 0;                // false: it lets go of what it holds and looks no further
+    virtual double patience_s() const { return 1.0; }  // how long the first words wait for it while it is opening
 };
 
 // "the speech server", as it stands inside a sentence.

@@ -39,10 +39,10 @@ void VoiceRouter::want_what_is_allowed() {
 }
 
 bool VoiceRouter::waits_for_better(const Voice* best) const {
-    if (asked_at_s_ && now_s_ - *asked_at_s_ >= kPatience_s) return false;
+    const double waited_s = asked_at_s_ ? now_s_ - *asked_at_s_ : 0.0;
     for (const auto& voice : voices_) {
         if (voice.get() == best) return false;
-        if (allowed(voice->through()) && voice->state() == VoiceState::Opening) return true;
+        if (allowed(voice->through()) && voice->state() == VoiceState::Opening && waited_s < voice->patience_s()) return true;
     }
     return false;
 }

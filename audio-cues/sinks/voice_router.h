@@ -17,13 +17,11 @@ public:
     virtual void want(bool wanted) = 0;
 };
 
-// While a better voice is still opening, the first words wait for it, at most kPatience_s; then the best that is ready has them. A voice
+// While a better voice is still opening, the first words wait for it, at most its patience_s(); then the best that is ready has them. A voice
 // that goes in the middle of an utterance leaves it to the next one, after a sentence about the change. Where no voice is left the text is all.
 // With speech.through = X the voices before X are passed over; where X is missing, the next one speaks. Of the screen reader: see ReaderVoice.
 class VoiceRouter final : public SpeechSink {
 public:
-    static constexpr double kPatience_s = 1.0;
-
     // `voices`: the best first. `text` is always given everything; `braille` too, unless a screen reader speaks. Either may be null.
     VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<Companion> braille,
                 const Settings::Speech& settings);

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/voices/exploring.h"
 #include "tests/voices/speech_server.h"
 
 namespace handrail::test {
@@ -12,28 +12,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-// The program in a home of its own, typed to.
-class Exploring {
-public:
-    Exploring(const TemporaryFolder& folder, Environment environment, const std::vector<std::string>& arguments = {"--no-window", "--device", "none"})
-        : said_(folder.path() / "said") {
-        environment.merge(bare_environment(folder.path().string()));
-        std::vector<std::string> words{HANDRAIL_PROGRAM};
-        words.insert(words.end(), arguments.begin(), arguments.end());
-        process_ = ChildProcess::start(words, environment, said_);
-    }
-    std::string said() const { return content_of(said_); }
-    bool says(const std::string& words) const {
-        return eventually([&] { return said().find(words) != std::string::npos; });
-    }
-    ChildProcess& process() { return *process_; }
-    void type(const std::string& lines) { process_->type(lines); }
-
-private:
-    std::filesystem::path said_;
-    std::unique_ptr<ChildProcess> process_;
-};
 
 class ProgramSpeaking : public testing::Test {
 protected:

@@ -22,7 +22,7 @@ TEST(SoundOutputs, text_is_written_and_something_sounds_or_says_why_not) {
     EXPECT_EQ(outputs.description.empty(), silent) << "told once, here or in the news";
     outputs.audio->tick(1.0);
     outputs.speech->tick(1.0);
-    outputs.speech->tick(1.0 + VoiceRouter::kPatience_s);
+    outputs.speech->tick(1.0 + 1.0);
     outputs.audio->play({.kind = SoundKind::Beep});
     outputs.speech->say({.text = "Welcome"});
     EXPECT_EQ(outputs.speech->speaking(), !silent) << "where nothing is heard, nobody waits for the voice";

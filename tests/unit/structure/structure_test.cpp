@@ -54,10 +54,12 @@ const std::map<std::string, std::vector<std::string>> kMayLink{
     {"app/terminal", {"app/core"}},
     {"app/wizard", {"app/core"}},
     {"app/window", {"app/core"}},
+    {"app/accessible", {"app/window", "audio-cues/sinks"}},
     {"app/companions", {"app/core", "haptic/drivers"}},
     {"app/guard", {"haptic/drivers"}},
     {"tests/bench/compare", {"worlds/readers", "haptic/compile", "haptic/servo", "haptic/loop"}},
-    {"app/main", {"app/core", "app/companions", "app/terminal", "app/wizard", "app/window", "audio-cues/sinks", "haptic/drivers", "tests/bench/compare"}},
+    {"app/main",
+     {"app/core", "app/companions", "app/terminal", "app/wizard", "app/window", "app/accessible", "audio-cues/sinks", "haptic/drivers", "tests/bench/compare"}},
 };
 
 void reach(const std::string& folder, std::set<std::string>& reached) {

@@ -1,0 +1,76 @@
+#include "tests/voices/desktop.h"
+
+#include <signal.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+
+namespace fs = std::filesystem;
+
+std::string Desktop::why_not() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return "Orca, D-Bus and their libraries are not judged under the sanitizers";
+#endif
+    for (const char* program : {"orca", "dbus-daemon", "at-spi-bus-launcher", "speech-dispatcher", "Xvfb", "xdotool"})
+        if (!installed(program)) return std::string(program) + " is not installed";
+    return {};
+}
+
+Desktop::Desktop(const fs::path& folder) : folder_(folder) {
+    fs::create_directories(folder_ / "session");
+    fs::permissions(folder_ / "session", fs::perms::owner_all);
+    display = VirtualDisplay::start();
+    if (!display) return;
+    bus_ = ChildProcess::start({"dbus-daemon", "--session", "--nofork", "--nopidfile", "--address=unix:path=" + (folder_ / "session" / "bus").string()},
+                               session(), folder_ / "bus.out");
+    if (!eventually([&] { return fs::exists(folder_ / "session" / "bus"); })) return;
+    speech = SpeechServer::start(folder_, 1);
+}
+
+Desktop::~Desktop() {
+    // What the bus has started ends with it, but only when asked to.
+    if (bus_) bus_->send(SIGTERM);
+}
+
+Environment Desktop::session() const {
+    return {{"HOME", folder_.string()}, {"XDG_RUNTIME_DIR", (folder_ / "session").string()},
+            {"XDG_CONFIG_HOME", ""},    {"XDG_DATA_HOME", ""},
+            {"WAYLAND_DISPLAY", ""},    {"GSETTINGS_BACKEND", "memory"},
+            {"NO_AT_BRIDGE", ""},       {"DBUS_SESSION_BUS_ADDRESS", "unix:path=" + (folder_ / "session" / "bus").string()}};
+}
+
+Environment Desktop::environment(bool speech_server) const {
+    Environment all = session();
+    all["DISPLAY"] = std::getenv("DISPLAY");
+    all["LIBGL_ALWAYS_SOFTWARE"] = "1";
+    if (speech_server) all.merge(speech->environment());
+    return all;
+}
+
+bool Desktop::start_orca() {
+    const auto began = static_cast<std::ptrdiff_t>(speech->recorded().size());
+    Environment environment = session();
+    environment.merge(speech->environment());
+    environment["PATH"] = "/usr/bin:/bin";  // the system's Python has what Orca needs
+    orca_ = ChildProcess::start({"orca", "-d", "braille", "-e", "speech", "-u", (folder_ / "orca").string()}, environment, folder_ / "orca.out");
+    return eventually(
+        [&] {
+            const auto all = speech->recorded();
+            return std::any_of(all.begin() + began, all.end(), [](const Recorded& entry) { return entry.words.find("Screen reader on") != std::string::npos; });
+        },
+        60.0);
+}
+
+bool Desktop::focus_window() const {
+    return eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0);
+}
+
+std::string Desktop::everything() const {
+    return speech->everything() + "\nOrca:\n" + content_of(folder_ / "orca.out") + "\nbus:\n" + content_of(folder_ / "bus.out");
+}
+
+}  // namespace handrail::test

@@ -1,0 +1,36 @@
+// The program in a home of its own, typed to or, with a window, pressed at.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/support/child_process.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+
+class Exploring {
+public:
+    // `environment` is what is there; all else is as on a bare machine.
+    Exploring(const TemporaryFolder& folder, Environment environment, const std::vector<std::string>& arguments = {"--no-window", "--device", "none"})
+        : said_(folder.path() / "said") {
+        environment.merge(bare_environment(folder.path().string()));
+        std::vector<std::string> words{HANDRAIL_PROGRAM};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        process_ = ChildProcess::start(words, environment, said_);
+    }
+    std::string said() const { return content_of(said_); }
+    bool says(const std::string& words) const {
+        return eventually([&] { return said().find(words) != std::string::npos; }, 60.0);
+    }
+    ChildProcess& process() { return *process_; }
+    void type(const std::string& lines) { process_->type(lines); }
+
+private:
+    std::filesystem::path said_;
+    std::unique_ptr<ChildProcess> process_;
+};
+
+}  // namespace handrail::test

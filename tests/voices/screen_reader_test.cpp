@@ -1,0 +1,162 @@
+// The program read by Orca, on a desktop of the test's own.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/voices/desktop.h"
+#include "tests/voices/exploring.h"
+
+namespace handrail::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// A name that was said before gets a blank after it, since only a change is read.
+std::string without_end_blanks(std::string text) {
+    while (!text.empty() && text.back() == ' ') text.pop_back();
+    return text;
+}
+
+// How many processes of that name run with `folder` in their environment.
+int processes_called(const std::string& name, const std::filesystem::path& folder) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+        std::string own;
+        std::getline(std::ifstream(entry.path() / "comm"), own);
+        count += own == name && content_of(entry.path() / "environ").find(folder.string()) != std::string::npos;
+    }
+    return count;
+}
+
+class ReadByOrca : public testing::Test {
+protected:
+    // Orca is on, and with `explore` the program explores the first room and Orca reads it.
+    void begin(bool speech_server) {
+        if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
+        desktop = std::make_unique<Desktop>(folder.path());
+        ASSERT_TRUE(desktop->running());
+        ASSERT_TRUE(desktop->start_orca()) << desktop->everything();
+        program = std::make_unique<Exploring>(folder, desktop->environment(speech_server), std::vector<std::string>{"--device", "none"});
+        ASSERT_TRUE(desktop->focus_window()) << everything();
+    }
+    // What the recorder was told, and what the program wrote.
+    std::string everything() const { return "said:\n" + program->said() + desktop->everything(); }
+    int times_spoken(const std::string& words) const {
+        const auto all = desktop->speech->recorded();
+        return static_cast<int>(
+            std::count_if(all.begin(), all.end(), [&](const Recorded& entry) { return entry.event == "speak" && without_end_blanks(entry.words) == words; }));
+    }
+    bool spoken(const std::string& words, int times = 1) const {
+        return eventually([&] { return times_spoken(words) == times; }, 60.0);
+    }
+    bool speaks_of(const std::string& words) const {
+        return eventually([&] { return desktop->speech->spoke(words); }, 60.0);
+    }
+    void leave() {
+        EXPECT_TRUE(desktop->press("Escape"));
+        EXPECT_TRUE(program->says("Press Escape again")) << everything();
+        EXPECT_TRUE(desktop->press("Escape"));
+        EXPECT_EQ(program->process().exit_status(), 0) << everything();
+    }
+
+    TemporaryFolder folder;
+    std::unique_ptr<Desktop> desktop;
+    std::unique_ptr<Exploring> program;
+};
+
+TEST_F(ReadByOrca, speaks_through_it_from_the_first_word_and_with_no_voice_of_its_own) {
+    ASSERT_NO_FATAL_FAILURE(begin(true));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    ASSERT_TRUE(desktop->press("Right"));
+    EXPECT_TRUE(spoken("North-east")) << everything();
+    ASSERT_TRUE(desktop->press("c"));
+    EXPECT_TRUE(speaks_of("Facing north-east, 22 degrees")) << everything();
+    // Once by Orca, and not once more by the speech server on our own behalf.
+    EXPECT_EQ(times_spoken("North-east"), 1) << everything();
+    EXPECT_TRUE(desktop->speech->spoke("Handrail.")) << everything();
+    EXPECT_THAT(program->said(), Not(HasSubstr("built-in voice"))) << everything();
+    leave();
+}
+
+TEST_F(ReadByOrca, repeats_word_for_word_on_request) {
+    ASSERT_NO_FATAL_FAILURE(begin(false));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    ASSERT_TRUE(desktop->press("Right"));
+    ASSERT_TRUE(spoken("North-east")) << everything();
+    ASSERT_TRUE(desktop->press("space"));
+    EXPECT_TRUE(spoken("North-east", 2)) << everything();
+    ASSERT_TRUE(desktop->press("space"));
+    EXPECT_TRUE(spoken("North-east", 3)) << everything();
+    leave();
+}
+
+TEST_F(ReadByOrca, has_each_key_first_but_for_the_stop_key) {
+    ASSERT_NO_FATAL_FAILURE(begin(false));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    // Insert with F is Orca's question about letters, F alone is our force key.
+    ASSERT_TRUE(desktop->display->xdotool("keydown Insert key f keyup Insert"));
+    ASSERT_TRUE(desktop->press("Right"));
+    ASSERT_TRUE(spoken("North-east")) << everything();
+    EXPECT_THAT(program->said(), Not(HasSubstr("orces"))) << everything();
+    ASSERT_TRUE(desktop->press("f"));
+    EXPECT_TRUE(speaks_of("orces")) << everything();
+    ASSERT_TRUE(desktop->press("F12"));
+    EXPECT_TRUE(program->says("alert: ")) << everything();
+    leave();
+}
+
+TEST_F(ReadByOrca, goes_on_when_it_is_killed_and_comes_back_to_it) {
+    ASSERT_NO_FATAL_FAILURE(begin(true));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    desktop->kill_orca();
+    EXPECT_TRUE(program->says("alert: The screen reader has gone; the speech server speaks now.")) << everything();
+    EXPECT_TRUE(spoken("The screen reader has gone; the speech server speaks now.")) << everything();
+    ASSERT_TRUE(desktop->press("Right"));
+    EXPECT_TRUE(spoken("North-east")) << everything();
+    ASSERT_TRUE(desktop->start_orca()) << everything();
+    EXPECT_TRUE(speaks_of("The screen reader speaks now.")) << everything();
+    ASSERT_TRUE(desktop->press("c"));
+    EXPECT_TRUE(speaks_of("Facing north-east, 22 degrees")) << everything();
+    leave();
+}
+
+TEST_F(ReadByOrca, goes_on_when_the_whole_session_bus_ends) {
+    ASSERT_NO_FATAL_FAILURE(begin(true));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    desktop->end_session();
+    EXPECT_TRUE(program->says("alert: The screen reader has gone; the speech server speaks now.")) << everything();
+    ASSERT_TRUE(desktop->press("Right"));
+    EXPECT_TRUE(spoken("North-east")) << everything();
+    leave();
+}
+
+TEST(WithoutASessionBus, no_bus_is_started_and_no_word_waits_for_one) {
+    if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
+    const TemporaryFolder folder;
+    const auto display = VirtualDisplay::start();
+    ASSERT_TRUE(display);
+    Exploring program(folder,
+                      {{"DISPLAY", std::getenv("DISPLAY")},
+                       {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                       {"NO_AT_BRIDGE", ""},
+                       {"DBUS_SESSION_BUS_ADDRESS", ""},
+                       {"XDG_RUNTIME_DIR", folder.path().string()}},
+                      {"--device", "none"});
+    EXPECT_TRUE(program.says("facing north")) << program.said();
+    EXPECT_EQ(processes_called("handrail", folder.path()), 1) << "or this looks at the wrong place";
+    EXPECT_EQ(processes_called("dbus-launch", folder.path()), 0);
+    EXPECT_EQ(processes_called("dbus-daemon", folder.path()), 0);
+}
+
+}  // namespace
+}  // namespace handrail::test
