@@ -12,11 +12,12 @@ CompanionSession::CompanionSession(Clock& clock, bool run_thread) : devices_(clo
     if (run_thread) devices_.start();
 }
 
-std::vector<std::string> CompanionSession::guide(AppCore& app, double now_s) {
-    const Steering steering = devices_.steering();
+std::vector<std::string> CompanionSession::guide(AppCore& app, double now_s, bool busy_elsewhere) {
+    const Steering steering = busy_elsewhere ? Steering{} : devices_.steering();
     if (steering != steering_) app.steer(steering);
     steering_ = steering;
     for (const Command command : devices_.take_commands()) {
+        if (busy_elsewhere) continue;  // done with: it must not come later
         app.press(command, now_s);
         app.release(command);
     }

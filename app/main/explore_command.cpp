@@ -414,7 +414,7 @@ private:
             else take_lines(now_s);
             if (!look_for_hand(err)) return 1;
             if (companions_)
-                for (std::string& sentence : companions_->guide(*app_, now_s)) say(std::move(sentence));
+                for (std::string& sentence : companions_->guide(*app_, now_s, wizard_ != nullptr)) say(std::move(sentence));
             if (servo_) tool_ = servo_->tool();
             tell_how_it_runs();
             if (guarded_)

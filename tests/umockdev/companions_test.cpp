@@ -33,7 +33,7 @@ protected:
         for (const double end_s = clock_.now_s() + seconds; clock_.now_s() < end_s;) {
             clock_.advance_s(1.0 / 60.0);
             session_.devices().step();
-            for (std::string& sentence : session_.guide(app_, clock_.now_s())) news_.push_back(std::move(sentence));
+            for (std::string& sentence : session_.guide(app_, clock_.now_s(), busy_elsewhere_)) news_.push_back(std::move(sentence));
             app_.tick(clock_.now_s(), {});
             for (const CueRequest& cue : cues_ = app_.take_cues())
                 if (cue.kind == CueRequestKind::Say) said_.push_back(cue.text);
@@ -57,6 +57,7 @@ protected:
         UMockdevTestbed* bed = umockdev_testbed_new();
         ~Bed() { g_object_unref(bed); }
     } bed_;
+    bool busy_elsewhere_ = false;
     VirtualClock clock_;
     CompanionSession session_{clock_, false};
     AppCore app_{Settings{}, HandFacts{}};
@@ -119,6 +120,23 @@ void Companions::walk_into_the_wall(bool bluetooth) {
 
 TEST_F(Companions, a_dual_sense_on_usb_walks_the_body_into_a_wall_and_is_told_of_it) { walk_into_the_wall(false); }
 TEST_F(Companions, a_dual_sense_on_bluetooth_walks_the_body_into_a_wall_and_is_told_of_it) { walk_into_the_wall(true); }
+
+TEST_F(Companions, what_is_pressed_while_a_person_is_busy_elsewhere_does_nothing_then_or_later) {
+    app_.enter_world(hall(), 0.0);
+    test::PadEmulator pad(true, false);
+    MockHidraw node(bed_.bed, pad, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"});
+    busy_elsewhere_ = true;
+    ASSERT_TRUE(run_until([&] { return session_.devices().any(); }, 5.0));
+    EXPECT_THAT(news_, Contains(HasSubstr("I found a DualSense"))) << "what was found is told all the same";
+    said_.clear();
+    push(pad, node, {128, 0, 128, 128}, {8 | 0x20, 0, 0});
+    ASSERT_TRUE(run_until([&] { return session_.devices().steering().ahead > 0.9; }, 5.0));
+    push(pad, node, {128, 0, 128, 128});
+    EXPECT_FALSE(run_until([&] { return app_.feet_m().y > 2.01 || !said_.empty(); }, 1.0));
+    busy_elsewhere_ = false;  // the stick is still pushed: that counts now, the button that was pressed then does not
+    EXPECT_TRUE(run_until([&] { return app_.feet_m().y > 2.2; }, 5.0));
+    EXPECT_TRUE(said_.empty()) << said_.front();
+}
 
 TEST_F(Companions, a_space_mouse_walks_and_turns_and_rests_when_it_falls_silent) {
     app_.enter_world(hall(), 0.0);
