@@ -1,0 +1,386 @@
+// Routes against their brute-force twin and in worlds that are strange.
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "tests/support/box_scene.h"
+#include "tests/support/map_text.h"
+#include "tests/support/random_families.h"
+#include "tests/support/real_worlds.h"
+#include "tests/unit/navigation/grid_twin.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+using test::GridTwin;
+using test::SceneBuilder;
+
+std::shared_ptr<Navigation> navigate(const Scene& scene) {
+    const BodySize size = body_size(scene, 0.25);
+    auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+    EXPECT_TRUE(made) << (made ? "" : made.error().message);
+    return made ? *made : nullptr;
+}
+
+Scene bundled(const std::string& name) {
+    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name);
+    EXPECT_TRUE(scene);
+    return std::move(*scene);
+}
+
+// Where the middle of every named thing that stands on a floor can be stood beside.
+std::vector<Vec3> places_beside_things(const Scene& scene, Navigation& navigation) {
+    std::vector<Vec3> places;
+    for (const Start& start : scene.starts) places.push_back(start.feet_m);
+    for (const Feature& feature : scene.features)
+        if (feature.kind == FeatureKind::Object && feature.landmark)
+            if (const auto place = navigation.nearest_place({feature.bounds_m.centre_m().x, feature.bounds_m.centre_m().y, feature.bounds_m.min_m.z}))
+                places.push_back(*place);
+    return places;
+}
+
+// A body that is a little thinner and one that is a little wider: between their ways must lie ours, whatever the squares of the twin happen to miss.
+constexpr double kThinner_m = 0.03;
+
+struct Twins {
+    Twins(const Scene& scene, double side_m)
+        : thin(scene, size_by(scene, -kThinner_m), side_m), wide(scene, size_by(scene, kThinner_m), side_m), side(side_m) {}
+    static BodySize size_by(const Scene& scene, double more_m) {
+        BodySize size = body_size(scene, 0.25);
+        size.radius_m += more_m;
+        return size;
+    }
+    GridTwin thin, wide;
+    double side;
+};
+
+// Whether one gets from the first place to each, and how long the shortest way is.
+int agrees_with(const Twins& twins, Navigation& navigation, const Vec3& from, const std::vector<Vec3>& places) {
+    int compared = 0;
+    const auto least = twins.thin.lengths(from, places), most = twins.wide.lengths(from, places);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        SCOPED_TRACE(::testing::Message() << "from " << from.x << " " << from.y << " " << from.z << " to " << places[i].x << " " << places[i].y << " "
+                                          << places[i].z);
+        const Route route = navigation.plan(from, places[i], RouteWish::Shortest);
+        if (route.drops) continue;  // the twin never steps off an edge
+        const bool there = route.reaches && glm::length(route.points_m.back() - places[i]) < 0.4;
+        if (most[i]) {
+            EXPECT_TRUE(there) << "the wider body comes there in " << *most[i];
+        }
+        if (there) {
+            EXPECT_TRUE(least[i]) << "even the thinner body does not come there";
+        }
+        if (!there || !least[i] || !most[i]) continue;
+        EXPECT_LE(route.length_m, 1.05 * *most[i] + twins.side);
+        EXPECT_GE(route.length_m, 0.95 * *least[i] - twins.side);
+        ++compared;
+    }
+    return compared;
+}
+
+TEST(Routes, agree_with_a_grid_search_between_all_landmarks_of_every_bundled_world) {
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
+        if (entry.path().extension() != ".map") continue;
+        SCOPED_TRACE(entry.path().filename().string());
+        const Scene scene = bundled(entry.path().filename().string());
+        const auto navigation = navigate(scene);
+        ASSERT_TRUE(navigation);
+        const std::vector<Vec3> places = places_beside_things(scene, *navigation);
+        Twins twins(scene, 0.1);
+        for (const Vec3& place : places) {
+            twins.thin.flood_from(place);
+            twins.wide.flood_from(place);
+        }
+        int compared = 0;
+        for (const Vec3& from : places) compared += agrees_with(twins, *navigation, from, places);
+        EXPECT_GT(compared, 0);
+    }
+}
+
+// Walls with gaps of all widths and boxes of all heights, in a closed field.
+Scene random_world(std::mt19937& random, const Vec3& at) {
+    SceneBuilder builder;
+    const auto draw = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto box = [&](const Vec3& a, const Vec3& b) { builder.box(at + a, at + b, "block", SolidRole::Solid, {}, FeatureKind::Wall); };
+    constexpr double kSize = 10.0;
+    box({0, 0, -0.2}, {kSize, kSize, 0});
+    box({-0.2, 0, -0.2}, {0, kSize, 2.5});
+    box({kSize, 0, -0.2}, {kSize + 0.2, kSize, 2.5});
+    box({0, -0.2, -0.2}, {kSize, 0, 2.5});
+    box({0, kSize, -0.2}, {kSize, kSize + 0.2, 2.5});
+    for (int wall = 1; wall < 3; ++wall) {
+        const double x = kSize * wall / 3.0 + draw(-0.5, 0.5), gap = draw(0.0, kSize - 1.0);
+        // Clearly wide enough or clearly too narrow for a body of half a metre.
+        const double width = std::bernoulli_distribution(0.8)(random) ? draw(0.75, 1.2) : draw(0.1, 0.35);
+        box({x, 0, 0}, {x + 0.15, gap, 2.5});
+        box({x, gap + width, 0}, {x + 0.15, kSize, 2.5});
+    }
+    for (int i = 0; i < 6; ++i) {
+        const Vec3 a{draw(0.5, 8.0), draw(0.5, 8.0), 0};
+        const double high = std::bernoulli_distribution(0.5)(random) ? draw(0.4, 2.0) : draw(0.05, 0.2);  // to walk round or over
+        box(a, a + Vec3(draw(0.2, 1.5), draw(0.2, 1.5), high));
+    }
+    builder.start(at + Vec3(0.3, 0.3, 0), 0.0);
+    return builder.scene();
+}
+
+TEST(Routes, agree_with_a_grid_search_in_random_worlds_of_boxes_and_walls) {
+    std::mt19937 random(test::seed_of_run());
+    for (int world = 0; world < 12; ++world) {
+        SCOPED_TRACE("seed " + std::to_string(test::seed_of_run()) + " world " + std::to_string(world));
+        const Vec3 at = world % 3 == 2 ? Vec3(2e5, -1e5, 300.0) : Vec3(0.0);
+        const Scene scene = random_world(random, at);
+        std::vector<Vec3> places{at + Vec3(0.3, 0.3, 0)};
+        Twins twins(scene, 0.1);
+        twins.thin.flood_from(places[0]);
+        twins.wide.flood_from(places[0]);
+        for (int i = 0; i < 8; ++i) {
+            const Vec3 place = at + Vec3(std::uniform_real_distribution<double>(0.3, 9.7)(random), std::uniform_real_distribution<double>(0.3, 9.7)(random), 0);
+            if (twins.wide.flood_from(place) && twins.thin.flood_from(place)) places.push_back(place);
+        }
+        const auto navigation = navigate(scene);
+        ASSERT_TRUE(navigation);
+        agrees_with(twins, *navigation, places[0], places);
+    }
+}
+
+// Nothing solid on the way: the body of walking itself, moved along every stretch of a route, goes through.
+TEST(Routes, can_be_walked_by_the_body_that_walks) {
+    const Scene scene = bundled("house.map");
+    const auto navigation = navigate(scene);
+    ASSERT_TRUE(navigation);
+    const BodyWorld world(test::without_doors(scene));
+    const BodySize size = body_size(scene, 0.25);
+    const std::vector<Vec3> places = places_beside_things(scene, *navigation);
+    ASSERT_GE(places.size(), 12U);
+    int walked = 0;
+    for (const Vec3& to : places)
+        for (const RouteWish wish : {RouteWish::Safest, RouteWish::Shortest}) {
+            const Route route = navigation->plan(places[0], to, wish);
+            ASSERT_TRUE(route.reaches);
+            Walker walker(world, size);
+            walker.place(route.points_m.front());
+            std::size_t next = 1;
+            for (int tick = 0; tick < 6000 && next < route.points_m.size(); ++tick) {
+                Vec3 off = route.points_m[next] - walker.state().feet_m;
+                off.z = 0.0;
+                if (glm::length(off) < 0.08) ++next;
+                else walker.tick(off / std::max(glm::length(off), 0.02), 0.02);
+            }
+            EXPECT_EQ(next, route.points_m.size()) << to.x << " " << to.y << " " << to.z << " stuck at " << walker.state().feet_m.x << " "
+                                                   << walker.state().feet_m.y << " " << walker.state().feet_m.z;
+            ++walked;
+        }
+    EXPECT_GE(walked, 24);
+}
+
+TEST(Routes, keep_away_from_walls_where_there_is_room_and_are_hardly_longer) {
+    const Scene scene = bundled("house.map");
+    const auto navigation = navigate(scene);
+    ASSERT_TRUE(navigation);
+    const auto near_walls = [&](const Route& route) {
+        double close_m = 0.0;
+        for (std::size_t i = 1; i < route.points_m.size(); ++i) {
+            std::size_t all = 0, close = 0;
+            navigation->space().straight(route.points_m[i - 1], route.points_m[i], [&](std::uint32_t s) {
+                ++all;
+                close += navigation->space().spans[s].clearance_m < 0.2F ? 1 : 0;
+            });
+            if (all > 0) close_m += glm::length(route.points_m[i] - route.points_m[i - 1]) * static_cast<double>(close) / static_cast<double>(all);
+        }
+        return close_m;
+    };
+    double safest_close = 0.0, shortest_close = 0.0, safest_long = 0.0, shortest_long = 0.0;
+    const std::vector<Vec3> places = places_beside_things(scene, *navigation);
+    for (const Vec3& from : places)
+        for (const Vec3& to : places) {
+            const Route safest = navigation->plan(from, to, RouteWish::Safest), shortest = navigation->plan(from, to, RouteWish::Shortest);
+            EXPECT_EQ(safest.reaches, shortest.reaches);
+            EXPECT_LE(safest.length_m, 1.5 * shortest.length_m + 1.0);
+            safest_close += near_walls(safest);
+            shortest_close += near_walls(shortest);
+            safest_long += safest.length_m;
+            shortest_long += shortest.length_m;
+        }
+    EXPECT_LT(safest_close, 0.8 * shortest_close);
+    EXPECT_LT(safest_long, 1.12 * shortest_long);
+}
+
+TEST(Routes, tell_the_doors_and_stairs_on_the_way_in_order) {
+    const Scene scene = bundled("house.map");
+    const auto navigation = navigate(scene);
+    ASSERT_TRUE(navigation);
+    const auto thing = [&](const std::string& name) {
+        for (const Feature& feature : scene.features)
+            if (feature.name == name) return Vec3(feature.bounds_m.centre_m().x, feature.bounds_m.centre_m().y, feature.bounds_m.min_m.z);
+        ADD_FAILURE() << name;
+        return Vec3(0.0);
+    };
+    const Route route = navigation->plan(thing("Letter box"), thing("Piano"));
+    ASSERT_TRUE(route.reaches);
+    std::vector<std::string> met;
+    for (std::size_t i = 0; i < route.passages.size(); ++i) {
+        const RoutePassage& passage = route.passages[i];
+        met.push_back(scene.find(passage.feature) ? scene.find(passage.feature)->name : "");
+        EXPECT_GE(passage.at_m, i > 0 ? route.passages[i - 1].at_m : 0.0);
+        if (passage.kind == PassageKind::Stairs) {
+            EXPECT_NEAR(passage.rise_m, 2.9, 0.35);
+        }
+    }
+    EXPECT_EQ(met, (std::vector<std::string>{"Front door", "Stairs", "Music room door"}));
+}
+
+TEST(Routes, say_where_the_way_ends_when_there_is_none) {
+    for (const char* name : {"quake-e1m1.map", "quake-start.map"}) {
+        const auto path = test::real_world(name);
+        if (!path) GTEST_SKIP() << name << " is not here";
+        const auto scene = read_world(*path);
+        ASSERT_TRUE(scene);
+        const auto navigation = navigate(*scene);
+        ASSERT_TRUE(navigation);
+        int reached = 0, not_reached = 0;
+        for (const Start& start : scene->starts) {
+            const Route route = navigation->plan(scene->starts.front().feet_m, start.feet_m);
+            ASSERT_FALSE(route.points_m.empty());
+            (route.reaches ? reached : not_reached)++;
+            EXPECT_EQ(route.reaches, navigation->reachable(scene->starts.front().feet_m, start.feet_m));
+            if (route.reaches) continue;
+            EXPECT_GT(route.short_of_m, 1.0);
+            // Where it ends can be reached indeed.
+            EXPECT_TRUE(navigation->plan(scene->starts.front().feet_m, route.points_m.back()).reaches);
+        }
+        EXPECT_GT(reached, 0) << name;
+        EXPECT_GT(not_reached, 0) << name;
+    }
+}
+
+TEST(Routes, take_lifts_both_ways_and_teleporters_and_drops_one_way) {
+    using test::box_brush;
+    using test::entity;
+    using test::key;
+    // A low floor and a high one, 160 units above it, with a lift between them at x 0 to 64; a teleporter at the low floor's west end leads to a cell of its
+    // own.
+    const std::string text =
+        entity("worldspawn", key("wad", ""),
+               box_brush(-512, -256, -16, 512, 256, 0) + box_brush(64, -256, 0, 512, 256, 160) + box_brush(0, -256, 0, 64, -32, 160) +
+                   box_brush(0, 32, 0, 64, 256, 160) + box_brush(-512, -272, -16, 512, -256, 320) + box_brush(-512, 256, -16, 512, 272, 320) +
+                   box_brush(-528, -272, -16, -512, 272, 320) + box_brush(512, -272, -16, 528, 272, 320) + box_brush(1000, 1000, -16, 1200, 1200, 0)) +
+        entity("func_plat", {}, box_brush(0, -32, 0, 64, 32, 160)) +
+        entity("trigger_teleport", key("target", "cell"), box_brush(-480, -32, 0, -416, 32, 64, "trigger")) +
+        entity("info_teleport_destination", key("targetname", "cell") + key("origin", "1100 1100 24")) +
+        entity("info_player_start", key("origin", "-200 0 24")) + entity("info_player_deathmatch", key("origin", "300 0 184"));
+    const auto scene = read_quake_map(text, "lift.map");
+    ASSERT_TRUE(scene);
+    ASSERT_TRUE(scene->game_map);
+    const auto navigation = navigate(*scene);
+    ASSERT_TRUE(navigation);
+    const Vec3 low = scene->starts[0].feet_m, high = scene->starts[1].feet_m, cell{1100.0 / 32, 1100.0 / 32, 0.0};
+    const Route up = navigation->plan(low, high);
+    ASSERT_TRUE(up.reaches);
+    ASSERT_EQ(up.passages.size(), 1U);
+    EXPECT_EQ(up.passages[0].kind, PassageKind::Lift);
+    EXPECT_NEAR(up.passages[0].rise_m, (160.0 - 8.0) / 32.0, 0.02);
+    EXPECT_FALSE(up.drops);
+    const Route down = navigation->plan(high, low);
+    ASSERT_TRUE(down.reaches);
+    EXPECT_FALSE(down.drops) << "the lift is safer than jumping off";
+    EXPECT_EQ(navigation->plan(high, low, RouteWish::Shortest).passages.size(), 1U);
+    const Route away = navigation->plan(low, cell);
+    ASSERT_TRUE(away.reaches);
+    EXPECT_EQ(away.passages.back().kind, PassageKind::Teleporter);
+    const Route back = navigation->plan(cell, low);
+    EXPECT_FALSE(back.reaches);
+    EXPECT_GT(back.short_of_m, 20.0);
+}
+
+TEST(Routes, are_the_same_every_time_and_far_from_the_origin) {
+    std::mt19937 random(7);
+    const Scene scene = random_world(random, Vec3(0.0));
+    random.seed(7);
+    const Scene far = random_world(random, Vec3(524288.0, -262144.0, 1024.0));
+    const auto one = navigate(scene), two = navigate(scene), there = navigate(far);
+    ASSERT_TRUE(one && two && there);
+    for (int i = 0; i < 20; ++i) {
+        const Vec3 to{0.4 + 0.45 * i, 9.0 - 0.4 * i, 0.0};
+        const Route a = one->plan({0.3, 0.3, 0.0}, to), b = two->plan({0.3, 0.3, 0.0}, to);
+        ASSERT_EQ(a.points_m.size(), b.points_m.size());
+        for (std::size_t k = 0; k < a.points_m.size(); ++k) EXPECT_EQ(a.points_m[k], b.points_m[k]);
+        const Route c = there->plan(Vec3(524288.3, -262143.7, 1024.0), to + Vec3(524288.0, -262144.0, 1024.0));
+        EXPECT_EQ(a.reaches, c.reaches);
+        EXPECT_NEAR(a.length_m, c.length_m, 0.02 * a.length_m + 0.05);
+    }
+}
+
+TEST(Routes, of_worlds_without_floor_are_refused_in_one_sentence) {
+    Scene nothing;
+    nothing.materials.emplace_back();
+    const auto none = Navigation::make(nothing, WalkBody{});
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().message, "There is no floor to walk on here, so there are no rooms and no ways.");
+
+    SceneBuilder wall;
+    wall.box({0, 0, 0}, {4, 0.01, 3});
+    wall.start({2, -1, 0}, 0.0);  // over nothing
+    EXPECT_FALSE(Navigation::make(wall.scene(), WalkBody{}));
+
+    SceneBuilder floor;
+    floor.box({0, 0, -1}, {4, 4, 0});
+    floor.start({2, 2, 0}, 0.0);
+    const auto some = Navigation::make(floor.scene(), WalkBody{});
+    ASSERT_TRUE(some);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_TRUE((*some)->plan({nan, 0, 0}, {2, 2, 0}).points_m.empty());
+    EXPECT_TRUE((*some)->plan({2, 2, 0}, {nan, 0, 0}).points_m.empty());
+    EXPECT_TRUE((*some)->plan({2e9, 2, 0}, {2, 2, 0}).points_m.empty());
+    const Route here = (*some)->plan({2, 2, 0}, {2, 2, 0});
+    EXPECT_TRUE(here.reaches);
+    EXPECT_EQ(here.length_m, 0.0);
+    const Route beyond = (*some)->plan({2, 2, 0}, {50, 2, 0});
+    EXPECT_FALSE(beyond.reaches);
+    EXPECT_NEAR(beyond.points_m.back().x, 4.2, 0.15);  // the body stands until all of it is over the edge
+    EXPECT_NEAR(beyond.short_of_m, 45.8, 0.2);
+}
+
+TEST(Routes, in_a_huge_world_use_larger_cells_and_say_so) {
+    SceneBuilder field;
+    field.box({-80, -80, -1}, {80, 80, 0}, "field", SolidRole::Solid, {}, FeatureKind::Floor);
+    field.start({0, 0, 0}, 0.0);
+    WalkBody coarse;
+    coarse.cell_m = 0.1;
+    const auto made = Navigation::make(field.scene(), coarse);
+    ASSERT_TRUE(made) << made.error().message;
+    ASSERT_EQ((*made)->said().size(), 1U);
+    EXPECT_TRUE((*made)->said()[0].starts_with("This world is so large"));
+    EXPECT_LT((*made)->space().spans.size(), 2'000'000U);
+    EXPECT_NEAR((*made)->plan({0, 0, 0}, {30, 40, 0}).length_m, 50.0, 0.5);
+
+    SceneBuilder endless;
+    endless.box({-4e4, -4e4, -1}, {4e4, 4e4, 0}, "desert", SolidRole::Solid, {}, FeatureKind::Floor);
+    endless.start({0, 0, 0}, 0.0);
+    coarse.cell_m = 0.4;
+    const auto refused = Navigation::make(endless.scene(), coarse);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "This world is too large to find ways through it on foot.");
+
+    // One block far away makes a small house no larger.
+    SceneBuilder house;
+    house.box({0, 0, -1}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    house.box({9e5, 9e5, 0}, {9e5 + 1, 9e5 + 1, 1}, "moon", SolidRole::Solid, {}, FeatureKind::Wall);
+    house.start({5, 5, 0}, 0.0);
+    const auto small = Navigation::make(house.scene(), WalkBody{});
+    ASSERT_TRUE(small);
+    EXPECT_TRUE((*small)->said().empty());
+    EXPECT_LT((*small)->space().spans.size(), 50'000U);
+}
+
+TEST(Routes, can_be_given_up_while_they_are_prepared) {
+    const Scene scene = bundled("house.map");
+    const auto made = Navigation::make(scene, WalkBody{}, [] { return true; });
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().message, "Finding the rooms was given up.");
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,363 @@
+#include "worlds/navigation/navigation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace handrail {
+namespace {
+
+constexpr double kGoalReach_m = 3.0;  // a thing stands at most so far from where one can stand beside it
+constexpr double kStartReach_m = 1.0;
+constexpr double kNarrow_m = 0.25;     // less clearance than this is a narrow place
+constexpr double kStairsTold_m = 0.4;  // a rise of less is no stairs
+constexpr double kOneFlight_m = 1.0;   // stairs with less than that between them are one
+constexpr double kGameCell_m = 0.1, kBuildingCell_m = 0.05;
+constexpr double kMostGameDrop_m = 20.0, kMostDrop_m = 1.0;
+
+}  // namespace
+
+WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m) {
+    WalkBody body;
+    body.radius_m = radius_m;
+    body.height_m = height_m;
+    body.step_up_m = step_up_m;
+    body.cell_m = scene.game_map ? kGameCell_m : kBuildingCell_m;
+    body.most_drop_m = scene.game_map ? kMostGameDrop_m : kMostDrop_m;
+    return body;
+}
+
+Result<std::shared_ptr<Navigation>> Navigation::make(const Scene& scene, const WalkBody& body, const std::function<bool()>& stop) {
+    std::shared_ptr<Navigation> made(new Navigation);
+    Result<WalkSpace> space = make_walk_space(scene, body, stop);
+    if (!space) return tl::unexpected(space.error());
+    made->space_ = std::move(*space);
+    Result<NavMesh> mesh = NavMesh::make(made->space_);
+    if (!mesh) return tl::unexpected(mesh.error());
+    made->mesh_ = std::make_unique<NavMesh>(std::move(*mesh));
+
+    const WalkSpace& all = made->space_;
+    made->piece_.assign(all.spans.size(), kNothing);
+    std::uint32_t pieces = 0;
+    std::vector<std::uint32_t> open;
+    for (std::uint32_t s = 0; s < all.spans.size(); ++s) {
+        if (made->piece_[s] != kNothing) continue;
+        open.assign(1, s);
+        made->piece_[s] = pieces;
+        while (!open.empty()) {
+            const std::uint32_t here = open.back();
+            open.pop_back();
+            for (const std::uint32_t n : all.spans[here].next)
+                if (n != kNothing && made->piece_[n] == kNothing) {
+                    made->piece_[n] = pieces;
+                    open.push_back(n);
+                }
+        }
+        ++pieces;
+    }
+    made->leads_to_.resize(pieces);
+    for (const WalkLink& link : all.links) {
+        const std::uint32_t a = made->piece_[link.from], b = made->piece_[link.to];
+        if (a == b) continue;
+        made->leads_to_[a].push_back(b);
+        if (link.both_ways) made->leads_to_[b].push_back(a);
+    }
+    for (const Mover& mover : scene.movers) {
+        made->door_features_.push_back(mover.feature);
+        made->door_groups_.push_back(mover.group);
+        const Feature* feature = scene.find(mover.feature);
+        made->door_places_.push_back(feature && !feature->bounds_m.empty() ? feature->bounds_m.centre_m() : Vec3(0.0));
+    }
+    return made;
+}
+
+std::uint32_t Navigation::span_from(const Vec3& feet_m) const { return space_.nearest(feet_m, kStartReach_m, 0.6, 3.0); }
+
+std::uint32_t Navigation::span_to(const Vec3& at_m) const {
+    if (const std::uint32_t near = space_.nearest(at_m, kStartReach_m, 0.6, 3.0); near != kNothing) return near;
+    return space_.nearest(at_m, kGoalReach_m, 1.5, 4.0);
+}
+
+std::optional<Vec3> Navigation::nearest_place(const Vec3& at_m) const {
+    const std::uint32_t span = span_to(at_m);
+    if (span == kNothing) return std::nullopt;
+    return space_.place_m(span);
+}
+
+std::vector<bool> Navigation::pieces_from(std::uint32_t span) const {
+    std::vector<bool> reached(leads_to_.size(), false);
+    std::vector<std::uint32_t> open{piece_[span]};
+    reached[piece_[span]] = true;
+    while (!open.empty()) {
+        const std::uint32_t here = open.back();
+        open.pop_back();
+        for (const std::uint32_t n : leads_to_[here])
+            if (!reached[n]) {
+                reached[n] = true;
+                open.push_back(n);
+            }
+    }
+    return reached;
+}
+
+bool Navigation::reachable(const Vec3& from_m, const Vec3& to_m) const {
+    const std::uint32_t from = span_from(from_m), to = span_to(to_m);
+    return from != kNothing && to != kNothing && pieces_from(from)[piece_[to]];
+}
+
+double Navigation::cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) const {
+    double sum = 0.0;
+    std::size_t count = 0;
+    if (!space_.straight(from_m, to_m, [&](std::uint32_t s) {
+            sum += cost_per_m(space_.spans[s], wish);
+            ++count;
+        }))
+        return std::numeric_limits<double>::infinity();
+    return glm::length(to_m - from_m) * sum / static_cast<double>(std::max<std::size_t>(count, 1));
+}
+
+// From cell to cell: where a leg of the mesh's way, which simplifies outlines a little, does not quite hold.
+std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint32_t to, RouteWish wish) const {
+    std::vector<float> best(space_.spans.size(), std::numeric_limits<float>::infinity());
+    std::vector<std::uint32_t> came(space_.spans.size(), kNothing);
+    using Entry = std::pair<double, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    const Vec3 goal = space_.place_m(to);
+    best[from] = 0.0F;
+    open.emplace(0.0, from);
+    while (!open.empty()) {
+        const auto [estimate, here] = open.top();
+        open.pop();
+        if (here == to) break;
+        const Vec3 at = space_.place_m(here);
+        if (estimate > static_cast<double>(best[here]) + glm::length(goal - at) + 1e-4) continue;
+        const auto go = [&](std::uint32_t n) {
+            if (n == kNothing) return;
+            const Vec3 there = space_.place_m(n);
+            const double through = static_cast<double>(best[here]) + glm::length(there - at) * cost_per_m(space_.spans[n], wish);
+            if (!(static_cast<float>(through) < best[n])) return;
+            best[n] = static_cast<float>(through);
+            came[n] = here;
+            open.emplace(through + glm::length(goal - there), n);
+        };
+        for (int d = 0; d < 4; ++d) {
+            const std::uint32_t side = space_.spans[here].next[d];
+            go(side);
+            if (side == kNothing) continue;
+            const std::uint32_t other = space_.spans[here].next[(d + 1) % 4], corner = space_.spans[side].next[(d + 1) % 4];
+            if (other != kNothing && corner != kNothing && space_.spans[other].next[d] == corner) go(corner);
+        }
+    }
+    std::vector<std::uint32_t> way;
+    if (from != to && came[to] == kNothing) return way;
+    for (std::uint32_t s = to; s != kNothing; s = came[s]) way.push_back(s);
+    std::reverse(way.begin(), way.end());
+    return way;
+}
+
+// Leaves out points between which one can as well walk straight.
+void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
+    if (points_m.size() < 3) return;
+    std::vector<double> so_far{0.0};
+    for (std::size_t i = 1; i < points_m.size(); ++i) {
+        double leg = cost(points_m[i - 1], points_m[i], wish);
+        if (!std::isfinite(leg)) leg = 4.0 * glm::length(points_m[i] - points_m[i - 1]);
+        so_far.push_back(so_far.back() + leg);
+    }
+    std::vector<Vec3> kept{points_m.front()};
+    for (std::size_t at = 0; at + 1 < points_m.size();) {
+        std::size_t to = at + 1;
+        for (std::size_t far = points_m.size() - 1; far > at + 1; --far)
+            if (cost(points_m[at], points_m[far], wish) <= so_far[far] - so_far[at] + 1e-6) {
+                to = far;
+                break;
+            }
+        kept.push_back(points_m[to]);
+        at = to;
+    }
+    points_m = std::move(kept);
+}
+
+// Moves the turning points to where there is more room, as long as the way does not get worse by it: through the middle of doors, round corners at a distance.
+void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
+    if (wish == RouteWish::Shortest || points_m.size() < 2) return;
+    // A turning point of its own in each narrow place.
+    std::vector<Vec3> more{points_m.front()};
+    for (std::size_t i = 1; i < points_m.size(); ++i) {
+        std::uint32_t narrowest = kNothing;
+        space_.straight(points_m[i - 1], points_m[i], [&](std::uint32_t s) {
+            if (narrowest == kNothing || space_.spans[s].clearance_m < space_.spans[narrowest].clearance_m) narrowest = s;
+        });
+        if (narrowest != kNothing && static_cast<double>(space_.spans[narrowest].clearance_m) < kNarrow_m) {
+            const Vec3 place = space_.place_m(narrowest);
+            if (glm::length(place - points_m[i - 1]) > kNarrow_m && glm::length(place - points_m[i]) > kNarrow_m) more.push_back(place);
+        }
+        more.push_back(points_m[i]);
+    }
+    for (int round = 0; round < 4; ++round) {
+        bool moved = false;
+        for (std::size_t i = 1; i + 1 < more.size(); ++i)
+            for (const double by : {0.3, 0.1, space_.cell_m}) {
+                double best = cost(more[i - 1], more[i], wish) + cost(more[i], more[i + 1], wish);
+                Vec3 to = more[i];
+                for (int way = 0; way < 8; ++way) {
+                    const Vec3 aim = more[i] + forward_of_heading(way * kPi / 4.0) * by;
+                    const std::uint32_t s = space_.at(aim);
+                    if (s == kNothing) continue;
+                    const Vec3 place = space_.place_m(s);
+                    const double there = cost(more[i - 1], place, wish) + cost(place, more[i + 1], wish);
+                    if (there < best - 1e-6) {
+                        best = there;
+                        to = place;
+                    }
+                }
+                moved = moved || to != more[i];
+                more[i] = to;
+            }
+        if (!moved) break;
+    }
+    points_m = std::move(more);
+    straighten(points_m, wish);
+}
+
+// Doors and stairs on a stretch that is walked, and the points where stairs begin and end, which are added to the route.
+void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const {
+    std::uint32_t door = kNothing;
+    bool on_stairs = false;
+    std::uint32_t stairs_from = kNothing;
+    double stairs_at_m = 0.0, stairs_end_m = -1e9;
+    FeatureId stairs_ground = kNoFeature;
+    const auto add_point = [&](const Vec3& p) {
+        const double further = glm::length(p - route.points_m.back());
+        route.length_m += further;
+        if (further > 1e-9) route.points_m.push_back(p);
+    };
+    const auto end_stairs = [&](std::uint32_t at) {
+        on_stairs = false;
+        const double rise = space_.place_m(at).z - space_.place_m(stairs_from).z;
+        RoutePassage* before = route.passages.empty() ? nullptr : &route.passages.back();
+        if (before && before->kind == PassageKind::Stairs && before->rise_m * rise > 0.0 && stairs_at_m - stairs_end_m < kOneFlight_m) {
+            before->rise_m += rise;
+            if (!before->feature) before->feature = stairs_ground;
+        } else {
+            route.passages.push_back({PassageKind::Stairs, space_.place_m(stairs_from), stairs_at_m, rise, stairs_ground});
+        }
+        stairs_end_m = route.length_m + glm::length(space_.place_m(at) - route.points_m.back());
+    };
+    if (route.points_m.empty() || glm::length(leg.front() - route.points_m.back()) > 1e-9) route.points_m.push_back(leg.front());  // a link counts no metres
+    std::uint32_t last = kNothing;
+    for (std::size_t i = 1; i < leg.size(); ++i) {
+        const Vec3 from = leg[i - 1], to = leg[i];
+        const double length = glm::length(to - from);
+        space_.straight(from, to, [&](std::uint32_t s) {
+            const Vec3 here = space_.place_m(s);
+            const double along = length > 0.0 ? std::clamp(glm::dot(here - from, to - from) / (length * length), 0.0, 1.0) : 0.0;
+            const Vec3 on_line = [&] {
+                Vec3 p = from + (to - from) * along;
+                p.z = here.z;
+                return p;
+            }();
+            const double at_m = route.length_m + glm::length(on_line - route.points_m.back());
+            const WalkSpan& span = space_.spans[s];
+            const std::uint32_t group = span.door == kNothing ? kNothing : door_groups_[span.door];
+            if (group != kNothing && group != door) {
+                const Vec3 centre = door_places_[span.door];
+                route.passages.push_back({PassageKind::Door, {centre.x, centre.y, here.z}, at_m, 0.0, door_features_[span.door]});
+            }
+            door = group;
+            if (span.stairs != on_stairs) {
+                if (span.stairs) {
+                    stairs_from = s;
+                    stairs_at_m = at_m;
+                    stairs_ground = kNoFeature;
+                    on_stairs = true;
+                } else {
+                    end_stairs(s);
+                }
+                if (along > 0.0 && along < 1.0) add_point(on_line);
+            }
+            if (span.stairs && !stairs_ground && span.ground < space_.obstacle_features.size()) stairs_ground = space_.obstacle_features[span.ground];
+            last = s;
+        });
+        add_point(to);
+    }
+    if (on_stairs && last != kNothing) end_stairs(last);
+}
+
+Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
+    Route route;
+    const std::uint32_t from = span_from(from_m);
+    if (from == kNothing || !is_finite(to_m)) return route;
+    std::uint32_t to = span_to(to_m);
+    const std::vector<bool> reached = pieces_from(from);
+    route.reaches = to != kNothing && reached[piece_[to]];
+    if (!route.reaches) {
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
+            if (reached[piece_[s]])
+                if (const double far = glm::length(space_.place_m(s) - to_m); far < nearest) {
+                    nearest = far;
+                    to = s;
+                }
+        route.short_of_m = nearest;
+    }
+
+    // The mesh's way, its corners put on the floor; where it has none, from cell to cell.
+    std::vector<std::vector<Vec3>> legs(1);
+    std::vector<std::uint32_t> links;
+    const std::optional<MeshPath> found = mesh_->path(from, to, wish, piece_[from] != piece_[to]);
+    const bool over_mesh = found && found->complete;
+    if (over_mesh) {
+        for (std::size_t i = 0; i < found->corners.size(); ++i) {
+            const MeshPath::Corner& corner = found->corners[i];
+            std::uint32_t on = space_.nearest(corner.place_m, 4.0 * space_.cell_m, space_.body.step_up_m + 0.2, space_.body.step_up_m + 0.2);
+            if (i == 0) on = from;
+            if (i + 1 == found->corners.size()) on = to;
+            for (const std::uint32_t number : {i > 0 ? found->corners[i - 1].link : kNothing, corner.link}) {  // one end of a link
+                if (number == kNothing) continue;
+                const WalkLink& link = space_.links[number];
+                const Vec3 a = space_.place_m(link.from), b = space_.place_m(link.to);
+                on = glm::length(a - corner.place_m) < glm::length(b - corner.place_m) ? link.from : link.to;
+            }
+            if (on == kNothing) continue;
+            legs.back().push_back(space_.place_m(on));
+            if (corner.link != kNothing) {
+                links.push_back(corner.link);
+                legs.emplace_back();
+            }
+        }
+    } else {
+        for (const std::uint32_t s : over_cells(from, to, wish)) legs.back().push_back(space_.place_m(s));
+        if (legs.back().empty()) {
+            route.reaches = false;
+            legs.back().push_back(space_.place_m(from));
+            route.short_of_m = glm::length(to_m - space_.place_m(from));
+        }
+    }
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+        if (legs[i].empty()) legs[i].push_back(space_.place_m(to));
+        std::vector<Vec3> walked{legs[i].front()};
+        for (std::size_t k = 1; k < legs[i].size(); ++k) {
+            if (!space_.straight(legs[i][k - 1], legs[i][k])) {
+                const std::uint32_t a = space_.nearest(legs[i][k - 1], space_.cell_m, 0.1, 0.1), b = space_.nearest(legs[i][k], space_.cell_m, 0.1, 0.1);
+                if (a != kNothing && b != kNothing)
+                    for (const std::uint32_t s : over_cells(a, b, wish)) walked.push_back(space_.place_m(s));
+            }
+            walked.push_back(legs[i][k]);
+        }
+        straighten(walked, wish);
+        make_way(walked, wish);
+        if (i > 0) {
+            const WalkLink& link = space_.links[links[i - 1]];
+            const double rise = walked.front().z - route.points_m.back().z;
+            route.passages.push_back({link.kind, route.points_m.back(), route.length_m, rise, link.feature});
+            route.drops = route.drops || link.kind == PassageKind::Drop;
+        }
+        tell_passages(route, walked);
+    }
+    // A few steps too few to be told as stairs.
+    std::erase_if(route.passages, [&](const RoutePassage& p) { return p.kind == PassageKind::Stairs && std::abs(p.rise_m) < kStairsTold_m; });
+    return route;
+}
+
+}  // namespace handrail

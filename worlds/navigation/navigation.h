@@ -1,0 +1,58 @@
+// Ways through a world on foot, ready to be asked for: the walkable space and its mesh, built once from a Scene. Building takes from milliseconds to seconds
+// and any thread; asking shares scratch memory, so one thread at a time.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "worlds/navigation/nav_mesh.h"
+#include "worlds/navigation/route.h"
+#include "worlds/navigation/walk_space.h"
+
+namespace handrail {
+
+// The body of a person in a building or of a player in a game map, by the scene's kind; cells to match.
+WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double step_up_m);
+
+class Navigation {
+public:
+    // Fails with one sentence: no floor, too large, stopped. `stop` may be empty; it is asked now and then and ends the work.
+    static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkBody& body, const std::function<bool()>& stop = {});
+
+    // From where a body stands to a place, or to the nearest one to stand at beside it. Doors count as open. A route that does not reach its goal ends at
+    // the nearest place that can be reached. No points: there is no floor at `from_m`.
+    Route plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish = RouteWish::Safest);
+    // Where one can stand nearest to a place, within 3 m.
+    std::optional<Vec3> nearest_place(const Vec3& at_m) const;
+    // True when one comes from one place to the other, doors open; drops, lifts and teleporters count as ways.
+    bool reachable(const Vec3& from_m, const Vec3& to_m) const;
+
+    const WalkSpace& space() const { return space_; }
+    const NavMesh& mesh() const { return *mesh_; }
+    // What a listener should know about how it was made; empty where all is plain.
+    const std::vector<std::string>& said() const { return space_.said; }
+
+private:
+    Navigation() = default;
+    std::uint32_t span_from(const Vec3& feet_m) const;
+    std::uint32_t span_to(const Vec3& at_m) const;
+    std::vector<bool> pieces_from(std::uint32_t span) const;
+    std::vector<std::uint32_t> over_cells(std::uint32_t from, std::uint32_t to, RouteWish wish) const;
+    double cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) const;
+    void straighten(std::vector<Vec3>& points_m, RouteWish wish) const;
+    void make_way(std::vector<Vec3>& points_m, RouteWish wish) const;
+    void tell_passages(Route& route, const std::vector<Vec3>& leg) const;
+
+    WalkSpace space_;
+    std::unique_ptr<NavMesh> mesh_;
+    std::vector<std::uint32_t> piece_;                  // of each span: which connected floor it is part of
+    std::vector<std::vector<std::uint32_t>> leads_to_;  // of each piece: those that links lead to
+    std::vector<FeatureId> door_features_;              // of each of Scene::movers
+    std::vector<std::uint32_t> door_groups_;
+    std::vector<Vec3> door_places_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,80 @@
+// Where a body of a certain size can stand and walk in a Scene: upright columns through its solids, each grown by the body, so that a place is free exactly
+// when the body there overlaps nothing. The same growth and slopes as walking itself uses. Built by flooding from where a designer put something, so
+// its size goes with what can be reached, not with the world's. Immutable afterwards. Deterministic. Any thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "worlds/base/result.h"
+#include "worlds/navigation/route.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+struct WalkBody {
+    double radius_m = 0.25;
+    double height_m = 1.8;
+    double step_up_m = 0.25;
+    double most_drop_m = 1.0;  // farther down nobody is led
+    double cell_m = 0.05;      // of the columns; grows by itself where a world is too large for it
+};
+
+// Which of the scene's solids are obstacles of their own kind.
+inline constexpr std::uint32_t kNothing = 0xffffffffU;
+
+// One place to stand in a column.
+struct WalkSpan {
+    float floor_m = 0.0F;    // above WalkSpace::origin_m.z
+    float ceiling_m = 0.0F;  // where the soles could at most be
+    std::uint32_t cell = 0;
+    std::uint32_t next[4] = {kNothing, kNothing, kNothing, kNothing};  // the span one walks to: east, north, west, south
+    std::uint32_t ground = kNothing;                                   // obstacle one stands on
+    std::uint32_t door = kNothing;                                     // place in Scene::movers of the door that hangs here
+    float clearance_m = 0.0F;                                          // from here to where the body would touch something or step off an edge
+    std::uint32_t beside = kNothing;                                   // the obstacle that is nearest; kNothing: an edge
+    bool near_edge = false;                                            // nearest is an edge that one would fall from
+    bool liquid = false;
+    bool stairs = false;
+};
+
+// A way that walking alone does not make.
+struct WalkLink {
+    PassageKind kind = PassageKind::Drop;
+    std::uint32_t from = 0, to = 0;  // spans
+    bool both_ways = false;
+    FeatureId feature = kNoFeature;
+};
+
+struct WalkSpace {
+    Vec3 origin_m{0.0};  // corner of cell 0
+    double cell_m = 0.05;
+    std::uint32_t width = 0, depth = 0;  // cells to the east and to the north
+    WalkBody body;
+    std::vector<std::uint32_t> first;  // of each cell the first span; size width x depth + 1
+    std::vector<WalkSpan> spans;
+    std::vector<WalkLink> links;
+    std::vector<FeatureId> obstacle_features;  // of each obstacle the feature it is, kNoFeature for the building itself
+    std::vector<std::string> said;             // sentences about what was simplified
+
+    Vec3 place_m(std::uint32_t span) const {
+        const std::uint32_t x = spans[span].cell % width, y = spans[span].cell / width;
+        return origin_m + Vec3((x + 0.5) * cell_m, (y + 0.5) * cell_m, static_cast<double>(spans[span].floor_m));
+    }
+    // The span whose middle is nearest, at most that far level and up or down; kNothing: none.
+    std::uint32_t nearest(const Vec3& feet_m, double level_m, double up_m, double down_m) const;
+    // The span of the column at that place whose floor is nearest in height; kNothing where there is none within a step and a half.
+    std::uint32_t at(const Vec3& feet_m) const;
+    // True when one walks straight from one place to the other without leaving the spans. `touched` is told every span on the way, in order.
+    bool straight(const Vec3& from_m, const Vec3& to_m, const std::function<void(std::uint32_t)>& touched = {}) const;
+    double cell_area_m2() const { return cell_m * cell_m; }
+};
+
+// Fails with a sentence where there is nothing to walk on. `progress` may be empty; `stop` is asked now and then, true ends it with a failure.
+Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, const std::function<bool()>& stop = {});
+
+}  // namespace handrail
