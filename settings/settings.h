@@ -64,6 +64,8 @@ struct Settings {
         double speed_m_per_s = 1.0;   // 0.2 to 3
         double turn_deg = 22.5;       // one press of Left or Right; 1 to 90
         double body_radius_m = 0.25;  // 0.1 to 0.6
+        bool callouts = true;         // stairs, drops, ramps and openings are told without being asked for
+        bool stop_at_drops = true;    // the body stops at an edge until the key is pressed again
     } walk;
     struct Speech {
         SpeechThrough through = SpeechThrough::Auto;  // who speaks; where that one is missing, the next in this order does
@@ -89,6 +91,7 @@ struct Settings {
         // Every cue on or off; alarms and what is asked for by name (the sound dictionary) always sound.
         bool wall_tone = true, contact = true, slide = true, splash = true, door = true, footstep = true, bump = true, world = true, denied = true, forces = true,
              turn = true, frame = true, arrived = true;
+        bool corner = true, drop = true, ways = true;  // cues as those above: corners and openings; edges; doors and stairs ahead
         bool swap_sides = false;  // left and right ear are exchanged, for headphones worn or wired the other way round
         bool workspace = true;    // a cue as those above: rim and grip
         bool desk = true;         // likewise: what clicks at the desk

@@ -91,7 +91,9 @@ void AppCore::enter_world(std::shared_ptr<const Scene> scene, double now_s) {
 }
 
 void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad, double now_s) {
-    scene_ = std::make_shared<const Scene>(with_movers_apart(*scene, HapticScene::kMostBodies, thing_of_mover_));
+    Scene entered = with_movers_apart(*scene, HapticScene::kMostBodies, thing_of_mover_);
+    mark_base_door(entered, feet_m);
+    scene_ = std::make_shared<const Scene>(std::move(entered));
     retune();
     compile(0);
     things_.enter(*scene_, *haptic_scene_, now_s);
@@ -108,6 +110,8 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     inside_.clear();
     told_triggers_.clear();
     path_m_.assign(1, home_feet_m_);
+    walking_ = {};
+    walking_.crumbs_m.assign(1, home_feet_m_);
     pending_way_m_ = since_footstep_m_ = 0.0;
     blocked_ = false;
     last_tick_s_ = now_s;
@@ -215,7 +219,9 @@ std::string AppCore::entering_text() const {
 
 std::string AppCore::where_am_i() const {
     const bool home = glm::length(feet_m() - home_feet_m_) < 0.5 * settings_.walk.step_length_m;
-    std::string text = fmt::format("You are {}, facing {}.", home ? "at the base" : fmt::format("in {}", scene_->name), compass_word(heading_rad_));
+    const bool at_door = std::any_of(scene_->features.begin(), scene_->features.end(), [](const Feature& feature) { return feature.base; });
+    std::string text = fmt::format("You are {}, facing {}.", !home ? fmt::format("in {}", scene_->name) : at_door ? "at the door, base" : "at the base",
+                                   compass_word(heading_rad_));
     const double bearings[4] = {0.0, kPi / 2.0, kPi, -kPi / 2.0};
     for (const double turn : bearings) {
         const double bearing = heading_rad_ + turn;
@@ -285,11 +291,13 @@ void AppCore::know_stops(std::uint32_t stops, double now_s) {
 bool AppCore::idle() const {
     const bool walking = walker_ && (pending_way_m_ != 0.0 || !walker_->state().on_ground);
     const bool pushing = last_tick_s_ < push_until_s_;
-    return !walking && !pushing && heading_rad_ == heading_goal_rad_ && std::none_of(held_.begin(), held_.end(), [](bool down) { return down; });
+    return !walking && !pushing && !led() && heading_rad_ == heading_goal_rad_ && std::none_of(held_.begin(), held_.end(), [](bool down) { return down; });
 }
 
 void AppCore::act(Command command, double now_s) {
     if (!scene_) return;
+    notice_walk_key(command, now_s);
+    if (act_walking(command, now_s)) return;
     const double notch = radians_from_degrees(settings_.walk.turn_deg);
     const auto step = [&](double sign) {
         if (pending_way_m_ * sign < 0.0) pending_way_m_ = 0.0;
@@ -402,6 +410,7 @@ void AppCore::act(Command command, double now_s) {
             break;
         }
         case Command::Home:
+            keep_place_for_undo();
             go_home(now_s);
             break;
         case Command::BringOut:
@@ -463,6 +472,8 @@ void AppCore::act(Command command, double now_s) {
             break;
         case Command::HandDown:
             move_hand({0.0, 0.0, -kHandTap_m});
+            break;
+        default:  // act_walking()
             break;
     }
 }
@@ -530,6 +541,7 @@ void AppCore::place(const Vec3& feet_m, double heading_rad, double now_s) {
     pending_way_m_ = since_footstep_m_ = 0.0;
     blocked_ = false;
     path_m_.push_back(walker_->state().feet_m);
+    walking_.set_down(walker_->state().feet_m);
     publish_pose(now_s, PoseChange::Placed);
 }
 
@@ -551,6 +563,7 @@ void AppCore::bring_out(double now_s) {
         const auto free = nearest_free_feet(*body_world_, feet_m(), walker_->shape());
         if (free) {
             const double way = glm::length(*free - feet_m());
+            keep_place_for_undo();
             place(*free, heading_rad_, now_s);
             said = fmt::format("You stood in something. You are out, {}.", how_far(way));
         } else {
@@ -702,11 +715,18 @@ void AppCore::steer(const Steering& steering) {
 
 // A stick turns as far as it is pushed and long; which way one faces is told when it comes to rest.
 void AppCore::turn(double now_s, double dt_s) {
-    if (steering_.turn_right != 0.0) heading_goal_rad_ = wrap_angle(heading_goal_rad_ + steering_.turn_right * kStickTurnRate_rad_per_s * dt_s);
+    const double free_keys = (held(Command::FreeRight) ? 0.5 : 0.0) - (held(Command::FreeLeft) ? 0.5 : 0.0);
+    const double free_turn = steering_.turn_right + free_keys;
+    if (free_turn != 0.0) heading_goal_rad_ = wrap_angle(heading_goal_rad_ + free_turn * kStickTurnRate_rad_per_s * dt_s);
     const double left = wrap_angle(heading_goal_rad_ - heading_rad_);
     const double most = kTurnRate_rad_per_s * dt_s;
     heading_rad_ = std::abs(left) <= most ? heading_goal_rad_ : wrap_angle(heading_rad_ + std::copysign(most, left));
-    if (std::exchange(stick_turns_, steering_.turn_right != 0.0) && !stick_turns_) answer(sentence_case(std::string(compass_word(heading_goal_rad_))), now_s);
+    if (std::exchange(stick_turns_, free_turn != 0.0) && !stick_turns_)
+        answer(free_keys_told_ ? fmt::format("{}, {:.0f} degrees", sentence_case(std::string(compass_word(heading_goal_rad_))),
+                                             std::fmod(degrees_from_radians(heading_goal_rad_) + 360.0, 360.0))
+                               : sentence_case(std::string(compass_word(heading_goal_rad_))),
+               now_s);
+    free_keys_told_ = free_keys != 0.0;
 }
 
 double AppCore::passage_width_m() const { return scene_ ? free_space(*body_world_, feet_m(), kLookHeight_m, heading_rad_).width_m : 0.0; }
@@ -726,7 +746,14 @@ void AppCore::walk(double now_s, double dt_s) {
         wish = pushed * (settings_.walk.speed_m_per_s / std::max(1.0, glm::length(pushed)));
         way = glm::length(wish) * dt_s;
     }
-    const WalkResult walked = walker_->tick(wish, dt_s);
+    if (const auto lead = lead_walk(now_s, dt_s)) {
+        wish = *lead;
+        way = glm::length(wish) * dt_s;
+    }
+    const WalkerState stood = walker_->state();
+    WalkResult walked = walker_->tick(wish, dt_s);
+    if (held_at_edge(stood, now_s)) walked.walked_m = 0.0, walked.ground = ground_, walked.bump.reset();
+    notice_ground(stood.feet_m, walked, now_s);
     const Vec3 feet = feet_m();
     if (glm::length(feet - path_m_.back()) > 0.25) {
         if (path_m_.size() >= kMostPathPoints) path_m_.erase(path_m_.begin(), path_m_.begin() + kMostPathPoints / 4);
@@ -734,21 +761,24 @@ void AppCore::walk(double now_s, double dt_s) {
     }
 
     since_footstep_m_ += walked.walked_m;
-    if (since_footstep_m_ >= settings_.walk.step_length_m - 1e-6 || walked.landed || walked.climbed_m > 0.1) {
+    // Each riser is a step, up and down.
+    const bool riser = walked.landed || walked.climbed_m > 0.1 || (stood.on_ground && walker_->state().on_ground && stood.feet_m.z - feet.z > 0.1);
+    if (since_footstep_m_ >= settings_.walk.step_length_m - 1e-6 || riser) {
         since_footstep_m_ = std::max(0.0, since_footstep_m_ - settings_.walk.step_length_m);
-        if (walked.landed || walked.climbed_m > 0.1) since_footstep_m_ = 0.0;
+        if (riser) since_footstep_m_ = 0.0;
         CueRequest step;
         step.kind = CueRequestKind::Footstep;
         step.time_s = now_s;
         step.material = scene_->material(walked.ground_material).sound;
         step.feature = walked.ground;
+        step.pitch = walking_.step_pitch;
         step.position_m = feet;
         cue(std::move(step));
     }
     ground_ = walked.ground;
     if (walked.landed) say(fmt::format("You fell {:.1f} metres.", walked.fell_m), SpeechClass::Answer, now_s);
 
-    if (walked.bump) {
+    if (walked.bump && !(led() && walked.walked_m > 0.0)) {
         pending_way_m_ = 0.0;
         if (!blocked_) {
             since_footstep_m_ = 0.0;

@@ -17,6 +17,7 @@
 #include "app/core/surroundings.h"
 #include "app/core/view.h"
 #include "app/core/walker.h"
+#include "app/core/walking.h"
 #include "app/core/words.h"
 #include "app/core/workspace_scale.h"
 #include "audio-cues/plan/cue_planner.h"
@@ -177,6 +178,26 @@ private:
     void describe_touched(double now_s);
     void go_home(double now_s);
     void bring_out(double now_s);
+    // Moving by ear: app_core_walking.cpp.
+    bool act_walking(Command command, double now_s);
+    void notice_walk_key(Command command, double now_s);
+    void confirm_edge(double now_s);
+    bool start_trail(TrailSide side, double now_s);
+    bool led() const;
+    std::optional<Vec3> lead_walk(double now_s, double dt_s);
+    std::optional<Vec3> retrace_wish(double now_s, double dt_s);
+    void tell_trail(const TrailEvent& event, double now_s);
+    void square_up(double now_s);
+    void leap(int by, double now_s);
+    void keep_place_for_undo();
+    std::string where_words(double distance_m, double bearing_rad) const;
+    bool held_at_edge(const WalkerState& before, double now_s);
+    bool tell_place_once(const Vec3& place_m, bool drop, double now_s);
+    void notice_ground(const Vec3& before_m, const WalkResult& walked, double now_s);
+    void tell_ahead(double now_s);
+    void beat_ahead(double now_s);
+    static void mark_base_door(Scene& scene, const Vec3& feet_m);
+    CueRequest sound_at(SoundKind kind, const Vec3& place_m, double now_s) const;
     // Doors, lifts, buttons and teleporters: app_core_movers.cpp.
     void use(double now_s);
     void play_movers(double now_s, double dt_s);
@@ -221,8 +242,9 @@ private:
     double since_footstep_m_ = 0.0;
     bool blocked_ = false;  // a bump was told and the body has not got away since
     std::vector<bool> held_;
+    Walking walking_;
     Steering steering_;
-    bool stick_turns_ = false;
+    bool stick_turns_ = false, free_keys_told_ = false;
     double last_turn_repeat_s_ = 0.0;
     std::optional<NamedScale> named_scale_;  // none: the scale of the settings
     Vec3 anchor_feet_m_{0.0};                // where the workspace stays while it does not follow the body

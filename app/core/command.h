@@ -51,6 +51,19 @@ enum class Command : std::uint8_t {
     NextSound,
     LastSound,  // the sound dictionary: names and plays one sound after the other
     VerbosityCycle,
+    // Moving by ear.
+    TrailLeft,
+    TrailRight,
+    TrailOn,
+    TrailBack,
+    SquareUp,
+    LeapNext,
+    LeapLast,
+    UndoLeap,
+    Retrace,
+    FreeLeft,
+    FreeRight,
+    Callouts,
     Calibrate,  // the set-up by voice, run by whoever owns the device
     Leave,  // Escape: asks once more at the top
     // The hand without a device: the simulated hand's target moves.

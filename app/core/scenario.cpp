@@ -271,6 +271,7 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
             must_be_one_of(e.material, all_material_names(), e.line, "sound material");
         }
         if (fields.has("muffled_db")) e.muffled_db = fields.range("muffled_db");
+        if (fields.has("pitch")) e.pitch = fields.range("pitch");
     };
     const auto direction = [&](const char* key) {
         e.vector = fields.vector(key);
@@ -287,6 +288,9 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
     };
     if (is("say", Check::Say)) e.text = fields.text("say");
     if (is("not_say", Check::NotSay)) e.text = fields.text("not_say");
+    if (is("say_in_order", Check::SayInOrder)) e.text = fields.text("say_in_order");
+    if (is("nothing_twice_s", Check::NothingTwice)) e.high = fields.number("nothing_twice_s", 0.0, 1e6);
+    if (is("sound_faster", Check::SoundFaster)) sound("sound_faster");
     if (is("sound", Check::Sound)) {
         sound("sound");
         e.high = fields.number_or("latency_ms", -1.0, 0.0, 10000.0);

@@ -102,6 +102,9 @@ struct Moment {
 enum class Check {
     Say,     // say: words in order in one line; times (exact) or at least once
     NotSay,  // not_say
+    SayInOrder,    // say_in_order: of the parts between bars each in a line of its own, in this order, other lines between
+    NothingTwice,  // nothing_twice_s: no line is said again within so many seconds
+    SoundFaster,   // sound_faster: it comes again and again, each time sooner
     Sound,   // sound, material; latency_ms: from event to start
     NotSound,
     Force,        // force_n = [min, max] of the magnitude, or along `direction`
@@ -131,6 +134,7 @@ struct Expectation {
     std::string text;                                 // words, sound name, feature name
     std::string material;                             // sounds
     std::optional<std::array<double, 2>> muffled_db;  // sounds: lost on the way, from and to
+    std::optional<std::array<double, 2>> pitch;       // sounds: factor, from and to
     std::optional<int> times;
     double low = 0.0, high = 0.0;  // force range, limits
     Vec3 vector{0.0};              // direction or place; NaN components are not looked at

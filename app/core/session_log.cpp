@@ -90,6 +90,12 @@ public:
                 return say(true);
             case Check::NotSay:
                 return say(false);
+            case Check::SayInOrder:
+                return say_in_order();
+            case Check::NothingTwice:
+                return nothing_twice();
+            case Check::SoundFaster:
+                return sound_faster();
             case Check::Sound:
                 return sound();
             case Check::NotSound:
@@ -204,7 +210,53 @@ private:
                     fmt::format("{} times; said:{}", found, others.empty() ? " nothing" : others));
     }
 
+    std::string say_in_order() const {
+        std::string said;
+        std::size_t begin = 0;
+        const auto next = [&] {
+            const std::size_t end = std::min(e_.text.find('|', begin), e_.text.size());
+            const std::string part = e_.text.substr(begin, end - begin);
+            begin = end + 1;
+            return part;
+        };
+        std::string part = next();
+        for (const LoggedLine& line : log_.lines) {
+            if (!window_.has(line.time_s)) continue;
+            said += fmt::format(" {:.3f} s \"{}\"", line.time_s, line.text);
+            if (!words_in_order(part, line.text)) continue;
+            if (begin > e_.text.size()) return {};
+            part = next();
+        }
+        return fail(fmt::format("\"{}\" in its turn", part), "not there; said:" + said);
+    }
+
+    std::string nothing_twice() const {
+        for (std::size_t i = 0; i < log_.lines.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                if (window_.has(log_.lines[k].time_s) && window_.has(log_.lines[i].time_s) && log_.lines[i].text == log_.lines[k].text &&
+                    log_.lines[i].time_s - log_.lines[k].time_s < e_.high)
+                    return fail(fmt::format("nothing twice within {} s", e_.high),
+                                fmt::format("\"{}\" at {:.3f} s and {:.3f} s", log_.lines[i].text, log_.lines[k].time_s, log_.lines[i].time_s));
+        return {};
+    }
+
+    std::string sound_faster() const {
+        std::vector<double> times_s;
+        for (const LoggedSound& s : log_.sounds)
+            if (window_.has(s.time_s) && is_wanted(s)) times_s.push_back(s.time_s);
+        std::string seen;
+        bool holds = times_s.size() >= 4;
+        for (std::size_t i = 1; i < times_s.size(); ++i) {
+            seen += fmt::format(" {:.3f}", times_s[i] - times_s[i - 1]);
+            // A frame early or late is no change.
+            if (i >= 2 && times_s[i] - times_s[i - 1] > times_s[i - 1] - times_s[i - 2] + 0.02) holds = false;
+        }
+        if (holds && times_s.back() - times_s[times_s.size() - 2] < 0.5 * (times_s[1] - times_s[0])) return {};
+        return fail(fmt::format("\"{}\" at least four times, ever sooner, at the end twice as fast", e_.text), fmt::format("seconds between:{}", seen));
+    }
+
     bool is_wanted(const LoggedSound& s) const {
+        if (e_.pitch && (s.cue.pitch < (*e_.pitch)[0] || s.cue.pitch > (*e_.pitch)[1])) return false;
         if (info(s.cue.kind).name != e_.text || (!e_.material.empty() && material_sound_name(s.cue.material) != e_.material)) return false;
         return !e_.muffled_db || (s.cue.loudness > 0.0 && s.cue.muffled_db >= (*e_.muffled_db)[0] && s.cue.muffled_db <= (*e_.muffled_db)[1]);
     }

@@ -48,6 +48,7 @@ std::string describe_feature(const Scene& scene, FeatureId id, int verbosity) {
     std::string text = verbosity == 1 ? feature->name : spoken_name(scene, id);
     if (text.empty() || verbosity == 1) return sentence_case(text);
     if (!feature->handle.empty()) text += fmt::format(", handle on the {} side", feature->handle);
+    if (feature->base) text += ", base";
     if (verbosity >= 3 && !feature->hinge.empty()) text += fmt::format(", hinged on the {} side", feature->hinge);
     if (verbosity >= 4) text += ". " + size_sentence(*feature);
     if (verbosity >= 3 && !feature->message.empty()) text += (text.back() == '.' ? " " : ". ") + feature->message;
@@ -256,7 +257,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             hushed_ = false;
             left_foot_ = !left_foot_;
             cue.kind = SoundKind::Footstep;
-            cue.pitch = left_foot_ ? 0.97 : 1.03;  // two feet are never quite alike; equal steps sound like a machine
+            cue.pitch = request.pitch * (left_foot_ ? 0.97 : 1.03);  // two feet are never quite alike; equal steps sound like a machine
             play(cue, audio);
             return;
         case CueRequestKind::Bump: {

@@ -49,6 +49,13 @@ enum class SoundKind : std::uint8_t {
     DoorMoves,  // a door, lift or button sets off
     DoorShuts,
     Bell,  // at one side, to find out which ear is which
+    // Where the way leads, at the places they tell of.
+    Corner,
+    Opening,     // the wall that is trailed is interrupted
+    DropNear,    // one beat of the warning before an edge
+    StairsUp,
+    StairsDown,
+    DoorNear,    // a door is before you
     // Sounds of the world, loops that stay at their places: what a map's sounds and particles are heard as.
     Hum,
     Buzz,

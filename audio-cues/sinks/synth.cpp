@@ -296,6 +296,39 @@ std::vector<float> bell() {
     return out;
 }
 
+// What the way leads to: rhythm first, then pitch, as earcons; they sound at a place, so each has breath in it that tells the ears where.
+std::vector<float> waymark(SoundKind kind, Noise& noise) {
+    struct Strike {
+        double at_s, hz, ring_s;
+    };
+    const auto struck = [&](std::initializer_list<Strike> strikes, double breath) {
+        double end_s = 0.0;
+        for (const Strike& one : strikes) end_s = std::max(end_s, one.at_s + one.ring_s);
+        std::vector<float> out(samples_of(end_s + 0.02));
+        for (const Strike& one : strikes) {
+            add_mode(out, samples_of(one.at_s), one.hz, one.ring_s, 0.8);
+            add_mode(out, samples_of(one.at_s), 2.76 * one.hz, 0.5 * one.ring_s, 0.3);
+            add_noise_burst(out, samples_of(one.at_s), 4000.0, 0.03, breath, noise);
+        }
+        finish(out, kPeak);
+        return out;
+    };
+    switch (kind) {
+        case SoundKind::Corner:
+            return struck({{0.0, 880.0, 0.12}, {0.13, 1319.0, 0.25}}, 0.15);
+        case SoundKind::Opening:
+            return struck({{0.0, 300.0, 0.25}, {0.05, 450.0, 0.25}, {0.10, 675.0, 0.3}}, 0.5);
+        case SoundKind::DropNear:
+            return struck({{0.0, 1900.0, 0.06}, {0.035, 1250.0, 0.07}}, 0.3);
+        case SoundKind::StairsUp:
+            return struck({{0.0, 523.0, 0.1}, {0.09, 659.0, 0.1}, {0.18, 784.0, 0.1}, {0.27, 1047.0, 0.25}}, 0.2);
+        case SoundKind::StairsDown:
+            return struck({{0.0, 1047.0, 0.1}, {0.09, 784.0, 0.1}, {0.18, 659.0, 0.1}, {0.27, 523.0, 0.25}}, 0.2);
+        default:  // DoorNear: knuckles on wood, twice
+            return struck({{0.0, 240.0, 0.07}, {0.12, 240.0, 0.09}}, 0.4);
+    }
+}
+
 // The world's own sounds: loops of whole seconds, so that every steady tone in them has whole periods and no seam.
 
 // Steady tones above a lowest one, the k-th at `slope` to the power of k.
@@ -520,6 +553,13 @@ std::vector<float> synthesise(SoundKind kind, SoundClass material) {
             return door_shuts(noise);
         case SoundKind::Bell:
             return bell();
+        case SoundKind::Corner:
+        case SoundKind::Opening:
+        case SoundKind::DropNear:
+        case SoundKind::StairsUp:
+        case SoundKind::StairsDown:
+        case SoundKind::DoorNear:
+            return waymark(kind, noise);
         default:
             return is_world_sound(kind) ? world_loop(kind, noise) : earcon(kind);
     }

@@ -33,6 +33,7 @@ struct Feature {
     double area_m2 = 0.0;   // exposed area
     bool landmark = false;  // fixed and unique here
     bool clue = false;      // helpful, may change
+    bool base = false;      // the door at the base, where one is
     std::string message;    // spoken on entering a trigger; for others a longer description
     std::string hinge;      // side of a door's hinge: "north", "east", ... or empty
     std::string handle;     // side of a door's handle, likewise

@@ -397,7 +397,9 @@ TEST(AppCore, falling_out_of_the_world_brings_one_back_to_the_base) {
     SceneBuilder b;
     b.box({-1, -1, -0.2}, {1, 1, 0}, "floor");
     b.start({0, 0, 0}, 0.0);
-    AppCore app(Settings{}, Session::facts(false));
+    Settings settings;
+    settings.walk.stop_at_drops = false;
+    AppCore app(settings, Session::facts(false));
     app.enter_world(b.share(), 0.0);
     app.press(Command::Forward, 0.0);
     double lowest = 0.0;

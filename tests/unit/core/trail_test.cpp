@@ -1,0 +1,190 @@
+#include "app/core/trail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "tests/support/box_scene.h"
+#include "tests/support/random_families.h"
+
+namespace handrail {
+namespace {
+
+using test::SceneBuilder;
+
+// A body that trails until the time is up or the wall ends, as AppCore moves it, and what it was told.
+struct Trailed {
+    std::vector<TrailEvent> events;
+    std::vector<Vec3> feet_m;
+    double farthest_from_wall_m = 0.0;  // of its side, while it says that it touches
+};
+
+Trailed go(const BodyWorld& world, const BodySize& body, const Vec3& feet, double heading, TrailSide side, double seconds) {
+    Trailed result;
+    Walker walker(world, body);
+    walker.place(feet);
+    Trail trail;
+    if (!trail.start(world, walker.state().feet_m, heading, body, side)) return result;
+    constexpr double kDt = 1.0 / 60.0;
+    for (int i = 0; i < seconds / kDt && trail.active(); ++i) {
+        const TrailWay way = trail.tick(world, walker.state().feet_m, heading, body, 1.0, kDt, result.events);
+        const double off = std::remainder(way.heading_rad - heading, 2.0 * kPi);
+        heading += std::clamp(off, -2.6 * kDt, 2.6 * kDt);
+        walker.tick(way.wish_m_per_s, kDt);
+        result.feet_m.push_back(walker.state().feet_m);
+    }
+    return result;
+}
+
+// The same told in words: names in order, a star before corners.
+std::vector<std::string> words(const Scene& scene, const std::vector<TrailEvent>& events) {
+    std::vector<std::string> all;
+    for (const TrailEvent& event : events) {
+        const Feature* feature = scene.find(event.feature);
+        const std::string name = feature ? feature->name : "";
+        if (event.kind == TrailEvent::Kind::Corner) all.push_back("*" + name);
+        else if (event.kind == TrailEvent::Kind::Meets) all.push_back(name);
+        else all.push_back(event.kind == TrailEvent::Kind::Opening ? "opening" : "end");
+    }
+    return all;
+}
+
+void four_walls(SceneBuilder& b, const Vec3& at, double wide, double deep) {
+    b.box(at + Vec3(-9, -9, -0.2), at + Vec3(wide + 9, deep + 9, 0), "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+    b.box(at + Vec3(-0.2, deep, 0), at + Vec3(wide + 0.2, deep + 0.2, 2.6), "north wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+    b.box(at + Vec3(wide, 0, 0), at + Vec3(wide + 0.2, deep, 2.6), "east wall", SolidRole::Solid, "wood", FeatureKind::Wall);
+    b.box(at + Vec3(-0.2, 0, 0), at + Vec3(0, deep, 2.6), "west wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+}
+
+TEST(Trail, rounds_a_room_both_ways_wherever_it_is_and_never_leaves_the_wall) {
+    std::mt19937 random(static_cast<unsigned>(test::seed_of_run()));
+    for (int run = 0; run < 40; ++run) {
+        const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+        const Vec3 at(run % 4 == 0 ? 0.0 : between(-3000, 3000), between(-3000, 3000), between(-20, 20));
+        const double wide = between(2.0, 7.0), deep = between(2.0, 7.0);
+        SceneBuilder b;
+        four_walls(b, at, wide, deep);
+        b.box(at + Vec3(-0.2, -0.2, 0), at + Vec3(wide + 0.2, 0, 2.6), "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+        const auto scene = b.share();
+        const BodyWorld world(scene);
+        const BodySize body = body_size(*scene, 0.25);
+        const bool left = run % 2 == 0;
+        const Trailed lap = go(world, body, at + Vec3(0.5 * wide, 0.5, 0), 0.0, left ? TrailSide::Left : TrailSide::Right, 2.0 * (wide + deep) + 8.0);
+        const auto said = words(*scene, lap.events);
+        std::vector<std::string> corners;
+        for (const std::string& word : said) {
+            EXPECT_NE(word, "opening");
+            EXPECT_NE(word, "end");
+            if (word[0] == '*') corners.push_back(word.substr(1));
+        }
+        ASSERT_GE(corners.size(), 4u) << run;
+        const std::vector<std::string> order = left ? std::vector<std::string>{"west wall", "north wall", "east wall", "south wall"}
+                                                    : std::vector<std::string>{"east wall", "north wall", "west wall", "south wall"};
+        const auto first = std::find(order.begin(), order.end(), corners.front()) - order.begin();
+        for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_EQ(corners[i], order[(static_cast<std::size_t>(first) + i) % 4]) << run;
+        // It has been along every wall: its way reaches each of them to the gap, and never leaves them by more.
+        double least[4] = {9, 9, 9, 9};
+        for (std::size_t i = 120; i < lap.feet_m.size(); ++i) {
+            const Vec3 p = lap.feet_m[i] - at;
+            const double to[4] = {p.x, p.y, wide - p.x, deep - p.y};
+            double nearest = 9.0;
+            for (int k = 0; k < 4; ++k) least[k] = std::min(least[k], to[k]), nearest = std::min(nearest, to[k]);
+            EXPECT_LT(nearest, body.radius_m + Trail::kGap_m + 0.03);
+        }
+        for (const double gap : least) EXPECT_LT(gap, body.radius_m + Trail::kGap_m + 0.03);
+    }
+}
+
+TEST(Trail, passes_doorways_straight_on_and_tells_them_but_follows_wide_openings_inside) {
+    for (const double gap : {0.8, 1.2, 2.0, 3.0}) {
+        SceneBuilder b;
+        four_walls(b, Vec3(0.0), 8.0, 4.0);
+        b.box({-0.2, -0.2, 0}, {3, 0, 2.6}, "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+        b.box({3 + gap, -0.2, 0}, {8.2, 0, 2.6}, "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+        const auto scene = b.share();
+        const BodyWorld world(scene);
+        const BodySize body = body_size(*scene, 0.25);
+        const Trailed way = go(world, body, {1.5, 0.4, 0}, kPi / 2.0, TrailSide::Right, 6.0);
+        const auto opening = std::find_if(way.events.begin(), way.events.end(), [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Opening; });
+        double deepest = 9.0;
+        for (const Vec3& p : way.feet_m) deepest = std::min(deepest, p.y);
+        if (gap > Trail::kWidestOpening_m) {
+            EXPECT_LT(deepest, 0.0) << gap;
+            continue;
+        }
+        ASSERT_NE(opening, way.events.end()) << gap;
+        EXPECT_NEAR(opening->width_m, gap, 0.11);
+        EXPECT_NEAR(opening->place_m.x, 3.0 + 0.5 * gap, 0.1);
+        EXPECT_GT(deepest, 0.25 - 1e-3) << "it goes straight on";
+        EXPECT_GT(way.feet_m.back().x, 3.0 + gap);
+    }
+}
+
+TEST(Trail, goes_round_a_free_standing_block_outside_and_round_a_slanted_one) {
+    for (const double gap : {0.0, 0.7}) {  // square, and with a slanted side
+        SceneBuilder b;
+        b.box({-9, -9, -0.2}, {9, 9, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+        b.box({-1, -1, 0}, {1, 1, 2}, "block", SolidRole::Solid, "wood", FeatureKind::Wall);
+        if (gap > 0.0) b.box({1, -0.5, 0}, {1 + gap, 0.5, 2}, "wing", SolidRole::Solid, "wood", FeatureKind::Wall);
+        const auto scene = b.share();
+        const BodyWorld world(scene);
+        const Trailed lap = go(world, body_size(*scene, 0.25), {0, -1.5, 0}, kPi / 2.0, TrailSide::Left, 20.0);
+        // All four sides are passed.
+        bool side[4] = {};
+        for (const Vec3& p : lap.feet_m) {
+            side[0] |= p.y < -1.0;
+            side[1] |= p.x > 1.0;
+            side[2] |= p.y > 1.0;
+            side[3] |= p.x < -1.0;
+            EXPECT_LT(std::max(std::abs(p.x) - gap, std::abs(p.y)), 1.65) << "never away from it";
+        }
+        for (const bool passed : side) EXPECT_TRUE(passed);
+        EXPECT_TRUE(std::none_of(lap.events.begin(), lap.events.end(), [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Ends; }));
+    }
+}
+
+TEST(Trail, names_what_stands_at_the_wall_without_calling_it_a_corner_and_a_door_in_its_niche) {
+    SceneBuilder b;
+    four_walls(b, Vec3(0.0), 8.0, 4.0);
+    b.box({-0.2, -0.2, 0}, {5, 0, 2.6}, "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+    b.box({5.9, -0.2, 0}, {8.2, 0, 2.6}, "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+    b.box({5, -0.15, 0}, {5.9, -0.1, 2.1}, "Door", SolidRole::Solid, "wood", FeatureKind::Door);
+    b.box({2, 0, 0.1}, {3.2, 0.15, 0.7}, "Radiator", SolidRole::Solid, "metal");
+    const auto scene = b.share();
+    const BodyWorld world(scene);
+    const Trailed way = go(world, body_size(*scene, 0.25), {1.0, 0.4, 0}, kPi / 2.0, TrailSide::Right, 6.5);
+    const auto said = words(*scene, way.events);
+    const auto at = [&](const std::string& word) { return std::find(said.begin(), said.end(), word) - said.begin(); };
+    const auto count = static_cast<std::ptrdiff_t>(said.size());
+    EXPECT_LT(at("Radiator"), count);
+    EXPECT_LT(at("Door"), count);
+    EXPECT_LT(at("Radiator"), at("Door"));
+    for (const std::string& word : said) {
+        EXPECT_NE(word[0], '*') << word;
+        EXPECT_NE(word, "opening");
+    }
+}
+
+TEST(Trail, turns_round_and_says_where_there_is_no_wall) {
+    SceneBuilder b;
+    b.box({-50, -50, -0.2}, {50, 50, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+    const auto open = b.share();
+    const BodyWorld field(open);
+    Trail trail;
+    EXPECT_FALSE(trail.start(field, Vec3(0.0), 0.0, body_size(*open, 0.25), TrailSide::Left));
+
+    SceneBuilder w;
+    four_walls(w, Vec3(0.0), 8.0, 4.0);
+    const auto scene = w.share();
+    const BodyWorld world(scene);
+    ASSERT_TRUE(trail.start(world, {0.4, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), TrailSide::Left));
+    std::vector<TrailEvent> events;
+    const double ahead = trail.tick(world, {0.28, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
+    trail.turn_round();
+    const double back = trail.tick(world, {0.28, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
+    EXPECT_NEAR(std::abs(std::remainder(ahead - back, 2.0 * kPi)), kPi, 1e-9);
+    EXPECT_EQ(trail.side(), TrailSide::Right);
+}
+
+}  // namespace
+}  // namespace handrail
