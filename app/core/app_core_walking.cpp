@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "app/core/app_core.h"
+#include "app/core/questions.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kRayHeight_m = 1.0;
 constexpr double kRayHeight_m = 1.0;  // of what looks for doors and walls
 constexpr double kCrumb_m = 0.25;
 constexpr std::size_t kMostCrumbs = 4000, kMostUndo = 16, kMostPlaces = 64, kMostTold = 16;

@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kSample_m = 0.05;
 constexpr double kDeepest_m = 30.0;
+constexpr double kAboveStep_m = 0.01;
 constexpr double kLeastRiser_m = 0.08;
 constexpr double kMostTread_m = 0.9;
 constexpr int kLeastRisers = 3, kMostRisers = 99;
@@ -15,7 +16,7 @@ constexpr double kHeadroom_m = 1.2;  // of the way that is looked along, above a
 
 // Ground under a point, from a step above `z_m` to `depth_m` below it.
 std::optional<double> ground_z(const BodyWorld& world, double x, double y, double z_m, double step_m, double depth_m) {
-    const TraceHit hit = world.trace({x, y, z_m + step_m + 0.01}, {x, y, z_m - depth_m}, BodyShape{});
+    const TraceHit hit = world.trace({x, y, z_m + step_m + kAboveStep_m}, {x, y, z_m - depth_m}, BodyShape{});
     if (!hit.hit) return std::nullopt;
     return hit.end_m.z;
 }
@@ -51,7 +52,7 @@ GroundAhead ground_ahead(const BodyWorld& world, const Vec3& feet_m, double bear
             if (found.stairs || at > range_m) break;
         }
         const Vec3 before = feet_m + way * (at - kSample_m), here = feet_m + way * at;
-        const double eye_z = z + step_m + 0.02;
+        const double eye_z = z + step_m + kAboveStep_m;  // as high as the look at the ground begins, so that what is not met is stood on
         if (world.trace({before.x, before.y, eye_z}, {here.x, here.y, eye_z}, BodyShape{0.0, kHeadroom_m}).hit) {
             run.whole = false;
             break;
