@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "app/core/app_core.h"
-#include "app/core/questions.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
