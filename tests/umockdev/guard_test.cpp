@@ -294,7 +294,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     }
     ASSERT_TRUE(program.says("I found a Falcon. Press F or the grave key to use it.")) << program.said();
     program.type("where\n");
-    ASSERT_TRUE(program.says("You are at the base")) << "the keyboard goes on meanwhile";
+    ASSERT_TRUE(program.says("You are at the door, base")) << "the keyboard goes on meanwhile";
     program.type("forces\n");
     ASSERT_TRUE(program.says("Opening the Falcon.") && program.says("The Falcon is ready.")) << program.said();
     // The hand moves first; then there is force against the wall it is pushed into.
