@@ -83,6 +83,7 @@ struct Settings {
         double wall_tone_volume = 0.5;
         double world_volume = 0.7;
         double earcon_volume = 1.0;
+        double beacon_volume = 0.8;
         double reverberation = 0.15;        // of rooms, 0 to 1
         int periods = 2;                    // of 256 samples that the sound device holds, 2 to 8; takes effect at the next start
         bool headphones = true;             // filtered for the ears; else plain stereo, from the next start on
@@ -95,6 +96,9 @@ struct Settings {
         bool swap_sides = false;  // left and right ear are exchanged, for headphones worn or wired the other way round
         bool workspace = true;    // a cue as those above: rim and grip
         bool desk = true;         // likewise: what clicks at the desk
+        bool marks = true;        // likewise: marks, landmarks and clues that are near
+        bool beacon = true;       // likewise: beacon, warmer and colder
+        bool guide = true;        // likewise: the hand begins or ends to be led
     } sound;
     // Devices beside the hand: game pads and SpaceMouse.
     struct Pads {
@@ -103,6 +107,16 @@ struct Settings {
         bool rumble = true;     // knocks and grain
         double strength = 1.0;  // of all their cues, 0 to 1
     } pads;
+    struct Marks {
+        bool ask_name = true;  // a new mark's name may be typed at once
+        int button = 2;        // of the device, that sets a mark; 0 to 8, 0 is none
+    } marks;
+    // Being led by the hand, which happens only when it is asked for.
+    struct Guidance {
+        bool pull = true;       // "take me there" pulls the hand; else it sets the beacon
+        double strength = 1.0;  // of its limits, 0.1 to 1
+        bool fades = true;      // less help lap by lap as errors fall
+    } guidance;
     std::map<std::string, DeviceProfile> profiles;  // by profile_key()
     std::set<std::string> damaged_profiles;         // found in the person's file and set aside; their devices get the light ceiling
     std::map<std::string, std::string> keys;        // command name -> key name, only where they differ from the built-in table

@@ -121,6 +121,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     say(entering_text(), SpeechClass::Answer, now_s);
     if (settings_.speech.crowding_hint)
         if (std::string crowded = crowded_view(*scene_); !crowded.empty()) say(std::move(crowded), SpeechClass::Answer, now_s);
+    enter_guiding(now_s);
 }
 
 // Never more than the ball's radius: see round_edges.h about inner corners.
@@ -178,6 +179,7 @@ void AppCore::set_hand(const HandFacts& hand, const Settings& settings, double n
     tool_ = ToolState{};
     fault_lasted_ = false;
     hand_ = hand;
+    end_guidance();
     hand_target_m_ = Vec3(0.0);
     hand_shift_m_ = Vec3(0.0);
     change_settings(settings, now_s);
@@ -418,6 +420,16 @@ void AppCore::act(Command command, double now_s) {
             break;
         case Command::Use:
             use(now_s);
+            break;
+        case Command::DropMark:
+        case Command::DeleteMark:
+        case Command::Marks:
+        case Command::SetBeacon:
+        case Command::MuteBeacon:
+        case Command::TakeMe:
+        case Command::Find:
+        case Command::CrossLines:
+            act_guiding(command, now_s);
             break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
@@ -700,6 +712,7 @@ void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_to
     notice_volumes(now_s);
     tone_of_walls(now_s);
     soundscape_.tick(*body_world_, listener().ears_m, now_s, cues_);
+    tick_guiding(now_s);
     publish_pose(now_s, PoseChange::Walked);
     const double contact_s = contact_before_s_ + tool.contact_s;
     if (contact_s >= (breaks_told_ + 1.0) * kBreakEvery_s) {

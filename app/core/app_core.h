@@ -10,9 +10,11 @@
 
 #include "app/core/command.h"
 #include "app/core/dialogue.h"
+#include "app/core/guiding.h"
 #include "app/core/key_map.h"
 #include "app/core/mover_play.h"
 #include "app/core/placed_things.h"
+#include "app/core/side_file.h"
 #include "app/core/soundscape.h"
 #include "app/core/surroundings.h"
 #include "app/core/view.h"
@@ -49,6 +51,9 @@ public:
     void enter_world(std::shared_ptr<const Scene> scene, double now_s);
     // The same, at a place and heading of the caller's choice.
     void enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad, double now_s);
+
+    // What the person added to the world that is entered next, and where it is kept; without it additions are forgotten with the world.
+    void use_side_file(SideFile file) { side_file_next_ = std::move(file); }
 
     // Puts the body somewhere else in this world; the workspace jumps with it.
     void place(const Vec3& feet_m, double heading_rad, double now_s);
@@ -108,6 +113,8 @@ public:
     WorkspacePose left_pose() const { return pose_beside(shift_of(tool_)); }
     const BodyFrame& bodies() const { return things_.frame(); }
     const ServoTuning& tuning() const { return tuning_; }
+    const GuidancePath& guidance() const { return guiding_.path; }  // of the only or right hand
+    const Guiding& guiding() const { return guiding_; }
     ServoTuning left_tuning() const;
     bool two_hands() const { return hand_.present && left_hand_.present; }
     const Vec3& hand_target_m() const { return hand_target_m_; }  // device frame
@@ -208,6 +215,37 @@ private:
     void change_world(Scene scene, double now_s);
     void rebuild_body_world();
     Scene world_now() const;
+    // Marks, landmarks, beacon and being led: app_core_guide.cpp.
+    void enter_guiding(double now_s);
+    void tick_guiding(double now_s);
+    void act_guiding(Command command, double now_s);
+    void save_additions(double now_s);
+    void drop_mark(bool by_button, double now_s);
+    void rename_mark(const std::string& name, const std::string& typed, double now_s);
+    void delete_mark(std::size_t which, double now_s);
+    std::vector<ListItem> mark_items() const;
+    void open_delete_marks(double now_s);
+    void open_marks(double now_s);
+    void open_find(double now_s);
+    void open_tools(const Goal& goal, double now_s);
+    void set_beacon(const Goal& goal, double now_s);
+    void beacon_here(double now_s);
+    void mute_beacon(double now_s);
+    void seek_warmer(const Goal& goal, double now_s);
+    void take_me(double now_s);
+    void lead_to(const Goal& goal, double now_s);
+    std::optional<GuidancePath> hand_way(const Goal& goal) const;
+    void cross_lines(const Goal& goal, double now_s);
+    void toggle_lines(double now_s);
+    void announce(GuidancePath path, std::string words, double now_s);
+    void end_guidance();
+    bool force_may_guide() const;
+    void follow_guidance(double now_s);
+    void notice_marks(double now_s);
+    Vec3 finding_place_m() const;  // of the hand, or of the body where there is none
+    std::string where_words(const Aabb& box) const;
+    std::vector<Goal> goals() const;
+    void play_at(SoundKind kind, const Vec3& place_m, double now_s);
     std::string help_text() const;
     std::string entering_text() const;
     std::string name_of(FeatureId feature) const;
@@ -232,6 +270,9 @@ private:
     Soundscape soundscape_;
     SoundDictionary dictionary_;
     Dialogue dialogue_;
+    SideFile side_file_;
+    std::optional<SideFile> side_file_next_;
+    Guiding guiding_;
     Vec3 home_feet_m_{0.0};
     double home_heading_rad_ = 0.0;
 

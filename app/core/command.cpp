@@ -45,6 +45,14 @@ constexpr std::array kCommands{
     CommandInfo{Command::BringOut, "out", "G", false, "Bring my hand and me out of anything we are inside."},
     // Rooms, routes and what moves.
     CommandInfo{Command::Use, "use", "Enter", false, "Open or close the door, or press the button, that I touch or stand before."},
+    CommandInfo{Command::DropMark, "mark", "Insert", false, "Set a mark where my hand is, or where I stand."},
+    CommandInfo{Command::DeleteMark, "delete-mark", "Delete", false, "Delete a mark, chosen from a list."},
+    CommandInfo{Command::Marks, "marks", "4", false, "List of marks, with the beacon and the help on the way."},
+    CommandInfo{Command::SetBeacon, "beacon", "Y", false, "Set the beacon on what I touch, or on what is ahead."},
+    CommandInfo{Command::MuteBeacon, "beacon-off", "Shift+Y", false, "Beacon off, and on again."},
+    CommandInfo{Command::TakeMe, "take-me", "H", false, "Take me there, to what was chosen; again to let go."},
+    CommandInfo{Command::Find, "find", "Shift+H", false, "List of everything that has a name, and ways to find it."},
+    CommandInfo{Command::CrossLines, "lines", "Slash", false, "Lines that the hand can feel, crossing at what was chosen; again to end."},
     CommandInfo{Command::PlanView, "plan", "F3", false, "Change the picture between first person and plan."},
     // Help and settings.
     CommandInfo{Command::Menu, "menu", "Tab", false, "A list of everything that can be done."},

@@ -44,6 +44,14 @@ enum class Command : std::uint8_t {
     BringOut,  // out of whatever the hand or the body is inside
     // Rooms, routes and what moves.
     Use,       // opens or shuts the door, presses the button, that the hand touches or the body stands before
+    DropMark,
+    DeleteMark,  // chosen from a list
+    Marks,       // list of marks, with the beacon and the help on the way
+    SetBeacon,   // on what the hand touches, or what is ahead, or chosen
+    MuteBeacon,
+    TakeMe,  // leads the hand to what was chosen; again lets go
+    Find,    // list of everything that has a name, with the ways to find it
+    CrossLines,
     PlanView,
     // Help and settings.
     Menu,  // everything that can be done, in a list

@@ -175,7 +175,8 @@ struct SideFile::Content {
         std::error_code ec;
         if (!kept.empty()) fs::rename(from, kept, ec);
         if (!kept.empty() && !ec) {
-            news.push_back(fmt::format("What you had added to this world {}. It is kept as {}, and I start with nothing added.", why, kept.filename().string()));
+            news.push_back(
+                fmt::format("What you had added to this world {}. It is kept as {}, and I start with nothing added.", why, kept.filename().string()));
             return;
         }
         // It stays where it is and must not be written over.

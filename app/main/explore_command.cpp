@@ -147,6 +147,7 @@ private:
         servo_ = std::make_unique<ServoLoop>(std::move(held), clock_, kServoPeriod_s, ServoLoop::Links{&switches_, &contacts_});
         handed_haptic_scene_.reset();
         handed_bodies_ = 0;
+        handed_guidance_ = 0;
         if (const auto opened = servo_->open(); opened) return servo_->start();
         // It was open a moment ago, so it went away meanwhile.
         servo_.reset();
@@ -162,6 +163,7 @@ private:
         wizard_stops_ = switches_.stops;
         wizard_let_go_ = app_->tuning().stops_let_go;
         handed_haptic_scene_.reset();
+        if (servo_ && std::exchange(handed_guidance_, 0) != 0) servo_->set_guidance({});  // the wizard alone moves the hand
         CueRequest no_tone;
         no_tone.kind = CueRequestKind::WallTone;
         no_tone.loudness = 0.0;
@@ -400,6 +402,7 @@ private:
             say(fmt::format("{} {} in this file; the first: {}", report.warnings_in_all, report.warnings_in_all == 1 ? "problem" : "problems",
                             report.warnings.front().sentence()),
                 asked_s_);
+        app_->use_side_file(SideFile::of_world(path, user_data_folder()));
         app_->enter_world(std::make_shared<const Scene>(std::move(*scene)), asked_s_);  // goes on with the greeting instead of cutting it short
         return true;
     }
@@ -474,6 +477,7 @@ private:
         servo_->set_tuning(tuning);
         servo_->set_pose(app_->pose());
         if (std::exchange(handed_bodies_, app_->bodies().number) != app_->bodies().number) servo_->set_bodies(app_->bodies());
+        if (std::exchange(handed_guidance_, app_->guidance().number) != app_->guidance().number) servo_->set_guidance(app_->guidance());
         if (!simulated_) return;
         HandCommand command;
         command.target_m = app_->hand_target_m();
@@ -634,6 +638,7 @@ private:
     std::shared_ptr<const HapticScene> handed_haptic_scene_;
     int handed_world_ = 0;
     std::uint64_t handed_bodies_ = 0;
+    std::uint32_t handed_guidance_ = 0;
     ToolState tool_;
     std::string last_spoken_;
     bool closed_ = false;

@@ -56,6 +56,13 @@ enum class SoundKind : std::uint8_t {
     StairsUp,
     StairsDown,
     DoorNear,    // a door is before you
+    // What helps to find things, at their places, one sound a time.
+    Mark,
+    Landmark,
+    Clue,
+    Beacon,        // to the side
+    BeaconAhead,   // straight ahead
+    BeaconBehind,
     // Sounds of the world, loops that stay at their places: what a map's sounds and particles are heard as.
     Hum,
     Buzz,
@@ -85,11 +92,15 @@ enum class SoundKind : std::uint8_t {
     Grab,
     LetGo,
     Click,  // the wall of the desk gave way, a control was pressed
+    GuideStart,  // the hand will be led
+    GuideStop,   // it is not led any more
+    Warmer,      // the faster, the nearer the hand is to what it looks for
     Alarm,
     Beep,
 };
 inline constexpr int kSoundKinds = static_cast<int>(SoundKind::Beep) + 1;
 inline bool is_earcon(SoundKind kind) noexcept { return kind >= SoundKind::Denied; }
+inline bool is_beacon(SoundKind kind) noexcept { return kind >= SoundKind::Beacon && kind <= SoundKind::BeaconBehind; }
 inline bool is_world_sound(SoundKind kind) noexcept { return kind >= SoundKind::Hum && kind <= SoundKind::Shimmer; }
 
 // A sound at a place. Loops keep sounding under their kind and source until set_loop gives them volume 0.

@@ -34,6 +34,12 @@ constexpr std::array kTable{
     SoundInfo{SoundKind::StairsUp, "stairs up", "stairs up are ahead", &Sound::earcon_volume, &Sound::ways},
     SoundInfo{SoundKind::StairsDown, "stairs down", "stairs down are ahead", &Sound::earcon_volume, &Sound::ways},
     SoundInfo{SoundKind::DoorNear, "door near", "a door is before you; faster the nearer", &Sound::world_volume, &Sound::ways},
+    SoundInfo{SoundKind::Mark, "mark", "hand or body is near a mark that you set", &Sound::earcon_volume, &Sound::marks},
+    SoundInfo{SoundKind::Landmark, "landmark", "you touch or pass a landmark, which stays where it is", &Sound::earcon_volume, &Sound::marks},
+    SoundInfo{SoundKind::Clue, "clue", "you touch or pass a clue, which may change", &Sound::earcon_volume, &Sound::marks},
+    SoundInfo{SoundKind::Beacon, "beacon", "where you want to go is at this side; faster the nearer", &Sound::beacon_volume, &Sound::beacon},
+    SoundInfo{SoundKind::BeaconAhead, "beacon ahead", "where you want to go is straight ahead", &Sound::beacon_volume, &Sound::beacon},
+    SoundInfo{SoundKind::BeaconBehind, "beacon behind", "where you want to go is behind you", &Sound::beacon_volume, &Sound::beacon},
     world(SoundKind::Hum, "hum", "a computer or other machine that hums"),
     world(SoundKind::Buzz, "buzz", "a lamp or transformer"),
     world(SoundKind::Drone, "drone", "a large machine or engine"),
@@ -61,6 +67,9 @@ constexpr std::array kTable{
     SoundInfo{SoundKind::Grab, "grab", "the world goes along with the hand", &Sound::earcon_volume, &Sound::workspace},
     SoundInfo{SoundKind::LetGo, "let go", "the world is let go of", &Sound::earcon_volume, &Sound::workspace},
     SoundInfo{SoundKind::Click, "click", "you came to your desk or left it, or pressed something there", &Sound::earcon_volume, &Sound::desk},
+    SoundInfo{SoundKind::GuideStart, "guide start", "your hand will be led", &Sound::earcon_volume, &Sound::guide},
+    SoundInfo{SoundKind::GuideStop, "guide stop", "your hand is not led any more", &Sound::earcon_volume, &Sound::guide},
+    SoundInfo{SoundKind::Warmer, "warmer", "the faster it ticks, the nearer your hand is to what you look for", &Sound::beacon_volume, &Sound::beacon},
     SoundInfo{SoundKind::Alarm, "alarm", "something is wrong; the reason is said", &Sound::earcon_volume, nullptr},
     SoundInfo{SoundKind::Beep, "beep", "stands for speech where there is no voice", &Sound::earcon_volume, nullptr},
 };
@@ -138,8 +147,9 @@ double distance_gain(SoundKind kind, double distance_m) {
         constexpr double kFades_m = 10.0;  // the last part of the range, so that nothing begins at a step
         return std::clamp((kWorldSoundRange_m - distance_m) / kFades_m, 0.0, 1.0) / std::max(1.0, distance_m);
     }
-    constexpr double kNear_m = 2.0, kRollOff = 0.5;
-    return kNear_m / (kNear_m + kRollOff * std::max(0.0, distance_m - kNear_m));
+    constexpr double kNear_m = 2.0, kRollOff = 0.5, kBeaconLeast = 0.35;  // a beacon calls from as far as it is set
+    const double gain = kNear_m / (kNear_m + kRollOff * std::max(0.0, distance_m - kNear_m));
+    return is_beacon(kind) ? std::max(gain, kBeaconLeast) : gain;
 }
 
 }  // namespace handrail

@@ -516,6 +516,25 @@ std::vector<float> earcon(SoundKind kind) {
             return synthesise_notes(std::array{Note{0.0, 0.07, 294.0, 0.8}, Note{0.09, 0.03, 220.0, 0.8}});
         case SoundKind::Click:
             return synthesise_notes(std::array{Note{0.0, 0.012, 1800.0, 1.0}, Note{0.03, 0.02, 900.0, 0.8}});
+        case SoundKind::GuideStart:
+            return synthesise_notes(std::array{Note{0.0, 0.09, 392.0, 0.8}, Note{0.1, 0.09, 494.0, 0.9}, Note{0.2, 0.22, 587.0, 1.0}});
+        case SoundKind::GuideStop:
+            return synthesise_notes(std::array{Note{0.0, 0.09, 587.0, 1.0}, Note{0.1, 0.2, 392.0, 0.9}});
+        case SoundKind::Warmer:
+            return synthesise_notes(std::array{Note{0.0, 0.035, 880.0, 0.9}});
+        // Marks, landmarks and clues differ in the number of their notes; a beacon in how bright it is.
+        case SoundKind::Mark:
+            return synthesise_notes(std::array{Note{0.0, 0.14, 740.0, 0.9}});
+        case SoundKind::Landmark:
+            return synthesise_notes(std::array{Note{0.0, 0.07, 494.0, 0.8}, Note{0.09, 0.07, 622.0, 0.9}, Note{0.18, 0.16, 494.0, 0.8}});
+        case SoundKind::Clue:
+            return synthesise_notes(std::array{Note{0.0, 0.03, 988.0, 0.7}, Note{0.06, 0.03, 831.0, 0.7}});
+        case SoundKind::Beacon:
+            return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 1.0}});
+        case SoundKind::BeaconAhead:
+            return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 0.6}, Note{0.0, 0.12, 1318.0, 0.6}, Note{0.02, 0.14, 1976.0, 0.4}});
+        case SoundKind::BeaconBehind:
+            return synthesise_notes(std::array{Note{0.0, 0.12, 277.0, 1.0}});
         case SoundKind::Alarm:
             return synthesise_notes(
                 std::array{Note{0.0, 0.11, 1047.0, 1.0}, Note{0.13, 0.11, 740.0, 1.0}, Note{0.26, 0.11, 1047.0, 1.0}, Note{0.39, 0.16, 740.0, 1.0}});

@@ -137,13 +137,14 @@ bool ServoLoop::step() noexcept {
     tuning_.refresh();
     pose_.refresh();
     bodies_.refresh();
+    guidance_.refresh();
     const bool stopping = stop_asked_.load(std::memory_order_acquire);
     ServoTuning tuning = with_switches(tuning_.read(), *switches_);
     if (stopping) tuning.forces_on = false;
     const SceneHandle scene = scene_.read();
 
     const DeviceSample sample = device_->read(start_s);
-    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s, &bodies_.read(), scene.desk);
+    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s, &bodies_.read(), scene.desk, &guidance_.read());
     device_->write(command);
 
     // Nothing of an older scene is looked at any more.

@@ -63,6 +63,7 @@ public:
     void set_tuning(const ServoTuning& tuning) { tuning_.publish(tuning); }
     void set_pose(const WorkspacePose& pose) { pose_.publish(pose); }
     void set_bodies(const BodyFrame& bodies) { bodies_.publish(bodies); }
+    void set_guidance(const GuidancePath& guidance) { guidance_.publish(guidance); }
     // App thread: the newest of each, valid until the next call.
     const ToolState& tool();
     const ServoReport& report();
@@ -111,6 +112,7 @@ private:
     LatestValue<ServoTuning> tuning_;
     LatestValue<WorkspacePose> pose_;
     LatestValue<BodyFrame> bodies_;
+    LatestValue<GuidancePath> guidance_;
     LatestValue<ToolState> tool_, tool_for_ears_;
     LatestValue<ServoReport> report_;
     std::unique_ptr<EventRing> own_events_;  // null when it was given one

@@ -125,6 +125,7 @@ void ServoState::start_over() noexcept {
     tracker_.clear(tool_.time_s, events_);
     limiter_.restart();
     mover_.let_go();
+    guidance_.stop();
     goal_known_ = false;
     velocity_m_per_s_ = Vec3(0.0);
     wanted_n_ = Vec3(0.0);
@@ -218,7 +219,8 @@ void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning
     const WorkspaceMotion before = mover_.motion();
     // A hand whose place is in doubt moves nothing.
     const bool sound = fault_ == Fault::None && tool_.pause == Fault::None && !tool_.waiting_for_hand;
-    mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{}, {tool_.hand_m, tool_.buttons, length(wanted_n_), ceiling_n(tuning), &tool_.contacts}, scale, dt_s);
+    mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{}, {tool_.hand_m, tool_.buttons, length(wanted_n_), ceiling_n(tuning), &tool_.contacts},
+                scale, dt_s);
     tool_.hip_m = frame.to_world(tool_.hand_m, scale);
     const WorkspaceMotion now = mover_.motion();
     if (now == before) return;
@@ -278,6 +280,8 @@ void ServoState::sit_down() noexcept {
     tool_.contacts = {};
     tool_.liquid = kNoFeature;
     mover_.let_go();
+    guidance_.stop();
+    tool_.guidance = guidance_.state();
     desk_touch_.reset();
     press_.let_go();
     tool_.desk.open = true;
@@ -348,6 +352,12 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     tracker_.update(result, velocity_m_per_s_, scale, tool_.time_s, dt_s, events_);
 }
 
+// On top of what is touched. The hand is led only where force may act at all.
+void ServoState::guide(const GuidancePath& path, const WorkspaceFrame& frame, double scale, bool allowed, double dt_s) noexcept {
+    wanted_n_ += frame.turn_to_device(guidance_.tick(path, tool_.hip_m, scale, spec_.peak_force_n, allowed, dt_s));
+    tool_.guidance = guidance_.state();
+}
+
 ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept {
     fade_s = ForceLimiter::kFadeS;
     if (tuning.panic || long_gap || keep_off_s_ > 0.0 || !scene_present || tool_.waiting_for_hand) return ForceFlow::Cut;
@@ -361,7 +371,7 @@ ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool l
 }
 
 ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
-                        double now_s, const BodyFrame* bodies, const HapticScene* desk) noexcept {
+                        double now_s, const BodyFrame* bodies, const HapticScene* desk, const GuidancePath* guidance) noexcept {
     ServoState& s = state;
     s.events_.count = 0;
     s.events_.lost = 0;
@@ -423,6 +433,10 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
                 poses = s.bodies_.at(*scene, s.playback_.played_s());
             }
             s.touch(*scene, tuning, frame, s.tool_.hip_m, s.since_touch_s_, poses);
+            if (guidance && !s.guidance_.idle(*guidance)) {
+                double unused_s = 0.0;
+                s.guide(*guidance, frame, scale, s.flow(tuning, true, long_gap, unused_s) == ForceFlow::Run, s.since_touch_s_);
+            }
         } else {
             s.tool_.proxy_m = s.tool_.hip_m;
             s.wanted_n_ = s.mover_.rim_force_n();

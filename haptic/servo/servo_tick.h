@@ -9,6 +9,7 @@
 #include "haptic/render/touch.h"
 #include "haptic/servo/body_playback.h"
 #include "haptic/servo/contact_tracker.h"
+#include "haptic/servo/guidance.h"
 #include "haptic/servo/heat_budget.h"
 #include "haptic/servo/personal_space.h"
 #include "haptic/servo/rate_watch.h"
@@ -35,7 +36,7 @@ struct ServoTuning {
 
 // At the desk: what the hand does there. Device frame, since the desk stands still before the person.
 struct DeskTouch {
-    bool open = false;     // the hand is at the desk; hip_m and proxy_m of ToolState then tell where in the world it comes back to
+    bool open = false;         // the hand is at the desk; hip_m and proxy_m of ToolState then tell where in the world it comes back to
     std::uint32_t visits = 0;  // how often it went there
     Vec3 hip_m{0.0}, proxy_m{0.0};
     FeatureId touched = kNoFeature;  // of the desk's scene
@@ -73,6 +74,7 @@ struct ToolState {
     Vec3 workspace_shift_m{0.0};
     std::uint32_t workspace_jump = 0;
     DeskTouch desk;
+    GuidanceState guidance;
 };
 
 // Counted since the start.
@@ -102,7 +104,8 @@ public:
 
 private:
     friend ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose,
-                                   const DeviceSample& sample, double now_s, const BodyFrame* bodies, const HapticScene* desk) noexcept;
+                                   const DeviceSample& sample, double now_s, const BodyFrame* bodies, const HapticScene* desk,
+                                   const GuidancePath* guidance) noexcept;
 
     enum class Answer { None, Bad, Good };
 
@@ -125,6 +128,7 @@ private:
     void sit_down() noexcept;
     void stand_up() noexcept;
     void touch_desk(const HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept;
+    void guide(const GuidancePath& path, const WorkspaceFrame& frame, double scale, bool allowed, double dt_s) noexcept;
     ForceFlow flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept;
 
     DeviceSpec spec_;
@@ -140,6 +144,7 @@ private:
     bool met_ = false;
     BodyPlayback bodies_;
     ContactTracker tracker_;
+    Guidance guidance_;
     RateWatch rate_watch_;
     HeatBudget heat_;
     TickEvents events_;
@@ -175,8 +180,8 @@ private:
 // One tick. scene: null while there is none (no contact, no force). pose: the newest that is known, the same as before is fine.
 // now_s: the tick's time, the same clock as WorkspacePose::time_s; ticks come in rising time. bodies: the newest frame that is known, the same as
 // before is fine; null: the scene's bodies stand where it has them. desk: the scene behind the wall of ServoTuning::personal_space, device frame; null: there
-// is none. Numbered stages stand in the source.
+// is none. guidance: the newest that is known; null or number 0: none. Numbered stages stand in the source.
 ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
-                        double now_s, const BodyFrame* bodies = nullptr, const HapticScene* desk = nullptr) noexcept;
+                        double now_s, const BodyFrame* bodies = nullptr, const HapticScene* desk = nullptr, const GuidancePath* guidance = nullptr) noexcept;
 
 }  // namespace handrail

@@ -27,9 +27,9 @@ TEST(KeyMap, keeps_the_keys_of_the_original) {
 }
 
 TEST(KeyMap, lets_the_person_change_keys_and_says_what_clashes) {
-    const KeyMap keys({{"where", "Y"}, {"wher", "X"}, {"heading", "E"}});
+    const KeyMap keys({{"where", "Alt+W"}, {"wher", "X"}, {"heading", "E"}});
     const std::vector<std::string>& problems = keys.problems();
-    EXPECT_EQ(keys.find("y"), Command::WhereAmI);
+    EXPECT_EQ(keys.find("alt+w"), Command::WhereAmI);
     EXPECT_EQ(keys.find("F2"), std::nullopt);
     EXPECT_EQ(keys.find("E"), Command::Heading);
     ASSERT_EQ(problems.size(), 2U);

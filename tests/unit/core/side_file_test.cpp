@@ -51,7 +51,8 @@ TEST(SideFile, keeps_what_it_does_not_know) {
     file.set_entries("mark", marks);
     ASSERT_TRUE(file.save());
     const std::string text = test::content_of(folder.path() / "a.map.handrail.toml");
-    for (const char* part : {"2031-01-02", "of_a_later_version", "deep", "[ 1, \"x\" ]", "whole = [ 1, 2 ]", "[other.part]", "key = 3", "new"}) EXPECT_THAT(text, HasSubstr(part));
+    for (const char* part : {"2031-01-02", "of_a_later_version", "deep", "[ 1, \"x\" ]", "whole = [ 1, 2 ]", "[other.part]", "key = 3", "new"})
+        EXPECT_THAT(text, HasSubstr(part));
     EXPECT_EQ(SideFile::of_world(world, {}).entries("mark"), marks);
 }
 

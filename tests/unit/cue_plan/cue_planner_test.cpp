@@ -471,7 +471,7 @@ TEST_F(CuePlannerTest, every_cue_but_an_alarm_can_be_switched_off) {
         Settings::Sound& sound = s.sound;
         for (bool* on : {&sound.contact, &sound.slide, &sound.splash, &sound.door, &sound.footstep, &sound.bump, &sound.wall_tone, &sound.world, &sound.denied,
                          &sound.forces, &sound.turn, &sound.frame, &sound.arrived, &sound.workspace, &sound.desk, &sound.corner, &sound.drop,
-                         &sound.ways})
+                         &sound.ways, &sound.marks, &sound.beacon, &sound.guide})
             *on = false;
     });
     for (const SoundInfo& row : sound_table()) {

@@ -1,0 +1,474 @@
+// AppCore's part on marks, landmarks, the beacon and being led by the hand: what the commands do, what is said, and what is heard when. App thread only.
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/app_core.h"
+#include "audio-cues/plan/speakable.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kAnnounced_s = 1.0;  // between telling that the hand will be led and the first force
+constexpr double kMarkNear_hand_m = 0.008, kMarkNear_body_m = 1.0;
+constexpr double kLandmarkNear_m = 1.5;  // from the body
+constexpr double kFarther = 1.5;         // what was near is far again from so many times the distance on
+constexpr double kStorey_m = 1.5;
+constexpr double kWaist_m = 1.0;
+constexpr double kStray_hand_m = 0.008;  // off the way
+constexpr double kLookRange_m = 30.0;
+constexpr std::string_view kNoMarks = "There are no marks yet. Insert sets one.";
+
+Aabb point_box(const Vec3& p) { return {p, p}; }
+
+bool is_surface(FeatureKind kind) {
+    return kind == FeatureKind::Wall || kind == FeatureKind::Floor || kind == FeatureKind::Ceiling || kind == FeatureKind::Slope;
+}
+
+double distance_to_way(const GuidancePath& path, const Vec3& p) {
+    double least = 1e300;
+    for (std::uint32_t i = 0; i + 1 < path.count; ++i) {
+        const Vec3 leg = path.points_m[i + 1] - path.points_m[i];
+        const double length2 = glm::dot(leg, leg);
+        const double t = length2 > 0.0 ? std::clamp(glm::dot(p - path.points_m[i], leg) / length2, 0.0, 1.0) : 0.0;
+        least = std::min(least, glm::length(path.points_m[i] + leg * t - p));
+    }
+    return least;
+}
+
+}  // namespace
+
+// ---- what there is ----
+
+void AppCore::enter_guiding(double now_s) {
+    if (side_file_next_) side_file_ = std::move(*std::exchange(side_file_next_, std::nullopt));
+    else side_file_ = SideFile();
+    const std::uint32_t number = guiding_.last_number;
+    const std::uint32_t buttons = guiding_.buttons;
+    guiding_ = {};
+    guiding_.last_number = number;  // the servo knows the old ones
+    guiding_.buttons = buttons;
+    for (const std::string& news : side_file_.news()) say(news, SpeechClass::Answer, now_s);
+    int unreadable = 0;
+    guiding_.marks = read_marks(side_file_, unreadable);
+    if (unreadable > 0) say(fmt::format("{} of your marks here could not be read.", unreadable), SpeechClass::Answer, now_s);
+    check_marks(*scene_, side_file_, guiding_.marks);
+    if (std::string unfit = unfit_sentence(guiding_.marks); !unfit.empty()) say(std::move(unfit), SpeechClass::Answer, now_s);
+}
+
+Vec3 AppCore::finding_place_m() const { return hand_.present && tool_.ticks > 0 ? tool_.proxy_m : feet_m() + Vec3(0.0, 0.0, kWaist_m); }
+
+std::string AppCore::where_words(const Aabb& box) const {
+    const Vec3 way = nearest_place(box, feet_m() + Vec3(0.0, 0.0, kWaist_m)) - feet_m();
+    const double level_m = std::hypot(way.x, way.y);
+    std::string text = distance_words(level_m, distances());
+    if (level_m >= 0.5 * settings_.walk.step_length_m) text += ", " + relative_words(std::atan2(way.x, way.y), heading_rad_);
+    if (way.z > kStorey_m + kWaist_m) text += ", above";
+    if (way.z < -kStorey_m) text += ", below";
+    return text;
+}
+
+std::vector<Goal> AppCore::goals() const {
+    std::vector<Goal> all;
+    for (const Mark& mark : guiding_.marks) all.push_back({mark.name, point_box(mark.place_m), kNoFeature});
+    for (NamedThing& thing : named_things(*scene_)) all.push_back({sentence_case(speakable(thing.name)), thing.bounds_m, thing.feature});
+    const Vec3 here = feet_m() + Vec3(0.0, 0.0, kWaist_m);
+    std::stable_sort(all.begin(), all.end(), [&](const Goal& a, const Goal& b) {
+        return glm::length(nearest_place(a.box_m, here) - here) < glm::length(nearest_place(b.box_m, here) - here);
+    });
+    return all;
+}
+
+// ---- marks ----
+
+void AppCore::save_additions(double now_s) {
+    if (const auto saved = side_file_.save(); !saved) say("This could not be kept: " + saved.error().sentence(), SpeechClass::Alarm, now_s);
+}
+
+void AppCore::drop_mark(bool by_button, double now_s) {
+    Vec3 place = feet_m();
+    if (hand_.present && tool_.ticks > 0) {
+        if (tool_.fault == Fault::Unplugged || tool_.workspace_jump != pose_.jump) return answer("The hand's place is not known.", now_s);
+        place = tool_.proxy_m;
+    }
+    Mark mark = new_mark(*scene_, side_file_, guiding_.marks, place);
+    const std::string name = mark.name;
+    guiding_.marks.push_back(std::move(mark));
+    guiding_.mark_near.resize(guiding_.marks.size() - 1, false);
+    guiding_.mark_near.push_back(true);
+    write_marks(side_file_, guiding_.marks);
+    save_additions(now_s);
+    play_at(SoundKind::Mark, place, now_s);
+    if (by_button || !settings_.marks.ask_name) return answer(name + " set", now_s);
+    TextSpec question;
+    question.question = name + " set. Type another name, or press Enter";
+    question.text = name;
+    question.done = [this, name](std::string typed) { rename_mark(name, typed, last_tick_s_); };
+    ask_text(std::move(question), now_s);
+}
+
+void AppCore::rename_mark(const std::string& name, const std::string& typed, double now_s) {
+    const auto mark = std::find_if(guiding_.marks.begin(), guiding_.marks.end(), [&](const Mark& m) { return m.name == name; });
+    const auto good = good_name(typed);
+    if (!good) return answer(good.error().message, now_s);
+    if (mark == guiding_.marks.end()) return;
+    mark->name = *good;
+    write_marks(side_file_, guiding_.marks);
+    save_additions(now_s);
+    answer(*good, now_s);
+}
+
+void AppCore::delete_mark(std::size_t which, double now_s) {
+    if (which >= guiding_.marks.size()) return;
+    const std::string name = guiding_.marks[which].name;
+    guiding_.marks.erase(guiding_.marks.begin() + static_cast<std::ptrdiff_t>(which));
+    guiding_.mark_near.assign(guiding_.marks.size(), true);
+    write_marks(side_file_, guiding_.marks);
+    save_additions(now_s);
+    answer(name + " deleted", now_s);
+}
+
+std::vector<ListItem> AppCore::mark_items() const {
+    std::vector<ListItem> items;
+    for (const Mark& mark : guiding_.marks) items.push_back({mark.name, where_words(point_box(mark.place_m)) + (mark.fits ? "" : ", may no longer fit")});
+    return items;
+}
+
+void AppCore::open_delete_marks(double now_s) {
+    if (guiding_.marks.empty()) return answer(std::string(kNoMarks), now_s);
+    ListSpec list;
+    list.title = "Delete which mark";
+    list.items = mark_items();
+    list.chosen = [this](std::size_t i) { delete_mark(i, last_tick_s_); };
+    open_list(std::move(list), now_s);
+}
+
+// Marks, the beacon, and how much help being led gives.
+void AppCore::open_marks(double now_s) {
+    ListSpec list;
+    list.title = "Marks and beacon";
+    list.items.push_back({"Beacon", guiding_.beacon.on() ? guiding_.beacon.name() : "off"});
+    const auto help = [this] { return fmt::format("{:.0f} percent", 100.0 * guiding_.laps.strength()); };
+    list.items.push_back({"Help on the way", help(), true});
+    for (ListItem& item : mark_items()) list.items.push_back(std::move(item));
+    list.adjusted = [this, help](std::size_t, int by) {
+        guiding_.laps.change(by);
+        return help();
+    };
+    list.chosen = [this](std::size_t i) {
+        if (i == 0) mute_beacon(last_tick_s_);
+        else if (i == 1) take_me(last_tick_s_);
+        else if (i - 2 < guiding_.marks.size()) open_tools({guiding_.marks[i - 2].name, point_box(guiding_.marks[i - 2].place_m), kNoFeature}, last_tick_s_);
+    };
+    open_list(std::move(list), now_s);
+}
+
+// ---- finding ----
+
+// Everything that has a name, the nearest first, and then the ways to find it.
+void AppCore::open_find(double now_s) {
+    const std::vector<Goal> all = goals();
+    ListSpec list;
+    list.title = "Find";
+    for (const Goal& goal : all) list.items.push_back({goal.name, where_words(goal.box_m)});
+    list.chosen = [this, all](std::size_t i) { open_tools(all[i], last_tick_s_); };
+    open_list(std::move(list), now_s);
+}
+
+void AppCore::open_tools(const Goal& goal, double now_s) {
+    guiding_.goal = goal;
+    ListSpec list;
+    list.title = goal.name;
+    list.items = {{"Beacon", ""}, {"Take me there", ""}, {"Warmer and colder", ""}, {"Lines through it", ""}, {"Where is it", where_words(goal.box_m)}};
+    list.chosen = [this, goal](std::size_t i) {
+        if (i == 0) set_beacon(goal, last_tick_s_);
+        if (i == 1) lead_to(goal, last_tick_s_);
+        if (i == 2) seek_warmer(goal, last_tick_s_);
+        if (i == 3) cross_lines(goal, last_tick_s_);
+        if (i == 4) answer(fmt::format("{}, {}", goal.name, where_words(goal.box_m)), last_tick_s_);
+    };
+    open_list(std::move(list), now_s);
+}
+
+void AppCore::set_beacon(const Goal& goal, double now_s) {
+    guiding_.goal = goal;
+    guiding_.beacon.set(goal.name, goal.box_m);
+    answer(fmt::format("Beacon on {}, {}", goal.name, where_words(goal.box_m)), now_s);
+}
+
+// What the hand touches, else what is straight ahead, else to be chosen.
+void AppCore::beacon_here(double now_s) {
+    FeatureId id = kNoFeature;
+    Vec3 place{0.0};
+    if (hand_.present && tool_.contacts.count > 0) {
+        id = tool_.contacts.contacts[tool_.contacts.strongest].feature;
+        place = tool_.proxy_m;
+    } else if (const auto seen = look(*body_world_, feet_m(), kWaist_m, heading_rad_, kLookRange_m)) {
+        id = seen->feature;
+        place = seen->point_m;
+    }
+    const Feature* feature = scene_->find(id);
+    if (!feature || feature->name.empty()) return open_find(now_s);
+    const bool whole = !is_surface(feature->kind) && !feature->bounds_m.empty();
+    set_beacon({sentence_case(speakable(feature->name)), whole ? feature->bounds_m : point_box(place), id}, now_s);
+}
+
+void AppCore::mute_beacon(double now_s) {
+    if (guiding_.beacon.on()) {
+        guiding_.beacon.clear();
+        return answer("Beacon off", now_s);
+    }
+    if (guiding_.goal) return set_beacon(*guiding_.goal, now_s);
+    answer(fmt::format("There is no beacon. {} sets one.", keys_.keys_of(Command::SetBeacon)), now_s);
+}
+
+void AppCore::seek_warmer(const Goal& goal, double now_s) {
+    guiding_.goal = goal;
+    if (guiding_.warmer.on() && guiding_.warmer.name() == goal.name) {
+        guiding_.warmer.clear();
+        return answer("Warmer and colder off", now_s);
+    }
+    guiding_.warmer.set(goal.name, goal.box_m);
+    answer(fmt::format("{}: the faster it ticks, the nearer", goal.name), now_s);
+}
+
+// ---- being led ----
+
+// Nothing pulls any more; what is felt fades.
+void AppCore::end_guidance() {
+    guiding_.announced.reset();
+    guiding_.path.number = 0;
+    guiding_.acts = false;
+}
+
+bool AppCore::force_may_guide() const { return tuning_.forces_on && !tuning_.panic && tuning_.focused && tool_.fault == Fault::None && tool_.ticks > 0; }
+
+void AppCore::announce(GuidancePath path, std::string words, double now_s) {
+    end_guidance();  // one at a time
+    path.number = ++guiding_.last_number;
+    guiding_.announced = path;
+    guiding_.starts_s = now_s + kAnnounced_s;
+    guiding_.errors = 0;
+    guiding_.stray = false;
+    play(SoundKind::GuideStart, now_s);
+    answer(std::move(words), now_s);
+}
+
+void AppCore::take_me(double now_s) {
+    if (guiding_.acts || guiding_.announced) {
+        end_guidance();
+        play(SoundKind::GuideStop, now_s);
+        return answer("Let go", now_s);
+    }
+    if (!hand_.present && guiding_.beacon.on()) return mute_beacon(now_s);
+    if (!guiding_.goal) return open_find(now_s);
+    lead_to(*guiding_.goal, now_s);
+}
+
+// Straight to the thing, from where the hand is; nothing where something stands between.
+std::optional<GuidancePath> AppCore::hand_way(const Goal& goal) const {
+    const Vec3 from = finding_place_m(), to = nearest_place(goal.box_m, from);
+    for (const Crossing& crossing : body_world_->crossings(from, to))
+        if (crossing.feature != goal.feature || !goal.feature) return std::nullopt;
+    GuidancePath path;
+    path.kind = GuidanceKind::Pull;
+    path.points_m[0] = from;
+    path.points_m[1] = to;
+    path.count = 2;
+    return path;
+}
+
+// By the hand where there is one, else by ear.
+void AppCore::lead_to(const Goal& goal, double now_s) {
+    guiding_.goal = goal;
+    const auto by_ear = [&](std::string_view why) {
+        guiding_.beacon.set(goal.name, goal.box_m);
+        answer(fmt::format("{}Follow the beacon to {}, {}", why, goal.name, where_words(goal.box_m)), now_s);
+    };
+    if (!hand_.present || !settings_.guidance.pull) return by_ear("");
+    if (!force_may_guide()) return by_ear("Forces are off. ");
+    auto path = hand_way(goal);
+    if (!path) return by_ear("Something stands between your hand and it. ");
+    guiding_.laps.begin(goal.name);
+    path->strength = guiding_.laps.strength() * settings_.guidance.strength;
+    std::string words = fmt::format("Taking your hand to {}, {}. ", goal.name, where_words(goal.box_m));
+    if (guiding_.laps.strength() == 0.0) words = fmt::format("On your own to {}, {}. I only tell when you are there.", goal.name, where_words(goal.box_m));
+    else if (guiding_.laps.strength() < 1.0) words += fmt::format("Help {:.0f} percent.", 100.0 * guiding_.laps.strength());
+    else words += "Hold against it to end it.";
+    announce(*path, std::move(words), now_s);
+}
+
+// Three planes through the thing, on which the hand likes to rest.
+void AppCore::cross_lines(const Goal& goal, double now_s) {
+    guiding_.goal = goal;
+    if (!hand_.present) return answer(std::string("There is no touch device. The beacon and the list find things without one."), now_s);
+    if (!force_may_guide()) return answer("Forces are off.", now_s);
+    GuidancePath path;
+    path.kind = GuidanceKind::CrossLines;
+    path.strength = settings_.guidance.strength;
+    path.points_m[0] = goal.box_m.centre_m();
+    path.count = 1;
+    announce(path, fmt::format("Lines through {}: from side to side, from near to far, and up and down. They cross there.", goal.name), now_s);
+}
+
+void AppCore::toggle_lines(double now_s) {
+    const bool lines = guiding_.acts && guiding_.path.kind == GuidanceKind::CrossLines;
+    if (lines || (guiding_.announced && guiding_.announced->kind == GuidanceKind::CrossLines)) {
+        end_guidance();
+        play(SoundKind::GuideStop, now_s);
+        return answer("Lines off", now_s);
+    }
+    if (!guiding_.goal) return open_find(now_s);
+    cross_lines(*guiding_.goal, now_s);
+}
+
+// ---- every tick ----
+
+void AppCore::follow_guidance(double now_s) {
+    Guiding& g = guiding_;
+    if (g.announced && now_s >= g.starts_s) {
+        g.path = *g.announced;
+        g.announced.reset();
+        g.acts = true;
+    }
+    if (!g.acts) return;
+    if (tool_.guidance.number != g.path.number) return;  // the servo has not seen it yet
+    const bool pull = g.path.kind == GuidanceKind::Pull;
+    if (tool_.guidance.phase == GuidancePhase::Acts) {
+        if (!pull) return;
+        const double off_m = distance_to_way(g.path, tool_.hip_m) / scale();
+        if (off_m > kStray_hand_m && !std::exchange(g.stray, true)) ++g.errors;
+        if (off_m < 0.5 * kStray_hand_m) g.stray = false;
+        return;
+    }
+    end_guidance();
+    switch (tool_.guidance.phase) {
+        case GuidancePhase::Arrived:
+            g.laps.finish(g.errors, settings_.guidance.fades);
+            play(SoundKind::Arrived, now_s);
+            answer(fmt::format("Here: {}", g.goal ? g.goal->name : std::string("the goal")), now_s);
+            break;
+        case GuidancePhase::LetGo:
+            play(SoundKind::GuideStop, now_s);
+            answer("Let go", now_s);
+            break;
+        default:
+            play(SoundKind::GuideStop, now_s);
+            answer("No longer led", now_s);
+            break;
+    }
+}
+
+// A mark, landmark or clue makes its sound when hand or body comes near; marks are named.
+void AppCore::notice_marks(double now_s) {
+    Guiding& g = guiding_;
+    const bool tell = !std::exchange(g.first_look, false);
+    const Vec3 waist = feet_m() + Vec3(0.0, 0.0, kWaist_m);
+    // Level distance of a place that is on this storey and in no other room; else far.
+    const auto body_to_m = [&](const Aabb& box, double range_m) {
+        const Vec3 place = nearest_place(box, waist);
+        const Vec3 way = place - waist;
+        const double level_m = std::hypot(way.x, way.y);
+        if (level_m > range_m || std::abs(way.z) > kStorey_m) return 1e9;
+        return muffling_db(*body_world_, waist, place) >= kDoorMuffles_db ? 1e9 : level_m;
+    };
+    const bool hand = hand_.present && tool_.ticks > 0 && tool_.workspace_jump == pose_.jump;
+    g.mark_near.resize(g.marks.size(), false);
+    for (std::size_t i = 0; i < g.marks.size(); ++i) {
+        const Vec3& place = g.marks[i].place_m;
+        const double more = g.mark_near[i] ? kFarther : 1.0;
+        const double hand_m = hand ? glm::length(tool_.proxy_m - place) / scale() : 1e9;
+        const bool near = hand_m <= more * kMarkNear_hand_m || body_to_m(point_box(place), more * kMarkNear_body_m) <= more * kMarkNear_body_m;
+        if (near && !g.mark_near[i] && tell && !tuning_.panic) {
+            play_at(SoundKind::Mark, place, now_s);
+            say(g.marks[i].name, SpeechClass::Contact, now_s);
+        }
+        g.mark_near[i] = near;
+    }
+    const auto sound_of = [](const Feature& feature) { return feature.landmark ? SoundKind::Landmark : SoundKind::Clue; };
+    std::vector<FeatureId> near_now;
+    for (std::uint32_t i = 0; i < scene_->features.size(); ++i) {
+        const Feature& feature = scene_->features[i];
+        if ((!feature.landmark && !feature.clue) || feature.bounds_m.empty()) continue;
+        const FeatureId id{i};
+        const bool was = std::find(g.landmarks_near.begin(), g.landmarks_near.end(), id) != g.landmarks_near.end();
+        const double range_m = (was ? kFarther : 1.0) * kLandmarkNear_m;
+        if (body_to_m(feature.bounds_m, range_m) > range_m) continue;
+        near_now.push_back(id);
+        if (!was && tell && !tuning_.panic) play_at(sound_of(feature), nearest_place(feature.bounds_m, waist), now_s);
+    }
+    g.landmarks_near = std::move(near_now);
+    const FeatureId touched = hand && tool_.contacts.count > 0 ? tool_.contacts.contacts[tool_.contacts.strongest].feature : kNoFeature;
+    if (touched != g.touched && touched) {
+        const Feature* feature = scene_->find(touched);
+        if (feature && (feature->landmark || feature->clue) && !tuning_.panic) play_at(sound_of(*feature), tool_.proxy_m, now_s);
+    }
+    if (touched || tool_.contacts.count == 0) g.touched = touched;
+}
+
+void AppCore::tick_guiding(double now_s) {
+    Guiding& g = guiding_;
+    const std::uint32_t pressed = tool_.buttons & ~std::exchange(g.buttons, tool_.buttons);
+    const int button = settings_.marks.button;
+    if (button > 0 && (pressed & (1U << (button - 1))) != 0 && (tuning_.workspace.grab_buttons & (1U << (button - 1))) == 0 &&
+        !(button == 1 && settings_.haptic.button_to_feel))
+        drop_mark(true, now_s);
+    follow_guidance(now_s);
+    notice_marks(now_s);
+    if (g.beacon.on()) {
+        const Listener ears = listener();
+        const auto way_db = [&](const Vec3& place) { return muffling_db(*body_world_, ears.ears_m, place); };
+        Beacon::Beat beat = g.beacon.tick(feet_m(), ears, way_db, !tuning_.panic, now_s);
+        if (beat.sound) cue(std::move(*beat.sound));
+        if (beat.arrived) {
+            play(SoundKind::Arrived, now_s);
+            say(fmt::format("Here: {}", g.beacon.name()), SpeechClass::Answer, now_s);
+        }
+    }
+    if (g.warmer.on()) {
+        const Vec3 place = finding_place_m();
+        const double way_m = glm::length(nearest_place(g.warmer.thing_m(), place) - place);
+        // The body is as near as a hand would be at the scale of a room.
+        const double per_m = hand_.present ? scale() : 60.0;
+        const bool touches = hand_.present && guiding_.goal && guiding_.goal->feature && tool_.contacts.count > 0 &&
+                             tool_.contacts.contacts[tool_.contacts.strongest].feature == guiding_.goal->feature;
+        const Warmer::Beat beat =
+            g.warmer.tick(touches ? 0.0 : way_m / per_m, hand_.present ? Warmer::kFound_hand_m : Beacon::kArrived_m / per_m, !tuning_.panic, now_s);
+        if (beat.sound) play(SoundKind::Warmer, now_s);
+        if (beat.found) {
+            play(SoundKind::Arrived, now_s);
+            say(fmt::format("Here: {}", g.warmer.name()), SpeechClass::Answer, now_s);
+        }
+    }
+}
+
+void AppCore::act_guiding(Command command, double now_s) {
+    switch (command) {
+        case Command::DropMark:
+            return drop_mark(false, now_s);
+        case Command::DeleteMark:
+            return open_delete_marks(now_s);
+        case Command::Marks:
+            return open_marks(now_s);
+        case Command::SetBeacon:
+            return beacon_here(now_s);
+        case Command::MuteBeacon:
+            return mute_beacon(now_s);
+        case Command::TakeMe:
+            return take_me(now_s);
+        case Command::Find:
+            return open_find(now_s);
+        default:
+            return toggle_lines(now_s);
+    }
+}
+
+void AppCore::play_at(SoundKind kind, const Vec3& place_m, double now_s) {
+    CueRequest sound;
+    sound.kind = CueRequestKind::Play;
+    sound.sound = kind;
+    sound.time_s = now_s;
+    sound.position_m = place_m;
+    cue(std::move(sound));
+}
+
+}  // namespace handrail

@@ -1,0 +1,45 @@
+// What the session keeps for marks, beacon and being led: plain state of AppCore's part in app_core_guide.cpp. App thread only.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/finding.h"
+#include "app/core/marks.h"
+#include "haptic/servo/guidance.h"
+
+namespace handrail {
+
+// Something to be found or gone to.
+struct Goal {
+    std::string name;
+    Aabb box_m;  // a point for marks and places on walls
+    FeatureId feature = kNoFeature;
+};
+
+struct Guiding {
+    std::vector<Mark> marks;
+    Beacon beacon;
+    Warmer warmer;
+    Laps laps;
+    std::optional<Goal> goal;  // what "take me there" goes to
+
+    // Being led: first told, then felt.
+    GuidancePath path;                      // as the servo has it
+    std::optional<GuidancePath> announced;  // to be published at starts_s
+    double starts_s = 0.0;
+    bool acts = false;   // published, and the servo has not told of its end
+    bool stray = false;  // the hand is off the way now
+    int errors = 0;      // how often it went off the way in this lap
+    std::uint32_t last_number = 0;
+
+    // Where hand and body have been told to be near, so that each is told once.
+    std::vector<bool> mark_near;
+    std::vector<FeatureId> landmarks_near;
+    FeatureId touched = kNoFeature;
+    bool first_look = true;     // what is near on entering is not told
+    std::uint32_t buttons = 0;  // of the device, a tick before
+};
+
+}  // namespace handrail

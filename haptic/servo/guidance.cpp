@@ -1,0 +1,131 @@
+#include "haptic/servo/guidance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handrail {
+namespace {
+
+constexpr double kVelocityPole_s = 0.020;
+constexpr int kMostCornersATick = 8;
+
+double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
+
+// Shortened to `most` where it is longer.
+Vec3 at_most(const Vec3& v, double most) noexcept {
+    const double l = length(v);
+    return l > most ? v * (most / l) : v;
+}
+
+}  // namespace
+
+void Guidance::begin(const GuidancePath& path, const Vec3& hand_m) noexcept {
+    state_ = {};
+    state_.number = path.number;
+    fade_ = 0.0;
+    if (path.number == 0 || path.count == 0 || path.count > GuidancePath::kMostPoints || !(path.strength >= 0.0 && path.strength <= 1.0)) return;
+    for (std::uint32_t i = 0; i < path.count; ++i)
+        if (!is_finite(path.points_m[i])) return;
+    state_.phase = GuidancePhase::Acts;
+    // Begins where the hand is, so that there is nothing to jump to.
+    point_m_ = hand_before_m_ = hand_m;
+    next_ = 0;
+    velocity_m_per_s_ = Vec3(0.0);
+    acted_s_ = against_s_ = 0.0;
+}
+
+void Guidance::end(GuidancePhase phase) noexcept {
+    state_.phase = phase;
+    state_.counter_n = 0.0;
+    last_n_ = state_.force_n;
+    fade_ = 1.0;
+}
+
+// The point goes on along the way: by itself as long as the hand keeps up, and as fast as the hand where that is ahead of it.
+void Guidance::go_on(const GuidancePath& path, const Vec3& hand_m, double scale, double dt_s) noexcept {
+    const double own_m = kPointSpeed_m_per_s * dt_s * scale;
+    double left_m = std::max(own_m, length(hand_m - hand_before_m_));
+    double own_left_m = own_m;
+    // A corner or two a tick are plenty; steps that rounding leaves over would never end.
+    for (int pass = 0; pass < kMostCornersATick && next_ < path.count && left_m > 0.0; ++pass) {
+        const Vec3 leg = path.points_m[next_] - point_m_;
+        const double leg_m = length(leg);
+        if (leg_m < 1e-9 * scale) {
+            ++next_;
+            continue;
+        }
+        const double ahead_m = glm::dot(hand_m - point_m_, leg) / leg_m;
+        const bool waits = length(point_m_ - hand_m) >= kLead_m * scale;
+        const double step_m = std::min({left_m, leg_m, ahead_m > 0.0 ? std::max(ahead_m, waits ? 0.0 : own_left_m) : waits ? 0.0 : own_left_m});
+        if (!(step_m > 1e-9 * scale)) return;
+        point_m_ += leg * (step_m / leg_m);
+        left_m -= step_m;
+        own_left_m = std::max(0.0, own_left_m - step_m);
+        if (step_m >= leg_m) {
+            point_m_ = path.points_m[next_];
+            ++next_;
+        }
+    }
+}
+
+Vec3 Guidance::pull(const GuidancePath& path, const Vec3& hand_m, double scale, double most_n, double dt_s) noexcept {
+    go_on(path, hand_m, scale, dt_s);
+    const Vec3 away = (point_m_ - hand_m) / scale;
+    const double away_m = length(away);
+    state_.counter_n = kStiffness_n_per_m * away_m;
+    against_s_ = most_n > 0.0 && state_.counter_n > kLetGo_n ? against_s_ + dt_s : 0.0;
+    if (!(away_m > 0.0)) return Vec3(0.0);
+    const Vec3 way = away / away_m;
+    // Sideways speed counts as well, or a hand that comes round a corner would be faster than either leg allows. A hand that goes away feels all of it.
+    const double along = glm::dot(velocity_m_per_s_, way);
+    const double aside = length(velocity_m_per_s_ - way * along);
+    const double slower = std::clamp(1.0 - (along + aside) / kFastest_m_per_s, 0.0, 1.0);
+    return way * (std::min(state_.counter_n, most_n) * slower);
+}
+
+// Of each line the force is -F (u/w)(1 - (u/w)^2)^2, the slope of a potential that ends with slope and curvature zero.
+Vec3 Guidance::lines(const GuidancePath& path, const Vec3& hand_m, double scale, double most_n) const noexcept {
+    constexpr double kPeakOfLaw = 0.28621670111997307;  // at u/w = 1/sqrt(5)
+    const double share = most_n / kMostForce_n;
+    Vec3 force(0.0);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double u = (path.points_m[0][axis] - hand_m[axis]) / (scale * kLineHalfWidth_m);
+        const double rest = 1.0 - u * u;
+        if (rest > 0.0) force[axis] = (kLine_n * share / kPeakOfLaw) * u * rest * rest;
+    }
+    return force;
+}
+
+Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, double peak_force_n, bool allowed, double dt_s) noexcept {
+    // 1. Another wish: what acts fades, and only then the next begins.
+    if (state_.phase == GuidancePhase::Acts && (path.number != state_.number || !allowed)) end(GuidancePhase::Ended);
+    if (path.number != state_.number && fade_ <= 0.0) {
+        begin(path, hand_m);
+        if (!allowed && state_.phase == GuidancePhase::Acts) end(GuidancePhase::Ended);
+    }
+    // 2. The end of one that acted.
+    if (state_.phase != GuidancePhase::Acts) {
+        state_.force_n = Vec3(0.0);
+        if (fade_ > 0.0) {
+            fade_ -= dt_s / kFade_s;
+            if (fade_ > 0.0) state_.force_n = last_n_ * fade_;
+        }
+        return state_.force_n;
+    }
+    // 3. The force.
+    const Vec3 velocity = (hand_m - hand_before_m_) / (scale * dt_s);
+    velocity_m_per_s_ += (velocity - velocity_m_per_s_) * (dt_s / (kVelocityPole_s + dt_s));
+    acted_s_ += dt_s;
+    const double most_n = path.strength * std::min(kMostForce_n, kMostShare * peak_force_n);
+    const double ramp = std::min(1.0, acted_s_ / kRamp_s);
+    const Vec3 full_n = path.kind == GuidanceKind::Pull ? pull(path, hand_m, scale, most_n, dt_s) : lines(path, hand_m, scale, most_n);
+    state_.force_n = at_most(full_n * ramp, most_n);
+    hand_before_m_ = hand_m;
+    // 4. What ends it.
+    if (path.kind != GuidanceKind::Pull) return state_.force_n;
+    if (against_s_ >= kLetGo_s) end(GuidancePhase::LetGo);
+    else if ((next_ >= path.count || path.strength == 0.0) && length(hand_m - path.points_m[path.count - 1]) <= kArrived_m * scale) end(GuidancePhase::Arrived);
+    return state_.force_n;
+}
+
+}  // namespace handrail

@@ -1,0 +1,345 @@
+// Marks, landmarks, the beacon, "warmer and colder", laps, and what the session makes of them.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "app/core/app_core.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+using test::SceneBuilder;
+using testing::HasSubstr;
+
+// 6 by 4 metres, a table in the north-west, a radiator in the east; base (3, 0.5) facing north.
+std::shared_ptr<const Scene> room(double table_x = 1.0, bool landmarks = false) {
+    SceneBuilder b;
+    b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+    b.box({-0.2, 4, 0}, {6.2, 4.2, 2.6}, "north wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+    b.box({6, 0, 0}, {6.2, 4, 2.6}, "east wall", SolidRole::Solid, "wood", FeatureKind::Wall);
+    b.box({-0.2, 0, 0}, {0, 4, 2.6}, "west wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+    b.box({table_x, 3, 0}, {table_x + 1.0, 3.5, 0.7}, "Table", SolidRole::Solid, "wood", FeatureKind::Object);
+    b.box({5.8, 1, 0.1}, {6.0, 2, 0.7}, "Radiator", SolidRole::Solid, "metal", FeatureKind::Object);
+    if (landmarks)
+        for (Feature& feature : b.scene().features) {
+            feature.landmark = feature.name == "Table";
+            feature.clue = feature.name == "Radiator";
+        }
+    b.scene().name = "test room";
+    b.start({3, 0.5, 0}, 0.0);
+    return b.share();
+}
+
+struct Person {
+    explicit Person(bool device = false, Settings settings = {}) : app(settings, facts(device)) {}
+    static HandFacts facts(bool device) {
+        HandFacts f;
+        f.present = f.simulated = device;
+        f.spec = *find_device_spec("sim-t");
+        return f;
+    }
+    void enter(const fs::path& world = {}, std::shared_ptr<const Scene> scene = room()) {
+        if (!world.empty()) app.use_side_file(SideFile::of_world(world, {}));
+        app.enter_world(std::move(scene), now);
+        run(0.1);
+    }
+    void run(double seconds) {
+        for (const double until = now + seconds; now < until - 1e-9;) {
+            now += 1.0 / 60.0;
+            app.tick(now, tool);
+            for (CueRequest& cue : app.take_cues()) {
+                if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
+                if (cue.kind == CueRequestKind::Play) sounds.push_back(cue);
+            }
+        }
+    }
+    void tap(Command command) {
+        said.clear();
+        app.press(command, now);
+        run(0.1);
+        app.release(command);
+    }
+    void key(const char* name) {
+        said.clear();
+        app.take_key(name, now);
+        run(0.05);
+    }
+    void type(const char* text) {
+        app.take_text(text, now);
+        run(0.05);
+    }
+    void hand_at(const Vec3& world_m) {
+        tool.ticks = 1;
+        tool.hip_m = tool.proxy_m = world_m;
+        tool.workspace_jump = app.pose().jump;
+    }
+    void stand_at(const Vec3& feet_m, double heading_rad = 0.0) {
+        app.place(feet_m, heading_rad, now);
+        run(0.05);
+    }
+    bool heard(const std::string& part) const {
+        return std::any_of(said.begin(), said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
+    }
+    int count(SoundKind kind) const {
+        return static_cast<int>(std::count_if(sounds.begin(), sounds.end(), [&](const CueRequest& s) { return s.sound == kind; }));
+    }
+    AppCore app;
+    ToolState tool;
+    double now = 0.0;
+    std::vector<std::string> said;
+    std::vector<CueRequest> sounds;
+};
+
+TEST(Marks, are_set_named_kept_found_again_and_deleted) {
+    const test::TemporaryFolder folder;
+    const fs::path world = folder.write("room.map", "one");
+    {
+        Person p;
+        p.enter(world);
+        p.tap(Command::DropMark);
+        EXPECT_TRUE(p.heard("Mark 1")) << testing::PrintToString(p.said);
+        EXPECT_EQ(p.count(SoundKind::Mark), 1);
+        p.key("Escape");
+        p.stand_at({2.5, 2.9, 0.0});
+        p.tap(Command::DropMark);
+        EXPECT_TRUE(p.heard("Mark 2, near Table")) << testing::PrintToString(p.said);
+        for (int i = 0; i < 30; ++i) p.app.take_key("Backspace", p.now);
+        p.type("Książki 本");
+        p.key("Enter");
+        EXPECT_TRUE(p.heard("Książki 本"));
+        ASSERT_EQ(p.app.guiding().marks.size(), 2U);
+        EXPECT_EQ(p.app.guiding().marks[1].name, "Książki 本");
+    }
+    Person p;
+    p.enter(world);
+    EXPECT_EQ(p.app.guiding().marks.size(), 2U);
+    EXPECT_FALSE(p.heard("no longer fit"));
+    p.tap(Command::DeleteMark);
+    p.key("Enter");
+    EXPECT_TRUE(p.heard("deleted"));
+    Person again;
+    again.enter(world);
+    ASSERT_EQ(again.app.guiding().marks.size(), 1U);
+    EXPECT_EQ(again.app.guiding().marks[0].name, "Książki 本");
+}
+
+TEST(Marks, of_an_edited_world_that_no_longer_fit_are_told) {
+    const test::TemporaryFolder folder;
+    const fs::path world = folder.write("room.map", "one");
+    Settings settings;
+    settings.marks.ask_name = false;
+    {
+        Person p(false, settings);
+        p.enter(world);
+        p.stand_at({2.3, 2.7, 0.0});
+        p.tap(Command::DropMark);
+        p.stand_at({5.0, 1.5, 0.0});
+        p.tap(Command::DropMark);
+        EXPECT_TRUE(p.heard("Mark 2, near Radiator set"));
+    }
+    folder.write("room.map", "two");
+    Person same(false, settings);
+    same.enter(world);
+    EXPECT_FALSE(same.heard("no longer fit")) << "edited elsewhere; what the marks stand by is where it was";
+    Person p(false, settings);
+    p.enter(world, room(4.5));
+    EXPECT_TRUE(p.heard("This world has changed since you set marks. 1 of 2 no longer fits: Mark 1, near Table.")) << testing::PrintToString(p.said);
+    EXPECT_EQ(p.app.guiding().marks.size(), 2U);
+    p.tap(Command::Marks);
+    EXPECT_THAT(p.app.dialogue().view().items[2].value, HasSubstr("may no longer fit"));
+}
+
+TEST(Marks, that_are_damaged_are_put_aside_and_told) {
+    const test::TemporaryFolder folder;
+    const fs::path world = folder.write("room.map", "one");
+    folder.write("room.map.handrail.toml", "[[mark]\n");
+    Person p;
+    p.enter(world);
+    EXPECT_TRUE(p.heard("kept as room.map.handrail.toml.damaged"));
+    EXPECT_TRUE(p.app.guiding().marks.empty());
+    folder.write("room.map.handrail.toml", "[[mark]]\nname = \"a\"\n[[mark]]\nname = \"b\"\nplace_m = [1.0, 1.0, 0.0]\n");
+    Person q;
+    q.enter(world);
+    EXPECT_TRUE(q.heard("1 of your marks here could not be read."));
+    ASSERT_EQ(q.app.guiding().marks.size(), 1U);
+    q.tap(Command::DropMark);
+    EXPECT_THAT(test::content_of(folder.path() / "room.map.handrail.toml"), HasSubstr("name = \"a\"")) << "what could not be read stays in the file";
+}
+
+TEST(Marks, are_set_where_the_hand_is_by_the_devices_button_too_and_told_once_when_near) {
+    Settings settings;
+    settings.marks.ask_name = false;
+    Person p(true, settings);
+    p.enter();
+    p.hand_at({1.5, 2.9, 0.4});
+    p.run(0.1);
+    p.said.clear();
+    p.tool.buttons = 2;
+    p.run(0.2);
+    p.tool.buttons = 0;
+    p.run(0.1);
+    EXPECT_TRUE(p.heard("Mark 1, near Table set"));
+    ASSERT_EQ(p.app.guiding().marks.size(), 1U);
+    EXPECT_EQ(p.app.guiding().marks[0].place_m, Vec3(1.5, 2.9, 0.4));
+    p.sounds.clear();
+    p.said.clear();
+    p.hand_at({4.0, 1.0, 1.0});
+    p.run(0.2);
+    EXPECT_EQ(p.count(SoundKind::Mark), 0);
+    p.hand_at({1.6, 2.8, 0.5});  // 3 mm of hand
+    p.run(1.0);
+    EXPECT_EQ(p.count(SoundKind::Mark), 1);
+    EXPECT_TRUE(p.heard("Mark 1"));
+    // The first button grabs; where it is asked for it sets marks only if it does not.
+    p.tool.buttons = 1;
+    p.run(0.2);
+    EXPECT_EQ(p.app.guiding().marks.size(), 1U);
+}
+
+TEST(Landmarks, and_clues_sound_different_when_touched_or_passed) {
+    Person p(true);
+    p.enter({}, room(1.0, true));
+    p.stand_at({1.5, 1.8, 0.0});
+    p.run(0.5);
+    EXPECT_EQ(p.count(SoundKind::Landmark), 1);
+    EXPECT_EQ(p.count(SoundKind::Clue), 0);
+    p.stand_at({4.8, 1.5, 0.0});
+    p.run(0.5);
+    EXPECT_EQ(p.count(SoundKind::Clue), 1);
+    p.stand_at({3.0, 0.5, 0.0});
+    const auto table = std::find_if(p.app.scene()->features.begin(), p.app.scene()->features.end(), [](const Feature& f) { return f.name == "Table"; });
+    p.hand_at({1.5, 2.95, 0.4});
+    p.tool.contacts.count = 1;
+    p.tool.contacts.strongest = 0;
+    p.tool.contacts.contacts[0].feature = FeatureId{static_cast<std::uint32_t>(table - p.app.scene()->features.begin())};
+    p.run(0.5);
+    EXPECT_EQ(p.count(SoundKind::Landmark), 2);
+}
+
+TEST(BeaconTest, beats_faster_the_nearer_and_tells_ahead_side_and_behind) {
+    Beacon beacon;
+    const Aabb thing{{-0.1, 9.9, 0.9}, {0.1, 10.1, 1.1}};
+    const auto clear = [](const Vec3&) { return 0.0; };
+    double last_s = 0.0;
+    for (const double y : {8.0, 4.0, 0.0, -8.0, -15.0}) {
+        EXPECT_GE(Beacon::interval_s(10.0 - y), last_s);
+        last_s = Beacon::interval_s(10.0 - y);
+    }
+    const auto sound = [&](double heading_deg, double muffled_db = 0.0) {
+        beacon.set("thing", thing);
+        const Listener ears{{0.0, 0.0, 1.6}, radians_from_degrees(heading_deg), 0.0};
+        return *beacon
+                    .tick(
+                        {0, 0, 0}, ears, [&](const Vec3&) { return muffled_db; }, true, 0.0)
+                    .sound;
+    };
+    EXPECT_EQ(sound(0.0).sound, SoundKind::BeaconAhead);
+    EXPECT_EQ(sound(10.0).sound, SoundKind::BeaconAhead);
+    EXPECT_EQ(sound(-30.0).sound, SoundKind::Beacon);
+    EXPECT_EQ(sound(90.0).sound, SoundKind::Beacon);
+    EXPECT_EQ(sound(180.0).sound, SoundKind::BeaconBehind);
+    EXPECT_EQ(sound(0.0, 5.0).muffled_db, 5.0);
+    EXPECT_EQ(sound(0.0, 60.0).muffled_db, Beacon::kMostMuffled_db) << "obeys walls and stays audible";
+    EXPECT_FALSE(beacon.tick({0, 0, 0}, {}, clear, false, 9.0).sound) << "stopped";
+    EXPECT_FALSE(beacon.tick({0, 9.5, 5.0}, {}, clear, true, 9.0).arrived) << "another storey";
+    EXPECT_TRUE(beacon.tick({0, 9.5, 0.0}, {}, clear, true, 9.0).arrived);
+    EXPECT_FALSE(beacon.on());
+}
+
+TEST(BeaconTest, is_set_on_what_is_ahead_muted_and_brought_back) {
+    Person p;
+    p.enter();
+    p.stand_at({1.5, 1.0, 0.0});
+    p.run(0.2);
+    // A ray at the waist passes over the table, so the wall behind is ahead; a lower table would not be found this way, and is in the list.
+    p.tap(Command::SetBeacon);
+    EXPECT_TRUE(p.heard("Beacon on North wall")) << testing::PrintToString(p.said);
+    p.run(3.0);
+    EXPECT_GE(p.count(SoundKind::BeaconAhead), 5);
+    p.tap(Command::MuteBeacon);
+    const int before = p.count(SoundKind::BeaconAhead);
+    p.run(2.0);
+    EXPECT_EQ(p.count(SoundKind::BeaconAhead), before);
+    p.tap(Command::MuteBeacon);
+    p.run(2.0);
+    EXPECT_GT(p.count(SoundKind::BeaconAhead), before);
+    p.tap(Command::StopEverything);
+    const int stopped = p.count(SoundKind::BeaconAhead);
+    p.run(2.0);
+    EXPECT_EQ(p.count(SoundKind::BeaconAhead), stopped);
+}
+
+TEST(LapsTest, help_falls_as_errors_do_and_never_grows_by_itself) {
+    Laps laps;
+    laps.begin("table");
+    for (const double strength : {1.0, 0.6, 0.3, 0.0, 0.0}) {
+        EXPECT_EQ(laps.strength(), strength);
+        laps.begin("table");
+        laps.finish(0, true);
+    }
+    laps.finish(9, true);
+    EXPECT_EQ(laps.strength(), 0.0);
+    laps.change(1);
+    EXPECT_EQ(laps.strength(), 0.3);
+    laps.begin("door");
+    EXPECT_EQ(laps.strength(), 1.0);
+    laps.finish(5, true);
+    EXPECT_EQ(laps.strength(), 1.0);
+    laps.finish(5, true);
+    EXPECT_EQ(laps.strength(), 1.0);
+    laps.finish(3, true);
+    EXPECT_EQ(laps.strength(), 0.6);
+    laps.finish(1, false);
+    EXPECT_EQ(laps.strength(), 0.6) << "switched off";
+}
+
+TEST(TakeMe, is_told_a_second_before_the_servo_knows_of_it_and_only_one_is_known) {
+    Person p(true);
+    p.enter();
+    p.hand_at({3.0, 1.0, 1.0});
+    p.run(0.1);
+    p.tap(Command::TakeMe);
+    EXPECT_TRUE(p.app.dialogue().is_open()) << "nothing chosen yet";
+    p.type("radiator");
+    p.key("Enter");
+    p.key("Down");
+    p.key("Enter");
+    EXPECT_TRUE(p.heard("Taking your hand to Radiator"));
+    EXPECT_EQ(p.count(SoundKind::GuideStart), 1);
+    EXPECT_EQ(p.app.guidance().number, 0U);
+    p.run(0.7);
+    EXPECT_EQ(p.app.guidance().number, 0U);
+    p.run(0.4);
+    EXPECT_NE(p.app.guidance().number, 0U);
+    EXPECT_EQ(p.app.guidance().points_m[p.app.guidance().count - 1].x, 5.8);
+    p.tap(Command::TakeMe);
+    EXPECT_TRUE(p.heard("Let go"));
+    EXPECT_EQ(p.app.guidance().number, 0U);
+}
+
+TEST(TakeMe, leads_by_ear_where_something_stands_between_or_there_is_no_force) {
+    Person p(true);
+    p.enter();
+    p.hand_at({1.2, 3.7, 0.3});  // behind the table
+    p.run(0.1);
+    const auto ask = [&] {
+        p.tap(Command::Find);
+        p.type("radiator");
+        p.key("Enter");
+        p.key("Down");
+        p.key("Enter");
+    };
+    ask();
+    EXPECT_TRUE(p.heard("Something stands between your hand and it. Follow the beacon to Radiator")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.app.guiding().beacon.on());
+    p.hand_at({3.0, 1.0, 1.0});
+    p.tap(Command::ToggleForces);
+    ask();
+    EXPECT_TRUE(p.heard("Forces are off. Follow the beacon"));
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,218 @@
+// The pull along a way and the lines through a thing, tick by tick, without a device.
+#include "haptic/servo/guidance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/random_families.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kTick_s = 1e-3, kPeak_n = 3.3;
+constexpr double kMost_n = 0.8;
+
+GuidancePath pull_to(const Vec3& goal_m, double strength = 1.0) {
+    GuidancePath path;
+    path.number = 1;
+    path.strength = strength;
+    path.points_m[0] = goal_m;
+    path.count = 1;
+    return path;
+}
+
+struct Led {
+    explicit Led(const GuidancePath& p = {}) : path(p) {}
+    Guidance guidance;
+    GuidancePath path;
+    Vec3 hand_m{0.0};  // scale 1
+    Vec3 force_n{0.0};
+    bool allowed = true;
+    void tick() { force_n = guidance.tick(path, hand_m, 1.0, kPeak_n, allowed, kTick_s); }
+    void run(double seconds) {
+        for (int i = 0; i < std::lround(seconds / kTick_s); ++i) tick();
+    }
+    GuidancePhase phase() const { return guidance.state().phase; }
+};
+
+TEST(Guidance, ramps_in_over_half_a_second_from_nothing) {
+    Led led(pull_to({0.1, 0.0, 0.0}));
+    led.tick();
+    EXPECT_LT(glm::length(led.force_n), 1e-4);
+    for (int i = 2; i <= 500; ++i) {
+        led.tick();
+        ASSERT_LE(glm::length(led.force_n), kMost_n * i * kTick_s / Guidance::kRamp_s + 1e-12) << i;
+    }
+    led.run(0.1);
+    // A hand that rests is pulled by the spring of 300 N/m over the lead of 2.5 mm, and is not taken for one that holds against it.
+    EXPECT_NEAR(led.force_n.x, 0.75, 0.02);
+    led.run(5.0);
+    EXPECT_EQ(led.phase(), GuidancePhase::Acts);
+}
+
+TEST(Guidance, is_at_most_08_n_and_a_quarter_of_the_device_and_as_strong_as_asked) {
+    for (const double peak_n : {1.0, 2.0, 3.3, 8.0, 40.0})
+        for (const double strength : {1.0, 0.6, 0.3, 0.0}) {
+            Guidance guidance;
+            const GuidancePath path = pull_to({0.1, 0.0, 0.0}, strength);
+            guidance.tick(path, Vec3(0.0), 1.0, peak_n, true, kTick_s);
+            double most_n = 0.0;
+            for (int i = 1; i < 1000; ++i)
+                most_n = std::max(most_n, glm::length(guidance.tick(path, Vec3(-1e-5 * std::min(i, 650), 0.0, 0.0), 1.0, peak_n, true, kTick_s)));
+            EXPECT_NEAR(most_n, strength * std::min(0.8, 0.25 * peak_n), 0.02 * strength) << peak_n << " " << strength;
+            EXPECT_LE(most_n, strength * std::min(0.8, 0.25 * peak_n) + 1e-12);
+        }
+}
+
+TEST(Guidance, lets_go_of_a_hand_that_holds_more_than_12_n_against_it_for_03_s_and_not_of_one_that_does_not) {
+    const auto held_at = [](double away_m, double for_s) {
+        Led led(pull_to({0.1, 0.0, 0.0}));
+        led.run(1.0);
+        const Vec3 rested = led.hand_m;
+        led.hand_m = rested - Vec3(away_m - Guidance::kLead_m, 0.0, 0.0);
+        led.run(for_s);
+        return led;
+    };
+    EXPECT_EQ(held_at(0.0045, 0.299).phase(), GuidancePhase::Acts);
+    Led gone = held_at(0.0045, 0.301);
+    EXPECT_EQ(gone.phase(), GuidancePhase::LetGo);
+    gone.run(0.1);
+    EXPECT_EQ(gone.force_n, Vec3(0.0));
+    gone.run(5.0);
+    EXPECT_EQ(gone.phase(), GuidancePhase::LetGo) << "only another number begins again";
+    EXPECT_EQ(held_at(0.0038, 5.0).phase(), GuidancePhase::Acts);
+    // A short pull does not add up to a long one.
+    Led led = held_at(0.0045, 0.2);
+    led.hand_m.x += 0.002;
+    led.run(0.05);
+    led.hand_m.x -= 0.002;
+    led.run(0.2);
+    EXPECT_EQ(led.phase(), GuidancePhase::Acts);
+}
+
+TEST(Guidance, never_holds_back_a_hand_that_goes_ahead_on_the_way) {
+    Led led(pull_to({0.1, 0.0, 0.0}));
+    led.run(1.0);
+    for (int i = 0; i < 300; ++i) {
+        led.hand_m.x += 0.3e-3;  // 0.3 m/s
+        led.tick();
+        ASSERT_GE(led.force_n.x, -1e-9);
+    }
+    led.hand_m.x = 0.099;
+    led.run(0.1);
+    EXPECT_EQ(led.phase(), GuidancePhase::Arrived);
+}
+
+TEST(Guidance, ends_where_force_may_not_act_and_takes_one_wish_after_the_other) {
+    Led led(pull_to({0.1, 0.0, 0.0}));
+    led.run(1.0);
+    const double before_n = glm::length(led.force_n);
+    led.path = pull_to({-0.1, 0.0, 0.0});
+    led.path.number = 2;
+    double least = 1e9, step = 0.0;
+    Vec3 last = led.force_n;
+    for (int i = 0; i < 200; ++i) {
+        led.tick();
+        least = std::min(least, glm::length(led.force_n));
+        step = std::max(step, glm::length(led.force_n - last));
+        last = led.force_n;
+    }
+    EXPECT_LT(least, 1e-3) << "the first is gone before the second begins";
+    EXPECT_LE(step, before_n * kTick_s / Guidance::kFade_s + 1e-3);
+    led.run(1.0);
+    EXPECT_LT(led.force_n.x, -0.5);
+    led.allowed = false;
+    led.run(0.1);
+    EXPECT_EQ(led.phase(), GuidancePhase::Ended);
+    EXPECT_EQ(led.force_n, Vec3(0.0));
+    led.allowed = true;
+    led.run(1.0);
+    EXPECT_EQ(led.phase(), GuidancePhase::Ended);
+}
+
+TEST(Guidance, takes_no_nonsense) {
+    for (const Vec3& bad : {Vec3(NAN, 0, 0), Vec3(INFINITY, 0, 0)}) {
+        Led led(pull_to(bad));
+        led.run(1.0);
+        EXPECT_EQ(led.force_n, Vec3(0.0));
+        EXPECT_EQ(led.phase(), GuidancePhase::Off);
+    }
+    for (const std::uint32_t count : {0U, GuidancePath::kMostPoints + 1}) {
+        Led led(pull_to({0.1, 0, 0}));
+        led.path.count = count;
+        led.run(1.0);
+        EXPECT_EQ(led.force_n, Vec3(0.0));
+    }
+    Led points(pull_to({0.0, 0.0, 0.0}));
+    points.path.count = GuidancePath::kMostPoints;  // all in one place
+    points.run(0.2);
+    EXPECT_EQ(points.phase(), GuidancePhase::Arrived);
+}
+
+TEST(Guidance, follows_a_way_with_corners) {
+    Led led;
+    led.path.number = 1;
+    for (const Vec3& p : {Vec3(0.02, 0, 0), Vec3(0.02, 0.03, 0), Vec3(0.02, 0.03, 0), Vec3(-0.01, 0.03, 0.02)}) led.path.points_m[led.path.count++] = p;
+    // A hand without mass in thick syrup goes where it is pulled.
+    double farthest_m = 0.0;
+    int ticks = 0;
+    for (; ticks < 10000 && led.phase() != GuidancePhase::Arrived; ++ticks) {
+        led.tick();
+        led.hand_m += led.force_n * (kTick_s / 6.0);
+        double off_m = 1e9;
+        Vec3 from(0.0);
+        for (std::uint32_t k = 0; k < led.path.count; ++k) {
+            const Vec3 leg = led.path.points_m[k] - from;
+            const double l2 = std::max(1e-18, glm::dot(leg, leg));
+            off_m = std::min(off_m, glm::length(from + leg * std::clamp(glm::dot(led.hand_m - from, leg) / l2, 0.0, 1.0) - led.hand_m));
+            from = led.path.points_m[k];
+        }
+        farthest_m = std::max(farthest_m, off_m);
+    }
+    EXPECT_EQ(led.phase(), GuidancePhase::Arrived);
+    EXPECT_LT(farthest_m, 0.0025);
+    EXPECT_LT(ticks, 4000);  // 91 mm at 40 mm/s and a little
+}
+
+TEST(CrossLines, are_the_slope_of_a_potential_and_never_more_than_their_limits) {
+    std::mt19937 random(test::seed_of_run());
+    std::uniform_real_distribution<double> place(-0.01, 0.01);
+    GuidancePath path;
+    path.number = 1;
+    path.kind = GuidanceKind::CrossLines;
+    path.count = 1;
+    Guidance guidance;
+    guidance.tick(path, Vec3(0.0), 1.0, kPeak_n, true, kTick_s);
+    for (int i = 0; i < 600; ++i) guidance.tick(path, Vec3(0.0), 1.0, kPeak_n, true, kTick_s);
+    const auto at = [&](const Vec3& p) { return guidance.tick(path, p, 1.0, kPeak_n, true, kTick_s); };
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 p(place(random), place(random), place(random));
+        const Vec3 f = at(p);
+        EXPECT_LE(glm::length(f), 0.7);
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_LE(std::abs(f[axis]), Guidance::kLine_n + 1e-12);
+            if (std::abs(p[axis]) > Guidance::kLineHalfWidth_m) EXPECT_EQ(f[axis], 0.0);
+            else EXPECT_LE(f[axis] * p[axis], 0.0) << "towards the line";
+        }
+    }
+    // Closed loops give nothing: the sum of force times way round a random polygon, by fine steps.
+    for (int loop = 0; loop < 20; ++loop) {
+        std::vector<Vec3> corners;
+        for (int i = 0; i < 5; ++i) corners.emplace_back(place(random), place(random), place(random));
+        corners.push_back(corners.front());
+        double work_j = 0.0;
+        Vec3 before = at(corners[0]);
+        for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+            for (int k = 1; k <= 400; ++k) {
+                const Vec3 now = at(corners[i] + (corners[i + 1] - corners[i]) * (k / 400.0));
+                work_j += glm::dot(0.5 * (before + now), (corners[i + 1] - corners[i]) / 400.0);
+                before = now;
+            }
+        EXPECT_NEAR(work_j, 0.0, 1e-7);
+    }
+}
+
+}  // namespace
+}  // namespace handrail
