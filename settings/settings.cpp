@@ -74,6 +74,14 @@ std::optional<SettingValue> from_toml(const toml::node& node) {
 }
 
 // As TOML writes it; numbers in the fewest digits that read back the same.
+Error unknown_setting(std::string_view key) {
+    std::vector<std::string> names;
+    for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
+    Error error;
+    error.message = fmt::format("There is no setting {}; the nearest is {}.", key, nearest_name(key, names));
+    return error;
+}
+
 std::string toml_text(const SettingValue& value) {
     return std::visit(Overloaded{[](bool v) { return std::string(v ? "true" : "false"); }, [](std::int64_t v) { return fmt::format("{}", v); },
                                  [](double v) {
@@ -311,6 +319,20 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
     impl_->layers[source] = std::move(layer);
     impl_->rebuild();
     return problems;
+}
+
+Result<std::string> setting_text(const Settings& settings, std::string_view key) {
+    const SettingInfo* info = find_setting(key);
+    if (!info) return tl::unexpected(unknown_setting(key));
+    const SettingValue value = current_value(*info, settings);
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    return toml_text(value);
+}
+
+Result<void> change_setting(Settings& settings, std::string_view key, std::string_view value) {
+    const SettingInfo* info = find_setting(key);
+    if (!info) return tl::unexpected(unknown_setting(key));
+    return apply(*info, value_from_word(*info, value), settings);
 }
 
 Result<void> SettingsStore::set(std::string_view key, std::string_view value, SettingSource source) {

@@ -100,6 +100,9 @@ struct Settings {
         bool beacon = true;       // likewise: beacon, warmer and colder
         bool guide = true;        // likewise: the hand begins or ends to be led
     } sound;
+    struct Desk {
+        bool use = true;  // behind a wall towards the body, and by its key
+    } desk;
     // Devices beside the hand: game pads and SpaceMouse.
     struct Pads {
         bool use = true;        // they are looked for, walk and give cues
@@ -167,6 +170,11 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+// One setting of plain Settings: its value as TOML writes it, and a change like SettingsStore::set. Both fail naming the nearest key, a change also the legal range.
+// For rows of the table only, not for [workspace.device], [profile] and [keys].
+Result<std::string> setting_text(const Settings& settings, std::string_view key);
+Result<void> change_setting(Settings& settings, std::string_view key, std::string_view value);
 
 // True if a world file may set this key.
 bool world_may_set(std::string_view key);

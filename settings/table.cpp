@@ -120,6 +120,8 @@ const std::array kTable{
     SettingInfo{"sound.guide", "", "Signals tell when the hand begins and ends to be led.", kPersonOnly, SwitchField{HANDRAIL_AT(sound.guide)}},
     SettingInfo{"sound.swap_sides", "", "Exchanges the left and the right ear, where headphones are the other way round.", kPersonOnly,
                 SwitchField{HANDRAIL_AT(sound.swap_sides)}},
+    SettingInfo{"desk.use", "", "Pulled towards you through a wall, the hand comes to a desk of controls; a key lists them too.", kPersonOnly,
+                SwitchField{HANDRAIL_AT(desk.use)}},
     SettingInfo{"pads.use", "", "Game pads and SpaceMouse walk and give cues.", kPersonOnly, SwitchField{HANDRAIL_AT(pads.use)}},
     SettingInfo{"pads.triggers", "", "Triggers of a pad resist, tremble and click.", kPersonOnly, SwitchField{HANDRAIL_AT(pads.triggers)}},
     SettingInfo{"pads.rumble", "", "Pads knock at bumps and tremble with materials.", kPersonOnly, SwitchField{HANDRAIL_AT(pads.rumble)}},

@@ -47,6 +47,8 @@ Vec3 push_way(Held held) {
 AppCore::AppCore(const Settings& settings, const HandFacts& hand)
     : settings_(settings), hand_(hand), keys_(settings.keys), held_(command_table().size(), false) {
     lay_device_overrides();
+    furnish_desk();
+    lay_desk(0);
     for (const std::string& problem : keys_.problems()) say(problem, SpeechClass::Answer, 0.0);
 }
 
@@ -152,7 +154,9 @@ void AppCore::retune() {
 
     if (hand_.present) tuning_.touch.rated_stiffness_n_per_m = hand_.spec.rated_stiffness_n_per_m;
     tuning_.force_ceiling_n = ceiling_n(hand_);
+    tuning_.personal_space = settings_.desk.use && hand_.present;
     tuning_.workspace.rim = settings_.workspace.rim;
+    tuning_.workspace.rim_open_behind = tuning_.personal_space;
     // The first button is taken where the hand feels only while a button is held.
     const int button = settings_.workspace.grab_button;
     tuning_.workspace.grab_buttons = button == 0 || (button == 1 && settings_.haptic.button_to_feel) ? 0U : 1U << (button - 1);
@@ -182,6 +186,7 @@ void AppCore::set_hand(const HandFacts& hand, const Settings& settings, double n
     end_guidance();
     hand_target_m_ = Vec3(0.0);
     hand_shift_m_ = Vec3(0.0);
+    lay_desk(0);
     change_settings(settings, now_s);
 }
 
@@ -298,6 +303,7 @@ bool AppCore::idle() const {
 
 void AppCore::act(Command command, double now_s) {
     if (!scene_) return;
+    if (refused_at_desk(command, now_s)) return;
     notice_walk_key(command, now_s);
     if (act_walking(command, now_s)) return;
     const double notch = radians_from_degrees(settings_.walk.turn_deg);
@@ -455,8 +461,13 @@ void AppCore::act(Command command, double now_s) {
         case Command::Calibrate:
             calibration_asked_ = true;
             break;
+        case Command::Desk:
+            open_desk_list(now_s);
+            break;
         case Command::Leave:
-            if (now_s - leave_asked_s_ <= kLeaveWindow_s) {
+            if (at_desk()) {
+                leave_desk(now_s);
+            } else if (now_s - leave_asked_s_ <= kLeaveWindow_s) {
                 wants_to_leave_ = true;
                 answer("Goodbye.", now_s);
             } else {
@@ -685,6 +696,14 @@ void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_to
     if (!scene_) return;
     const double dt_s = std::clamp(now_s - last_tick_s_, 0.0, 0.1);
     last_tick_s_ = now_s;
+    tick_desk(now_s);
+    if (at_desk()) {
+        // The world waits: nothing moves, walks or turns.
+        move_hand_by_keys(dt_s);
+        notice_faults(now_s);
+        publish_pose(now_s, PoseChange::Walked);
+        return;
+    }
     play_movers(now_s, dt_s);
     if (const bool arrived = things_.tick(now_s, dt_s); arrived || movers_arrived_) {
         movers_arrived_ = false;
@@ -880,6 +899,7 @@ ServoTuning AppCore::left_tuning() const {
     tuning.force_ceiling_n = ceiling_n(left_hand_);
     tuning.workspace.grab_key = false;  // the key is the right hand's, the button each hand's own
     tuning.workspace.push_hand_m_per_s = Vec3(0.0);
+    tuning.personal_space = tuning.workspace.rim_open_behind = false;  // the desk is the right hand's
     return tuning;
 }
 
@@ -945,6 +965,17 @@ void AppCore::zoom(NamedScale scale_name, double now_s) {
         },
         now_s);
     answer(scale_sentence(scale_name, scale(), hand_.spec.workspace_radius_m, distances()), now_s);
+}
+
+// Settings with another scale; the place under the hand stays there.
+void AppCore::rescale(const Settings& changed, double now_s) {
+    const auto change = [&] {
+        settings_ = changed;
+        named_scale_.reset();
+        return true;
+    };
+    if (scene_) change_under_hand(change, now_s);
+    else change();
 }
 
 void AppCore::turn_workspace(double by_deg, double now_s) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/core/command.h"
+#include "app/core/desk_hand.h"
 #include "app/core/dialogue.h"
 #include "app/core/guiding.h"
 #include "app/core/key_map.h"
@@ -119,6 +120,19 @@ public:
     bool two_hands() const { return hand_.present && left_hand_.present; }
     const Vec3& hand_target_m() const { return hand_target_m_; }  // device frame
     Listener listener() const;
+    // The desk: what is on it, what of it the hand can touch (null without a hand), and in the device where the ball touches a control of the page that lies
+    // there. The hand is at it: the world waits.
+    const Desk& desk() const { return desk_; }
+    std::shared_ptr<const HapticScene> desk_scene() const { return panel_.haptic; }
+    std::optional<Vec3> desk_place_m(std::string_view control) const;
+    bool at_desk() const { return tool_.desk.open; }
+    // The one way to change a control of the desk, by its number among desk().controls(); each returns what is to be said. At the desk itself and in its list
+    // they are called likewise.
+    std::string step_control(std::size_t control, int by) { return after_desk_change(desk_.step(control, by)); }
+    std::string put_control(std::size_t control, int position) { return after_desk_change(desk_.put(control, position)); }
+    std::string press_control(std::size_t control) { return after_desk_change(desk_.press(control)); }
+    // A live change of one setting: in force at once, and told by take_setting_changes. Fails as SettingsStore::set does.
+    Result<void> change_setting(std::string_view key, const std::string& value, double now_s);
     std::vector<CueRequest> take_cues() { return std::exchange(cues_, {}); }
     // Settings the person changed by a command, to be stored and saved: key and value.
     std::vector<std::pair<std::string, std::string>> take_setting_changes() { return std::exchange(setting_changes_, {}); }
@@ -175,6 +189,18 @@ private:
     void play(SoundKind kind, double now_s);
     void cue(CueRequest request) { cues_.push_back(std::move(request)); }
     void answer(std::string text, double now_s);
+    // The desk: app_core_desk.cpp.
+    void furnish_desk();
+    std::string desk_value(std::string_view key) const;
+    void rescale(const Settings& changed, double now_s);
+    void lay_desk(std::size_t page);
+    bool refused_at_desk(Command command, double now_s);
+    void leave_desk(double now_s);
+    void tick_desk(double now_s);
+    void hear_of_desk(const DeskNews& news, double now_s);
+    void open_desk_list(double now_s);
+    std::vector<ListItem> desk_items() const;
+    std::string after_desk_change(std::string words);
     // Lists: app_core_dialogue.cpp.
     bool reply(const DialogueReply& reply, double now_s);
     void quiet(double now_s);
@@ -318,6 +344,11 @@ private:
     bool wants_to_leave_ = false;
     bool calibration_asked_ = false;
     std::uint32_t stops_known_ = 0;
+    Desk desk_;
+    DeskPanel panel_;
+    DeskHand desk_hand_;
+    bool desk_told_ = false;                  // that the hand is at it
+    std::optional<std::string> scale_waits_;  // chosen at the desk, for when the hand is back
 };
 
 }  // namespace handrail

@@ -72,6 +72,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::FreeLeft, "free-left", "Alt+Left", true, "Turn left a little, without notches; held, turn on."},
     CommandInfo{Command::FreeRight, "free-right", "Alt+Right", true, "Turn right a little, without notches; held, turn on."},
     CommandInfo{Command::Callouts, "callouts", "Minus", false, "Tell stairs, drops and openings unasked, or not."},
+    CommandInfo{Command::Desk, "desk", "F10", false, "Your desk: volumes, speech, force and scale, to hear and to change."},
     CommandInfo{Command::Calibrate, "calibrate", "F9", false, "Set up headphones, device, force and reach, led by voice."},
     CommandInfo{Command::Leave, "leave", "Escape", false, "Leave; asks for a second press."},
     CommandInfo{Command::HandForward, "hand-forward", "I", true, "Simulated hand away from you."},

@@ -72,6 +72,7 @@ enum class Command : std::uint8_t {
     FreeLeft,
     FreeRight,
     Callouts,
+    Desk,  // its controls by keys
     Calibrate,  // the set-up by voice, run by whoever owns the device
     Leave,  // Escape: asks once more at the top
     // The hand without a device: the simulated hand's target moves.

@@ -74,8 +74,8 @@ void HeadlessSession::servo(std::size_t which) {
     const DeviceSample sample = hand.device->read(now_s());
     const ServoTuning tuning = with_switches(which == 0 ? app_.tuning() : app_.left_tuning(), switches_);
     const WorkspacePose pose = which == 0 ? app_.pose() : app_.left_pose();
-    hand.device->write(
-        servo_tick(*hand.state, app_.haptic_scene().get(), tuning, pose, sample, now_s(), &app_.bodies(), nullptr, which == 0 ? &app_.guidance() : nullptr));
+    hand.device->write(servo_tick(*hand.state, app_.haptic_scene().get(), tuning, pose, sample, now_s(), &app_.bodies(),
+                                  which == 0 ? app_.desk_scene().get() : nullptr, which == 0 ? &app_.guidance() : nullptr));
     hand.tool = hand.state->tool();
     for (const ContactEvent& event : hand.state->events()) {
         contacts_.push_back(event);

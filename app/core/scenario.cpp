@@ -157,6 +157,12 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     if (is("wait_s")) action.step = Wait{fields.number("wait_s", 0.0, kLongest_s)};
     if (is("move_to")) action.step = MoveHand{fields.vector("move_to"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), false};
     if (is("move_by")) action.step = MoveHand{fields.vector("move_by"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), true};
+    if (is("hand_to")) action.step = MoveInDevice{{}, fields.vector("hand_to"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0)};
+    if (is("control")) {
+        MoveInDevice move{fields.text("control"), Vec3(0.0), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0)};
+        move.to_m = Vec3(fields.number_or("right_mm", 0.0, -1e3, 1e3), fields.number("off_mm", -1e3, 1e3), fields.number_or("up_mm", 0.0, -1e3, 1e3)) * 1e-3;
+        action.step = std::move(move);
+    }
     if (is("push_n")) action.step = PushHand{fields.vector("push_n"), fields.number("for_s", 0.0, kLongest_s)};
     if (is("rest_at")) action.step = RestHand{fields.vector("rest_at"), fields.number("for_s", 0.0, kLongest_s)};
     if (is("add")) {
@@ -201,7 +207,7 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     fields.done();
     if (kinds != 1)
         throw Bad{action.line,
-                  "An action must hold exactly one of press, hold, key, type, wait_s, move_to, move_by, sweep_at, push_n, rest_at, add, remove, send, trouble, button, "
+                  "An action must hold exactly one of press, hold, key, type, wait_s, move_to, move_by, hand_to, control, sweep_at, push_n, rest_at, add, remove, send, trouble, button, "
                   "focus, place, "
                   "set."};
     return action;

@@ -37,6 +37,11 @@ struct MoveHand {
     double speed_m_per_s;
     bool relative;
 };  // move_to / move_by: world metres, exactly; speed of the hand
+struct MoveInDevice {
+    std::string control;  // of the desk's page: to_m is right of, off and above the place where the ball touches it; empty: of the device's middle
+    Vec3 to_m{0.0};
+    double speed_m_per_s;
+};  // hand_to: metres in the device's own frame, exactly; control, off_mm, right_mm, up_mm: before (below 0: pressed into) a control of the desk
 struct PushHand {
     Vec3 force_n;
     double for_s;
@@ -80,7 +85,7 @@ struct SendThing {
     double speed_m_per_s;
 };  // send = "crate": slides there in a straight line while everything goes on
 
-using ScenarioStep = std::variant<TapCommand, HoldCommand, TapKey, TypeText, Wait, MoveHand, PushHand, RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceBody,
+using ScenarioStep = std::variant<TapCommand, HoldCommand, TapKey, TypeText, Wait, MoveHand, MoveInDevice, PushHand, RestHand, ScenarioTrouble, DeviceButton, KeyboardFocus, PlaceBody,
                                   ChangeSetting, AddThing, RemoveThing, SendThing>;
 
 struct ScenarioAction {

@@ -107,6 +107,19 @@ private:
             command_hand(command, left);
             return glm::length(to - from) / move->speed_m_per_s;
         }
+        if (const auto* move = std::get_if<MoveInDevice>(&action.step)) {
+            HandCommand command;
+            command.mode = HandMode::Move;
+            command.target_m = move->to_m;
+            if (!move->control.empty()) {
+                const auto place = session_.app().desk_place_m(move->control);
+                if (!place) return fail(fmt::format("There is no \"{}\" on this page of the desk.", move->control), scenario_.file.filename().string(), action.line);
+                command.target_m = *place + Vec3(move->to_m.x, -move->to_m.y, move->to_m.z);
+            }
+            command.speed_m_per_s = move->speed_m_per_s;
+            command_hand(command, left);
+            return glm::length(command.target_m - hand_now(left)) / move->speed_m_per_s;
+        }
         if (const auto* push = std::get_if<PushHand>(&action.step)) {
             HandCommand command;
             command.mode = HandMode::Push;

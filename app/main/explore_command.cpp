@@ -146,6 +146,7 @@ private:
         }
         servo_ = std::make_unique<ServoLoop>(std::move(held), clock_, kServoPeriod_s, ServoLoop::Links{&switches_, &contacts_});
         handed_haptic_scene_.reset();
+        handed_desk_.reset();
         handed_bodies_ = 0;
         handed_guidance_ = 0;
         if (const auto opened = servo_->open(); opened) return servo_->start();
@@ -472,6 +473,7 @@ private:
             handed_haptic_scene_ = app_->haptic_scene();
             servo_->set_scene(handed_haptic_scene_);
         }
+        if (app_->desk_scene() != handed_desk_) servo_->set_desk(handed_desk_ = app_->desk_scene());
         ServoTuning tuning = app_->tuning();
         tuning.confirm += wizard_confirms_;
         servo_->set_tuning(tuning);
@@ -635,7 +637,7 @@ private:
     int repeat_left_ = 0;
     double settle_until_s_ = 0.0;
     std::shared_ptr<const Scene> handed_scene_;  // what servo and ears were last given
-    std::shared_ptr<const HapticScene> handed_haptic_scene_;
+    std::shared_ptr<const HapticScene> handed_haptic_scene_, handed_desk_;
     int handed_world_ = 0;
     std::uint64_t handed_bodies_ = 0;
     std::uint32_t handed_guidance_ = 0;

@@ -1,0 +1,134 @@
+#include "app/core/desk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+
+std::string percent(const std::string& value) { return fmt::format("{:.0f} percent", 100.0 * number(value)); }
+std::string words_per_minute(const std::string& value) { return value + " words per minute"; }
+std::string level(const std::string& value) { return "level " + value; }
+std::string one_to(const std::string& value) { return fmt::format("1 to {:g}", number(value)); }
+std::string ceiling(const std::string& value) {
+    if (value == "light") return fmt::format("light, {:g} newtons", kLightCeiling_n);
+    if (value == "normal") return fmt::format("normal, {:g} newtons", kNormalCeiling_n);
+    return "full, all that the device can do";
+}
+
+std::vector<std::string> tenths(int from) {
+    std::vector<std::string> values;
+    for (int i = from; i <= 10; ++i) values.push_back(fmt::format("{}.{}", i / 10, i % 10));
+    return values;
+}
+
+// Words stand among words, numbers between numbers.
+bool is_word(const DeskSetting& row) { return !row.values.front().empty() && std::isalpha(static_cast<unsigned char>(row.values.front().front())) != 0; }
+
+}  // namespace
+
+std::span<const DeskSetting> desk_settings() {
+    static const std::array rows{
+        DeskSetting{"Sound volume", DeskKind::Assign, "sound.volume", tenths(0), percent},
+        DeskSetting{"Speech volume", DeskKind::Assign, "sound.speech_volume", tenths(0), percent},
+        DeskSetting{"Touch volume", DeskKind::Assign, "sound.contact_volume", tenths(0), percent},
+        DeskSetting{"Footstep volume", DeskKind::Assign, "sound.footstep_volume", tenths(0), percent},
+        DeskSetting{"Wall tone volume", DeskKind::Assign, "sound.wall_tone_volume", tenths(0), percent},
+        DeskSetting{"World volume", DeskKind::Assign, "sound.world_volume", tenths(0), percent},
+        DeskSetting{"Signal volume", DeskKind::Assign, "sound.earcon_volume", tenths(0), percent},
+        DeskSetting{"Speech rate", DeskKind::Slider, "speech.rate_wpm", {"100", "125", "150", "175", "200", "225", "250", "300", "350", "400", "450"},
+                    words_per_minute},
+        DeskSetting{"Scale", DeskKind::List, "workspace.scale", {"15.0", "30.0", "60.0", "120.0", "240.0"}, one_to},
+        DeskSetting{"Amount of speech", DeskKind::Slider, "speech.verbosity", {"0", "1", "2", "3", "4"}, level},
+        DeskSetting{"Wall stiffness", DeskKind::Slider, "haptic.stiffness_fraction", tenths(2), percent},
+        DeskSetting{"Strongest force", DeskKind::Slider, "haptic.ceiling", {"light", "normal", "full"}, ceiling},
+    };
+    return rows;
+}
+
+int position_of(const DeskSetting& row, const std::string& value) {
+    int best = 0;
+    for (int i = 0; i < static_cast<int>(row.values.size()); ++i) {
+        const std::string& one = row.values[static_cast<std::size_t>(i)];
+        if (is_word(row) ? one == value : std::abs(number(one) - number(value)) < std::abs(number(row.values[static_cast<std::size_t>(best)]) - number(value))) best = i;
+    }
+    return best;
+}
+
+int beside(const DeskSetting& row, const std::string& value, int step) {
+    const int at = position_of(row, value);
+    if (is_word(row)) return at + step;
+    const double off = number(value) - number(row.values[static_cast<std::size_t>(at)]);
+    // Between two positions the nearest one may already lie the way it goes.
+    if (std::abs(off) < 1e-9 * std::max(1.0, std::abs(number(value))) || (off > 0.0) == (step > 0)) return at + step;
+    return at;
+}
+
+DeskControl bound(const DeskSetting& row, std::function<std::string()> read, std::function<void(const std::string&)> write) {
+    DeskControl control;
+    control.name = row.name;
+    control.kind = row.kind;
+    control.positions = static_cast<int>(row.values.size());
+    control.value = [&row, read] { return row.words(read()); };
+    control.position = [&row, read] { return position_of(row, read()); };
+    control.beside = [&row, read](int step) { return beside(row, read(), step); };
+    control.put = [&row, write](int position) { write(row.values[static_cast<std::size_t>(position)]); };
+    return control;
+}
+
+std::optional<std::size_t> Desk::find(std::string_view name) const {
+    const std::string wanted = lower_ascii(name);
+    for (std::size_t i = 0; i < controls_.size(); ++i)
+        if (lower_ascii(controls_[i].name) == wanted) return i;
+    return std::nullopt;
+}
+
+std::size_t Desk::target(std::size_t control) const { return controls_[control].kind == DeskKind::Knob && on_knob_ ? *on_knob_ : control; }
+
+std::string Desk::value(std::size_t control) const {
+    const DeskControl& own = controls_[control];
+    if (own.kind == DeskKind::Knob)
+        return on_knob_ ? fmt::format("{}, {}", value(*on_knob_), controls_[*on_knob_].name) : std::string("nothing on it; press a volume");
+    return own.value ? own.value() : std::string();
+}
+
+std::string Desk::words(std::size_t control) const {
+    const std::string now = value(control);
+    return now.empty() ? controls_[control].name : fmt::format("{}, {}", controls_[control].name, now);
+}
+
+std::string Desk::put(std::size_t control, int position) {
+    const DeskControl& own = controls_[target(control)];
+    if (own.positions == 0) return value(control);
+    if (const int to = std::clamp(position, 0, own.positions - 1); to != own.position() || own.beside) own.put(to);
+    return value(control);
+}
+
+std::string Desk::step(std::size_t control, int by) {
+    const DeskControl& own = controls_[target(control)];
+    if (own.positions == 0 || by == 0) return value(control);
+    const int one = by > 0 ? 1 : -1;
+    const int first = own.beside ? own.beside(one) : own.position() + one;
+    if (first < 0 || first >= own.positions) return value(control);  // at the end already
+    return put(control, first + by - one);
+}
+
+std::string Desk::press(std::size_t control) {
+    const DeskControl& own = controls_[control];
+    if (own.kind == DeskKind::Assign) {
+        on_knob_ = control;
+        return fmt::format("{} on the knob, {}", own.name, value(control));
+    }
+    if (own.pressed) return own.pressed();
+    return words(control);
+}
+
+}  // namespace handrail

@@ -1,0 +1,362 @@
+// The desk: what lies where, and that hand and keys change everything on it alike.
+#include "app/core/desk.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "app/core/desk_panel.h"
+#include "app/core/headless_session.h"
+#include "audio-cues/sinks/recording_sinks.h"
+#include "haptic/servo/personal_space.h"
+#include "tests/support/box_scene.h"
+
+namespace handrail {
+namespace {
+
+using test::SceneBuilder;
+
+std::shared_ptr<const Scene> open_ground() {
+    SceneBuilder b;
+    b.box({-20, -20, -0.2}, {20, 20, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+    b.box({-20, 19, 0}, {20, 20, 2.6}, "north wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+    b.scene().name = "test ground";
+    b.start({0, 0, 0}, 0.0);
+    return b.share();
+}
+
+// A session in virtual time, with the hand of a device or without any.
+class DeskSession {
+public:
+    explicit DeskSession(const char* device, const Settings& settings = {}) : session_(settings, facts(device), audio_, speech_) {
+        session_.app().enter_world(open_ground(), 0.0);
+        run(0.1);
+        if (device == nullptr) return;
+        go({0.0, 0.0, 0.005});
+        go({0.0, 0.0, 0.0});
+        run(1.2);
+    }
+    static HandFacts facts(const char* device) {
+        HandFacts facts;
+        facts.present = facts.simulated = device != nullptr;
+        if (device) facts.spec = *find_device_spec(device);
+        return facts;
+    }
+    AppCore& app() { return session_.app(); }
+    const ToolState& tool() const { return session_.tool(); }
+    void run(double seconds) {
+        for (const double until = session_.now_s() + seconds; session_.now_s() < until - 1e-9;) session_.advance();
+    }
+    void go(const Vec3& to_m, double speed_m_per_s = 0.15) {
+        HandCommand command;
+        command.mode = HandMode::Move;
+        command.target_m = to_m;
+        command.speed_m_per_s = speed_m_per_s;
+        command.buttons = buttons_;
+        session_.hand().command.publish(command);
+        session_.hand().state.refresh();
+        run(glm::length(to_m - session_.hand().state.read().position_m) / speed_m_per_s + 0.01);
+        at_m_ = to_m;
+    }
+    void button(bool down) {
+        buttons_ = down ? 1U : 0U;
+        go(at_m_);
+        run(0.05);
+    }
+    void pull_through() {
+        const double reach = session_.facts().spec.workspace_radius_m;
+        go({at_m_.x, -0.3 * reach, at_m_.z});
+        go({0.0, -0.3 * reach, 0.0});
+        go({0.0, -0.95 * reach, 0.0}, 0.05);
+        run(0.2);
+        go({0.0, -0.3 * reach, 0.0});
+    }
+    // Before the control, then so far off its face; below zero it is pressed.
+    bool reach(const std::string& name, double across_m, double up_m, double off_m) {
+        const auto place = app().desk_place_m(name);
+        if (!place) return false;
+        const Vec3 before = *place + Vec3(across_m, -0.012, up_m);
+        go({at_m_.x, before.y, at_m_.z});
+        go(before);
+        go(*place + Vec3(across_m, -off_m, up_m), 0.05);
+        run(0.1);
+        return true;
+    }
+    // Turns pages until the control lies there.
+    void find(const std::string& name) {
+        for (int i = 0; i < 8 && !app().desk_place_m(name); ++i) press("Next page");
+        ASSERT_TRUE(app().desk_place_m(name)) << name;
+    }
+    double deep_m() const { return 1.5 / effective_stiffness_n_per_m(session_.facts().spec, 1e-3, 5.0) / 0.8 * 1.05; }
+    void touch(const std::string& name) {
+        const bool knob = name == "Volume knob", list = name == "Scale";  // beside the post of the one and the notch of the other
+        ASSERT_TRUE(reach(name, knob ? 0.0045 : 0.0, list ? 0.004 : 0.0, -0.2 * deep_m()));
+        withdraw();
+    }
+    void press(const std::string& name, double across_m = 0.0, double up_m = 0.0) {
+        ASSERT_TRUE(reach(name, across_m, up_m, -deep_m()));
+        withdraw();
+    }
+    void withdraw() { go(at_m_ - Vec3(0.0, 0.015, 0.0)); }
+    void slide_to(const Vec3& to_m) { go(to_m, 0.03); }
+    const Vec3& at_m() const { return at_m_; }
+    void key(std::string_view name) {
+        if (!app().take_key(name, session_.now_s())) {
+            const auto command = app().keys().find(name);
+            ASSERT_TRUE(command) << name;
+            session_.press(*command);
+            run(0.05);
+            app().release(*command);
+        }
+        run(0.05);
+    }
+    std::size_t lines() const { return speech_.lines().size(); }
+    bool said(const std::string& words, std::size_t from = 0) const {
+        for (std::size_t i = from; i < speech_.lines().size(); ++i)
+            if (speech_.lines()[i].utterance.text.find(words) != std::string::npos) return true;
+        return false;
+    }
+    std::string all_said(std::size_t from) const {
+        std::string text;
+        for (std::size_t i = from; i < speech_.lines().size(); ++i) text += speech_.lines()[i].utterance.text + " / ";
+        return text;
+    }
+
+private:
+    RecordingAudio audio_;
+    RecordingSpeech speech_;
+    HeadlessSession session_;
+    Vec3 at_m_{0.0};
+    std::uint32_t buttons_ = 0;
+};
+
+const char* const kDevices[] = {"sim-t", "sim-f"};
+
+TEST(DeskPanel, controls_are_large_enough_far_enough_apart_within_reach_and_all_there_on_every_device) {
+    AppCore app(Settings{}, HandFacts{});
+    for (const DeviceSpec& spec : device_specs()) {
+        SCOPED_TRACE(spec.name);
+        std::vector<int> seen(app.desk().controls().size(), 0);
+        std::size_t pages = 1;
+        for (std::size_t page = 0; page < pages; ++page) {
+            const DeskPanel panel = lay_out_desk(app.desk().controls(), spec, page);
+            pages = panel.pages;
+            EXPECT_TRUE(validate(*panel.scene)) << validate(*panel.scene).error().message;
+            for (std::size_t i = 0; i < panel.placed.size(); ++i) {
+                const PlacedControl& a = panel.placed[i];
+                if (a.control) ++seen[*a.control];
+                EXPECT_GE(a.width_m, 0.013 - 1e-12);
+                EXPECT_GE(a.height_m, 0.013 - 1e-12);
+                const Vec3 corner(std::abs(a.x_m) + 0.5 * a.width_m, a.face_y_m, std::abs(a.z_m) + 0.5 * a.height_m);
+                EXPECT_LE(glm::length(corner), spec.workspace_radius_m);
+                // What can be felt of it lies within what is said of its size, so the gap is free.
+                const Aabb felt = panel.scene->find(a.feature)->bounds_m;
+                if (a.kind != DeskKind::Indicator) {
+                    EXPECT_GE(felt.min_m.x, a.x_m - 0.5 * a.width_m - 3e-4);
+                    EXPECT_LE(felt.max_m.z, a.z_m + 0.5 * a.height_m + 3e-4);
+                }
+                for (std::size_t j = 0; j < i; ++j) {
+                    const PlacedControl& b = panel.placed[j];
+                    const double across = std::abs(a.x_m - b.x_m) - 0.5 * (a.width_m + b.width_m), up = std::abs(a.z_m - b.z_m) - 0.5 * (a.height_m + b.height_m);
+                    EXPECT_GE(std::max(across, up), 0.0064 - 1e-12);
+                }
+            }
+        }
+        for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], 1) << app.desk().controls()[i].name;
+    }
+}
+
+TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) {
+    DeskSession s("sim-t");
+    s.pull_through();
+    ASSERT_TRUE(s.app().at_desk());
+    const auto control = s.app().desk().find("Speech rate");
+    ASSERT_TRUE(control);
+    const DeskPanel panel = lay_out_desk(s.app().desk().controls(), *find_device_spec("sim-t"), 0);
+    const PlacedControl* slider = panel.of(*control);
+    ASSERT_NE(slider, nullptr);
+    // Slid along under a light press, the ball rises over a ridge between each two positions.
+    s.reach("Speech rate", slider->x_of(0) - slider->x_m, 0.0, -0.002);
+    std::vector<double> heights;
+    for (double x = slider->x_of(0); x <= slider->x_of(slider->positions - 1); x += 1e-4) {
+        s.slide_to({x, s.at_m().y, s.at_m().z});
+        heights.push_back(slider->face_y_m - kDeskBallM - s.tool().desk.proxy_m.y);
+    }
+    int ridges = 0;
+    bool up = false;
+    for (const double height : heights) {
+        if (!up && height > 1.5e-4) up = true, ++ridges;
+        if (up && height < 0.8e-4) up = false;
+    }
+    EXPECT_EQ(ridges, slider->positions - 1);
+}
+
+// Every control, worked by the hand at the desk and by keys in its list, comes to the same.
+TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
+    for (const char* device : kDevices) {
+        DeskSession by_hand(device), by_keys(nullptr);
+        by_hand.pull_through();
+        ASSERT_TRUE(by_hand.app().at_desk()) << device;
+        EXPECT_TRUE(by_hand.said("Your desk")) << by_hand.all_said(0);
+        by_keys.key("F10");
+        const Desk& desk = by_hand.app().desk();
+        for (std::size_t i = 0; i < desk.controls().size(); ++i) {
+            const DeskControl control = desk.controls()[i];
+            SCOPED_TRACE(fmt::format("{}, {}", device, control.name));
+            EXPECT_EQ(by_keys.app().desk().controls()[i].name, control.name);
+            // Read.
+            by_hand.find(control.name);
+            std::size_t from = by_hand.lines();
+            by_hand.touch(control.name);
+            EXPECT_TRUE(by_hand.said(desk.words(i), from)) << by_hand.all_said(from) << " instead of " << desk.words(i);
+            const DialogueView view = by_keys.app().dialogue().view();
+            ASSERT_EQ(view.kind, DialogueView::Kind::List);
+            ASSERT_EQ(view.at, i);
+            EXPECT_EQ(view.items[i].name, control.name);
+            EXPECT_EQ(view.items[i].value, by_keys.app().desk().value(i));
+            EXPECT_EQ(by_keys.app().desk().value(i), desk.value(i));
+            // Change.
+            from = by_hand.lines();
+            const int before = control.positions > 0 ? control.position() : 0;
+            const int step = before > 0 ? -1 : 1;
+            const char* key = step > 0 ? "Right" : "Left";
+            switch (control.kind) {
+                case DeskKind::Slider: {
+                    const DeskPanel panel = lay_out_desk(desk.controls(), *find_device_spec(device), desk_pages(desk.controls(), desk_grid(*find_device_spec(device)))[i]);
+                    const PlacedControl& on = *panel.of(i);
+                    by_hand.press(control.name, on.x_of(before + step) - on.x_m);
+                    by_keys.key(key);
+                    break;
+                }
+                case DeskKind::List:
+                    by_hand.press(control.name, 0.0, step > 0 ? -0.004 : 0.004);
+                    by_keys.key(key);
+                    break;
+                case DeskKind::Assign: {
+                    by_hand.press(control.name);
+                    EXPECT_TRUE(by_hand.said("on the knob", from)) << by_hand.all_said(from);
+                    by_hand.find("Volume knob");
+                    // Round the knob until one position is heard to be passed; anticlockwise: down.
+                    ASSERT_TRUE(by_hand.reach("Volume knob", 0.0, 0.0045, -by_hand.deep_m()));
+                    const Vec3 top = by_hand.at_m();
+                    for (int deg = 3; deg <= 120 && control.position() == before; deg += 3) {  // the soft hand drags behind
+                        const double turn = radians_from_degrees(deg);
+                        by_hand.slide_to(top + Vec3(0.0045 * step * std::sin(turn), 0.0, 0.0045 * (std::cos(turn) - 1.0)));
+                    }
+                    by_hand.withdraw();
+                    by_keys.key("Enter");
+                    by_keys.key(key);
+                    break;
+                }
+                case DeskKind::Knob: {
+                    ASSERT_TRUE(by_hand.reach(control.name, 0.0045, 0.0, -by_hand.deep_m()));  // at three o'clock, clockwise: up
+                    const Vec3 right = by_hand.at_m();
+                    const std::string knob_before = desk.value(i);
+                    for (int deg = 3; deg <= 120 && desk.value(i) == knob_before; deg += 3) {
+                        const double turn = radians_from_degrees(deg);
+                        by_hand.slide_to(right + Vec3(0.0045 * (std::cos(turn) - 1.0), 0.0, -0.0045 * std::sin(turn)));
+                    }
+                    by_hand.withdraw();
+                    EXPECT_NE(desk.value(i), knob_before);
+                    by_keys.key("Right");
+                    break;
+                }
+                case DeskKind::Button:
+                    by_hand.press(control.name);
+                    by_keys.key("Enter");
+                    break;
+                case DeskKind::Indicator:
+                    by_hand.press(control.name);
+                    EXPECT_TRUE(by_hand.said(desk.words(i), from));
+                    by_keys.key("Enter");
+                    break;
+            }
+            if (control.positions > 0) {
+                EXPECT_EQ(control.position(), before + step);
+            }
+            EXPECT_EQ(by_keys.app().desk().value(i), desk.value(i));
+            if (control.kind != DeskKind::Indicator && control.kind != DeskKind::Knob) {
+                EXPECT_TRUE(by_hand.said(desk.value(i), from)) << by_hand.all_said(from);
+            }
+            for (const DeskSetting& row : desk_settings()) {
+                if (row.key == "workspace.scale") continue;
+                EXPECT_EQ(*setting_text(by_hand.app().settings(), row.key), *setting_text(by_keys.app().settings(), row.key)) << row.key;
+            }
+            by_keys.key("Down");
+        }
+        // What is larger or smaller waits until the hand is back in the world, where it is the same again.
+        EXPECT_EQ(by_hand.app().settings().workspace.scale, Settings{}.workspace.scale);
+        by_hand.pull_through();
+        EXPECT_FALSE(by_hand.app().at_desk());
+        EXPECT_TRUE(by_hand.said("Back in the world. You are"));
+        EXPECT_NE(by_hand.app().settings().workspace.scale, Settings{}.workspace.scale);
+        EXPECT_EQ(by_hand.app().settings().workspace.scale, by_keys.app().settings().workspace.scale);
+    }
+}
+
+TEST(Desk, the_device_button_presses_what_the_hand_touches) {
+    DeskSession s("sim-t");
+    s.pull_through();
+    ASSERT_TRUE(s.reach("Sound volume", 0.0, 0.0, -0.2 * s.deep_m()));
+    EXPECT_FALSE(s.app().desk().on_knob());
+    s.button(true);
+    EXPECT_EQ(s.app().desk().on_knob(), s.app().desk().find("Sound volume"));
+    s.button(false);
+}
+
+TEST(Desk, the_world_waits_and_escape_leads_back) {
+    DeskSession s("sim-t");
+    s.pull_through();
+    ASSERT_TRUE(s.app().at_desk());
+    const Vec3 feet = s.app().feet_m();
+    const std::size_t from = s.lines();
+    s.key("Up");
+    s.key("Right");
+    s.run(1.0);
+    EXPECT_EQ(s.app().feet_m(), feet);
+    EXPECT_EQ(s.app().heading_rad(), 0.0);
+    EXPECT_TRUE(s.said("You are at your desk", from));
+    s.key("Escape");
+    s.run(0.1);
+    EXPECT_FALSE(s.app().at_desk());
+    EXPECT_FALSE(s.app().wants_to_leave());
+    s.key("Up");
+    s.run(1.0);
+    EXPECT_GT(s.app().feet_m().y, 0.5);
+}
+
+TEST(Desk, can_be_switched_off_wholly) {
+    Settings settings;
+    settings.desk.use = false;
+    DeskSession s("sim-t", settings);
+    s.pull_through();
+    EXPECT_FALSE(s.app().at_desk());
+    EXPECT_FALSE(s.said("Your desk"));
+    s.key("F10");
+    EXPECT_FALSE(s.app().dialogue().is_open());
+    EXPECT_TRUE(s.said("switched off"));
+}
+
+TEST(Desk, a_value_between_two_positions_goes_to_the_next_one_either_way) {
+    Settings settings;
+    settings.sound.volume = 0.83;
+    AppCore app(settings, HandFacts{});
+    const std::size_t volume = *app.desk().find("Sound volume");
+    EXPECT_EQ(app.desk().value(volume), "83 percent");
+    EXPECT_EQ(app.step_control(volume, 1), "90 percent");
+    settings.sound.volume = 0.83;
+    app.change_settings(settings, 0.0);
+    EXPECT_EQ(app.step_control(volume, -1), "80 percent");
+    EXPECT_EQ(app.step_control(volume, -20), "0 percent");
+    EXPECT_EQ(app.step_control(volume, -1), "0 percent");
+    EXPECT_EQ(app.put_control(volume, 99), "100 percent");
+    const std::size_t force = *app.desk().find("Strongest force");
+    EXPECT_EQ(app.step_control(force, 1), "full, all that the device can do");
+    EXPECT_EQ(app.settings().haptic.ceiling, ForceCeiling::Full);
+    const auto changes = app.take_setting_changes();
+    ASSERT_FALSE(changes.empty());
+    EXPECT_EQ(changes.back(), (std::pair<std::string, std::string>("haptic.ceiling", "full")));
+}
+
+}  // namespace
+}  // namespace handrail
