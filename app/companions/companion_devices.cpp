@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/core/words.h"
+
 namespace handrail {
 namespace {
 
@@ -103,7 +105,7 @@ void CompanionDevices::look_around(double now_s) {
             news.push_back(opened.error().sentence());
             continue;
         }
-        news.push_back(fmt::format("I found a {}. {}", one.model, one.how_to));
+        news.push_back(fmt::format("I found {}. {}", with_article(one.model), one.how_to));
         Plugged plugged;
         plugged.found = std::move(one);
         plugged.device = std::move(*opened);

@@ -192,7 +192,7 @@ void AppCore::set_hand(const HandFacts& hand, const Settings& settings, double n
 
 void AppCore::offer_hand(const std::string& spoken_name, double now_s) {
     offered_ = true;
-    say(fmt::format("I found a {}. Press {} to use it.", spoken_name, keys_.keys_of(Command::ToggleForces)), SpeechClass::Answer, now_s);
+    say(fmt::format("I found {}. Press {} to use it.", with_article(spoken_name), keys_.keys_of(Command::ToggleForces)), SpeechClass::Answer, now_s);
 }
 
 void AppCore::change_settings(const Settings& settings, double now_s) {

@@ -53,6 +53,11 @@ std::string minutes_words(double seconds) {
     return minutes == 1 ? "1 minute" : fmt::format("{} minutes", minutes);
 }
 
+std::string with_article(std::string_view name) {
+    const bool vowel = !name.empty() && std::string_view("aeiouAEIOU").find(name.front()) != std::string_view::npos;
+    return fmt::format("{} {}", vowel ? "an" : "a", name);
+}
+
 std::string sentence_case(std::string text) {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;

@@ -20,6 +20,8 @@ std::string size_words(double width_m, double depth_m, const DistanceWords& how)
 std::string relative_words(double bearing_rad, double heading_rad);
 // "12 minutes", "1 minute".
 std::string minutes_words(double seconds);
+// "a Falcon", "an omega": the article by the name's first letter.
+std::string with_article(std::string_view name);
 // First letter in upper case, for the start of a sentence; other bytes stay.
 std::string sentence_case(std::string text);
 

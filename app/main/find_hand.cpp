@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "app/companions/companion_session.h"
+#include "app/core/words.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -34,7 +35,7 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
     if (wanted == "auto") {
         for (const FoundDevice& device : found) {
             if (device.kind != DeviceKind::Kinesthetic) continue;
-            news.push_back(fmt::format("I found a {}.", device.model));
+            news.push_back(fmt::format("I found {}.", with_article(device.model)));
             if (device.usable) return real_hand(device);
             news.push_back(device.problem);
         }

@@ -174,16 +174,17 @@ void find_makers_devices(std::vector<FoundDevice>& found) {
 
 void find_inverse3(std::vector<FoundDevice>& found) {
     SteadyClock clock;
-    auto opened = open_haply_device(clock);
-    if (!opened) return;
+    const auto facts = look_at_haply(clock);
+    if (!facts) return;
     FoundDevice device;
     device.name = "inverse3";
     device.model = "Haply Inverse3";
     device.driver = "its maker's service, over a WebSocket on this computer";
     device.connection = fmt::format("127.0.0.1, port {}", kHaplyPort);
-    device.firmware = "its own";
-    device.calibration = (*opened)->read(clock.now_s()).homed ? "calibrated" : "not calibrated: follow its maker's steps";
-    device.spec = (*opened)->spec();
+    device.serial = facts->device_id;
+    device.firmware = facts->firmware.empty() ? "its own" : facts->firmware;
+    device.calibration = facts->calibrated ? "calibrated" : "not calibrated: follow its maker's steps";
+    device.spec = *find_device_spec("inverse3");
     device.rate_hz = 1000.0;
     found.push_back(std::move(device));
 }

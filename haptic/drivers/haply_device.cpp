@@ -46,12 +46,22 @@ std::string force_message(const std::string& device_id, const Vec3& force_n) {
         .dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
+// "2.1", of what the first snapshot says about the device's making; empty where it says nothing.
+std::string firmware_of(const Json& device) {
+    const Json* config = member(device, "config");
+    const Json* info = config ? member(*config, "device_info") : nullptr;
+    double major = 0.0, minor = 0.0;
+    if (!info || !number(*info, "major_version", major)) return {};
+    return number(*info, "minor_version", minor) ? fmt::format("{:g}.{:g}", major, minor) : fmt::format("{:g}", major);
+}
+
 class HaplyDevice final : public HapticDevice {
 public:
     HaplyDevice(Clock& clock, std::uint16_t port) : clock_(clock), port_(port) {}
     ~HaplyDevice() override { HaplyDevice::close(); }
 
     const DeviceSpec& spec() const override { return spec_; }
+    HaplyFacts facts() const { return {device_id_, firmware_, state_.homed}; }
 
     Result<void> open() override {
         try {
@@ -169,7 +179,14 @@ private:
         const std::string text = beast::buffers_to_string(incoming_.data());
         incoming_.consume(incoming_.size());
         if (in_flight_ > 0) --in_flight_;
+        if (device_id_.empty()) note_firmware(text);  // stands in the first one only
         return parse_haply_state(text, device_id_, state_);
+    }
+
+    void note_firmware(std::string_view text) {
+        const Json json = Json::parse(text, nullptr, false);
+        const Json* devices = json.is_discarded() ? nullptr : member(json, "inverse3");
+        if (devices && devices->is_array() && !devices->empty()) firmware_ = firmware_of(devices->front());
     }
 
     Clock& clock_;
@@ -178,7 +195,7 @@ private:
     boost::asio::io_context io_;
     websocket::stream<beast::tcp_stream> socket_{io_};
     beast::flat_buffer incoming_;
-    std::string outgoing_, device_id_;
+    std::string outgoing_, device_id_, firmware_;
     DeviceSample state_;
     bool open_ = false, lost_ = false, reading_ = false, arrived_ = false, written_ = false, closed_ = false;
     int in_flight_ = 0;
@@ -211,6 +228,12 @@ Result<std::unique_ptr<HapticDevice>> open_haply_device(Clock& clock, std::uint1
     auto device = std::make_unique<HaplyDevice>(clock, port);
     if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
     return std::unique_ptr<HapticDevice>(std::move(device));
+}
+
+Result<HaplyFacts> look_at_haply(Clock& clock, std::uint16_t port) {
+    HaplyDevice device(clock, port);
+    if (const auto opened = device.open(); !opened) return tl::unexpected(opened.error());
+    return device.facts();
 }
 
 }  // namespace handrail

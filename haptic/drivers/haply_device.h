@@ -19,6 +19,13 @@ inline constexpr std::uint16_t kHaplyPort = 10001;
 // Connects to the service on this computer and takes its first Inverse3. The clock outlives the device.
 Result<std::unique_ptr<HapticDevice>> open_haply_device(Clock& clock, std::uint16_t port = kHaplyPort);
 
+// What the service says of its first Inverse3; no force is asked for. Firmware is empty where it does not say.
+struct HaplyFacts {
+    std::string device_id, firmware;
+    bool calibrated = false;
+};
+Result<HaplyFacts> look_at_haply(Clock& clock, std::uint16_t port = kHaplyPort);
+
 // What one message of the service says; false when it holds no sound state of this device. `device_id` is taken when it is empty.
 bool parse_haply_state(std::string_view json, std::string& device_id, DeviceSample& sample);
 

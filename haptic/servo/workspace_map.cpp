@@ -49,6 +49,14 @@ WorkspaceFrame frame_of(const Vec3& origin_m, double heading_rad) noexcept {
     return {origin_m, Vec3(cosine, -sine, 0.0), Vec3(sine, cosine, 0.0)};
 }
 
+WorkspaceFrame PosePlayback::frame(const Vec3& origin_m, double heading_rad) noexcept {
+    if (heading_rad != turned_for_rad_) {
+        turned_for_rad_ = heading_rad;
+        turned_ = frame_of(Vec3(0.0), heading_rad);
+    }
+    return {origin_m, turned_.right, turned_.forward};
+}
+
 void PosePlayback::push(const WorkspacePose& pose) noexcept {
     if (count_ == kPoses) {
         first_ = (first_ + 1) % kPoses;
@@ -92,13 +100,13 @@ WorkspaceFrame PosePlayback::at(double now_s, double dt_s) noexcept {
         first_ = (first_ + 1) % kPoses;
         --count_;
     }
-    if (count_ == 1) return frame_of(pose(0).origin_m, pose(0).heading_rad);
+    if (count_ == 1) return frame(pose(0).origin_m, pose(0).heading_rad);
     const WorkspacePose& a = pose(0);
     const WorkspacePose& b = pose(1);
     const double part = (play_s_ - a.time_s) / (b.time_s - a.time_s);
     double turn = b.heading_rad - a.heading_rad;  // the shorter way round
     turn -= kTurn * std::floor((turn + kPi) / kTurn);
-    return frame_of(a.origin_m + (b.origin_m - a.origin_m) * part, a.heading_rad + turn * part);
+    return frame(a.origin_m + (b.origin_m - a.origin_m) * part, a.heading_rad + turn * part);
 }
 
 }  // namespace handrail

@@ -57,9 +57,12 @@ private:
 
     const WorkspacePose& pose(std::size_t i) const noexcept { return poses_[(first_ + i) % kPoses]; }
     void push(const WorkspacePose& pose) noexcept;
+    WorkspaceFrame frame(const Vec3& origin_m, double heading_rad) noexcept;
 
     std::array<WorkspacePose, kPoses> poses_{};
     std::size_t first_ = 0, count_ = 0;
+    WorkspaceFrame turned_;        // with the last heading, which seldom changes
+    double turned_for_rad_ = 0.0;  // that heading
     double play_s_ = 0.0;         // the moment now being played, between the times of poses
     double wait_s_ = 1.0 / 60.0;  // longest recent wait from a pose's time until the next was here, forgetting 0.5 % at each
 };
