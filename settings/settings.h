@@ -20,6 +20,7 @@ inline constexpr double kLightCeiling_n = 1.2, kNormalCeiling_n = 2.5;
 enum class FrameChoice { Map, Walk };  // north up, or turning with the body
 enum class SpeechThrough { Auto, ScreenReader, SpeechDispatcher, Embedded, Text };
 enum class HoldingHand { Right, Left };
+enum class DirectionChoice { Sides, Clock, Compass };  // "30 degrees left", "at 11 o'clock", "north"
 
 // What `handrail calibrate` found out about one device and the person who holds it, as [profile."falcon a9001"] in the file. Empty: not measured.
 struct DeviceProfile {
@@ -38,7 +39,7 @@ struct Settings {
         double offset_up_m = 0.0;      // hand metres, -0.1 to 0.1
         double hand_height_m = 1.0;    // world metres of the workspace's middle above the soles, 0 to 2
         FrameChoice frame = FrameChoice::Map;
-        double turn_deg = 0.0;    // of the workspace against its frame, clockwise, -180 to 180
+        double turn_deg = 0.0;     // of the workspace against its frame, clockwise, -180 to 180
         bool follows_walk = true;  // the workspace goes where the body walks
         bool rim = true;           // pressing past the rim of the reach scrolls it
         int grab_button = 1;       // of the device: the world goes along with the hand while it is held; 0 to 8, 0 is none
@@ -55,7 +56,7 @@ struct Settings {
         double ball_diameter_mm = 4.0;    // felt, at scale 60, 1 to 10
         double edge_rounding_mm = 1.5;    // of convex edges, felt, 0 to 3; finer than scale 30 edges are sharp
         ForceCeiling ceiling = ForceCeiling::Normal;
-        bool button_to_feel = false;  // force only while a button of the device is held
+        bool button_to_feel = false;       // force only while a button of the device is held
         std::string device = "auto";       // auto, none, or a device name
         std::string left_device = "none";  // a second device, in the left hand: none, a device name or a serial number
     } haptic;
@@ -73,7 +74,9 @@ struct Settings {
         int verbosity = 2;                            // 0 to 4
         std::string voice = "en";                     // espeak-ng voice name or language
         bool distances_in_steps = true;               // else metres
-        bool crowding_hint = false;                   // told on entering where many materials lie close together
+        DirectionChoice directions = DirectionChoice::Sides;
+        bool rounded = true;         // distances and directions; else as exact as they are known
+        bool crowding_hint = false;  // told on entering where many materials lie close together
     } speech;
     struct Sound {
         double volume = 1.0;  // 0 to 1, everything but alarms below 0.2

@@ -9,6 +9,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kCeilingWords{"light", "normal", "full"};
 constexpr std::array<std::string_view, 2> kFrameWords{"map", "walk"};
 constexpr std::array<std::string_view, 2> kHandWords{"right", "left"};
+constexpr std::array<std::string_view, 3> kDirectionWords{"sides", "clock", "compass"};
 constexpr std::array<std::string_view, 5> kThroughWords{"auto", "screen-reader", "speech-dispatcher", "embedded", "text"};
 constexpr std::size_t kLongestText = 64;
 
@@ -75,6 +76,11 @@ const std::array kTable{
                 TextField{HANDRAIL_AT(speech.voice), "an espeak-ng voice or language"}},
     SettingInfo{"speech.distances_in_steps", "", "Short distances are said in steps, else in metres.", kPersonOnly,
                 SwitchField{HANDRAIL_AT(speech.distances_in_steps)}},
+    SettingInfo{"speech.directions", "", "Directions are said by your sides with degrees, by the clock, or by the compass.", kPersonOnly,
+                ChoiceField{kDirectionWords, [](const Settings& s) { return static_cast<std::size_t>(s.speech.directions); },
+                            [](Settings& s, std::size_t i) { s.speech.directions = static_cast<DirectionChoice>(i); }}},
+    SettingInfo{"speech.rounded", "", "Distances and degrees are rounded, more the farther; else said to the decimetre and degree.", kPersonOnly,
+                SwitchField{HANDRAIL_AT(speech.rounded)}},
     SettingInfo{"speech.crowding_hint", "", "On entering a world it is told where more than five materials lie close together.", kPersonOnly,
                 SwitchField{HANDRAIL_AT(speech.crowding_hint)}},
     SettingInfo{"sound.volume", "", "Volume of everything; alarms stay audible.", kPersonOnly, NumberField{HANDRAIL_AT(sound.volume), 0.0, 1.0}},

@@ -13,7 +13,6 @@
 namespace handrail {
 namespace {
 
-constexpr double kLookHeight_m = 1.0;             // rays for words and tones leave the body here, above most furniture
 constexpr double kTurnRate_rad_per_s = 2.6;       // 150 degrees a second: at scale 60 a hand at the rim moves 10 cm/s through the world
 constexpr double kStickTurnRate_rad_per_s = 1.6;  // 90 degrees a second with the stick all the way
 constexpr double kTurnRepeat_s = 0.4;
@@ -30,8 +29,6 @@ constexpr double kToneRange_m = 2.0;
 constexpr double kBreakEvery_s = 15.0 * 60.0;
 constexpr double kMostPendingSteps = 8.0;
 constexpr std::size_t kMostPathPoints = 4000;
-constexpr std::size_t kMostThings = 24;     // looked at for "where am I"
-constexpr std::size_t kMostThingsTold = 4;  // and spoken of
 constexpr int kTellName = 2, kTellAll = 4;  // verbosity
 
 // Which way the keys push the workspace, device frame; `held`: which of them count.
@@ -224,31 +221,6 @@ std::string AppCore::entering_text() const {
     return text;
 }
 
-std::string AppCore::where_am_i() const {
-    const bool home = glm::length(feet_m() - home_feet_m_) < 0.5 * settings_.walk.step_length_m;
-    const bool at_door = std::any_of(scene_->features.begin(), scene_->features.end(), [](const Feature& feature) { return feature.base; });
-    std::string text = fmt::format("You are {}, facing {}.", !home ? fmt::format("in {}", scene_->name) : at_door ? "at the door, base" : "at the base",
-                                   compass_word(heading_rad_));
-    const double bearings[4] = {0.0, kPi / 2.0, kPi, -kPi / 2.0};
-    for (const double turn : bearings) {
-        const double bearing = heading_rad_ + turn;
-        const auto seen = look(*body_world_, feet_m(), kLookHeight_m, bearing);
-        const std::string where = sentence_case(relative_words(bearing, heading_rad_));
-        if (seen) text += fmt::format(" {}: {}, {}.", where, name_of(seen->feature), distance_words(seen->distance_m, distances()));
-        else text += fmt::format(" {}: open.", where);
-    }
-    std::vector<std::string> told;  // of several with one name the nearest
-    for (const Seen& thing : things_in_sight(*body_world_, feet_m(), kLookHeight_m, kMostThings)) {
-        const std::string name = name_of(thing.feature);
-        if (told.size() == kMostThingsTold) break;
-        if (std::find(told.begin(), told.end(), name) != told.end()) continue;
-        told.push_back(name);
-        text +=
-            fmt::format(" {}, {}, {}.", sentence_case(name), distance_words(thing.distance_m, distances()), relative_words(thing.bearing_rad, heading_rad_));
-    }
-    return text;
-}
-
 std::string AppCore::help_text() const {
     std::string text;
     for (const CommandInfo& row : command_table()) {
@@ -273,7 +245,9 @@ void AppCore::answer(std::string text, double now_s) { say(std::move(text), Spee
 void AppCore::press(Command command, double now_s) {
     if (held(command)) return;
     // Any key interrupts what is being said; Repeat wants it again, and Stop says so itself.
-    if (command != Command::Repeat && command != Command::StopSpeech && command != Command::StopEverything) quiet(now_s);
+    if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward && command != Command::StopSpeech &&
+        command != Command::StopEverything)
+        quiet(now_s);
     if (info(command).hold) held_[static_cast<std::size_t>(command)] = true;
     act(command, now_s);
 }
@@ -388,16 +362,38 @@ void AppCore::act(Command command, double now_s) {
             answer(where_am_i(), now_s);
             break;
         case Command::Heading:
-            answer(fmt::format("Facing {}, {:.0f} degrees", compass_word(heading_goal_rad_), std::fmod(degrees_from_radians(heading_goal_rad_) + 360.0, 360.0)),
-                   now_s);
+            answer(heading_words(), now_s);
+            break;
+        case Command::AroundMe:
+            answer(around_me(), now_s);
+            break;
+        case Command::AheadOfMe:
+            answer(ahead_of_me(), now_s);
+            break;
+        case Command::LookNext:
+            look_round(1, now_s);
+            break;
+        case Command::LookBefore:
+            look_round(-1, now_s);
+            break;
+        case Command::ScaleBar:
+            answer(scale_bar(), now_s);
+            break;
+        case Command::Coordinates:
+            answer(coordinates(), now_s);
             break;
         case Command::WhatIsThis:
             describe_touched(now_s);
             break;
         case Command::Repeat:
+        case Command::HistoryBack:
+        case Command::HistoryForward:
         case Command::StopSpeech: {
             CueRequest request;
-            request.kind = command == Command::Repeat ? CueRequestKind::Repeat : CueRequestKind::StopSpeech;
+            request.kind = command == Command::Repeat           ? CueRequestKind::Repeat
+                           : command == Command::HistoryBack    ? CueRequestKind::HistoryBack
+                           : command == Command::HistoryForward ? CueRequestKind::HistoryForward
+                                                                : CueRequestKind::StopSpeech;
             request.time_s = now_s;
             cue(std::move(request));
             break;
@@ -554,7 +550,8 @@ std::string AppCore::touched_words(const ToolState& tool) {
     }
     const FeatureId id = tool.contacts.contacts[tool.contacts.strongest].feature;
     const int verbosity = std::exchange(described, id) == id ? kTellAll : std::max(kTellName, settings_.speech.verbosity);
-    const std::string text = describe_feature(*scene_, id, verbosity);
+    std::string text = describe_feature(*scene_, id, verbosity);
+    if (verbosity == kTellAll && settings_.speech.distances_in_steps) text += " " + steps_of_size(scene_->features[id.value], distances());
     return text.empty() ? sentence_case(name_of(id)) : text;
 }
 
@@ -1014,10 +1011,10 @@ std::string AppCore::workspace_words() const {
     const Vec3 from_body = hand_shift_m_ + shift_by_hand_m() + workspace_origin_m() - feet_m();
     const Vec3 level(from_body.x, from_body.y, 0.0);
     const double up_m = from_body.z - settings_.workspace.hand_height_m - settings_.workspace.offset_up_m * scale();
-    std::string text =
-        glm::length(level) < 0.5 * settings_.walk.step_length_m
-            ? "Workspace round you"
-            : fmt::format("Workspace {}, {}", distance_words(glm::length(level), distances()), relative_words(std::atan2(level.x, level.y), heading_rad_));
+    std::string text = glm::length(level) < 0.5 * settings_.walk.step_length_m
+                           ? "Workspace round you"
+                           : fmt::format("Workspace {}",
+                                         place_words(glm::length(level), std::atan2(level.x, level.y), heading_rad_, settings_.speech.directions, distances()));
     if (std::abs(up_m) >= 0.25) text += fmt::format(", {} {}", distance_words(std::abs(up_m), {false, 1.0}), up_m > 0.0 ? "up" : "down");
     return text;
 }

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "app/core/mover_play.h"
 #include "app/core/placed_things.h"
 #include "app/core/side_file.h"
+#include "app/core/questions.h"
 #include "app/core/soundscape.h"
 #include "app/core/surroundings.h"
 #include "app/core/view.h"
@@ -272,10 +274,22 @@ private:
     std::string where_words(const Aabb& box) const;
     std::vector<Goal> goals() const;
     void play_at(SoundKind kind, const Vec3& place_m, double now_s);
+    // Questions: app_core_questions.cpp.
+    Telling telling() const;
+    Asker asker() const;
+    std::string state_of(const Sight& sight) const;
+    std::string tell_sight(const Sight& sight) const;
+    std::string tell_sights(std::span<const Sight> sights) const;
+    std::string around_me() const;
+    std::string ahead_of_me() const;
+    void look_round(int by, double now_s);
+    std::string heading_words() const;
+    std::string coordinates() const;
+    std::string scale_bar() const;
     std::string help_text() const;
     std::string entering_text() const;
     std::string name_of(FeatureId feature) const;
-    DistanceWords distances() const { return {settings_.speech.distances_in_steps, settings_.walk.step_length_m}; }
+    DistanceWords distances() const { return {settings_.speech.distances_in_steps, settings_.walk.step_length_m, settings_.speech.rounded}; }
     bool held(Command command) const { return held_[static_cast<std::size_t>(command)]; }
 
     Settings settings_;
@@ -299,6 +313,7 @@ private:
     SideFile side_file_;
     std::optional<SideFile> side_file_next_;
     Guiding guiding_;
+    LookRound look_round_;
     Vec3 home_feet_m_{0.0};
     double home_heading_rad_ = 0.0;
 

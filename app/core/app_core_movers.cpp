@@ -9,7 +9,6 @@ namespace handrail {
 namespace {
 
 constexpr double kReach_m = 1.2;         // from the middle of the body to what it uses
-constexpr double kLookHeight_m = 1.0;    // of the ray that finds it
 constexpr double kCloseToLift_m = 0.05;  // soles above the lift that carries them
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }

@@ -36,8 +36,17 @@ enum class Command : std::uint8_t {
     // Questions.
     WhereAmI,
     Heading,
-    WhatIsThis,  // what the hand touches
+    // Questions.
+    AroundMe,   // one thing per quarter
+    AheadOfMe,  // up to four, by distance
+    LookNext,   // along the next of 16 directions, or where the hand points
+    LookBefore,
+    ScaleBar,     // and north
+    Coordinates,  // and height above the floor
+    WhatIsThis,   // what the hand touches
     Repeat,
+    HistoryBack,  // through what was said
+    HistoryForward,
     StopSpeech,
     StopEverything,  // F12: all force and sound
     Home,
@@ -74,7 +83,7 @@ enum class Command : std::uint8_t {
     Callouts,
     Desk,  // its controls by keys
     Calibrate,  // the set-up by voice, run by whoever owns the device
-    Leave,  // Escape: asks once more at the top
+    Leave,      // Escape: asks once more at the top
     // The hand without a device: the simulated hand's target moves.
     HandForward,
     HandBack,

@@ -2,6 +2,7 @@
 // speaks no word: the caller tells who stands in the way and says what happened. App thread only.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <span>
 #include <vector>
@@ -31,6 +32,8 @@ public:
 
     std::size_t size() const { return parts_.size(); }
     Placement at(std::uint32_t mover) const { return movers_[mover].at(parts_[mover].part); }
+    // How far it is from where it rests, as a part of its whole way, 0 to 1.
+    double away(std::uint32_t mover) const { return std::abs(parts_[mover].part - rest(mover)); }
     bool any_moving() const;
     bool any_waiting() const;  // to go back by itself
 

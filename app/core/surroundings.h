@@ -30,7 +30,8 @@ struct FreeSpace {
 };
 FreeSpace free_space(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad);
 
-// Doors, landmarks, clues, liquids and named objects in line of sight, nearest first, at most `most`.
+// Doors, landmarks, clues, liquids and named objects of which some point is in line of sight (the middle counts first, then the nearest point, then the
+// middles of the sides), nearest first, at most `most`.
 std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, double height_m, std::size_t most);
 
 // The nearest surface in the half circle ahead within range, for the wall tone.

@@ -315,9 +315,13 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         }
         case CueRequestKind::Repeat: {
             const std::string text = spoken_.empty() ? "Nothing has been said yet." : spoken_.back().text;
-            answer({.utterance = {.text = text}, .asked_s = asked_s, .repeatable = true}, now_s, speech);
+            answer({.utterance = {.text = text}, .asked_s = asked_s, .repeatable = true, .again = true}, now_s, speech);
             return;
         }
+        case CueRequestKind::HistoryBack:
+        case CueRequestKind::HistoryForward:
+            step_history(request.kind == CueRequestKind::HistoryBack, asked_s, now_s, speech);
+            return;
     }
 }
 
@@ -382,13 +386,34 @@ void CuePlanner::speak_name(Hand& hand, double now_s, bool engaged, SpeechSink& 
     }
 }
 
+// What was said since, when it was not out of the history itself, begins at the newest again.
+void CuePlanner::step_history(bool back, double asked_s, double now_s, SpeechSink& speech) {
+    std::vector<const SpokenLine*> lines;  // newest first
+    for (auto line = spoken_.rbegin(); line != spoken_.rend() && lines.size() < kMostHistory; ++line)
+        if (!line->again) lines.push_back(&*line);
+    const std::size_t wanted = back ? back_ + 1 : std::max<std::size_t>(back_, 1) - 1;
+    std::string text;
+    if (lines.empty()) {
+        text = "Nothing has been said yet.";
+    } else if (wanted == 0) {
+        text = "That was the newest.";
+    } else if (wanted > lines.size()) {
+        text = "That was the oldest that is kept.";
+    } else {
+        back_ = wanted;
+        text = fmt::format("{} {} of {}.", lines[wanted - 1]->text, wanted, lines.size());
+    }
+    answer({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true, .again = true}, now_s, speech);
+}
+
 bool CuePlanner::keep_line(const Waiting& waiting, double now_s) {
     std::erase_if(said_at_s_, [&](const auto& said) { return now_s - said.second >= kSayAgain_s; });
     const auto [said, is_new] = said_at_s_.try_emplace(waiting.utterance.text, now_s);
     if (!is_new && !waiting.repeatable) return false;
     said->second = now_s;
     if (spoken_.size() == kMaxSpoken) spoken_.erase(spoken_.begin());
-    spoken_.push_back({now_s, waiting.utterance.text, waiting.utterance.speech_class});
+    spoken_.push_back({now_s, waiting.utterance.text, waiting.utterance.speech_class, waiting.again});
+    if (!waiting.again) back_ = 0;
     ++spoken_in_all_;
     return true;
 }

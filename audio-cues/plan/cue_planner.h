@@ -27,6 +27,8 @@ enum class CueRequestKind : std::uint8_t {
     SilenceAll,   // F12: voice and sounds; loops stay off until the next step, bump or touch
     Play,         // sound kind at position
     Repeat,       // last utterance again
+    HistoryBack,  // the last utterance, then the one before it and so on, at most kMostHistory; with its number
+    HistoryForward,
     Demonstrate,  // says `text`, then plays `sound` of `material`, switched off or not; a loop for 2.5 s
     WorldSound,   // loop `sound` of `source` at `position`, as loud as its map says, `muffled_db` by what is in between; loudness 0: not heard
 };
@@ -53,6 +55,7 @@ struct SpokenLine {
     double time_s = 0.0;
     std::string text;
     SpeechClass speech_class = SpeechClass::Answer;
+    bool again = false;  // said before: out of the history
 };
 
 struct CueInputs {
@@ -91,6 +94,7 @@ public:
     std::uint64_t spoken_in_all() const { return spoken_in_all_; }
 
     static constexpr std::size_t kMaxSpoken = 500;
+    static constexpr std::size_t kMostHistory = 50;
 
 private:
     struct Waiting {
@@ -98,6 +102,7 @@ private:
         double due_s = 0.0;    // not said before
         double asked_s = 0.0;  // time of the request or event
         bool repeatable = false;
+        bool again = false;
         FeatureId touched = kNoFeature;  // a name: dropped when this is no longer touched
         double expires_s = 0.0;          // names only: kept that long even when the hand has left
     };
@@ -133,6 +138,7 @@ private:
     void demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech);
     void end_demonstration(AudioSink& audio);
     void speak_waiting(double now_s, SpeechSink& speech);
+    void step_history(bool back, double asked_s, double now_s, SpeechSink& speech);
     bool keep_line(const Waiting& waiting, double now_s);  // false: said within 5 s
     void say_now(const Waiting& waiting, double now_s, SpeechSink& speech);
     double volume_of(SoundKind kind) const;  // 0 where it is switched off
@@ -144,6 +150,7 @@ private:
 
     std::vector<SpokenLine> spoken_;
     std::uint64_t spoken_in_all_ = 0;
+    std::size_t back_ = 0;                               // how far back in the history the person is; 0: not at all
     std::unordered_map<std::string, double> said_at_s_;  // texts of the last 5 s
     std::deque<Waiting> alarms_, answers_;
     std::optional<Waiting> hint_;

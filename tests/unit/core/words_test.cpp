@@ -27,6 +27,55 @@ TEST(RelativeWords, are_seen_from_where_one_faces) {
     EXPECT_EQ(relative_words(3.0, 3.0), "ahead");
 }
 
+TEST(DistanceWords, are_exact_where_rounding_is_off) {
+    EXPECT_EQ(distance_words(3.36, {true, 0.7, false}), "4.8 steps");
+    EXPECT_EQ(distance_words(33.04, {false, 0.7, false}), "33.0 metres");
+    EXPECT_EQ(distance_words(33.0, {false, 0.7}), "35 metres");
+}
+
+TEST(DirectionWords, change_with_the_vocabulary_and_nothing_else) {
+    const double north_east = radians_from_degrees(45.0);
+    struct Case {
+        double bearing_deg;
+        const char *sides, *clock, *compass;
+    };
+    for (const Case& c : {Case{45, "ahead", "at 12 o'clock", "north-east"}, Case{135, "right", "at 3 o'clock", "south-east"},
+                          Case{-45, "left", "at 9 o'clock", "north-west"}, Case{225, "behind", "at 6 o'clock", "south-west"},
+                          Case{75, "30 degrees right", "at 1 o'clock", "east"}, Case{22, "25 degrees left", "at 11 o'clock", "north"},
+                          Case{255, "150 degrees left", "at 7 o'clock", "west"}, Case{46, "ahead", "at 12 o'clock", "north-east"}}) {
+        const double bearing = radians_from_degrees(c.bearing_deg);
+        EXPECT_EQ(direction_words(bearing, north_east, DirectionChoice::Sides), c.sides) << c.bearing_deg;
+        EXPECT_EQ(direction_words(bearing, north_east, DirectionChoice::Clock), c.clock) << c.bearing_deg;
+        EXPECT_EQ(direction_words(bearing, north_east, DirectionChoice::Compass), c.compass) << c.bearing_deg;
+    }
+    EXPECT_EQ(direction_words(radians_from_degrees(22.5), 0.0, DirectionChoice::Compass, false), "north-north-east");
+    EXPECT_EQ(direction_words(radians_from_degrees(22.5), 0.0, DirectionChoice::Sides, false), "23 degrees right");
+}
+
+// Every direction, whatever the heading: the hour is the nearest one and the words say the same side.
+TEST(DirectionWords, agree_with_each_other_all_the_way_round) {
+    for (int heading = -360; heading <= 360; heading += 30)
+        for (int turn = -175; turn <= 175; turn += 5) {
+            const double facing = radians_from_degrees(heading), bearing = radians_from_degrees(heading + turn);
+            const std::string sides = direction_words(bearing, facing, DirectionChoice::Sides);
+            EXPECT_EQ(sides.find("right") != std::string::npos, turn > 0) << heading << ' ' << turn;
+            EXPECT_EQ(sides.find("left") != std::string::npos, turn < 0) << heading << ' ' << turn;
+            int hour = 0;
+            ASSERT_EQ(std::sscanf(direction_words(bearing, facing, DirectionChoice::Clock).c_str(), "at %d o'clock", &hour), 1);
+            EXPECT_LE(std::abs(degrees_from_radians(wrap_angle(radians_from_degrees(hour * 30.0 - turn)))), 15.0 + 1e-6) << heading << ' ' << turn;
+        }
+}
+
+TEST(PlaceWords, put_distance_and_direction_together) {
+    const DistanceWords steps{true, 0.7};
+    const double right = kPi / 2.0;
+    EXPECT_EQ(place_words(6.3, radians_from_degrees(25), 0.0, DirectionChoice::Clock, steps), "9 steps at 1 o'clock");
+    EXPECT_EQ(place_words(6.3, radians_from_degrees(25), 0.0, DirectionChoice::Sides, steps), "9 steps, 25 degrees right");
+    EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Sides, steps), "9 steps to the right");
+    EXPECT_EQ(place_words(0.1, 0.0, 0.0, DirectionChoice::Sides, steps), "close by, ahead");
+    EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Compass, steps), "9 steps east");
+}
+
 TEST(WrapAngle, stays_within_half_a_turn) {
     for (const double a : {-20.0, -kPi, 0.0, kPi, 3.5, 1e3}) {
         const double w = wrap_angle(a);

@@ -3,6 +3,7 @@
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/plan/speakable.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -377,6 +378,35 @@ TEST_F(CuePlannerTest, verbosity_0_is_sounds_only_but_answers_and_alarms_are_sai
     EXPECT_THAT(heard(), ElementsAre(SoundKind::Contact, SoundKind::Bump));
     tick({}, {text("You face north"), text("The touch device is hot", SpeechClass::Alarm)});
     EXPECT_THAT(said(), ElementsAre("The touch device is hot", "You face north"));
+}
+
+TEST_F(CuePlannerTest, steps_back_and_forward_through_the_last_fifty_messages) {
+    const auto press = [&](CueRequestKind kind) {
+        now_s += 1.0;
+        CueRequest r = request(kind);
+        r.time_s = now_s;
+        tick({}, {r});
+        return planner.spoken().back().text;
+    };
+    EXPECT_EQ(press(CueRequestKind::HistoryBack), "Nothing has been said yet.");
+    for (int i = 1; i <= 60; ++i) {
+        CueRequest r = text(fmt::format("Message {}.", i));
+        r.time_s = now_s += 1.0;
+        tick({}, {r});
+    }
+    EXPECT_EQ(press(CueRequestKind::HistoryBack), "Message 60. 1 of 50.");
+    EXPECT_EQ(press(CueRequestKind::HistoryBack), "Message 59. 2 of 50.");
+    EXPECT_EQ(press(CueRequestKind::HistoryForward), "Message 60. 1 of 50.");
+    EXPECT_EQ(press(CueRequestKind::HistoryForward), "That was the newest.");
+    std::string last;
+    for (int i = 2; i <= 50; ++i) last = press(CueRequestKind::HistoryBack);
+    EXPECT_EQ(last, "Message 11. 50 of 50.");
+    EXPECT_EQ(press(CueRequestKind::HistoryBack), "That was the oldest that is kept.");
+    EXPECT_EQ(press(CueRequestKind::HistoryForward), "Message 12. 49 of 50.");
+    CueRequest fresh = text("Something new.");
+    fresh.time_s = now_s += 1.0;
+    tick({}, {fresh});
+    EXPECT_EQ(press(CueRequestKind::HistoryBack), "Something new. 1 of 50.") << "what is new begins at the newest again";
 }
 
 TEST_F(CuePlannerTest, higher_verbosity_says_more) {

@@ -1,0 +1,242 @@
+#include "app/core/questions.h"
+
+#include <random>
+#include <set>
+
+#include "app/core/app_core.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/random_families.h"
+
+namespace handrail {
+namespace {
+
+using test::SceneBuilder;
+using testing::HasSubstr;
+using testing::Not;
+
+// 8 by 8 metres, the base in the middle facing north; a cupboard in each quarter, one behind a screen, a low bench ahead, a clock that ticks.
+SceneBuilder hall() {
+    SceneBuilder b;
+    b.box({0, 0, -0.2}, {8, 8, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
+    b.box({-0.2, 8, 0}, {8.2, 8.2, 2.6}, "north wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+    b.box({-0.2, -0.2, 0}, {8.2, 0, 2.6}, "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+    b.box({8, 0, 0}, {8.2, 8, 2.6}, "east wall", SolidRole::Solid, "wood", FeatureKind::Wall);
+    b.box({-0.2, 0, 0}, {0, 8, 2.6}, "west wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+    b.box({3.5, 6, 0}, {4.5, 6.4, 0.5}, "Bench", SolidRole::Solid, "wood", FeatureKind::Object);
+    b.box({7, 3.5, 0}, {7.5, 4.5, 2}, "Cupboard", SolidRole::Solid, "wood", FeatureKind::Object);
+    b.box({3, 1, 0}, {5, 1.1, 2.2}, "Screen", SolidRole::Solid, "glass", FeatureKind::Object);
+    b.box({3.9, 0.3, 0.5}, {4.1, 0.5, 1.2}, "Statue", SolidRole::Solid, "concrete", FeatureKind::Object);
+    b.scene().sounds.push_back({{1.0, 4.0, 1.5}, "Clock", "clock_tick", 1.0});
+    b.scene().name = "hall";
+    b.start({4, 4, 0}, 0.0);
+    return b;
+}
+
+std::vector<std::string> names(const std::vector<Sight>& sights) {
+    std::vector<std::string> all;
+    for (const Sight& sight : sights) all.push_back(sight.name);
+    return all;
+}
+
+TEST(Questions, around_me_is_one_thing_for_each_quarter_and_nothing_behind_something_else) {
+    const BodyWorld world(hall().share());
+    const auto quarters = around({world, {4, 4, 0}, 0.0});
+    EXPECT_EQ(quarters[0]->name, "Bench");
+    EXPECT_EQ(quarters[1]->name, "Cupboard");
+    EXPECT_EQ(quarters[2]->name, "Screen") << "the statue stands behind it";
+    EXPECT_EQ(quarters[3]->name, "Clock");
+    const auto turned = around({world, {4, 4, 0}, kPi / 2.0});
+    EXPECT_EQ(turned[0]->name, "Cupboard");
+    EXPECT_EQ(turned[3]->name, "Bench");
+    for (const Sight& sight : in_sight({world, {4, 4, 0}, 0.0}, 24)) EXPECT_NE(sight.name, "Statue");
+    EXPECT_THAT(names(in_sight({world, {2, 0.6, 0}, 0.0}, 24)), testing::Contains("Statue"));
+}
+
+TEST(Questions, a_quarter_with_nothing_in_it_tells_of_its_wall_or_that_it_is_open) {
+    SceneBuilder b;
+    b.box({-5, -5, -0.2}, {5, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
+    b.box({-5, 5, 0}, {5, 5.2, 2}, "north wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+    const BodyWorld world(b.share());
+    const auto quarters = around({world, {0, 0, 0}, 0.0});
+    ASSERT_TRUE(quarters[0]);
+    EXPECT_EQ(quarters[0]->name, "north wall");
+    EXPECT_NEAR(quarters[0]->seen.distance_m, 5.0, 1e-3);
+    EXPECT_FALSE(quarters[1] || quarters[2] || quarters[3]);
+}
+
+TEST(Questions, ahead_of_me_is_at_most_four_by_distance_and_the_wall) {
+    SceneBuilder b = hall();
+    for (int i = 0; i < 4; ++i) b.box({3.2 + 0.5 * i, 6.6 + 0.35 * i, 0}, {3.3 + 0.5 * i, 6.7 + 0.35 * i, 1.5}, fmt::format("Post {}", i));
+    const BodyWorld world(b.share());
+    const auto sights = ahead({world, {4, 4, 0}, 0.0});
+    EXPECT_THAT(names(sights), testing::ElementsAre("Bench", "Post 0", "Post 1", "Post 2"));
+    for (std::size_t i = 1; i < sights.size(); ++i) EXPECT_LE(sights[i - 1].seen.distance_m, sights[i].seen.distance_m);
+    EXPECT_THAT(names(ahead({BodyWorld(hall().share()), {4, 4, 0}, 0.0})), testing::ElementsAre("Bench", "north wall"));
+}
+
+TEST(Questions, looking_one_way_finds_what_is_low_and_what_stands_behind_it) {
+    const BodyWorld world(hall().share());
+    EXPECT_THAT(names(look_towards({world, {4, 4, 0}, 0.0}, 0.0)), testing::ElementsAre("Bench", "north wall"));
+    EXPECT_THAT(names(look_towards({world, {4, 4, 0}, 0.0}, kPi / 4.0)), testing::ElementsAre("north wall"));
+}
+
+// Against the slow way: a straight line to many points of each box, met by none of the other boxes.
+TEST(Questions, tell_of_nothing_that_no_line_reaches_and_of_everything_whose_middle_one_reaches) {
+    std::mt19937_64 random(test::seed_of_run());
+    std::uniform_real_distribution<double> place(-6.0, 6.0), size(0.2, 1.5);
+    for (const double far : {0.0, 1e4})
+        for (int round = 0; round < 40; ++round) {
+            SceneBuilder b;
+            std::vector<Aabb> boxes;
+            for (int i = 0; i < 12; ++i) {
+                const Vec3 at(far + place(random), place(random), 0.0);
+                const Vec3 extent(size(random), size(random), 0.3 + size(random));
+                Aabb box{at, at + extent};
+                if (glm::length(box.centre_m() - Vec3(far, 0, 1)) < 2.0) continue;
+                boxes.push_back(box);
+                b.box(box.min_m, box.max_m, fmt::format("box {}", boxes.size() - 1));
+            }
+            const BodyWorld world(b.share());
+            const Vec3 eye(far, 0.0, kLookHeight_m);
+            const auto crosses = [&](const Aabb& box, const Vec3& to) {  // slabs, on the open stretch
+                double enter = 0.0, leave = 1.0;
+                for (int axis = 0; axis < 3; ++axis) {
+                    const double way = to[axis] - eye[axis];
+                    if (std::abs(way) < 1e-12) {
+                        if (eye[axis] < box.min_m[axis] || eye[axis] > box.max_m[axis]) return false;
+                        continue;
+                    }
+                    const double a = (box.min_m[axis] - eye[axis]) / way, c = (box.max_m[axis] - eye[axis]) / way;
+                    enter = std::max(enter, std::min(a, c));
+                    leave = std::min(leave, std::max(a, c));
+                }
+                return enter < leave - 1e-9;
+            };
+            const auto reached = [&](std::size_t which, const Vec3& to) {
+                for (std::size_t i = 0; i < boxes.size(); ++i)
+                    if (i != which && crosses(boxes[i], to)) return false;
+                return true;
+            };
+            std::set<std::string> told;
+            for (const Sight& sight : in_sight({world, {far, 0, 0}, 0.0}, 100)) told.insert(sight.name);
+            for (std::size_t i = 0; i < boxes.size(); ++i) {
+                const std::string name = fmt::format("box {}", i);
+                const Vec3 middle = boxes[i].centre_m();
+                if (reached(i, middle)) {
+                    EXPECT_TRUE(told.contains(name)) << name << " round " << round;
+                }
+                bool any = false;
+                for (int x = 0; x <= 12 && !any; ++x)
+                    for (int y = 0; y <= 12 && !any; ++y)
+                        for (int z = 0; z <= 12 && !any; ++z) any = reached(i, boxes[i].min_m + boxes[i].size_m() * Vec3(x / 12.0, y / 12.0, z / 12.0));
+                if (!any) {
+                    EXPECT_FALSE(told.contains(name)) << name << " round " << round;
+                }
+            }
+        }
+}
+
+TEST(Questions, say_more_the_higher_the_level_and_a_name_at_every_one) {
+    Sight sight{{0.0, 2.8, FeatureId{0}, {}}, "Door", "wood", false};
+    Telling how;
+    const auto at = [&](int verbosity) {
+        how.verbosity = verbosity;
+        return tell(sight, "shut, hinged left", how);
+    };
+    EXPECT_EQ(at(0), "Door");
+    EXPECT_EQ(at(1), "Door");
+    EXPECT_EQ(at(2), "Door, 4 steps ahead");
+    EXPECT_EQ(at(3), "Door, wood, shut, hinged left, 4 steps ahead");
+    EXPECT_EQ(at(4), "Door: it is 4 steps ahead. It is made of wood. It is shut, hinged left.");
+    sight.surface = true;
+    EXPECT_EQ(at(2), "Door, wood, 4 steps ahead") << "a surface's name includes its material";
+}
+
+TEST(Questions, doors_hang_on_the_side_one_sees_them_hang) {
+    Feature door;
+    door.hinge = "west";
+    door.handle = "east";
+    EXPECT_EQ(sides_of_door(door, 0.0), "hinged left, handle right");
+    EXPECT_EQ(sides_of_door(door, kPi), "hinged right, handle left");
+    EXPECT_EQ(sides_of_door(door, kPi / 2.0), "") << "along the wall there is no side";
+    EXPECT_EQ(sides_of_door(Feature{}, 0.0), "");
+}
+
+TEST(LookRound, begins_ahead_goes_round_by_sixteenths_and_follows_the_hand) {
+    LookRound look;
+    const Vec3 here{1, 2, 0};
+    EXPECT_NEAR(look.step(1, here, 0.3, std::nullopt), 0.3, 1e-12);
+    EXPECT_NEAR(look.step(1, here, 0.3, std::nullopt), 0.3 + kPi / 8, 1e-12);
+    EXPECT_NEAR(look.step(-1, here, 0.3, std::nullopt), 0.3, 1e-12);
+    EXPECT_NEAR(look.step(1, here, 1.0, std::nullopt), 1.0, 1e-12) << "turned: ahead again";
+    EXPECT_NEAR(look.step(1, here, 1.0, 2.0), 2.0, 1e-12) << "the hand points";
+    EXPECT_NEAR(look.step(1, here, 1.0, 2.0), 2.0 + kPi / 8, 1e-12) << "and has not moved";
+    EXPECT_NEAR(look.step(1, here, 1.0, 2.5), 2.5, 1e-12);
+    for (int i = 0; i < 16; ++i) look.step(1, here, 1.0, 2.5);
+    EXPECT_NEAR(look.step(1, here + Vec3(0.5, 0, 0), 1.0, 2.5), 1.0, 1e-12) << "the body has moved";
+}
+
+TEST(ScaleBar, is_five_steps_under_a_roof_and_25_metres_outdoors_with_north) {
+    Telling how;
+    how.heading_rad = kPi / 2.0;
+    EXPECT_EQ(scale_bar_words(false, how, 60.0, 0.0),
+              "5 steps, 3.5 metres, are 5.8 centimetres under your hand. North is away from you for your hand, and left for your feet.");
+    EXPECT_EQ(scale_bar_words(true, how, 0.0, 0.0), "25 metres, 36 steps. North is left.");
+    how.directions = DirectionChoice::Clock;
+    EXPECT_THAT(scale_bar_words(true, how, 0.0, 0.0), HasSubstr("North is at 9 o'clock."));
+    EXPECT_TRUE(under_roof(BodyWorld([] {
+                               SceneBuilder b;
+                               b.box({-1, -1, 2.5}, {1, 1, 2.6}, "ceiling");
+                               return b.share();
+                           }()),
+                           {0, 0, 0}));
+    EXPECT_FALSE(under_roof(BodyWorld(hall().share()), {4, 4, 0}));
+}
+
+TEST(Coordinates, say_metres_from_the_origin_and_height_above_what_is_below) {
+    EXPECT_EQ(coordinates_words({3.04, -0.51, 1.0}), "3.0 east, 0.5 south, height 1.0 metres");
+    EXPECT_EQ(coordinates_words({-2.0, 0.0, -0.0001}), "2.0 west, 0.0 north, height 0.0 metres");
+    const BodyWorld world(hall().share());
+    EXPECT_NEAR(above_floor_m(world, {4, 4, 1.3}).value(), 1.3, 1e-3);
+    EXPECT_NEAR(above_floor_m(world, {4, 6.2, 1.3}).value(), 0.8, 1e-3) << "above the bench";
+    EXPECT_FALSE(above_floor_m(world, {40, 4, 1.3}));
+}
+
+// The keys, through the session.
+TEST(AppCoreQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_level) {
+    Settings settings;
+    settings.speech.directions = DirectionChoice::Clock;
+    AppCore app(settings, HandFacts{});
+    app.enter_world(hall().share(), 0.0);
+    double now = 0.0;
+    const auto ask = [&](Command command) {
+        app.take_cues();
+        app.press(command, now += 1.0);
+        app.release(command);
+        std::string said;
+        for (const CueRequest& cue : app.take_cues())
+            if (cue.kind == CueRequestKind::Say) said += cue.text;
+        return said;
+    };
+    app.tick(0.1, ToolState{});
+    EXPECT_THAT(ask(Command::AheadOfMe), HasSubstr("Bench, 3 steps at 12 o'clock."));
+    EXPECT_THAT(ask(Command::AroundMe), HasSubstr("9 o'clock: Clock, 4 steps at 9 o'clock."));
+    EXPECT_THAT(ask(Command::LookNext), HasSubstr("At 12 o'clock: Bench"));
+    EXPECT_THAT(ask(Command::LookNext), HasSubstr("At 1 o'clock: North wall, plaster, 6 steps at 1 o'clock."));
+    EXPECT_THAT(ask(Command::Coordinates), HasSubstr("4.0 east, 4.0 north, height 0.0 metres"));
+    EXPECT_THAT(ask(Command::ScaleBar), HasSubstr("25 metres"));
+    settings.speech.verbosity = 1;
+    settings.speech.directions = DirectionChoice::Compass;
+    app.change_settings(settings, now);
+    EXPECT_EQ(ask(Command::AroundMe), "North: Bench. East: Cupboard. South: Screen. West: Clock.");
+    settings.speech.verbosity = 4;
+    app.change_settings(settings, now);
+    EXPECT_THAT(ask(Command::AheadOfMe), HasSubstr("Bench: it is 3 steps north. It is made of wood."));
+    settings.speech.distances_in_steps = false;
+    app.change_settings(settings, now);
+    EXPECT_THAT(ask(Command::AheadOfMe), HasSubstr("2 metres north"));
+    EXPECT_THAT(ask(Command::WhereAmI), Not(HasSubstr("steps")));
+}
+
+}  // namespace
+}  // namespace handrail
