@@ -36,7 +36,6 @@ enum class Command : std::uint8_t {
     // Questions.
     WhereAmI,
     Heading,
-    // Questions.
     AroundMe,   // one thing per quarter
     AheadOfMe,  // up to four, by distance
     LookNext,   // along the next of 16 directions, or where the hand points
