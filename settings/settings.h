@@ -20,6 +20,7 @@ inline constexpr double kLightCeiling_n = 1.2, kNormalCeiling_n = 2.5;
 enum class FrameChoice { Map, Walk };  // north up, or turning with the body
 enum class SpeechThrough { Auto, ScreenReader, SpeechDispatcher, Embedded, Text };
 enum class HoldingHand { Right, Left };
+enum class KeyboardHand { Both, Left, Right };  // which hand has the keyboard while the other holds the grip
 enum class DirectionChoice { Sides, Clock, Compass };  // "30 degrees left", "at 11 o'clock", "north"
 
 // What `handrail calibrate` found out about one device and the person who holds it, as [profile."falcon a9001"] in the file. Empty: not measured.
@@ -123,6 +124,13 @@ struct Settings {
         double strength = 1.0;  // of its limits, 0.1 to 1
         bool fades = true;      // less help lap by lap as errors fall
     } guidance;
+    struct Keyboard {
+        KeyboardHand hand = KeyboardHand::Both;
+    } keyboard;
+    struct Welcome {
+        bool done = false;  // the first minutes, which a first start begins with
+        int step = 0;       // where they go on, 0 to 20
+    } welcome;
     std::map<std::string, DeviceProfile> profiles;  // by profile_key()
     std::set<std::string> damaged_profiles;         // found in the person's file and set aside; their devices get the light ceiling
     std::map<std::string, std::string> keys;        // command name -> key name, only where they differ from the built-in table

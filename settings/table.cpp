@@ -9,6 +9,7 @@ namespace {
 constexpr std::array<std::string_view, 3> kCeilingWords{"light", "normal", "full"};
 constexpr std::array<std::string_view, 2> kFrameWords{"map", "walk"};
 constexpr std::array<std::string_view, 2> kHandWords{"right", "left"};
+constexpr std::array<std::string_view, 3> kKeyboardWords{"both", "left", "right"};
 constexpr std::array<std::string_view, 3> kDirectionWords{"sides", "clock", "compass"};
 constexpr std::array<std::string_view, 5> kThroughWords{"auto", "screen-reader", "speech-dispatcher", "embedded", "text"};
 constexpr std::size_t kLongestText = 64;
@@ -140,6 +141,11 @@ const std::array kTable{
     SettingInfo{"guidance.strength", "", "How strongly the hand is led; 1 is 0.8 newtons or a quarter of the device's force.", kPersonOnly,
                 NumberField{HANDRAIL_AT(guidance.strength), 0.1, 1.0}},
     SettingInfo{"guidance.fades", "", "The hand is led less from lap to lap as errors fall.", kPersonOnly, SwitchField{HANDRAIL_AT(guidance.fades)}},
+    SettingInfo{"keyboard.hand", "", "Which hand has the keyboard: left and right lay the most used keys under that hand alone.", kPersonOnly,
+                ChoiceField{kKeyboardWords, [](const Settings& s) { return static_cast<std::size_t>(s.keyboard.hand); },
+                            [](Settings& s, std::size_t i) { s.keyboard.hand = static_cast<KeyboardHand>(i); }}},
+    SettingInfo{"welcome.done", "", "The first minutes are over; false begins the next start with them.", kPersonOnly, SwitchField{HANDRAIL_AT(welcome.done)}},
+    SettingInfo{"welcome.step", "", "Where the first minutes go on.", kPersonOnly, WholeField{HANDRAIL_AT(welcome.step), 0, 20}},
 };
 #undef HANDRAIL_AT
 

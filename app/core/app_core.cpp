@@ -42,7 +42,7 @@ Vec3 push_way(Held held) {
 }  // namespace
 
 AppCore::AppCore(const Settings& settings, const HandFacts& hand)
-    : settings_(settings), hand_(hand), keys_(settings.keys), held_(command_table().size(), false) {
+    : settings_(settings), hand_(hand), keys_(settings.keys, settings.keyboard.hand), held_(command_table().size(), false) {
     lay_device_overrides();
     furnish_desk();
     lay_desk(0);
@@ -117,7 +117,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     ++worlds_entered_;
 
     publish_pose(now_s, PoseChange::Placed);
-    say(entering_text(), SpeechClass::Answer, now_s);
+    if (!greeting_waits()) say(entering_text(), SpeechClass::Answer, now_s);
     if (settings_.speech.crowding_hint)
         if (std::string crowded = crowded_view(*scene_); !crowded.empty()) say(std::move(crowded), SpeechClass::Answer, now_s);
     enter_guiding(now_s);
@@ -195,7 +195,7 @@ void AppCore::offer_hand(const std::string& spoken_name, double now_s) {
 void AppCore::change_settings(const Settings& settings, double now_s) {
     settings_ = settings;
     lay_device_overrides();
-    keys_ = KeyMap(settings_.keys);
+    keys_ = KeyMap(settings_.keys, settings_.keyboard.hand);
     if (!scene_) return;
     retune();
     adapt_edges(now_s);
@@ -248,6 +248,8 @@ void AppCore::press(Command command, double now_s) {
     if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward && command != Command::StopSpeech &&
         command != Command::StopEverything)
         quiet(now_s);
+    if (lesson_takes(command, now_s)) return;
+    did_.push_back(command);
     if (info(command).hold) held_[static_cast<std::size_t>(command)] = true;
     act(command, now_s);
 }
@@ -272,6 +274,7 @@ void AppCore::know_stops(std::uint32_t stops, double now_s) {
 bool AppCore::idle() const {
     const bool walking = walker_ && (pending_way_m_ != 0.0 || !walker_->state().on_ground);
     const bool pushing = last_tick_s_ < push_until_s_;
+    if (!said_later_.empty() || after_lesson_ != AfterLesson::Nothing || calibration_asked_ || (lesson_ && !did_.empty())) return false;
     return !walking && !pushing && !led() && heading_rad_ == heading_goal_rad_ && std::none_of(held_.begin(), held_.end(), [](bool down) { return down; });
 }
 
@@ -442,6 +445,16 @@ void AppCore::act(Command command, double now_s) {
             break;
         case Command::Help:
             answer(help_text(), now_s);
+            break;
+        case Command::InputHelp:
+            toggle_input_help(now_s);
+            break;
+        case Command::Lessons:
+            open_lessons(now_s);
+            break;
+        case Command::FirstMinutes:
+            settings_.welcome.step = 0;
+            begin_lesson(first_minutes(), 0, now_s);
             break;
         case Command::NextSound:
             cue(dictionary_.step(1, listener(), now_s));
@@ -723,6 +736,7 @@ void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_to
         walk(now_s, dt_s);
     }
     notice_faults(now_s);
+    run_lesson(now_s);
     push_workspace(now_s);
     notice_workspace(now_s);
     notice_volumes(now_s);
@@ -817,6 +831,7 @@ void AppCore::walk(double now_s, double dt_s) {
             bump.feature = walked.bump->feature;
             bump.material = scene_->material(walked.bump->material).sound;
             bump.position_m = feet + Vec3(0.0, 0.0, kLookHeight_m) - walked.bump->normal * walker_->size().radius_m;
+            bumped_.push_back(bump.feature);
             cue(std::move(bump));
             if (const int met = mover_of(walked.bump->feature); met >= 0 && scene_->features[walked.bump->feature.value].kind == FeatureKind::Button)
                 press_mover(static_cast<std::uint32_t>(met), false, now_s);  // in games a button is walked against

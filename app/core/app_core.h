@@ -2,6 +2,7 @@
 // library, no thread, no clock of its own: the caller ticks it about 60 times a second and carries its outputs. App thread only.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,6 +15,7 @@
 #include "app/core/dialogue.h"
 #include "app/core/guiding.h"
 #include "app/core/key_map.h"
+#include "app/core/lesson.h"
 #include "app/core/mover_play.h"
 #include "app/core/placed_things.h"
 #include "app/core/side_file.h"
@@ -25,6 +27,7 @@
 #include "app/core/walking.h"
 #include "app/core/words.h"
 #include "app/core/workspace_scale.h"
+#include "app/core/world_shelf.h"
 #include "audio-cues/plan/cue_planner.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/servo/servo_tick.h"
@@ -145,6 +148,22 @@ public:
     bool idle() const;
     // The set-up by voice was asked for; once for each time.
     bool take_calibration_request() { return std::exchange(calibration_asked_, false); }
+    // Asked for by the first minutes: headphones and the hand only. The owner tells when it is over, or left.
+    bool take_first_set_up() { return std::exchange(first_set_up_, false); }
+    void know_set_up_over() { set_up_over_ = true; }
+
+    // The first minutes, before a world is entered or in one. who_speaks: "speech-dispatcher"; owner_sets_up: the owner runs the set-up by voice when
+    // take_calibration_request says so, else that part is left out.
+    void begin_first_minutes(const std::string& who_speaks, bool owner_sets_up, double now_s);
+    // Nobody will answer them any more, or they are not wanted: the world greets as it does otherwise.
+    void leave_lesson(double now_s);
+    bool greeting_waits() const;
+    // The simulated hand is there for want of a real one: lessons speak of walking.
+    void set_keys_alone(bool alone) { keys_alone_ = alone; }
+
+    // What the chooser of worlds offers, and the world that was chosen, for the owner to read and enter.
+    void set_worlds(WorldShelf shelf) { shelf_ = std::move(shelf); }
+    std::optional<std::filesystem::path> take_world_request() { return std::exchange(world_wanted_, std::nullopt); }
     bool wants_to_leave() const { return wants_to_leave_; }
     const Vec3& feet_m() const { return walker_->state().feet_m; }
     bool standing() const { return walker_->state().on_ground; }
@@ -206,7 +225,33 @@ private:
     // Lists: app_core_dialogue.cpp.
     bool reply(const DialogueReply& reply, double now_s);
     void quiet(double now_s);
+    // The menu: app_core_menu.cpp.
     void open_menu(double now_s);
+    void open_topics(bool to_rebind, double now_s);
+    void open_commands(std::vector<Command> commands, bool to_rebind, double now_s);
+    void open_rebinding(Command command, double now_s);
+    void take_new_key(const std::string& key, double now_s);
+    void change_keys(const std::vector<std::pair<Command, std::string>>& changes);
+    void toggle_input_help(double now_s);
+    bool take_key_apart(const std::string& key, double now_s);
+    bool take_line_apart(std::string_view line, double now_s);
+    std::string change_setting(std::string_view key, const std::string& value);
+    void open_setting_topics(double now_s);
+    void open_settings(std::string_view topic, double now_s);
+    void want_world(const std::filesystem::path& file);
+    void open_worlds(double now_s);
+    void open_folder(const std::filesystem::path& typed, double now_s);
+    void open_sounds(double now_s);
+    // Lessons and the first minutes: app_core_lessons.cpp.
+    bool in_first_minutes() const;
+    void begin_lesson(const Lesson& lesson, std::size_t at, double now_s);
+    void tell_lesson(const LessonReply& reply, double now_s);
+    void say_lesson(double now_s);
+    void run_lesson(double now_s);
+    bool lesson_takes(Command command, double now_s);
+    void keep_welcome(int step, bool done);
+    void choose_what_next(double now_s);
+    void open_lessons(double now_s);
     void toggle_forces(double now_s);
     std::string why_no_force_yet() const;
     void notice_faults(double now_s);
@@ -313,6 +358,25 @@ private:
     SideFile side_file_;
     std::optional<SideFile> side_file_next_;
     Guiding guiding_;
+    bool input_help_ = false;
+    struct Rebinding {
+        Command command;
+        bool one_more = false;
+    };
+    std::optional<Rebinding> rebinding_;
+    WorldShelf shelf_;
+    std::optional<std::filesystem::path> world_wanted_;
+    std::optional<LessonRun> lesson_;
+    std::vector<Command> did_;       // since the last tick, for the lesson
+    std::vector<FeatureId> bumped_;  // likewise
+    struct SaidLater {
+        double due_s = 0.0;
+        std::string text;
+    };
+    std::vector<SaidLater> said_later_;
+    enum class AfterLesson { Nothing, Choose, Lessons } after_lesson_ = AfterLesson::Nothing;
+    std::string who_speaks_ = "your voice";
+    bool owner_sets_up_ = false, set_up_over_ = true, first_set_up_ = false, keys_alone_ = false;
     LookRound look_round_;
     Vec3 home_feet_m_{0.0};
     double home_heading_rad_ = 0.0;

@@ -42,7 +42,9 @@ void AppCore::quiet(double now_s) {
 }
 
 bool AppCore::take_key(std::string_view key, double now_s) {
-    if (!dialogue_.is_open() || works_always(keys_, key)) return false;
+    if (works_always(keys_, key)) return false;
+    if (take_key_apart(std::string(key), now_s)) return true;
+    if (!dialogue_.is_open()) return false;
     quiet(now_s);
     return reply(dialogue_.key(key, now_s), now_s);
 }
@@ -54,27 +56,11 @@ bool AppCore::take_text(std::string_view utf8, double now_s) {
 }
 
 bool AppCore::take_line(std::string_view line, double now_s) {
+    if (take_line_apart(line, now_s)) return true;
     if (!dialogue_.is_open()) return false;
     if (const CommandInfo* row = find_command(line); row && (row->command == Command::StopEverything || row->command == Command::ToggleForces)) return false;
     quiet(now_s);
     return reply(dialogue_.line(line, now_s), now_s);
-}
-
-// Everything that can be done, with its keys; Enter does it.
-void AppCore::open_menu(double now_s) {
-    ListSpec list;
-    list.title = "What to do";
-    std::vector<Command> commands;
-    for (const CommandInfo& row : command_table()) {
-        if (row.command == Command::Menu) continue;
-        commands.push_back(row.command);
-        list.items.push_back({std::string(row.help.substr(0, row.help.find_last_not_of('.') + 1)), keys_.keys_of(row.command)});
-    }
-    list.chosen = [this, commands](std::size_t i) {
-        press(commands[i], last_tick_s_);
-        release(commands[i]);
-    };
-    open_list(std::move(list), now_s);
 }
 
 }  // namespace handrail

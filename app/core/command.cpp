@@ -63,8 +63,11 @@ constexpr std::array kCommands{
     CommandInfo{Command::CrossLines, "lines", "Slash", false, "Lines that the hand can feel, crossing at what was chosen; again to end."},
     CommandInfo{Command::PlanView, "plan", "F3", false, "Change the picture between first person and plan."},
     // Help and settings.
-    CommandInfo{Command::Menu, "menu", "Tab", false, "A list of everything that can be done."},
+    CommandInfo{Command::Menu, "menu", "Tab", false, "What I can do, worlds, settings, keys and sounds, in lists."},
     CommandInfo{Command::Help, "help", "F1", false, "Say the keys."},
+    CommandInfo{Command::InputHelp, "input-help", "Shift+F1", false, "Say what keys do without doing it, until pressed again."},
+    CommandInfo{Command::Lessons, "lessons", "Shift+F9", false, "Short lessons: walls, corners, doors, where am I, forces."},
+    CommandInfo{Command::FirstMinutes, "welcome", "", false, "The first minutes again, as at the first start."},
     CommandInfo{Command::NextSound, "sounds", "F11", false, "Name and play the next sound of the sound dictionary."},
     CommandInfo{Command::LastSound, "sounds-back", "Shift+F11", false, "Name and play the sound before."},
     CommandInfo{Command::VerbosityCycle, "verbosity", "V", false, "How much is said: level 0 to 4."},

@@ -64,6 +64,9 @@ enum class Command : std::uint8_t {
     // Help and settings.
     Menu,  // everything that can be done, in a list
     Help,
+    InputHelp,     // keys are explained instead of done
+    Lessons,
+    FirstMinutes,  // as at the first start
     NextSound,
     LastSound,  // the sound dictionary: names and plays one sound after the other
     VerbosityCycle,

@@ -1,5 +1,7 @@
 #include "app/core/key_map.h"
 
+#include <algorithm>
+
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -18,10 +20,14 @@ std::vector<std::string> words_of(std::string_view text) {
 
 }  // namespace
 
-KeyMap::KeyMap(const std::map<std::string, std::string>& changes) {
+KeyMap::KeyMap(const std::map<std::string, std::string>& changes, KeyboardHand hand) : hand_(hand) {
     by_command_.resize(command_table().size());
-    for (const CommandInfo& row : command_table()) by_command_[static_cast<std::size_t>(row.command)] = words_of(row.key);
+    for (const CommandInfo& row : command_table()) by_command_[static_cast<std::size_t>(row.command)] = words_of(default_keys(row.command));
 
+    const auto in_set = [&](std::string_view word) {
+        const auto set = keys_for(hand);
+        return std::any_of(set.begin(), set.end(), [&](const SetKeys& row) { return row.word == word; });
+    };
     for (const auto& [word, keys] : changes) {
         const CommandInfo* row = find_command(word);
         if (!row) {
@@ -31,20 +37,35 @@ KeyMap::KeyMap(const std::map<std::string, std::string>& changes) {
             continue;
         }
         by_command_[static_cast<std::size_t>(row->command)] = words_of(keys);
+        std::erase(by_command_[static_cast<std::size_t>(row->command)], "none");
     }
-    // The person's own keys come first, so that they win over a default elsewhere.
+    // The person's own keys come first, so that they win over a default elsewhere; then those of the set for one hand, which leaves others without theirs.
     const auto claim = [&](const CommandInfo& row) {
         for (const std::string& key : by_command_[static_cast<std::size_t>(row.command)]) {
             const auto [held, fresh] = by_key_.emplace(lower_ascii(key), row.command);
-            if (!fresh && held->second != row.command)
+            if (!fresh && held->second != row.command && !in_set(info(held->second).word))
                 problems_.push_back(
                     fmt::format("The key {} was asked to do both {} and {}. It does {}.", key, info(held->second).word, row.word, info(held->second).word));
         }
     };
     for (const CommandInfo& row : command_table())
         if (changes.contains(std::string(row.word))) claim(row);
-    for (const CommandInfo& row : command_table())
-        if (!changes.contains(std::string(row.word))) claim(row);
+    for (const bool of_set : {true, false})
+        for (const CommandInfo& row : command_table())
+            if (!changes.contains(std::string(row.word)) && in_set(row.word) == of_set) claim(row);
+}
+
+std::string_view KeyMap::default_keys(Command command) const {
+    for (const SetKeys& row : keys_for(hand_))
+        if (row.word == info(command).word) return row.keys;
+    return info(command).key;
+}
+
+std::string KeyMap::words_of_keys(Command command, std::string_view without) const {
+    std::string text;
+    for (const std::string& key : by_command_[static_cast<std::size_t>(command)])
+        if (find(key) == command && lower_ascii(key) != lower_ascii(without)) text += (text.empty() ? "" : " ") + key;
+    return text;
 }
 
 std::optional<Command> KeyMap::find(std::string_view key_name) const {

@@ -254,7 +254,13 @@ Result<SessionLog> run_scenario(const Scenario& scenario, std::shared_ptr<const 
     SessionLog log;
     Player player(scenario, session, settings);
     double last_action_s = 0.0;
+    session.app().set_worlds({scenario.world.parent_path(), {}});
     while (session.now_s() < kLongestRun_s) {
+        // In virtual time a world is read in no time; one that cannot be read is said and the old one stays.
+        if (const auto wanted = session.app().take_world_request()) {
+            if (auto other = read_world(*wanted)) session.app().enter_world(std::make_shared<const Scene>(std::move(*other)), session.now_s());
+            else session.app().say(other.error().sentence(), SpeechClass::Answer, session.now_s());
+        }
         if (const auto stepped = player.step(); !stepped) return tl::unexpected(stepped.error());
         if (!player.done()) last_action_s = session.now_s();
         else if (session.now_s() >= last_action_s + scenario.tail_s) break;

@@ -93,9 +93,13 @@ public:
         for (const Diagnostic& problem : arguments_.settings_problems) news.push_back(problem.sentence());
         open_window(news);
         if (wanted == "none") news.push_back("No touch device, as you asked. Everything works with keyboard and sound.");
-        asked_s_ = clock_.now_s();
-        say("Handrail. " + joined(news), asked_s_);
         ears_->start();
+        first_ = !settings_.values().welcome.done && !arguments_.world && !arguments_.calibrate;
+        const std::string voice = first_ ? voice_that_speaks() : std::string{};
+        asked_s_ = clock_.now_s();
+        if (first_) app_->begin_first_minutes(voice, true, asked_s_);
+        news.push_back(recent_.take_news());
+        say(first_ ? joined(news) : "Handrail. " + joined(news), asked_s_);
         if (arguments_.calibrate) {
             begin_wizard(*arguments_.calibrate);
             calibrate();
@@ -135,6 +139,7 @@ private:
         simulated_.reset();
         guarded_ = device.get();
         facts_ = facts;
+        app_->set_keys_alone(facts.simulated && wanted_hand() == "auto");
         tool_ = {};
         told_how_it_runs_ = guard_missed_ = false;
         app_->set_hand(facts, settings_.values(), clock_.now_s());
@@ -155,6 +160,18 @@ private:
         guarded_ = nullptr;
         facts_ = {};
         app_->set_hand({}, settings_.values(), clock_.now_s());
+    }
+
+    // Once that is decided: a better voice may still be opening. The welcome is due within two seconds.
+    std::string voice_that_speaks() {
+        constexpr double kPatience_s = 1.5;
+        const double until_s = clock_.now_s() + kPatience_s;
+        std::string voice = ears_->who_speaks();
+        while (voice.empty() && clock_.now_s() < until_s) {
+            clock_.sleep_until_s(clock_.now_s() + 0.01);
+            voice = ears_->who_speaks();
+        }
+        return voice.empty() ? "text alone" : voice;
     }
 
     // ---- the set-up by voice ----
@@ -240,6 +257,7 @@ private:
         wizard_.reset();
         handed_haptic_scene_.reset();
         handed_bodies_ = 0;
+        app_->know_set_up_over();
         if (!app_->scene()) return;
         app_->change_settings(settings_.values(), now_s);
         app_->know_stops(wizard_stops_, now_s);
@@ -398,14 +416,40 @@ private:
             return false;
         }
         if (ended()) return false;
-        const ReadReport& report = scene->report;
+        enter(std::move(*scene), path, asked_s_);  // goes on with the greeting instead of cutting it short
+        return true;
+    }
+
+    void enter(Scene scene, const std::filesystem::path& path, double asked_s) {
+        const ReadReport& report = scene.report;
         if (report.warnings_in_all > 0)
             say(fmt::format("{} {} in this file; the first: {}", report.warnings_in_all, report.warnings_in_all == 1 ? "problem" : "problems",
                             report.warnings.front().sentence()),
-                asked_s_);
+                asked_s);
         app_->use_side_file(SideFile::of_world(path, user_data_folder()));
-        app_->enter_world(std::make_shared<const Scene>(std::move(*scene)), asked_s_);  // goes on with the greeting instead of cutting it short
-        return true;
+        app_->enter_world(std::make_shared<const Scene>(std::move(scene)), asked_s);
+        recent_.add(path);
+        app_->set_worlds({world_folder(), recent_.worlds()});
+    }
+
+    // Another world is read while this one goes on; one that cannot be read leaves everything as it is.
+    void change_world(double now_s) {
+        if (const auto wanted = app_->take_world_request()) {
+            if (next_world_) return say(fmt::format("{} is still being read.", name_of_file(next_path_)));
+            next_path_ = *wanted;
+            next_told_s_ = now_s;
+            next_world_ = std::make_unique<WorldLoading>(next_path_, arguments_.common);
+        }
+        if (!next_world_) return;
+        if (!next_world_->ready()) {
+            if (now_s - next_told_s_ < kProgressEvery_s) return;
+            next_told_s_ = now_s;
+            return say(fmt::format("Loading, {} percent.", next_world_->percent()));
+        }
+        auto scene = next_world_->take();
+        next_world_.reset();
+        if (!scene) return say(fmt::format("{} You stay in {}.", scene.error().sentence(), app_->scene()->name), now_s);
+        enter(std::move(*scene), next_path_, now_s);
     }
 
     int explore(std::ostream& err) {
@@ -426,9 +470,12 @@ private:
             notice_left_hand(now_s);
             if (app_->take_calibration_request() && !wizard_) {
                 std::vector<WizardPart> parts;
-                for (const WizardPartInfo& part : wizard_parts()) parts.push_back(part.part);
+                const bool first = app_->take_first_set_up();
+                for (const WizardPartInfo& part : wizard_parts())
+                    if (!first || (part.part != WizardPart::Reach && part.part != WizardPart::Step)) parts.push_back(part.part);
                 begin_wizard(parts);
             }
+            change_world(now_s);
             if (wizard_) {
                 guide(now_s);
             } else {
@@ -553,6 +600,7 @@ private:
             wizard_->type(std::move(lines_.front()));
             return lines_.pop_front();
         }
+        if (next_world_) return;
         if (repeat_left_ == 0 && !app_->idle()) {
             settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts
             return;
@@ -564,7 +612,9 @@ private:
             return;
         }
         if (lines_.empty()) {
-            closed_ = ended && !search_;
+            // Nobody will answer the welcome any more.
+            if (ended && app_->greeting_waits()) return app_->leave_lesson(now_s);
+            closed_ = ended && !search_ && !next_world_;
             return;
         }
         const std::string line = std::move(lines_.front());
@@ -632,6 +682,11 @@ private:
     const bool typed_ = ::isatty(STDIN_FILENO) == 1;
     std::optional<LineWatch> lines_watch_;
     std::deque<std::string> lines_;
+    RecentWorlds recent_{recent_worlds_path()};
+    bool first_ = false;  // the first minutes begin this start
+    std::unique_ptr<WorldLoading> next_world_;
+    std::filesystem::path next_path_;
+    double next_told_s_ = 0.0;
     bool typing_ = false;  // a list or question was open when the last key went down
     Command repeat_command_ = Command::Forward;
     int repeat_left_ = 0;

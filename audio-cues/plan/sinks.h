@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "settings/settings.h"
 #include "worlds/base/vec.h"
@@ -37,6 +38,8 @@ public:
     virtual void set_speech(const Settings::Speech& /*settings*/) {}  // rate and voice, from the next utterance on
     // A sentence about the sink itself, fit to be spoken ("There is no voice ..."); each is given once.
     virtual std::optional<std::string> news() { return std::nullopt; }
+    // Who speaks, as it stands inside a sentence: "the speech server", "text alone". Empty while that is not decided.
+    virtual std::string_view who() const { return "text alone"; }
 };
 
 enum class SoundKind : std::uint8_t {

@@ -51,6 +51,11 @@ void AudioThread::set_two_hands(bool two) {
     inbox_.two_hands = two;
 }
 
+std::string AudioThread::who_speaks() {
+    const std::lock_guard lock(mutex_);
+    return who_;
+}
+
 std::vector<SpokenLine> AudioThread::take_spoken() {
     const std::lock_guard lock(mutex_);
     return std::exchange(outbox_, {});
@@ -89,8 +94,10 @@ void AudioThread::publish() {
     const std::vector<SpokenLine>& spoken = planner_.spoken();
     const auto fresh = static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(planner_.spoken_in_all() - published_, spoken.size()));
     published_ = planner_.spoken_in_all();
-    if (fresh == 0) return;
+    const std::string_view who = speech_->who();
+    if (fresh == 0 && who == told_who_) return;
     const std::lock_guard lock(mutex_);
+    told_who_ = who_ = who;
     outbox_.insert(outbox_.end(), spoken.end() - fresh, spoken.end());
 }
 

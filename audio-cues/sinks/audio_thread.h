@@ -51,6 +51,8 @@ public:
     void set_listener(const Listener& listener) { listener_.publish(listener); }
     // Something is being said or waits to be, as of the last tick.
     bool speaking() const { return speaking_.load(std::memory_order_relaxed); }
+    // As SpeechSink::who, at the last tick; empty before the first.
+    std::string who_speaks();
 
     // One tick at the clock's time: the thread's body, or for the owner of virtual time.
     void step();
@@ -73,7 +75,8 @@ private:
     double finish_speech_s_ = 0.0;  // written before stop_asked_
     bool stopped_ = false;          // app thread
 
-    std::mutex mutex_;  // guards inbox_ and outbox_
+    std::mutex mutex_;  // guards inbox_, outbox_ and who_
+    std::string who_;
     Inbox inbox_;
     std::vector<SpokenLine> outbox_;
     LatestValue<Listener> listener_;        // app thread to audio thread
@@ -85,6 +88,7 @@ private:
     CuePlanner planner_;
     std::vector<ContactEvent> events_;  // of this tick; kept for its memory
     std::uint64_t published_ = 0;       // of planner_.spoken_in_all()
+    std::string told_who_;
 
     std::atomic<bool> drops_out_{false};  // audio thread to app thread
 };

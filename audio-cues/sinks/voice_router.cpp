@@ -121,6 +121,11 @@ void VoiceRouter::tell_change(const Voice* before, const Voice* after) {
     }
 }
 
+std::string_view VoiceRouter::who() const {
+    if (!chosen_) return {};
+    return active_ ? voice_name(active_->through()) : "text alone";
+}
+
 void VoiceRouter::set_speech(const Settings::Speech& settings) {
     for (const auto& voice : voices_) voice->set_speech(settings);
     if (std::exchange(through_, settings.through) == settings.through) return;

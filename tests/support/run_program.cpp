@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 namespace handrail::test {
 namespace {
@@ -23,9 +24,18 @@ bool drain(int fd, std::string& into) {
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
+// A person who has been here before is not led through the first minutes. Settings that a test wrote stay as they are but for that.
+void write_not_first(const std::filesystem::path& config) {
+    std::error_code ec;
+    std::filesystem::create_directories(config / "handrail", ec);
+    const std::filesystem::path file = config / "handrail" / "settings.toml";
+    if (!ec && !std::filesystem::exists(file, ec)) std::ofstream(file) << "[welcome]\ndone = true\n";
+}
+
 }  // namespace
 
 std::map<std::string, std::string> bare_environment(const std::string& home) {
+    write_not_first(std::filesystem::path(home) / ".config");
     return {{"HOME", home},
             {"XDG_CONFIG_HOME", ""},
             {"DISPLAY", ""},
@@ -41,7 +51,9 @@ ProgramRun run_program(const ProgramCall& call) {
     char home[] = "/tmp/handrail-test-home-XXXXXX";
     if (!::mkdtemp(home)) return {};
     std::map<std::string, std::string> environment = bare_environment(home);
+    if (call.first_start) std::filesystem::remove(std::filesystem::path(home) / ".config" / "handrail" / "settings.toml");
     for (const auto& [name, value] : call.environment) environment[name] = value;
+    if (!call.first_start) write_not_first(environment["XDG_CONFIG_HOME"].empty() ? std::string(home) + "/.config" : environment["XDG_CONFIG_HOME"]);
 
     int in[2], out[2], err[2];
     if (::pipe(in) != 0 || ::pipe(out) != 0 || ::pipe(err) != 0) return {};

@@ -22,9 +22,11 @@ struct ProgramCall {
     int signal_when_said = 0;                        // sent once `signal_after` stands in the output
     std::string signal_after;
     double allowed_s = 120.0;
+    bool first_start = false;  // true: of somebody who never started the program before, and is led through the first minutes
 };
 
-// What a program of ours sees when nothing is there: no display, no screen reader, no speech server, a null sound device, this home.
+// What a program of ours sees when nothing is there: no display, no screen reader, no speech server, a null sound device, this home, where the first minutes are
+// over (a settings file says so).
 std::map<std::string, std::string> bare_environment(const std::string& home);
 
 // Sound goes to a null device (ALSOFT_DRIVERS=null) and HOME is a fresh folder unless the call says otherwise.

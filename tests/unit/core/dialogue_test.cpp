@@ -177,7 +177,9 @@ TEST(AppCoreLists, hold_everything_that_can_be_done_and_do_it) {
     Open s;
     s.app.press(Command::Menu, 0.0);
     s.app.release(Command::Menu);
-    ASSERT_EQ(s.app.dialogue().view().items.size() + 1, command_table().size());
+    EXPECT_TRUE(s.app.take_key("Enter", 0.0));  // what I can do
+    EXPECT_TRUE(s.app.take_key("Enter", 0.0));  // all of it
+    ASSERT_EQ(s.app.dialogue().view().items.size(), command_table().size());
     s.said();
     EXPECT_TRUE(s.app.take_text("w", 0.0));  // "Where am I ..." or "Which way ...", whichever comes first
     EXPECT_TRUE(s.app.take_text("h", 0.1));

@@ -1,0 +1,101 @@
+#include "settings/adjust.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "settings/table.h"
+#include "worlds/base/contract.h"
+#include "worlds/base/overloaded.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kSteps = 20.0;
+constexpr std::size_t kShortUnit = 12;
+constexpr std::array<std::string_view, 9> kUnitEndings{"_ns_per_m", "_m_per_s", "_fraction", "_wpm", "_deg", "_mm", "_mu", "_m", "_n"};
+
+// 1, 2 or 5 times a power of ten, next below.
+double round_step(double step) {
+    const double power = std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+    for (const double nice : {5.0, 2.0})
+        if (step >= nice * power * (1.0 - 1e-9)) return nice * power;
+    return power;
+}
+
+std::string in_words(const SettingInfo& info, const Settings& settings) {
+    const SettingValue value = current_value(info, settings);
+    std::string text = std::visit(Overloaded{[](bool v) { return std::string(v ? "on" : "off"); }, [](std::int64_t v) { return fmt::format("{}", v); },
+                                             [](double v) { return fmt::format("{:g}", v); }, [](const std::string& v) { return v; }},
+                                  value);
+    if (!info.unit.empty() && info.unit.size() <= kShortUnit) text += fmt::format(" {}", info.unit);
+    return text;
+}
+
+const SettingInfo& row(std::string_view key) {
+    const SettingInfo* info = find_setting(key);
+    contract_pre(info != nullptr);
+    return *info;
+}
+
+std::string_view topic_of(std::string_view key) { return key.substr(0, key.find('.')); }
+
+SettingLine line_of(const SettingInfo& info, const Settings& settings) {
+    std::string name(info.key.substr(info.key.find('.') + 1));
+    for (const std::string_view ending : kUnitEndings)
+        if (name.ends_with(ending)) {
+            name.resize(name.size() - ending.size());
+            break;
+        }
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return {info.key, std::move(name), in_words(info, settings), info.meaning, range_of(info), !std::holds_alternative<TextField>(info.field)};
+}
+
+}  // namespace
+
+std::vector<std::string_view> setting_topics() {
+    std::vector<std::string_view> topics;
+    for (const SettingInfo& info : settings_table())
+        if (std::find(topics.begin(), topics.end(), topic_of(info.key)) == topics.end()) topics.push_back(topic_of(info.key));
+    return topics;
+}
+
+std::vector<SettingLine> setting_lines(std::string_view topic, const Settings& settings) {
+    std::vector<SettingLine> lines;
+    for (const SettingInfo& info : settings_table())
+        if (topic_of(info.key) == topic) lines.push_back(line_of(info, settings));
+    return lines;
+}
+
+SettingLine setting_line(std::string_view key, const Settings& settings) { return line_of(row(key), settings); }
+
+std::string stepped(std::string_view key, const Settings& settings, int by) {
+    const SettingInfo& info = row(key);
+    Settings& s = const_cast<Settings&>(settings);  // as in current_value: only read here
+    return std::visit(Overloaded{[&](const NumberField& f) {
+                                     const double step = round_step((f.most - f.least) / kSteps);
+                                     const double here = f.at(s) / step;
+                                     // To the next round number that way, from wherever it is.
+                                     const double next = by > 0 ? std::floor(here + 1e-6) + 1.0 : std::ceil(here - 1e-6) - 1.0;
+                                     const double value = std::clamp(next * step, f.least, f.most);
+                                     return fmt::format("{}", std::round(value * 1e9) / 1e9);
+                                 },
+                                 [&](const WholeField& f) {
+                                     const int step = std::max(1, static_cast<int>(round_step(std::max(1.0, (f.most - f.least) / kSteps))));
+                                     return fmt::format("{}", std::clamp(f.at(s) + by * step, f.least, f.most));
+                                 },
+                                 [&](const SwitchField& f) { return std::string(f.at(s) ? "false" : "true"); },
+                                 [&](const ChoiceField& f) {
+                                     const auto count = static_cast<int>(f.words.size());
+                                     return std::string(f.words[static_cast<std::size_t>((static_cast<int>(f.get(s)) + by + count) % count)]);
+                                 },
+                                 [&](const TextField& f) { return f.at(s); }},
+                      info.field);
+}
+
+Result<void> set_in(Settings& settings, std::string_view key, std::string_view value) {
+    const SettingInfo& info = row(key);
+    return apply(info, value_from_word(info, value), settings);
+}
+
+}  // namespace handrail

@@ -1,0 +1,143 @@
+// The first start as a process: from the welcome to the choice, by lines, each row's key words in order; and what a script that knows nothing of it meets.
+#include <fstream>
+
+#include "app/core/command.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class FirstMinutes : public testing::Test {
+protected:
+    ProgramRun run(std::vector<std::string> arguments, const std::string& lines) {
+        ProgramCall call;
+        call.program = HANDRAIL_PROGRAM;
+        call.arguments = std::move(arguments);
+        for (const char* more : {"--no-window", "--set", "speech.through=text"}) call.arguments.emplace_back(more);  // text takes no time
+        call.input = lines;
+        call.first_start = true;
+        call.allowed_s = 280.0;
+        call.environment["XDG_CONFIG_HOME"] = home_.path().string();
+        return run_program(call);
+    }
+    static void expect_in_order(const std::string& text, std::initializer_list<const char*> wanted) {
+        std::size_t from = 0;
+        for (const char* words : wanted) {
+            const std::size_t at = text.find(words, from);
+            ASSERT_NE(at, std::string::npos) << "\"" << words << "\" is missing or not in its place:\n" << text;
+            from = at + 1;
+        }
+    }
+    const TemporaryFolder home_;
+};
+
+TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_are_not_begun_again) {
+    const ProgramRun first = run({"--device", "none"},
+                                 "space\n\nleft\n\nforward 6\nleft 4\nforward 3\nright 8\nforward 7\nhome\nlist\nexplore freely\nwhere\nquit\n");
+    EXPECT_EQ(first.exit_status, 0) << first.err;
+    expect_in_order(first.out, {"say: Welcome. Handrail is speaking with text alone. Press Enter to begin, Space to hear again, Escape to leave.",
+                                "say: Welcome. Handrail is speaking with text alone. Press Enter to begin, Space to hear again, Escape to leave.",
+                                "First your headphones.",
+                                "bell on your left",
+                                "You are set up.",
+                                "You are in a small room, six by four metres",
+                                "Press Up to walk",
+                                "North wall, plaster",
+                                "Your first wall.",
+                                "radiator",
+                                "Radiator",
+                                "Well found.",
+                                "Corner.",
+                                "East wall, wood",
+                                "Back to the door: press Home.",
+                                "handle on your right",
+                                "What next.",
+                                "Real buildings",
+                                "Saved. Next time you start here.",
+                                "facing north"});
+    const ProgramRun second = run({"--device", "none"}, "where\nquit\n");
+    EXPECT_THAT(second.out, Not(HasSubstr("Welcome.")));
+    EXPECT_THAT(second.out, HasSubstr("First room."));
+}
+
+TEST_F(FirstMinutes, go_on_at_the_next_start_where_they_were_left) {
+    const ProgramRun first = run({"--device", "none"}, "\nleft\n\nforward 6\nquit\n");
+    EXPECT_THAT(first.out, HasSubstr("Your first wall."));
+    const ProgramRun second = run({"--device", "none"}, "quit\n");
+    expect_in_order(second.out, {"Welcome back.", "radiator"});
+    EXPECT_THAT(second.out, Not(HasSubstr("bell on your left")));
+}
+
+TEST_F(FirstMinutes, give_way_to_a_script_that_knows_nothing_of_them_and_to_the_end_of_input) {
+    const ProgramRun script = run({"--device", "none"}, "forward 5\nwhere\nquit\n");
+    expect_in_order(script.out, {"Welcome.", "First room.", "North wall, plaster", "close by"});
+    const TemporaryFolder other;
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.first_start = true;
+    call.environment["XDG_CONFIG_HOME"] = other.path().string();
+    const ProgramRun nobody = run_program(call);
+    EXPECT_EQ(nobody.exit_status, 0) << nobody.err;
+    expect_in_order(nobody.out, {"Welcome.", "First room.", "facing north"});
+}
+
+// Deliverable of the terminal: every command of the table, by its word, does something that is said or takes part; none is unknown.
+TEST(Terminal, every_command_of_the_table_works_by_its_word) {
+    std::string lines;
+    for (const CommandInfo& row : command_table())
+        if (row.command != Command::Leave && row.command != Command::Calibrate && row.command != Command::FirstMinutes && row.command != Command::InputHelp)
+            lines += std::string(row.word) + "\nescape\n";  // what opens a list is left again; elsewhere escape is no command
+    lines += "input-help\nforward\ninput-help\nwelcome\nescape\ncalibrate\nquit\nwher\nleave\nleave\n";
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {"--no-window", "--device", "sim-t", "--set", "speech.through=text"};
+    call.allowed_s = 280.0;
+    call.input = lines;
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    for (const CommandInfo& row : command_table()) EXPECT_THAT(run.out, Not(HasSubstr(fmt::format("There is no command \"{}\"", row.word))));
+    EXPECT_THAT(run.out, HasSubstr("Did you mean \"where\"?"));
+    for (const char* words : {"Facing north", "Level 3", "Menu.", "Forces", "Map, north up", "Room, ", "5 steps, 3.5 metres", "3.0 east", "1 of ",
+                              "Input help on.", "forward: One step forward", "Welcome.", "bell on your left", "Goodbye."})
+        EXPECT_THAT(run.out, HasSubstr(words));
+}
+
+TEST(Terminal, worlds_are_chosen_by_lists_and_a_damaged_one_leaves_everything_as_it_is) {
+    const TemporaryFolder folder;
+    folder.write("broken.map", "{ \"classname\" \"worldspawn\" ");
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {"--no-window", "--device", "none"};
+    call.environment["XDG_STATE_HOME"] = folder.path().string();
+    call.input = "forward\nmenu\nworlds\nanother\n" + (folder.path() / "broken.map").string() +
+                 "\nheading\nmenu\nworlds\nhouse\nwhere\nmenu\nworlds\nlist\nescape\nescape\nquit\n";
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    std::size_t from = 0;
+    for (const char* words : {"First room.", "Going to Broken.", "broken.map", "You stay in First room.", "Facing north", "Going to House.", "say: House",
+                              "You are", "House, visited before"}) {
+        const std::size_t at = run.out.find(words, from);
+        ASSERT_NE(at, std::string::npos) << words << "\n" << run.out;
+        from = at + 1;
+    }
+}
+
+TEST(Terminal, a_damaged_list_of_last_worlds_is_kept_aside_and_said) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() / "handrail");
+    folder.write("handrail/recent-worlds.txt", "\xff\xff");
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {"--no-window", "--device", "none"};
+    call.environment["XDG_STATE_HOME"] = folder.path().string();
+    const ProgramRun run = run_program(call);
+    EXPECT_THAT(run.out, HasSubstr("The list of your last worlds is damaged. It is kept as recent-worlds.txt.damaged and starts empty."));
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "handrail" / "recent-worlds.txt.damaged"));
+}
+
+}  // namespace
+}  // namespace handrail::test

@@ -1,0 +1,161 @@
+#include "app/core/lesson.h"
+
+#include "app/core/app_core.h"
+#include "tests/support/box_scene.h"
+
+namespace handrail {
+namespace {
+
+using testing::HasSubstr;
+
+struct World {
+    World() {
+        test::SceneBuilder b;
+        north = b.box({0, 4, 0}, {6, 4.2, 2.6}, "north wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+        east = b.box({6, 0, 0}, {6.2, 4, 2.6}, "east wall", SolidRole::Solid, "wood", FeatureKind::Wall);
+        table = b.box({1, 1, 0}, {2, 2, 0.7}, "Table", SolidRole::Solid, "wood", FeatureKind::Object);
+        door = b.box({2, -0.2, 0}, {3, 0, 2}, "Door", SolidRole::Solid, "wood", FeatureKind::Door);
+        radiator = b.box({4, 3.8, 0}, {5, 4, 0.7}, "Radiator", SolidRole::Solid, "metal", FeatureKind::Object);
+        b.start({3, 0.5, 0}, 0.0);
+        scene = b.share();
+    }
+    FeatureId north, east, table, door, radiator;
+    std::shared_ptr<const Scene> scene;
+};
+
+LessonSense met(FeatureId id) {
+    LessonSense sense;
+    sense.met = {id};
+    return sense;
+}
+LessonSense did(Command command, bool at_home = false) {
+    LessonSense sense;
+    sense.did = {command};
+    sense.at_home = at_home;
+    return sense;
+}
+
+TEST(Lessons, are_over_only_when_the_person_has_done_each_thing) {
+    const World w;
+    LessonRun corner(lessons()[1], true, "");
+    EXPECT_THAT(corner.begin().instruction, HasSubstr("reach forward"));
+    EXPECT_FALSE(corner.tick(LessonSense{}, *w.scene).done);
+    EXPECT_FALSE(corner.tick(met(w.table), *w.scene).done) << "a table is no wall";
+    EXPECT_TRUE(corner.tick(met(w.north), *w.scene).done);
+    EXPECT_FALSE(corner.tick(met(w.north), *w.scene).done) << "the same wall is no corner";
+    const LessonReply last = corner.tick(met(w.east), *w.scene);
+    EXPECT_TRUE(last.done && last.finished && last.at_once);
+    EXPECT_EQ(last.praise, "Corner.");
+
+    LessonRun where(lessons()[3], false, "");
+    where.begin();
+    EXPECT_FALSE(where.tick(did(Command::Heading), *w.scene).done);
+    EXPECT_TRUE(where.tick(did(Command::WhereAmI), *w.scene).done);
+    EXPECT_FALSE(where.tick(did(Command::Home, false), *w.scene).done);
+    EXPECT_TRUE(where.tick(did(Command::Home, true), *w.scene).finished);
+
+    LessonRun door(lessons()[2], false, "");
+    door.begin();
+    EXPECT_FALSE(door.tick(met(w.door), *w.scene).done) << "asked first";
+    EXPECT_TRUE(door.tick(did(Command::AroundMe), *w.scene).done);
+    EXPECT_TRUE(door.tick(met(w.door), *w.scene).finished);
+}
+
+TEST(Lessons, of_forces_need_a_device_and_follow_the_force_itself) {
+    const World w;
+    LessonRun keys(lessons()[4], false, "");
+    EXPECT_EQ(keys.begin().instruction, "This lesson needs a touch device.");
+    LessonRun hand(lessons()[4], true, "");
+    hand.begin();
+    LessonSense on, off;
+    off.forces_on = false;
+    EXPECT_FALSE(hand.tick(on, *w.scene).done);
+    EXPECT_TRUE(hand.tick(off, *w.scene).done);
+    EXPECT_FALSE(hand.tick(off, *w.scene).done);
+    EXPECT_TRUE(hand.tick(on, *w.scene).finished);
+}
+
+TEST(Lessons, say_little_enough_for_two_minutes) {
+    for (const Lesson& lesson : lessons()) {
+        std::size_t words = 0;
+        for (const LessonStep& step : lesson.steps)
+            for (const std::string_view text : {step.hand.empty() ? step.body : step.hand, step.praise})
+                words += static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) + 1;
+        EXPECT_LT(words, 150U) << lesson.name << ": at 175 words a minute less than half of two minutes is listening";
+    }
+}
+
+// Through the session, where it goes on after it was left.
+TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done) {
+    const World w;
+    AppCore app(Settings{}, HandFacts{});
+    std::map<std::string, std::string> saved;
+    double now = 0.0;
+    const auto said = [&] {
+        std::string text;
+        for (const CueRequest& cue : app.take_cues())
+            if (cue.kind == CueRequestKind::Say) text += cue.text + " ";
+        for (const auto& [key, value] : app.take_setting_changes()) saved[key] = value;
+        return text;
+    };
+    const auto run = [&](double seconds) {
+        std::string text;
+        for (const double until = now + seconds; now < until;) {
+            app.tick(now += 0.1, ToolState{});
+            text += said();
+        }
+        return text;
+    };
+    app.begin_first_minutes("a voice", true, now);
+    EXPECT_THAT(said(), HasSubstr("Handrail is speaking with a voice"));
+    app.enter_world(w.scene, now);
+    EXPECT_TRUE(app.greeting_waits());
+    EXPECT_EQ(said(), "") << "the world's own greeting waits";
+    app.press(Command::Use, now += 0.1);
+    app.release(Command::Use);
+    EXPECT_THAT(run(1.0), HasSubstr("your headphones"));
+    EXPECT_TRUE(app.take_first_set_up());
+    EXPECT_TRUE(app.take_calibration_request());
+    EXPECT_FALSE(app.take_calibration_request());
+    app.know_set_up_over();
+    EXPECT_THAT(run(1.0), HasSubstr("You are in a small room"));
+    EXPECT_EQ(saved["welcome.step"], "3");
+
+    Settings next;
+    next.welcome.step = 3;
+    AppCore later(next, HandFacts{});
+    later.begin_first_minutes("a voice", true, 0.0);
+    later.enter_world(w.scene, 0.0);
+    std::string text;
+    for (const CueRequest& cue : later.take_cues())
+        if (cue.kind == CueRequestKind::Say) text += cue.text + " ";
+    EXPECT_THAT(text, HasSubstr("Welcome back."));
+    EXPECT_THAT(text, HasSubstr("You are in a small room"));
+
+    // Escape explains, and leaves at the second press; nothing asks again.
+    app.press(Command::Leave, now += 10.0);
+    EXPECT_THAT(said(), HasSubstr("Press Escape again to leave it"));
+    app.release(Command::Leave);
+    app.press(Command::Leave, now += 1.0);
+    EXPECT_THAT(said(), HasSubstr("The introduction is left"));
+    EXPECT_EQ(saved["welcome.done"], "true");
+    EXPECT_FALSE(app.wants_to_leave());
+}
+
+TEST(FirstMinutes, are_skipped_by_whoever_does_something_else_and_the_world_greets_then) {
+    const World w;
+    AppCore app(Settings{}, HandFacts{});
+    app.begin_first_minutes("a voice", true, 0.0);
+    app.enter_world(w.scene, 0.0);
+    app.take_cues();
+    app.press(Command::Forward, 0.5);
+    app.release(Command::Forward);
+    std::string text;
+    for (const CueRequest& cue : app.take_cues())
+        if (cue.kind == CueRequestKind::Say) text += cue.text + " ";
+    EXPECT_THAT(text, HasSubstr("facing north"));
+    EXPECT_FALSE(app.idle()) << "and what was wanted is done";
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,350 @@
+// The menu and what hangs on it: rebinding, one-handed sets, input help, settings, worlds, sounds.
+#include <fstream>
+#include <set>
+
+#include "app/core/app_core.h"
+#include "settings/adjust.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+std::shared_ptr<const Scene> room() {
+    test::SceneBuilder b;
+    b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+    b.box({-0.2, 4, 0}, {6.2, 4.2, 2.6}, "north wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+    b.scene().name = "room";
+    b.start({3, 0.5, 0}, 0.0);
+    return b.share();
+}
+
+struct Person {
+    explicit Person(const Settings& settings = {}) : app(settings, HandFacts{}) {
+        app.enter_world(room(), 0.0);
+        app.tick(0.01, ToolState{});
+        app.take_cues();
+    }
+    // As a window does it.
+    std::string key(const std::string& name) {
+        now += 0.5;
+        app.tick(now, ToolState{});
+        app.take_cues();
+        if (!app.take_key(name, now))
+            if (const auto command = app.keys().find(name)) {
+                app.press(*command, now);
+                app.release(*command);
+            }
+        return said();
+    }
+    std::string line(const std::string& text) {
+        now += 0.5;
+        app.take_cues();
+        return app.take_line(text, now) ? said() : "not taken";
+    }
+    std::string said() {
+        std::string text;
+        for (const CueRequest& cue : app.take_cues())
+            if (cue.kind == CueRequestKind::Say || cue.kind == CueRequestKind::Demonstrate) text += (text.empty() ? "" : " | ") + cue.text;
+        return text;
+    }
+    std::map<std::string, std::string> saved() {
+        std::map<std::string, std::string> all;
+        for (const auto& [key, value] : app.take_setting_changes()) all[key] = value;
+        return all;
+    }
+    AppCore app;
+    double now = 0.1;
+};
+
+TEST(Menu, leads_to_every_command_by_topic_each_with_its_key) {
+    Person p;
+    EXPECT_THAT(p.key("Tab"), HasSubstr("What I can do"));
+    p.line("what i can do");
+    const std::string topics = p.line("list");
+    EXPECT_THAT(topics, HasSubstr("Questions and speech"));
+    std::set<std::string> told;
+    for (int topic = 2; topic <= 7; ++topic) {
+        p.line(std::to_string(topic));
+        const std::string all = p.line("list");
+        for (const CommandInfo& row : command_table())
+            if (all.find(row.help.substr(0, row.help.size() - 1)) != std::string::npos) told.insert(std::string(row.word));
+        p.line("escape");
+    }
+    for (const CommandInfo& row : command_table()) EXPECT_TRUE(told.contains(std::string(row.word))) << row.word;
+    p.line("4");
+    EXPECT_THAT(p.line("list"), HasSubstr("Which way do I face, C."));
+    EXPECT_THAT(p.line("which way"), HasSubstr("Facing north"));
+    EXPECT_FALSE(p.app.dialogue().is_open()) << "what is done closes the lists";
+}
+
+TEST(Rebinding, takes_the_key_that_is_pressed_and_saves_it) {
+    Person p;
+    p.key("Tab");
+    p.line("keys");
+    p.line("all of it");
+    EXPECT_THAT(p.line("which way do i face"), HasSubstr("Another key instead"));
+    EXPECT_THAT(p.line("another key"), HasSubstr("Press the new key"));
+    EXPECT_THAT(p.key("Control+Shift+J"), HasSubstr("Which way do I face has Control+Shift+J."));
+    EXPECT_EQ(p.saved()["keys.heading"], "Control+Shift+J");
+    p.key("Escape");
+    p.key("Escape");
+    p.key("Escape");
+    EXPECT_FALSE(p.app.dialogue().is_open());
+    EXPECT_THAT(p.key("Control+Shift+J"), HasSubstr("Facing north"));
+    EXPECT_THAT(p.key("C"), Not(HasSubstr("Facing north")));
+}
+
+TEST(Rebinding, tells_conflicts_and_lets_the_person_decide_and_gives_the_built_in_key_back) {
+    Person p;
+    const auto ask_for = [&](const std::string& what) {
+        p.key("Tab");
+        p.line("keys");
+        p.line("all of it");
+        p.line("which way do i face");
+        p.line(what);
+    };
+    const auto leave = [&] {
+        while (p.app.dialogue().is_open()) p.key("Escape");
+    };
+    ask_for("one more");
+    EXPECT_THAT(p.key("E"), HasSubstr("E does already: What is the hand touching"));
+    EXPECT_THAT(p.line("leave it"), HasSubstr("Left as it is."));
+    EXPECT_EQ(p.app.keys().find("E"), Command::WhatIsThis);
+    leave();
+    ask_for("one more");
+    p.key("E");
+    EXPECT_THAT(p.line("take it"), HasSubstr("has C or E."));
+    EXPECT_EQ(p.app.keys().find("E"), Command::Heading);
+    EXPECT_EQ(p.app.keys().find("C"), Command::Heading);
+    EXPECT_EQ(p.app.keys().keys_of(Command::WhatIsThis), "");
+    const auto saved = p.saved();
+    EXPECT_EQ(saved.at("keys.what"), "none");
+    EXPECT_EQ(saved.at("keys.heading"), "C E");
+    leave();
+    // What was saved, read at the next start, means the same and is no problem.
+    Settings again;
+    again.keys = {{"what", "none"}, {"heading", "C E"}};
+    EXPECT_TRUE(KeyMap(again.keys).problems().empty());
+    EXPECT_EQ(KeyMap(again.keys).find("none"), std::nullopt);
+    ask_for("the key it came with");
+    EXPECT_EQ(p.app.keys().keys_of(Command::Heading), "C");
+    leave();
+    ask_for("another");
+    EXPECT_THAT(p.line("Escape"), HasSubstr("Left as it is."));
+    leave();
+    ask_for("another");
+    EXPECT_THAT(p.line("what key?"), HasSubstr("is no key's name"));
+    leave();
+    ask_for("another");
+    EXPECT_FALSE(p.app.take_key("F12", p.now)) << "the stop key stops, whatever is asked";
+}
+
+TEST(InputHelp, explains_keys_and_does_nothing_until_it_is_pressed_again) {
+    Person p;
+    EXPECT_THAT(p.key("Shift+F1"), StartsWith("Input help on."));
+    EXPECT_THAT(p.key("Up"), StartsWith("Up: One step forward"));
+    EXPECT_THAT(p.key("F4"), StartsWith("F4: Change between Map"));
+    EXPECT_THAT(p.key("Pause"), StartsWith("Pause: does nothing."));
+    EXPECT_THAT(p.line("scale-bar"), StartsWith("scale-bar: How long five steps are"));
+    EXPECT_TRUE(p.app.idle());
+    EXPECT_EQ(p.app.settings().workspace.frame, FrameChoice::Map);
+    EXPECT_FALSE(p.app.take_key("F12", p.now));
+    EXPECT_THAT(p.key("Shift+F1"), StartsWith("Input help off."));
+    EXPECT_THAT(p.key("Pause"), "") << "an unknown key says nothing";
+    p.key("F4");
+    EXPECT_EQ(p.app.settings().workspace.frame, FrameChoice::Walk);
+}
+
+TEST(OneHandedKeys, reach_what_is_most_used_with_one_hand_and_clash_with_nothing_of_their_own) {
+    for (const KeyboardHand hand : {KeyboardHand::Left, KeyboardHand::Right}) {
+        const KeyMap keys({}, hand);
+        EXPECT_TRUE(keys.problems().empty());
+        for (const Command command : {Command::Forward,
+                                      Command::Back,
+                                      Command::TurnLeft,
+                                      Command::TurnRight,
+                                      Command::WhereAmI,
+                                      Command::AroundMe,
+                                      Command::AheadOfMe,
+                                      Command::LookNext,
+                                      Command::WhatIsThis,
+                                      Command::Heading,
+                                      Command::Repeat,
+                                      Command::StopSpeech,
+                                      Command::StopEverything,
+                                      Command::ToggleForces,
+                                      Command::Home,
+                                      Command::Use,
+                                      Command::Menu,
+                                      Command::Help,
+                                      Command::SwitchFrame,
+                                      Command::VerbosityCycle,
+                                      Command::ScaleBuilding,
+                                      Command::ScaleFloor,
+                                      Command::WorkspaceForward,
+                                      Command::WorkspaceBack}) {
+            const std::string names = keys.words_of_keys(command);
+            bool within = false;
+            for (std::size_t at = 0; at < names.size();) {
+                const std::size_t end = std::min(names.find(' ', at), names.size());
+                within |= reaches(hand, names.substr(at, end - at));
+                at = end + 1;
+            }
+            EXPECT_TRUE(within) << info(command).word << ": " << names;
+        }
+        std::map<std::string, std::string> owner;
+        for (const SetKeys& row : keys_for(hand)) {
+            ASSERT_NE(find_command(row.word), nullptr) << row.word;
+            const std::string names(row.keys);
+            for (std::size_t at = 0; at < names.size();) {
+                const std::size_t end = std::min(names.find(' ', at), names.size());
+                const auto [held, fresh] = owner.emplace(names.substr(at, end - at), row.word);
+                EXPECT_TRUE(fresh) << held->first << " of " << held->second << " and " << row.word;
+                at = end + 1;
+            }
+        }
+    }
+    EXPECT_TRUE(keys_for(KeyboardHand::Both).empty());
+    EXPECT_FALSE(reaches(KeyboardHand::Left, "F1x"));
+    EXPECT_FALSE(reaches(KeyboardHand::Left, "F12"));
+    EXPECT_TRUE(reaches(KeyboardHand::Right, "Control+F12"));
+}
+
+TEST(OneHandedKeys, are_chosen_in_the_menu_and_act_at_once) {
+    Person p;
+    p.key("Tab");
+    p.line("keys");
+    p.key("End");
+    EXPECT_THAT(p.key("Right"), HasSubstr("left"));
+    EXPECT_EQ(p.app.keys().find("W"), Command::Forward);
+    EXPECT_EQ(p.app.keys().find("Up"), Command::Forward);
+    EXPECT_EQ(p.saved()["keyboard.hand"], "left");
+    // A person's own key is stronger than the set.
+    Settings own;
+    own.keyboard.hand = KeyboardHand::Left;
+    own.keys["heading"] = "W";
+    EXPECT_EQ(KeyMap(own.keys, own.keyboard.hand).find("W"), Command::Heading);
+}
+
+TEST(SettingsMenu, changes_every_setting_by_steps_or_by_typing_and_refuses_with_the_range) {
+    Person p;
+    p.key("Tab");
+    p.line("settings");
+    p.line("speech");
+    p.line("escape");
+    p.line("speech");
+    const std::string all = p.line("list");
+    EXPECT_THAT(all, HasSubstr("Verbosity, 2"));
+    EXPECT_THAT(all, HasSubstr("Distances in steps, on"));
+    while (p.key("Down").find("Distances in steps") == std::string::npos) {
+    }
+    EXPECT_THAT(p.key("Right"), HasSubstr("off"));
+    EXPECT_FALSE(p.app.settings().speech.distances_in_steps);
+    EXPECT_EQ(p.saved()["speech.distances_in_steps"], "false");
+    EXPECT_THAT(p.line("verbosity"), HasSubstr("How much is said"));
+    EXPECT_THAT(p.line("9"), HasSubstr("must be a whole number, 0 to 4"));
+    EXPECT_EQ(p.app.settings().speech.verbosity, 2);
+    p.line("verbosity");
+    EXPECT_THAT(p.line("3"), HasSubstr("3"));
+    EXPECT_EQ(p.app.settings().speech.verbosity, 3);
+    EXPECT_THAT(p.line("list"), HasSubstr("Verbosity, 3"));
+}
+
+TEST(AdjustSettings, every_setting_steps_up_and_down_within_its_range_and_comes_back) {
+    for (const std::string_view topic : setting_topics())
+        for (const SettingLine& line : setting_lines(topic, Settings{})) {
+            Settings settings;
+            EXPECT_FALSE(line.name.empty() || line.meaning.empty() || line.range.empty()) << line.key;
+            if (!line.steps) continue;
+            std::set<std::string> seen;
+            for (const int by : {1, -1})
+                for (int i = 0; i < 60; ++i) {
+                    const std::string value = stepped(line.key, settings, by);
+                    ASSERT_TRUE(set_in(settings, line.key, value)) << line.key << " " << value;
+                    seen.insert(value);
+                }
+            EXPECT_GE(seen.size(), 2U) << line.key;
+            EXPECT_LE(seen.size(), 80U) << line.key;
+        }
+    Settings settings;
+    EXPECT_EQ(stepped("walk.step_length_m", settings, 1), "0.75");
+    EXPECT_EQ(stepped("speech.rate_wpm", settings, -1), "165");
+    EXPECT_FALSE(set_in(settings, "walk.step_length_m", "9"));
+    EXPECT_EQ(settings.walk.step_length_m, 0.7);
+}
+
+TEST(WorldsMenu, offers_what_comes_along_what_was_visited_and_any_folder) {
+    const test::TemporaryFolder folder;
+    folder.write("my_house.map", "");
+    folder.write("old-school.map", "");
+    folder.write("notes.txt", "");
+    const test::TemporaryFolder other;
+    other.write("museum.obj", "");
+    Person p;
+    p.app.set_worlds({folder.path(), {other.path() / "museum.obj"}});
+    p.key("Tab");
+    EXPECT_THAT(p.line("worlds"), HasSubstr("Museum, visited before, 1 of 4"));
+    EXPECT_THAT(p.line("list"), HasSubstr("My house, comes with Handrail. 3: Old school"));
+    p.line("old");
+    EXPECT_EQ(p.app.take_world_request(), folder.path() / "old-school.map");
+    EXPECT_EQ(p.app.take_world_request(), std::nullopt);
+    EXPECT_FALSE(p.app.dialogue().is_open());
+    p.key("Tab");
+    p.line("worlds");
+    p.line("another");
+    EXPECT_THAT(p.line("/nowhere/at all"), HasSubstr("There is no world at /nowhere/at all"));
+    p.line("another");
+    p.line(other.path().string());
+    p.line("museum");
+    EXPECT_EQ(p.app.take_world_request(), other.path() / "museum.obj");
+    p.key("Tab");
+    p.line("worlds");
+    p.line("another");
+    p.line((folder.path() / "my_house.map").string());
+    EXPECT_EQ(p.app.take_world_request(), folder.path() / "my_house.map");
+}
+
+TEST(RecentWorlds, are_kept_between_sessions_and_a_damaged_file_is_set_aside_and_said) {
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / "state" / "recent-worlds.txt";
+    {
+        RecentWorlds recent(file);
+        EXPECT_EQ(recent.take_news(), "");
+        for (int i = 0; i < 12; ++i) recent.add(fmt::format("/worlds/{}.map", i));
+        recent.add("/worlds/5.map");
+        recent.add("/worlds/\xC3\xA9t\xC3\xA9.map");
+    }
+    RecentWorlds again(file);
+    ASSERT_EQ(again.worlds().size(), RecentWorlds::kMost);
+    EXPECT_EQ(again.worlds()[0], "/worlds/\xC3\xA9t\xC3\xA9.map");
+    EXPECT_EQ(again.worlds()[1], "/worlds/5.map");
+    for (const std::string& damaged : {std::string("\xff\xfe\x00junk", 7), std::string("no path\n"), std::string("/a\x01/b.map\n"), std::string(70000, 'x')}) {
+        std::ofstream(file, std::ios::binary | std::ios::trunc) << damaged;
+        RecentWorlds recent(file);
+        EXPECT_TRUE(recent.worlds().empty());
+        EXPECT_THAT(recent.take_news(), HasSubstr("damaged"));
+        EXPECT_EQ(recent.take_news(), "");
+        EXPECT_TRUE(std::filesystem::exists(file.string() + ".damaged"));
+        EXPECT_FALSE(std::filesystem::exists(file));
+        recent.add("/worlds/new.map");
+        EXPECT_EQ(RecentWorlds(file).worlds().size(), 1U);
+    }
+    EXPECT_EQ(name_of_file("/a/b/first_room.map"), "First room");
+    EXPECT_EQ(name_of_file("/a/\xff\xfe.map"), "a world without a name");
+}
+
+TEST(SoundsMenu, plays_what_is_chosen) {
+    Person p;
+    p.key("Tab");
+    p.line("dictionary");
+    EXPECT_THAT(p.key("Enter"), Not(testing::IsEmpty()));
+    EXPECT_TRUE(p.app.dialogue().is_open());
+}
+
+}  // namespace
+}  // namespace handrail
