@@ -105,6 +105,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     home_feet_m_ = walker_->state().feet_m;
     home_heading_rad_ = heading_rad_ = heading_goal_rad_ = wrap_angle(heading_rad);
     soundscape_.enter(*scene_);
+    enter_learning(now_s);
     dialogue_.close_all();  // what it was about may be gone
     inside_.clear();
     told_triggers_.clear();
@@ -282,7 +283,7 @@ void AppCore::act(Command command, double now_s) {
     if (!scene_) return;
     if (refused_at_desk(command, now_s)) return;
     notice_walk_key(command, now_s);
-    if (act_walking(command, now_s)) return;
+    if (act_walking(command, now_s) || act_learning(command, now_s)) return;
     const double notch = radians_from_degrees(settings_.walk.turn_deg);
     const auto step = [&](double sign) {
         if (pending_way_m_ * sign < 0.0) pending_way_m_ = 0.0;
@@ -797,6 +798,8 @@ void AppCore::walk(double now_s, double dt_s) {
     WalkResult walked = walker_->tick(wish, dt_s);
     if (held_at_edge(stood, now_s)) walked.walked_m = 0.0, walked.ground = ground_, walked.bump.reset();
     notice_ground(stood.feet_m, walked, now_s);
+    if (walked.bump) learning_.notes.touched(feet_m() - walked.bump->normal * walker_->size().radius_m, walked.bump->normal, walker_->size().radius_m);
+    note_learning(now_s);
     const Vec3 feet = feet_m();
     if (glm::length(feet - path_m_.back()) > 0.25) {
         if (path_m_.size() >= kMostPathPoints) path_m_.erase(path_m_.begin(), path_m_.begin() + kMostPathPoints / 4);

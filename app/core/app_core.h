@@ -16,6 +16,7 @@
 #include "app/core/guiding.h"
 #include "app/core/key_map.h"
 #include "app/core/lesson.h"
+#include "app/core/learning_state.h"
 #include "app/core/mover_play.h"
 #include "app/core/placed_things.h"
 #include "app/core/side_file.h"
@@ -144,6 +145,8 @@ public:
     const Settings& settings() const { return settings_; }
     ViewState view(const ToolState& tool, const std::string& last_spoken) const;
     const KeyMap& keys() const { return keys_; }
+    // Where best times are kept; until told, they last as long as the session.
+    void keep_records_in(const std::filesystem::path& folder) { records_folder_ = folder; }
     // Nothing is on its way any more: no steps pending, no turn unfinished, nothing held.
     bool idle() const;
     // The set-up by voice was asked for; once for each time.
@@ -278,6 +281,18 @@ private:
     void beat_ahead(double now_s);
     static void mark_base_door(Scene& scene, const Vec3& feet_m);
     CueRequest sound_at(SoundKind kind, const Vec3& place_m, double now_s) const;
+    // Learning a place, and the hunt: app_core_learning.cpp.
+    bool act_learning(Command command, double now_s);
+    void enter_learning(double now_s);
+    void note_learning(double now_s);
+    void corner_of_hand(double now_s);
+    const Place& place_here();
+    std::string progress_words(double now_s);
+    void tell_unexplored(double now_s);
+    void guide_learning(double now_s);
+    void hunt_key(double now_s);
+    std::string hunt_words() const;
+    void seek_clock(double now_s);
     // Doors, lifts, buttons and teleporters: app_core_movers.cpp.
     void use(double now_s);
     void play_movers(double now_s, double dt_s);
@@ -389,6 +404,11 @@ private:
     bool blocked_ = false;  // a bump was told and the body has not got away since
     std::vector<bool> held_;
     Walking walking_;
+    LearningState learning_;
+    std::optional<ClockHunt> hunt_;
+    std::uint64_t hunts_ = 0;
+    double best_hunt_s_ = -1.0;             // where no folder keeps it
+    std::filesystem::path records_folder_;  // empty: nothing is kept
     Steering steering_;
     bool stick_turns_ = false, free_keys_told_ = false;
     double last_turn_repeat_s_ = 0.0;

@@ -84,6 +84,11 @@ enum class Command : std::uint8_t {
     FreeRight,
     Callouts,
     Desk,  // its controls by keys
+    // Learning a place.
+    Unexplored,
+    ProgressReport,
+    LearnPlace,
+    Hunt,
     Calibrate,  // the set-up by voice, run by whoever owns the device
     Leave,      // Escape: asks once more at the top
     // The hand without a device: the simulated hand's target moves.

@@ -101,9 +101,17 @@ double reverberation_s(const BodyWorld& world, const Vec3& ears_m) {
 
 void Soundscape::enter(const Scene& scene) {
     sources_.clear();
-    next_ = 0;
+    next_ = added_ = 0;
     next_room_s_ = -1.0;
     for (const SoundSource& sound : scene.sounds)
+        sources_.push_back({.kind = world_sound_of(sound.sound), .position_m = sound.position_m, .loudness = sound.loudness});
+}
+
+void Soundscape::add(const std::vector<SoundSource>& sounds) {
+    sources_.resize(sources_.size() - added_);
+    next_ = 0;
+    added_ = sounds.size();
+    for (const SoundSource& sound : sounds)
         sources_.push_back({.kind = world_sound_of(sound.sound), .position_m = sound.position_m, .loudness = sound.loudness});
 }
 

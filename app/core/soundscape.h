@@ -30,6 +30,8 @@ public:
 
     // Another world, or the same one changed: what sounds is told to stop unless it goes on.
     void enter(const Scene& scene);
+    // Sounds beside those of the world, in place of what was added before.
+    void add(const std::vector<SoundSource>& sounds);
     double reverberation_s() const { return reverberation_s_; }  // of the room around, found out twice a second
     // Follows the ears; what changed since the last tick goes to `cues`.
     void tick(const BodyWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues);
@@ -48,6 +50,7 @@ private:
     void choose(double now_s);
 
     std::vector<Source> sources_;
+    std::size_t added_ = 0;         // the last of them
     std::size_t next_ = 0;          // whose way is followed next
     std::vector<CueRequest> told_;  // as the planner knows it
     double reverberation_s_ = 0.0;

@@ -9,6 +9,7 @@
 #include <deque>
 #include <future>
 
+#include "app/core/side_file.h"
 #include "app/accessible/accessible.h"
 #include "app/companions/companion_session.h"
 #include "app/core/app_core.h"
@@ -90,6 +91,7 @@ public:
         const auto hand = hand_without_looking(wanted);
         open_ears(news);
         app_ = std::make_unique<AppCore>(settings_.values(), HandFacts{});
+        app_->keep_records_in(user_data_folder());
         for (const Diagnostic& problem : arguments_.settings_problems) news.push_back(problem.sentence());
         open_window(news);
         if (wanted == "none") news.push_back("No touch device, as you asked. Everything works with keyboard and sound.");

@@ -1,0 +1,235 @@
+// AppCore's part on learning a place and on the hunt. App thread only.
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/app_core.h"
+#include "app/core/side_file.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLookEvery_s = 1.0;
+constexpr double kHide_m = 6.0;       // on foot from where one is
+constexpr double kHandFinds_m = 0.4;  // of world
+
+std::string percent(double share) { return fmt::format("{:.0f} percent", std::floor(100.0 * share + 0.5)); }
+
+std::string time_words(double seconds) {
+    const long all = std::lround(seconds);
+    const auto counted = [](long n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
+    if (all < 60) return counted(all, "second");
+    return all % 60 == 0 ? counted(all / 60, "minute") : counted(all / 60, "minute") + " " + counted(all % 60, "second");
+}
+
+}  // namespace
+
+bool AppCore::act_learning(Command command, double now_s) {
+    switch (command) {
+        case Command::Unexplored:
+            tell_unexplored(now_s);
+            return true;
+        case Command::ProgressReport:
+            answer(progress_words(now_s), now_s);
+            return true;
+        case Command::LearnPlace:
+            learning_.on = !learning_.on;
+            learning_.done.clear();
+            learning_.walls_done = learning_.lanes_begun = false;
+            learning_.base_m = feet_m();
+            learning_.seen_notes = 0;
+            answer(learning_.on ? fmt::format("Learning this place. Base here. First the walls: hold {} to go along them. {} says how far you are, {} what is left.",
+                                              keys_.keys_of(Command::TrailLeft), keys_.keys_of(Command::ProgressReport), keys_.keys_of(Command::Unexplored))
+                                : "Learning ends. " + progress_words(now_s),
+                   now_s);
+            return true;
+        case Command::Hunt:
+            hunt_key(now_s);
+            return true;
+        default:
+            return false;
+    }
+}
+
+void AppCore::enter_learning(double now_s) {
+    learning_ = {};
+    learning_.since_s = now_s;
+    hunt_.reset();
+    soundscape_.add({});
+}
+
+// What hand and body touch, and where the body goes; and in the mode, what is done by now.
+void AppCore::note_learning(double now_s) {
+    if (walker_->state().on_ground) learning_.notes.walked(feet_m());
+    const double radius = walker_->size().radius_m;
+    if (walking_.trail.touching() && led())
+        learning_.notes.touched(feet_m() - walking_.trail.wall_normal() * (radius + Trail::kGap_m), walking_.trail.wall_normal(), radius);
+    for (const ToolState* tool : {&tool_, &left_tool_})
+        for (std::size_t i = 0; i < tool->contacts.count; ++i) {
+            const Contact& contact = tool->contacts.contacts[i];
+            const Vec3 point = tool->proxy_m - contact.normal * tool->ball_radius_m;
+            // A hand is quick: what lies between two frames was touched too, where it stayed on the same wall.
+            double reach = tool->ball_radius_m;
+            if (contact.feature == learning_.hand_feature) reach += std::min(0.5, glm::length(point - learning_.hand_m));
+            learning_.notes.touched(point, contact.normal, reach);
+            if (tool == &tool_ && i == tool->contacts.strongest) {
+                learning_.hand_m = point;
+                learning_.hand_feature = contact.feature;
+            }
+        }
+    corner_of_hand(now_s);
+    seek_clock(now_s);
+    if (!learning_.on || now_s - learning_.looked_s < kLookEvery_s || learning_.notes.count() == learning_.seen_notes) return;
+    learning_.looked_s = now_s;
+    learning_.seen_notes = learning_.notes.count();
+    guide_learning(now_s);
+}
+
+// Two walls that the hand touches at once are a corner.
+void AppCore::corner_of_hand(double now_s) {
+    const ContactSet& set = tool_.contacts;
+    bool corner = false;
+    for (std::size_t a = 0; a < set.count; ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            const Contact &one = set.contacts[a], &other = set.contacts[b];
+            const auto wall = [&](const Contact& c) {
+                const Feature* feature = scene_->find(c.feature);
+                return feature && feature->kind == FeatureKind::Wall && std::abs(c.normal.z) < 0.5;
+            };
+            corner |= wall(one) && wall(other) && glm::dot(one.normal, other.normal) < 0.87;
+        }
+    if (corner && now_s - learning_.corner_s > 0.5) cue(sound_at(SoundKind::Corner, tool_.proxy_m, now_s));
+    if (corner) learning_.corner_s = now_s;
+}
+
+const Place& AppCore::place_here() {
+    if (!learning_.place || !learning_.place->holds(feet_m())) learning_.place = place_around(*body_world_, feet_m(), walker_->size());
+    return *learning_.place;
+}
+
+std::string AppCore::progress_words(double now_s) {
+    const Progress progress = progress_of(place_here(), learning_.notes, *scene_);
+    std::string named;
+    for (const WallProgress& wall : progress.walls)
+        if (wall.touched_m > 0.0) named += (named.empty() ? "" : ", ") + name_of(wall.feature);
+    std::string text = fmt::format("Walls {}, floor {}", percent(progress.perimeter_share()), percent(progress.floor_share()));
+    if (progress.doors > 0) text += fmt::format(", {} of {} {}", progress.doors_found, progress.doors, progress.doors == 1 ? "door" : "doors");
+    text += fmt::format(". {}.", time_words(now_s - learning_.since_s));
+    if (!named.empty()) text += " Touched: " + named + ".";
+    return text;
+}
+
+void AppCore::tell_unexplored(double now_s) {
+    const auto left = nearest_unexplored(place_here(), learning_.notes, feet_m());
+    if (!left) return answer("All of this place is explored.", now_s);
+    const double dx = left->point_m.x - feet_m().x, dy = left->point_m.y - feet_m().y;
+    answer(fmt::format("Unexplored {} {}", left->wall ? name_of(left->feature) : std::string("floor"),
+                       where_words(std::hypot(dx, dy), std::atan2(dx, dy))),
+           now_s);
+}
+
+// In the mode: each wall that is done, then each lane. Nothing is forced, and whoever goes another way is told what that has done.
+void AppCore::guide_learning(double now_s) {
+    const Place& place = place_here();
+    const Progress progress = progress_of(place, learning_.notes, *scene_);
+    int done = 0;
+    for (const WallProgress& wall : progress.walls) done += wall.done();
+    for (const WallProgress& wall : progress.walls) {
+        if (!wall.done() || wall.length_m < 0.5 || std::find(learning_.done.begin(), learning_.done.end(), wall.feature) != learning_.done.end()) continue;
+        learning_.done.push_back(wall.feature);
+        answer(fmt::format("{} done, {} of {}.", sentence_case(name_of(wall.feature)), done, progress.walls.size()), now_s);
+    }
+    if (!learning_.walls_done && progress.perimeter_share() >= 0.95) {
+        learning_.walls_done = true;
+        play(SoundKind::Arrived, now_s);
+        answer(fmt::format("All walls done, {}. Now the floor, in lanes a metre apart. The base is {}.", time_words(now_s - learning_.since_s),
+                           where_words(glm::length(learning_.base_m - feet_m()), std::atan2(learning_.base_m.x - feet_m().x, learning_.base_m.y - feet_m().y))),
+               now_s);
+    }
+    const std::vector<Lane> lanes = lanes_of(place, learning_.notes);
+    std::size_t walked = 0;
+    for (const Lane& lane : lanes) walked += lane.done();
+    if (walked > learning_.lanes_told && learning_.walls_done) {
+        std::string next = " All lanes done.";
+        for (const Lane& lane : lanes)
+            if (!lane.done()) {
+                const double off = lane.at_m - (lane.north ? feet_m().x : feet_m().y);
+                next = fmt::format(" The next runs {}, {} to the {}.", lane.north ? "north and south" : "east and west", distance_words(std::abs(off), distances()),
+                                   lane.north ? (off > 0.0 ? "east" : "west") : (off > 0.0 ? "north" : "south"));
+                break;
+            }
+        answer(fmt::format("Lane done, {} of {}.{}", walked, lanes.size(), next), now_s);
+    }
+    learning_.lanes_told = walked;
+}
+
+// Hides the clock, or says where to go next.
+void AppCore::hunt_key(double now_s) {
+    if (hunt_) {
+        ++hunt_->hints;
+        return answer(hunt_words(), now_s);
+    }
+    // Doors count as open: whoever hunts opens them.
+    Scene open = *scene_;
+    std::erase_if(open.placed, [&](const PlacedModel& thing) {
+        const Feature* feature = scene_->find(thing.feature);
+        return feature && feature->kind == FeatureKind::Door;
+    });
+    auto world = std::make_unique<BodyWorld>(std::make_shared<const Scene>(std::move(open)));
+    HuntGround ground(*world, feet_m(), walker_->size());
+    if (ground.size() < 30) return answer("There is no room for a hunt here.", now_s);
+    const Vec3 clock = ground.hiding_place(static_cast<std::uint64_t>(now_s * 1e3) + 7919U * ++hunts_, kHide_m);
+    ground.aim(clock);
+    hunt_.emplace(ClockHunt{std::move(ground), std::move(world), clock, now_s, 0});
+    soundscape_.add({SoundSource{clock + Vec3(0.0, 0.0, 1.0), "hidden clock", "clock", 1.0}});
+    play(SoundKind::Arrived, now_s);
+    answer(fmt::format("A clock is hidden and ticks. Find it: go there, or reach for it. {} gives a hint.", keys_.keys_of(Command::Hunt)), now_s);
+}
+
+std::string AppCore::hunt_words() const {
+    const auto way = hunt_->ground.way_m(feet_m());
+    const auto next = hunt_->ground.next_m(*hunt_->open_world, feet_m(), walker_->size());
+    if (!way || !next) {
+        const Vec3 to = hunt_->clock_m - feet_m();
+        return fmt::format("The clock is {} as the crow flies. No way on foot is known from here.", where_words(std::hypot(to.x, to.y), std::atan2(to.x, to.y)));
+    }
+    const Vec3 to = *next - feet_m();
+    const double bearing = std::atan2(to.x, to.y), straight_m = std::hypot(to.x, to.y);
+    std::string text = fmt::format("Go {}, {:.0f} degrees. The clock is {} on foot.", where_words(straight_m, bearing),
+                                   std::fmod(degrees_from_radians(bearing) + 360.0, 360.0), distance_words(*way, distances()));
+    const Vec3 up(0.0, 0.0, 1.0);
+    const TraceHit hit = body_world_->trace(feet_m() + up, *next + Vec3(0.0, 0.0, 1.0), walker_->shape().height_m > 0.0 ? BodyShape{} : BodyShape{}, true);
+    if (hit.hit)
+        if (const Feature* feature = scene_->find(hit.feature); feature && feature->kind == FeatureKind::Door)
+            text = fmt::format("Open the {}. ", feature->name) + text;
+    return text;
+}
+
+void AppCore::seek_clock(double now_s) {
+    if (!hunt_) return;
+    const bool reached = tool_.ticks > 0 && hand_.present && glm::length(tool_.proxy_m - (hunt_->clock_m + Vec3(0.0, 0.0, 1.0))) < kHandFinds_m;
+    if (!reached && !finds(*body_world_, feet_m(), hunt_->clock_m)) return;
+    const double took_s = now_s - hunt_->began_s;
+    const int hints = hunt_->hints;
+    hunt_.reset();
+    soundscape_.add({});
+    play(SoundKind::Arrived, now_s);
+    std::string text = fmt::format("You found the clock: {}", time_words(took_s));
+    text += hints == 0 ? ", without a hint." : fmt::format(", {} {}.", hints, hints == 1 ? "hint" : "hints");
+    // The best time for each world lies in the person's own data folder.
+    SideFile times = records_folder_.empty() ? SideFile() : SideFile::of_world(records_folder_ / "hunt", records_folder_);
+    SideEntry best = times.table("best_seconds");
+    for (const std::string& news : times.news()) text += " " + news;
+    const double before_s = records_folder_.empty() ? (best_hunt_s_ > 0.0 ? best_hunt_s_ : -1.0) : number_of(best, scene_->name, -1.0);
+    if (before_s < 0.0 || took_s < before_s) {
+        text += before_s < 0.0 ? " That is the first time here." : fmt::format(" The best time here, before it was {}.", time_words(before_s));
+        best[scene_->name] = took_s;
+        best_hunt_s_ = took_s;
+        times.set_table("best_seconds", best);
+        if (const auto saved = times.save(); !saved) text += " " + saved.error().sentence();
+    } else {
+        text += fmt::format(" The best time here is {}.", time_words(before_s));
+    }
+    answer(text, now_s);
+}
+
+}  // namespace handrail

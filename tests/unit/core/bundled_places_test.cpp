@@ -1,0 +1,80 @@
+// The house and the school as places to learn: every door leads from room to room, every room has a landmark, and nobody gets out of the grounds.
+#include <algorithm>
+
+#include "app/core/hunt.h"
+#include "app/core/learning.h"
+#include "worlds/readers/reader.h"
+
+#include <gtest/gtest.h>
+
+namespace handrail {
+namespace {
+
+class BundledPlaces : public testing::TestWithParam<const char*> {};
+
+TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
+    auto read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / GetParam());
+    ASSERT_TRUE(read);
+    const auto shut = std::make_shared<const Scene>(*read);
+    Scene without = *read;
+    std::erase_if(without.solids, [&](const Solid& solid) {
+        const Feature* feature = read->find(solid.feature);
+        return solid.role == SolidRole::Mover && feature && feature->kind == FeatureKind::Door;
+    });
+    const auto open = std::make_shared<const Scene>(std::move(without));
+    const BodyWorld open_world(open), shut_world(shut);
+    const BodySize body = body_size(*shut, 0.25);
+    const auto base = std::find_if(shut->starts.begin(), shut->starts.end(), [](const Start& s) { return s.base; });
+    ASSERT_NE(base, shut->starts.end());
+    const HuntGround ground(open_world, base->feet_m, body);
+
+    int doors = 0;
+    std::vector<Place> rooms;
+    for (const Feature& door : shut->features) {
+        if (door.kind != FeatureKind::Door) continue;
+        ++doors;
+        const Vec3 middle = door.bounds_m.centre_m(), size = door.bounds_m.size_m();
+        const Vec3 across = size.x > size.y ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
+        for (const double side : {-0.6, 0.6}) {
+            const Vec3 feet = Vec3(middle.x, middle.y, door.bounds_m.min_m.z) + across * side;
+            EXPECT_TRUE(ground.way_m(feet)) << door.name << " on side " << side << " cannot be walked to";
+            if (std::none_of(rooms.begin(), rooms.end(), [&](const Place& room) { return room.holds(feet); }))
+                rooms.push_back(place_around(shut_world, feet + Vec3(0, 0, 0.01), body));
+        }
+    }
+    std::cout << GetParam() << ": " << doors << " doors, " << rooms.size() << " rooms, " << ground.size() << " places to stand\n";
+    EXPECT_GE(doors, 11);
+    EXPECT_GE(rooms.size(), 10U);
+    for (const Place& room : rooms) {
+        const auto stands_in = [&](const Feature& feature) {
+            if (!feature.landmark || feature.kind == FeatureKind::Door || feature.bounds_m.empty()) return false;
+            if (feature.bounds_m.min_m.z > room.origin_m.z + 2.5 || feature.bounds_m.max_m.z < room.origin_m.z - 0.3) return false;  // stairs end a riser below
+            for (int y = 0; y < room.deep; ++y)
+                for (int x = 0; x < room.wide; ++x) {
+                    if (!room.is_free(x, y)) continue;
+                    const Vec3 cell = room.middle_m(x, y);
+                    const double dx = std::max({feature.bounds_m.min_m.x - cell.x, 0.0, cell.x - feature.bounds_m.max_m.x});
+                    const double dy = std::max({feature.bounds_m.min_m.y - cell.y, 0.0, cell.y - feature.bounds_m.max_m.y});
+                    if (dx + dy < 0.16) return true;
+                }
+            return false;
+        };
+        EXPECT_TRUE(std::any_of(shut->features.begin(), shut->features.end(), stands_in))
+            << "no landmark in the room of " << room.area_m2() << " m2 from " << room.origin_m.x << ", " << room.origin_m.y << ", " << room.origin_m.z;
+    }
+    // Nobody gets out of the grounds.
+    const Aabb all = shut->bounds_m;
+    for (double s = 0.0; s <= 1.0; s += 0.05) {
+        const Vec3 along = all.min_m + all.size_m() * s;
+        for (const Vec3& outside : {Vec3(along.x, all.min_m.y - 0.9, 0.0), Vec3(along.x, all.max_m.y + 0.9, 0.0), Vec3(all.min_m.x - 0.9, along.y, 0.0),
+                                    Vec3(all.max_m.x + 0.9, along.y, 0.0)})
+            EXPECT_FALSE(ground.way_m(outside));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, BundledPlaces, testing::Values("house.map", "school.map"), [](const auto& test) {
+    return std::string(test.param).substr(0, std::string(test.param).find('.'));
+});
+
+}  // namespace
+}  // namespace handrail
