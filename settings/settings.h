@@ -78,6 +78,8 @@ struct Settings {
         DirectionChoice directions = DirectionChoice::Sides;
         bool rounded = true;         // distances and directions; else as exact as they are known
         bool crowding_hint = false;  // told on entering where many materials lie close together
+        bool rooms = true;                            // the name of a room one comes into is told
+        bool crowding_hint = false;                   // told on entering where many materials lie close together
     } speech;
     struct Sound {
         double volume = 1.0;  // 0 to 1, everything but alarms below 0.2

@@ -82,6 +82,7 @@ const std::array kTable{
                             [](Settings& s, std::size_t i) { s.speech.directions = static_cast<DirectionChoice>(i); }}},
     SettingInfo{"speech.rounded", "", "Distances and degrees are rounded, more the farther; else said to the decimetre and degree.", kPersonOnly,
                 SwitchField{HANDRAIL_AT(speech.rounded)}},
+    SettingInfo{"speech.rooms", "", "The name of a room is told when one comes into it.", kPersonOnly, SwitchField{HANDRAIL_AT(speech.rooms)}},
     SettingInfo{"speech.crowding_hint", "", "On entering a world it is told where more than five materials lie close together.", kPersonOnly,
                 SwitchField{HANDRAIL_AT(speech.crowding_hint)}},
     SettingInfo{"sound.volume", "", "Volume of everything; alarms stay audible.", kPersonOnly, NumberField{HANDRAIL_AT(sound.volume), 0.0, 1.0}},

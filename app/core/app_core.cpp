@@ -93,6 +93,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     Scene entered = with_movers_apart(*scene, HapticScene::kMostBodies, thing_of_mover_);
     mark_base_door(entered, feet_m);
     scene_ = std::make_shared<const Scene>(std::move(entered));
+    begin_rooms(scene);
     retune();
     compile(0);
     things_.enter(*scene_, *haptic_scene_, now_s);
@@ -363,7 +364,7 @@ void AppCore::act(Command command, double now_s) {
             if (tuning_.workspace.grab_key) answer("Grabbed. The world goes along with your hand.", now_s);
             break;
         case Command::WhereAmI:
-            answer(where_am_i(), now_s);
+            answer(room_words(now_s) + where_am_i(), now_s);
             break;
         case Command::Heading:
             answer(heading_words(), now_s);
@@ -436,6 +437,15 @@ void AppCore::act(Command command, double now_s) {
         case Command::Find:
         case Command::CrossLines:
             act_guiding(command, now_s);
+            break;
+        case Command::Exits:
+            tell_exits(false, now_s);
+            break;
+        case Command::UnvisitedExits:
+            tell_exits(true, now_s);
+            break;
+        case Command::Routes:
+            list_routes(now_s);
             break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
@@ -741,6 +751,8 @@ void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_to
     push_workspace(now_s);
     notice_workspace(now_s);
     notice_volumes(now_s);
+    notice_room(now_s, false);
+    follow_on(now_s);
     tone_of_walls(now_s);
     soundscape_.tick(*body_world_, listener().ears_m, now_s, cues_);
     tick_guiding(now_s);

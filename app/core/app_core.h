@@ -21,6 +21,8 @@
 #include "app/core/placed_things.h"
 #include "app/core/side_file.h"
 #include "app/core/questions.h"
+#include "app/core/rooms_of_world.h"
+#include "app/core/route_words.h"
 #include "app/core/soundscape.h"
 #include "app/core/surroundings.h"
 #include "app/core/view.h"
@@ -174,6 +176,9 @@ public:
     // Free space across the way, at the height of the waist; 0 where a side is open.
     double passage_width_m() const;
 
+    // Rooms and ways of worlds entered from now on are found on a thread beside everything else; without this when they are first asked for.
+    void find_rooms_beside() { rooms_beside_ = true; }
+
     // The answer to "where am I", also used on entering.
     std::string where_am_i() const;
 
@@ -293,6 +298,16 @@ private:
     void hunt_key(double now_s);
     std::string hunt_words() const;
     void seek_clock(double now_s);
+    // Rooms and ways: app_core_rooms.cpp.
+    void begin_rooms(std::shared_ptr<const Scene> scene);
+    bool have_rooms(double now_s);
+    std::string room_words(double now_s);
+    void notice_room(double now_s, bool quietly);
+    std::string passage_name(PassageKind kind, FeatureId feature, double rise_m) const;
+    void tell_exits(bool unvisited_only, double now_s);
+    void list_routes(double now_s);
+    void follow_way(const Vec3& goal_m, const std::string& name, double now_s);
+    void follow_on(double now_s);
     // Doors, lifts, buttons and teleporters: app_core_movers.cpp.
     void use(double now_s);
     void play_movers(double now_s, double dt_s);
@@ -362,6 +377,12 @@ private:
     PlacedThings things_;
     MoverPlay movers_;
     bool movers_arrived_ = false;
+    bool rooms_beside_ = false, rooms_told_ = false;
+    std::unique_ptr<RoomsOfWorld> rooms_;
+    std::uint32_t room_ = kNothing;    // the last one the body was in
+    std::vector<bool> visited_rooms_;  // since this world was entered
+    RouteFollower follower_;
+    std::string follow_name_;
     std::vector<FeatureId> used_switches_;  // that act only once
     std::vector<int> thing_of_mover_;       // place among things_, -1: part of the building
     FeatureId ground_ = kNoFeature;         // what the body stands on

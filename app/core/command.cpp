@@ -61,6 +61,9 @@ constexpr std::array kCommands{
     CommandInfo{Command::TakeMe, "take-me", "H", false, "Take me there, to what was chosen; again to let go."},
     CommandInfo{Command::Find, "find", "Shift+H", false, "List of everything that has a name, and ways to find it."},
     CommandInfo{Command::CrossLines, "lines", "Slash", false, "Lines that the hand can feel, crossing at what was chosen; again to end."},
+    CommandInfo{Command::Exits, "exits", "X", false, "The exits of this room, clockwise."},
+    CommandInfo{Command::UnvisitedExits, "unvisited", "Shift+X", false, "The exits that lead where I have not been."},
+    CommandInfo{Command::Routes, "routes", "Shift+4", false, "Choose a room; the way there, step by step."},
     CommandInfo{Command::PlanView, "plan", "F3", false, "Change the picture between first person and plan."},
     // Help and settings.
     CommandInfo{Command::Menu, "menu", "Tab", false, "What I can do, worlds, settings, keys and sounds, in lists."},

@@ -60,6 +60,9 @@ enum class Command : std::uint8_t {
     TakeMe,  // leads the hand to what was chosen; again lets go
     Find,    // list of everything that has a name, with the ways to find it
     CrossLines,
+    Exits,           // of this room, clockwise
+    UnvisitedExits,  // that lead where one has not been
+    Routes,          // a list of rooms; the way to the chosen one in words, and along it
     PlanView,
     // Help and settings.
     Menu,  // everything that can be done, in a list

@@ -92,6 +92,7 @@ public:
         open_ears(news);
         app_ = std::make_unique<AppCore>(settings_.values(), HandFacts{});
         app_->keep_records_in(user_data_folder());
+        app_->find_rooms_beside();
         for (const Diagnostic& problem : arguments_.settings_problems) news.push_back(problem.sentence());
         open_window(news);
         if (wanted == "none") news.push_back("No touch device, as you asked. Everything works with keyboard and sound.");

@@ -22,6 +22,8 @@ constexpr double kMostCells = 40e6;        // of the dense grid
 constexpr std::size_t kMostInColumn = 60;  // Recast counts to 62
 constexpr double kCoarsest_m = 0.4;
 constexpr double kFlatMost_m = 1.5;     // a door no thicker than this may be a bridge
+constexpr double kWideThing_m = 5.0;    // a thing as wide is a floor or platform
+constexpr double kTallThing_m = 2.3;    // a thing as high as a wall counts as one
 constexpr double kWading_m = 0.3;       // deeper counts as being in a liquid
 constexpr double kStairWindow_m = 0.6;  // looked at to either side
 constexpr double kStairRise_m = 0.35;   // over both of them
@@ -50,11 +52,13 @@ public:
                 mover_of_feature[scene.movers[m].feature.value] = static_cast<int>(m);
         for (const Solid& solid : scene.solids) {
             const int mover = solid.role == SolidRole::Mover && solid.feature.value < mover_of_feature.size() ? mover_of_feature[solid.feature.value] : -1;
+            if (body.walls_only && is_furniture(scene.find(solid.feature))) continue;
             if (mover >= 0 && passes(scene, static_cast<std::uint32_t>(mover), solid)) continue;
             add_solid(solid, nullptr, solid.feature, all);
         }
         for (const MeshTriangle& triangle : scene.triangles) add_triangle(triangle, nullptr, triangle.feature);
         for (const PlacedModel& placed : scene.placed) {
+            if (body.walls_only && is_furniture(scene.find(placed.feature))) continue;
             const PlacedFrame frame(placed.at);
             for (const Solid& solid : placed.model->solids) add_solid(solid, &frame, placed.feature, all);
             for (const MeshTriangle& triangle : placed.model->triangles) add_triangle(triangle, &frame, placed.feature);
@@ -93,6 +97,11 @@ public:
     std::vector<Bound> planes;
 
 private:
+    static bool is_furniture(const Feature* feature) {
+        if (!feature || feature->kind != FeatureKind::Object || feature->bounds_m.empty()) return false;
+        const Vec3 size = feature->bounds_m.size_m();
+        return size.z < kTallThing_m && std::max(size.x, size.y) < kWideThing_m;
+    }
     double support(const Vec3& n) const { return body_.radius_m * std::sqrt(n.x * n.x + n.y * n.y) + std::max(0.0, -n.z * body_.height_m); }
 
     void finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, std::vector<Obstacle>& into) {
@@ -552,49 +561,55 @@ void Flood::write(WalkSpace& space) {
     }
 }
 
-// How far each span is from the nearest border, and what stands there: every border spreads over the spans that are nearer to it than to others.
-void measure_clearance(WalkSpace& space) {
+// How far each span is from the nearest of those that count as borders, and which one that is: every border spreads over the spans nearer to it than to others.
+std::vector<float> distance_from(const WalkSpace& space, const std::function<bool(std::uint32_t span)>& counts, std::vector<std::uint32_t>& source) {
     struct Wave {
         std::uint32_t span, source;
     };
     const auto count = static_cast<std::uint32_t>(space.spans.size());
-    std::vector<std::uint32_t> source(count, kNothing);
+    std::vector<float> found(count, 1e6F);
+    source.assign(count, kNothing);
     std::vector<std::vector<Wave>> buckets(1);
     const auto distance = [&](std::uint32_t a, std::uint32_t b) {
         const double dx = static_cast<double>(space.spans[a].cell % space.width) - static_cast<double>(space.spans[b].cell % space.width);
         const double dy = static_cast<double>(space.spans[a].cell / space.width) - static_cast<double>(space.spans[b].cell / space.width);
         return std::sqrt(dx * dx + dy * dy);  // cells
     };
-    for (std::uint32_t s = 0; s < count; ++s) {
-        const auto& next = space.spans[s].next;
-        if (std::any_of(std::begin(next), std::end(next), [](std::uint32_t n) { return n == kNothing; })) buckets[0].push_back({s, s});
-        space.spans[s].clearance_m = std::numeric_limits<float>::infinity();
-    }
+    for (std::uint32_t s = 0; s < count; ++s)
+        if (counts(s)) buckets[0].push_back({s, s});
     for (std::size_t b = 0; b < buckets.size(); ++b)
         for (std::size_t i = 0; i < buckets[b].size(); ++i) {
             const Wave wave = buckets[b][i];
-            const double far = distance(wave.span, wave.source);
-            const auto clearance = static_cast<float>((far + 0.5) * space.cell_m);
-            if (!(clearance < space.spans[wave.span].clearance_m)) continue;
-            space.spans[wave.span].clearance_m = clearance;
+            const auto far = static_cast<float>((distance(wave.span, wave.source) + 0.5) * space.cell_m);
+            if (!(far < found[wave.span])) continue;
+            found[wave.span] = far;
             source[wave.span] = wave.source;
             for (const std::uint32_t n : space.spans[wave.span].next) {
                 if (n == kNothing) continue;
                 const double next_far = distance(n, wave.source);
-                if (!((next_far + 0.5) * space.cell_m < static_cast<double>(space.spans[n].clearance_m))) continue;
-                const auto bucket = static_cast<std::size_t>(next_far * 2.0);
+                if (!((next_far + 0.5) * space.cell_m < static_cast<double>(found[n]))) continue;
+                const auto bucket = std::max(static_cast<std::size_t>(next_far * 2.0), b);
                 if (bucket >= buckets.size()) buckets.resize(bucket + 1);
-                buckets[std::max(bucket, b)].push_back({n, wave.source});
+                buckets[bucket].push_back({n, wave.source});
             }
         }
-    for (std::uint32_t s = 0; s < count; ++s) {
-        const std::uint32_t from = source[s];
-        if (from == kNothing || from == s) continue;
-        space.spans[s].beside = space.spans[from].beside;
-        space.spans[s].near_edge = space.spans[from].near_edge;
+    return found;
+}
+
+// How far each span is from the nearest border, and what stands there.
+void measure_clearance(WalkSpace& space) {
+    std::vector<std::uint32_t> source;
+    const auto is_border = [&](std::uint32_t s) {
+        const auto& next = space.spans[s].next;
+        return std::any_of(std::begin(next), std::end(next), [](std::uint32_t n) { return n == kNothing; });
+    };
+    const std::vector<float> clearance = distance_from(space, is_border, source);
+    for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
+        space.spans[s].clearance_m = clearance[s];
+        if (source[s] == kNothing || source[s] == s) continue;
+        space.spans[s].beside = space.spans[source[s]].beside;
+        space.spans[s].near_edge = space.spans[source[s]].near_edge;
     }
-    for (WalkSpan& span : space.spans)
-        if (!std::isfinite(span.clearance_m)) span.clearance_m = 1e6F;
 }
 
 // Where the floor rises step by step.

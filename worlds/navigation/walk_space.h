@@ -21,10 +21,11 @@ struct WalkBody {
     double height_m = 1.8;
     double step_up_m = 0.25;
     double most_drop_m = 1.0;  // farther down nobody is led
+    bool walls_only = false;   // furniture is left out: things lower than a wall; for finding rooms, never for ways
     double cell_m = 0.05;      // of the columns; grows by itself where a world is too large for it
 };
 
-// Which of the scene's solids are obstacles of their own kind.
+// No span, no obstacle, no room.
 inline constexpr std::uint32_t kNothing = 0xffffffffU;
 
 // One place to stand in a column.

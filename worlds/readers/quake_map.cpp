@@ -261,6 +261,10 @@ private:
         if (class_name.starts_with("func_door")) ++scene_.report.doors;
         note_name(movers_, entity);
         if (class_name == "info_teleport_destination") read_destination(entity);
+        if (class_name == "info_room") {
+            read_room_name(entity);
+            return;
+        }
         if (entity.value("cs_name") == "PHANTOM" || entity.value("name") == "PHANTOM") {
             left_out_cursor_ = true;
             for (const MapBrush& brush : entity.brushes) counted_solid_of(brush);
@@ -331,6 +335,14 @@ private:
     void read_destination(const MapEntity& entity) {
         if (const std::optional<Vec3> origin = vector_of(entity, "origin"))
             note_destination(movers_, entity, (*origin - Vec3{0.0, 0.0, kOriginAboveSolesUnits}) * units_, heading_of(entity));
+    }
+
+    // A place in a room, and the room's name.
+    void read_room_name(const MapEntity& entity) {
+        const std::optional<Vec3> origin = vector_of(entity, "origin");
+        std::string name = text_of(entity, "name");
+        if (origin && !name.empty()) scene_.room_names.push_back({*origin * units_, std::move(name)});
+        else diagnostics_.warn(entity.place, "It was left out.", "an info_room needs an origin in the room and a name.");
     }
 
     void choose_base() {

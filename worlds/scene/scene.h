@@ -108,6 +108,12 @@ struct SoundSource {
     double loudness = 1.0;  // 0 to 1
 };
 
+// The map's own name for the room around a place.
+struct RoomName {
+    Vec3 at_m{0.0};
+    std::string name;  // fit to be spoken
+};
+
 struct Scene;
 
 // A thing with a world of its own, set down in this one: it may be moved, turned, added and removed while it is touched. One model may stand in
@@ -144,6 +150,7 @@ struct Scene {
     std::vector<SurfacePolygon> surfaces;
     std::vector<Start> starts;  // in file order; the base one is marked
     std::vector<SoundSource> sounds;
+    std::vector<RoomName> room_names;
     std::vector<Effect> effects;  // forces that hang in space
     std::vector<Mover> movers;    // which of the solids above can go where
     std::vector<Switch> switches;

@@ -1,0 +1,167 @@
+// AppCore's part on rooms and ways: which room one is in, its exits, the way to another room in words and along it. App thread only.
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/app_core.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::string_view kNotYet = "The rooms of this world are still being looked for. Ask again in a moment.";
+constexpr std::string_view kNowhere = "You are at no place that belongs to a room.";
+
+}  // namespace
+
+void AppCore::begin_rooms(std::shared_ptr<const Scene> scene) {
+    const BodySize size = body_size(*scene, settings_.walk.body_radius_m);
+    rooms_.reset();  // what was being looked for is given up before the next begins
+    rooms_ = std::make_unique<RoomsOfWorld>(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), !rooms_beside_);
+    rooms_told_ = false;
+    room_ = kNothing;
+    visited_rooms_.clear();
+    follower_.stop();
+}
+
+// True when rooms are there to speak of; else says why not.
+bool AppCore::have_rooms(double now_s) {
+    if (!rooms_ || (rooms_beside_ && !rooms_->ready())) {
+        answer(std::string(kNotYet), now_s);
+        return false;
+    }
+    if (rooms_->ready() && rooms_->found()) {
+        notice_room(now_s, true);
+        return true;
+    }
+    answer(rooms_->problem(), now_s);
+    return false;
+}
+
+// "Kitchen. " where there is more than one room; empty where nothing is known.
+std::string AppCore::room_words(double now_s) {
+    if (!rooms_ || (rooms_beside_ && !rooms_->ready()) || !rooms_->ready() || !rooms_->found() || rooms_->graph().rooms.size() < 2) return {};
+    notice_room(now_s, true);
+    return room_ == kNothing ? std::string() : sentence_case(rooms_->graph().rooms[room_].name) + ". ";
+}
+
+// Which room one is in now; `quietly`: without a word about it.
+void AppCore::notice_room(double now_s, bool quietly) {
+    if (!rooms_ || !rooms_->done() || !rooms_->found()) return;
+    RoomGraph& graph = rooms_->graph();
+    if (!rooms_told_) {
+        rooms_told_ = true;
+        visited_rooms_.assign(graph.rooms.size(), false);
+        for (const std::string& sentence : rooms_->navigation().said()) say(sentence, SpeechClass::Ambient, now_s);
+        quietly = true;
+    }
+    const std::uint32_t now_in = room_at(graph, rooms_->navigation().space(), feet_m());
+    if (now_in == kNothing || now_in == room_) return;
+    room_ = now_in;
+    visited_rooms_[room_] = true;
+    if (!quietly && settings_.speech.rooms) say(sentence_case(graph.rooms[room_].name), SpeechClass::Ambient, now_s);
+}
+
+std::string AppCore::passage_name(PassageKind kind, FeatureId feature, double rise_m) const {
+    const std::string height = fmt::format("{:.1f} metres {}", std::abs(rise_m), rise_m > 0.0 ? "up" : "down");
+    const Feature* found = scene_->find(feature);
+    const std::string name = found && !found->name.empty() ? found->name : std::string();
+    switch (kind) {
+        case PassageKind::Door:
+            return name.empty() ? "door" : name;
+        case PassageKind::Stairs:
+            return (name.empty() || (found && found->kind != FeatureKind::Object) ? "stairs" : name) + (rise_m == 0.0 ? "" : ", " + height);
+        case PassageKind::Lift:
+            return (name.empty() ? "lift" : name) + (rise_m == 0.0 ? "" : ", " + height);
+        case PassageKind::Drop:
+            return rise_m == 0.0 ? "edge to step down from" : "edge, " + height;
+        case PassageKind::Teleporter:
+            return name.empty() ? "teleporter" : name;
+        case PassageKind::Opening:
+            break;
+    }
+    return "opening";
+}
+
+void AppCore::tell_exits(bool unvisited_only, double now_s) {
+    if (!have_rooms(now_s)) return;
+    if (room_ == kNothing) return answer(std::string(kNowhere), now_s);
+    const RoomGraph& graph = rooms_->graph();
+    std::string told;
+    int count = 0;
+    for (const std::uint32_t p : exits_of(graph, room_, feet_m(), heading_rad_)) {
+        const Portal& portal = graph.portals[p];
+        const std::uint32_t other = portal.rooms[0] == room_ ? portal.rooms[1] : portal.rooms[0];
+        if (unvisited_only && visited_rooms_[other]) continue;
+        ++count;
+        const Vec3 off = portal.place_m - feet_m();
+        const std::string what = passage_name(portal.kind, portal.feature, 0.0), to = graph.rooms[other].name;
+        told += fmt::format(" {}{}, {}, {}.", sentence_case(what), to == what ? "" : " to " + to, distance_words(std::hypot(off.x, off.y), distances()),
+                            relative_words(std::atan2(off.x, off.y), heading_rad_));
+    }
+    const std::string room = sentence_case(graph.rooms[room_].name);
+    if (count == 0) return answer(unvisited_only ? room + ". You have been behind every exit." : room + ". It has no exits.", now_s);
+    answer(fmt::format("{}. {} exit{}{}.{}", room, count, count == 1 ? "" : "s", unvisited_only ? " you have not taken" : "", told), now_s);
+}
+
+void AppCore::list_routes(double now_s) {
+    if (!have_rooms(now_s)) return;
+    const RoomGraph& graph = rooms_->graph();
+    std::vector<std::pair<double, std::uint32_t>> near;
+    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r)
+        if (r != room_) near.emplace_back(glm::length(graph.rooms[r].middle_m - feet_m()), r);
+    std::stable_sort(near.begin(), near.end());
+    ListSpec list;
+    list.title = "Way to";
+    std::vector<std::uint32_t> rooms;
+    if (follower_.following()) {
+        list.items.push_back({"Stop following the way", {}, false});
+        rooms.push_back(kNothing);
+    }
+    for (const auto& [distance_m, room] : near) {
+        list.items.push_back({sentence_case(graph.rooms[room].name), distance_words(distance_m, distances()), false});
+        rooms.push_back(room);
+    }
+    if (list.items.empty()) return answer("There is no other room here.", now_s);
+    list.chosen = [this, rooms](std::size_t at) {
+        if (rooms[at] == kNothing) {
+            follower_.stop();
+            return answer("No way is followed any more.", last_tick_s_);
+        }
+        const Room& room = rooms_->graph().rooms[rooms[at]];
+        follow_way(room.middle_m, sentence_case(room.name), last_tick_s_);
+    };
+    open_list(std::move(list), now_s);
+}
+
+void AppCore::follow_way(const Vec3& goal_m, const std::string& name, double now_s) {
+    Route route = rooms_->navigation().plan(feet_m(), goal_m);
+    follower_.stop();
+    if (route.points_m.empty()) return answer("No walking way found: there is no floor to walk on where you are.", now_s);
+    if (!route.reaches) {
+        const std::uint32_t end = room_at(rooms_->graph(), rooms_->navigation().space(), route.points_m.back());
+        const std::string where = end == kNothing ? std::string() : " in " + rooms_->graph().rooms[end].name;
+        return answer(fmt::format("No walking way found to {}. The nearest place you can reach is{}, {} short of it.", name, where,
+                                  distance_words(route.short_of_m, distances())),
+                      now_s);
+    }
+    std::vector<RouteNode> nodes = nodes_of(route, name, [this](const RoutePassage& p) { return passage_name(p.kind, p.feature, p.rise_m); });
+    answer(fmt::format("To {}. {}", name, route_words(route, nodes, heading_rad_, distances())), now_s);
+    follow_name_ = name;
+    follower_.follow(std::move(route), std::move(nodes));
+}
+
+void AppCore::follow_on(double now_s) {
+    if (!follower_.following()) return;
+    const Vec3 goal = follower_.goal_m();
+    const RouteFollower::Said said = follower_.tick(feet_m(), distances());
+    if (said.left) {
+        // Planned anew from here, and said once.
+        const std::string name = follow_name_;
+        say("You have left the way.", SpeechClass::Contact, now_s);
+        follow_way(goal, name, now_s);
+    } else if (!said.text.empty()) {
+        say(said.text, SpeechClass::Contact, now_s);
+        if (said.arrived) play(SoundKind::Arrived, now_s);
+    }
+}
+
+}  // namespace handrail

@@ -1,0 +1,123 @@
+#include "app/core/route_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace handrail {
+namespace {
+
+constexpr double kLeastTurn_rad = 2.0 * kPi / 16.0;
+constexpr double kBesideFeature_m = 1.0;
+
+double bearing(const Vec3& from, const Vec3& to) { return std::atan2(to.x - from.x, to.y - from.y); }
+
+std::string turn_words(double turn_rad) {
+    const double size = std::abs(turn_rad);
+    const char* side = turn_rad > 0.0 ? "right" : "left";
+    if (size < kLeastTurn_rad) return {};
+    if (size > 0.9 * kPi) return "turn round";
+    return fmt::format("turn {}{}", size < 0.3 * kPi ? "half " : size > 0.65 * kPi ? "sharp " : "", side);
+}
+
+}  // namespace
+
+std::vector<RouteNode> nodes_of(const Route& route, const std::string& goal, const std::function<std::string(const RoutePassage&)>& name_of) {
+    std::vector<RouteNode> nodes;
+    for (const RoutePassage& passage : route.passages) nodes.push_back({passage.at_m, name_of(passage), 0.0, passage.place_m});
+    double at = 0.0;
+    for (std::size_t i = 1; i + 1 < route.points_m.size(); ++i) {
+        at += glm::length(route.points_m[i] - route.points_m[i - 1]);
+        const double turn = wrap_angle(bearing(route.points_m[i], route.points_m[i + 1]) - bearing(route.points_m[i - 1], route.points_m[i]));
+        if (at > route.length_m) at = route.length_m;
+        RouteNode* beside = nullptr;
+        for (RouteNode& node : nodes)
+            if (std::abs(node.at_m - at) < kBesideFeature_m && (!beside || std::abs(node.at_m - at) < std::abs(beside->at_m - at))) beside = &node;
+        if (beside) beside->turn_rad = wrap_angle(beside->turn_rad + turn);
+        else if (std::abs(turn) > 1e-6) nodes.push_back({at, {}, turn, route.points_m[i]});
+    }
+    std::erase_if(nodes, [](const RouteNode& node) { return node.what.empty() && std::abs(node.turn_rad) < kLeastTurn_rad; });
+    std::stable_sort(nodes.begin(), nodes.end(), [](const RouteNode& a, const RouteNode& b) { return a.at_m < b.at_m; });
+    if (!route.points_m.empty()) nodes.push_back({route.length_m, goal, 0.0, route.points_m.back()});
+    return nodes;
+}
+
+std::string route_words(const Route& route, const std::vector<RouteNode>& nodes, double heading_rad, const DistanceWords& how) {
+    if (route.points_m.size() < 2 || nodes.empty()) return "You are there.";
+    std::string text = sentence_case(distance_words(route.length_m, how)) + " in all.";
+    const std::string first = turn_words(wrap_angle(bearing(route.points_m[0], route.points_m[1]) - heading_rad));
+    if (!first.empty()) text += " " + sentence_case(first) + ".";
+    double before = 0.0;
+    for (const RouteNode& node : nodes) {
+        text += " " + sentence_case(distance_words(node.at_m - before, how));
+        if (!node.what.empty()) text += " to " + node.what;
+        const std::string turn = turn_words(node.turn_rad);
+        if (!turn.empty()) text += (node.what.empty() ? ", then " : ", ") + turn;
+        text += '.';
+        before = node.at_m;
+    }
+    return text;
+}
+
+void RouteFollower::follow(Route route, std::vector<RouteNode> nodes) {
+    route_ = std::move(route);
+    nodes_ = std::move(nodes);
+    announced_.assign(nodes_.size(), false);
+    reached_.assign(nodes_.size(), false);
+    // What lies just ahead was told with the route itself.
+    for (std::size_t i = 0; i < nodes_.size(); ++i) announced_[i] = nodes_[i].at_m < kAnnounceAhead_m;
+    along_m_ = word_at_m_ = 0.0;
+}
+
+RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords& how) {
+    Said said;
+    if (!following()) return said;
+    // The nearest place on the way, not far from where one was on it: a way may pass near itself.
+    double nearest = 1e300, along = along_m_, at = 0.0;
+    for (std::size_t i = 1; i < route_.points_m.size(); ++i) {
+        const Vec3 a = route_.points_m[i - 1], leg = route_.points_m[i] - a;
+        const double length = glm::length(leg);
+        const double part = length > 0.0 ? std::clamp(glm::dot(feet_m - a, leg) / (length * length), 0.0, 1.0) : 0.0;
+        const double here = at + part * length;
+        Vec3 off = feet_m - (a + leg * part);
+        off.z *= 0.5;  // between the steps of a stair the way is a straight line
+        const double far = glm::length(off) + 0.05 * std::abs(here - along_m_);
+        if (far < nearest) {
+            nearest = far;
+            along = here;
+        }
+        at += length;
+    }
+    along_m_ = along;
+    if (glm::length(feet_m - goal_m()) < kThere_m || (left_m() < kThere_m && nearest < kThere_m)) {
+        said.text = sentence_case(nodes_.empty() || nodes_.back().what.empty() ? "the end of the way" : nodes_.back().what) + ". You are there.";
+        said.arrived = true;
+        stop();
+        return said;
+    }
+    if (nearest > kLeftWay_m) {
+        said.left = true;
+        return said;
+    }
+    for (std::size_t i = 0; i < nodes_.size() && said.text.empty(); ++i) {
+        const RouteNode& node = nodes_[i];
+        const double ahead = node.at_m - along_m_;
+        const std::string turn = turn_words(node.turn_rad);
+        if (!reached_[i] && std::abs(ahead) < kAtFeature_m && i + 1 < nodes_.size()) {
+            reached_[i] = announced_[i] = true;
+            said.text = node.what.empty() ? sentence_case(turn) : sentence_case(node.what) + (turn.empty() ? "" : ", " + turn);
+            const double to_next = nodes_[i + 1].at_m - node.at_m;
+            if (!said.text.empty())
+                said.text += fmt::format(", then {}{}", distance_words(to_next, how), nodes_[i + 1].what.empty() ? "" : " to " + nodes_[i + 1].what);
+        } else if (!announced_[i] && ahead > 0.0 && ahead <= kAnnounceAhead_m) {
+            announced_[i] = true;
+            said.text = fmt::format("{}, {}", sentence_case(node.what.empty() ? turn : node.what), distance_words(ahead, how));
+        }
+    }
+    if (said.text.empty() && along_m_ - word_at_m_ >= kReassureEvery_m) said.text = "On the way, " + distance_words(left_m(), how) + " left";
+    if (!said.text.empty()) word_at_m_ = along_m_;
+    return said;
+}
+
+}  // namespace handrail

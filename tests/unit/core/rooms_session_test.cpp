@@ -1,0 +1,171 @@
+// Rooms and ways in a session: the room's name, its exits, the way to another room, in words and along it; on a thread and when asked.
+#include <chrono>
+#include <filesystem>
+
+#include "app/core/app_core.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+std::shared_ptr<const Scene> house() {
+    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "house.map");
+    EXPECT_TRUE(scene);
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+struct Session {
+    explicit Session(bool beside = false) : app(Settings{}, HandFacts{}) {
+        if (beside) app.find_rooms_beside();
+    }
+    void run(double seconds) {
+        for (const double until = now + seconds; now < until - 1e-9;) {
+            now += 1.0 / 60.0;
+            app.tick(now, {});
+            take();
+        }
+    }
+    void take() {
+        for (CueRequest& cue : app.take_cues())
+            if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
+    }
+    std::string ask(Command command) {
+        app.press(command, now);
+        take();
+        app.release(command);
+        return said.empty() ? std::string() : said.back();
+    }
+    bool heard(const std::string& part) const {
+        return std::any_of(said.begin(), said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
+    }
+    AppCore app;
+    double now = 0.0;
+    std::vector<std::string> said;
+};
+
+TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
+    Session s;
+    s.app.enter_world(house(), 0.0);
+    s.run(0.1);
+    EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall. You are ")) << s.said.back();
+    const std::string exits = s.ask(Command::Exits);
+    EXPECT_TRUE(exits.starts_with("Hall. ")) << exits;
+    // Facing north from the front door: the way up ahead, then east, south, west.
+    const auto at = [&](const std::string& part) {
+        const std::size_t found = exits.find(part);
+        EXPECT_NE(found, std::string::npos) << part << " is missing in: " << exits;
+        return found;
+    };
+    EXPECT_LT(at("Garden door to Garden"), at("Study door to Study"));
+    EXPECT_LT(at("Study door to Study"), at("Front door to Garden"));
+    EXPECT_LT(at("Front door to Garden"), at("Living room door to Living room"));
+    at("Stairs");
+    EXPECT_TRUE(s.ask(Command::UnvisitedExits).find("exits you have not taken") != std::string::npos) << s.said.back();
+}
+
+TEST(RoomsInASession, tell_the_name_on_entering_another_one_unless_switched_off) {
+    for (const bool told : {true, false}) {
+        Settings settings;
+        settings.speech.rooms = told;
+        Session s;
+        s.app.enter_world(house(), 0.0);
+        s.app.change_settings(settings, 0.0);
+        s.run(0.1);
+        s.ask(Command::Exits);
+        s.said.clear();
+        s.app.place({9.5, 3.0, 0.0}, 0.0, s.now);
+        s.run(0.2);
+        EXPECT_EQ(std::count(s.said.begin(), s.said.end(), "Study"), told ? 1 : 0);
+        EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Study. "));
+    }
+}
+
+TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
+    Session s;
+    s.app.enter_world(house(), 0.0);
+    s.run(0.1);
+    s.ask(Command::Routes);
+    EXPECT_TRUE(s.said.back().starts_with("Way to")) << s.said.back();
+    ASSERT_TRUE(s.app.take_line("Music room", s.now));
+    s.take();
+    const std::string words = s.said.back();
+    EXPECT_TRUE(words.starts_with("To Music room. ")) << words;
+    EXPECT_NE(words.find("to Stairs, "), std::string::npos) << words;
+    EXPECT_NE(words.find("Music room door"), std::string::npos) << words;
+    // Carried along the way, every feature is heard, and the arrival.
+    s.said.clear();
+    for (const Vec3& place : {Vec3(6.3, 2.0, 0.0), Vec3(5.3, 2.7, 0.0)}) {
+        s.app.place(place, 0.0, s.now);
+        s.run(0.3);
+    }
+    EXPECT_TRUE(s.heard("Stairs")) << words;
+    // Carried far off, a new way is told.
+    s.app.place({6.0, -4.0, 0.0}, 0.0, s.now);
+    s.run(0.3);
+    EXPECT_TRUE(s.heard("You have left the way."));
+    EXPECT_TRUE(s.heard("To Music room. "));
+    s.ask(Command::Routes);
+    ASSERT_TRUE(s.app.take_line("Stop following the way", s.now));
+    s.take();
+    EXPECT_EQ(s.said.back(), "No way is followed any more.");
+}
+
+TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
+    // A balcony 3 m up that nothing leads to.
+    auto scene = read_quake_map(R"({
+"classname" "worldspawn"
+"building" "1"
+{
+( 0 0 -16 ) ( 0 320 -16 ) ( 0 0 0 ) plain 0 0 0 1 1
+( 640 0 -16 ) ( 640 0 0 ) ( 640 320 -16 ) plain 0 0 0 1 1
+( 0 0 -16 ) ( 0 0 0 ) ( 640 0 -16 ) plain 0 0 0 1 1
+( 0 320 -16 ) ( 640 320 -16 ) ( 0 320 0 ) plain 0 0 0 1 1
+( 0 0 -16 ) ( 640 0 -16 ) ( 0 320 -16 ) plain 0 0 0 1 1
+( 0 0 0 ) ( 0 320 0 ) ( 640 0 0 ) plain 0 0 0 1 1
+}
+{
+( 512 0 0 ) ( 512 320 0 ) ( 512 0 96 ) plain 0 0 0 1 1
+( 640 0 0 ) ( 640 0 96 ) ( 640 320 0 ) plain 0 0 0 1 1
+( 512 0 0 ) ( 512 0 96 ) ( 640 0 0 ) plain 0 0 0 1 1
+( 512 320 0 ) ( 640 320 0 ) ( 512 320 96 ) plain 0 0 0 1 1
+( 512 0 0 ) ( 640 0 0 ) ( 512 320 0 ) plain 0 0 0 1 1
+( 512 0 96 ) ( 512 320 96 ) ( 640 0 96 ) plain 0 0 0 1 1
+}
+}
+{
+"classname" "info_player_start"
+"origin" "64 160 24"
+}
+{
+"classname" "info_player_coop"
+"origin" "576 160 120"
+}
+{
+"classname" "info_room"
+"name" "Balcony"
+"origin" "576 160 112"
+}
+)",
+                                "balcony.map");
+    ASSERT_TRUE(scene);
+    Session s;
+    s.app.enter_world(std::make_shared<const Scene>(std::move(*scene)), 0.0);
+    s.run(0.1);
+    s.ask(Command::Routes);
+    ASSERT_TRUE(s.app.take_line("Balcony", s.now));
+    s.take();
+    EXPECT_TRUE(s.said.back().starts_with("No walking way found to Balcony. The nearest place you can reach is in ")) << s.said.back();
+}
+
+TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
+    Session s(true);
+    s.app.enter_world(house(), 0.0);
+    // Another world gives up what was being looked for.
+    s.app.enter_world(house(), 0.0);
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (s.ask(Command::Exits).starts_with("The rooms of this world are still") && std::chrono::steady_clock::now() < until) s.run(0.1);
+    EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,91 @@
+// Routes in words and along them.
+#include "app/core/route_words.h"
+
+#include <gmock/gmock.h>
+
+namespace handrail {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+const DistanceWords kSteps{true, 0.7};
+
+// Ten metres north to a door, through it, then ten metres east, and half right for ten more.
+Route corner() {
+    Route route;
+    route.points_m = {{0, 0, 0}, {0, 10, 0}, {10, 10, 0}, {17.071, 2.929, 0}};
+    route.length_m = 30.0;
+    route.reaches = true;
+    route.passages.push_back({PassageKind::Door, {0, 9.7, 0}, 9.7, 0.0, kNoFeature});
+    return route;
+}
+std::vector<RouteNode> nodes(const Route& route) {
+    return nodes_of(route, "Kitchen", [](const RoutePassage& p) { return std::string(p.kind == PassageKind::Door ? "blue door" : "stairs"); });
+}
+
+TEST(RouteWords, tell_every_leg_with_the_next_feature_and_the_turn_there) {
+    const Route route = corner();
+    EXPECT_EQ(route_words(route, nodes(route), 0.0, kSteps),
+              "45 steps in all. 14 steps to blue door, turn right. 15 steps, then turn half right. 14 steps to Kitchen.");
+    // Who faces west turns right first.
+    EXPECT_THAT(route_words(route, nodes(route), -kPi / 2.0, kSteps), HasSubstr("in all. Turn right. 14 steps to blue door"));
+    EXPECT_THAT(route_words(route, nodes(route), kPi, kSteps), HasSubstr("Turn round."));
+    EXPECT_EQ(route_words(Route{}, {}, 0.0, kSteps), "You are there.");
+}
+
+struct Walked {
+    std::vector<std::string> said;
+    bool left = false, arrived = false;
+};
+Walked walk(RouteFollower& follower, const std::vector<Vec3>& places, double step_m = 0.1) {
+    Walked walked;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        const double length = glm::length(places[i] - places[i - 1]);
+        for (double at = 0.0; at < length && !walked.left && follower.following(); at += step_m) {
+            const auto said = follower.tick(places[i - 1] + (places[i] - places[i - 1]) * (at / length), kSteps);
+            if (!said.text.empty()) walked.said.push_back(said.text);
+            walked.left = said.left;
+            walked.arrived = walked.arrived || said.arrived;
+        }
+    }
+    return walked;
+}
+
+TEST(RouteFollower, announces_features_6_m_ahead_and_at_them_and_arrives) {
+    const Route route = corner();
+    RouteFollower follower;
+    follower.follow(route, nodes(route));
+    const Walked walked = walk(follower, route.points_m);
+    EXPECT_THAT(walked.said, ElementsAre("Blue door, 9 steps", "Blue door, turn right, then 15 steps", "Turn half right, 9 steps",
+                                         "Turn half right, then 14 steps to Kitchen", "Kitchen, 9 steps", "Kitchen. You are there."));
+    EXPECT_TRUE(walked.arrived);
+    EXPECT_FALSE(follower.following());
+}
+
+TEST(RouteFollower, says_every_10_m_that_one_is_on_the_way) {
+    Route route;
+    route.points_m = {{0, 0, 0}, {0, 50, 0}};
+    route.length_m = 50.0;
+    RouteFollower follower;
+    follower.follow(route, nodes(route));
+    const Walked walked = walk(follower, route.points_m);
+    ASSERT_EQ(walked.said.size(), 6U);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_THAT(walked.said[i], HasSubstr("On the way, "));
+    EXPECT_EQ(walked.said[0], "On the way, 55 steps left");
+    EXPECT_EQ(walked.said[4], "Kitchen, 9 steps");
+}
+
+TEST(RouteFollower, tells_when_the_way_was_left_and_not_before) {
+    const Route route = corner();
+    RouteFollower follower;
+    follower.follow(route, nodes(route));
+    EXPECT_FALSE(walk(follower, {{0, 0, 0}, {1.5, 5, 0}, {0, 8, 0}}).left);
+    EXPECT_TRUE(walk(follower, {{0, 8, 0}, {-6, 8, 0}}).left);
+    follower.stop();
+    EXPECT_FALSE(follower.following());
+    EXPECT_TRUE(follower.tick({0, 0, 0}, kSteps).text.empty());
+}
+
+}  // namespace
+}  // namespace handrail

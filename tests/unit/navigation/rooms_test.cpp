@@ -1,0 +1,227 @@
+// Rooms, what joins them, and routes between every pair of them.
+#include <filesystem>
+#include <set>
+
+#include "tests/support/map_text.h"
+#include "tests/support/real_worlds.h"
+#include "tests/unit/navigation/grid_twin.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+struct World {
+    Scene scene;
+    std::shared_ptr<Navigation> navigation;
+    RoomGraph graph;
+};
+
+World world_of(const std::filesystem::path& path) {
+    World world;
+    auto scene = read_world(path);
+    EXPECT_TRUE(scene) << path;
+    world.scene = std::move(*scene);
+    const BodySize size = body_size(world.scene, 0.25);
+    auto made = Navigation::make(world.scene, walk_body(world.scene, size.radius_m, size.height_m, size.step_up_m));
+    EXPECT_TRUE(made) << path;
+    world.navigation = *made;
+    world.graph = make_rooms(world.scene, world.navigation->space());
+    return world;
+}
+
+std::filesystem::path bundled(const std::string& name) { return std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name; }
+
+std::string described(const RoomGraph& graph) {
+    std::string text;
+    for (std::size_t r = 0; r < graph.rooms.size(); ++r)
+        text += fmt::format("{}: {} ({}), level {}, {:.1f} m2, z {:.1f}, middle {:.1f} {:.1f}\n", r, graph.rooms[r].name, static_cast<int>(graph.rooms[r].kind),
+                            graph.rooms[r].level, graph.rooms[r].area_m2, graph.rooms[r].floor_m, graph.rooms[r].middle_m.x, graph.rooms[r].middle_m.y);
+    for (const Portal& portal : graph.portals)
+        text += fmt::format("  {} - {}: kind {}, {:.2f} m wide at {:.1f} {:.1f} {:.1f}\n", graph.rooms[portal.rooms[0]].name, graph.rooms[portal.rooms[1]].name,
+                            static_cast<int>(portal.kind), portal.width_m, portal.place_m.x, portal.place_m.y, portal.place_m.z);
+    return text;
+}
+
+// What must hold in every world.
+void is_sound(const World& world) {
+    const RoomGraph& graph = world.graph;
+    ASSERT_EQ(graph.room_of_span.size(), world.navigation->space().spans.size());
+    std::set<std::string> names;
+    for (const Room& room : graph.rooms) {
+        EXPECT_FALSE(room.name.empty());
+        EXPECT_TRUE(names.insert(room.name).second) << room.name << " twice";
+        EXPECT_GT(room.area_m2, 0.0);
+        EXPECT_FALSE(room.bounds_m.empty());
+    }
+    for (const std::uint32_t room : graph.room_of_span) ASSERT_LT(room, graph.rooms.size());
+    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r)
+        EXPECT_EQ(room_at(graph, world.navigation->space(), graph.rooms[r].middle_m), r) << graph.rooms[r].name;
+    for (const Portal& portal : graph.portals) {
+        ASSERT_LT(portal.rooms[0], graph.rooms.size());
+        ASSERT_LT(portal.rooms[1], graph.rooms.size());
+        EXPECT_NE(portal.rooms[0], portal.rooms[1]);
+        EXPECT_TRUE(is_finite(portal.place_m));
+    }
+}
+
+TEST(Rooms, of_our_house_are_all_found_and_named_and_every_door_joins_two) {
+    const World world = world_of(bundled("house.map"));
+    is_sound(world);
+    const auto room = [&](const std::string& name) {
+        for (std::uint32_t r = 0; r < world.graph.rooms.size(); ++r)
+            if (world.graph.rooms[r].name == name) return r;
+        ADD_FAILURE() << name << " is missing among\n" << described(world.graph);
+        return kNothing;
+    };
+    for (const char* name : {"Living room", "Kitchen", "Hall", "Study", "Bathroom", "Utility room", "Garden"})
+        EXPECT_EQ(world.graph.rooms[room(name)].level, 0) << name;
+    for (const char* name : {"Bedroom", "Child's room", "Landing", "Guest room", "Upper bathroom", "Music room"})
+        EXPECT_EQ(world.graph.rooms[room(name)].level, 1) << name;
+    const auto joins = [&](const std::string& door, const std::string& a, const std::string& b) {
+        const std::set<std::uint32_t> wanted{room(a), room(b)};
+        const bool found = std::any_of(world.graph.portals.begin(), world.graph.portals.end(), [&](const Portal& p) {
+            return p.kind == PassageKind::Door && world.scene.find(p.feature)->name == door && std::set<std::uint32_t>{p.rooms[0], p.rooms[1]} == wanted;
+        });
+        EXPECT_TRUE(found) << door << " between " << a << " and " << b << " is missing among\n" << described(world.graph);
+    };
+    joins("Front door", "Hall", "Garden");
+    joins("Garden door", "Hall", "Garden");
+    joins("Living room door", "Hall", "Living room");
+    joins("Study door", "Hall", "Study");
+    joins("Bathroom door", "Hall", "Bathroom");
+    joins("Utility room door", "Hall", "Utility room");
+    joins("Bedroom door", "Landing", "Bedroom");
+    joins("Child's room door", "Landing", "Child's room");
+    joins("Guest room door", "Landing", "Guest room");
+    joins("Upper bathroom door", "Landing", "Upper bathroom");
+    joins("Music room door", "Landing", "Music room");
+    // The wide opening, 1.6 m.
+    const std::set<std::uint32_t> open{room("Living room"), room("Kitchen")};
+    const auto opening = std::find_if(world.graph.portals.begin(), world.graph.portals.end(), [&](const Portal& p) {
+        return p.kind == PassageKind::Opening && std::set<std::uint32_t>{p.rooms[0], p.rooms[1]} == open;
+    });
+    ASSERT_NE(opening, world.graph.portals.end()) << described(world.graph);
+    EXPECT_NEAR(opening->width_m, 1.6, 0.25);
+    EXPECT_TRUE(std::any_of(world.graph.rooms.begin(), world.graph.rooms.end(), [](const Room& r) { return r.kind == RoomKind::Stairs; }));
+}
+
+// The same answer as a grid search for every pair of rooms, and lengths within 5 % and a square.
+TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_world) {
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
+        if (entry.path().extension() != ".map") continue;
+        SCOPED_TRACE(entry.path().filename().string());
+        const World world = world_of(entry.path());
+        is_sound(world);
+        std::vector<Vec3> middles;
+        for (const Room& room : world.graph.rooms)
+            if (room.kind == RoomKind::Room) middles.push_back(room.middle_m);
+        constexpr double kSide_m = 0.1;
+        test::GridTwin twin(world.scene, body_size(world.scene, 0.25), kSide_m);
+        for (const Vec3& middle : middles) EXPECT_TRUE(twin.flood_from(middle));
+        for (const Vec3& from : middles) {
+            const auto lengths = twin.lengths(from, middles);
+            for (std::size_t i = 0; i < middles.size(); ++i) {
+                const Route route = world.navigation->plan(from, middles[i], RouteWish::Shortest);
+                if (route.drops) continue;  // the twin never steps off an edge
+                EXPECT_EQ(route.reaches, lengths[i].has_value()) << described(world.graph);
+                if (route.reaches && lengths[i]) {
+                    EXPECT_NEAR(route.length_m, *lengths[i], 0.05 * *lengths[i] + kSide_m)
+                        << from.x << " " << from.y << " to " << middles[i].x << " " << middles[i].y;
+                }
+            }
+        }
+    }
+}
+
+TEST(Rooms, of_real_maps_are_many_and_joined_through_their_doors) {
+    struct Expected {
+        const char* file;
+        std::size_t least_rooms, most_rooms, least_doors;
+    };
+    for (const Expected& expected : {Expected{"agtut01.map", 2, 8, 1}, Expected{"agdm01.map", 2, 80, 4}, Expected{"office.map", 4, 60, 2}}) {
+        const auto path = test::real_world(expected.file);
+        if (!path) GTEST_SKIP() << expected.file << " is not here";
+        SCOPED_TRACE(expected.file);
+        const World world = world_of(*path);
+        is_sound(world);
+        const auto rooms =
+            static_cast<std::size_t>(std::count_if(world.graph.rooms.begin(), world.graph.rooms.end(), [](const Room& r) { return r.kind == RoomKind::Room; }));
+        const auto doors = static_cast<std::size_t>(
+            std::count_if(world.graph.portals.begin(), world.graph.portals.end(), [](const Portal& p) { return p.kind == PassageKind::Door; }));
+        EXPECT_GE(rooms, expected.least_rooms) << described(world.graph);
+        EXPECT_LE(rooms, expected.most_rooms) << described(world.graph);
+        EXPECT_GE(doors, expected.least_doors) << described(world.graph);
+    }
+}
+
+// Two rooms of 6 by 5 m and a wall between them with a gap; a low table beside a wall leaves a passage as narrow as a door.
+std::string two_rooms(double gap_units, const std::string& more = {}) {
+    using test::box_brush;
+    const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
+    return test::entity("worldspawn", test::key("building", "1"),
+                        test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, low, 96) + box_brush(196, high, 0, 204, 160, 96)) +
+           more + test::entity("info_player_start", test::key("origin", "40 80 24"));
+}
+RoomGraph rooms_of(const std::string& map, Scene* keep = nullptr, WalkSpace* space = nullptr) {
+    auto scene = read_quake_map(map, "rooms.map");
+    EXPECT_TRUE(scene);
+    auto made = make_walk_space(*scene, WalkBody{});
+    EXPECT_TRUE(made);
+    RoomGraph graph = make_rooms(*scene, *made);
+    if (keep) *keep = std::move(*scene);
+    if (space) *space = std::move(*made);
+    return graph;
+}
+
+TEST(Rooms, part_where_walls_come_together_and_not_where_furniture_does) {
+    const RoomGraph two = rooms_of(two_rooms(32.0));  // 1 m
+    EXPECT_EQ(two.rooms.size(), 2U) << described(two);
+    ASSERT_EQ(two.portals.size(), 1U);
+    EXPECT_EQ(two.portals[0].kind, PassageKind::Opening);
+    EXPECT_NEAR(two.portals[0].width_m, 1.0, 0.2);
+    EXPECT_NEAR(two.portals[0].place_m.x, 6.25, 0.3);
+    EXPECT_EQ(rooms_of(two_rooms(160.0)).rooms.size(), 1U);  // no wall at all
+    // A cupboard across most of one open room.
+    const RoomGraph one = rooms_of(two_rooms(160.0, test::entity("thing", test::key("name", "Cupboard"), test::box_brush(196, 0, 0, 204, 128, 40))));
+    EXPECT_EQ(one.rooms.size(), 1U) << described(one);
+}
+
+TEST(Rooms, are_named_by_the_map_the_person_what_is_in_them_or_size_and_place) {
+    const std::string names = test::entity("info_room", test::key("name", "Workshop") + test::key("origin", "60 80 16"));
+    const std::string stove = test::entity("thing", test::key("name", "Stove") + test::key("landmark", "1"), test::box_brush(360, 60, 0, 400, 100, 40));
+    Scene scene;
+    WalkSpace space;
+    RoomGraph graph = rooms_of(two_rooms(32.0, names + stove), &scene, &space);
+    ASSERT_EQ(graph.rooms.size(), 2U) << described(graph);
+    EXPECT_EQ(graph.rooms[room_at(graph, space, {1.0, 2.5, 0.0})].name, "Workshop");
+    EXPECT_EQ(graph.rooms[room_at(graph, space, {9.0, 2.5, 0.0})].name, "room with Stove");
+    EXPECT_EQ(give_names(graph, space, {{{9.0, 2.5, 0.0}, "My kitchen"}, {{500.0, 2.5, 0.0}, "Gone"}, {{9.5, 2.5, 0.0}, "Second"}}),
+              (std::vector<std::string>{"Gone", "Second"}));
+    EXPECT_EQ(graph.rooms[room_at(graph, space, {9.0, 2.5, 0.0})].name, "My kitchen");
+    const RoomGraph plain = rooms_of(two_rooms(32.0));
+    std::set<std::string> told;
+    for (const Room& room : plain.rooms) {
+        EXPECT_TRUE(room.name.starts_with("room, 6 by 5 metres, ") || room.name.starts_with("room, 7 by 5 metres, ")) << room.name;
+        told.insert(room.name.substr(room.name.rfind(' ') + 1));
+    }
+    EXPECT_EQ(told, (std::set<std::string>{"east", "west"}));
+    // Two names in one open space: cut apart.
+    const std::string both = names + test::entity("info_room", test::key("name", "Store") + test::key("origin", "340 80 16"));
+    EXPECT_EQ(rooms_of(two_rooms(100.0, both)).rooms.size(), 2U);
+}
+
+TEST(Rooms, tell_their_exits_clockwise) {
+    RoomGraph graph;
+    graph.rooms.resize(5);
+    const Vec3 places[] = {{0, 5, 0}, {-5, 0, 0}, {5, 0, 0}, {0, -5, 0}};
+    for (std::uint32_t p = 0; p < 4; ++p) graph.portals.push_back({PassageKind::Opening, {0, p + 1}, places[p], 1.0, kNoFeature, false});
+    graph.portals.push_back({PassageKind::Drop, {1, 0}, {1, 1, 0}, 1.0, kNoFeature, true});  // leads in, not out
+    EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, 0.0), (std::vector<std::uint32_t>{0, 2, 3, 1}));
+    EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, kPi), (std::vector<std::uint32_t>{3, 1, 0, 2}));
+    EXPECT_EQ(exits_of(graph, 1, {0, 0, 0}, 0.0).size(), 2U);
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,59 @@
+// Rooms and what joins them: one graph for every kind of world, derived from the walkable space where the file does not say. Pure functions; any thread.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "worlds/navigation/walk_space.h"
+
+namespace handrail {
+
+enum class RoomKind : std::uint8_t { Room, Stairs, Liquid, Niche };
+
+struct Room {
+    RoomKind kind = RoomKind::Room;
+    std::string name;      // lower case unless it is a name: "Kitchen", "large room, 12 by 8 metres, north"
+    bool named = false;    // by the map or a person; else made from what is known of it
+    int level = 0;         // 0 is the lowest
+    double area_m2 = 0.0;  // of floor where one can stand, plus the strip along its walls
+    double floor_m = 0.0;  // mean height
+    Aabb bounds_m;         // of its floor
+    Vec3 middle_m{0.0};    // the place with most room round it
+};
+
+struct Portal {
+    PassageKind kind = PassageKind::Opening;
+    std::array<std::uint32_t, 2> rooms{};  // from the first to the second where it leads one way
+    Vec3 place_m{0.0};
+    double width_m = 0.0;
+    FeatureId feature = kNoFeature;  // the door, lift or teleporter
+    bool one_way = false;
+};
+
+// A name for the room around a place.
+struct GivenName {
+    Vec3 at_m{0.0};
+    std::string name;
+};
+
+struct RoomGraph {
+    std::vector<Room> rooms;
+    std::vector<Portal> portals;
+    std::vector<std::uint32_t> room_of_span;  // size WalkSpace::spans
+};
+
+// Rooms are cut at doors, stairs, liquids and where walls come together; furniture makes none. Names of Scene::room_names cut apart what no wall does, at
+// the narrowest place between them.
+RoomGraph make_rooms(const Scene& scene, const WalkSpace& space);
+
+// The room somebody stands in; kNothing where that is no walkable place.
+std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m);
+
+// Gives the names of a person to the rooms around their places. The names for which there is no room any more, or no longer one of their own.
+std::vector<std::string> give_names(RoomGraph& graph, const WalkSpace& space, const std::vector<GivenName>& names);
+
+// Places in RoomGraph::portals that lead out of a room, clockwise as somebody at that place sees them who faces that way.
+std::vector<std::uint32_t> exits_of(const RoomGraph& graph, std::uint32_t room, const Vec3& feet_m, double heading_rad);
+
+}  // namespace handrail
