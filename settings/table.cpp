@@ -83,6 +83,8 @@ const std::array kTable{
     SettingInfo{"speech.rounded", "", "Distances and degrees are rounded, more the farther; else said to the decimetre and degree.", kPersonOnly,
                 SwitchField{HANDRAIL_AT(speech.rounded)}},
     SettingInfo{"speech.rooms", "", "The name of a room is told when one comes into it.", kPersonOnly, SwitchField{HANDRAIL_AT(speech.rooms)}},
+    SettingInfo{"speech.braille", "", "What is said also stands on a braille display, where no screen reader sees to that.", kPersonOnly,
+                SwitchField{HANDRAIL_AT(speech.braille)}},
     SettingInfo{"speech.crowding_hint", "", "On entering a world it is told where more than five materials lie close together.", kPersonOnly,
                 SwitchField{HANDRAIL_AT(speech.crowding_hint)}},
     SettingInfo{"sound.volume", "", "Volume of everything; alarms stay audible.", kPersonOnly, NumberField{HANDRAIL_AT(sound.volume), 0.0, 1.0}},

@@ -374,8 +374,9 @@ private:
         if (!arguments_.no_window) {
             reader = std::make_shared<ReaderChannel>();
             accessible_ = Accessible::start(reader);
+            braille_ = std::make_shared<BrailleLink>();
         }
-        SoundOutputs outputs = open_sound_outputs(settings_.values(), STDOUT_FILENO, std::move(reader));
+        SoundOutputs outputs = open_sound_outputs(settings_.values(), STDOUT_FILENO, std::move(reader), braille_);
         has_sound_ = !outputs.description.empty();
         news.push_back(std::move(outputs.description));
         ears_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_, &contacts_, settings_.values(), &left_.contacts());
@@ -389,6 +390,7 @@ private:
             return news.push_back(opened.error().message);
         }
         window_ = std::move(*opened);
+        braille_->window = window_->number();
         window_->offer_keys(
             {[this](const KeyStroke& stroke) { return accessible_->offer(stroke); }, [this](std::uint64_t ticket) { return accessible_->verdict(ticket); }},
             [keys = app_->keys()](const std::string& key) { return keys.find(key) == Command::StopEverything; });
@@ -515,7 +517,11 @@ private:
         std::vector<CueRequest> cues = app_->take_cues();
         if (companions_) companions_->follow(*app_, cues, servo_ ? &tool_ : nullptr, clock_.now_s());
         for (CueRequest& cue : cues) ears_->post(std::move(cue));
-        if (app_->scene()) ears_->set_listener(app_->listener());
+        if (app_->scene()) {
+            const Listener listener = app_->listener();
+            ears_->set_listener(listener);
+            if (braille_) braille_->heading_rad = listener.heading_rad;
+        }
         left_.hand_over(*app_);
         if (wizard_) return hand_over_wizard();
         if (!servo_ || !app_->scene()) return;
@@ -544,6 +550,11 @@ private:
 
     void look_at_window() {
         const double now_s = clock_.now_s();
+        // A routing key of the braille display: more about this.
+        if (braille_->more_asked.exchange(0) > 0 && !wizard_ && app_->scene()) {
+            app_->press(Command::WhatIsThis, now_s);
+            app_->release(Command::WhatIsThis);
+        }
         for (const WindowEvent& event : window_->poll()) {
             if (const auto* key = std::get_if<KeyEvent>(&event)) {
                 const auto command = app_->keys().find(key->key);
@@ -677,6 +688,7 @@ private:
     LeftHand left_{clock_, switches_};
     bool two_hands_told_ = false;
     std::unique_ptr<Accessible> accessible_;  // with the window
+    std::shared_ptr<BrailleLink> braille_;    // with the window
     std::unique_ptr<AudioThread> ears_;
     bool has_sound_ = false;  // there is a sound device
     std::unique_ptr<AppCore> app_;

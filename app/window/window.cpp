@@ -95,6 +95,8 @@ public:
         return std::exchange(events_, {});
     }
 
+    unsigned number() const { return static_cast<unsigned>(glfwGetX11Window(window_)); }
+
     bool watch_keys(KeyWatchCalls calls) {
         watch_ = KeyWatch::start(XDisplayString(glfwGetX11Display()), glfwGetX11Window(window_), std::move(calls));
         return watch_ != nullptr;
@@ -231,6 +233,7 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
 }
 
 std::vector<WindowEvent> Window::poll() { return impl_->poll(); }
+unsigned Window::number() const { return impl_->number(); }
 bool Window::watch_keys(KeyWatchCalls calls) { return impl_->watch_keys(std::move(calls)); }
 void Window::offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits) { impl_->offer_keys(std::move(reader), std::move(never_waits)); }
 void Window::draw(const ViewState& view) { impl_->draw(view); }

@@ -63,6 +63,9 @@ public:
     // From now on a screen reader has each key first, except those that are not to wait for it (by name, as KeyEvent::key).
     void offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits);
 
+    // X's number of this window, by which other programs know which one has the keyboard.
+    unsigned number() const;
+
     // Shows the view; call it each time round the loop. The same thread also feeds ears and hand, so this does not wait for the screen's
     // refresh, costs nothing when neither view nor window changed, and where drawing is slow skips pictures so as to take at most a third
     // of the time; what was skipped is shown by a later call.

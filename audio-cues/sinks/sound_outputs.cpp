@@ -33,7 +33,7 @@ private:
 
 }  // namespace
 
-SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shared_ptr<ReaderChannel> reader) {
+SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shared_ptr<ReaderChannel> reader, std::shared_ptr<BrailleLink> braille) {
     SoundOutputs outputs;
     std::vector<std::unique_ptr<Voice>> voices;
     if (reader) voices.push_back(std::make_unique<ReaderVoice>(std::move(reader)));
@@ -49,7 +49,8 @@ SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shar
         outputs.audio = std::move(*opened);
         outputs.audio->set_sound(settings.sound);
     }
-    outputs.speech = std::make_unique<VoiceRouter>(std::move(voices), std::make_unique<TextSpeech>(text_fd), nullptr, settings.speech);
+    outputs.speech = std::make_unique<VoiceRouter>(std::move(voices), std::make_unique<TextSpeech>(text_fd),
+                                                   braille ? std::make_unique<BrailleDisplay>(std::move(braille), settings.speech) : nullptr, settings.speech);
     return outputs;
 }
 

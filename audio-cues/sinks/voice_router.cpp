@@ -24,7 +24,7 @@ std::string_view voice_name(SpeechThrough through) {
     return "text";
 }
 
-VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<Companion> braille,
+VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<BrailleSink> braille,
                          const Settings::Speech& settings)
     : voices_(std::move(voices)), text_(std::move(text)), braille_(std::move(braille)), through_(settings.through) {
     want_what_is_allowed();
@@ -128,6 +128,7 @@ std::string_view VoiceRouter::who() const {
 
 void VoiceRouter::set_speech(const Settings::Speech& settings) {
     for (const auto& voice : voices_) voice->set_speech(settings);
+    if (braille_) braille_->set_speech(settings);
     if (std::exchange(through_, settings.through) == settings.through) return;
     choosing_again_ = true;
     want_what_is_allowed();

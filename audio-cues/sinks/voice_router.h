@@ -12,7 +12,7 @@
 namespace handrail {
 
 // A braille display, or what else is to be silent while a screen reader has the words.
-class Companion : public SpeechSink {
+class BrailleSink : public SpeechSink {
 public:
     virtual void want(bool wanted) = 0;
 };
@@ -23,7 +23,7 @@ public:
 class VoiceRouter final : public SpeechSink {
 public:
     // `voices`: the best first. `text` is always given everything; `braille` too, unless a screen reader speaks. Either may be null.
-    VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<Companion> braille,
+    VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<BrailleSink> braille,
                 const Settings::Speech& settings);
 
     void say(const Utterance& utterance) override;
@@ -48,7 +48,7 @@ private:
 
     std::vector<std::unique_ptr<Voice>> voices_;
     std::unique_ptr<SpeechSink> text_;
-    std::unique_ptr<Companion> braille_;
+    std::unique_ptr<BrailleSink> braille_;
     SpeechThrough through_;
     Voice* active_ = nullptr;           // one of voices_
     bool chosen_ = false;               // a first choice was made

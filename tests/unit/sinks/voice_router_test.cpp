@@ -38,7 +38,7 @@ private:
     SpeechThrough through_;
 };
 
-class PlayedLine final : public Companion {
+class PlayedLine final : public BrailleSink {
 public:
     void want(bool w) override { wanted = w; }
     void say(const Utterance& utterance) override { write(utterance); }

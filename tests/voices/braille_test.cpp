@@ -1,0 +1,146 @@
+// The program with a braille display, and with everything that can be taken away from somebody who explores.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/support/virtual_display.h"
+#include "tests/voices/braille_server.h"
+#include "tests/voices/desktop.h"
+#include "tests/voices/exploring.h"
+#include "tests/voices/speech_server.h"
+
+namespace handrail::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class Brailled : public testing::Test {
+protected:
+    // The program explores the first room with a window that has the keyboard, a speech server, a braille display and a sound card.
+    void explore(const std::vector<std::string>& more = {}) {
+        if (const std::string why = BrailleServer::why_not(); !why.empty()) GTEST_SKIP() << why;
+        if (!installed("speech-dispatcher")) GTEST_SKIP() << "speech-dispatcher is not installed";
+        display = VirtualDisplay::start();
+        if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
+        speech = SpeechServer::start(folder.path(), 1);
+        ASSERT_TRUE(speech->running()) << speech->everything();
+        braille = std::make_unique<BrailleServer>(folder.path());
+        ASSERT_TRUE(braille->running()) << braille->everything();
+        Environment environment = braille->environment();
+        environment.merge(speech->environment());
+        environment["DISPLAY"] = std::getenv("DISPLAY");
+        environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
+        environment["LD_PRELOAD"] = STANDIN_SOUND;
+        environment["STANDIN_SOUND_PULLED"] = pulled();
+        std::vector<std::string> arguments{"--device", "none"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        program = std::make_unique<Exploring>(folder, environment, arguments);
+        ASSERT_TRUE(eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0));
+        ASSERT_TRUE(eventually([&] { return speech->spoke("facing north"); }, 60.0)) << everything();
+    }
+    std::string pulled() const { return (folder.path() / "pulled").string(); }
+    bool press(const std::string& keys) const { return display->xdotool("key " + keys); }
+    std::string everything() const { return "said:\n" + program->said() + speech->everything() + braille->everything(); }
+    void leave() {
+        EXPECT_TRUE(press("Escape"));
+        EXPECT_TRUE(program->says("Press Escape again")) << everything();
+        EXPECT_TRUE(press("Escape"));
+        EXPECT_EQ(program->process().exit_status(), 0) << everything();
+    }
+
+    TemporaryFolder folder;
+    std::unique_ptr<VirtualDisplay> display;
+    std::unique_ptr<SpeechServer> speech;
+    std::unique_ptr<BrailleServer> braille;
+    std::unique_ptr<Exploring> program;
+};
+
+TEST_F(Brailled, shows_the_heading_and_the_words_that_are_spoken) {
+    ASSERT_NO_FATAL_FAILURE(explore());
+    if (!program) return;
+    ASSERT_TRUE(press("Right"));
+    EXPECT_TRUE(braille->shows("North-east")) << everything();
+    EXPECT_TRUE(eventually([&] { return speech->spoke("North-east"); })) << everything();
+    ASSERT_TRUE(press("c"));
+    EXPECT_TRUE(eventually([&] { return braille->shown() == "23 Facing north-east, 22 degrees"; }, 60.0)) << everything();
+    leave();
+}
+
+TEST_F(Brailled, pans_by_the_displays_keys_and_tells_more_by_a_routing_key) {
+    ASSERT_NO_FATAL_FAILURE(explore());
+    if (!program) return;
+    ASSERT_TRUE(press("F2"));
+    EXPECT_TRUE(eventually([&] { return braille->shown() == "N  You are at the base, facing north."; }, 60.0)) << everything();
+    braille->press("FWINRT");
+    EXPECT_TRUE(eventually([&] { return braille->shown() == "N  Ahead: north wall, plaster, 5 steps."; }, 60.0)) << everything();
+    braille->press("FWINLT");
+    EXPECT_TRUE(braille->shows("You are at the base")) << everything();
+    braille->press("LNDN");
+    EXPECT_TRUE(braille->shows("Ahead: north wall")) << everything();
+    braille->press("HOME");
+    EXPECT_TRUE(braille->shows("You are at the base")) << everything();
+    const std::string before = program->said();
+    braille->press("ROUTE 7");
+    EXPECT_TRUE(eventually([&] { return program->said().size() > before.size(); }, 60.0)) << everything();
+    EXPECT_TRUE(eventually([&] { return braille->shown().find("You are at the base") == std::string::npos; }, 60.0)) << everything();
+    leave();
+}
+
+TEST_F(Brailled, not_at_all_when_switched_off) {
+    ASSERT_NO_FATAL_FAILURE(explore({"--set", "speech.braille=false"}));
+    if (!program) return;
+    ASSERT_TRUE(press("c"));
+    EXPECT_TRUE(eventually([&] { return speech->spoke("Facing north, 0 degrees"); }, 60.0)) << everything();
+    EXPECT_THAT(braille->shown(), Not(HasSubstr("north"))) << everything();
+    leave();
+}
+
+TEST_F(Brailled, takes_another_display_of_the_same_server) {
+    ASSERT_NO_FATAL_FAILURE(explore());
+    if (!program) return;
+    ASSERT_TRUE(press("c"));
+    ASSERT_TRUE(braille->shows("Facing north")) << everything();
+    ASSERT_TRUE(braille->unplug_display_and_plug_in_another()) << everything();
+    ASSERT_TRUE(press("Right"));
+    EXPECT_TRUE(braille->shows("North-east")) << everything();
+    leave();
+}
+
+// One after the other everything goes that tells a person where they are; each loss is told by what is left, and exploring goes on.
+TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_turn) {
+    ASSERT_NO_FATAL_FAILURE(explore());
+    if (!program) return;
+    ASSERT_TRUE(press("c"));
+    ASSERT_TRUE(braille->shows("Facing north")) << everything();
+
+    braille->kill();
+    EXPECT_TRUE(program->says("alert: The braille display has gone; it is looked for again.")) << everything();
+    EXPECT_TRUE(eventually([&] { return speech->spoke("The braille display has gone"); }, 60.0)) << everything();
+    ASSERT_TRUE(press("Right"));
+    EXPECT_TRUE(eventually([&] { return speech->spoke("North-east"); }, 60.0)) << everything();
+    ASSERT_TRUE(braille->start_again()) << everything();
+    ASSERT_TRUE(press("c"));
+    EXPECT_TRUE(braille->shows("Facing north-east, 22 degrees")) << everything();
+
+    std::ofstream(pulled()) << "";
+    EXPECT_TRUE(program->says("alert: The sound device was lost.")) << everything();
+    EXPECT_TRUE(eventually([&] { return speech->spoke("The sound device was lost."); }, 60.0)) << everything();
+    EXPECT_TRUE(braille->shows("The sound device was lost.")) << everything();
+
+    speech->kill();
+    EXPECT_TRUE(program->says("alert: The speech server has gone; there is only text now.")) << everything();
+    EXPECT_TRUE(braille->shows("The speech server has gone;")) << everything();
+    ASSERT_TRUE(press("Right Right"));
+    ASSERT_TRUE(press("c"));
+    EXPECT_TRUE(braille->shows("Facing east, 68 degrees")) << everything();
+
+    std::filesystem::remove(pulled());
+    EXPECT_TRUE(program->says("alert: Sound is back")) << everything();
+    EXPECT_TRUE(program->says("The built-in voice speaks now.")) << everything();
+    leave();
+}
+
+}  // namespace
+}  // namespace handrail::test
