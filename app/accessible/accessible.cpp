@@ -263,6 +263,16 @@ public:
         if (focused_.exchange(focused) != focused) g_main_context_wakeup(nullptr);
     }
 
+    void show(const DialogueView& dialogue) {
+        if (dialogue == given_) return;
+        given_ = dialogue;
+        {
+            const std::lock_guard lock(dialogue_mutex_);
+            next_dialogue_ = dialogue;
+        }
+        g_main_context_wakeup(nullptr);
+    }
+
     std::uint64_t offer(const KeyStroke& stroke) {
         if (!hears_keys_) return 0;
         {
@@ -302,6 +312,7 @@ private:
                 if (listened_to_ && !tried_) build();
             }
             follow_focus();
+            follow_dialogue();
             ask_about_keys();
             settle();
             read();
@@ -392,6 +403,54 @@ private:
         atk_object_set_name(&view_->parent, text->c_str());
     }
 
+    static std::string item_name(const ListItem& item) { return item.value.empty() ? item.name : item.name + ", " + item.value; }
+
+    // The objects of the open list or question, made anew unless only the place in the list is another.
+    void follow_dialogue() {
+        if (!built_) return;
+        std::optional<DialogueView> next;
+        {
+            const std::lock_guard lock(dialogue_mutex_);
+            next = std::exchange(next_dialogue_, std::nullopt);
+        }
+        if (!next) return;
+        if (dialogue_ && next->kind == DialogueView::Kind::List && next->kind == shown_.kind && next->title == shown_.title && next->items == shown_.items) {
+            if (shown_.at != next->at) {
+                select(shown_.at, false);
+                select(next->at, true);
+            }
+        } else {
+            remove_dialogue();
+            if (next->kind != DialogueView::Kind::None) add_dialogue(*next);
+        }
+        shown_ = std::move(*next);
+    }
+
+    void add_dialogue(const DialogueView& view) {
+        const bool list = view.kind == DialogueView::Kind::List;
+        const std::string name = list ? view.title : view.title + ": " + view.text;
+        dialogue_ = make_node(handrail_node_get_type(), list ? ATK_ROLE_LIST : ATK_ROLE_ENTRY, name.c_str(), frame_,
+                              {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
+        for (const ListItem& item : view.items)
+            make_node(handrail_node_get_type(), ATK_ROLE_LIST_ITEM, item_name(item).c_str(), dialogue_,
+                      {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_SELECTABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
+        if (view.at < view.items.size()) atk_state_set_add_state((*dialogue_->children)[view.at]->states, ATK_STATE_SELECTED);
+        g_signal_emit_by_name(frame_, "children-changed::add", static_cast<guint>(frame_->children->size() - 1), dialogue_, nullptr);
+    }
+
+    void remove_dialogue() {
+        if (!dialogue_) return;
+        std::erase(*frame_->children, dialogue_);
+        g_signal_emit_by_name(frame_, "children-changed::remove", static_cast<guint>(frame_->children->size()), dialogue_, nullptr);
+        for (HandrailNode* item : *dialogue_->children) atk_object_notify_state_change(&item->parent, ATK_STATE_DEFUNCT, true);
+        atk_object_notify_state_change(&dialogue_->parent, ATK_STATE_DEFUNCT, true);
+        g_object_unref(std::exchange(dialogue_, nullptr));
+    }
+
+    void select(std::size_t item, bool on) {
+        if (item < dialogue_->children->size()) set_state((*dialogue_->children)[item], ATK_STATE_SELECTED, on);
+    }
+
     void ask_about_keys() {
         for (;;) {
             OfferedKey key;
@@ -429,7 +488,13 @@ private:
     std::map<std::uint64_t, KeyVerdict> verdicts_;
     std::uint64_t answered_ = 0;
 
+    DialogueView given_;  // app thread
+    std::mutex dialogue_mutex_;
+    std::optional<DialogueView> next_dialogue_;  // under dialogue_mutex_
+
     // Accessibility thread.
+    DialogueView shown_;
+    HandrailNode* dialogue_ = nullptr;  // of frame_; null: nothing is open
     double look_due_s_ = 0.0;
     bool listened_to_ = false, tried_ = false, built_ = false;
     double built_at_s_ = 0.0;
@@ -447,6 +512,7 @@ std::unique_ptr<Accessible> Accessible::start(std::shared_ptr<ReaderChannel> cha
 }
 
 void Accessible::set_focus(bool focused) { impl_->set_focus(focused); }
+void Accessible::show(const DialogueView& dialogue) { impl_->show(dialogue); }
 std::uint64_t Accessible::offer(const KeyStroke& stroke) { return impl_->offer(stroke); }
 KeyVerdict Accessible::verdict(std::uint64_t ticket) { return impl_->verdict(ticket); }
 

@@ -489,7 +489,11 @@ private:
             }
             for (SpokenLine& line : ears_->take_spoken()) last_spoken_ = std::move(line.text);
             hold_more_sound();
-            if (window_) window_->draw(app_->view(tool_, last_spoken_));
+            if (window_) {
+                const ViewState view = app_->view(tool_, last_spoken_);
+                accessible_->show(view.dialogue);
+                window_->draw(view);
+            }
             next_s = std::max(next_s + kFrame_s, now_s);
             clock_.sleep_until_s(next_s);
         }

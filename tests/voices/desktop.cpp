@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 
 #include "tests/support/temporary_folder.h"
 
@@ -20,7 +21,7 @@ std::string Desktop::why_not() {
     return {};
 }
 
-Desktop::Desktop(const fs::path& folder) : folder_(folder) {
+Desktop::Desktop(const fs::path& folder, int word_ms) : folder_(folder) {
     fs::create_directories(folder_ / "session");
     fs::permissions(folder_ / "session", fs::perms::owner_all);
     display = VirtualDisplay::start();
@@ -28,7 +29,7 @@ Desktop::Desktop(const fs::path& folder) : folder_(folder) {
     bus_ = ChildProcess::start({"dbus-daemon", "--session", "--nofork", "--nopidfile", "--address=unix:path=" + (folder_ / "session" / "bus").string()},
                                session(), folder_ / "bus.out");
     if (!eventually([&] { return fs::exists(folder_ / "session" / "bus"); })) return;
-    speech = SpeechServer::start(folder_, 1);
+    speech = SpeechServer::start(folder_, word_ms);
 }
 
 Desktop::~Desktop() {
@@ -51,11 +52,21 @@ Environment Desktop::environment(bool speech_server) const {
     return all;
 }
 
+// Orca does not start beside another one of the same user, whatever session that serves: a developer's own, or that of another test. It asks pgrep, so it
+// gets one here that finds nobody.
+std::string Desktop::without_other_orcas() const {
+    const fs::path folder = folder_ / "programs";
+    fs::create_directories(folder);
+    std::ofstream(folder / "pgrep") << "#!/bin/sh\nexit 1\n";
+    fs::permissions(folder / "pgrep", fs::perms::owner_all);
+    return folder.string();
+}
+
 bool Desktop::start_orca() {
     const auto began = static_cast<std::ptrdiff_t>(speech->recorded().size());
     Environment environment = session();
     environment.merge(speech->environment());
-    environment["PATH"] = "/usr/bin:/bin";  // the system's Python has what Orca needs
+    environment["PATH"] = without_other_orcas() + ":/usr/bin:/bin";  // the system's Python has what Orca needs
     orca_ = ChildProcess::start({"orca", "-d", "braille", "-e", "speech", "-u", (folder_ / "orca").string()}, environment, folder_ / "orca.out");
     return eventually(
         [&] {
@@ -67,6 +78,26 @@ bool Desktop::start_orca() {
 
 bool Desktop::focus_window() const {
     return eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0);
+}
+
+std::string Desktop::objects() const {
+    static constexpr const char* kDump = R"(
+import pyatspi
+def dump(a, depth):
+    print('  ' * depth + a.getRoleName() + ' "' + a.name + '"' + (' selected' if a.getState().contains(pyatspi.STATE_SELECTED) else ''))
+    for i in range(a.childCount):
+        dump(a.getChildAtIndex(i), depth + 1)
+for a in pyatspi.Registry.getDesktop(0):
+    if a and a.name == 'Handrail':
+        dump(a, 0)
+)";
+    const fs::path out = folder_ / "objects";
+    fs::remove(out);
+    Environment environment = session();
+    environment["PATH"] = "/usr/bin:/bin";
+    const auto reader = ChildProcess::start({"python3", "-c", kDump}, environment, out);
+    if (reader) reader->exit_status();
+    return content_of(out);
 }
 
 std::string Desktop::everything() const {

@@ -17,7 +17,7 @@ public:
     // Why it cannot be had here: a package that is missing, or a sanitizer, under which time and memory of foreign libraries are not judged. Empty: it can.
     static std::string why_not();
     // In `folder`, without Orca; running() is false when a part does not start.
-    explicit Desktop(const std::filesystem::path& folder);
+    explicit Desktop(const std::filesystem::path& folder, int word_ms = 1);
     ~Desktop();
     Desktop(const Desktop&) = delete;
     Desktop& operator=(const Desktop&) = delete;
@@ -32,6 +32,8 @@ public:
     // Gives the program's window the keyboard once it is there.
     bool focus_window() const;
     bool press(const std::string& keys) const { return display->xdotool("key " + keys); }
+    // The program's accessible objects as any reader finds them: a line each, children two blanks further in: `list item "North wall" selected`.
+    std::string objects() const;
     std::string everything() const;  // for messages of failing tests
 
     std::unique_ptr<VirtualDisplay> display;
@@ -39,6 +41,7 @@ public:
 
 private:
     Environment session() const;
+    std::string without_other_orcas() const;
 
     std::filesystem::path folder_;
     std::unique_ptr<ChildProcess> bus_, orca_;

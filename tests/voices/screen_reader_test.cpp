@@ -113,6 +113,35 @@ TEST_F(ReadByOrca, has_each_key_first_but_for_the_stop_key) {
     leave();
 }
 
+TEST_F(ReadByOrca, speaks_lists_and_finds_their_items_as_objects) {
+    ASSERT_NO_FATAL_FAILURE(begin(false));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    EXPECT_THAT(desktop->objects(), Not(HasSubstr("list"))) << everything();
+    ASSERT_TRUE(desktop->press("Tab"));
+    ASSERT_TRUE(speaks_of("What to do")) << everything();
+    std::string objects;
+    const auto finds = [&](const std::string& words) {
+        return eventually([&] { return (objects = desktop->objects()).find(words) != std::string::npos; }, 60.0);
+    };
+    EXPECT_TRUE(finds("  list \"What to do")) << objects;
+    EXPECT_TRUE(finds("selected")) << objects;
+    // Down goes to the second item: the selection moves there, and Orca speaks it.
+    std::istringstream lines(objects);
+    std::string first, second;
+    for (std::string line; std::getline(lines, line) && second.empty();)
+        if (line.find("list item") != std::string::npos) (first.empty() ? first : second) = line;
+    EXPECT_THAT(first, HasSubstr("selected"));
+    ASSERT_FALSE(second.empty()) << objects;
+    ASSERT_TRUE(desktop->press("Down"));
+    EXPECT_TRUE(finds(second + " selected")) << objects;
+    const std::size_t quote = second.find('"');
+    EXPECT_TRUE(speaks_of(second.substr(quote + 1, second.find_first_of("\",", quote + 1) - quote - 1))) << everything();
+    ASSERT_TRUE(desktop->press("Escape"));
+    EXPECT_TRUE(eventually([&] { return desktop->objects().find("list") == std::string::npos; }, 60.0)) << desktop->objects();
+    leave();
+}
+
 TEST_F(ReadByOrca, goes_on_when_it_is_killed_and_comes_back_to_it) {
     ASSERT_NO_FATAL_FAILURE(begin(true));
     if (!program) return;
