@@ -100,6 +100,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::HandUp, "hand-up", "U", true, "Simulated hand up."},
     CommandInfo{Command::HandDown, "hand-down", "O", true, "Simulated hand down."},
     CommandInfo{Command::HandCentre, "hand-centre", "P", false, "Simulated hand back to the middle of its reach."},
+    CommandInfo{Command::Desk, "desk", "F10", false, "Your desk: volumes, speech, force and scale, to hear and to change."},
 };
 
 }  // namespace

@@ -102,6 +102,7 @@ enum class Command : std::uint8_t {
     HandUp,
     HandDown,
     HandCentre,
+    Desk,  // the controls of one's own desk by keys
 };
 
 // A row of the key table: the command, its word for terminals and scenarios, the default key and a line of help.
