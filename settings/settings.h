@@ -77,7 +77,6 @@ struct Settings {
         bool distances_in_steps = true;               // else metres
         DirectionChoice directions = DirectionChoice::Sides;
         bool rounded = true;         // distances and directions; else as exact as they are known
-        bool crowding_hint = false;  // told on entering where many materials lie close together
         bool rooms = true;                            // the name of a room one comes into is told
         bool braille = true;                          // what is said goes to a braille display too
         bool crowding_hint = false;                   // told on entering where many materials lie close together

@@ -86,7 +86,6 @@ constexpr std::array kCommands{
     CommandInfo{Command::FreeLeft, "free-left", "Alt+Left", true, "Turn left a little, without notches; held, turn on."},
     CommandInfo{Command::FreeRight, "free-right", "Alt+Right", true, "Turn right a little, without notches; held, turn on."},
     CommandInfo{Command::Callouts, "callouts", "Minus", false, "Tell stairs, drops and openings unasked, or not."},
-    CommandInfo{Command::Desk, "desk", "F10", false, "Your desk: volumes, speech, force and scale, to hear and to change."},
     CommandInfo{Command::Unexplored, "unexplored", "7", false, "Where the nearest wall or floor is that I do not know yet."},
     CommandInfo{Command::ProgressReport, "progress", "8", false, "How much of this place I know: walls, floor, doors, time."},
     CommandInfo{Command::LearnPlace, "learn", "9", false, "Learn this place: walls one after another, then lanes; again to end."},

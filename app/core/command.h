@@ -86,7 +86,6 @@ enum class Command : std::uint8_t {
     FreeLeft,
     FreeRight,
     Callouts,
-    Desk,  // its controls by keys
     // Learning a place.
     Unexplored,
     ProgressReport,
