@@ -532,7 +532,7 @@ std::vector<float> earcon(SoundKind kind) {
         case SoundKind::Beacon:
             return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 1.0}});
         case SoundKind::BeaconAhead:
-            return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 0.6}, Note{0.0, 0.12, 1318.0, 0.6}, Note{0.02, 0.14, 1976.0, 0.4}});
+            return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 0.54}, Note{0.0, 0.12, 1318.0, 0.54}, Note{0.02, 0.14, 1976.0, 0.36}});
         case SoundKind::BeaconBehind:
             return synthesise_notes(std::array{Note{0.0, 0.12, 277.0, 1.0}});
         case SoundKind::Alarm:

@@ -72,8 +72,8 @@ TEST_F(Brailled, pans_by_the_displays_keys_and_tells_more_by_a_routing_key) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     ASSERT_TRUE(press("F2"));
-    ASSERT_TRUE(eventually([&] { return program->said().find("say: You are at") != std::string::npos; }, 60.0)) << everything();
-    ASSERT_TRUE(braille->shows("N  You are at")) << everything();
+    ASSERT_TRUE(eventually([&] { return program->said().find("say: Room with") != std::string::npos; }, 60.0)) << everything();
+    ASSERT_TRUE(braille->shows("N  Room with")) << everything();
     // Each piece is words of the message behind the heading; the keys go on, back, on and to the beginning.
     const std::string first = braille->shown();
     const auto other = [&] { return braille->shown() != first; };
