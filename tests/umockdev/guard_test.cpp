@@ -171,7 +171,7 @@ public:
     }
     // A second time.
     bool says_again(const std::string& words) {
-        for (const auto end = Clock_::now() + 30s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
+        for (const auto end = Clock_::now() + 90s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
             const std::string text = said();
             if (text.find(words, text.find(words) + 1) != std::string::npos) return true;
         }
@@ -303,7 +303,14 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         bus.falcon.grip_m.y = y_m;
     };
     bool felt = false;
-    for (const auto end = Clock_::now() + 30s; !felt && Clock_::now() < end;) {
+    // On a machine busy with other things the force may be off; the force key takes it back, as for anybody.
+    std::size_t told = 0;
+    for (const auto end = Clock_::now() + 90s; !felt && Clock_::now() < end;) {
+        const std::string said = program.said();
+        if (const std::size_t off = said.find("press the force key to try again", told); off != std::string::npos) {
+            told = off + 1;
+            program.type("forces\n");
+        }
         for (const double y_m : {0.006, 0.0, -0.01, -0.02}) {
             moved_to(y_m);
             std::this_thread::sleep_for(300ms);
