@@ -1,5 +1,6 @@
 #include "worlds/navigation/nav_mesh.h"
 
+#include <fmt/format.h>
 #include <recastnavigation/DetourNavMesh.h>
 #include <recastnavigation/DetourNavMeshBuilder.h>
 #include <recastnavigation/DetourNavMeshQuery.h>
@@ -27,6 +28,9 @@ struct Free {
     void operator()(dtNavMesh* p) const { dtFreeNavMesh(p); }
     void operator()(dtNavMeshQuery* p) const { dtFreeNavMeshQuery(p); }
 };
+
+// By format, since the compiler takes the copy of a constant text for one beyond its end (GCC 12, -Warray-bounds).
+tl::unexpected<Error> failed() { return fail(fmt::format("This world's floors are too many for {}.", "planned ways")); }
 
 unsigned char area_of(const WalkSpan& span) {
     if (span.liquid) return kWading;
@@ -116,7 +120,6 @@ int NavMesh::polygons() const { return parts_->polygons; }
 std::size_t NavMesh::bytes() const { return parts_->bytes; }
 
 Result<NavMesh> NavMesh::make(const WalkSpace& space) {
-    constexpr std::string_view kFailed = "This world's floors are too many for planned ways.";
     std::vector<unsigned char> areas(space.spans.size());
     float highest = 0.0F;
     for (std::size_t s = 0; s < areas.size(); ++s) {
@@ -128,7 +131,7 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space) {
     rcContext context(false);
     std::unique_ptr<rcPolyMesh, Free> polygons;
     for (;; tile *= 2) {
-        if (tile > 4096) return fail(std::string(kFailed));
+        if (tile > 4096) return failed();
         const std::size_t count = regions_of(space, areas, tile, region);
         if (count > kMostRegions) continue;
 
@@ -175,12 +178,12 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space) {
         std::unique_ptr<rcContourSet, Free> contours(rcAllocContourSet());
         const bool traced = contours && rcBuildContours(&context, field, 0.7F, 0, *contours, 0);
         give_back();
-        if (!traced) return fail(std::string(kFailed));
+        if (!traced) return failed();
         std::size_t vertices = 0;
         for (int i = 0; i < contours->nconts; ++i) vertices += static_cast<std::size_t>(contours->conts[i].nverts);
         if (vertices > kMostVertices) continue;
         polygons.reset(rcAllocPolyMesh());
-        if (!polygons || !rcBuildPolyMesh(&context, *contours, DT_VERTS_PER_POLYGON, *polygons)) return fail(std::string(kFailed));
+        if (!polygons || !rcBuildPolyMesh(&context, *contours, DT_VERTS_PER_POLYGON, *polygons)) return failed();
         break;
     }
     if (polygons->npolys == 0) return fail("There is too little floor here for planned ways.");
@@ -230,14 +233,14 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space) {
     params.buildBvTree = true;
     unsigned char* data = nullptr;
     int size = 0;
-    if (!dtCreateNavMeshData(&params, &data, &size)) return fail(std::string(kFailed));
+    if (!dtCreateNavMeshData(&params, &data, &size)) return failed();
     parts->mesh.reset(dtAllocNavMesh());
     if (!parts->mesh || dtStatusFailed(parts->mesh->init(data, size, DT_TILE_FREE_DATA))) {
         dtFree(data);
-        return fail(std::string(kFailed));
+        return failed();
     }
     parts->query.reset(dtAllocNavMeshQuery());
-    if (!parts->query || dtStatusFailed(parts->query->init(parts->mesh.get(), 65'535))) return fail(std::string(kFailed));
+    if (!parts->query || dtStatusFailed(parts->query->init(parts->mesh.get(), 65'535))) return failed();
     parts->polygons = polygons->npolys;
     parts->bytes = static_cast<std::size_t>(size);
     return NavMesh(std::move(parts));
