@@ -43,6 +43,7 @@ TEST(Inverse3Facts, are_all_told_as_data) {  // S137
         EXPECT_EQ(device["state"], calibrated ? "ready" : "needs calibration");
         EXPECT_EQ(device["calibration"].get<std::string>().starts_with("not "), !calibrated);
         EXPECT_EQ(service->messages, 1) << "asking for the facts asks for no force but the zero on leaving";
+        const std::lock_guard guard(service->lock);
         EXPECT_EQ(service->largest, 0.0);
     }
 }
