@@ -191,12 +191,12 @@ SideFile::~SideFile() = default;
 SideFile::SideFile(SideFile&&) noexcept = default;
 SideFile& SideFile::operator=(SideFile&&) noexcept = default;
 
-SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder) {
+SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, bool shipped) {
     SideFile file;
     Content& content = *file.content_;
     if (const auto bytes = read_whole_file(world)) content.checksum = checksum_of(*bytes);
     const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
-    const bool near_works = near.filename().string().size() <= kLongestFileName_bytes && folder_takes_files(near);
+    const bool near_works = !(shipped && !far.empty()) && near.filename().string().size() <= kLongestFileName_bytes && folder_takes_files(near);
     content.path = near_works || far.empty() ? near : far;
     content.other_path = near_works || far.empty() ? far : near;
     // A folder that could not be written when something was added may be writable now, and the other way round.

@@ -43,7 +43,8 @@ public:
     SideFile& operator=(SideFile&&) noexcept;
 
     // The file that belongs to `world`. A file that cannot be understood is kept under another name and the additions start empty; news() says so.
-    static SideFile of_world(const std::filesystem::path& world, const std::filesystem::path& data_folder);
+    // shipped: the world is the program\'s own, so what is added to it belongs into the data folder whatever can be written.
+    static SideFile of_world(const std::filesystem::path& world, const std::filesystem::path& data_folder, bool shipped = false);
 
     // One sentence each about what could not be read; fit to be spoken.
     const std::vector<std::string>& news() const;

@@ -431,7 +431,7 @@ private:
             say(fmt::format("{} {} in this file; the first: {}", report.warnings_in_all, report.warnings_in_all == 1 ? "problem" : "problems",
                             report.warnings.front().sentence()),
                 asked_s);
-        app_->use_side_file(SideFile::of_world(path, user_data_folder()));
+        app_->use_side_file(SideFile::of_world(path, user_data_folder(), is_shipped(path)));
         app_->enter_world(std::make_shared<const Scene>(std::move(scene)), asked_s);
         recent_.add(path);
         app_->set_worlds({world_folder(), recent_.worlds()});

@@ -17,6 +17,11 @@ fs::path world_folder() {
     return HANDRAIL_WORLD_FOLDER;
 }
 
+bool is_shipped(const fs::path& world) {
+    std::error_code ec;
+    return fs::equivalent(world.has_parent_path() ? world.parent_path() : fs::path("."), world_folder(), ec);
+}
+
 fs::path first_world() { return world_folder() / "first_room.map"; }
 
 }  // namespace handrail
