@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/marks.h"
 #include "app/core/words.h"
 
 namespace handrail {
@@ -88,17 +89,7 @@ std::vector<NamedThing> named_things(const Scene& scene) {
     for (std::size_t i = 0; i < scene.features.size(); ++i) {
         const Feature& feature = scene.features[i];
         if (feature.name.empty() || feature.bounds_m.empty()) continue;
-        switch (feature.kind) {
-            case FeatureKind::Object:
-            case FeatureKind::Door:
-            case FeatureKind::Button:
-            case FeatureKind::Lift:
-            case FeatureKind::Mover:
-            case FeatureKind::Liquid:
-                break;
-            default:
-                if (!feature.landmark && !feature.clue) continue;
-        }
+        if (!is_thing(feature)) continue;
         things.push_back({feature.name, feature.bounds_m, FeatureId{static_cast<std::uint32_t>(i)}, feature.kind, feature.landmark, feature.clue});
     }
     return things;

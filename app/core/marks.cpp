@@ -15,6 +15,10 @@ constexpr std::size_t kMostTold = 5;
 
 double distance_to(const Aabb& box, const Vec3& p) { return glm::length(glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0))); }
 
+bool reads(const SideEntry& entry) { return good_name(text_of(entry, "name")).has_value() && !numbers_of(entry, "place_m", 3).empty(); }
+
+}  // namespace
+
 bool is_thing(const Feature& feature) {
     switch (feature.kind) {
         case FeatureKind::Object:
@@ -28,10 +32,6 @@ bool is_thing(const Feature& feature) {
             return feature.landmark || feature.clue;
     }
 }
-
-bool reads(const SideEntry& entry) { return good_name(text_of(entry, "name")).has_value() && !numbers_of(entry, "place_m", 3).empty(); }
-
-}  // namespace
 
 std::vector<Mark> read_marks(const SideFile& file, int& unreadable) {
     std::vector<Mark> marks;

@@ -23,6 +23,9 @@ struct Mark {
 inline constexpr double kNearMark_m = 3.0;   // farther things say nothing of a place
 inline constexpr double kMarkMoved_m = 0.5;  // how much nearer or farther its thing may be than it was
 
+// What a person may look for by name: things, and whatever the map calls a landmark or a clue; not plain walls and floors.
+bool is_thing(const Feature& feature);
+
 // In the order of the file. Entries without a name or a place are left out and counted in `unreadable`; they stay in the file.
 std::vector<Mark> read_marks(const SideFile& file, int& unreadable);
 void write_marks(SideFile& file, const std::vector<Mark>& marks);
