@@ -1,7 +1,6 @@
 #include "worlds/base/files.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,31 +9,51 @@
 #include <system_error>
 
 #include "worlds/base/descriptor.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace fs = std::filesystem;
 namespace {
 
-std::string reason(int error) { return std::generic_category().message(error); }
+// Why a file was refused: the usual reasons in the language spoken, the others in the system's words.
+std::string reason(int error) {
+    switch (error) {
+        case ENOENT:
+            return phrase("files.not_there");
+        case EACCES:
+        case EPERM:
+            return phrase("files.not_allowed");
+        case ENOSPC:
+        case EDQUOT:
+            return phrase("files.full");
+        case EROFS:
+            return phrase("files.read_only");
+        case ENOTDIR:
+            return phrase("files.not_a_folder");
+        case ELOOP:
+            return phrase("files.link_loop");
+        default:
+            return std::generic_category().message(error);
+    }
+}
 
 }  // namespace
 
 Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes) {
     const std::string name = path.filename().string();
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (file.get() < 0) return fail(fmt::format("This file cannot be opened: {}.", reason(errno)), name);
+    if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason(errno)}}), name);
     struct stat info {};
-    if (::fstat(file.get(), &info) != 0) return fail(fmt::format("This file cannot be read: {}.", reason(errno)), name);
-    if (S_ISDIR(info.st_mode)) return fail("This is a folder, not a file.", name);
+    if (::fstat(file.get(), &info) != 0) return fail(phrase("files.cannot_read", {{"reason", reason(errno)}}), name);
+    if (S_ISDIR(info.st_mode)) return fail(phrase("files.folder"), name);
     std::string content;
     char block[1 << 16];
     for (;;) {
         const ssize_t got = ::read(file.get(), block, sizeof block);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return fail(fmt::format("This file cannot be read: {}.", reason(errno)), name);
+        if (got < 0) return fail(phrase("files.cannot_read", {{"reason", reason(errno)}}), name);
         if (got == 0) return content;
-        if (content.size() + static_cast<std::size_t>(got) > max_bytes)
-            return fail(fmt::format("This file is larger than {} megabytes, the most that is read.", max_bytes >> 20), name);
+        if (content.size() + static_cast<std::size_t>(got) > max_bytes) return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), name);
         content.append(block, static_cast<std::size_t>(got));
     }
 }
@@ -44,11 +63,11 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view conten
     // Link by link, since the last one may point to a file that is still to be made.
     fs::path target = path;
     for (int links = 0; fs::is_symlink(target, ec); ++links) {
-        if (links == 40) return fail(fmt::format("This file could not be saved: {}.", reason(ELOOP)), path.filename().string());  // the system's own limit
+        if (links == 40) return fail(phrase("files.cannot_save", {{"reason", reason(ELOOP)}}), path.filename().string());  // the system's own limit
         target = target.parent_path() / fs::read_symlink(target, ec);
     }
     const std::string name = target.filename().string();
-    const auto refused = [&](int error) { return fail(fmt::format("This file could not be saved: {}. The old one is unchanged.", reason(error)), name); };
+    const auto refused = [&](int error) { return fail(phrase("files.save_refused", {{"reason", reason(error)}}), name); };
     if (target.has_parent_path()) {
         fs::create_directories(target.parent_path(), ec);
         if (ec) return refused(ec.value());

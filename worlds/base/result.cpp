@@ -1,20 +1,20 @@
 #include "worlds/base/result.h"
 
-#include <fmt/format.h>
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
 
 std::string place(const std::string& file, int line, int column) {
-    std::string text = file;
+    std::string where = file;
     const auto add = [&](const std::string& part) {
-        if (!text.empty()) text += ", ";
-        text += part;
+        if (!where.empty()) where += ", ";
+        where += part;
     };
-    if (line > 0) add(fmt::format("line {}", line));
-    if (line > 0 && column > 0) add(fmt::format("column {}", column));
-    if (!text.empty()) text += ": ";
-    return text;
+    if (line > 0) add(phrase("error.line", {{"line", line}}));
+    if (line > 0 && column > 0) add(phrase("error.column", {{"column", column}}));
+    if (!where.empty()) where += ": ";
+    return where;
 }
 
 }  // namespace
@@ -22,9 +22,9 @@ std::string place(const std::string& file, int line, int column) {
 std::string Error::sentence() const { return place(file, line, column) + message; }
 
 std::string Diagnostic::sentence() const {
-    std::string text = place(file, line, column) + (severity == Severity::Error ? "error: " : "warning: ") + message;
-    if (!action.empty()) text += " " + action;
-    return text;
+    std::string all = place(file, line, column) + phrase(severity == Severity::Error ? "error.error" : "error.warning") + message;
+    if (!action.empty()) all += " " + action;
+    return all;
 }
 
 }  // namespace handrail

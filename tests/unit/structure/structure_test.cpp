@@ -1,12 +1,11 @@
 // The shape of the project, read from its own files: which folder may include which, what lies at the top, what no file may name.
-#include <array>
-#include <cstdio>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 
+#include "tests/support/project_files.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
@@ -14,24 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = HANDRAIL_SOURCE_DIR;
-
-// Files of the project, by git where there is a repository (an unpacked archive has none: then everything but build output).
-std::vector<std::string> project_files() {
-    std::vector<std::string> files;
-    const std::string command = "git -c safe.directory='*' -C '" + kRoot.string() + "' ls-files 2>/dev/null";
-    if (FILE* pipe = ::popen(command.c_str(), "r")) {
-        std::array<char, 4096> line{};
-        while (std::fgets(line.data(), line.size(), pipe)) files.push_back(std::string(line.data(), std::string_view(line.data()).find('\n')));
-        ::pclose(pipe);
-    }
-    if (!files.empty()) return files;
-    for (auto it = fs::recursive_directory_iterator(kRoot); it != fs::recursive_directory_iterator(); ++it) {
-        const std::string name = it->path().lexically_relative(kRoot).string();
-        if (name == "build" || name == ".git" || name == ".cache") it.disable_recursion_pending();
-        else if (it->is_regular_file()) files.push_back(name);
-    }
-    return files;
-}
 
 bool is_source(const std::string& file) { return file.ends_with(".h") || file.ends_with(".cpp"); }
 
@@ -104,7 +85,7 @@ std::string refusal(const std::string& file, const std::string& included) {
 
 TEST(IncludeDirection, holds_in_every_source_file_of_the_program) {
     std::size_t looked_at = 0;
-    for (const std::string& file : project_files()) {
+    for (const std::string& file : test::project_files()) {
         if (!is_source(file) || !is_program(file)) continue;
         const std::string text = test::content_of(kRoot / file);
         if (text.empty()) continue;  // deleted, not committed yet
@@ -134,7 +115,7 @@ TEST(IncludeDirection, holds_in_the_link_lines_too) {
     static const std::regex kLibrary(R"(handrail_library\(\s*(handrail_\w+)\s+([\w/-]+)([^)]*)\))");
     std::map<std::string, std::string> folder_by_library;
     std::vector<std::pair<std::string, std::string>> links;  // folder, library
-    for (const std::string& file : project_files()) {
+    for (const std::string& file : test::project_files()) {
         if (!file.ends_with("CMakeLists.txt") || file == "CMakeLists.txt" || !is_program(file)) continue;
         const std::string text = test::content_of(kRoot / file);
         for (auto it = std::sregex_iterator(text.begin(), text.end(), kLibrary); it != std::sregex_iterator(); ++it) {
@@ -167,7 +148,7 @@ TEST(TopLevel, holds_only_the_names_that_belong_there) {
     const std::set<std::string> allowed{".ci",     ".clang-format", ".gitignore", "CMakeLists.txt", "CMakePresets.json",
                                         "LICENSE", "README.md",     "app",        "audio-cues",     "docs",
                                         "haptic",  "run",           "settings",   "tests",          "worlds"};
-    for (const std::string& file : project_files()) EXPECT_TRUE(allowed.contains(file.substr(0, file.find('/')))) << file;
+    for (const std::string& file : test::project_files()) EXPECT_TRUE(allowed.contains(file.substr(0, file.find('/')))) << file;
 }
 
 // Where a developer's folders lie is nobody else's business and breaks on every other machine. System folders that Debian promises are fine.
@@ -177,7 +158,7 @@ const std::regex& machine_path() {
 }
 
 TEST(Files, name_no_folder_of_one_machine) {
-    for (const std::string& file : project_files()) {
+    for (const std::string& file : test::project_files()) {
         std::error_code ec;
         if (!fs::is_regular_file(kRoot / file, ec) || fs::file_size(kRoot / file, ec) > 2'000'000 || file.ends_with(".png")) continue;
         std::smatch found;

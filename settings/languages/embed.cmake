@@ -1,0 +1,18 @@
+# Writes the language files into a C++ source: cmake -DOUTPUT=FILE.cpp -DFILES="en.toml;de.toml" -P embed.cmake
+# A string literal may hold 65,536 bytes by the standard; pieces of at most 16,000 stand side by side.
+set(source "// Made of settings/languages by embed.cmake.\n#include \"worlds/base/bundled_languages.h\"\n\nnamespace handrail {\nnamespace {\n\nconstexpr BundledLanguage kLanguages[] = {\n")
+foreach(file IN LISTS FILES)
+  get_filename_component(code ${file} NAME_WE)
+  file(READ ${file} content)
+  string(APPEND source "    {\"${code}\",\n")
+  string(LENGTH "${content}" length)
+  set(at 0)
+  while(at LESS length)
+    string(SUBSTRING "${content}" ${at} 4000 piece)
+    string(APPEND source "R\"toml(${piece})toml\"\n")
+    math(EXPR at "${at} + 4000")
+  endwhile()
+  string(APPEND source "    },\n")
+endforeach()
+string(APPEND source "};\n\n}  // namespace\n\nconst std::span<const BundledLanguage> kBundledLanguages(kLanguages);\n\n}  // namespace handrail\n")
+file(WRITE ${OUTPUT} "${source}")

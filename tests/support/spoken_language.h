@@ -1,0 +1,20 @@
+// A test in another language, which leaves the process as it was.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "worlds/base/language.h"
+
+namespace handrail::test {
+
+class InLanguage {
+   public:
+    explicit InLanguage(std::string_view code) {
+        if (const auto spoken = speak_language(code); !spoken) ADD_FAILURE() << spoken.error().sentence();
+    }
+    ~InLanguage() { (void)speak_language("en"); }
+    InLanguage(const InLanguage&) = delete;
+    InLanguage& operator=(const InLanguage&) = delete;
+};
+
+}  // namespace handrail::test

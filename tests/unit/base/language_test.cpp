@@ -1,0 +1,130 @@
+#include <fstream>
+#include <thread>
+
+#include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+
+void write(const std::filesystem::path& path, std::string_view content) { std::ofstream(path, std::ios::binary) << content; }
+
+TEST(Phrase, puts_values_in_and_keeps_to_the_language_spoken) {
+    EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}), "There is no language \"xx\"; there are: en, de.");
+    const test::InLanguage german("de");
+    EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}), "Die Sprache „xx“ gibt es nicht; es gibt: en, de.");
+    EXPECT_EQ(spoken_language(), "de");
+}
+
+TEST(Phrase, says_the_key_where_no_language_has_it) {
+    EXPECT_EQ(phrase("nothing.like_this", {{"x", 1}}), "nothing.like_this");
+    EXPECT_FALSE(has_phrase("nothing.like_this"));
+    EXPECT_TRUE(has_phrase("language.name"));
+}
+
+TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
+    EXPECT_EQ(phrase("language.unknown_key", {{"key", "it's {odd} '{'"}}), "\"it's {odd} '{'\" is no text of Handrail; it is left out.");
+}
+
+TEST(BundledLanguages, are_english_first_and_name_themselves) {
+    const auto names = bundled_languages();
+    ASSERT_GE(names.size(), 2U);
+    EXPECT_EQ(names[0].code, "en");
+    EXPECT_EQ(names[0].name, "English");
+    EXPECT_TRUE(std::any_of(names.begin(), names.end(), [](const LanguageName& l) { return l.code == "de" && l.name == "Deutsch"; }));
+}
+
+TEST(SpeakLanguage, takes_a_file_of_ones_own_and_falls_back_to_english_for_what_it_lacks) {
+    const test::TemporaryFolder folder;
+    write(folder.path() / "nl.toml", "[language]\nname = \"Nederlands\"\n[error]\nline = \"regel {line}\"\n");
+    const auto spoken = speak_language("nl", folder.path());
+    ASSERT_TRUE(spoken) << spoken.error().sentence();
+    EXPECT_TRUE(spoken->empty());
+    EXPECT_EQ(phrase("error.line", {{"line", 3}}), "regel 3");
+    EXPECT_EQ(phrase("error.column", {{"column", 3}}), "column 3");
+    ASSERT_TRUE(speak_language("en"));
+    EXPECT_EQ(phrase("error.line", {{"line", 3}}), "line 3");
+}
+
+TEST(SpeakLanguage, replaces_single_texts_of_a_bundled_language) {
+    const test::TemporaryFolder folder;
+    write(folder.path() / "de.toml", "error.line = \"Z. {line}\"\n");
+    ASSERT_TRUE(speak_language("de", folder.path()));
+    EXPECT_EQ(phrase("error.line", {{"line", 3}}), "Z. 3");
+    EXPECT_EQ(phrase("error.column", {{"column", 3}}), "Spalte 3");
+    ASSERT_TRUE(speak_language("en"));
+}
+
+TEST(SpeakLanguage, names_every_text_that_does_not_fit_and_uses_the_bundled_one_instead) {
+    const test::TemporaryFolder folder;
+    write(folder.path() / "de.toml",
+          "[error]\nline = \"Zeile {lien}\"\ncolumn = \"Spalte {column\"\nerror = 3\nwarning = \"Achtung: \"\nnothing = \"nichts\"\n");
+    const auto spoken = speak_language("de", folder.path());
+    ASSERT_TRUE(spoken) << spoken.error().sentence();
+    std::vector<int> lines;
+    for (const Diagnostic& fault : *spoken) lines.push_back(fault.line);
+    std::sort(lines.begin(), lines.end());
+    EXPECT_EQ(lines, (std::vector<int>{2, 3, 4, 6}));
+    EXPECT_EQ(phrase("error.line", {{"line", 3}}), "Zeile 3");
+    EXPECT_EQ(phrase("error.column", {{"column", 3}}), "Spalte 3");
+    EXPECT_EQ(phrase("error.warning"), "Achtung: ");
+    ASSERT_TRUE(speak_language("en"));
+}
+
+TEST(SpeakLanguage, changes_nothing_for_a_damaged_file_and_says_where_it_is_damaged) {
+    const test::TemporaryFolder folder;
+    write(folder.path() / "de.toml", "[error]\nline = \"Zeile\n");
+    const auto spoken = speak_language("de", folder.path());
+    ASSERT_FALSE(spoken);
+    EXPECT_EQ(spoken.error().file, "de.toml");
+    EXPECT_EQ(spoken.error().line, 2);
+    EXPECT_EQ(spoken_language(), "en");
+    write(folder.path() / "de.toml", "error.line = \"Zeile \xff\"\n");
+    EXPECT_FALSE(speak_language("de", folder.path()));
+}
+
+TEST(SpeakLanguage, survives_a_file_cut_at_every_byte) {
+    const test::TemporaryFolder folder;
+    const std::string whole = "[language]\nname = \"Français\"\n[error]\nline = \"ligne {line, plural, one {#} other {#}}\"\n";
+    for (std::size_t length = 0; length <= whole.size(); ++length) {
+        write(folder.path() / "fr.toml", whole.substr(0, length));
+        (void)speak_language("fr", folder.path());
+        EXPECT_FALSE(phrase("error.line", {{"line", 1}}).empty());
+    }
+    EXPECT_EQ(phrase("error.line", {{"line", 1}}), "ligne 1");
+    ASSERT_TRUE(speak_language("en"));
+}
+
+TEST(SpeakLanguage, refuses_names_that_are_no_language) {
+    for (const char* name : {"", "xx", "../de", "de.toml", "a/b"}) {
+        const auto spoken = speak_language(name, "/");
+        ASSERT_FALSE(spoken) << name;
+        EXPECT_NE(spoken.error().message.find("en"), std::string::npos);
+    }
+    EXPECT_EQ(spoken_language(), "en");
+}
+
+TEST(SpeakLanguage, may_be_called_while_others_speak) {
+    std::atomic<bool> done = false;
+    std::thread other([&] {
+        while (!done) {
+            const std::string said = phrase("error.line", {{"line", 3}});
+            ASSERT_TRUE(said == "line 3" || said == "Zeile 3") << said;
+        }
+    });
+    for (int i = 0; i < 200; ++i) ASSERT_TRUE(speak_language(i % 2 ? "en" : "de"));
+    done = true;
+    other.join();
+    EXPECT_EQ(spoken_language(), "en");
+}
+
+TEST(PatternFault, finds_what_a_pattern_asks_for_and_what_is_wrong_with_it) {
+    std::vector<std::string> names;
+    EXPECT_EQ(pattern_fault("{n, plural, one {# step of {who}} other {# steps}}", &names), "");
+    EXPECT_EQ(names, (std::vector<std::string>{"n", "who"}));
+    EXPECT_NE(pattern_fault("{n, plural, one {# step}}"), "");  // no "other"
+    EXPECT_NE(pattern_fault("{n"), "");
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,154 @@
+// What Handrail says stands in settings/languages and nowhere else, whole in every language that comes with it.
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "tests/support/project_files.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+namespace fs = std::filesystem;
+
+bool is_program_source(const std::string& file) { return (file.ends_with(".h") || file.ends_with(".cpp")) && !file.starts_with("tests/"); }
+
+std::map<std::string, std::string> texts_of(const std::string& code) {
+    const auto all = bundled_texts(code);
+    return {all.begin(), all.end()};
+}
+
+struct Literal {
+    int line = 0;
+    std::string content;  // as written, escapes kept
+};
+
+// The string literals of a C++ source: no comments, no #include lines, no contract_pre (said to developers alone).
+std::vector<Literal> literals_of(const std::string& source) {
+    std::vector<Literal> found;
+    const auto before = [&](char end, std::size_t from) { return std::min(source.find(end, from), source.size()) - 1; };
+    int line = 1;
+    for (std::size_t i = 0; i < source.size(); ++i) {
+        const char c = source[i];
+        if (c == '\n') ++line;
+        else if (source.compare(i, 2, "//") == 0) i = before('\n', i);
+        else if (source.compare(i, 2, "/*") == 0) {
+            const std::size_t end = std::min(source.find("*/", i), source.size());
+            line += static_cast<int>(std::count(source.begin() + static_cast<long>(i), source.begin() + static_cast<long>(end), '\n'));
+            i = end + 1;
+        } else if (source.compare(i, 8, "#include") == 0) i = before('\n', i);
+        else if (source.compare(i, 13, "static_assert") == 0) i = before(';', i);
+        else if (source.compare(i, 12, "contract_pre") == 0) i = before(';', i);
+        else if (c == '\'') {
+            for (++i; i < source.size() && source[i] != '\''; ++i)
+                if (source[i] == '\\') ++i;
+        } else if (source.compare(i, 2, "R\"") == 0) {
+            const std::size_t open = source.find('(', i);
+            const std::string close = ")" + source.substr(i + 2, open - i - 2) + "\"";
+            const std::size_t end = source.find(close, open);
+            found.push_back({line, source.substr(open + 1, end - open - 1)});
+            line += static_cast<int>(std::count(source.begin() + static_cast<long>(i), source.begin() + static_cast<long>(end), '\n'));
+            i = end + close.size() - 1;
+        } else if (c == '"') {
+            const std::size_t from = ++i;
+            for (; i < source.size() && source[i] != '"'; ++i)
+                if (source[i] == '\\') ++i;
+            found.push_back({line, source.substr(from, i - from)});
+        } else if (std::isdigit(static_cast<unsigned char>(c)) && i + 1 < source.size() && source[i + 1] == '\'') ++i;  // 1'000
+    }
+    return found;
+}
+
+// Two words side by side, or a sentence's end: what a person could hear. Keys, formats, file names and shader code have neither.
+bool reads_like_words(const std::string& literal) {
+    static const std::regex kWords(R"([A-Za-z]{2,}[,;:.]? [a-z]{2,}|^[A-Z][a-z]+[.!?]$)");
+    return std::regex_search(literal, kWords);
+}
+
+// What stands in code although it reads like words, since no person hears it: file and protocol text, where it is.
+const std::map<std::string, std::vector<std::string>>& not_said() {
+    static const std::map<std::string, std::vector<std::string>> kNotSaid{
+        {"worlds/base/contract.cpp", {"Handrail has a fault of its own"}},  // said while dying, when nothing may be allocated any more
+        {"app/window/renderer.cpp", {"gl_", "uniform ", "#version"}},
+        {"app/window/draw_mesh.cpp", {"gl_", "uniform ", "#version"}},
+    };
+    return kNotSaid;
+}
+
+// Files whose texts have still to move to settings/languages.
+const std::set<std::string>& still_to_move() {
+    static const std::set<std::string> kFiles{
+#include "still_to_move.inc"
+    };
+    return kFiles;
+}
+
+TEST(LanguageFiles, are_complete_and_ask_for_the_same_values) {
+    const auto english = texts_of("en");
+    ASSERT_GT(english.size(), 10U);
+    for (const LanguageName& language : bundled_languages()) {
+        const auto texts = texts_of(language.code);
+        for (const auto& [key, pattern] : english) {
+            ASSERT_TRUE(texts.contains(key)) << language.code << ".toml lacks " << key;
+            std::vector<std::string> asked, offered;
+            EXPECT_EQ(pattern_fault(pattern, &offered), "") << key;
+            EXPECT_EQ(pattern_fault(texts.at(key), &asked), "") << language.code << ": " << key;
+            EXPECT_TRUE(std::includes(offered.begin(), offered.end(), asked.begin(), asked.end())) << language.code << ": " << key << " asks for other values";
+            EXPECT_EQ(texts.at(key).empty(), pattern.empty()) << language.code << ": " << key;
+        }
+        for (const auto& [key, pattern] : texts) EXPECT_TRUE(english.contains(key)) << language.code << ".toml has " << key << ", English has not";
+    }
+}
+
+// Keys made of a name, as in phrase("material." + name): the sections whose keys no literal names one by one.
+const std::vector<std::string> kMadeOfNames{};
+
+TEST(LanguageFiles, have_every_key_that_the_code_names_and_no_other) {
+    static const std::regex kCall("\\bphrase\\(\\s*\"([^\"]*)\"\\s*[,)]");
+    static const std::regex kKey("^[a-z_]+(\\.[a-z0-9_-]+)+$");
+    const auto english = texts_of("en");
+    std::set<std::string> named;
+    for (const std::string& file : test::project_files()) {
+        if (!is_program_source(file)) continue;
+        const std::string source = test::content_of(HANDRAIL_SOURCE_DIR "/" + file);
+        for (auto it = std::sregex_iterator(source.begin(), source.end(), kCall); it != std::sregex_iterator(); ++it)
+            EXPECT_TRUE(english.contains((*it)[1])) << file << " says " << (*it)[1] << ", which settings/languages/en.toml lacks";
+        for (const Literal& literal : literals_of(source))
+            if (std::regex_match(literal.content, kKey)) named.insert(literal.content);
+    }
+    for (const auto& [key, pattern] : english) {
+        const bool made = std::any_of(kMadeOfNames.begin(), kMadeOfNames.end(), [&](const std::string& section) { return key.starts_with(section); });
+        EXPECT_TRUE(made || named.contains(key)) << "nothing says " << key << "; take it out of settings/languages";
+    }
+}
+
+TEST(LanguageFiles, hold_every_text_that_a_person_hears) {
+    std::size_t looked_at = 0;
+    for (const std::string& file : test::project_files()) {
+        if (!is_program_source(file) || still_to_move().contains(file)) continue;
+        const auto& allowed = not_said();
+        const auto excused = allowed.find(file);
+        for (const Literal& literal : literals_of(test::content_of(HANDRAIL_SOURCE_DIR "/" + file))) {
+            ++looked_at;
+            const bool fine = excused != allowed.end() && std::any_of(excused->second.begin(), excused->second.end(),
+                                                                      [&](const std::string& part) { return literal.content.find(part) != std::string::npos; });
+            EXPECT_TRUE(fine || !reads_like_words(literal.content)) << file << ":" << literal.line << " says \"" << literal.content << "\" by itself";
+        }
+    }
+    EXPECT_GT(looked_at, 100U);
+}
+
+TEST(LanguageFiles, are_seen_to_be_passed_by_in_this_test) {
+    const auto found = literals_of("// \"a comment\"\n#include \"x.h\"\nsay(\"Two words\"); f('\"', \"key.one\", 1'000); R\"(raw text)\";");
+    ASSERT_EQ(found.size(), 3U);
+    EXPECT_EQ(found[0].line, 3);
+    EXPECT_TRUE(reads_like_words(found[0].content));
+    EXPECT_FALSE(reads_like_words(found[1].content));
+    EXPECT_TRUE(reads_like_words(found[2].content));
+    EXPECT_TRUE(reads_like_words("Done."));
+    EXPECT_FALSE(reads_like_words("{} {}"));
+}
+
+}  // namespace
+}  // namespace handrail

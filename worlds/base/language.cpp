@@ -1,0 +1,199 @@
+#include "worlds/base/language.h"
+
+#include <fmt/format.h>
+#include <unicode/locid.h>
+#include <unicode/messagepattern.h>
+#include <unicode/msgfmt.h>
+#include <unicode/unistr.h>
+
+#include <toml++/toml.h>
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include "worlds/base/bundled_languages.h"
+#include "worlds/base/files.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::size_t kMaxFileBytes = 4U << 20;
+constexpr std::string_view kEnglish = "en";
+
+struct Language {
+    std::string code;
+    icu::Locale locale;
+    std::map<std::string, std::string, std::less<>> texts;
+};
+
+// The texts of a table, "section.key" each; what is not a text gets a diagnostic. `fits` says what is wrong with a text, or nothing.
+template <class Fits>
+void gather(const toml::table& table, const std::string& prefix, const std::string& file, const Fits& fits, Language& into, std::vector<Diagnostic>& faults) {
+    for (const auto& [name, node] : table) {
+        const std::string key = prefix + std::string(name.str());
+        const int line = static_cast<int>(node.source().begin.line);
+        if (const toml::table* inner = node.as_table()) gather(*inner, key + ".", file, fits, into, faults);
+        else if (const auto* value = node.as_string(); !value)
+            faults.push_back({Severity::Warning, file, line, 0, phrase("language.not_a_text", {{"key", key}}), ""});
+        else if (const std::string fault = fits(key, value->get()); !fault.empty()) faults.push_back({Severity::Warning, file, line, 0, fault, ""});
+        else into.texts[key] = value->get();
+    }
+}
+
+// Bundled files are right by test, so nothing is looked at twice here.
+const Language* make_bundled(const BundledLanguage& source) {
+    auto* made = new Language{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}};
+    std::vector<Diagnostic> faults;
+    gather(
+        toml::parse(source.content), "", "", [](const std::string&, const std::string&) { return std::string(); }, *made, faults);
+    return made;
+}
+
+// Languages live as long as the process: another thread may be reading one that was just left.
+const Language* bundled(std::string_view code) {
+    static std::mutex guard;
+    static std::map<std::string, const Language*, std::less<>> made;
+    for (const BundledLanguage& source : kBundledLanguages)
+        if (source.code == code) {
+            const std::scoped_lock lock(guard);
+            const Language*& language = made[std::string(code)];
+            if (!language) language = make_bundled(source);
+            return language;
+        }
+    return nullptr;
+}
+
+const Language& english() {
+    static const Language& language = *bundled(kEnglish);
+    return language;
+}
+
+std::atomic<const Language*> spoken{nullptr};
+
+const Language& language_spoken() {
+    const Language* language = spoken.load(std::memory_order_acquire);
+    return language ? *language : english();
+}
+
+const std::string* find(const Language& language, std::string_view key) {
+    const auto at = language.texts.find(key);
+    return at == language.texts.end() ? nullptr : &at->second;
+}
+
+icu::UnicodeString wide(std::string_view utf8) { return icu::UnicodeString::fromUTF8(icu::StringPiece(utf8.data(), static_cast<int32_t>(utf8.size()))); }
+
+std::string narrow(const icu::UnicodeString& text) {
+    std::string utf8;
+    text.toUTF8String(utf8);
+    return utf8;
+}
+
+// Whether a pattern says what it means as it stands.
+bool is_plain(std::string_view pattern) { return pattern.find_first_of("{}'") == std::string_view::npos; }
+
+std::string fill(const Language& language, const std::string& pattern, std::initializer_list<TextValue> values) {
+    if (is_plain(pattern)) return pattern;
+    UErrorCode status = U_ZERO_ERROR;
+    const icu::MessageFormat format(wide(pattern), language.locale, status);
+    std::vector<icu::UnicodeString> names;
+    std::vector<icu::Formattable> given;
+    for (const TextValue& value : values) {
+        names.push_back(wide(value.name));
+        if (const auto* whole = std::get_if<std::int64_t>(&value.value)) given.emplace_back(*whole);
+        else if (const auto* number = std::get_if<double>(&value.value)) given.emplace_back(*number);
+        else given.emplace_back(wide(std::get<std::string_view>(value.value)));
+    }
+    icu::UnicodeString made;
+    if (U_SUCCESS(status)) format.format(names.data(), given.data(), static_cast<int32_t>(names.size()), made, status);
+    return U_SUCCESS(status) ? narrow(made) : pattern;
+}
+
+// What keeps `pattern` from standing for English's text under `key`, in a sentence; nothing if it may.
+std::string misfit(const std::string& key, const std::string& pattern) {
+    std::vector<std::string> asked, offered;
+    if (const std::string fault = pattern_fault(pattern, &asked); !fault.empty()) return phrase("language.bad_pattern", {{"key", key}, {"fault", fault}});
+    const std::string* original = find(english(), key);
+    if (!original) return phrase("language.unknown_key", {{"key", key}});
+    pattern_fault(*original, &offered);
+    for (const std::string& name : asked)
+        if (!std::binary_search(offered.begin(), offered.end(), name)) return phrase("language.unknown_value", {{"key", key}, {"name", name}});
+    return "";
+}
+
+}  // namespace
+
+std::string phrase(std::string_view key, std::initializer_list<TextValue> values) {
+    const Language& language = language_spoken();
+    if (const std::string* pattern = find(language, key)) return fill(language, *pattern, values);
+    if (const std::string* pattern = find(english(), key)) return fill(english(), *pattern, values);
+    return std::string(key);
+}
+
+bool has_phrase(std::string_view key) { return find(language_spoken(), key) || find(english(), key); }
+
+std::vector<LanguageName> bundled_languages() {
+    std::vector<LanguageName> names;
+    for (const BundledLanguage& source : kBundledLanguages) names.push_back({std::string(source.code), *find(*bundled(source.code), "language.name")});
+    std::stable_partition(names.begin(), names.end(), [](const LanguageName& language) { return language.code == kEnglish; });
+    return names;
+}
+
+std::string spoken_language() { return language_spoken().code; }
+
+Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std::filesystem::path& folder) {
+    const Language* language = bundled(code);
+    const bool plain_name =
+        !code.empty() && std::all_of(code.begin(), code.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_'; });
+    const std::filesystem::path path = folder / (std::string(code) + ".toml");
+    std::vector<Diagnostic> faults;
+    std::error_code ec;
+    if (plain_name && !folder.empty() && std::filesystem::exists(path, ec)) {
+        const Result<std::string> content = read_whole_file(path, kMaxFileBytes);
+        if (!content) return tl::unexpected(content.error());
+        if (!is_utf8(*content)) return fail(phrase("language.not_utf8"), path.filename().string());
+        try {
+            const toml::table table = toml::parse(*content);
+            auto* own = new Language{std::string(code), icu::Locale(std::string(code).c_str()), {}};
+            if (language) own->texts = language->texts;
+            gather(table, "", path.filename().string(), misfit, *own, faults);
+            language = own;
+        } catch (const toml::parse_error& error) {
+            return fail(phrase("language.damaged", {{"reason", std::string(error.description())}}), path.filename().string(),
+                        static_cast<int>(error.source().begin.line));
+        }
+    }
+    if (!language) {
+        std::vector<std::string> codes;
+        for (const BundledLanguage& source : kBundledLanguages) codes.emplace_back(source.code);
+        return fail(phrase("language.unknown", {{"code", std::string(code)}, {"codes", fmt::format("{}", fmt::join(codes, ", "))}}));
+    }
+    spoken.store(language, std::memory_order_release);
+    return faults;
+}
+
+std::string pattern_fault(std::string_view pattern, std::vector<std::string>* names) {
+    UErrorCode status = U_ZERO_ERROR;
+    UParseError where{};
+    const icu::MessageFormat format(wide(pattern), icu::Locale::getEnglish(), where, status);
+    if (U_FAILURE(status)) return phrase("language.fault_at", {{"fault", u_errorName(status)}, {"character", where.offset + 1}});
+    if (names) {
+        UErrorCode parsed = U_ZERO_ERROR;
+        const icu::MessagePattern parts(wide(pattern), nullptr, parsed);
+        std::set<std::string> found;
+        for (int32_t i = 0; i < parts.countParts(); ++i)
+            if (parts.getPartType(i) == UMSGPAT_PART_TYPE_ARG_NAME) found.insert(narrow(parts.getSubstring(parts.getPart(i))));
+        names->assign(found.begin(), found.end());
+    }
+    return "";
+}
+
+std::vector<std::pair<std::string, std::string>> bundled_texts(std::string_view code) {
+    const Language* language = bundled(code);
+    if (!language) return {};
+    return {language->texts.begin(), language->texts.end()};
+}
+
+}  // namespace handrail
