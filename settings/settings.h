@@ -73,7 +73,8 @@ struct Settings {
         SpeechThrough through = SpeechThrough::Auto;  // who speaks; where that one is missing, the next in this order does
         int rate_wpm = 175;                           // 80 to 450
         int verbosity = 2;                            // 0 to 4
-        std::string voice = "en";                     // espeak-ng voice name or language
+        std::string language = "auto";                // what is said; "auto": the environment's, else English
+        std::string voice = "auto";                   // espeak-ng voice name or language; "auto": that of what is said
         bool distances_in_steps = true;               // else metres
         DirectionChoice directions = DirectionChoice::Sides;
         bool rounded = true;         // distances and directions; else as exact as they are known

@@ -1,4 +1,5 @@
 #include "app/core/app_core.h"
+#include "app/core/spoken_language.h"
 
 #include <algorithm>
 #include <cmath>
@@ -195,6 +196,8 @@ void AppCore::offer_hand(const std::string& spoken_name, double now_s) {
 }
 
 void AppCore::change_settings(const Settings& settings, double now_s) {
+    if (settings.speech.language != settings_.speech.language)
+        for (const Diagnostic& fault : speak_as_set(settings.speech, languages_folder_)) say(fault.sentence(), SpeechClass::Answer, now_s);
     settings_ = settings;
     lay_device_overrides();
     keys_ = KeyMap(settings_.keys, settings_.keyboard.hand);
@@ -462,6 +465,9 @@ void AppCore::act(Command command, double now_s) {
             break;
         case Command::Lessons:
             open_lessons(now_s);
+            break;
+        case Command::Language:
+            open_languages(now_s);
             break;
         case Command::FirstMinutes:
             settings_.welcome.step = 0;

@@ -149,6 +149,8 @@ public:
     const KeyMap& keys() const { return keys_; }
     // Where best times are kept; until told, they last as long as the session.
     void keep_records_in(const std::filesystem::path& folder) { records_folder_ = folder; }
+    // Files of languages of the person's own; until this is called there are the bundled ones.
+    void find_languages_in(const std::filesystem::path& folder) { languages_folder_ = folder; }
     // Nothing is on its way any more: no steps pending, no turn unfinished, nothing held.
     bool idle() const;
     // The set-up by voice was asked for; once for each time.
@@ -248,6 +250,7 @@ private:
     void open_settings(std::string_view topic, double now_s);
     void want_world(const std::filesystem::path& file);
     void open_worlds(double now_s);
+    void open_languages(double now_s);
     void open_folder(const std::filesystem::path& typed, double now_s);
     void open_sounds(double now_s);
     // Lessons and the first minutes: app_core_lessons.cpp.
@@ -430,6 +433,7 @@ private:
     std::uint64_t hunts_ = 0;
     double best_hunt_s_ = -1.0;             // where no folder keeps it
     std::filesystem::path records_folder_;  // empty: nothing is kept
+    std::filesystem::path languages_folder_;
     Steering steering_;
     bool stick_turns_ = false, free_keys_told_ = false;
     double last_turn_repeat_s_ = 0.0;

@@ -7,6 +7,7 @@
 #include "app/core/app_core.h"
 #include "audio-cues/plan/sound_table.h"
 #include "settings/adjust.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -58,6 +59,7 @@ void AppCore::open_menu(double now_s) {
     };
     add("What I can do", [this] { open_topics(false, last_tick_s_); });
     add("Worlds", [this] { open_worlds(last_tick_s_); });
+    add(phrase("language.menu"), [this] { open_languages(last_tick_s_); });
     add("Settings", [this] { open_setting_topics(last_tick_s_); });
     add("Keys: give a command another key", [this] { open_topics(true, last_tick_s_); });
     add("Dictionary of sounds", [this] { open_sounds(last_tick_s_); });

@@ -71,6 +71,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::InputHelp, "input-help", "Shift+F1", false, "Say what keys do without doing it, until pressed again."},
     CommandInfo{Command::Lessons, "lessons", "Shift+F9", false, "Short lessons: walls, corners, doors, where am I, forces."},
     CommandInfo{Command::FirstMinutes, "welcome", "", false, "The first minutes again, as at the first start."},
+    CommandInfo{Command::Language, "language", "", false, "Choose the language."},
     CommandInfo{Command::NextSound, "sounds", "F11", false, "Name and play the next sound of the sound dictionary."},
     CommandInfo{Command::LastSound, "sounds-back", "Shift+F11", false, "Name and play the sound before."},
     CommandInfo{Command::VerbosityCycle, "verbosity", "V", false, "How much is said: level 0 to 4."},

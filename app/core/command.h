@@ -70,6 +70,7 @@ enum class Command : std::uint8_t {
     InputHelp,     // keys are explained instead of done
     Lessons,
     FirstMinutes,  // as at the first start
+    Language,
     NextSound,
     LastSound,  // the sound dictionary: names and plays one sound after the other
     VerbosityCycle,

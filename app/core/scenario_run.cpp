@@ -4,6 +4,7 @@
 
 #include "app/core/headless_session.h"
 #include "haptic/servo/workspace_map.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/models.h"
@@ -237,6 +238,8 @@ Result<SessionLog> run_scenario(const Scenario& scenario, std::shared_ptr<const 
     SettingsStore settings;
     for (const auto& [key, value] : scenario.settings)
         if (const auto set = settings.set(key, value, SettingSource::CommandLine); !set) return fail(set.error().message, file);
+    const std::string& language = settings.values().speech.language;  // English, so that a file means the same everywhere
+    if (const auto spoken = speak_language(language == "auto" ? "en" : language); !spoken) return fail(spoken.error().message, file);
     std::array<HandFacts, 2> facts;
     for (std::size_t which = 0; which < facts.size(); ++which) {
         const std::string& device = which == 0 ? scenario.device : scenario.left_device;

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/core/command.h"
+#include "app/core/spoken_language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
 
@@ -222,6 +223,7 @@ std::optional<SettingsStore> load_settings(const SettingsOptions& options, std::
             err << set.error().sentence() << "\n";
             return std::nullopt;
         }
+    for (Diagnostic& problem : speak_as_set(settings.values().speech, user_languages_folder())) problems.push_back(std::move(problem));
     return settings;
 }
 
@@ -276,6 +278,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
 
 int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
     std::vector<Diagnostic> problems;
+    (void)speak_as_set({}, user_languages_folder());  // until settings are read; what is wrong is told then
     ParsedCommandLine parsed = parse_command_line(words);
     return std::visit(
         Overloaded{[&](ExploreCall& call) { return explore(call, out, err); }, [&](const InfoArguments& arguments) { return run_info(arguments, out, err); },

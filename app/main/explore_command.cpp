@@ -13,6 +13,7 @@
 #include "app/accessible/accessible.h"
 #include "app/companions/companion_session.h"
 #include "app/core/app_core.h"
+#include "app/core/spoken_language.h"
 #include "app/main/commands.h"
 #include "app/main/find_hand.h"
 #include "app/main/left_hand.h"
@@ -92,6 +93,7 @@ public:
         open_ears(news);
         app_ = std::make_unique<AppCore>(settings_.values(), HandFacts{});
         app_->keep_records_in(user_data_folder());
+        app_->find_languages_in(user_languages_folder());
         app_->find_rooms_beside();
         for (const Diagnostic& problem : arguments_.settings_problems) news.push_back(problem.sentence());
         open_window(news);

@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
 
@@ -98,12 +100,13 @@ struct EspeakSpeech::Impl {
         return {};
     }
 
-    // A language ("en", "pt-br") or one of the library's own names; English where it knows neither.
+    // A language ("en", "pt-br"), that of what is said ("auto"), or one of the library's own names; English where it knows neither.
     void apply(const Settings::Speech& wanted) {
-        if (!choose(wanted.voice)) {
+        const std::string voice = wanted.voice == "auto" ? spoken_language() : wanted.voice;
+        if (!choose(voice)) {
             choose("en");
             const std::lock_guard lock(mutex);
-            news = fmt::format("There is no voice named {}; English is used.", wanted.voice);
+            news = fmt::format("There is no voice named {}; English is used.", voice);
         }
         espeak_SetParameter(espeakRATE, std::clamp(wanted.rate_wpm, espeakRATE_MINIMUM, espeakRATE_MAXIMUM), 0);
     }

@@ -18,6 +18,8 @@
 #include <thread>
 #include <utility>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
 
@@ -96,6 +98,7 @@ void on_end_event(std::size_t message, std::size_t client, SPDNotificationType) 
 struct SpeechdSpeech::Worker {
     Shared& shared;
     Connection connection;
+    std::string language{};  // of this connection
     int volume_percent = 100;
 
     template <class Call>
@@ -110,7 +113,7 @@ struct SpeechdSpeech::Worker {
         return result;
     }
 
-    bool open(const std::string& language) {
+    bool open(const std::string& wanted_language) {
         char* error = nullptr;
         connection.reset(call([&] { return spd_open2("handrail", "explore", nullptr, SPD_MODE_THREADED, nullptr, shared.start_server ? 1 : 0, &error); }));
         std::free(error);
@@ -130,7 +133,12 @@ struct SpeechdSpeech::Worker {
         const bool told = call([&] { return spd_set_notification_on(connection.get(), SPD_END); }) == 0 &&
                           call([&] { return spd_set_notification_on(connection.get(), SPD_CANCEL); }) == 0;
         // The words are in this language, whatever the person's default voice speaks; which voice that is they have set up.
-        return told && call([&] { return spd_set_language(connection.get(), language.c_str()); }) == 0;
+        return told && speak(wanted_language);
+    }
+
+    bool speak(const std::string& wanted_language) {
+        language = wanted_language;
+        return call([&] { return spd_set_language(connection.get(), language.c_str()); }) == 0;
     }
 
     void close() {
@@ -161,6 +169,7 @@ struct SpeechdSpeech::Worker {
     // False when the server has gone.
     bool work_off() {
         std::optional<Utterance> job;
+        std::string wanted_language;
         bool silence = false;
         std::uint64_t number = 0;
         {
@@ -168,7 +177,9 @@ struct SpeechdSpeech::Worker {
             job = std::exchange(shared.job, std::nullopt);
             silence = std::exchange(shared.silence, false);
             number = shared.said;
+            wanted_language = shared.language;
         }
+        if (job && wanted_language != language && !speak(wanted_language)) return false;
         if (job) return say(*job, number);
         return !silence || call([&] { return spd_cancel(connection.get()); }) == 0;
     }
@@ -188,12 +199,12 @@ struct SpeechdSpeech::Worker {
         double retry_s = kFirstRetry_s;
         for (;;) {
             bool wanted = false;
-            std::string language;
+            std::string wanted_language;
             {
                 const std::lock_guard lock(shared.mutex);
                 if (shared.quit) break;
                 wanted = shared.wanted;
-                language = shared.language;
+                wanted_language = shared.language;
             }
             if (!wanted) {
                 close();
@@ -201,7 +212,7 @@ struct SpeechdSpeech::Worker {
                 continue;
             }
             if (!connection) {
-                const bool usable = open(language);
+                const bool usable = open(wanted_language);
                 if (!usable) close();
                 else retry_s = kFirstRetry_s;
                 set_state(usable ? VoiceState::Ready : VoiceState::Gone);
@@ -326,7 +337,7 @@ void SpeechdSpeech::tick(double now_s) {
 void SpeechdSpeech::set_speech(const Settings::Speech& settings) {
     const std::lock_guard lock(shared_->mutex);
     // An espeak-ng voice may have a longer name; its language stands first.
-    const std::string& voice = settings.voice;
+    const std::string voice = settings.voice == "auto" ? spoken_language() : settings.voice;
     const std::size_t letters = std::min(voice.find('-'), voice.size());
     shared_->language = letters == 2 || letters == 3 ? voice.substr(0, letters) : "en";
 }

@@ -9,6 +9,8 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <atomic>
+#include <cctype>
+#include <cstdlib>
 #include <map>
 #include <mutex>
 #include <set>
@@ -91,6 +93,11 @@ std::string narrow(const icu::UnicodeString& text) {
     return utf8;
 }
 
+// Letters, digits, "-" and "_": no path leads elsewhere.
+bool may_be_code(std::string_view code) {
+    return !code.empty() && std::all_of(code.begin(), code.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_'; });
+}
+
 // Whether a pattern says what it means as it stands.
 bool is_plain(std::string_view pattern) { return pattern.find_first_of("{}'") == std::string_view::npos; }
 
@@ -141,16 +148,45 @@ std::vector<LanguageName> bundled_languages() {
     return names;
 }
 
+std::vector<LanguageName> languages_to_choose(const std::filesystem::path& folder) {
+    std::vector<LanguageName> names = bundled_languages();
+    std::error_code ec;
+    for (std::filesystem::directory_iterator file(folder, ec), end; !ec && file != end; file.increment(ec)) {
+        const std::string code = file->path().stem().string();
+        if (file->path().extension() != ".toml" || !may_be_code(code) || bundled(code)) continue;
+        const Result<std::string> content = read_whole_file(file->path(), kMaxFileBytes);
+        if (!content || !is_utf8(*content)) continue;
+        try {
+            const toml::table table = toml::parse(*content);
+            names.push_back({code, table["language"]["name"].value_or(code)});
+        } catch (const toml::parse_error&) {
+        }
+    }
+    std::sort(names.begin() + static_cast<std::ptrdiff_t>(std::size(kBundledLanguages)), names.end(),
+              [](const auto& a, const auto& b) { return a.code < b.code; });
+    return names;
+}
+
+std::string language_of_environment(const std::filesystem::path& folder) {
+    for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        const char* locale = std::getenv(name);
+        if (!locale || !*locale) continue;
+        const std::string code = std::string(locale).substr(0, std::string_view(locale).find_first_of("_.@"));
+        for (const LanguageName& language : languages_to_choose(folder))
+            if (language.code == code) return code;
+        break;
+    }
+    return std::string(kEnglish);
+}
+
 std::string spoken_language() { return language_spoken().code; }
 
 Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std::filesystem::path& folder) {
     const Language* language = bundled(code);
-    const bool plain_name =
-        !code.empty() && std::all_of(code.begin(), code.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_'; });
     const std::filesystem::path path = folder / (std::string(code) + ".toml");
     std::vector<Diagnostic> faults;
     std::error_code ec;
-    if (plain_name && !folder.empty() && std::filesystem::exists(path, ec)) {
+    if (may_be_code(code) && !folder.empty() && std::filesystem::exists(path, ec)) {
         const Result<std::string> content = read_whole_file(path, kMaxFileBytes);
         if (!content) return tl::unexpected(content.error());
         if (!is_utf8(*content)) return fail(phrase("language.not_utf8"), path.filename().string());

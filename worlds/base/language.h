@@ -46,8 +46,12 @@ struct LanguageName {
 
 // The languages that come with the program, English first.
 std::vector<LanguageName> bundled_languages();
-// What the language spoken calls itself by, as in the settings: "en".
+// Those, and the languages of files of one's own in `folder` by their codes. A file that cannot be read is left out.
+std::vector<LanguageName> languages_to_choose(const std::filesystem::path& folder);
+// The code of the language spoken: "en".
 std::string spoken_language();
+// The code of the language that the environment asks for (LC_ALL, LC_MESSAGES, LANG, the first that is set) if it can be chosen, else "en".
+std::string language_of_environment(const std::filesystem::path& folder);
 
 // Speaks `code` from now on. A file CODE.toml in `folder` (which may be empty or absent) adds a language or replaces single texts of a bundled
 // one. Returns what is wrong with that file, text by text, each of which is then said as before (bundled, else English). Fails, and

@@ -161,7 +161,7 @@ TEST(SettingsCommand, explains_every_setting_and_prints_problems_of_the_file) {
     std::ostringstream out, err;
     EXPECT_EQ(run_command_line({"settings", "--explain", "--settings", file, "--set", "speech.voice=de"}, out, err), 0);
     EXPECT_THAT(out.str(), HasSubstr("workspace.scale = 30.0 world metres per hand metre (1 to 500), from: your settings file " + file + ":2."));
-    EXPECT_THAT(out.str(), HasSubstr("speech.voice = \"de\" (an espeak-ng voice or language), from: command line --set."));
+    EXPECT_THAT(out.str(), HasSubstr("speech.voice = \"de\" (auto, an espeak-ng voice or language), from: command line --set."));
     EXPECT_THAT(err.str(), StartsWith("mine.toml, line 3"));
     const std::string text = out.str();
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), SettingsStore{}.explain().size());

@@ -1,0 +1,20 @@
+#include "app/core/spoken_language.h"
+
+#include "app/core/side_file.h"
+
+namespace handrail {
+
+std::vector<Diagnostic> speak_as_set(const Settings::Speech& settings, const std::filesystem::path& folder) {
+    const std::string code = settings.language == "auto" ? language_of_environment(folder) : settings.language;
+    const Result<std::vector<Diagnostic>> spoken = speak_language(code, folder);
+    if (spoken) return *spoken;
+    const Error& error = spoken.error();
+    return {{Severity::Warning, error.file, error.line, error.column, error.message, {}}};
+}
+
+std::filesystem::path user_languages_folder() {
+    const std::filesystem::path data = user_data_folder();
+    return data.empty() ? data : data / "languages";
+}
+
+}  // namespace handrail

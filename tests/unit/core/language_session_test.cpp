@@ -1,0 +1,95 @@
+// The language, chosen in a session and by settings.
+#include <fstream>
+
+#include "app/core/app_core.h"
+#include "app/core/spoken_language.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace {
+
+using testing::HasSubstr;
+
+struct Person {
+    Person() : app(Settings{}, HandFacts{}) {
+        test::SceneBuilder b;
+        b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+        b.start({3, 0.5, 0}, 0.0);
+        app.enter_world(b.share(), 0.0);
+        app.tick(0.01, ToolState{});
+        app.take_cues();
+    }
+    ~Person() { (void)speak_language("en"); }
+    std::string said() {
+        std::string text;
+        for (const CueRequest& cue : app.take_cues())
+            if (cue.kind == CueRequestKind::Say) text += (text.empty() ? "" : " | ") + cue.text;
+        return text;
+    }
+    std::string line(const std::string& text) {
+        now += 0.5;
+        app.tick(now, ToolState{});
+        app.take_cues();
+        if (!app.take_line(text, now))
+            if (const CommandInfo* row = find_command(text)) {
+                app.press(row->command, now);
+                app.release(row->command);
+            }
+        return said();
+    }
+    AppCore app;
+    double now = 0.1;
+};
+
+TEST(Language, is_chosen_from_a_list_of_their_own_names_and_kept) {
+    Person p;
+    EXPECT_THAT(p.line("language"), HasSubstr("English"));
+    EXPECT_THAT(p.line("deutsch"), HasSubstr("Deutsch."));
+    EXPECT_EQ(spoken_language(), "de");
+    const auto changes = p.app.take_setting_changes();
+    ASSERT_EQ(changes.size(), 1U);
+    EXPECT_EQ(changes[0], (std::pair<std::string, std::string>{"speech.language", "de"}));
+    p.line("language");
+    p.line("english");
+    EXPECT_EQ(spoken_language(), "en");
+}
+
+TEST(Language, of_a_file_of_ones_own_stands_in_the_list) {
+    const test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "nl.toml") << "language.name = \"Nederlands\"\n";
+    std::ofstream(folder.path() / "broken.toml") << "language.name = ";
+    Person p;
+    p.app.find_languages_in(folder.path());
+    p.line("language");
+    const std::string all = p.line("list");
+    EXPECT_THAT(all, HasSubstr("Nederlands"));
+    EXPECT_THAT(all, testing::Not(HasSubstr("broken")));
+    p.line("nederlands");
+    EXPECT_EQ(spoken_language(), "nl");
+}
+
+TEST(Language, that_there_is_not_is_told_and_changes_nothing) {
+    Person p;
+    Settings wanted = p.app.settings();
+    wanted.speech.language = "xx";
+    p.app.change_settings(wanted, 1.0);
+    EXPECT_THAT(p.said(), HasSubstr("There is no language \"xx\"; there are: "));
+    EXPECT_EQ(spoken_language(), "en");
+}
+
+TEST(Language, is_the_environments_where_the_settings_name_none) {
+    const auto before = std::getenv("LC_ALL") ? std::optional<std::string>(std::getenv("LC_ALL")) : std::nullopt;
+    for (const auto& [locale, code] : {std::pair{"de_AT.UTF-8", "de"}, std::pair{"en_GB", "en"}, std::pair{"xx_XX", "en"}, std::pair{"C", "en"}}) {
+        ::setenv("LC_ALL", locale, 1);
+        EXPECT_TRUE(speak_as_set({}, {}).empty());
+        EXPECT_EQ(spoken_language(), code) << locale;
+    }
+    if (before) ::setenv("LC_ALL", before->c_str(), 1);
+    else ::unsetenv("LC_ALL");
+    ASSERT_TRUE(speak_language("en"));
+}
+
+}  // namespace
+}  // namespace handrail
