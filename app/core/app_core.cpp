@@ -1029,14 +1029,16 @@ void AppCore::turn_workspace(double by_deg, double now_s) {
 void AppCore::push_workspace(double now_s) {
     Vec3 way = push_way([&](Command one) { return held(one); });
     if (way == Vec3(0.0) && now_s < push_until_s_) way = push_tap_;
-    tuning_.workspace.push_hand_m_per_s = way * kPushSpeed_hand_m_per_s;
+    if (way != Vec3(0.0)) guiding_.moved_s = now_s;
+    const Vec3 carried = carry_workspace();  // where the hand is led out of its reach
+    tuning_.workspace.push_hand_m_per_s = way == Vec3(0.0) ? carried : way * kPushSpeed_hand_m_per_s;
 }
 
 // Tells when the workspace has come to rest, and when it can go no farther.
 void AppCore::notice_workspace(double now_s) {
     const WorkspaceMotion now = tool_.workspace_motion != WorkspaceMotion::Still ? tool_.workspace_motion : left_tool_.workspace_motion;
     const WorkspaceMotion before = std::exchange(motion_told_, now);
-    if (before != motion_told_ && motion_told_ == WorkspaceMotion::Still)
+    if (before != motion_told_ && motion_told_ == WorkspaceMotion::Still && !std::exchange(guiding_.carried, guiding_.carries))
         say(workspace_words(), before == WorkspaceMotion::Scrolled ? SpeechClass::Ambient : SpeechClass::Answer, now_s);
     if (std::exchange(limit_told_, tool_.workspace_at_limit || left_tool_.workspace_at_limit) || !limit_told_) return;
     play(SoundKind::Denied, now_s);

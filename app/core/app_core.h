@@ -309,7 +309,9 @@ private:
     std::string passage_name(PassageKind kind, FeatureId feature, double rise_m) const;
     void tell_exits(bool unvisited_only, double now_s);
     void list_routes(double now_s);
-    void follow_way(const Vec3& goal_m, const std::string& name, double now_s);
+    void follow_way(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
+    void follow_route(Route route, const std::string& name, const std::string& first, double now_s);
+    bool rooms_known();
     void follow_on(double now_s);
     // Doors, lifts, buttons and teleporters: app_core_movers.cpp.
     void use(double now_s);
@@ -338,9 +340,25 @@ private:
     void beacon_here(double now_s);
     void mute_beacon(double now_s);
     void seek_warmer(const Goal& goal, double now_s);
+    // Being led: app_core_lead.cpp.
+    struct HandLead {
+        std::optional<GuidancePath> path;  // none: `problem` says why
+        std::string problem;
+        bool reaches = true;
+        double short_of_m = 0.0;
+        std::vector<std::string> passes;  // doors and stairs, in order
+    };
     void take_me(double now_s);
-    void lead_to(const Goal& goal, double now_s);
-    std::optional<GuidancePath> hand_way(const Goal& goal) const;
+    bool hand_may_be_led() const;
+    HandLead hand_lead(const Goal& goal);
+    void lead_to(const Goal& goal, const std::string& first, double now_s);
+    void lead_by_ear(const Goal& goal, const std::string& first, double now_s);
+    void tell_shut_door(double now_s);
+    bool hand_at_goal() const;
+    void notice_left_way(double now_s);
+    void watch_way(double now_s);
+    void renew_way();
+    Vec3 carry_workspace();
     void cross_lines(const Goal& goal, double now_s);
     void toggle_lines(double now_s);
     void announce(GuidancePath path, std::string words, double now_s);

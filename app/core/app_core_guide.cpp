@@ -1,4 +1,5 @@
-// AppCore's part on marks, landmarks, the beacon and being led by the hand: what the commands do, what is said, and what is heard when. App thread only.
+// AppCore's part on marks, landmarks, the beacon and the list of what can be found: what the commands do, what is said, and what is heard when. Being led
+// stands in app_core_lead.cpp. App thread only.
 #include <algorithm>
 #include <cmath>
 
@@ -8,13 +9,11 @@
 namespace handrail {
 namespace {
 
-constexpr double kAnnounced_s = 1.0;  // between telling that the hand will be led and the first force
 constexpr double kMarkNear_hand_m = 0.008, kMarkNear_body_m = 1.0;
 constexpr double kLandmarkNear_m = 1.5;  // from the body
 constexpr double kFarther = 1.5;         // what was near is far again from so many times the distance on
 constexpr double kStorey_m = 1.5;
 constexpr double kWaist_m = 1.0;
-constexpr double kStray_hand_m = 0.008;  // off the way
 constexpr double kLookRange_m = 30.0;
 constexpr std::string_view kNoMarks = "There are no marks yet. Insert sets one.";
 
@@ -22,17 +21,6 @@ Aabb point_box(const Vec3& p) { return {p, p}; }
 
 bool is_surface(FeatureKind kind) {
     return kind == FeatureKind::Wall || kind == FeatureKind::Floor || kind == FeatureKind::Ceiling || kind == FeatureKind::Slope;
-}
-
-double distance_to_way(const GuidancePath& path, const Vec3& p) {
-    double least = 1e300;
-    for (std::uint32_t i = 0; i + 1 < path.count; ++i) {
-        const Vec3 leg = path.points_m[i + 1] - path.points_m[i];
-        const double length2 = glm::dot(leg, leg);
-        const double t = length2 > 0.0 ? std::clamp(glm::dot(p - path.points_m[i], leg) / length2, 0.0, 1.0) : 0.0;
-        least = std::min(least, glm::length(path.points_m[i] + leg * t - p));
-    }
-    return least;
 }
 
 }  // namespace
@@ -181,7 +169,7 @@ void AppCore::open_tools(const Goal& goal, double now_s) {
     list.items = {{"Beacon", ""}, {"Take me there", ""}, {"Warmer and colder", ""}, {"Lines through it", ""}, {"Where is it", where_words(goal.box_m)}};
     list.chosen = [this, goal](std::size_t i) {
         if (i == 0) set_beacon(goal, last_tick_s_);
-        if (i == 1) lead_to(goal, last_tick_s_);
+        if (i == 1) lead_to(goal, {}, last_tick_s_);
         if (i == 2) seek_warmer(goal, last_tick_s_);
         if (i == 3) cross_lines(goal, last_tick_s_);
         if (i == 4) answer(fmt::format("{}, {}", goal.name, where_words(goal.box_m)), last_tick_s_);
@@ -231,132 +219,7 @@ void AppCore::seek_warmer(const Goal& goal, double now_s) {
     answer(fmt::format("{}: the faster it ticks, the nearer", goal.name), now_s);
 }
 
-// ---- being led ----
-
-// Nothing pulls any more; what is felt fades.
-void AppCore::end_guidance() {
-    guiding_.announced.reset();
-    guiding_.path.number = 0;
-    guiding_.acts = false;
-}
-
-bool AppCore::force_may_guide() const { return tuning_.forces_on && !tuning_.panic && tuning_.focused && tool_.fault == Fault::None && tool_.ticks > 0; }
-
-void AppCore::announce(GuidancePath path, std::string words, double now_s) {
-    end_guidance();  // one at a time
-    path.number = ++guiding_.last_number;
-    guiding_.announced = path;
-    guiding_.starts_s = now_s + kAnnounced_s;
-    guiding_.errors = 0;
-    guiding_.stray = false;
-    play(SoundKind::GuideStart, now_s);
-    answer(std::move(words), now_s);
-}
-
-void AppCore::take_me(double now_s) {
-    if (guiding_.acts || guiding_.announced) {
-        end_guidance();
-        play(SoundKind::GuideStop, now_s);
-        return answer("Let go", now_s);
-    }
-    if (!hand_.present && guiding_.beacon.on()) return mute_beacon(now_s);
-    if (!guiding_.goal) return open_find(now_s);
-    lead_to(*guiding_.goal, now_s);
-}
-
-// Straight to the thing, from where the hand is; nothing where something stands between.
-std::optional<GuidancePath> AppCore::hand_way(const Goal& goal) const {
-    const Vec3 from = finding_place_m(), to = nearest_place(goal.box_m, from);
-    for (const Crossing& crossing : body_world_->crossings(from, to))
-        if (crossing.feature != goal.feature || !goal.feature) return std::nullopt;
-    GuidancePath path;
-    path.kind = GuidanceKind::Pull;
-    path.points_m[0] = from;
-    path.points_m[1] = to;
-    path.count = 2;
-    return path;
-}
-
-// By the hand where there is one, else by ear.
-void AppCore::lead_to(const Goal& goal, double now_s) {
-    guiding_.goal = goal;
-    const auto by_ear = [&](std::string_view why) {
-        guiding_.beacon.set(goal.name, goal.box_m);
-        answer(fmt::format("{}Follow the beacon to {}, {}", why, goal.name, where_words(goal.box_m)), now_s);
-    };
-    if (!hand_.present || !settings_.guidance.pull) return by_ear("");
-    if (!force_may_guide()) return by_ear("Forces are off. ");
-    auto path = hand_way(goal);
-    if (!path) return by_ear("Something stands between your hand and it. ");
-    guiding_.laps.begin(goal.name);
-    path->strength = guiding_.laps.strength() * settings_.guidance.strength;
-    std::string words = fmt::format("Taking your hand to {}, {}. ", goal.name, where_words(goal.box_m));
-    if (guiding_.laps.strength() == 0.0) words = fmt::format("On your own to {}, {}. I only tell when you are there.", goal.name, where_words(goal.box_m));
-    else if (guiding_.laps.strength() < 1.0) words += fmt::format("Help {:.0f} percent.", 100.0 * guiding_.laps.strength());
-    else words += "Hold against it to end it.";
-    announce(*path, std::move(words), now_s);
-}
-
-// Three planes through the thing, on which the hand likes to rest.
-void AppCore::cross_lines(const Goal& goal, double now_s) {
-    guiding_.goal = goal;
-    if (!hand_.present) return answer(std::string("There is no touch device. The beacon and the list find things without one."), now_s);
-    if (!force_may_guide()) return answer("Forces are off.", now_s);
-    GuidancePath path;
-    path.kind = GuidanceKind::CrossLines;
-    path.strength = settings_.guidance.strength;
-    path.points_m[0] = goal.box_m.centre_m();
-    path.count = 1;
-    announce(path, fmt::format("Lines through {}: from side to side, from near to far, and up and down. They cross there.", goal.name), now_s);
-}
-
-void AppCore::toggle_lines(double now_s) {
-    const bool lines = guiding_.acts && guiding_.path.kind == GuidanceKind::CrossLines;
-    if (lines || (guiding_.announced && guiding_.announced->kind == GuidanceKind::CrossLines)) {
-        end_guidance();
-        play(SoundKind::GuideStop, now_s);
-        return answer("Lines off", now_s);
-    }
-    if (!guiding_.goal) return open_find(now_s);
-    cross_lines(*guiding_.goal, now_s);
-}
-
 // ---- every tick ----
-
-void AppCore::follow_guidance(double now_s) {
-    Guiding& g = guiding_;
-    if (g.announced && now_s >= g.starts_s) {
-        g.path = *g.announced;
-        g.announced.reset();
-        g.acts = true;
-    }
-    if (!g.acts) return;
-    if (tool_.guidance.number != g.path.number) return;  // the servo has not seen it yet
-    const bool pull = g.path.kind == GuidanceKind::Pull;
-    if (tool_.guidance.phase == GuidancePhase::Acts) {
-        if (!pull) return;
-        const double off_m = distance_to_way(g.path, tool_.hip_m) / scale();
-        if (off_m > kStray_hand_m && !std::exchange(g.stray, true)) ++g.errors;
-        if (off_m < 0.5 * kStray_hand_m) g.stray = false;
-        return;
-    }
-    end_guidance();
-    switch (tool_.guidance.phase) {
-        case GuidancePhase::Arrived:
-            g.laps.finish(g.errors, settings_.guidance.fades);
-            play(SoundKind::Arrived, now_s);
-            answer(fmt::format("Here: {}", g.goal ? g.goal->name : std::string("the goal")), now_s);
-            break;
-        case GuidancePhase::LetGo:
-            play(SoundKind::GuideStop, now_s);
-            answer("Let go", now_s);
-            break;
-        default:
-            play(SoundKind::GuideStop, now_s);
-            answer("No longer led", now_s);
-            break;
-    }
-}
 
 // A mark, landmark or clue makes its sound when hand or body comes near; marks are named.
 void AppCore::notice_marks(double now_s) {
@@ -420,6 +283,7 @@ void AppCore::tick_guiding(double now_s) {
         Beacon::Beat beat = g.beacon.tick(feet_m(), ears, way_db, !tuning_.panic, now_s);
         if (beat.sound) cue(std::move(*beat.sound));
         if (beat.arrived) {
+            if (follow_name_ == g.beacon.name()) follower_.stop();  // told once
             play(SoundKind::Arrived, now_s);
             say(fmt::format("Here: {}", g.beacon.name()), SpeechClass::Answer, now_s);
         }

@@ -22,6 +22,9 @@ void AppCore::begin_rooms(std::shared_ptr<const Scene> scene) {
     follower_.stop();
 }
 
+// Rooms and ways are there to be used; where the same must happen in every run they are looked for now.
+bool AppCore::rooms_known() { return rooms_ && (!rooms_beside_ || rooms_->ready()) && rooms_->ready() && rooms_->found(); }
+
 // True when rooms are there to speak of; else says why not.
 bool AppCore::have_rooms(double now_s) {
     if (!rooms_ || (rooms_beside_ && !rooms_->ready())) {
@@ -38,7 +41,7 @@ bool AppCore::have_rooms(double now_s) {
 
 // "Kitchen. " where there is more than one room; empty where nothing is known.
 std::string AppCore::room_words(double now_s) {
-    if (!rooms_ || (rooms_beside_ && !rooms_->ready()) || !rooms_->ready() || !rooms_->found() || rooms_->graph().rooms.size() < 2) return {};
+    if (!rooms_known() || rooms_->graph().rooms.size() < 2) return {};
     notice_room(now_s, true);
     return room_ == kNothing ? std::string() : sentence_case(rooms_->graph().rooms[room_].name) + ". ";
 }
@@ -127,25 +130,32 @@ void AppCore::list_routes(double now_s) {
             return answer("No way is followed any more.", last_tick_s_);
         }
         const Room& room = rooms_->graph().rooms[rooms[at]];
-        follow_way(room.middle_m, sentence_case(room.name), last_tick_s_);
+        follow_way(room.middle_m, sentence_case(room.name), {}, last_tick_s_);
     };
     open_list(std::move(list), now_s);
 }
 
-void AppCore::follow_way(const Vec3& goal_m, const std::string& name, double now_s) {
-    Route route = rooms_->navigation().plan(feet_m(), goal_m);
+void AppCore::follow_way(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s) {
+    follow_route(rooms_->navigation().plan(feet_m(), goal_m), name, first, now_s);
+}
+
+// Where the goal cannot be reached, to the nearest place that can. `first` is said before all else.
+void AppCore::follow_route(Route route, const std::string& name, const std::string& first, double now_s) {
     follower_.stop();
-    if (route.points_m.empty()) return answer("No walking way found: there is no floor to walk on where you are.", now_s);
+    if (route.points_m.empty()) return answer(first + "No walking way found: there is no floor to walk on where you are.", now_s);
+    std::string goal = name, words = first;
     if (!route.reaches) {
         const std::uint32_t end = room_at(rooms_->graph(), rooms_->navigation().space(), route.points_m.back());
         const std::string where = end == kNothing ? std::string() : " in " + rooms_->graph().rooms[end].name;
-        return answer(fmt::format("No walking way found to {}. The nearest place you can reach is{}, {} short of it.", name, where,
-                                  distance_words(route.short_of_m, distances())),
-                      now_s);
+        words += fmt::format("No walking way found to {}. The nearest place you can reach is{}, {} short of it.", name, where,
+                             distance_words(route.short_of_m, distances()));
+        if (route.points_m.size() < 2) return answer(words, now_s);
+        words += ' ';
+        goal = "the nearest place to " + name;
     }
-    std::vector<RouteNode> nodes = nodes_of(route, name, [this](const RoutePassage& p) { return passage_name(p.kind, p.feature, p.rise_m); });
-    answer(fmt::format("To {}. {}", name, route_words(route, nodes, heading_rad_, distances())), now_s);
-    follow_name_ = name;
+    std::vector<RouteNode> nodes = nodes_of(route, goal, [this](const RoutePassage& p) { return passage_name(p.kind, p.feature, p.rise_m); });
+    answer(fmt::format("{}To {}. {}", words, goal, route_words(route, nodes, heading_rad_, distances())), now_s);
+    follow_name_ = goal;
     follower_.follow(std::move(route), std::move(nodes));
 }
 
@@ -157,10 +167,12 @@ void AppCore::follow_on(double now_s) {
         // Planned anew from here, and said once.
         const std::string name = follow_name_;
         say("You have left the way.", SpeechClass::Contact, now_s);
-        follow_way(goal, name, now_s);
+        follow_way(goal, name, {}, now_s);
     } else if (!said.text.empty()) {
         say(said.text, SpeechClass::Contact, now_s);
-        if (said.arrived) play(SoundKind::Arrived, now_s);
+        if (!said.arrived) return;
+        play(SoundKind::Arrived, now_s);
+        if (guiding_.beacon.name() == follow_name_) guiding_.beacon.clear();
     }
 }
 

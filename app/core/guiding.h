@@ -1,6 +1,7 @@
 // What the session keeps for marks, beacon and being led: plain state of AppCore's part in app_core_guide.cpp. App thread only.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,10 +30,21 @@ struct Guiding {
     GuidancePath path;                      // as the servo has it
     std::optional<GuidancePath> announced;  // to be published at starts_s
     double starts_s = 0.0;
-    bool acts = false;   // published, and the servo has not told of its end
-    bool stray = false;  // the hand is off the way now
-    int errors = 0;      // how often it went off the way in this lap
+    bool acts = false;        // published, and the servo has not told of its end
+    bool stray = false;       // the hand is off the way now
+    int errors = 0;           // how often it went off the way in this lap
+    bool to_nearest = false;  // the way ends where one gets nearest to the goal
     std::uint32_t last_number = 0;
+    // Leaving the way otherwise than by pulling the hand out of it.
+    std::uint32_t jump = 0;                   // of the workspace, when the way was planned
+    Vec3 feet_before_m{0.0};                  // a tick before
+    double moved_s = -1e9;                    // when the person last walked or moved the workspace
+    double off_since_s = -1e9;                // the hand has been far off the way since then
+    std::shared_ptr<const Scene> planned_in;  // as the world was then
+    bool left = false;                        // the way is to be planned anew when all is at rest
+    bool carries = false;                     // the workspace goes along with the hand now
+    bool carried = false;                     // and has, since that was last looked at
+    std::vector<FeatureId> doors_told;        // shut ones across the way
 
     // Where hand and body have been told to be near, so that each is told once.
     std::vector<bool> mark_near;

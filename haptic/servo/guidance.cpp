@@ -124,7 +124,7 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
     // 4. What ends it.
     if (path.kind != GuidanceKind::Pull) return state_.force_n;
     if (against_s_ >= kLetGo_s) end(GuidancePhase::LetGo);
-    else if ((next_ >= path.count || path.strength == 0.0) && length(hand_m - path.points_m[path.count - 1]) <= kArrived_m * scale) end(GuidancePhase::Arrived);
+    else if ((next_ + 1 >= path.count || path.strength == 0.0) && length(hand_m - path.points_m[path.count - 1]) <= kArrived_m * scale) end(GuidancePhase::Arrived);
     return state_.force_n;
 }
 

@@ -320,7 +320,7 @@ TEST(TakeMe, is_told_a_second_before_the_servo_knows_of_it_and_only_one_is_known
     EXPECT_EQ(p.app.guidance().number, 0U);
 }
 
-TEST(TakeMe, leads_by_ear_where_something_stands_between_or_there_is_no_force) {
+TEST(TakeMe, leads_round_what_stands_between_along_the_planned_way_and_by_ear_where_there_is_no_force) {
     Person p(true);
     p.enter();
     p.hand_at({1.2, 3.7, 0.3});  // behind the table
@@ -333,12 +333,79 @@ TEST(TakeMe, leads_by_ear_where_something_stands_between_or_there_is_no_force) {
         p.key("Enter");
     };
     ask();
-    EXPECT_TRUE(p.heard("Something stands between your hand and it. Follow the beacon to Radiator")) << testing::PrintToString(p.said);
-    EXPECT_TRUE(p.app.guiding().beacon.on());
+    EXPECT_TRUE(p.heard("Taking your hand to Radiator")) << testing::PrintToString(p.said);
+    p.run(1.1);
+    const GuidancePath& path = p.app.guidance();
+    ASSERT_GT(path.count, 2U);
+    EXPECT_EQ(path.points_m[0], Vec3(1.2, 3.7, 0.3));
+    const BodyWorld world(p.app.scene());
+    for (std::uint32_t i = 0; i + 2 < path.count; ++i) EXPECT_TRUE(world.crossings(path.points_m[i], path.points_m[i + 1]).empty()) << i;
+    EXPECT_NEAR(path.points_m[path.count - 1].x, 5.85, 0.06) << "on the radiator";
+    EXPECT_FALSE(p.app.guiding().beacon.on());
+    p.tap(Command::TakeMe);
     p.hand_at({3.0, 1.0, 1.0});
     p.tap(Command::ToggleForces);
     ask();
     EXPECT_TRUE(p.heard("Forces are off. Follow the beacon"));
+}
+
+TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_reached) {
+    // Behind a wall without a door.
+    SceneBuilder b;
+    b.box({0, 0, -0.2}, {10, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
+    for (const double x : {-0.2, 5.0, 10.0}) b.box({x, 0, 0}, {x + 0.2, 4, 2.6}, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+    b.box({-0.2, -0.2, 0}, {10.2, 0, 2.6}, "south wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+    b.box({-0.2, 4, 0}, {10.2, 4.2, 2.6}, "north wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+    b.box({8, 2, 0}, {8.5, 2.5, 0.7}, "Chest", SolidRole::Solid, "wood", FeatureKind::Object);
+    b.scene().name = "walled up";
+    b.start({2, 2, 0}, 0.0);
+    const auto scene = b.share();
+    const auto ask = [](Person& p) {
+        p.tap(Command::Find);
+        p.type("chest");
+        p.key("Enter");
+        p.key("Down");
+        p.key("Enter");
+    };
+    Person hand(true);
+    hand.enter({}, scene);
+    hand.hand_at({2.0, 2.0, 1.0});
+    hand.run(0.1);
+    ask(hand);
+    EXPECT_TRUE(hand.heard("No walking way found to Chest. Taking your hand to the nearest place that can be reached, ")) << testing::PrintToString(hand.said);
+    hand.run(1.1);
+    const GuidancePath& path = hand.app.guidance();
+    ASSERT_GE(path.count, 2U);
+    EXPECT_NEAR(path.points_m[path.count - 1].x, 4.7, 0.1) << "before the wall";
+    Person keys;
+    keys.enter({}, scene);
+    ask(keys);
+    EXPECT_TRUE(keys.heard("No walking way found to Chest. The nearest place you can reach is")) << testing::PrintToString(keys.said);
+    EXPECT_TRUE(keys.heard("To the nearest place to Chest.")) << testing::PrintToString(keys.said);
+    keys.stand_at({4.65, 2.2, 0.0});
+    keys.run(0.2);
+    EXPECT_TRUE(keys.heard("The nearest place to Chest. You are there.")) << testing::PrintToString(keys.said);
+}
+
+TEST(TakeMe, without_a_device_tells_the_way_follows_it_and_stops_when_asked_again) {
+    Person p;
+    p.enter();
+    p.stand_at({0.5, 3.6, 0.0});  // the table stands between
+    p.tap(Command::Find);
+    p.type("radiator");
+    p.key("Enter");
+    p.key("Down");
+    p.key("Enter");
+    EXPECT_TRUE(p.heard("To Radiator. ")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.heard("steps in all.")) << testing::PrintToString(p.said);
+    p.tap(Command::TakeMe);
+    EXPECT_TRUE(p.heard("No way is followed any more."));
+    EXPECT_FALSE(p.app.guiding().beacon.on());
+    p.tap(Command::TakeMe);
+    EXPECT_TRUE(p.heard("To Radiator. "));
+    p.stand_at({5.4, 1.5, 0.0});
+    p.run(0.3);
+    EXPECT_TRUE(p.heard("Radiator. You are there.") || p.heard("Here: Radiator")) << testing::PrintToString(p.said);
 }
 
 }  // namespace

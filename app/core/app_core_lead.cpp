@@ -1,0 +1,302 @@
+// AppCore's part on being led: by the hand along the planned way, by words and following without a device, and the lines through a thing. What is said, when
+// force may act, and what happens when the way is left. App thread only.
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/app_core.h"
+#include "app/core/hand_way.h"
+#include "worlds/navigation/way_place.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kAnnounced_s = 1.0;     // between telling that the hand will be led and the first force
+constexpr double kStray_hand_m = 0.008;  // off the way
+constexpr double kLeft_hand_m = 0.020;   // a hand on its own has left the way
+constexpr double kLeft_s = 1.0;          // when it is so far off for so long
+constexpr double kMovedLately_s = 0.5;   // who walks or moves the workspace does not hold against the pull
+constexpr double kRests_s = 0.3;         // afterwards a new way is planned
+constexpr double kWaist_m = 1.0;
+constexpr double kLowest_m = 0.3, kHighest_m = 1.6;  // of a led hand over the floor: over door sills, under lintels
+constexpr double kShut = 0.5;                        // a door that has come less of its way is shut
+// Where the way leads out of reach the workspace goes on along it: from so much of the reach on, back to so much of it, and so fast.
+constexpr double kCarryFrom = 0.55, kCarryTo = 0.45;
+constexpr double kCarry_hand_m_per_s = 0.03, kCarryAhead_hand_m = 0.005;
+
+std::span<const Vec3> points_of(const GuidancePath& path) { return std::span(path.points_m).first(path.count); }
+
+}  // namespace
+
+// Nothing pulls any more; what is felt fades.
+void AppCore::end_guidance() {
+    guiding_.announced.reset();
+    guiding_.path.number = 0;
+    guiding_.acts = false;
+    guiding_.left = false;
+}
+
+bool AppCore::force_may_guide() const { return tuning_.forces_on && !tuning_.panic && tuning_.focused && tool_.fault == Fault::None && tool_.ticks > 0; }
+
+// A hand that is only simulated for want of a device is led by ear.
+bool AppCore::hand_may_be_led() const { return hand_.present && !keys_alone_ && settings_.guidance.pull; }
+
+void AppCore::announce(GuidancePath path, std::string words, double now_s) {
+    end_guidance();  // one at a time
+    path.number = ++guiding_.last_number;
+    guiding_.announced = path;
+    guiding_.starts_s = now_s + kAnnounced_s;
+    guiding_.errors = 0;
+    guiding_.stray = false;
+    guiding_.to_nearest = false;
+    guiding_.jump = pose_.jump;
+    guiding_.feet_before_m = feet_m();
+    guiding_.moved_s = guiding_.off_since_s = -1e9;
+    guiding_.doors_told.clear();
+    guiding_.planned_in = scene_;
+    play(SoundKind::GuideStart, now_s);
+    answer(std::move(words), now_s);
+}
+
+void AppCore::take_me(double now_s) {
+    if (guiding_.acts || guiding_.announced || guiding_.left) {
+        end_guidance();
+        play(SoundKind::GuideStop, now_s);
+        return answer("Let go", now_s);
+    }
+    if (!hand_may_be_led() && follower_.following()) {
+        follower_.stop();
+        guiding_.beacon.clear();
+        return answer("No way is followed any more.", now_s);
+    }
+    if (!hand_may_be_led() && guiding_.beacon.on()) return mute_beacon(now_s);
+    if (!guiding_.goal) return open_find(now_s);
+    lead_to(*guiding_.goal, {}, now_s);
+}
+
+// Straight to the thing where nothing stands between, else along the planned way.
+AppCore::HandLead AppCore::hand_lead(const Goal& goal) {
+    HandLead lead;
+    const Vec3 from = finding_place_m();
+    std::vector<Vec3> points{from, nearest_place(goal.box_m, from)};
+    if (!free_line(*body_world_, from, place_on(goal.box_m, from), goal.feature)) {
+        if (!rooms_known()) {
+            lead.problem = rooms_ && rooms_beside_ && !rooms_->ready() ? "The ways of this world are still being looked for. " : "Something stands between. ";
+            return lead;
+        }
+        const Route route = walk_to_thing(rooms_->navigation(), *body_world_, from, goal.box_m, goal.feature);
+        if (route.points_m.empty()) {
+            lead.problem = "Your hand is at no place that a way leads from. ";
+            return lead;
+        }
+        if (!hand_can_follow(route)) {
+            lead.problem = "Your hand cannot follow the way. ";
+            return lead;
+        }
+        lead.reaches = route.reaches;
+        lead.short_of_m = route.short_of_m;
+        for (const RoutePassage& passage : route.passages)
+            if (passage.kind == PassageKind::Door || passage.kind == PassageKind::Stairs)
+                lead.passes.push_back(passage_name(passage.kind, passage.feature, passage.rise_m));
+        const double height_m = std::clamp(settings_.workspace.hand_height_m, kLowest_m, kHighest_m);
+        points = hand_way(route, from, height_m, *body_world_, goal.box_m, goal.feature, GuidancePath::kMostPoints);
+    }
+    GuidancePath path;
+    path.kind = GuidanceKind::Pull;
+    path.count = static_cast<std::uint32_t>(points.size());
+    std::copy(points.begin(), points.end(), path.points_m.begin());
+    lead.path = path;
+    return lead;
+}
+
+// By the hand where there is one, else by ear. `first` is said before all else.
+void AppCore::lead_to(const Goal& goal, const std::string& first, double now_s) {
+    guiding_.goal = goal;
+    if (!hand_may_be_led()) return lead_by_ear(goal, first, now_s);
+    if (!force_may_guide()) return lead_by_ear(goal, first + "Forces are off. ", now_s);
+    HandLead lead = hand_lead(goal);
+    if (!lead.path) return lead_by_ear(goal, first + lead.problem, now_s);
+    Laps& laps = guiding_.laps;
+    laps.begin(fmt::format("{} {}", goal.name, goal.feature.value));  // ten windows have one name
+    lead.path->strength = laps.strength() * settings_.guidance.strength;
+    std::string words = first;
+    if (!lead.reaches)
+        words += fmt::format("No walking way found to {}. Taking your hand to the nearest place that can be reached, {} short of it. ", goal.name,
+                             distance_words(lead.short_of_m, distances()));
+    else if (laps.strength() == 0.0) words += fmt::format("On your own to {}, {}. I only tell when you are there.", goal.name, where_words(goal.box_m));
+    else words += fmt::format("Taking your hand to {}, {}. ", goal.name, where_words(goal.box_m));
+    if (!lead.passes.empty()) {
+        if (!words.ends_with(' ')) words += ' ';
+        words += "By way of " + fmt::format("{}", fmt::join(lead.passes, ", ")) + ". ";
+    }
+    if (laps.strength() == 1.0) words += "Hold against it to end it.";
+    else if (laps.strength() > 0.0) words += fmt::format("Help {:.0f} percent.", 100.0 * laps.strength());
+    announce(*lead.path, std::move(words), now_s);
+    guiding_.to_nearest = !lead.reaches;
+}
+
+// The way in words and along it, as to a room; the beacon calls from the thing where nothing stands between.
+void AppCore::lead_by_ear(const Goal& goal, const std::string& first, double now_s) {
+    end_guidance();
+    follower_.stop();
+    guiding_.beacon.clear();
+    const Vec3 waist = feet_m() + Vec3(0.0, 0.0, kWaist_m);
+    const bool in_sight = free_line(*body_world_, waist, place_on(goal.box_m, waist), goal.feature);
+    Route route;
+    if (rooms_known()) route = walk_to_thing(rooms_->navigation(), *body_world_, feet_m(), goal.box_m, goal.feature);
+    const bool straight = route.reaches && route.points_m.size() <= 2;
+    if (in_sight || route.points_m.empty()) guiding_.beacon.set(goal.name, goal.box_m);
+    if (route.points_m.empty() || (in_sight && straight))
+        return answer(fmt::format("{}Follow the beacon to {}, {}", first, goal.name, where_words(goal.box_m)), now_s);
+    follow_route(std::move(route), goal.name, first, now_s);
+}
+
+// Three planes through the thing, on which the hand likes to rest.
+void AppCore::cross_lines(const Goal& goal, double now_s) {
+    guiding_.goal = goal;
+    if (!hand_.present) return answer(std::string("There is no touch device. The beacon and the list find things without one."), now_s);
+    if (!force_may_guide()) return answer("Forces are off.", now_s);
+    GuidancePath path;
+    path.kind = GuidanceKind::CrossLines;
+    path.strength = settings_.guidance.strength;
+    path.points_m[0] = goal.box_m.centre_m();
+    path.count = 1;
+    announce(path, fmt::format("Lines through {}: from side to side, from near to far, and up and down. They cross there.", goal.name), now_s);
+}
+
+void AppCore::toggle_lines(double now_s) {
+    const bool lines = guiding_.acts && guiding_.path.kind == GuidanceKind::CrossLines;
+    if (lines || (guiding_.announced && guiding_.announced->kind == GuidanceKind::CrossLines)) {
+        end_guidance();
+        play(SoundKind::GuideStop, now_s);
+        return answer("Lines off", now_s);
+    }
+    if (!guiding_.goal) return open_find(now_s);
+    cross_lines(*guiding_.goal, now_s);
+}
+
+// ---- every tick ----
+
+// A door across the way is told once, with the key that opens it.
+void AppCore::tell_shut_door(double now_s) {
+    for (std::uint8_t i = 0; i < tool_.contacts.count; ++i) {
+        const FeatureId feature = tool_.contacts.contacts[i].feature;
+        const int mover = mover_of(feature);
+        std::vector<FeatureId>& told = guiding_.doors_told;
+        if (mover < 0 || movers_.away(static_cast<std::uint32_t>(mover)) >= kShut || std::find(told.begin(), told.end(), feature) != told.end()) continue;
+        told.push_back(feature);
+        say(fmt::format("{} is shut. {} opens it.", sentence_case(name_of(feature)), keys_.keys_of(Command::Use)), SpeechClass::Answer, now_s);
+    }
+}
+
+// True once the hand touches what it is led to, wherever on it.
+bool AppCore::hand_at_goal() const {
+    if (!guiding_.goal || !guiding_.goal->feature) return false;
+    const auto contacts = std::span(tool_.contacts.contacts).first(tool_.contacts.count);
+    return std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) { return contact.feature == guiding_.goal->feature; });
+}
+
+// Who walks, turns or moves the workspace has not pulled the hand out of the lead: a new way is told once all is at rest.
+void AppCore::notice_left_way(double now_s) {
+    Guiding& g = guiding_;
+    if (tool_.workspace_motion == WorkspaceMotion::Grabbed || feet_m() != g.feet_before_m) g.moved_s = now_s;
+    // The leaf of a door takes the hand along.
+    const auto contacts = std::span(tool_.contacts.contacts).first(tool_.contacts.count);
+    if (movers_.any_moving() && std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) { return mover_of(contact.feature) >= 0; }))
+        g.moved_s = now_s;
+    g.feet_before_m = feet_m();
+    if (!g.acts && !g.announced && !g.left) return;
+    if (std::exchange(g.jump, pose_.jump) != pose_.jump) {
+        end_guidance();
+        g.left = true;
+        g.moved_s = now_s;
+    }
+    if (tuning_.panic) g.left = false;
+    if (!g.left || now_s - g.moved_s < kRests_s || !g.goal) return;
+    const int errors = g.errors;
+    lead_to(*g.goal, "You have left the way. ", now_s);
+    g.errors = errors + 1;
+}
+
+void AppCore::follow_guidance(double now_s) {
+    Guiding& g = guiding_;
+    if (g.path.kind == GuidanceKind::Pull || (g.announced && g.announced->kind == GuidanceKind::Pull)) notice_left_way(now_s);
+    if (g.announced && now_s >= g.starts_s) {
+        g.path = *g.announced;
+        if (g.path.kind == GuidanceKind::Pull) g.path.points_m[0] = finding_place_m();  // where it has come to meanwhile
+        g.announced.reset();
+        g.acts = true;
+    }
+    if (!g.acts) return;
+    if (tool_.guidance.number != g.path.number) return;  // the servo has not seen it yet
+    const bool pull = g.path.kind == GuidanceKind::Pull;
+    bool arrived = tool_.guidance.phase == GuidancePhase::Arrived;
+    if (tool_.guidance.phase == GuidancePhase::Acts) {
+        if (!pull) return;
+        arrived = hand_at_goal();
+        if (!arrived) return watch_way(now_s);
+    }
+    if (pull && tool_.guidance.phase == GuidancePhase::LetGo && now_s - g.moved_s < kMovedLately_s) {
+        end_guidance();
+        g.left = true;
+        return;
+    }
+    const bool to_nearest = g.to_nearest;
+    end_guidance();
+    if (arrived) {
+        g.laps.finish(g.errors, settings_.guidance.fades);
+        play(SoundKind::Arrived, now_s);
+        const std::string name = g.goal ? g.goal->name : std::string("the goal");
+        return answer(to_nearest ? fmt::format("This is the nearest place to {} that can be reached.", name) : fmt::format("Here: {}", name), now_s);
+    }
+    play(SoundKind::GuideStop, now_s);
+    answer(tool_.guidance.phase == GuidancePhase::LetGo ? "Let go" : "No longer led", now_s);
+}
+
+// Something stands elsewhere than when the way was planned, such as the leaf of a door: the same lead goes on along a new way, without a word.
+void AppCore::renew_way() {
+    Guiding& g = guiding_;
+    g.planned_in = scene_;
+    HandLead lead = hand_lead(*g.goal);
+    if (!lead.path) return;
+    lead.path->strength = g.path.strength;
+    lead.path->number = ++g.last_number;
+    g.path = *lead.path;
+}
+
+// While it pulls: doors across the way, and how far off it the hand is.
+void AppCore::watch_way(double now_s) {
+    Guiding& g = guiding_;
+    tell_shut_door(now_s);
+    if (g.goal && g.planned_in != scene_) return renew_way();
+    const double off_m = nearest_on_way(points_of(g.path), tool_.hip_m).distance_m / scale();
+    if (off_m > kStray_hand_m && !std::exchange(g.stray, true)) ++g.errors;
+    if (off_m < 0.5 * kStray_hand_m) g.stray = false;
+    if (off_m <= kLeft_hand_m) g.off_since_s = now_s;
+    const bool moved = off_m > kStray_hand_m && now_s - g.moved_s < kMovedLately_s;
+    const bool strayed = g.off_since_s >= 0.0 && now_s - g.off_since_s > kLeft_s;
+    if (!moved && !strayed) return;
+    end_guidance();
+    g.left = true;
+}
+
+// Where the way leads out of the hand's reach, the workspace goes on along it, as under the keys that push it. Hand metres a second, device frame.
+Vec3 AppCore::carry_workspace() {
+    Guiding& g = guiding_;
+    const bool led = g.acts && g.path.kind == GuidanceKind::Pull && g.path.strength > 0.0 && tool_.guidance.number == g.path.number &&
+                     tool_.guidance.phase == GuidancePhase::Acts && tool_.workspace_jump == pose_.jump && !at_desk();
+    Vec3 push(0.0);
+    bool carries = false;
+    if (led) {
+        const auto way = points_of(g.path);
+        const Vec3 ahead = place_along(way, nearest_on_way(way, tool_.hip_m).along_m + kCarryAhead_hand_m * scale()) - tool_.hip_m;
+        if (const double length_m = glm::length(ahead); length_m > 1e-6) {
+            push = frame_of(pose_.origin_m, pose_.heading_rad).turn_to_device(ahead / length_m);
+            carries = glm::dot(tool_.hand_m, push) > (g.carries ? kCarryTo : kCarryFrom) * hand_.spec.workspace_radius_m;
+        }
+    }
+    g.carries = carries;
+    g.carried = g.carried || carries;
+    return carries ? push * kCarry_hand_m_per_s : Vec3(0.0);
+}
+
+}  // namespace handrail

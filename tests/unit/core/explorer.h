@@ -1,0 +1,133 @@
+// A person in virtual time, with the simulated hand of a device or with keys only: what they press, choose and feel for, and what they hear. For tests that
+// play the whole program without a window.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/core/headless_session.h"
+#include "audio-cues/sinks/recording_sinks.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail::test {
+
+inline std::shared_ptr<const Scene> our_world(const char* file) {
+    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file);
+    EXPECT_TRUE(scene);
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+class Explorer {
+public:
+    // device: null for keys only.
+    Explorer(std::shared_ptr<const Scene> scene, const char* device, const Settings& settings = {}) : session_(settings, facts(device), audio_, speech_) {
+        app().enter_world(std::move(scene), 0.0);
+        run(0.1);
+        if (!device) return;
+        hold({0.0, 0.0, 0.005});
+        hold({0.0, 0.0, 0.0});
+        run(1.2);
+    }
+    static HandFacts facts(const char* device) {
+        HandFacts facts;
+        facts.present = facts.simulated = device != nullptr;
+        if (device) facts.spec = *find_device_spec(device);
+        return facts;
+    }
+    AppCore& app() { return session_.app(); }
+    const ToolState& tool() const { return session_.tool(); }
+    double now_s() const { return session_.now_s(); }
+
+    void run(double seconds) {
+        for (const double until = now_s() + seconds; now_s() < until - 1e-9;) session_.advance();
+    }
+    // Looks every frame; false when it did not come about in time.
+    template <class Condition>
+    bool wait_for(Condition condition, double seconds) {
+        for (const double until = now_s() + seconds; now_s() < until;) {
+            if (condition()) return true;
+            run(1.0 / 60.0);
+        }
+        return condition();
+    }
+
+    void tap(Command command, double then_s = 0.05) {
+        session_.press(command);
+        app().release(command);
+        run(then_s);
+    }
+    void key(const char* name) {
+        session_.tap_key(name);
+        run(0.05);
+    }
+    void line(const std::string& text) {
+        EXPECT_TRUE(app().take_line(text, now_s())) << text;
+        run(0.05);
+    }
+    // Chooses the thing in the list of everything that has a name, as deep in it as need be, and stays in the list of ways to find it.
+    bool choose(const std::string& name, FeatureId feature) {
+        tap(Command::Find);
+        const std::vector<ListItem> items = app().dialogue().view().items;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            if (items[i].name != name) continue;
+            line(std::to_string(i + 1));
+            if (app().guiding().goal && app().guiding().goal->feature == feature) return true;
+            key("Escape");
+            tap(Command::Find);
+        }
+        return false;
+    }
+    bool ask(const std::string& name, FeatureId feature, const std::string& way) {
+        if (!choose(name, feature)) return false;
+        line(way);
+        return true;
+    }
+    void leave_lists() {
+        while (app().dialogue().is_open()) key("Escape");
+    }
+
+    // The hand goes there, device frame, and stays there.
+    void hold(const Vec3& at_m, double speed_m_per_s = 0.15) {
+        HandCommand command;
+        command.mode = HandMode::Move;
+        command.target_m = at_m;
+        command.speed_m_per_s = speed_m_per_s;
+        session_.hand().command.publish(command);
+        run(glm::length(at_m - hand_m()) / speed_m_per_s + 0.01);
+    }
+    // The hand goes where it is pulled and pushes by itself.
+    void push(const Vec3& force_n = Vec3(0.0)) {
+        HandCommand command;
+        command.mode = HandMode::Push;
+        command.push_n = force_n;
+        session_.hand().command.publish(command);
+    }
+    Vec3 hand_m() {
+        session_.hand().state.refresh();
+        return session_.hand().state.read().position_m;
+    }
+
+    std::size_t lines() const { return speech_.lines().size(); }
+    const std::string& line_at(std::size_t i) const { return speech_.lines()[i].utterance.text; }
+    bool heard(const std::string& words, std::size_t from = 0) const { return find(words, from) < lines(); }
+    std::size_t find(const std::string& words, std::size_t from = 0) const {
+        while (from < lines() && line_at(from).find(words) == std::string::npos) ++from;
+        return from;
+    }
+    std::string all_heard(std::size_t from = 0) const {
+        std::string text;
+        for (std::size_t i = from; i < lines(); ++i) text += line_at(i) + "\n";
+        return text;
+    }
+    const std::vector<HeardSound>& sounds() const { return audio_.sounds(); }
+
+private:
+    RecordingAudio audio_;
+    RecordingSpeech speech_;
+    HeadlessSession session_;
+};
+
+}  // namespace handrail::test

@@ -1,0 +1,62 @@
+// The nearest place of a way, beside a twin that looks at a thousand places of each leg.
+#include "worlds/navigation/way_place.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "tests/support/random_families.h"
+
+namespace handrail {
+namespace {
+
+WayPlace by_looking_everywhere(const std::vector<Vec3>& points_m, const Vec3& from_m) {
+    WayPlace nearest{points_m[0], std::numeric_limits<double>::infinity(), 0.0, 0};
+    double before_m = 0.0;
+    for (std::size_t leg = 0; leg + 1 < points_m.size(); ++leg) {
+        const Vec3 way = points_m[leg + 1] - points_m[leg];
+        for (int i = 0; i <= 1000; ++i) {
+            const Vec3 place = points_m[leg] + way * (i / 1000.0);
+            if (const double far = glm::length(place - from_m); far < nearest.distance_m) nearest = {place, far, before_m + glm::length(way) * i / 1000.0, leg};
+        }
+        before_m += glm::length(way);
+    }
+    return nearest;
+}
+
+TEST(NearestOnWay, agrees_with_a_twin_that_looks_everywhere_on_random_ways) {
+    const std::uint32_t seed = test::seed_of_run();
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> place(-5.0, 5.0);
+    for (int run = 0; run < 500; ++run) {
+        std::vector<Vec3> points;
+        for (int i = 0, count = 2 + run % 12; i < count; ++i) {
+            points.emplace_back(place(random), place(random), place(random));
+            if (i % 5 == 4) points.push_back(points.back());  // a leg without length
+        }
+        const Vec3 from(place(random), place(random), place(random));
+        const WayPlace found = nearest_on_way(points, from), twin = by_looking_everywhere(points, from);
+        const double cell_m = 20.0 / 1000.0;
+        ASSERT_LE(found.distance_m, twin.distance_m + 1e-12) << "seed " << seed << ", run " << run;
+        ASSERT_GE(found.distance_m, twin.distance_m - cell_m) << "seed " << seed << ", run " << run;
+        ASSERT_NEAR(glm::length(from - found.place_m), found.distance_m, 1e-12);
+        ASSERT_LT(glm::length(place_along(points, found.along_m) - found.place_m), 1e-9) << "so far along lies that place: seed " << seed << ", run " << run;
+    }
+}
+
+TEST(NearestOnWay, takes_the_first_of_places_as_near_and_a_way_of_one_point) {
+    const std::vector<Vec3> there_and_back{{0, 0, 0}, {4, 0, 0}, {0, 0, 0}};
+    EXPECT_EQ(nearest_on_way(there_and_back, {1, 1, 0}).along_m, 1.0);
+    EXPECT_EQ(nearest_on_way(there_and_back, {1, 1, 0}).leg, 0U);
+    const std::vector<Vec3> one{{2, 0, 0}};
+    EXPECT_EQ(nearest_on_way(one, {2, 3, 0}).distance_m, 3.0);
+    EXPECT_EQ(place_along(one, 5.0), Vec3(2, 0, 0));
+    EXPECT_EQ(place_along(there_and_back, -1.0), Vec3(0, 0, 0));
+    EXPECT_EQ(place_along(there_and_back, 5.0), Vec3(3, 0, 0));
+    EXPECT_EQ(place_along(there_and_back, 99.0), Vec3(0, 0, 0));
+}
+
+}  // namespace
+}  // namespace handrail
