@@ -5,6 +5,7 @@
 
 #include "app/core/app_core.h"
 #include "app/core/hand_way.h"
+#include "worlds/base/language.h"
 #include "worlds/navigation/way_place.h"
 
 namespace handrail {
@@ -22,6 +23,9 @@ constexpr double kShut = 0.5;                        // a door that has come les
 // Where the way leads out of reach the workspace goes on along it: from so much of the reach on, back to so much of it, and so fast.
 constexpr double kCarryFrom = 0.55, kCarryTo = 0.45;
 constexpr double kCarry_hand_m_per_s = 0.03, kCarryAhead_hand_m = 0.005;
+
+// Two sentences, one after the other; either may be empty.
+std::string beside(const std::string& first, const std::string& then) { return first.empty() || then.empty() ? first + then : first + " " + then; }
 
 std::span<const Vec3> points_of(const GuidancePath& path) { return std::span(path.points_m).first(path.count); }
 
@@ -61,12 +65,12 @@ void AppCore::take_me(double now_s) {
     if (guiding_.acts || guiding_.announced || guiding_.left) {
         end_guidance();
         play(SoundKind::GuideStop, now_s);
-        return answer("Let go", now_s);
+        return answer(phrase("lead.let_go"), now_s);
     }
     if (!hand_may_be_led() && follower_.following()) {
         follower_.stop();
         guiding_.beacon.clear();
-        return answer("No way is followed any more.", now_s);
+        return answer(phrase("lead.stopped"), now_s);
     }
     if (!hand_may_be_led() && guiding_.beacon.on()) return mute_beacon(now_s);
     if (!guiding_.goal) return open_find(now_s);
@@ -80,16 +84,16 @@ AppCore::HandLead AppCore::hand_lead(const Goal& goal) {
     std::vector<Vec3> points{from, nearest_place(goal.box_m, from)};
     if (!free_line(*body_world_, from, place_on(goal.box_m, from), goal.feature)) {
         if (!rooms_known()) {
-            lead.problem = rooms_ && rooms_beside_ && !rooms_->ready() ? "The ways of this world are still being looked for. " : "Something stands between. ";
+            lead.problem = rooms_ && rooms_beside_ && !rooms_->ready() ? phrase("lead.ways_not_yet") : phrase("lead.stands_between");
             return lead;
         }
         const Route route = walk_to_thing(rooms_->navigation(), *body_world_, from, goal.box_m, goal.feature);
         if (route.points_m.empty()) {
-            lead.problem = "Your hand is at no place that a way leads from. ";
+            lead.problem = phrase("lead.no_start");
             return lead;
         }
         if (!hand_can_follow(route)) {
-            lead.problem = "Your hand cannot follow the way. ";
+            lead.problem = phrase("lead.not_for_hands");
             return lead;
         }
         lead.reaches = route.reaches;
@@ -112,24 +116,20 @@ AppCore::HandLead AppCore::hand_lead(const Goal& goal) {
 void AppCore::lead_to(const Goal& goal, const std::string& first, double now_s) {
     guiding_.goal = goal;
     if (!hand_may_be_led()) return lead_by_ear(goal, first, now_s);
-    if (!force_may_guide()) return lead_by_ear(goal, first + "Forces are off. ", now_s);
+    if (!force_may_guide()) return lead_by_ear(goal, beside(first, phrase("lead.forces_off")), now_s);
     HandLead lead = hand_lead(goal);
-    if (!lead.path) return lead_by_ear(goal, first + lead.problem, now_s);
+    if (!lead.path) return lead_by_ear(goal, beside(first, lead.problem), now_s);
     Laps& laps = guiding_.laps;
     laps.begin(fmt::format("{} {}", goal.name, goal.feature.value));  // ten windows have one name
     lead.path->strength = laps.strength() * settings_.guidance.strength;
+    const std::string where = where_words(goal.box_m);
     std::string words = first;
-    if (!lead.reaches)
-        words += fmt::format("No walking way found to {}. Taking your hand to the nearest place that can be reached, {} short of it. ", goal.name,
-                             distance_words(lead.short_of_m, distances()));
-    else if (laps.strength() == 0.0) words += fmt::format("On your own to {}, {}. I only tell when you are there.", goal.name, where_words(goal.box_m));
-    else words += fmt::format("Taking your hand to {}, {}. ", goal.name, where_words(goal.box_m));
-    if (!lead.passes.empty()) {
-        if (!words.ends_with(' ')) words += ' ';
-        words += "By way of " + fmt::format("{}", fmt::join(lead.passes, ", ")) + ". ";
-    }
-    if (laps.strength() == 1.0) words += "Hold against it to end it.";
-    else if (laps.strength() > 0.0) words += fmt::format("Help {:.0f} percent.", 100.0 * laps.strength());
+    if (!lead.reaches) words = beside(words, phrase("lead.to_nearest", {{"goal", goal.name}, {"short_of", distance_words(lead.short_of_m, distances())}}));
+    else if (laps.strength() == 0.0) words = beside(words, phrase("lead.alone", {{"goal", goal.name}, {"where", where}}));
+    else words = beside(words, phrase("lead.taking", {{"goal", goal.name}, {"where", where}}));
+    if (!lead.passes.empty()) words = beside(words, phrase("lead.by_way_of", {{"passages", fmt::format("{}", fmt::join(lead.passes, ", "))}}));
+    if (laps.strength() == 1.0) words = beside(words, phrase("lead.hold_to_end"));
+    else if (laps.strength() > 0.0) words = beside(words, phrase("lead.help", {{"percent", std::lround(100.0 * laps.strength())}}));
     announce(*lead.path, std::move(words), now_s);
     guiding_.to_nearest = !lead.reaches;
 }
@@ -146,21 +146,21 @@ void AppCore::lead_by_ear(const Goal& goal, const std::string& first, double now
     const bool straight = route.reaches && route.points_m.size() <= 2;
     if (in_sight || route.points_m.empty()) guiding_.beacon.set(goal.name, goal.box_m);
     if (route.points_m.empty() || (in_sight && straight))
-        return answer(fmt::format("{}Follow the beacon to {}, {}", first, goal.name, where_words(goal.box_m)), now_s);
+        return answer(beside(first, phrase("lead.follow_beacon", {{"goal", goal.name}, {"where", where_words(goal.box_m)}})), now_s);
     follow_route(std::move(route), goal.name, first, now_s);
 }
 
 // Three planes through the thing, on which the hand likes to rest.
 void AppCore::cross_lines(const Goal& goal, double now_s) {
     guiding_.goal = goal;
-    if (!hand_.present) return answer(std::string("There is no touch device. The beacon and the list find things without one."), now_s);
-    if (!force_may_guide()) return answer("Forces are off.", now_s);
+    if (!hand_.present) return answer(phrase("lead.lines_need_device"), now_s);
+    if (!force_may_guide()) return answer(phrase("lead.forces_off"), now_s);
     GuidancePath path;
     path.kind = GuidanceKind::CrossLines;
     path.strength = settings_.guidance.strength;
     path.points_m[0] = goal.box_m.centre_m();
     path.count = 1;
-    announce(path, fmt::format("Lines through {}: from side to side, from near to far, and up and down. They cross there.", goal.name), now_s);
+    announce(path, phrase("lead.lines", {{"goal", goal.name}}), now_s);
 }
 
 void AppCore::toggle_lines(double now_s) {
@@ -168,7 +168,7 @@ void AppCore::toggle_lines(double now_s) {
     if (lines || (guiding_.announced && guiding_.announced->kind == GuidanceKind::CrossLines)) {
         end_guidance();
         play(SoundKind::GuideStop, now_s);
-        return answer("Lines off", now_s);
+        return answer(phrase("lead.lines_off"), now_s);
     }
     if (!guiding_.goal) return open_find(now_s);
     cross_lines(*guiding_.goal, now_s);
@@ -184,7 +184,7 @@ void AppCore::tell_shut_door(double now_s) {
         std::vector<FeatureId>& told = guiding_.doors_told;
         if (mover < 0 || movers_.away(static_cast<std::uint32_t>(mover)) >= kShut || std::find(told.begin(), told.end(), feature) != told.end()) continue;
         told.push_back(feature);
-        say(fmt::format("{} is shut. {} opens it.", sentence_case(name_of(feature)), keys_.keys_of(Command::Use)), SpeechClass::Answer, now_s);
+        say(phrase("lead.door_shut", {{"door", sentence_case(name_of(feature))}, {"key", keys_.keys_of(Command::Use)}}), SpeechClass::Answer, now_s);
     }
 }
 
@@ -213,7 +213,7 @@ void AppCore::notice_left_way(double now_s) {
     if (tuning_.panic) g.left = false;
     if (!g.left || now_s - g.moved_s < kRests_s || !g.goal) return;
     const int errors = g.errors;
-    lead_to(*g.goal, "You have left the way. ", now_s);
+    lead_to(*g.goal, phrase("lead.left_way"), now_s);
     g.errors = errors + 1;
 }
 
@@ -245,11 +245,11 @@ void AppCore::follow_guidance(double now_s) {
     if (arrived) {
         g.laps.finish(g.errors, settings_.guidance.fades);
         play(SoundKind::Arrived, now_s);
-        const std::string name = g.goal ? g.goal->name : std::string("the goal");
-        return answer(to_nearest ? fmt::format("This is the nearest place to {} that can be reached.", name) : fmt::format("Here: {}", name), now_s);
+        const std::string name = g.goal ? g.goal->name : std::string();
+        return answer(to_nearest ? phrase("lead.nearest_place", {{"goal", name}}) : phrase("lead.here", {{"goal", name}}), now_s);
     }
     play(SoundKind::GuideStop, now_s);
-    answer(tool_.guidance.phase == GuidancePhase::LetGo ? "Let go" : "No longer led", now_s);
+    answer(tool_.guidance.phase == GuidancePhase::LetGo ? phrase("lead.let_go") : phrase("lead.no_longer"), now_s);
 }
 
 // Something stands elsewhere than when the way was planned, such as the leaf of a door: the same lead goes on along a new way, without a word.

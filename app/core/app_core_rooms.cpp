@@ -142,8 +142,8 @@ void AppCore::follow_way(const Vec3& goal_m, const std::string& name, const std:
 // Where the goal cannot be reached, to the nearest place that can. `first` is said before all else.
 void AppCore::follow_route(Route route, const std::string& name, const std::string& first, double now_s) {
     follower_.stop();
-    if (route.points_m.empty()) return answer(first + "No walking way found: there is no floor to walk on where you are.", now_s);
-    std::string goal = name, words = first;
+    if (route.points_m.empty()) return answer((first.empty() ? first : first + " ") + "No walking way found: there is no floor to walk on where you are.", now_s);
+    std::string goal = name, words = first.empty() ? first : first + ' ';
     if (!route.reaches) {
         const std::uint32_t end = room_at(rooms_->graph(), rooms_->navigation().space(), route.points_m.back());
         const std::string where = end == kNothing ? std::string() : " in " + rooms_->graph().rooms[end].name;
