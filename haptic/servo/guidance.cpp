@@ -96,6 +96,50 @@ Vec3 Guidance::lines(const GuidancePath& path, const Vec3& hand_m, double scale,
     return force;
 }
 
+namespace {
+
+// The nearest place of a trench: what lies below the leg from a to b. A convex set, so the square of the distance to it is smooth everywhere.
+Vec3 nearest_in_trench(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
+    const double x = b.x - a.x, y = b.y - a.y, length = std::sqrt(x * x + y * y);
+    if (!(length > 1e-9)) return {a.x, a.y, std::min(p.z, std::max(a.z, b.z))};
+    const double slope = (b.z - a.z) / length;
+    const double along = ((p.x - a.x) * x + (p.y - a.y) * y) / length;
+    double s = std::clamp(along, 0.0, length);
+    double z = p.z;
+    if (p.z > a.z + slope * s) {  // over it: the nearest place of its upper edge
+        s = std::clamp((along + slope * (p.z - a.z)) / (1.0 + slope * slope), 0.0, length);
+        z = a.z + slope * s;
+    }
+    return {a.x + x * (s / length), a.y + y * (s / length), z};
+}
+
+}  // namespace
+
+// The potential is A times the product, over all legs, of 1 - f with f = (1 - (d/w)^2)^3 of a leg nearer than w: nothing on every leg, A away from all, and
+// smooth in between, also where legs meet, since d^2 is. Its slope is the force.
+Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scale, double most_n) noexcept {
+    constexpr double kPeakOfLaw = 1.7173003580037202;  // of 6 u (1 - u^2)^2, at u = 1/sqrt(5)
+    std::array<Vec3, GuidancePath::kMostPoints / 2> slopes;
+    std::array<double, GuidancePath::kMostPoints / 2> left;
+    std::size_t near = 0;
+    const double width_m = scale * kGrooveHalfWidth_m;
+    for (std::uint32_t i = 0; i + 1 < path.count; i += 2) {
+        const Vec3 off = (hand_m - nearest_in_trench(path.points_m[i], path.points_m[i + 1], hand_m)) / width_m;
+        const double rest = 1.0 - glm::dot(off, off);
+        if (!(rest > 0.0)) continue;
+        slopes[near] = off * (-6.0 * rest * rest);
+        left[near++] = 1.0 - rest * rest * rest;
+    }
+    Vec3 force(0.0);
+    for (std::size_t i = 0; i < near; ++i) {
+        Vec3 part = slopes[i];
+        for (std::size_t k = 0; k < near; ++k)
+            if (k != i) part *= left[k];
+        force += part;
+    }
+    return force * (kGroove_n / kPeakOfLaw * most_n / kMostForce_n);
+}
+
 Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, double peak_force_n, bool allowed, double dt_s) noexcept {
     // 1. Another wish: what acts fades, and only then the next begins.
     if (state_.phase == GuidancePhase::Acts && (path.number != state_.number || !allowed)) end(GuidancePhase::Ended);
@@ -118,13 +162,16 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
     acted_s_ += dt_s;
     const double most_n = path.strength * std::min(kMostForce_n, kMostShare * peak_force_n);
     const double ramp = std::min(1.0, acted_s_ / kRamp_s);
-    const Vec3 full_n = path.kind == GuidanceKind::Pull ? pull(path, hand_m, scale, most_n, dt_s) : lines(path, hand_m, scale, most_n);
+    const Vec3 full_n = path.kind == GuidanceKind::Pull      ? pull(path, hand_m, scale, most_n, dt_s)
+                        : path.kind == GuidanceKind::Grooves ? grooves(path, hand_m, scale, most_n)
+                                                             : lines(path, hand_m, scale, most_n);
     state_.force_n = at_most(full_n * ramp, most_n);
     hand_before_m_ = hand_m;
     // 4. What ends it.
     if (path.kind != GuidanceKind::Pull) return state_.force_n;
     if (against_s_ >= kLetGo_s) end(GuidancePhase::LetGo);
-    else if ((next_ + 1 >= path.count || path.strength == 0.0) && length(hand_m - path.points_m[path.count - 1]) <= kArrived_m * scale) end(GuidancePhase::Arrived);
+    else if ((next_ + 1 >= path.count || path.strength == 0.0) && length(hand_m - path.points_m[path.count - 1]) <= kArrived_m * scale)
+        end(GuidancePhase::Arrived);
     return state_.force_n;
 }
 

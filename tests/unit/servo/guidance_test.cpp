@@ -214,5 +214,130 @@ TEST(CrossLines, are_the_slope_of_a_potential_and_never_more_than_their_limits) 
     }
 }
 
+// A way with a corner, a stair, a doorway beside it and a leg that comes back: legs that meet, cross and run side by side.
+GuidancePath grooves() {
+    GuidancePath path;
+    path.number = 1;
+    path.kind = GuidanceKind::Grooves;
+    for (const Vec3& p : {Vec3(-0.02, 0, 0), Vec3(0.01, 0, 0), Vec3(0.01, 0, 0), Vec3(0.01, 0.015, 0), Vec3(0.01, 0.015, 0), Vec3(-0.01, 0.02, 0.012),
+                          Vec3(0, -0.005, 0), Vec3(0, 0.005, 0), Vec3(-0.02, 0.004, 0), Vec3(0.01, 0.004, 0)})
+        path.points_m[path.count++] = p;
+    return path;
+}
+
+struct Felt {
+    Guidance guidance;
+    GuidancePath path = grooves();
+    Felt() {
+        for (int i = 0; i < 600; ++i) at(Vec3(1.0));
+    }
+    Vec3 at(const Vec3& p) { return guidance.tick(path, p, 1.0, kPeak_n, true, kTick_s); }
+};
+
+// Looks for the nearest place of each trench at many places along its leg, and takes the slope of the potential from neighbours.
+double potential_by_looking(const GuidancePath& path, const Vec3& p) {
+    const double w = Guidance::kGrooveHalfWidth_m;
+    double left = 1.0;
+    for (std::uint32_t i = 0; i + 1 < path.count; i += 2) {
+        double nearest = 1e300;
+        for (int k = 0; k <= 4000; ++k) {
+            Vec3 place = path.points_m[i] + (path.points_m[i + 1] - path.points_m[i]) * (k / 4000.0);
+            place.z = std::min(place.z, p.z);
+            nearest = std::min(nearest, glm::length(p - place));
+        }
+        const double rest = std::max(0.0, 1.0 - nearest * nearest / (w * w));
+        left *= 1.0 - rest * rest * rest;
+    }
+    return Guidance::kGroove_n * w / 1.7173003580037202 * left;
+}
+
+TEST(Grooves, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) {
+    std::mt19937 random(test::seed_of_run());
+    std::uniform_real_distribution<double> place(-0.025, 0.025);
+    Felt felt;
+    int inside = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 p(place(random), place(random), 0.5 * place(random));
+        const Vec3 force = felt.at(p);
+        inside += force != Vec3(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 step(0.0);
+            step[axis] = 2e-5;
+            const double slope = (potential_by_looking(felt.path, p - step) - potential_by_looking(felt.path, p + step)) / 4e-5;
+            EXPECT_NEAR(force[axis], slope, 4e-3) << i << " axis " << axis;
+        }
+    }
+    EXPECT_GT(inside, 60);
+}
+
+TEST(Grooves, hold_a_hand_on_the_way_let_it_go_along_and_are_never_more_than_their_limit) {
+    std::mt19937 random(test::seed_of_run());
+    std::uniform_real_distribution<double> place(-0.025, 0.025);
+    Felt felt;
+    for (double x = -0.018; x < -0.008; x += 1e-3) {
+        EXPECT_LT(glm::length(felt.at({x, 0.0, 0.0})), 1e-12) << "on the way nothing is felt";
+        EXPECT_LT(felt.at({x, -0.003, 0.0}).z, 1e-12) << "and no floor is lifted";
+        EXPECT_GT(felt.at({x, -0.003, 0.0}).y, 0.25);
+        EXPECT_GT(felt.at({x, -0.003, -0.004}).y, 0.25) << "pressed into the floor, it holds as well";
+        EXPECT_LT(felt.at({x, 0.0, 0.003}).z, -0.2) << "over it, it is a hollow";
+        EXPECT_EQ(felt.at({x, -0.0061, 0.0}), Vec3(0.0));
+    }
+    double most_n = 0.0, per_m = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+        const Vec3 p(place(random), place(random), 0.3 * place(random));
+        const Vec3 near = p + Vec3(place(random), place(random), place(random)) * 1e-3;
+        const Vec3 a = felt.at(p), b = felt.at(near);
+        most_n = std::max(most_n, glm::length(a));
+        per_m = std::max(per_m, glm::length(a - b) / glm::length(p - near));
+    }
+    EXPECT_LE(most_n, 0.8);
+    EXPECT_GT(most_n, 0.3);
+    EXPECT_LE(per_m, 700.0) << "newtons a metre: a hand at 0.1 m/s feels changes below 0.07 N a tick, wherever legs meet";
+    for (const double peak_n : {1.0, 3.3, 8.0}) {
+        Felt other;
+        for (int i = 0; i < 2000; ++i)
+            EXPECT_LE(glm::length(other.guidance.tick(other.path, {place(random), place(random), 0.0}, 1.0, peak_n, true, kTick_s)),
+                      std::min(0.8, 0.25 * peak_n) + 1e-12);
+    }
+}
+
+TEST(Grooves, give_no_energy_on_closed_ways_and_come_and_go_without_a_step) {
+    std::mt19937 random(test::seed_of_run());
+    std::uniform_real_distribution<double> place(-0.02, 0.02);
+    Felt felt;
+    for (int loop = 0; loop < 30; ++loop) {
+        std::vector<Vec3> corners;
+        for (int i = 0; i < 6; ++i) corners.emplace_back(place(random), place(random), 0.3 * place(random));
+        corners.push_back(corners.front());
+        double work_j = 0.0;
+        Vec3 before = felt.at(corners[0]);
+        for (std::size_t i = 0; i + 1 < corners.size(); ++i)
+            for (int k = 1; k <= 600; ++k) {
+                const Vec3 now = felt.at(corners[i] + (corners[i + 1] - corners[i]) * (k / 600.0));
+                work_j += glm::dot(0.5 * (before + now), (corners[i + 1] - corners[i]) / 600.0);
+                before = now;
+            }
+        EXPECT_NEAR(work_j, 0.0, 2e-7);
+    }
+    // Begun and ended under a hand that rests on the slope.
+    Guidance guidance;
+    GuidancePath path = grooves();
+    const Vec3 slope(-0.015, -0.003, 0.0);
+    Vec3 last(0.0);
+    const auto tick = [&](bool allowed) {
+        const Vec3 force = guidance.tick(path, slope, 1.0, kPeak_n, allowed, kTick_s);
+        EXPECT_LE(glm::length(force - last), 0.35 * kTick_s / Guidance::kFade_s + 1e-12);
+        last = force;
+    };
+    for (int i = 0; i < 700; ++i) tick(true);
+    EXPECT_GT(glm::length(last), 0.25);
+    path.number = 2;
+    path.points_m[0].x -= 0.01;
+    for (int i = 0; i < 700; ++i) tick(true);
+    EXPECT_GT(glm::length(last), 0.25);
+    for (int i = 0; i < 100; ++i) tick(false);
+    EXPECT_EQ(last, Vec3(0.0));
+}
+
 }  // namespace
 }  // namespace handrail
