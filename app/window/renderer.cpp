@@ -11,6 +11,7 @@
 #include <glm/mat4x4.hpp>
 
 #include "app/window/draw_mesh.h"
+#include "app/window/large_text.h"
 #include "app/window/plan.h"
 
 namespace handrail {
@@ -362,9 +363,14 @@ public:
         ImGui::NewFrame();
         const double line_px = kTextLinePart * size.height;
         const PixelSize picture{size.width, size.height - static_cast<int>(std::ceil(2.0 * line_px + 2.0 * margin_px(size)))};
-        if (view.scene && view.plan_view) draw_plan(view, picture);
+        // In place of the picture, which somebody who reads a list does not need; the sentence then has the two lines below it.
+        const bool open = view.dialogue.kind != DialogueView::Kind::None;
+        if (open)
+            draw_dialogue(*ImGui::GetForegroundDrawList(), *font_, view.dialogue, {0.0F, 0.0F},
+                          {static_cast<float>(picture.width), static_cast<float>(picture.height)}, static_cast<float>(std::ceil(line_px)));
+        else if (view.scene && view.plan_view) draw_plan(view, picture);
         else if (view.scene) draw_first_person(view, picture, size.height - picture.height);
-        draw_text(view.last_spoken, size);
+        draw_text(view.last_spoken, size, open ? 2 : static_cast<std::size_t>(kLargestBandPart / kTextLinePart));
         ImGui::Render();
         ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     }
@@ -578,12 +584,11 @@ private:
         list.AddText(font_, text_px, {below.x - 0.5F * letter.x, below.y - 0.5F * letter.y}, white, "N");
     }
 
-    void draw_text(const std::string& text, PixelSize size) const {
+    void draw_text(const std::string& text, PixelSize size, std::size_t most) const {
         const float line_px = static_cast<float>(std::ceil(kTextLinePart * size.height));
         const float margin = static_cast<float>(margin_px(size));
         const float wrap_px = std::max(line_px, static_cast<float>(size.width) - 2.0F * margin);
-        const auto lines = wrapped(text, line_px, wrap_px);
-        const auto most = static_cast<std::size_t>(kLargestBandPart / kTextLinePart);
+        const auto lines = wrapped_lines(*font_, line_px, text, wrap_px);
         const std::size_t shown = std::min(lines.size(), most);
         const float band_px = static_cast<float>(std::max<std::size_t>(shown, 2)) * line_px + 2.0F * margin;
         ImDrawList& list = *ImGui::GetForegroundDrawList();
@@ -594,21 +599,6 @@ private:
             if (i + 1 == shown && shown < lines.size()) line += " ...";  // the rest was heard and stands in the terminal
             list.AddText(font_, line_px, {margin, height - band_px + margin + static_cast<float>(i) * line_px}, IM_COL32(255, 255, 255, 255), line.c_str());
         }
-    }
-
-    std::vector<std::string_view> wrapped(const std::string& text, float line_px, float wrap_px) const {
-        std::vector<std::string_view> lines;
-        const char* at = text.data();
-        const char* const end = at + text.size();
-        while (at < end) {
-            const char* stop = font_->CalcWordWrapPositionA(line_px / font_->FontSize, at, end, wrap_px);
-            if (stop == at) ++stop;  // not even one letter fits
-            const char* newline = std::find(at, stop, '\n');
-            lines.emplace_back(at, static_cast<std::size_t>(newline - at));
-            at = newline < stop ? newline + 1 : stop;
-            while (at < end && *at == ' ') ++at;
-        }
-        return lines;
     }
 
     GlProgram surface_program_, edge_program_, ball_program_;

@@ -1,5 +1,5 @@
-// Draws a ViewState with OpenGL 3.3 core into whatever is the current framebuffer: first person or plan, and the last spoken line in large
-// letters on a black band. Knows nothing of windows and takes no input. App thread, the one whose context is current.
+// Draws a ViewState with OpenGL 3.3 core into whatever is the current framebuffer: first person or plan, or the list or question
+// that is open, and the last spoken line in large letters on a black band. Knows nothing of windows and takes no input. App thread, the one whose context is current.
 #pragma once
 
 #include <memory>

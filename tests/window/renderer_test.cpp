@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/window/draw_mesh.h"
+#include "app/window/large_text.h"
 #include "app/window/plan.h"
 #include "tests/support/real_worlds.h"
 #include "tests/window/offscreen_gl.h"
@@ -296,6 +297,150 @@ TEST_F(RendererTest, a_window_of_a_few_pixels_is_survived) {
         }
     view.plan_view = false;
     EXPECT_GT(luminance(at(draw(view), {480.5, 290.5})), 100.0);
+}
+
+// ---- lists and questions ----
+
+ViewState with_list(std::size_t items, std::size_t at) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.dialogue.kind = DialogueView::Kind::List;
+    view.dialogue.title = "Worlds";
+    for (std::size_t i = 0; i < items; ++i) view.dialogue.items.push_back({fmt::format("World {}", i + 1), "", false});
+    view.dialogue.at = at;
+    return view;
+}
+
+// Rows of the chosen item's bar: those that are white in a column right of its words and left of the arrows.
+std::pair<int, int> bar_rows(const Picture& picture) {
+    int first = -1, last = -1;
+    for (int y = 95; y < static_cast<int>(kPictureHeight_px); ++y)
+        if (white(picture.at(850, y))) {
+            if (first < 0) first = y;
+            last = y;
+        }
+    return {first, last};
+}
+
+TEST_F(RendererTest, an_open_list_stands_in_large_letters_with_one_item_turned_round) {
+    const Picture picture = draw(with_list(4, 0));
+    const auto [first, last] = bar_rows(picture);
+    ASSERT_GE(first, 0);
+    EXPECT_EQ(last - first + 1, static_cast<int>(kTextLinePart * kSize.height));
+    // Nothing of the room is left: black, white, and what is between at the borders of letters.
+    EXPECT_EQ(count(picture, [](const Rgb& c) { return c[0] != c[1] || c[1] != c[2]; }).count, 0);
+    const auto next = bar_rows(draw(with_list(4, 1)));
+    EXPECT_EQ(next.first, first + static_cast<int>(kTextLinePart * kSize.height));
+    EXPECT_EQ(next.second - next.first, last - first);
+}
+
+TEST_F(RendererTest, the_chosen_item_is_marked_by_a_pointer_and_not_by_colour_alone) {
+    const Picture picture = draw(with_list(4, 1));
+    const auto [first, last] = bar_rows(picture);
+    ASSERT_GE(first, 0);
+    const auto in_pointers_column = [&](int top, int bottom, auto test) {
+        int found = 0;
+        for (int y = top; y <= bottom; ++y)
+            for (int x = 18; x < 54; ++x) found += test(picture.at(x, y));
+        return found;
+    };
+    EXPECT_GT(in_pointers_column(first, last, black), 300);
+    const int line = last - first + 1;
+    EXPECT_EQ(in_pointers_column(first - line, last - line, white), 0) << "the item above has none";
+    EXPECT_EQ(in_pointers_column(first + line, last + line, white), 0) << "nor the one below";
+}
+
+TEST_F(RendererTest, a_long_list_follows_its_chosen_item_and_tells_on_which_side_more_lies) {
+    const auto arrow = [&](const Picture& picture, int top, int bottom) {
+        int found = 0;
+        for (int y = top; y < bottom; ++y)
+            for (int x = 905; x < 955; ++x) found += white(picture.at(x, y));
+        return found;
+    };
+    for (const std::size_t at : {0U, 1U, 20U, 38U, 39U}) {
+        const Picture picture = draw(with_list(40, at));
+        const auto [first, last] = bar_rows(picture);
+        ASSERT_GE(first, 0) << at;
+        EXPECT_EQ(last - first + 1, static_cast<int>(kTextLinePart * kSize.height)) << at;
+        EXPECT_EQ(arrow(picture, 100, 160) > 100, at > 10) << at;
+        EXPECT_EQ(arrow(picture, 450, 580) > 100, at < 30) << at;
+    }
+    const Picture twenty = draw(with_list(40, 19));
+    EXPECT_NE(twenty.rgb, draw(with_list(40, 20)).rgb) << "the items and the place are other ones";
+}
+
+TEST_F(RendererTest, a_chosen_item_that_is_too_long_for_a_line_is_shown_whole) {
+    ViewState view = with_list(3, 1);
+    view.dialogue.items[1].name = "Keys: give a command another key, or take one away from it again";
+    const auto [first, last] = bar_rows(draw(view));
+    EXPECT_GE(last - first + 1, 2 * static_cast<int>(kTextLinePart * kSize.height));
+    view.dialogue.at = 0;
+    const auto other = bar_rows(draw(view));
+    EXPECT_EQ(other.second - other.first + 1, static_cast<int>(kTextLinePart * kSize.height));
+}
+
+TEST_F(RendererTest, a_question_shows_what_is_typed_with_a_bar_behind_it) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.dialogue.kind = DialogueView::Kind::Text;
+    view.dialogue.title = "What is its name?";
+    // The rightmost white inside the frame is the bar behind the last letter.
+    const auto bar = [&](const std::string& text) {
+        view.dialogue.text = text;
+        const Picture picture = draw(view);
+        for (int x = 935; x > 25; --x)
+            for (int y = 110; y < 160; ++y)
+                if (white(picture.at(x, y))) return x;
+        return -1;
+    };
+    const int empty = bar(""), one = bar("W"), two = bar("W\u00fc");
+    EXPECT_GT(empty, 0);
+    EXPECT_GT(one, empty + 20);
+    EXPECT_GT(two, one + 20);
+    std::string typed(100, 'W');
+    const int full = bar(typed);
+    EXPECT_GT(full, 850);
+    EXPECT_LT(full, 945);
+    const Picture without = last_;
+    typed.back() = 'i';
+    bar(typed);
+    EXPECT_NE(without.rgb, last_.rgb) << "of a long line the end is in sight";
+}
+
+TEST_F(RendererTest, the_spoken_line_stays_below_an_open_list_however_long_it_is) {
+    ViewState view = with_list(3, 2);
+    const auto before = bar_rows(draw(view));
+    for (int i = 0; i < 100; ++i) view.last_spoken += "corridor ";
+    EXPECT_EQ(bar_rows(draw(view)), before);
+    EXPECT_GT(count(last_, white, kBandTop_px, kSize.height).count, 1000);
+}
+
+TEST_F(RendererTest, lists_in_a_window_of_a_few_pixels_are_survived) {
+    for (const PixelSize size : {PixelSize{1, 1}, PixelSize{3, 200}, PixelSize{200, 3}, PixelSize{60, 60}, PixelSize{2000, 90}})
+        for (ViewState view : {with_list(0, 0), with_list(1, 0), with_list(300, 299)}) {
+            renderer_->draw(view, size);
+            view.dialogue.kind = DialogueView::Kind::Text;
+            view.dialogue.text = "corridor";
+            renderer_->draw(view, size);
+        }
+    EXPECT_GE(bar_rows(draw(with_list(3, 0))).first, 0);
+}
+
+TEST(ListWindow, holds_the_chosen_item_and_as_many_others_as_have_room) {
+    for (std::size_t items = 1; items < 12; ++items)
+        for (std::size_t room = 1; room < 9; ++room)
+            for (std::size_t at = 0; at < items; ++at)
+                for (const std::size_t lines_of_chosen : {std::size_t{1}, std::min<std::size_t>(2, room)}) {
+                    std::vector<std::size_t> lines(items, 1);
+                    lines[at] = lines_of_chosen;
+                    const ListWindow window = list_window(lines, at, room);
+                    EXPECT_LE(window.first, at);
+                    EXPECT_GT(window.first + window.count, at);
+                    EXPECT_EQ(window.count, std::min(items, room - lines_of_chosen + 1)) << items << " items, room " << room << ", at " << at;
+                    if (items >= 3 && at > 0 && at + 1 < items && room >= lines_of_chosen + 2) {
+                        EXPECT_LT(window.first, at) << "a neighbour on either side";
+                        EXPECT_GT(window.first + window.count, at + 1);
+                    }
+                }
+    EXPECT_EQ(list_window({}, 0, 5).count, 0U);
 }
 
 TEST_F(RendererTest, plan_shows_an_arrow_that_turns_with_the_heading) {
