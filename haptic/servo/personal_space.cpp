@@ -36,6 +36,21 @@ bool PersonalSpace::tick(const Vec3& hand_m, const PersonalWall& wall, bool whol
     return false;
 }
 
+bool PullThrough::tick(const Vec3& hand_m, const Vec3& held_n, double reach_m, bool whole, double dt_s) noexcept {
+    const double across_n2 = held_n.x * held_n.x + held_n.z * held_n.z;
+    const bool pulls = whole && hand_m.y <= -kNearHalf * reach_m && held_n.y >= kPersonalWallMost_n && across_n2 <= kStraight * kStraight * held_n.y * held_n.y;
+    const double slid_x = hand_m.x - from_m_.x, slid_z = hand_m.z - from_m_.z;
+    if (!pulls || (held_s_ > 0.0 && slid_x * slid_x + slid_z * slid_z > kSlide_m * kSlide_m)) {
+        held_s_ = 0.0;
+        return false;
+    }
+    if (held_s_ == 0.0) from_m_ = hand_m;
+    held_s_ += dt_s;
+    if (held_s_ < kHold_s) return false;
+    held_s_ = 0.0;
+    return true;
+}
+
 void LeftoverForce::begin(const Vec3& force_n, double stiffness_n_per_m) noexcept {
     const double size = std::sqrt(glm::dot(force_n, force_n));
     stretch_m_ = size > 1e-4 && stiffness_n_per_m > 0.0 ? size / stiffness_n_per_m : 0.0;

@@ -63,6 +63,25 @@ private:
     double stretch_m_ = 0.0;
 };
 
+// The way to the desk where something of the world stands in it, as the back wall of a small room does: pulled at towards the body with the force that breaks
+// the wall, straight and without sliding for kHold_s, it lets the hand through in its place. Nothing of the world becomes soft by that: one is at the desk,
+// with its click, and back at the same place after it.
+class PullThrough {
+public:
+    static constexpr double kHold_s = 0.8;      // longer than one tries how hard a wall is
+    static constexpr double kSlide_m = 0.0015;  // of the hand, sideways; farther, it explores
+    static constexpr double kStraight = 0.5;    // most force across, as a share of that along
+    static constexpr double kNearHalf = 0.1;    // of the reach: only on the body's side of the middle
+
+    // held_n: on the hand by what it touches, device frame, before any ceiling. True on the tick on which the hand is let through.
+    bool tick(const Vec3& hand_m, const Vec3& held_n, double reach_m, bool whole, double dt_s) noexcept;
+    void reset() noexcept { held_s_ = 0.0; }
+
+private:
+    double held_s_ = 0.0;
+    Vec3 from_m_{0.0};
+};
+
 // What is left of a force whose cause is gone at once: a spring along the force that only relaxes, with tau and with every way along it.
 class LeftoverForce {
 public:

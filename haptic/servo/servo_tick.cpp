@@ -73,6 +73,8 @@ void ServoState::lose_device() noexcept {
     mover_.let_go();
     leftover_.clear();
     space_.reset();
+    pull_through_.reset();
+    held_n_ = Vec3(0.0);
     press_.let_go();
 }
 
@@ -118,6 +120,8 @@ void ServoState::confirm(const DeviceSample& sample, std::uint32_t number) noexc
 // What was felt before no longer holds: the hand is elsewhere in the world, or in another one.
 void ServoState::start_over() noexcept {
     space_.reset();
+    pull_through_.reset();
+    held_n_ = Vec3(0.0);
     leftover_.clear();
     met_ = false;
     if (tool_.desk.open) stand_up();
@@ -258,7 +262,9 @@ void ServoState::meet_wall(const HapticScene* desk, const ServoTuning& tuning, W
     // A hand whose place is in doubt, or that moves its workspace or has just done so, meets no wall.
     const bool whole = there && fault_ == Fault::None && !tool_.waiting_for_hand && mover_.ceiling_n() == std::numeric_limits<double>::infinity();
     const Vec3 wall_was_n = space_.force_n();
-    const bool through = space_.tick(tool_.hand_m, wall, whole, dt_s);
+    // What stands in the way to it gives way to a pull that is held.
+    const bool pulled = pull_through_.tick(tool_.hand_m, held_n_, spec_.workspace_radius_m, whole && !was_at_desk && tool_.pause == Fault::None, dt_s);
+    const bool through = space_.tick(tool_.hand_m, wall, whole, dt_s) || pulled;
     if (!through && !(was_at_desk && !there)) return;
     // What was felt on this side besides the wall goes as the wall's own force does.
     const double gain = limiter_.gain();
@@ -283,6 +289,8 @@ void ServoState::sit_down() noexcept {
     guidance_.stop();
     tool_.guidance = guidance_.state();
     desk_touch_.reset();
+    pull_through_.reset();
+    held_n_ = Vec3(0.0);
     press_.let_go();
     tool_.desk.open = true;
     ++tool_.desk.visits;
@@ -339,6 +347,7 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
 
     const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s, carried_m, bodies);
     wanted_n_ = frame.turn_to_device(result.force_n) + mover_.rim_force_n();
+    held_n_ = frame.turn_to_device(result.contact_force_n);
     if (is_finite(result.proxy_m)) mover_.give_way(goal_m, result.proxy_m, length(result.contact_force_n));
     if (!is_finite(result.proxy_m)) {
         wanted_n_ = Vec3(std::numeric_limits<double>::quiet_NaN());  // let the limiter judge it

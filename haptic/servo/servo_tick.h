@@ -137,6 +137,8 @@ private:
     PosePlayback playback_;
     WorkspaceMover mover_;
     PersonalSpace space_;
+    PullThrough pull_through_;
+    Vec3 held_n_{0.0};  // device frame, by what the hand touches in the world
     LeftoverForce leftover_;
     DeskPress press_;
     TouchState desk_touch_;

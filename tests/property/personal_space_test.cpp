@@ -239,6 +239,79 @@ TEST(PersonalSpace, a_free_hand_that_pulls_comes_through_and_gets_nothing_either
     }
 }
 
+// A wall in the way of the pull, as in a small room: at the scale of a room it stands before the desk's own.
+class SmallRoom : public DeskRig {
+public:
+    explicit SmallRoom(const char* device) : DeskRig(device), wall_m(-0.4 * spec().workspace_radius_m) {
+        HapticSceneBuilder builder;
+        builder.add_box({Vec3(-10.0, -10.0, -10.0), Vec3(10.0, kScale * wall_m - 0.12, 10.0)}, SurfaceLabel{FeatureId{1}});
+        set_world(builder.build());
+        rest(1.2);
+    }
+    double wall_m;  // of the hand's middle when its ball touches it
+    // So deep in it that it holds the hand with this force, were there no ceiling.
+    double pulled_m(double force_n) const {
+        return wall_m - force_n / (effective_stiffness_n_per_m(spec(), kTick, tuning.touch.damping_ns_per_m) * tuning.touch.default_stiffness_fraction);
+    }
+};
+
+TEST(PersonalSpace, a_wall_behind_the_person_lets_a_held_pull_through_to_the_desk_and_back_to_the_place) {
+    for (const char* device : kDevices)
+        for (const double ceiling_n : {1.2, 2.5}) {
+            SCOPED_TRACE(fmt::format("{}, {} N", device, ceiling_n));
+            SmallRoom rig(device);
+            rig.tuning.force_ceiling_n = ceiling_n;
+            for (int times = 1; times <= 3; ++times) {
+                rig.go(Vec3(0.0, rig.wall_m + 0.004, 0.0), 0.1);
+                rig.forget();
+                rig.go(Vec3(0.0, rig.pulled_m(1.8), 0.0), 0.05);
+                rig.rest(0.6);
+                EXPECT_EQ(rig.entered, times - 1);
+                const Vec3 before = rig.tool().proxy_m;
+                rig.rest(0.4);
+                EXPECT_EQ(rig.entered, times);
+                EXPECT_TRUE(rig.tool().desk.open);
+                rig.rest(0.4);
+                EXPECT_LT(glm::length(rig.force_n()), 1e-3) << "nothing is left of the wall";
+                EXPECT_LE(rig.jump_n(), 0.2);
+                EXPECT_LE(rig.given_j(), 1e-6);
+                // Back through the desk's own wall.
+                rig.go(Vec3(0.0, -rig.wall().at_m + 0.008, 0.0), 0.1);
+                rig.go(Vec3(0.0, -rig.wall().at_m - 1.1 * rig.wall().depth_m, 0.0), 0.05);
+                rig.rest(0.3);
+                EXPECT_FALSE(rig.tool().desk.open);
+                EXPECT_LT(glm::length(rig.tool().hip_m - before), 1e-3 * kScale);
+                rig.go(Vec3(0.0, -rig.wall().at_m + 0.01, 0.0), 0.1);
+                ++rig.pose.jump;  // the workspace back to the body
+                rig.rest(1.2);
+            }
+        }
+}
+
+TEST(PersonalSpace, a_wall_behind_the_person_is_explored_as_any_other) {
+    for (const char* device : kDevices) {
+        SCOPED_TRACE(device);
+        SmallRoom rig(device);
+        const auto press = [&](double force_n, double x_m, double z_m, double speed) { rig.go(Vec3(x_m, rig.pulled_m(force_n), z_m), speed); };
+        press(1.2, 0.0, 0.0, 0.05);  // lightly, for ever
+        rig.rest(5.0);
+        EXPECT_EQ(rig.entered, 0);
+        for (int i = 0; i < 6; ++i) press(2.2, i % 2 ? 0.006 : -0.006, 0.0, 0.01);  // firmly, along it
+        for (int i = 0; i < 6; ++i) press(2.2, 0.0, i % 2 ? 0.004 : -0.004, 0.01);
+        EXPECT_EQ(rig.entered, 0);
+        for (int i = 0; i < 6; ++i) {  // hard, as one tries how firm a wall is
+            press(2.2, 0.0, 0.0, 0.05);
+            rig.rest(0.5);
+            press(0.2, 0.0, 0.0, 0.05);
+        }
+        EXPECT_EQ(rig.entered, 0);
+        rig.tuning.personal_space = false;
+        press(2.2, 0.0, 0.0, 0.05);
+        rig.rest(3.0);
+        EXPECT_EQ(rig.entered, 0) << "switched off";
+    }
+}
+
 // The hand presses against something of the world when it is pulled through, or against the desk when it comes back.
 TEST(PersonalSpace, what_was_pressed_on_one_side_is_left_behind_without_a_knock) {
     for (const char* device : kDevices) {
