@@ -4,27 +4,20 @@
 #define BRLAPI_NO_SINGLE_SESSION
 #include <brlapi.h>
 #include <poll.h>
-#include <pthread.h>
-#include <signal.h>
-#include <sys/eventfd.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <condition_variable>
 #include <cstdlib>
 #include <mutex>
 #include <string>
 #include <utility>
 
 #include "audio-cues/sinks/braille_line.h"
+#include "audio-cues/sinks/server_client.h"
 
 namespace handrail {
 namespace {
-
-constexpr double kPatienceAtTheEnd_s = 0.5;
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -34,29 +27,16 @@ struct FreeHandle {
 
 }  // namespace
 
-struct BrailleDisplay::Shared {
-    explicit Shared(std::shared_ptr<BrailleLink> l) : link(std::move(l)), wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
-    ~Shared() { ::close(wake); }
-    Shared(const Shared&) = delete;
-    Shared& operator=(const Shared&) = delete;
+struct BrailleDisplay::Shared : ServerClient {
+    explicit Shared(std::shared_ptr<BrailleLink> l) : link(std::move(l)) {}
 
     const std::shared_ptr<BrailleLink> link;
-    const int wake;
 
-    std::mutex mutex;  // guards all below
-    std::condition_variable ended_changed;
-    bool wanted = false, allowed = true, quit = false, ended = false;
+    // Under the mutex.
+    bool wanted = false, allowed = true;
     std::string message;
     std::uint64_t messages = 0;
     bool lost = false;  // to be told
-    int socket = -1;
-
-    void rouse() const {
-        const std::uint64_t one = 1;
-        if (::write(wake, &one, sizeof one) < 0) {
-            // Full: it is awake anyway.
-        }
-    }
 };
 
 // What runs on the thread.
@@ -88,7 +68,7 @@ struct BrailleDisplay::Worker {
             if (quit || !wanted) close();
             if (quit) return;
             if (wanted && now_s() >= look_again_s) look();
-            if (std::exchange(shown_message, messages) != messages) line.show(message);
+            if (std::exchange(shown_message, messages) != messages) show_words(message);
             if (holds_tty) show();
             wait(wanted);
         }
@@ -141,6 +121,13 @@ struct BrailleDisplay::Worker {
 
     void leave_tty() {
         if (std::exchange(holds_tty, false)) brlapi__leaveTtyMode(handle.get());
+    }
+
+    // What is said of an item of the open list stands there with its place and its neighbours.
+    void show_words(const std::string& words) {
+        const BrailleLink::List list = shared.link->list();
+        if (list.items.empty() || list.said.empty() || !words.ends_with(list.said)) return line.show(words);
+        line.show_list(std::string_view(words).substr(0, words.size() - list.said.size()), list.items, list.at);
     }
 
     void show() {
@@ -210,10 +197,7 @@ struct BrailleDisplay::Worker {
         pollfd events[2] = {{shared.wake, POLLIN, 0}, {connected ? brlapi__getFileDescriptor(handle.get()) : -1, POLLIN, 0}};
         const int wait_ms = wanted ? std::clamp(static_cast<int>(1000.0 * (look_again_s - now_s())) + 1, 1, 5000) : -1;
         ::poll(events, 2, wait_ms);
-        std::uint64_t times = 0;
-        if (events[0].revents != 0 && ::read(shared.wake, &times, sizeof times) < 0) {
-            // Nothing to take: somebody else's wake.
-        }
+        if (events[0].revents != 0) shared.take_wake();
         if (events[1].revents == 0) return;
         if (holds_tty) take_keys();
         else if ((events[1].revents & (POLLHUP | POLLERR)) != 0) lose();
@@ -223,36 +207,10 @@ struct BrailleDisplay::Worker {
 
 BrailleDisplay::BrailleDisplay(std::shared_ptr<BrailleLink> link, const Settings::Speech& settings) : shared_(std::make_shared<Shared>(std::move(link))) {
     shared_->allowed = settings.braille;
-    thread_ = std::thread([shared = shared_] {
-        pthread_setname_np(pthread_self(), "braille");
-        // A server that has gone is an error code to us and no signal.
-        sigset_t pipe_signal;
-        sigemptyset(&pipe_signal);
-        sigaddset(&pipe_signal, SIGPIPE);
-        pthread_sigmask(SIG_BLOCK, &pipe_signal, nullptr);
-        Worker(*shared).run();
-        {
-            const std::lock_guard lock(shared->mutex);
-            shared->ended = true;
-        }
-        shared->ended_changed.notify_all();
-    });
+    thread_ = start_client(shared_, "braille", [shared = shared_.get()] { Worker(*shared).run(); });
 }
 
-BrailleDisplay::~BrailleDisplay() {
-    std::unique_lock lock(shared_->mutex);
-    shared_->quit = true;
-    shared_->rouse();
-    const auto patience = std::chrono::duration<double>(kPatienceAtTheEnd_s);
-    bool ended = shared_->ended_changed.wait_for(lock, patience, [&] { return shared_->ended; });
-    if (!ended && shared_->socket >= 0) {
-        ::shutdown(shared_->socket, SHUT_RDWR);
-        ended = shared_->ended_changed.wait_for(lock, patience, [&] { return shared_->ended; });
-    }
-    lock.unlock();
-    if (ended) thread_.join();
-    else thread_.detach();
-}
+BrailleDisplay::~BrailleDisplay() { end_client(*shared_, thread_); }
 
 void BrailleDisplay::want(bool wanted) {
     {

@@ -4,7 +4,11 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
+#include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "audio-cues/sinks/voice_router.h"
 
@@ -12,9 +16,29 @@ namespace handrail {
 
 // Between the app and the display; any thread.
 struct BrailleLink {
+    // The list that is open: what is said of the item one is at, and all items as they are brailled. Empty: none.
+    struct List {
+        std::string said;
+        std::vector<std::string> items;
+        std::size_t at = 0;
+    };
+    // Set before the words about it are spoken.
+    void set_list(List list) {
+        const std::lock_guard lock(list_mutex_);
+        list_ = std::move(list);
+    }
+    List list() const {
+        const std::lock_guard lock(list_mutex_);
+        return list_;
+    }
+
     std::atomic<double> heading_rad{0.0};
     std::atomic<unsigned> window{0};  // X's number of our window: the display shows us while that has the keyboard. 0: not yet
     std::atomic<int> more_asked{0};   // a routing key was pressed, so often: more about this
+
+private:
+    mutable std::mutex list_mutex_;
+    List list_;
 };
 
 // Owned and called by the audio thread; each call returns at once.

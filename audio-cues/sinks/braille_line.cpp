@@ -32,6 +32,28 @@ std::string heading_cells(double heading_rad) {
 
 void BrailleLine::show(std::string_view utf8) {
     message_ = code_points(utf8);
+    items_.clear();
+    from_ = 0;
+}
+
+void BrailleLine::show_list(std::string_view before, const std::vector<std::string>& items, std::size_t at) {
+    show(before);
+    if (at >= items.size()) return;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        items_.push_back(
+            code_points((i == at ? std::string(before) : std::string()) + items[i] + " " + std::to_string(i + 1) + "/" + std::to_string(items.size())));
+    at_ = at;
+    show_item(at);
+}
+
+void BrailleLine::show_item(std::size_t item) {
+    item_ = item;
+    message_ = items_[item];
+    from_ = 0;
+}
+
+void BrailleLine::pan_home() {
+    if (!items_.empty()) show_item(at_);
     from_ = 0;
 }
 
@@ -50,13 +72,23 @@ std::size_t BrailleLine::end_of_piece(std::size_t from) const {
 bool BrailleLine::pan_right() {
     if (message_cells() == 0) return false;
     const std::size_t end = end_of_piece(from_);
-    if (end >= message_.size()) return false;
+    if (end >= message_.size()) {
+        if (items_.empty() || item_ + 1 >= items_.size()) return false;
+        show_item(item_ + 1);
+        return true;
+    }
     from_ = end;
     return true;
 }
 
 bool BrailleLine::pan_left() {
-    if (from_ == 0 || message_cells() == 0) return false;
+    if (message_cells() == 0) return false;
+    if (from_ == 0) {
+        if (items_.empty() || item_ == 0) return false;
+        show_item(item_ - 1);
+        for (std::size_t next = end_of_piece(0); next < message_.size(); next = end_of_piece(next)) from_ = next;
+        return true;
+    }
     // Pieces are laid from the beginning, so the one before is the last that ends no later than here.
     std::size_t before = 0;
     for (std::size_t next = end_of_piece(0); next < from_; next = end_of_piece(next)) before = next;

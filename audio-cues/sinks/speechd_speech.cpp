@@ -2,22 +2,18 @@
 
 #include <libspeechd.h>
 #include <poll.h>
-#include <pthread.h>
-#include <signal.h>
-#include <sys/eventfd.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <condition_variable>
 #include <cstdlib>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 
+#include "audio-cues/sinks/server_client.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -25,7 +21,6 @@ namespace {
 
 constexpr double kLongestStart_s = 5.0;   // from say() to the first word of a slow server
 constexpr double kSlowestLetter_s = 0.3;  // no voice is slower
-constexpr double kPatienceAtTheEnd_s = 0.5;
 
 struct CloseConnection {
     void operator()(SPDConnection* connection) const { spd_close(connection); }
@@ -34,34 +29,19 @@ using Connection = std::unique_ptr<SPDConnection, CloseConnection>;
 
 }  // namespace
 
-struct SpeechdSpeech::Shared {
-    Shared() : wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
-    ~Shared() { ::close(wake); }
-    Shared(const Shared&) = delete;
-    Shared& operator=(const Shared&) = delete;
-
-    const int wake;
+struct SpeechdSpeech::Shared : ServerClient {
     bool start_server = false;  // set before the thread starts
 
-    std::mutex mutex;  // guards all below
-    std::condition_variable ended_changed;
-    bool wanted = false, quit = false, ended = false;
+    // Under the mutex.
+    bool wanted = false;
     VoiceState state = VoiceState::Gone;
     std::string language;
     std::optional<Utterance> job;  // the newest only: saying cuts
     bool silence = false;
     std::uint64_t said = 0, finished = 0;  // utterances by number; speaking while they differ
     std::uint64_t calls_begun = 0, calls_answered = 0;
-    int socket = -1;  // of the open connection
     // What the server calls this client and the newest utterance, and up to which one it has reported an end.
     std::size_t client = 0, message = 0, message_ended = 0;
-
-    void rouse() const {
-        const std::uint64_t one = 1;
-        if (::write(wake, &one, sizeof one) < 0) {
-            // Full: it is awake anyway.
-        }
-    }
 
     void on_end(std::size_t ended_message, std::size_t of_client) {
         const std::lock_guard lock(mutex);
@@ -188,10 +168,7 @@ struct SpeechdSpeech::Worker {
     bool wait(double most_s) {
         pollfd events[2] = {{shared.wake, POLLIN, 0}, {connection ? connection->socket : -1, POLLRDHUP, 0}};
         ::poll(events, 2, most_s < 0.0 ? -1 : static_cast<int>(std::lround(1000.0 * most_s)));
-        std::uint64_t times = 0;
-        if (::read(shared.wake, &times, sizeof times) < 0) {
-            // Nobody called: the time is up.
-        }
+        shared.take_wake();
         return events[1].revents == 0;
     }
 
@@ -238,11 +215,6 @@ struct SpeechdSpeech::Worker {
 };
 
 void SpeechdSpeech::work(const std::shared_ptr<Shared>& shared) {
-    // A server that has gone is an error code to us and no signal.
-    sigset_t pipe_signal;
-    sigemptyset(&pipe_signal);
-    sigaddset(&pipe_signal, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &pipe_signal, nullptr);
     {
         EndListener& way_back = end_listener();
         const std::lock_guard lock(way_back.mutex);
@@ -250,33 +222,17 @@ void SpeechdSpeech::work(const std::shared_ptr<Shared>& shared) {
         way_back.on_end = [](void* of, std::size_t message, std::size_t client) { static_cast<Shared*>(of)->on_end(message, client); };
     }
     Worker{.shared = *shared, .connection = nullptr}.run();
-    {
-        const std::lock_guard lock(shared->mutex);
-        shared->ended = true;
-    }
-    shared->ended_changed.notify_all();
 }
 
 SpeechdSpeech::SpeechdSpeech(const Settings::Speech& settings) : shared_(std::make_shared<Shared>()) {
     shared_->start_server = std::getenv("SPEECHD_ADDRESS") == nullptr;
     set_speech(settings);
-    thread_ = std::thread([shared = shared_] { work(shared); });
+    thread_ = start_client(shared_, "speechd", [shared = std::weak_ptr(shared_)] {
+        if (const auto held = shared.lock()) work(held);
+    });
 }
 
-SpeechdSpeech::~SpeechdSpeech() {
-    std::unique_lock lock(shared_->mutex);
-    shared_->quit = true;
-    shared_->rouse();
-    const auto patience = std::chrono::duration<double>(kPatienceAtTheEnd_s);
-    bool ended = shared_->ended_changed.wait_for(lock, patience, [&] { return shared_->ended; });
-    if (!ended && shared_->socket >= 0) {
-        ::shutdown(shared_->socket, SHUT_RDWR);
-        ended = shared_->ended_changed.wait_for(lock, patience, [&] { return shared_->ended; });
-    }
-    lock.unlock();
-    if (ended) thread_.join();
-    else thread_.detach();
-}
+SpeechdSpeech::~SpeechdSpeech() { end_client(*shared_, thread_); }
 
 VoiceState SpeechdSpeech::state() const {
     const std::lock_guard lock(shared_->mutex);

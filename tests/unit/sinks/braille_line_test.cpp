@@ -50,6 +50,28 @@ TEST(BrailleLine, counts_letters_and_not_bytes) {
     EXPECT_EQ(line.cells(), U"S  T\u00FCr zu \u20AC ");
 }
 
+TEST(BrailleLine, of_a_list_shows_the_item_with_its_place_and_panning_its_neighbours) {
+    BrailleLine line;
+    line.set_width(20);
+    line.set_heading("N");
+    line.show_list("Menu. ", {"What can be done", "Worlds", "Settings"}, 1);
+    EXPECT_EQ(narrow(line.cells()), "N  Menu. Worlds 2/3 ");
+    EXPECT_TRUE(line.pan_right());
+    EXPECT_EQ(narrow(line.cells()), "N  Settings 3/3     ");
+    EXPECT_FALSE(line.pan_right());
+    line.pan_home();
+    EXPECT_EQ(narrow(line.cells()), "N  Menu. Worlds 2/3 ");
+    // To the left an item that is longer than the display shows its end first.
+    EXPECT_TRUE(line.pan_left());
+    EXPECT_EQ(narrow(line.cells()), "N  1/3              ");
+    EXPECT_TRUE(line.pan_left());
+    EXPECT_EQ(narrow(line.cells()), "N  What can be done ");
+    EXPECT_FALSE(line.pan_left());
+    line.show("Left");
+    EXPECT_EQ(narrow(line.cells()), "N  Left             ");
+    EXPECT_FALSE(line.pan_left() || line.pan_right()) << "of the list nothing is left";
+}
+
 TEST(BrailleLine, a_new_message_begins_at_its_first_word) {
     BrailleLine line;
     line.set_width(12);
