@@ -124,6 +124,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     if (settings_.speech.crowding_hint)
         if (std::string crowded = crowded_view(*scene_); !crowded.empty()) say(std::move(crowded), SpeechClass::Answer, now_s);
     enter_guiding(now_s);
+    if (std::exchange(hunt_awaits_, false)) hunt_key(now_s);
 }
 
 // Never more than the ball's radius: see round_edges.h about inner corners.

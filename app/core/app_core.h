@@ -90,6 +90,8 @@ public:
     bool take_key(std::string_view key, double now_s);
     bool take_text(std::string_view utf8, double now_s);
     bool take_line(std::string_view line, double now_s);
+    // A screen reader's action on an item of the open list.
+    bool take_act(const ItemAct& act, double now_s);
     void open_list(ListSpec list, double now_s);
     void ask_text(TextSpec question, double now_s);
     const Dialogue& dialogue() const { return dialogue_; }
@@ -169,7 +171,7 @@ public:
     void set_keys_alone(bool alone) { keys_alone_ = alone; }
 
     // What the chooser of worlds offers, and the world that was chosen, for the owner to read and enter.
-    void set_worlds(WorldShelf shelf) { shelf_ = std::move(shelf); }
+    void set_worlds(WorldShelf shelf);
     std::optional<std::filesystem::path> take_world_request() { return std::exchange(world_wanted_, std::nullopt); }
     bool wants_to_leave() const { return wants_to_leave_; }
     const Vec3& feet_m() const { return walker_->state().feet_m; }
@@ -223,6 +225,8 @@ private:
     // The desk: app_core_desk.cpp.
     void furnish_desk();
     std::string desk_value(std::string_view key) const;
+    const Mark* desk_mark() const;  // the one its list is at; null: none
+    std::string beacon_of_desk();
     void rescale(const Settings& changed, double now_s);
     void lay_desk(std::size_t page);
     bool refused_at_desk(Command command, double now_s);
@@ -262,6 +266,7 @@ private:
     bool lesson_takes(Command command, double now_s);
     void keep_welcome(int step, bool done);
     void choose_what_next(double now_s);
+    void hunt_in_the_house();
     void open_lessons(double now_s);
     void toggle_forces(double now_s);
     std::string why_no_force_yet() const;
@@ -430,6 +435,7 @@ private:
         double due_s = 0.0;
         std::string text;
     };
+    bool hunt_awaits_ = false;  // a hunt begins in the world that is entered next
     std::vector<SaidLater> said_later_;
     enum class AfterLesson { Nothing, Choose, Lessons } after_lesson_ = AfterLesson::Nothing;
     std::string who_speaks_ = "your voice";
@@ -490,6 +496,8 @@ private:
     DeskPanel panel_;
     DeskHand desk_hand_;
     bool desk_told_ = false;                  // that the hand is at it
+    std::vector<std::filesystem::path> desk_worlds_;  // that its list of worlds offers
+    std::size_t desk_world_ = 0, desk_mark_ = 0;      // where its lists are
     std::optional<std::string> scale_waits_;  // chosen at the desk, for when the hand is back
 };
 

@@ -55,6 +55,12 @@ bool AppCore::take_text(std::string_view utf8, double now_s) {
     return reply(dialogue_.typed(utf8, now_s), now_s);
 }
 
+bool AppCore::take_act(const ItemAct& act, double now_s) {
+    if (!dialogue_.is_open()) return false;
+    quiet(now_s);
+    return reply(dialogue_.act(act, now_s), now_s);
+}
+
 bool AppCore::take_line(std::string_view line, double now_s) {
     if (take_line_apart(line, now_s)) return true;
     if (!dialogue_.is_open()) return false;

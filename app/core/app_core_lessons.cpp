@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/core/app_core.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -20,7 +21,7 @@ void AppCore::begin_first_minutes(const std::string& who_speaks, bool owner_sets
     owner_sets_up_ = owner_sets_up;
     const auto at = static_cast<std::size_t>(std::max(0, settings_.welcome.step));
     who_speaks_ = who_speaks;
-    if (at > 0 && at < first_minutes().steps.size()) answer("Welcome back. We go on where you left.", now_s);
+    if (at > 0 && at < first_minutes().steps.size()) answer(phrase("lesson.welcome_back"), now_s);
     begin_lesson(first_minutes(), at < first_minutes().steps.size() ? at : 0, now_s);
 }
 
@@ -59,7 +60,7 @@ void AppCore::say_lesson(double now_s) {
     if (!said_later_.empty()) return;
     const AfterLesson after = std::exchange(after_lesson_, AfterLesson::Nothing);
     if (after == AfterLesson::Choose) choose_what_next(now_s);
-    if (after == AfterLesson::Lessons) answer("That was the lesson. Shift+F9 has the others.", now_s);
+    if (after == AfterLesson::Lessons) answer(phrase("lesson.over", {{"key", keys_.keys_of(Command::Lessons)}}), now_s);
 }
 
 void AppCore::run_lesson(double now_s) {
@@ -74,6 +75,9 @@ void AppCore::run_lesson(double now_s) {
         sense.forces_on = tuning_.forces_on && !tuning_.panic;
         sense.set_up = set_up_over_;
         sense.off_middle_m = glm::length(tool_.hand_m);
+        sense.beacon = guiding_.beacon.on();
+        const Vec3 way = nearest_place(guiding_.beacon.thing_m(), feet_m()) - feet_m();
+        sense.at_beacon = !sense.beacon && std::hypot(way.x, way.y) <= Beacon::kArrived_m;
         lesson_->set_hand(hand_.present && !keys_alone_);
         const LessonReply reply = lesson_->tick(sense, *scene_);
         if (reply.done || reply.finished) tell_lesson(reply, now_s);
@@ -89,7 +93,7 @@ bool AppCore::lesson_takes(Command command, double now_s) {
     if (command == Command::Leave) {
         if (now_s - leave_asked_s_ > kLeaveWindow_s && lesson_->goal() != LessonGoal::Begin) {
             leave_asked_s_ = now_s;
-            answer(fmt::format("This is the lesson: {} {} Press Escape again to leave it.", lesson_->lesson().name, lesson_->instruction()), now_s);
+            answer(phrase("lesson.is", {{"name", phrase(lesson_->lesson().name)}, {"instruction", lesson_->instruction()}}), now_s);
             return true;
         }
         leave_asked_s_ = -1e9;
@@ -117,7 +121,7 @@ void AppCore::leave_lesson(double now_s) {
     said_later_.clear();
     after_lesson_ = AfterLesson::Nothing;
     if (first) keep_welcome(0, true);
-    std::string text = first ? "The introduction is left; the menu has it, and lessons: press Tab." : "Lesson left.";
+    std::string text = phrase(first ? "lesson.introduction_left" : "lesson.left");
     if (greet && scene_) text += " " + entering_text();
     answer(text, now_s);
 }
@@ -131,7 +135,7 @@ void AppCore::keep_welcome(int step, bool done) {
 
 void AppCore::choose_what_next(double now_s) {
     ListSpec list;
-    list.title = "What next";
+    list.title = phrase("lesson.next.title");
     std::vector<std::function<void()>> acts;
     const auto add = [&](std::string name, std::function<void()> act) {
         list.items.push_back({std::move(name), {}, false});
@@ -143,16 +147,16 @@ void AppCore::choose_what_next(double now_s) {
             release(command);
         };
     };
-    add("Explore freely", [] {});
-    if (find_command("learn")) add("Walk round the walls", run("learn"));
-    else add("Follow a wall to a corner", [this] { begin_lesson(lessons()[1], 0, last_tick_s_); });
-    if (find_command("hunt")) add("Hunt game", run("hunt"));
-    add("Lessons", [this] { open_lessons(last_tick_s_); });
-    add("Real buildings", [this] { open_worlds(last_tick_s_); });
-    add("Settings", [this] { open_setting_topics(last_tick_s_); });
+    add(phrase("lesson.next.freely"), [] {});
+    add(phrase("lesson.next.walls"), run("learn"));
+    add(phrase("lesson.next.clock"), run("hunt"));
+    add(phrase("lesson.next.hunt"), [this] { hunt_in_the_house(); });
+    add(phrase("lesson.next.lessons"), [this] { open_lessons(last_tick_s_); });
+    add(phrase("lesson.next.buildings"), [this] { open_worlds(last_tick_s_); });
+    add(phrase("lesson.next.settings"), [this] { open_setting_topics(last_tick_s_); });
     const auto saved = [this] {
         keep_welcome(0, true);
-        answer("Saved. Next time you start here. Press F1 any time.", last_tick_s_);
+        answer(phrase("lesson.saved"), last_tick_s_);
     };
     list.chosen = [acts, saved](std::size_t i) {
         saved();
@@ -162,11 +166,21 @@ void AppCore::choose_what_next(double now_s) {
     open_list(std::move(list), now_s);
 }
 
+// The same hunt, through rooms; where no house comes with the program, here.
+void AppCore::hunt_in_the_house() {
+    for (const ShelvedWorld& world : worlds_in(shelf_.bundled))
+        if (world.file.stem() == "house") {
+            hunt_awaits_ = true;
+            return want_world(world.file);
+        }
+    hunt_key(last_tick_s_);
+}
+
 void AppCore::open_lessons(double now_s) {
     ListSpec list;
-    list.title = "Lessons";
-    for (const Lesson& lesson : lessons()) list.items.push_back({std::string(lesson.name), {}, false});
-    list.items.push_back({"The first minutes", "in the first room", false});
+    list.title = phrase("lesson.next.lessons");
+    for (const Lesson& lesson : lessons()) list.items.push_back({phrase(lesson.name), {}, false});
+    list.items.push_back({phrase(first_minutes().name), phrase("lesson.in_first_room"), false});
     list.chosen = [this](std::size_t i) {
         if (i < lessons().size()) return begin_lesson(lessons()[i], 0, last_tick_s_);
         settings_.welcome.step = 0;

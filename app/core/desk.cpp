@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -14,14 +15,15 @@ namespace {
 
 double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
-std::string percent(const std::string& value) { return fmt::format("{:.0f} percent", 100.0 * number(value)); }
-std::string words_per_minute(const std::string& value) { return value + " words per minute"; }
-std::string level(const std::string& value) { return "level " + value; }
-std::string one_to(const std::string& value) { return fmt::format("1 to {:g}", number(value)); }
+std::string percent(const std::string& value) { return phrase("desk.percent", {{"percent", std::lround(100.0 * number(value))}}); }
+std::string words_per_minute(const std::string& value) { return phrase("desk.words_per_minute", {{"words", std::lround(number(value))}}); }
+std::string level(const std::string& value) { return phrase("desk.level", {{"level", value}}); }
+std::string on_off(const std::string& value) { return phrase(value == "true" ? "desk.on" : "desk.off"); }
+std::string one_to(const std::string& value) { return phrase("desk.one_to", {{"scale", number(value)}}); }
 std::string ceiling(const std::string& value) {
-    if (value == "light") return fmt::format("light, {:g} newtons", kLightCeiling_n);
-    if (value == "normal") return fmt::format("normal, {:g} newtons", kNormalCeiling_n);
-    return "full, all that the device can do";
+    if (value == "light") return phrase("desk.light", {{"newtons", kLightCeiling_n}});
+    if (value == "normal") return phrase("desk.normal", {{"newtons", kNormalCeiling_n}});
+    return phrase("desk.full");
 }
 
 std::vector<std::string> tenths(int from) {
@@ -37,19 +39,24 @@ bool is_word(const DeskSetting& row) { return !row.values.front().empty() && std
 
 std::span<const DeskSetting> desk_settings() {
     static const std::array rows{
-        DeskSetting{"Sound volume", DeskKind::Assign, "sound.volume", tenths(0), percent},
-        DeskSetting{"Speech volume", DeskKind::Assign, "sound.speech_volume", tenths(0), percent},
-        DeskSetting{"Touch volume", DeskKind::Assign, "sound.contact_volume", tenths(0), percent},
-        DeskSetting{"Footstep volume", DeskKind::Assign, "sound.footstep_volume", tenths(0), percent},
-        DeskSetting{"Wall tone volume", DeskKind::Assign, "sound.wall_tone_volume", tenths(0), percent},
-        DeskSetting{"World volume", DeskKind::Assign, "sound.world_volume", tenths(0), percent},
-        DeskSetting{"Signal volume", DeskKind::Assign, "sound.earcon_volume", tenths(0), percent},
-        DeskSetting{"Speech rate", DeskKind::Slider, "speech.rate_wpm", {"100", "125", "150", "175", "200", "225", "250", "300", "350", "400", "450"},
+        DeskSetting{"desk.sound_volume", DeskKind::Assign, "sound.volume", tenths(0), percent},
+        DeskSetting{"desk.speech_volume", DeskKind::Assign, "sound.speech_volume", tenths(0), percent},
+        DeskSetting{"desk.touch_volume", DeskKind::Assign, "sound.contact_volume", tenths(0), percent},
+        DeskSetting{"desk.footstep_volume", DeskKind::Assign, "sound.footstep_volume", tenths(0), percent},
+        DeskSetting{"desk.wall_tone_volume", DeskKind::Assign, "sound.wall_tone_volume", tenths(0), percent},
+        DeskSetting{"desk.world_volume", DeskKind::Assign, "sound.world_volume", tenths(0), percent},
+        DeskSetting{"desk.signal_volume", DeskKind::Assign, "sound.earcon_volume", tenths(0), percent},
+        DeskSetting{"desk.speech_rate",
+                    DeskKind::Slider,
+                    "speech.rate_wpm",
+                    {"100", "125", "150", "175", "200", "225", "250", "300", "350", "400", "450"},
                     words_per_minute},
-        DeskSetting{"Scale", DeskKind::List, "workspace.scale", {"15.0", "30.0", "60.0", "120.0", "240.0"}, one_to},
-        DeskSetting{"Amount of speech", DeskKind::Slider, "speech.verbosity", {"0", "1", "2", "3", "4"}, level},
-        DeskSetting{"Wall stiffness", DeskKind::Slider, "haptic.stiffness_fraction", tenths(2), percent},
-        DeskSetting{"Strongest force", DeskKind::Slider, "haptic.ceiling", {"light", "normal", "full"}, ceiling},
+        DeskSetting{"desk.scale", DeskKind::List, "workspace.scale", {"15.0", "30.0", "60.0", "120.0", "240.0"}, one_to},
+        DeskSetting{"desk.amount", DeskKind::Slider, "speech.verbosity", {"0", "1", "2", "3", "4"}, level},
+        DeskSetting{"desk.stiffness", DeskKind::Slider, "haptic.stiffness_fraction", tenths(2), percent},
+        DeskSetting{"desk.ceiling", DeskKind::Slider, "haptic.ceiling", {"light", "normal", "full"}, ceiling},
+        DeskSetting{"desk.pull", DeskKind::List, "guidance.pull", {"false", "true"}, on_off},
+        DeskSetting{"desk.strength", DeskKind::Slider, "guidance.strength", tenths(1), percent},
     };
     return rows;
 }
@@ -58,7 +65,8 @@ int position_of(const DeskSetting& row, const std::string& value) {
     int best = 0;
     for (int i = 0; i < static_cast<int>(row.values.size()); ++i) {
         const std::string& one = row.values[static_cast<std::size_t>(i)];
-        if (is_word(row) ? one == value : std::abs(number(one) - number(value)) < std::abs(number(row.values[static_cast<std::size_t>(best)]) - number(value))) best = i;
+        if (is_word(row) ? one == value : std::abs(number(one) - number(value)) < std::abs(number(row.values[static_cast<std::size_t>(best)]) - number(value)))
+            best = i;
     }
     return best;
 }
@@ -74,7 +82,7 @@ int beside(const DeskSetting& row, const std::string& value, int step) {
 
 DeskControl bound(const DeskSetting& row, std::function<std::string()> read, std::function<void(const std::string&)> write) {
     DeskControl control;
-    control.name = row.name;
+    control.name = phrase(row.name);
     control.kind = row.kind;
     control.positions = static_cast<int>(row.values.size());
     control.value = [&row, read] { return row.words(read()); };
@@ -95,8 +103,7 @@ std::size_t Desk::target(std::size_t control) const { return controls_[control].
 
 std::string Desk::value(std::size_t control) const {
     const DeskControl& own = controls_[control];
-    if (own.kind == DeskKind::Knob)
-        return on_knob_ ? fmt::format("{}, {}", value(*on_knob_), controls_[*on_knob_].name) : std::string("nothing on it; press a volume");
+    if (own.kind == DeskKind::Knob) return on_knob_ ? fmt::format("{}, {}", value(*on_knob_), controls_[*on_knob_].name) : phrase("desk.nothing_on_knob");
     return own.value ? own.value() : std::string();
 }
 
@@ -107,17 +114,19 @@ std::string Desk::words(std::size_t control) const {
 
 std::string Desk::put(std::size_t control, int position) {
     const DeskControl& own = controls_[target(control)];
-    if (own.positions == 0) return value(control);
-    if (const int to = std::clamp(position, 0, own.positions - 1); to != own.position() || own.beside) own.put(to);
+    const int count = own.count();
+    if (count == 0) return value(control);
+    if (const int to = std::clamp(position, 0, count - 1); to != own.position() || own.beside) own.put(to);
     return value(control);
 }
 
 std::string Desk::step(std::size_t control, int by) {
     const DeskControl& own = controls_[target(control)];
-    if (own.positions == 0 || by == 0) return value(control);
+    const int count = own.count();
+    if (count == 0 || by == 0) return value(control);
     const int one = by > 0 ? 1 : -1;
     const int first = own.beside ? own.beside(one) : own.position() + one;
-    if (first < 0 || first >= own.positions) return value(control);  // at the end already
+    if (first < 0 || first >= count) return value(control);  // at the end already
     return put(control, first + by - one);
 }
 
@@ -125,7 +134,7 @@ std::string Desk::press(std::size_t control) {
     const DeskControl& own = controls_[control];
     if (own.kind == DeskKind::Assign) {
         on_knob_ = control;
-        return fmt::format("{} on the knob, {}", own.name, value(control));
+        return phrase("desk.on_knob", {{"name", own.name}, {"value", value(control)}});
     }
     if (own.pressed) return own.pressed();
     return words(control);

@@ -27,12 +27,16 @@ enum class DeskKind {
 struct DeskControl {
     std::string name;  // "Sound volume"
     DeskKind kind = DeskKind::Indicator;
-    int positions = 0;                    // 0: it has no value to change
-    std::function<std::string()> value;   // in words: "80 percent"; empty function: none
-    std::function<int()> position;        // of the value, the nearest one
-    std::function<int(int)> beside;       // the position of one step down (-1) or up (+1) from the value; empty: position and step
-    std::function<void(int)> put;         // changes the value
+    int positions = 0;                     // 0: it has no value to change
+    std::function<int()> many;             // positions where they come and go, as marks do; else empty
+    std::function<std::string()> value;    // in words: "80 percent"; empty function: none
+    std::function<int()> position;         // of the value, the nearest one
+    std::function<int(int)> beside;        // the position of one step down (-1) or up (+1) from the value; empty: position and step
+    std::function<void(int)> put;          // changes the value
     std::function<std::string()> pressed;  // what happens when it is pressed; returns what is to be said
+
+    int count() const { return many ? many() : positions; }  // of positions now
+    bool adjustable() const { return positions > 0 || many || kind == DeskKind::Knob; }
 };
 
 class Desk {
@@ -63,7 +67,7 @@ private:
 
 // A setting as a row of the desk: its key, the values it takes there, rising, and how they are said.
 struct DeskSetting {
-    std::string_view name;
+    std::string_view name;  // key of its text
     DeskKind kind;
     std::string_view key;
     std::vector<std::string> values;  // as TOML writes them

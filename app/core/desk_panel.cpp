@@ -5,13 +5,14 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/language.h"
 #include "worlds/scene/primitive.h"
 
 namespace handrail {
 namespace {
 
 constexpr double kPitchM = kControlM + kControlGapM;
-constexpr double kPanelAt = 0.1;        // of the reach before the middle, so that a push has room behind it
+constexpr double kPanelAt = 0.1;  // of the reach before the middle, so that a push has room behind it
 constexpr double kPanelThickM = 0.02;
 constexpr double kMostReach = 0.95;     // of the reach, to the corners of the outermost controls
 constexpr double kButtonHighM = 0.004;  // in front of the panel
@@ -22,7 +23,9 @@ constexpr double kFriction = 0.1;                              // smooth: what i
 constexpr double kListGapM = 0.002;
 constexpr double kSliderEndM = 0.0025;  // from a slider's end to its first position
 
-int width_in_cells(DeskKind kind, const DeskGrid& grid) { return kind == DeskKind::Slider && (grid.columns > 2 || (grid.columns == 2 && grid.rows > 1)) ? 2 : 1; }
+int width_in_cells(DeskKind kind, const DeskGrid& grid) {
+    return kind == DeskKind::Slider && (grid.columns > 2 || (grid.columns == 2 && grid.rows > 1)) ? 2 : 1;
+}
 
 struct Cell {
     std::size_t page;
@@ -80,7 +83,8 @@ private:
 };
 
 // A box that stands `high_m` out of the panel towards the person; its middle across and up.
-void raise(PanelBuilder& to, FeatureId feature, double x_m, double z_m, double width_m, double height_m, double panel_y_m, double high_m, double turned_rad = 0.0) {
+void raise(PanelBuilder& to, FeatureId feature, double x_m, double z_m, double width_m, double height_m, double panel_y_m, double high_m,
+           double turned_rad = 0.0) {
     to.add(feature, PrimitiveKind::Box, {x_m, panel_y_m - 0.5 * high_m, z_m}, {width_m, high_m, height_m}, rotation_about({0.0, 1.0, 0.0}, turned_rad));
 }
 
@@ -175,8 +179,12 @@ DeskPanel lay_out_desk(std::span<const DeskControl> controls, const DeviceSpec& 
     const double left = -0.5 * (grid.columns - 1) * kPitchM, top = 0.5 * (grid.rows - 1) * kPitchM;
 
     PanelBuilder builder;
-    builder.add(builder.feature("desk", FeatureKind::Wall), PrimitiveKind::Box, {0.0, panel_y + 0.5 * kPanelThickM, 0.0}, {4.0 * reach, kPanelThickM, 4.0 * reach});
-    const auto place = [&](const std::optional<std::size_t>& control, DeskKind kind, int positions, const Cell& cell, const std::string& name) {
+    // A control has the same number on every page: for a moment the hand still touches the page before.
+    const FeatureId desk = builder.feature("desk", FeatureKind::Wall), turn = builder.feature(phrase("desk.next_page"), FeatureKind::Button);
+    std::vector<FeatureId> features;
+    for (const DeskControl& control : controls) features.push_back(builder.feature(control.name, FeatureKind::Button));
+    builder.add(desk, PrimitiveKind::Box, {0.0, panel_y + 0.5 * kPanelThickM, 0.0}, {4.0 * reach, kPanelThickM, 4.0 * reach});
+    const auto place = [&](const std::optional<std::size_t>& control, DeskKind kind, int positions, const Cell& cell, FeatureId feature) {
         PlacedControl one;
         one.control = control;
         one.kind = kind;
@@ -184,13 +192,13 @@ DeskPanel lay_out_desk(std::span<const DeskControl> controls, const DeviceSpec& 
         one.width_m = cell.wide * kPitchM - kControlGapM;
         one.x_m = left + (cell.column + 0.5 * (cell.wide - 1)) * kPitchM;
         one.z_m = top - cell.row * kPitchM;
-        one.feature = builder.feature(name, FeatureKind::Button);
+        one.feature = feature;
         shape(builder, one, panel_y);
         panel.placed.push_back(one);
     };
     for (std::size_t i = 0; i < controls.size(); ++i)
-        if (cells[i].page == panel.page) place(i, controls[i].kind, controls[i].positions, cells[i], controls[i].name);
-    if (panel.pages > 1) place(std::nullopt, DeskKind::Button, 0, {panel.page, grid.columns - 1, grid.rows - 1, 1}, "Next page");
+        if (cells[i].page == panel.page) place(i, controls[i].kind, controls[i].positions, cells[i], features[i]);
+    if (panel.pages > 1) place(std::nullopt, DeskKind::Button, 0, {panel.page, grid.columns - 1, grid.rows - 1, 1}, turn);
     panel.scene = builder.take();
     panel.haptic = compile_haptic(*panel.scene, MaterialSource::KeysOnly);
     return panel;

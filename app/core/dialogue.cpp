@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -30,14 +31,14 @@ std::string take_last_character(std::string& text) {
     return last;
 }
 
-std::string spoken_character(const std::string& character) { return character == " " ? "space" : character; }
+std::string spoken_character(const std::string& character) { return character == " " ? phrase("dialogue.space") : character; }
 
 }  // namespace
 
 bool operator==(const ListItem& a, const ListItem& b) { return a.name == b.name && a.value == b.value && a.adjustable == b.adjustable; }
 
 std::string Dialogue::open(ListSpec list) {
-    if (list.items.empty()) return fmt::format("{}: nothing there.", list.title);
+    if (list.items.empty()) return phrase("dialogue.nothing_there", {{"title", list.title}});
     list.at = std::min(list.at, list.items.size() - 1);
     search_.clear();
     stack_.push_back(std::make_unique<Part>(std::move(list)));
@@ -53,7 +54,8 @@ bool Dialogue::typing() const { return is_open() && std::holds_alternative<TextS
 
 std::string Dialogue::item_words(const ListSpec& list) const {
     const ListItem& item = list.items[list.at];
-    return fmt::format("{}{}{}, {} of {}", item.name, item.value.empty() ? "" : ", ", item.value, list.at + 1, list.items.size());
+    return phrase("dialogue.item",
+                  {{"item", item.value.empty() ? item.name : item.name + ", " + item.value}, {"number", list.at + 1}, {"count", list.items.size()}});
 }
 
 std::string Dialogue::where() const {
@@ -94,10 +96,7 @@ DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name) {
     else if (name == "Home") list.at = 0;
     else if (name == "End") list.at = last;
     else if (name == "Space") return {true, false, item_words(list)};
-    else if (name == "F1")
-        return {true, false,
-                "Up and Down go through the list, a letter goes to names that begin with it, Enter chooses, Left and Right change a value, Space says it again, "
-                "Escape leaves."};
+    else if (name == "F1") return {true, false, phrase("dialogue.help_list")};
     else return {true, false, {}};  // letters come as typed characters; nothing else reaches the world
     search_.clear();
     return {true, list.at == was, item_words(list)};
@@ -114,17 +113,17 @@ DialogueReply Dialogue::choose(ListSpec& list) {
 DialogueReply Dialogue::text_key(TextSpec& question, std::string_view name) {
     if (name == "Enter") return finish(question);
     if (name == "Backspace") {
-        if (question.text.empty()) return {true, true, "Nothing is typed."};
-        return {true, false, spoken_character(take_last_character(question.text)) + " deleted"};
+        if (question.text.empty()) return {true, true, phrase("dialogue.nothing_typed")};
+        return {true, false, phrase("dialogue.deleted", {{"letter", spoken_character(take_last_character(question.text))}})};
     }
     if (name == "Up" || name == "Down") return {true, false, where()};
-    if (name == "F1") return {true, false, "Type, then press Enter. Backspace deletes the last letter, Up says what is typed, Escape leaves."};
+    if (name == "F1") return {true, false, phrase("dialogue.help_text")};
     return {true, false, {}};
 }
 
 DialogueReply Dialogue::finish(TextSpec& question) {
     std::string text(without_blanks(question.text));
-    if (text.empty()) return {true, true, "Nothing is typed. Escape leaves."};
+    if (text.empty()) return {true, true, phrase("dialogue.nothing_typed_leave")};
     const auto done = std::move(question.done);
     stack_.pop_back();
     if (done) done(std::move(text));
@@ -137,7 +136,7 @@ DialogueReply Dialogue::leave() {
     search_.clear();
     const auto& left = std::visit([](const auto& spec) -> const std::function<void()>& { return spec.left; }, *part);
     if (left) left();
-    if (!is_open()) return {true, false, left ? "" : "Left"};
+    if (!is_open()) return {true, false, left ? std::string() : phrase("dialogue.left")};
     return {true, false, back_words()};
 }
 
@@ -145,7 +144,7 @@ DialogueReply Dialogue::typed(std::string_view utf8, double now_s) {
     if (!is_open()) return {};
     if (auto* question = std::get_if<TextSpec>(stack_.back().get())) {
         if (!is_utf8(utf8)) return {true, true, {}};
-        if (question->text.size() + utf8.size() > kLongestTyped) return {true, true, "That is as long as it can be."};
+        if (question->text.size() + utf8.size() > kLongestTyped) return {true, true, phrase("dialogue.too_long")};
         question->text += utf8;
         return {true, false, spoken_character(std::string(utf8))};
     }
@@ -162,7 +161,7 @@ DialogueReply Dialogue::typed(std::string_view utf8, double now_s) {
         list.at = i;
         return {true, false, item_words(list)};
     }
-    return {true, true, fmt::format("Nothing begins with {}.", search_)};
+    return {true, true, phrase("dialogue.nothing_begins", {{"letters", search_}})};
 }
 
 DialogueReply Dialogue::line(std::string_view text, double now_s) {
@@ -174,7 +173,7 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
         auto& question = std::get<TextSpec>(*stack_.back());
         if (word == "escape") return leave();
         if (text.empty() && question.text.empty()) return {true, false, where()};
-        if (text.size() > kLongestTyped || !is_utf8(text)) return {true, true, fmt::format("At most {} bytes of text, please.", kLongestTyped)};
+        if (text.size() > kLongestTyped || !is_utf8(text)) return {true, true, phrase("dialogue.at_most", {{"bytes", kLongestTyped}})};
         if (!text.empty()) question.text = text;
         return finish(question);
     }
@@ -198,10 +197,27 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
     for (const bool whole : {true, false})
         for (std::size_t i = 0; i < list->items.size() && found == list->items.size(); ++i)
             if (whole ? lower_ascii(list->items[i].name) == word : begins_with(list->items[i].name, word)) found = i;
-    if (found == list->items.size())
-        return {true, true, fmt::format("\"{}\" is not in this list. Type list to hear it, a number or a name to choose, escape to leave.", text)};
+    if (found == list->items.size()) return {true, true, phrase("dialogue.not_in_list", {{"typed", text}})};
     list->at = found;
     return choose(*list);
+}
+
+DialogueReply Dialogue::act(const ItemAct& act, double now_s) {
+    auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
+    if (!list || act.item >= list->items.size() || list->items[act.item].name != act.name) return {};
+    list->at = act.item;
+    search_.clear();
+    switch (act.kind) {
+        case ItemAct::Kind::GoTo:
+            return {true, false, item_words(*list)};
+        case ItemAct::Kind::Choose:
+            return key("Enter", now_s);
+        case ItemAct::Kind::Less:
+            return key("Left", now_s);
+        case ItemAct::Kind::More:
+            return key("Right", now_s);
+    }
+    return {};
 }
 
 void Dialogue::change_items(std::vector<ListItem> items) {
@@ -213,9 +229,9 @@ void Dialogue::change_items(std::vector<ListItem> items) {
 
 DialogueView Dialogue::view() const {
     if (!is_open()) return {};
-    if (const auto* list = std::get_if<ListSpec>(stack_.back().get())) return {DialogueView::Kind::List, list->title, list->items, list->at, {}};
+    if (const auto* list = std::get_if<ListSpec>(stack_.back().get())) return {DialogueView::Kind::List, list->title, list->items, list->at, {}, where()};
     const auto& question = std::get<TextSpec>(*stack_.back());
-    return {DialogueView::Kind::Text, question.question, {}, 0, question.text};
+    return {DialogueView::Kind::Text, question.question, {}, 0, question.text, where()};
 }
 
 }  // namespace handrail

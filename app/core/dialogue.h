@@ -44,6 +44,7 @@ struct DialogueView {
     std::vector<ListItem> items;
     std::size_t at = 0;
     std::string text;  // typed so far
+    std::string where;  // what is said of the item or question one is at
 
     bool operator==(const DialogueView&) const = default;
 };
@@ -54,6 +55,14 @@ struct DialogueReply {
     bool taken = false;  // false: the key means nothing here
     bool denied = false;
     std::string words;  // to be said; may be empty
+};
+
+// What somebody does with an item of the open list without going through it: a screen reader's action. `name` is the item's as it was shown; a list that has
+// changed since does nothing.
+struct ItemAct {
+    enum class Kind { GoTo, Choose, Less, More } kind = Kind::Choose;
+    std::size_t item = 0;
+    std::string name;
 };
 
 class Dialogue {
@@ -72,6 +81,8 @@ public:
     // A line of a terminal: the name of a key (down, up, home, end, enter, escape, left, right, backspace), "list" for all items, an item's number or
     // the begin of its name; for a question the text itself.
     DialogueReply line(std::string_view line, double now_s);
+
+    DialogueReply act(const ItemAct& act, double now_s);
 
     // What stands in the open list is other now; `at` stays where it is, as far as there is one. Nothing without an open list.
     void change_items(std::vector<ListItem> items);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
 
@@ -10,55 +12,42 @@ using enum LessonGoal;
 
 constexpr double kMiddle_m = 0.025;  // hand metres
 
-constexpr std::array kFindWall{
-    LessonStep{MeetWall, "Find a wall. Reach forward slowly until something stops your hand.",
-               "Find a wall. Press Up to walk. A soft tone grows as the wall comes near, and a thud tells that you met it.", "That is a wall."},
-};
+constexpr std::array kFindWall{LessonStep{MeetWall, "lesson.find_wall.hand", "lesson.find_wall.body", "lesson.find_wall.done"}};
 constexpr std::array kFollowWall{
-    LessonStep{MeetWall, "Follow a wall to a corner. First reach forward to a wall.", "Follow a wall to a corner. First walk to a wall with Up.", "Good."},
-    LessonStep{NextWall, "Now slide along it, always touching it, until another wall stops your hand.",
-               "Now turn along it: press Right four times. Then walk on with Up until the next wall.", "Corner."},
+    LessonStep{MeetWall, "lesson.follow.hand", "lesson.follow.body", "lesson.good"},
+    LessonStep{NextWall, "lesson.follow.on_hand", "lesson.follow.on_body", "lesson.corner"},
 };
 constexpr std::array kFindDoor{
-    LessonStep{Look, "Find a door. Press 2 to hear what is around you.", "Find a door. Press 2 to hear what is around you.", "Good."},
-    LessonStep{MeetDoor, "Now reach to the door, or walk to it and touch it.", "Now turn to the door with Left or Right, and walk to it with Up.",
-               "That is the door. Enter opens it and shuts it."},
+    LessonStep{Look, "lesson.door.look", "lesson.door.look", "lesson.good"},
+    LessonStep{MeetDoor, "lesson.door.hand", "lesson.door.body", "lesson.door.done"},
 };
 constexpr std::array kWhereAmI{
-    LessonStep{Ask, "Where am I? Press F2 to hear where you are, which way you face and what is near.",
-               "Where am I? Press F2 to hear where you are, which way you face and what is near.", "F2 tells that at any time."},
-    LessonStep{GoHome, "Press Home to go back to the base.", "Walk a step with Up. Then press Home to go back to the base.", "You are at the base again."},
+    LessonStep{Ask, "lesson.where.ask", "lesson.where.ask", "lesson.where.asked"},
+    LessonStep{GoHome, "lesson.where.hand", "lesson.where.body", "lesson.where.done"},
 };
 constexpr std::array kForcesOff{
-    LessonStep{ForcesOff, "The key that takes all force away. Press the grave key, left of 1, or F.", "", "All force is off."},
-    LessonStep{ForcesOn, "Press it again to feel again. The force comes back slowly.", "", "That key works at any time. F12 stops force and sound at once."},
+    LessonStep{ForcesOff, "lesson.forces.off", "", "lesson.forces.is_off"},
+    LessonStep{ForcesOn, "lesson.forces.on", "", "lesson.forces.done"},
+};
+constexpr std::array kBeacon{
+    LessonStep{SetBeacon, "lesson.beacon.set", "lesson.beacon.set", "lesson.beacon.calls"},
+    LessonStep{ReachBeacon, "lesson.beacon.reach", "lesson.beacon.reach", "lesson.beacon.done"},
 };
 constexpr std::array kLessons{
-    Lesson{"Find a wall", kFindWall}, Lesson{"Follow a wall to a corner", kFollowWall},  Lesson{"Find a door", kFindDoor},
-    Lesson{"Where am I", kWhereAmI},  Lesson{"Switch the force off and on", kForcesOff},
+    Lesson{"lesson.name.find_wall", kFindWall}, Lesson{"lesson.name.follow", kFollowWall}, Lesson{"lesson.name.find_door", kFindDoor},
+    Lesson{"lesson.name.where", kWhereAmI},     Lesson{"lesson.name.forces", kForcesOff},  Lesson{"lesson.name.beacon", kBeacon},
 };
 
-constexpr std::string_view kWelcome = "Welcome. Handrail is speaking with {}. Press Enter to begin, Space to hear again, Escape to leave.";
 constexpr std::array kFirst{
-    LessonStep{Begin, kWelcome, kWelcome, ""},
-    LessonStep{SetUp, "First your headphones, and what your hand holds.", "First your headphones.", ""},
-    LessonStep{Middle, "Bring your hand to the middle, in front of you.", "", ""},
-    LessonStep{
-        MeetWall,
-        "You are in a small room, six by four metres, nine by six steps. The door is behind you. You face north. A wall is in front of your hand. Reach "
-        "forward "
-        "slowly.",
-        "You are in a small room, six by four metres, nine by six steps. The door is behind you. You face north. A wall is in front of you. Press Up to walk a "
-        "step, until you meet it.",
-        "Your first wall."},
-    LessonStep{MeetNamed, "Slide left along it, a little lower, to the radiator.",
-               "Along the wall to your left is a radiator: press Left four times, then walk with Up.", "Well found.", "Radiator"},
-    LessonStep{NextWall, "Slide right along the wall, as far as it goes, to the corner.",
-               "Now the other way, to the corner: press Right eight times, then hold Up.", "Corner."},
-    LessonStep{GoHome, "Back to the door: press Home. Your hand is not dragged, the world moves under it.", "Back to the door: press Home.",
-               "You are at the door again: behind you, handle on your right."},
+    LessonStep{Begin, "lesson.first.welcome", "lesson.first.welcome", ""},
+    LessonStep{SetUp, "lesson.first.set_up_hand", "lesson.first.set_up_body", ""},
+    LessonStep{Middle, "lesson.first.middle", "", ""},
+    LessonStep{MeetWall, "lesson.first.wall_hand", "lesson.first.wall_body", "lesson.first.wall"},
+    LessonStep{MeetNamed, "lesson.first.radiator_hand", "lesson.first.radiator_body", "lesson.first.found", "Radiator"},
+    LessonStep{NextWall, "lesson.first.corner_hand", "lesson.first.corner_body", "lesson.corner"},
+    LessonStep{GoHome, "lesson.first.home_hand", "lesson.first.home_body", "lesson.first.home"},
 };
-constexpr Lesson kFirstMinutes{"The first minutes", kFirst};
+constexpr Lesson kFirstMinutes{"lesson.name.first", kFirst};
 
 bool did(const LessonSense& sense, Command command) { return std::find(sense.did.begin(), sense.did.end(), command) != sense.did.end(); }
 
@@ -74,9 +63,7 @@ bool LessonRun::is_left_out(const LessonStep& step) const { return (hand_ ? step
 
 std::string LessonRun::instruction() const {
     const LessonStep& step = lesson_.steps[at_];
-    std::string text(hand_ ? step.hand : step.body);
-    if (const std::size_t at = text.find("{}"); at != std::string::npos) text.replace(at, 2, who_speaks_);
-    return text;
+    return phrase(hand_ ? step.hand : step.body, {{"voice", who_speaks_}});
 }
 
 LessonReply LessonRun::enter(std::size_t at, LessonReply reply) {
@@ -93,7 +80,7 @@ LessonReply LessonRun::enter(std::size_t at, LessonReply reply) {
 
 LessonReply LessonRun::begin() {
     LessonReply reply = enter(at_, {});
-    if (reply.finished) reply.instruction = "This lesson needs a touch device.";
+    if (reply.finished) reply.instruction = phrase("lesson.needs_device");
     return reply;
 }
 
@@ -145,13 +132,19 @@ LessonReply LessonRun::tick(const LessonSense& sense, const Scene& scene) {
         case LessonGoal::ForcesOn:
             done = sense.forces_on;
             break;
+        case LessonGoal::SetBeacon:
+            done = sense.beacon;
+            break;
+        case LessonGoal::ReachBeacon:
+            done = sense.at_beacon;
+            break;
     }
     if (!done) return {};
     LessonReply reply;
     reply.done = true;
     reply.begin_here = step.goal == LessonGoal::Middle;
     reply.at_once = step.goal == LessonGoal::NextWall;
-    reply.praise = step.praise;
+    if (!step.praise.empty()) reply.praise = phrase(step.praise);
     return enter(at_ + 1, std::move(reply));
 }
 

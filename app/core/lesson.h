@@ -26,10 +26,13 @@ enum class LessonGoal {
     GoHome,
     ForcesOff,
     ForcesOn,
+    SetBeacon,    // on anything
+    ReachBeacon,  // until it ends
 };
 
 struct LessonStep {
     LessonGoal goal;
+    // Keys of texts.
     std::string_view hand;    // what is said to one whose hand is on a device, real or simulated
     std::string_view body;    // to one who walks by keys alone; empty: the step is left out then
     std::string_view praise;  // when it is done
@@ -37,7 +40,7 @@ struct LessonStep {
 };
 
 struct Lesson {
-    std::string_view name;  // "Find a wall"
+    std::string_view name;  // key of its text: "Find a wall"
     std::span<const LessonStep> steps;
 };
 
@@ -53,7 +56,9 @@ struct LessonSense {
     bool at_home = false;
     double off_middle_m = 0.0;  // hand metres
     bool forces_on = true;
-    bool set_up = false;  // the set-up by voice is over, or there is none
+    bool beacon = false;     // it calls
+    bool at_beacon = false;  // it was reached and calls no more
+    bool set_up = false;     // the set-up by voice is over, or there is none
 };
 
 struct LessonReply {

@@ -64,6 +64,70 @@ TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_are_
     EXPECT_THAT(second.out, HasSubstr("First room."));
 }
 
+// The set-up of the device within them is the wizard's own: pulled, pushed, to the left hand's side, felt, a wall.
+TEST_F(FirstMinutes, run_with_a_simulated_touch_through_the_set_up_to_the_first_wall_and_the_choice) {
+    const ProgramRun first = run({"--device", "sim-t"},
+                                 "space\n\nleft\n\n"
+                                 "hand-back 15\nhand-forward 30\nhand-left 12\nwait 12\nbutton\nup\nhand-back 20\nhand-forward 20\nwait 1\n\n"
+                                 "hand-centre\nhand-forward 30\nhand-forward 30\nhand-left 20\nhand-down 10\nhand-left 10\nhand-up 10\nhand-right 30\nhand-right 40\n"
+                                 "home\nlist\nexplore freely\nwhere\nquit\n");
+    EXPECT_EQ(first.exit_status, 0) << first.err;
+    expect_in_order(first.out, {"say: Welcome. Handrail is speaking with text alone. Press Enter to begin, Space to hear again, Escape to leave.",
+                                "say: Welcome. Handrail is speaking with text alone. Press Enter to begin, Space to hear again, Escape to leave.",
+                                "First your headphones, and what your hand holds.",
+                                "bell on your left",
+                                "And now on your right?",
+                                "The simulated Touch is ready.",
+                                "Take the grip in your hand. Pull it all the way towards you.",
+                                "Good.",
+                                "Push it in",
+                                "Good.",
+                                "Left hand.",
+                                "I will press against your hand, lightly",
+                                "Felt at",
+                                "Now a wall",
+                                "Nothing will push with more than 2.5 newtons.",
+                                "You are set up.",
+                                "Bring your hand to the middle",
+                                "You are in a small room, six by four metres",
+                                "Reach forward slowly.",
+                                "North wall, plaster",
+                                "Your first wall.",
+                                "Slide left along it",
+                                "Radiator, metal",
+                                "Well found.",
+                                "Slide right along the wall",
+                                "Corner.",
+                                "Back to the door: press Home.",
+                                "handle on your right",
+                                "What next.",
+                                "Explore freely",
+                                "Walk round the walls",
+                                "Find the clock",
+                                "Hunt game",
+                                "Real buildings",
+                                "Settings",
+                                "Saved. Next time you start here.",
+                                "facing north"});
+}
+
+// The choice leads somewhere: a hunt here, and the same in the house, which is read first.
+TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
+    const char* const kToChoice = "\nleft\n\nforward 6\nleft 4\nforward 3\nright 8\nforward 7\nhome\n";
+    const ProgramRun here = run({"--device", "none"}, std::string(kToChoice) + "find\nwhere\nquit\n");
+    expect_in_order(here.out, {"What next.", "Saved.", "A clock is hidden and ticks.", "Room with Radiator", "facing north"});
+    const TemporaryFolder other;
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {"--no-window", "--device", "none", "--set", "speech.through=text"};
+    call.input = std::string(kToChoice) + "hunt\nwhere\nquit\n";
+    call.first_start = true;
+    call.allowed_s = 280.0;
+    call.environment["XDG_CONFIG_HOME"] = other.path().string();
+    const ProgramRun house = run_program(call);
+    expect_in_order(house.out, {"What next.", "Saved.", "Going to House.", "say: House", "A clock is hidden and ticks."});
+}
+
 TEST_F(FirstMinutes, go_on_at_the_next_start_where_they_were_left) {
     const ProgramRun first = run({"--device", "none"}, "\nleft\n\nforward 6\nquit\n");
     EXPECT_THAT(first.out, HasSubstr("Your first wall."));

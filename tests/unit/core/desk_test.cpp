@@ -7,9 +7,11 @@
 
 #include "app/core/desk_panel.h"
 #include "app/core/headless_session.h"
+#include "app/core/marks.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "haptic/servo/personal_space.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/spoken_language.h"
 
 namespace handrail {
 namespace {
@@ -29,6 +31,15 @@ std::shared_ptr<const Scene> open_ground() {
 class DeskSession {
 public:
     explicit DeskSession(const char* device, const Settings& settings = {}) : session_(settings, facts(device), audio_, speech_) {
+        session_.app().set_worlds({std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps", {}});
+        SideFile additions;
+        std::vector<Mark> marks(2);
+        marks[0].name = "Bench";
+        marks[0].place_m = {5, 9, 0};
+        marks[1].name = "Well";
+        marks[1].place_m = {-7, 3, 0};
+        write_marks(additions, marks);
+        session_.app().use_side_file(std::move(additions));
         session_.app().enter_world(open_ground(), 0.0);
         run(0.1);
         if (device == nullptr) return;
@@ -84,13 +95,22 @@ public:
     }
     // Turns pages until the control lies there.
     void find(const std::string& name) {
-        for (int i = 0; i < 8 && !app().desk_place_m(name); ++i) press("Next page");
+        for (int i = 0; i < 12 && !app().desk_place_m(name); ++i) press("Next page");
         ASSERT_TRUE(app().desk_place_m(name)) << name;
     }
     double deep_m() const { return 1.5 / effective_stiffness_n_per_m(session_.facts().spec, 1e-3, 5.0) / 0.8 * 1.05; }
     void touch(const std::string& name) {
-        const bool knob = name == "Volume knob", list = name == "Scale";  // beside the post of the one and the notch of the other
-        ASSERT_TRUE(reach(name, knob ? 0.0045 : 0.0, list ? 0.004 : 0.0, -0.2 * deep_m()));
+        const DeskKind kind = app().desk().controls()[*app().desk().find(name)].kind;
+        const bool knob = kind == DeskKind::Knob, list = kind == DeskKind::List;  // beside the post of the one and the notch of the other
+        // And beside the ridge in the middle of a slider with an even number of positions, which would be pressed deeper.
+        double across = 0.0;
+        if (kind == DeskKind::Slider) {
+            const DeskGrid grid = desk_grid(session_.facts().spec);
+            const std::size_t i = *app().desk().find(name);
+            const DeskPanel panel = lay_out_desk(app().desk().controls(), session_.facts().spec, desk_pages(app().desk().controls(), grid)[i]);
+            across = panel.of(i)->x_of(panel.of(i)->positions / 2) - panel.of(i)->x_m;
+        }
+        ASSERT_TRUE(reach(name, knob ? 0.0045 : across, list ? 0.004 : 0.0, -0.2 * deep_m()));
         withdraw();
     }
     void press(const std::string& name, double across_m = 0.0, double up_m = 0.0) {
@@ -191,6 +211,28 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
     EXPECT_EQ(ridges, slider->positions - 1);
 }
 
+TEST(DeskPanel, a_control_has_one_number_whichever_page_lies_there) {
+    // What is still pressed while the page turns would else be taken for another control of the new page.
+    AppCore app(Settings{}, HandFacts{});
+    const auto controls = app.desk().controls();
+    const DeviceSpec& spec = *find_device_spec("sim-f");
+    const DeskPanel first = lay_out_desk(controls, spec, 0);
+    ASSERT_GE(first.pages, 3U);
+    FeatureId turn = kNoFeature;
+    std::vector<FeatureId> seen;
+    for (std::size_t page = 0; page < first.pages; ++page)
+        for (const PlacedControl& one : lay_out_desk(controls, spec, page).placed) {
+            if (one.control) {
+                EXPECT_EQ(std::count(seen.begin(), seen.end(), one.feature), 0) << controls[*one.control].name;
+                seen.push_back(one.feature);
+            } else {
+                EXPECT_TRUE(page == 0 || one.feature == turn) << page;
+                turn = one.feature;
+            }
+        }
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), turn), 0);
+}
+
 // Every control, worked by the hand at the desk and by keys in its list, comes to the same.
 TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
     for (const char* device : kDevices) {
@@ -217,7 +259,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
             EXPECT_EQ(by_keys.app().desk().value(i), desk.value(i));
             // Change.
             from = by_hand.lines();
-            const int before = control.positions > 0 ? control.position() : 0;
+            const int before = control.count() > 0 ? control.position() : 0;
             const int step = before > 0 ? -1 : 1;
             const char* key = step > 0 ? "Right" : "Left";
             switch (control.kind) {
@@ -271,7 +313,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                     by_keys.key("Enter");
                     break;
             }
-            if (control.positions > 0) {
+            if (control.count() > 0) {
                 EXPECT_EQ(control.position(), before + step);
             }
             EXPECT_EQ(by_keys.app().desk().value(i), desk.value(i));
@@ -292,6 +334,82 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
         EXPECT_NE(by_hand.app().settings().workspace.scale, Settings{}.workspace.scale);
         EXPECT_EQ(by_hand.app().settings().workspace.scale, by_keys.app().settings().workspace.scale);
     }
+}
+
+TEST(Desk, a_world_is_chosen_from_its_list_and_gone_to_by_the_button_beside_it) {
+    DeskSession s(nullptr);
+    AppCore& app = s.app();
+    const std::size_t world = *app.desk().find("World"), go = *app.desk().find("Go to that world");
+    EXPECT_FALSE(app.take_world_request());
+    const std::string first = app.desk().value(world), second = app.step_control(world, 1);
+    EXPECT_NE(first, second);
+    EXPECT_FALSE(app.take_world_request()) << "looking through the list goes nowhere";
+    EXPECT_EQ(app.press_control(go), "Going to " + second + ".");
+    const auto wanted = app.take_world_request();
+    ASSERT_TRUE(wanted);
+    EXPECT_EQ(name_of_file(*wanted), second);
+    EXPECT_TRUE(std::filesystem::exists(*wanted));
+    app.set_worlds({});
+    EXPECT_EQ(app.desk().value(world), "none");
+    EXPECT_EQ(app.step_control(world, 1), "none");
+    EXPECT_EQ(app.press_control(go), "There is no world to go to.");
+    EXPECT_FALSE(app.take_world_request());
+}
+
+TEST(Desk, a_beacon_is_put_on_the_mark_of_its_list_and_taken_off_again) {
+    DeskSession s(nullptr);
+    AppCore& app = s.app();
+    const std::size_t mark = *app.desk().find("Mark"), beacon = *app.desk().find("Beacon on that mark");
+    EXPECT_EQ(app.desk().value(mark), "Bench");
+    EXPECT_EQ(app.step_control(mark, 1), "Well");
+    EXPECT_EQ(app.desk().value(beacon), "off");
+    EXPECT_EQ(app.press_control(beacon).rfind("Beacon on Well, ", 0), 0U);
+    EXPECT_EQ(app.desk().value(beacon), "Well");
+    EXPECT_EQ(app.guiding().beacon.name(), "Well");
+    EXPECT_EQ(app.step_control(mark, -1), "Bench");
+    app.press_control(beacon);
+    EXPECT_EQ(app.guiding().beacon.name(), "Bench") << "another mark is taken at once";
+    EXPECT_EQ(app.press_control(beacon), "Beacon off");
+    EXPECT_FALSE(app.guiding().beacon.on());
+    app.enter_world(open_ground(), 1.0);  // without marks
+    EXPECT_EQ(app.desk().value(mark), "none yet");
+    EXPECT_EQ(app.press_control(beacon), "There are no marks yet. Insert sets one.");
+}
+
+TEST(Desk, steps_or_metres_where_one_is_and_what_is_explored_are_told_there) {
+    DeskSession s(nullptr);
+    AppCore& app = s.app();
+    const std::size_t units = *app.desk().find("Steps or metres"), where = *app.desk().find("Where am I");
+    EXPECT_EQ(app.desk().value(units), "steps");
+    EXPECT_EQ(app.press_control(units), "Distances in metres");
+    EXPECT_FALSE(app.settings().speech.distances_in_steps);
+    EXPECT_EQ(app.desk().value(units), "metres");
+    EXPECT_EQ(app.press_control(where), app.where_am_i());
+    const std::size_t explored = *app.desk().find("Explored");
+    const std::string before = app.desk().value(explored);
+    EXPECT_EQ(before.rfind("Walls ", 0), 0U) << before;
+    s.key("Up");
+    s.run(8.0);
+    app.press(Command::Forward, 8.2);
+    s.run(12.0);
+    app.release(Command::Forward);
+    EXPECT_NE(app.desk().value(explored), before);
+}
+
+TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
+    const test::InLanguage german("de");
+    AppCore app(Settings{}, HandFacts{});
+    const auto volume = app.desk().find("Lautstärke der Sprache"), force = app.desk().find("Stärkste Kraft");
+    ASSERT_TRUE(volume && force);
+    EXPECT_EQ(app.step_control(*volume, -1), "90 Prozent");
+    EXPECT_EQ(app.desk().words(*force), "Stärkste Kraft, normal, 2,5 Newton");
+    Dialogue dialogue;
+    ListSpec list;
+    list.title = "Welten";
+    list.items = {{"Haus", {}, false}, {"Schule", {}, false}};
+    EXPECT_EQ(dialogue.open(std::move(list)), "Welten. Haus, 1 von 2");
+    LessonRun first(first_minutes(), false, "Orca");
+    EXPECT_EQ(first.begin().instruction, "Willkommen. Handrail spricht mit Orca. Enter beginnt, Leertaste sagt es noch einmal, Escape verlässt.");
 }
 
 TEST(Desk, the_device_button_presses_what_the_hand_touches) {

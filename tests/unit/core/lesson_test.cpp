@@ -1,6 +1,7 @@
 #include "app/core/lesson.h"
 
 #include "app/core/app_core.h"
+#include "worlds/base/language.h"
 #include "tests/support/box_scene.h"
 
 namespace handrail {
@@ -11,6 +12,7 @@ using testing::HasSubstr;
 struct World {
     World() {
         test::SceneBuilder b;
+        b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
         north = b.box({0, 4, 0}, {6, 4.2, 2.6}, "north wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
         east = b.box({6, 0, 0}, {6.2, 4, 2.6}, "east wall", SolidRole::Solid, "wood", FeatureKind::Wall);
         table = b.box({1, 1, 0}, {2, 2, 0.7}, "Table", SolidRole::Solid, "wood", FeatureKind::Object);
@@ -75,11 +77,67 @@ TEST(Lessons, of_forces_need_a_device_and_follow_the_force_itself) {
     EXPECT_TRUE(hand.tick(on, *w.scene).finished);
 }
 
+TEST(Lessons, of_the_beacon_are_over_when_it_was_set_and_reached_and_not_when_it_was_only_taken_off) {
+    const World w;
+    LessonRun lesson(lessons()[5], false, "");
+    EXPECT_THAT(lesson.begin().instruction, HasSubstr("Shift+H"));
+    LessonSense calls, reached;
+    calls.beacon = true;
+    reached.at_beacon = true;
+    EXPECT_FALSE(lesson.tick(LessonSense{}, *w.scene).done);
+    EXPECT_THAT(lesson.tick(calls, *w.scene).instruction, HasSubstr("rings clear"));
+    EXPECT_FALSE(lesson.tick(calls, *w.scene).done);
+    EXPECT_FALSE(lesson.tick(LessonSense{}, *w.scene).done) << "taken off on the way";
+    EXPECT_TRUE(lesson.tick(reached, *w.scene).finished);
+}
+
+// The same through the session: the thing is chosen from the list, the body walks there, the beacon ends.
+TEST(Lessons, of_the_beacon_lead_a_body_to_the_thing_it_chose) {
+    const World w;
+    AppCore app(Settings{}, HandFacts{});
+    double now = 0.0;
+    std::string text;
+    const auto run = [&](double seconds) {
+        for (const double until = now + seconds; now < until;) {
+            app.tick(now += 0.05, ToolState{});
+            for (const CueRequest& cue : app.take_cues())
+                if (cue.kind == CueRequestKind::Say) text += cue.text + " ";
+        }
+    };
+    const auto press = [&](Command command) {
+        app.press(command, now);
+        app.release(command);
+        run(0.1);
+    };
+    app.enter_world(w.scene, now);
+    press(Command::Lessons);
+    for (const char* key : {"End", "Up", "Enter"}) app.take_key(key, now);
+    run(0.2);
+    EXPECT_THAT(text, HasSubstr("Press Shift+H"));
+    press(Command::Find);
+    const auto at = [&] { return app.dialogue().view().items.at(app.dialogue().view().at).name; };
+    for (int i = 0; i < 9 && at() != "Radiator"; ++i) app.take_key("Down", now);
+    ASSERT_EQ(at(), "Radiator");
+    app.take_key("Enter", now);
+    app.take_key("Enter", now);
+    run(2.0);
+    EXPECT_THAT(text, HasSubstr("Beacon on Radiator"));
+    EXPECT_THAT(text, HasSubstr("rings clear"));
+    press(Command::TurnRight);
+    run(0.5);
+    app.press(Command::Forward, now);
+    run(6.0);
+    app.release(Command::Forward);
+    run(3.0);
+    EXPECT_THAT(text, HasSubstr("Here: Radiator"));
+    EXPECT_THAT(text, HasSubstr("That was the lesson."));
+}
+
 TEST(Lessons, say_little_enough_for_two_minutes) {
     for (const Lesson& lesson : lessons()) {
         std::size_t words = 0;
         for (const LessonStep& step : lesson.steps)
-            for (const std::string_view text : {step.hand.empty() ? step.body : step.hand, step.praise})
+            for (const std::string& text : {phrase(step.hand.empty() ? step.body : step.hand), phrase(step.praise)})
                 words += static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')) + 1;
         EXPECT_LT(words, 150U) << lesson.name << ": at 175 words a minute less than half of two minutes is listening";
     }
