@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
@@ -29,6 +30,8 @@ struct HandrailNode {
     AtkObject parent;
     std::vector<HandrailNode*>* children;  // owned references
     AtkStateSet* states;
+    int actions;        // of an item: 0 none, 1 pressed, 3 also more and less
+    std::string* text;  // of an entry: what is typed
 };
 struct HandrailNodeClass {
     AtkObjectClass parent;
@@ -37,6 +40,18 @@ struct HandrailFrame {
     HandrailNode parent;
 };
 struct HandrailFrameClass {
+    HandrailNodeClass parent;
+};
+struct HandrailItem {
+    HandrailNode parent;
+};
+struct HandrailItemClass {
+    HandrailNodeClass parent;
+};
+struct HandrailEntry {
+    HandrailNode parent;
+};
+struct HandrailEntryClass {
     HandrailNodeClass parent;
 };
 
@@ -51,20 +66,62 @@ void node_extents(AtkComponent*, gint* x, gint* y, gint* width, gint* height, At
 void node_component_init(gpointer interface, gpointer) { static_cast<AtkComponentIface*>(interface)->get_extents = node_extents; }
 void frame_window_init(gpointer, gpointer) {}
 
+// What a reader does with an item: its place in the list, and which of the names below. Accessibility thread.
+std::function<void(std::size_t item, int action)> the_act;
+constexpr std::array kActionNames{"press", "increase", "decrease"};
+
+gint node_index(AtkObject* object);
+gboolean item_act(AtkAction* object, gint action) {
+    const gint index = node_index(static_cast<AtkObject*>(static_cast<gpointer>(object)));
+    if (index < 0 || action < 0 || action >= node_of(object)->actions || !the_act) return FALSE;
+    the_act(static_cast<std::size_t>(index), action);
+    return TRUE;
+}
+gint item_action_count(AtkAction* object) { return node_of(object)->actions; }
+const gchar* item_action_name(AtkAction* object, gint action) {
+    return action >= 0 && action < node_of(object)->actions ? kActionNames[static_cast<std::size_t>(action)] : nullptr;
+}
+void item_action_init(gpointer interface, gpointer) {
+    auto* actions = static_cast<AtkActionIface*>(interface);
+    actions->do_action = item_act;
+    actions->get_n_actions = item_action_count;
+    actions->get_name = item_action_name;
+}
+
+// Read only: what is typed goes through the program's own keys, and is echoed by it.
+gchar* entry_text(AtkText* object, gint begin, gint end) {
+    const gchar* text = node_of(object)->text->c_str();
+    const glong length = g_utf8_strlen(text, -1);
+    const glong to = end < 0 || end > length ? length : end, from = std::clamp<glong>(begin, 0, to);
+    return g_utf8_substring(text, from, to);
+}
+gint entry_length(AtkText* object) { return static_cast<gint>(g_utf8_strlen(node_of(object)->text->c_str(), -1)); }
+void entry_text_init(gpointer interface, gpointer) {
+    auto* text = static_cast<AtkTextIface*>(interface);
+    text->get_text = entry_text;
+    text->get_character_count = entry_length;
+    text->get_caret_offset = entry_length;
+}
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"  // in GLib's macros
 G_DEFINE_TYPE_WITH_CODE(HandrailNode, handrail_node, ATK_TYPE_OBJECT, G_IMPLEMENT_INTERFACE(ATK_TYPE_COMPONENT, node_component_init))
 G_DEFINE_TYPE_WITH_CODE(HandrailFrame, handrail_frame, handrail_node_get_type(), G_IMPLEMENT_INTERFACE(ATK_TYPE_WINDOW, frame_window_init))
+G_DEFINE_TYPE_WITH_CODE(HandrailItem, handrail_item, handrail_node_get_type(), G_IMPLEMENT_INTERFACE(ATK_TYPE_ACTION, item_action_init))
+G_DEFINE_TYPE_WITH_CODE(HandrailEntry, handrail_entry, handrail_node_get_type(), G_IMPLEMENT_INTERFACE(ATK_TYPE_TEXT, entry_text_init))
 #pragma GCC diagnostic pop
 
 void handrail_node_init(HandrailNode* node) {
     node->children = new std::vector<HandrailNode*>;
     node->states = atk_state_set_new();
+    node->actions = 0;
+    node->text = new std::string;
 }
 void node_finalize(GObject* object) {
     HandrailNode* node = node_of(object);
     for (HandrailNode* child : *node->children) g_object_unref(child);
     delete node->children;
+    delete node->text;
     g_object_unref(node->states);
     G_OBJECT_CLASS(handrail_node_parent_class)->finalize(object);
 }
@@ -96,11 +153,16 @@ void handrail_node_class_init(HandrailNodeClass* type) {
 }
 void handrail_frame_class_init(HandrailFrameClass*) {}
 void handrail_frame_init(HandrailFrame*) {}
+void handrail_item_class_init(HandrailItemClass*) {}
+void handrail_item_init(HandrailItem*) {}
+void handrail_entry_class_init(HandrailEntryClass*) {}
+void handrail_entry_init(HandrailEntry*) {}
 
 HandrailNode* make_node(GType type, AtkRole role, const char* name, HandrailNode* parent, std::initializer_list<AtkStateType> states) {
     HandrailNode* node = node_of(g_object_new(type, nullptr));
     atk_object_set_role(&node->parent, role);
     atk_object_set_name(&node->parent, name);
+    atk_object_set_description(&node->parent, "");  // of the first one nobody is told
     for (const AtkStateType state : states) atk_state_set_add_state(node->states, state);
     if (parent) {
         atk_object_set_parent(&node->parent, &parent->parent);
@@ -284,6 +346,11 @@ public:
         return last_ticket_;
     }
 
+    std::vector<ItemAct> take_acts() {
+        const std::lock_guard lock(acts_mutex_);
+        return std::exchange(acts_, {});
+    }
+
     KeyVerdict verdict(std::uint64_t ticket) {
         const std::lock_guard lock(keys_mutex_);
         const auto found = verdicts_.find(ticket);
@@ -319,6 +386,7 @@ private:
             wait();
         }
         if (built_) atk_bridge_adaptor_cleanup();
+        the_act = {};
     }
 
     // Until something is to be done or the next thing is due.
@@ -358,6 +426,13 @@ private:
             dbus_connection_set_exit_on_disconnect(session, FALSE);
             dbus_connection_unref(session);
         }
+        the_act = [this](std::size_t item, int action) {
+            if (item >= shown_.items.size()) return;
+            constexpr std::array kActs{ItemAct::Kind::Choose, ItemAct::Kind::More, ItemAct::Kind::Less};  // as kActionNames
+            const std::lock_guard lock(acts_mutex_);
+            acts_.push_back({kActs[static_cast<std::size_t>(action)], item, shown_.items[item].name});
+        };
+        focus_ = view_;
         built_ = true;
         built_at_s_ = now_s();
     }
@@ -378,10 +453,19 @@ private:
     }
 
     void show_focus(bool focused) {
-        set_state(view_, ATK_STATE_FOCUSED, false);
+        set_state(focus_, ATK_STATE_FOCUSED, false);
         g_signal_emit_by_name(frame_, focused ? "activate" : "deactivate");
         set_state(frame_, ATK_STATE_ACTIVE, focused);
-        if (focused) set_state(view_, ATK_STATE_FOCUSED, true);
+        if (focused) set_state(focus_, ATK_STATE_FOCUSED, true);
+    }
+
+    // What has the keyboard within the window. Orca tells by itself what the focus comes to; a message that waited there is not told again.
+    void move_focus(HandrailNode* to) {
+        if (to == focus_) return;
+        if (told_focus_) set_state(focus_, ATK_STATE_FOCUSED, false);
+        if (focus_ != view_) atk_object_set_description(&focus_->parent, "");
+        focus_ = to;
+        if (told_focus_) set_state(focus_, ATK_STATE_FOCUSED, true);
     }
 
     // Once the reader has had its moment it is told of window and focus again, and then speaks for us; it does so until it goes, wherever the keyboard is:
@@ -398,6 +482,16 @@ private:
         if (!settled_ || !told_focus_) return;
         auto text = channel_->take();
         if (!text) return;
+        follow_dialogue();  // what is open was told before the words about it
+        if (!told_by_focus_.empty() && (*text == told_by_focus_ || text->ends_with(". " + told_by_focus_))) {
+            told_by_focus_.clear();
+            return;  // Orca has told it: the focus went there
+        }
+        if (focus_ != view_) {
+            // Of an item that has the keyboard Orca reads each new description as a message, and the name stays its name.
+            if (const char* shown = atk_object_get_description(&focus_->parent); shown && *text == shown) *text += ' ';
+            return atk_object_set_description(&focus_->parent, text->c_str());
+        }
         // Only a name that changes is read.
         if (const char* shown = atk_object_get_name(&view_->parent); shown && *text == shown) *text += ' ';
         atk_object_set_name(&view_->parent, text->c_str());
@@ -405,7 +499,7 @@ private:
 
     static std::string item_name(const ListItem& item) { return item.value.empty() ? item.name : item.name + ", " + item.value; }
 
-    // The objects of the open list or question, made anew unless only the place in the list is another.
+    // The objects of the open list or question: made anew for another one, else kept up to date. The keyboard is with the item one is at, or the question.
     void follow_dialogue() {
         if (!built_) return;
         std::optional<DialogueView> next;
@@ -414,32 +508,58 @@ private:
             next = std::exchange(next_dialogue_, std::nullopt);
         }
         if (!next) return;
-        if (dialogue_ && next->kind == DialogueView::Kind::List && next->kind == shown_.kind && next->title == shown_.title && next->items == shown_.items) {
-            if (shown_.at != next->at) {
-                select(shown_.at, false);
-                select(next->at, true);
-            }
-        } else {
+        if (dialogue_ && is_same(shown_, *next)) change_dialogue(*next);
+        else {
+            move_focus(view_);
             remove_dialogue();
             if (next->kind != DialogueView::Kind::None) add_dialogue(*next);
         }
         shown_ = std::move(*next);
     }
 
+    static bool is_same(const DialogueView& a, const DialogueView& b) {
+        if (a.kind != b.kind || a.title != b.title || a.items.size() != b.items.size()) return false;
+        return std::equal(a.items.begin(), a.items.end(), b.items.begin(), [](const ListItem& one, const ListItem& other) { return one.name == other.name; });
+    }
+
+    void change_dialogue(const DialogueView& next) {
+        *dialogue_->text = next.text;
+        for (std::size_t i = 0; i < next.items.size(); ++i) {
+            if (next.items[i] == shown_.items[i]) continue;
+            HandrailNode* item = (*dialogue_->children)[i];
+            item->actions = next.items[i].adjustable ? 3 : 1;
+            atk_object_set_name(&item->parent, item_name(next.items[i]).c_str());
+        }
+        if (shown_.at == next.at || next.at >= next.items.size()) return;
+        select(shown_.at, false);
+        select(next.at, true);
+        told_by_focus_ = next.where;
+        move_focus((*dialogue_->children)[next.at]);
+    }
+
     void add_dialogue(const DialogueView& view) {
         const bool list = view.kind == DialogueView::Kind::List;
-        const std::string name = list ? view.title : view.title + ": " + view.text;
-        dialogue_ = make_node(handrail_node_get_type(), list ? ATK_ROLE_LIST : ATK_ROLE_ENTRY, name.c_str(), frame_,
+        dialogue_ = make_node(list ? handrail_node_get_type() : handrail_entry_get_type(), list ? ATK_ROLE_LIST : ATK_ROLE_ENTRY, view.title.c_str(), frame_,
                               {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
+        *dialogue_->text = view.text;
         for (const ListItem& item : view.items)
-            make_node(handrail_node_get_type(), ATK_ROLE_LIST_ITEM, item_name(item).c_str(), dialogue_,
-                      {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_SELECTABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
+            make_node(handrail_item_get_type(), ATK_ROLE_LIST_ITEM, item_name(item).c_str(), dialogue_,
+                      {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_SELECTABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE})
+                ->actions = item.adjustable ? 3 : 1;
         if (view.at < view.items.size()) atk_state_set_add_state((*dialogue_->children)[view.at]->states, ATK_STATE_SELECTED);
         g_signal_emit_by_name(frame_, "children-changed::add", static_cast<guint>(frame_->children->size() - 1), dialogue_, nullptr);
+        if (list && view.at < view.items.size()) {
+            told_by_focus_ = view.where;
+            move_focus((*dialogue_->children)[view.at]);
+        } else if (!list) {
+            told_by_focus_ = view.where;
+            move_focus(dialogue_);
+        }
     }
 
     void remove_dialogue() {
         if (!dialogue_) return;
+        told_by_focus_.clear();
         std::erase(*frame_->children, dialogue_);
         g_signal_emit_by_name(frame_, "children-changed::remove", static_cast<guint>(frame_->children->size()), dialogue_, nullptr);
         for (HandrailNode* item : *dialogue_->children) atk_object_notify_state_change(&item->parent, ATK_STATE_DEFUNCT, true);
@@ -488,6 +608,9 @@ private:
     std::map<std::uint64_t, KeyVerdict> verdicts_;
     std::uint64_t answered_ = 0;
 
+    std::mutex acts_mutex_;
+    std::vector<ItemAct> acts_;  // under acts_mutex_
+
     DialogueView given_;  // app thread
     std::mutex dialogue_mutex_;
     std::optional<DialogueView> next_dialogue_;  // under dialogue_mutex_
@@ -502,6 +625,8 @@ private:
     double settles_at_s_ = 0.0;
     HandrailNode* frame_ = nullptr;  // of the_root
     HandrailNode* view_ = nullptr;
+    HandrailNode* focus_ = nullptr;  // has the keyboard while the window has: view_, or what is open
+    std::string told_by_focus_;      // words that the reader says by itself, as the focus came to them
 };
 
 Accessible::Accessible(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -513,6 +638,7 @@ std::unique_ptr<Accessible> Accessible::start(std::shared_ptr<ReaderChannel> cha
 
 void Accessible::set_focus(bool focused) { impl_->set_focus(focused); }
 void Accessible::show(const DialogueView& dialogue) { impl_->show(dialogue); }
+std::vector<ItemAct> Accessible::take_acts() { return impl_->take_acts(); }
 std::uint64_t Accessible::offer(const KeyStroke& stroke) { return impl_->offer(stroke); }
 KeyVerdict Accessible::verdict(std::uint64_t ticket) { return impl_->verdict(ticket); }
 

@@ -9,10 +9,10 @@
 #include <deque>
 #include <future>
 
-#include "app/core/side_file.h"
 #include "app/accessible/accessible.h"
 #include "app/companions/companion_session.h"
 #include "app/core/app_core.h"
+#include "app/core/side_file.h"
 #include "app/core/spoken_language.h"
 #include "app/main/commands.h"
 #include "app/main/find_hand.h"
@@ -493,7 +493,6 @@ private:
             hold_more_sound();
             if (window_) {
                 const ViewState view = app_->view(tool_, last_spoken_);
-                accessible_->show(view.dialogue);
                 window_->draw(view);
             }
             next_s = std::max(next_s + kFrame_s, now_s);
@@ -510,6 +509,21 @@ private:
         for (std::string& sentence : news) say(std::move(sentence));
     }
 
+    // To whoever shows lists otherwise than in the picture, and before the words about them.
+    void show_dialogue() {
+        if (!accessible_ && !braille_) return;
+        DialogueView view = app_->dialogue().view();
+        if (view == shown_dialogue_) return;
+        if (accessible_) accessible_->show(view);
+        if (braille_) {
+            BrailleLink::List list;
+            if (view.kind == DialogueView::Kind::List) list = {view.where, {}, view.at};
+            for (const ListItem& item : view.items) list.items.push_back(item.value.empty() ? item.name : item.name + ", " + item.value);
+            braille_->set_list(std::move(list));
+        }
+        shown_dialogue_ = std::move(view);
+    }
+
     // To the servos and the ears, what this frame changed.
     void hand_over() {
         bool changed = false;
@@ -520,6 +534,7 @@ private:
             if (std::exchange(handed_world_, app_->worlds_entered()) != app_->worlds_entered()) ears_->enter_world(handed_scene_);
             else ears_->follow_edit(handed_scene_);
         }
+        show_dialogue();
         std::vector<CueRequest> cues = app_->take_cues();
         if (companions_) companions_->follow(*app_, cues, servo_ ? &tool_ : nullptr, clock_.now_s());
         for (CueRequest& cue : cues) ears_->post(std::move(cue));
@@ -561,6 +576,8 @@ private:
             app_->press(Command::WhatIsThis, now_s);
             app_->release(Command::WhatIsThis);
         }
+        for (const ItemAct& act : accessible_->take_acts())
+            if (!wizard_) app_->take_act(act, now_s);
         for (const WindowEvent& event : window_->poll()) {
             if (const auto* key = std::get_if<KeyEvent>(&event)) {
                 const auto command = app_->keys().find(key->key);
@@ -695,6 +712,7 @@ private:
     bool two_hands_told_ = false;
     std::unique_ptr<Accessible> accessible_;  // with the window
     std::shared_ptr<BrailleLink> braille_;    // with the window
+    DialogueView shown_dialogue_;             // as these two have it
     std::unique_ptr<AudioThread> ears_;
     bool has_sound_ = false;  // there is a sound device
     std::unique_ptr<AppCore> app_;

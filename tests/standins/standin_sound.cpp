@@ -1,15 +1,35 @@
 // A sound card that can be pulled out: loaded before OpenAL, it says that the device is gone, and opens none, while the file $STANDIN_SOUND_PULLED is there.
+// And one that is listened to: $STANDIN_SOUND_VOICE gets a line with the steady clock's seconds, "speak" or "stop", for each time when the program's own voice
+// begins, or is cut: the only source that buffers are queued to.
+#include <AL/al.h>
 #include <AL/alc.h>
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
+#include <iterator>
 
 namespace {
 
 bool pulled() {
     const char* file = std::getenv("STANDIN_SOUND_PULLED");
     return file && ::access(file, F_OK) == 0;
+}
+
+std::atomic<bool> queued_to[4096];  // by the source's number
+
+bool is_voice(ALuint source) { return source < std::size(queued_to) && queued_to[source]; }
+
+void note(const char* what) {
+    const char* file = std::getenv("STANDIN_SOUND_VOICE");
+    if (!file) return;
+    if (std::FILE* to = std::fopen(file, "a")) {
+        std::fprintf(to, "%.6f %s\n", std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(), what);
+        std::fclose(to);
+    }
 }
 
 constexpr ALCenum kConnected = 0x313;  // ALC_CONNECTED of ALC_EXT_disconnect
@@ -25,4 +45,24 @@ extern "C" void alcGetIntegerv(ALCdevice* device, ALCenum what, ALCsizei size, A
 extern "C" ALCdevice* alcOpenDevice(const ALCchar* name) {
     static const auto real = reinterpret_cast<decltype(&alcOpenDevice)>(::dlsym(RTLD_NEXT, "alcOpenDevice"));
     return pulled() ? nullptr : real(name);
+}
+
+extern "C" void alSourceQueueBuffers(ALuint source, ALsizei count, const ALuint* buffers) {
+    static const auto real = reinterpret_cast<decltype(&alSourceQueueBuffers)>(::dlsym(RTLD_NEXT, "alSourceQueueBuffers"));
+    real(source, count, buffers);
+    if (source < std::size(queued_to)) queued_to[source] = true;
+}
+
+extern "C" void alSourcePlay(ALuint source) {
+    static const auto real = reinterpret_cast<decltype(&alSourcePlay)>(::dlsym(RTLD_NEXT, "alSourcePlay"));
+    real(source);
+    if (is_voice(source)) note("speak");
+}
+
+extern "C" void alSourceStop(ALuint source) {
+    static const auto real = reinterpret_cast<decltype(&alSourceStop)>(::dlsym(RTLD_NEXT, "alSourceStop"));
+    ALint state = 0;
+    alGetSourcei(source, AL_SOURCE_STATE, &state);
+    real(source);
+    if (is_voice(source) && state == AL_PLAYING) note("stop");
 }

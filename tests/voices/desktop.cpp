@@ -62,12 +62,13 @@ std::string Desktop::without_other_orcas() const {
     return folder.string();
 }
 
-bool Desktop::start_orca() {
+bool Desktop::start_orca(const Environment& braille) {
     const auto began = static_cast<std::ptrdiff_t>(speech->recorded().size());
     Environment environment = session();
     environment.merge(speech->environment());
+    for (const auto& [name, value] : braille) environment[name] = value;
     environment["PATH"] = without_other_orcas() + ":/usr/bin:/bin";  // the system's Python has what Orca needs
-    orca_ = ChildProcess::start({"orca", "-d", "braille", "-e", "speech", "-u", (folder_ / "orca").string()}, environment, folder_ / "orca.out");
+    orca_ = ChildProcess::start({"orca", braille.empty() ? "-d" : "-e", "braille", "-e", "speech", "-u", (folder_ / "orca").string()}, environment, folder_ / "orca.out");
     return eventually(
         [&] {
             const auto all = speech->recorded();
@@ -84,18 +85,23 @@ std::string Desktop::objects() const {
     static constexpr const char* kDump = R"(
 import pyatspi
 def dump(a, depth):
-    print('  ' * depth + a.getRoleName() + ' "' + a.name + '"' + (' selected' if a.getState().contains(pyatspi.STATE_SELECTED) else ''))
+    print('  ' * depth + a.getRoleName() + ' "' + a.name + '"' + (' selected' if a.getState().contains(pyatspi.STATE_SELECTED) else '')
+          + (' focused' if a.getState().contains(pyatspi.STATE_FOCUSED) else ''))
     for i in range(a.childCount):
         dump(a.getChildAtIndex(i), depth + 1)
 for a in pyatspi.Registry.getDesktop(0):
     if a and a.name == 'Handrail':
         dump(a, 0)
 )";
+    return ask_objects(kDump);
+}
+
+std::string Desktop::ask_objects(const std::string& python) const {
     const fs::path out = folder_ / "objects";
     fs::remove(out);
     Environment environment = session();
     environment["PATH"] = "/usr/bin:/bin";
-    const auto reader = ChildProcess::start({"python3", "-c", kDump}, environment, out);
+    const auto reader = ChildProcess::start({"python3", "-c", python}, environment, out);
     if (reader) reader->exit_status();
     return content_of(out);
 }

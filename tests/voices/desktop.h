@@ -23,7 +23,7 @@ public:
     Desktop& operator=(const Desktop&) = delete;
 
     bool running() const { return display && speech && speech->running(); }
-    bool start_orca();  // until it says that it is on
+    bool start_orca(const Environment& braille = {});  // until it says that it is on; braille: of a display it is to use
     void kill_orca() { orca_->kill(); }
     void end_session() { bus_->kill(); }  // the bus and all that was started through it
 
@@ -32,8 +32,10 @@ public:
     // Gives the program's window the keyboard once it is there.
     bool focus_window() const;
     bool press(const std::string& keys) const { return display->xdotool("key " + keys); }
-    // The program's accessible objects as any reader finds them: a line each, children two blanks further in: `list item "North wall" selected`.
+    // The program's accessible objects as any reader finds them: a line each, children two blanks further in: `list item "North wall" selected focused`.
     std::string objects() const;
+    // What a Python program with pyatspi prints that walks the program's objects as any reader does.
+    std::string ask_objects(const std::string& python) const;
     std::string everything() const;  // for messages of failing tests
 
     std::unique_ptr<VirtualDisplay> display;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <functional>
 #include <optional>
+#include <sstream>
 
 #include "tests/voices/desktop.h"
 #include "tests/voices/exploring.h"
@@ -89,6 +90,51 @@ TEST(Latency, of_the_screen_reader_is_reported) {
 TEST(Latency, of_the_speech_server_is_reported) {
     if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
     explore_and_measure(false, 3000, "key to the first word, by speech-dispatcher", "key to silence, by speech-dispatcher");
+}
+
+// What the program's own voice did, as the sound library was told: when it began, and when its last sample was taken away.
+std::vector<Recorded> own_voice(const std::filesystem::path& file) {
+    std::vector<Recorded> all;
+    std::istringstream lines(content_of(file));
+    for (Recorded entry; lines >> entry.time_s >> entry.event;) all.push_back(entry);
+    return all;
+}
+
+TEST(Latency, of_the_programs_own_voice_is_reported) {
+    const auto display = VirtualDisplay::start();
+    if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
+    const TemporaryFolder folder;
+    const auto voice = folder.path() / "voice";
+    Exploring program(folder,
+                      {{"DISPLAY", std::getenv("DISPLAY")}, {"LIBGL_ALWAYS_SOFTWARE", "1"}, {"LD_PRELOAD", STANDIN_SOUND}, {"STANDIN_SOUND_VOICE", voice.string()}},
+                      {"--device", "none"});
+    ASSERT_TRUE(eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0));
+    ASSERT_TRUE(program.says("facing north")) << program.said();
+    const auto time_to = [&](const std::string& key, const std::string& event) {
+        const std::size_t before = own_voice(voice).size();
+        const double pressed_s = now_s();
+        double took_s = -1.0;
+        EXPECT_TRUE(display->xdotool("key " + key));
+        eventually(
+            [&] {
+                const auto all = own_voice(voice);
+                for (std::size_t i = before; i < all.size() && took_s < 0.0; ++i)
+                    if (all[i].event == event) took_s = all[i].time_s - pressed_s;
+                return took_s >= 0.0;
+            },
+            20.0);
+        return took_s;
+    };
+    std::vector<double> word_s, silence_s;
+    time_to("Control_L", "stop");
+    for (int i = 0; i < kTimes; ++i) {
+        word_s.push_back(time_to("c", "speak"));
+        ASSERT_GE(word_s.back(), 0.0) << program.said();
+        silence_s.push_back(time_to("Control_L", "stop"));
+        ASSERT_GE(silence_s.back(), 0.0) << program.said();
+    }
+    report("key to the first sample of the program's own voice", std::move(word_s));
+    report("key to its silence", std::move(silence_s));
 }
 
 }  // namespace

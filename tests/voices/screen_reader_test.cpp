@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/core/app_core.h"
 #include "tests/voices/desktop.h"
 #include "tests/voices/exploring.h"
 
@@ -134,11 +135,99 @@ TEST_F(ReadByOrca, speaks_lists_and_finds_their_items_as_objects) {
     EXPECT_THAT(first, HasSubstr("selected"));
     ASSERT_FALSE(second.empty()) << objects;
     ASSERT_TRUE(desktop->press("Down"));
-    EXPECT_TRUE(finds(second + " selected")) << objects;
+    EXPECT_TRUE(finds(second + " selected focused")) << objects;
     const std::size_t quote = second.find('"');
     EXPECT_TRUE(speaks_of(second.substr(quote + 1, second.find_first_of("\",", quote + 1) - quote - 1))) << everything();
     ASSERT_TRUE(desktop->press("Escape"));
     EXPECT_TRUE(eventually([&] { return desktop->objects().find("list") == std::string::npos; }, 60.0)) << desktop->objects();
+    leave();
+}
+
+// Each control of the desk by the actions of its object, and by the program's own one way to change it: the same words in the end.
+TEST_F(ReadByOrca, changes_every_control_of_the_desk_by_the_actions_of_its_object) {
+    ASSERT_NO_FATAL_FAILURE(begin(false));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    ASSERT_TRUE(desktop->press("F10"));
+    ASSERT_TRUE(eventually([&] { return desktop->objects().find("list \"Your desk") != std::string::npos; }, 60.0)) << desktop->objects();
+    // For each item its name, its actions, and its name after the first that changes a value (less, else more), else after being pressed.
+    static constexpr const char* kWork = R"(
+import pyatspi, time
+def find(a):
+    if a.getRoleName() == 'list': return a
+    for i in range(a.childCount):
+        found = find(a.getChildAtIndex(i))
+        if found: return found
+def name(i): return desk.getChildAtIndex(i).name
+for a in pyatspi.Registry.getDesktop(0):
+    if a and a.name == 'Handrail': desk = find(a)
+last = [i for i in range(desk.childCount) if name(i) == 'Go to that world']  # the desk goes with this world
+for i in [i for i in range(desk.childCount) if i not in last] + last:
+    before = name(i)
+    actions = desk.getChildAtIndex(i).queryAction()
+    names = [actions.getName(n) for n in range(actions.nActions)]
+    for act in (['decrease', 'increase'] if 'decrease' in names else ['press']):
+        actions.doAction(names.index(act))
+        until = time.time() + (3 if act != 'press' else 0.5)
+        if i in last: break
+        while time.time() < until and name(i) == before: time.sleep(0.02)
+        if name(i) != before: break
+    print(i, '|', before, '|', ' '.join(names), '|', before if i in last else name(i), '|', act)
+)";
+    const std::string report = desktop->ask_objects(kWork);
+    AppCore app(Settings{}, HandFacts{});
+    std::istringstream lines(report);
+    std::size_t worked = 0, changed = 0;
+    for (std::string line; std::getline(lines, line); ++worked) {
+        SCOPED_TRACE(line);
+        std::vector<std::string> parts;
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, '|');) parts.push_back(cell);
+        ASSERT_EQ(parts.size(), 5U) << report;
+        const std::size_t i = std::stoul(parts[0]);
+        parts.erase(parts.begin());
+        parts[0].erase(0, 1);
+        ASSERT_LT(i, app.desk().controls().size()) << report;
+        const DeskControl& control = app.desk().controls()[i];
+        EXPECT_EQ(parts[0].rfind(control.name, 0), 0U);
+        EXPECT_EQ(parts[1], control.adjustable() ? " press increase decrease " : " press ");
+        if (!control.adjustable() || control.many) continue;  // worlds and marks are this session's own
+        // What was done before may show here, as on the knob; so the same is done here.
+        if (control.kind == DeskKind::Assign) {
+            EXPECT_EQ(parts[0], app.desk().words(i) + " ");
+        }
+        const std::string before = app.desk().words(i);
+        app.step_control(i, -1);
+        if (app.desk().words(i) == before) app.step_control(i, 1);
+        EXPECT_EQ(parts[2], " " + app.desk().words(i) + " ");
+        changed += parts[0] != parts[2].substr(1);
+    }
+    EXPECT_EQ(worked, app.desk().controls().size()) << report;
+    EXPECT_GE(changed, 12U) << report;
+    EXPECT_TRUE(program->says("say: Distances in metres")) << everything();
+    EXPECT_TRUE(program->says("say: Going to ")) << everything();
+}
+
+TEST_F(ReadByOrca, tells_each_item_once_and_messages_about_it_too) {
+    ASSERT_NO_FATAL_FAILURE(begin(false));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    ASSERT_TRUE(desktop->press("F10"));
+    ASSERT_TRUE(speaks_of("Sound volume")) << everything();
+    ASSERT_TRUE(desktop->press("Down"));
+    ASSERT_TRUE(speaks_of("Speech volume")) << everything();
+    ASSERT_TRUE(desktop->press("F1"));  // how lists work: no item
+    EXPECT_TRUE(speaks_of("Up and Down go through the list")) << everything();
+    ASSERT_TRUE(desktop->press("Left"));
+    EXPECT_TRUE(speaks_of("90 percent")) << everything();
+    ASSERT_TRUE(desktop->press("Escape"));
+    EXPECT_TRUE(speaks_of("Left")) << everything();
+    ::usleep(500000);
+    ASSERT_TRUE(desktop->press("c"));
+    EXPECT_TRUE(speaks_of("Facing north, 0 degrees")) << everything();
+    int items = 0;
+    for (const Recorded& entry : desktop->speech->recorded()) items += entry.event == "speak" && entry.words.find("Speech volume, 100 percent") != std::string::npos;
+    EXPECT_EQ(items, 1) << everything();
     leave();
 }
 

@@ -1,0 +1,172 @@
+// Scenario 1, "silent machine never": from the first second of the first start something is said, or a key says where one is. With nothing at all but the
+// program's own voice, with a speech server, and with a screen reader that also brailles. Times by the clock on the wall are reported; their order is asserted.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <sstream>
+
+#include "tests/voices/braille_server.h"
+#include "tests/voices/desktop.h"
+#include "tests/voices/exploring.h"
+
+namespace handrail::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kThreeKeys = "Press Enter to begin, Space to hear again, Escape to leave.";
+
+double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+std::size_t count_of(const std::string& words, const std::string& in) {
+    std::size_t count = 0;
+    for (std::size_t at = in.find(words); at != std::string::npos; at = in.find(words, at + 1)) ++count;
+    return count;
+}
+
+// The first start, with a window that has the keyboard and a sound card that tells when the program's own voice begins and is cut.
+class SilentMachineNever : public testing::Test {
+protected:
+    void launch(Environment environment) {
+        environment["LD_PRELOAD"] = STANDIN_SOUND;
+        environment["STANDIN_SOUND_VOICE"] = (folder.path() / "voice").string();
+        launched_s = now_s();
+        program = std::make_unique<Exploring>(folder, std::move(environment), std::vector<std::string>{"--device", "none"}, true);
+    }
+    std::string own_voice() const { return content_of(folder.path() / "voice"); }
+    std::string said() const { return program->said(); }
+    // The whole sentence of the first line that holds these words.
+    std::string line_with(const std::string& words) const {
+        std::istringstream lines(said());
+        for (std::string line; std::getline(lines, line);)
+            if (line.find(words) != std::string::npos) return line;
+        return {};
+    }
+    bool says_times(const std::string& words, std::size_t times) const {
+        return eventually([&] { return count_of(words, said()) == times; }, 60.0);
+    }
+    // Space repeats the welcome, nothing expires, Enter goes on, Space repeats what that said.
+    void go_on(VirtualDisplay& display, const std::string& everything) {
+        const std::string welcome = line_with(kThreeKeys);
+        ASSERT_THAT(welcome, HasSubstr("Welcome. Handrail is speaking with ")) << everything;
+        ASSERT_TRUE(says_times("No touch device", 1)) << said();
+        const std::string before = said();
+        ::usleep(4000000);  // by the wall's clock, as a person who hesitates
+        EXPECT_EQ(said(), before) << "the prompt stays, and nothing more is said";
+        ASSERT_TRUE(display.xdotool("key space"));
+        EXPECT_TRUE(says_times(welcome + "\n", 2)) << "word for word\n" << said();
+        ASSERT_TRUE(display.xdotool("key Return"));
+        ASSERT_TRUE(eventually([&] { return said().find("bell on your left") != std::string::npos; }, 60.0)) << said();
+        EXPECT_LT(said().find("First your headphones."), said().find("bell on your left"));
+        const std::string question = line_with("bell on your left");
+        ASSERT_TRUE(display.xdotool("key space"));
+        EXPECT_TRUE(says_times(question + "\n", 2)) << "word for word\n" << said();
+    }
+    void report(const char* what, double seconds) const { std::printf("%-70s %5.0f ms\n", what, 1000.0 * seconds); }
+
+    TemporaryFolder folder;
+    double launched_s = 0.0;
+    std::unique_ptr<Exploring> program;
+};
+
+TEST_F(SilentMachineNever, speaks_with_its_own_voice_where_there_is_nothing_else) {
+    const auto display = VirtualDisplay::start();
+    if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
+    launch({{"DISPLAY", std::getenv("DISPLAY")}, {"LIBGL_ALWAYS_SOFTWARE", "1"}});
+    ASSERT_TRUE(program->says(kThreeKeys)) << said();
+    report("from the launch to the welcome in text", now_s() - launched_s);
+    ASSERT_TRUE(eventually([&] { return own_voice().find("speak") != std::string::npos; }, 60.0)) << said();
+    report("from the launch to the first sample of the voice", std::strtod(own_voice().c_str(), nullptr) - launched_s);
+    ASSERT_TRUE(eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0));
+    // A key stops the welcome.
+    const double pressed_s = now_s();
+    ASSERT_TRUE(display->xdotool("key Control_L"));
+    ASSERT_TRUE(eventually([&] { return own_voice().find("stop") != std::string::npos; }, 60.0)) << own_voice() << said();
+    const std::string log = own_voice();
+    const std::size_t stop = log.find("stop"), begin = log.rfind('\n', stop) + 1;
+    report("from the key to silence, the key's own way from xdotool in it", std::strtod(log.c_str() + begin, nullptr) - pressed_s);
+    ASSERT_NO_FATAL_FAILURE(go_on(*display, said()));
+}
+
+TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_its_own_voice_is_silent) {
+    if (!installed("speech-dispatcher")) GTEST_SKIP() << "speech-dispatcher is not installed";
+    const auto display = VirtualDisplay::start();
+    if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
+    const auto speech = SpeechServer::start(folder.path(), 400);
+    ASSERT_TRUE(speech->running()) << speech->everything();
+    Environment environment = speech->environment();
+    environment["DISPLAY"] = std::getenv("DISPLAY");
+    environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
+    std::unique_ptr<BrailleServer> braille;
+    if (BrailleServer::why_not().empty()) {
+        braille = std::make_unique<BrailleServer>(folder.path());
+        ASSERT_TRUE(braille->running()) << braille->everything();
+        environment.merge(braille->environment());
+    }
+    launch(std::move(environment));
+    ASSERT_TRUE(eventually([&] { return speech->spoke(kThreeKeys); }, 60.0)) << said() << speech->everything();
+    report("from the launch to the welcome by the speech server", speech->recorded().front().time_s - launched_s);
+    ASSERT_TRUE(eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0));
+    const double pressed_s = now_s();
+    ASSERT_TRUE(display->xdotool("key Control_L"));
+    std::optional<double> stopped_s;
+    EXPECT_TRUE(eventually(
+        [&] {
+            for (const Recorded& entry : speech->recorded())
+                if (entry.event == "stop" && entry.time_s > pressed_s) stopped_s = entry.time_s;
+            return stopped_s.has_value();
+        },
+        60.0))
+        << speech->everything();
+    if (stopped_s) report("from the key to silence", *stopped_s - pressed_s);
+    ASSERT_NO_FATAL_FAILURE(go_on(*display, said() + speech->everything()));
+    for (const Recorded& entry : speech->recorded()) {
+        if (entry.event != "speak") continue;
+        EXPECT_THAT(said(), HasSubstr(": " + entry.words + "\n"));
+    }
+    EXPECT_EQ(own_voice(), "") << "two voices";
+    if (!braille) return;
+    // The display holds the question from its first word to its last, panned through.
+    const std::string question = line_with("bell on your left").substr(std::string("say: ").size());
+    std::string read;
+    ASSERT_TRUE(eventually([&] { return !braille->shown().empty() && question.rfind(braille->shown().substr(3), 0) == 0; }, 60.0)) << braille->everything() << question;
+    for (int piece = 0; piece < 30 && read.size() < question.size(); ++piece) {
+        const std::string shown = braille->shown();
+        read += (read.empty() ? "" : " ") + shown.substr(3);
+        braille->press("FWINRT");
+        ASSERT_TRUE(read.size() >= question.size() || eventually([&] { return braille->shown() != shown; }, 60.0)) << read;
+    }
+    EXPECT_EQ(read, question);
+}
+
+TEST_F(SilentMachineNever, speaks_and_brailles_through_orca_where_it_runs_and_its_own_voice_is_silent) {
+    if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
+    Desktop desktop(folder.path());
+    ASSERT_TRUE(desktop.running());
+    std::unique_ptr<BrailleServer> braille;
+    if (BrailleServer::why_not().empty()) {
+        braille = std::make_unique<BrailleServer>(folder.path());
+        ASSERT_TRUE(braille->running()) << braille->everything();
+    }
+    ASSERT_TRUE(desktop.start_orca(braille ? braille->environment() : Environment{})) << desktop.everything();
+    Environment environment = desktop.environment(true);
+    if (braille) environment.merge(braille->environment());
+    launch(std::move(environment));
+    ASSERT_TRUE(desktop.focus_window()) << said();
+    ASSERT_TRUE(eventually([&] { return desktop.speech->spoke(kThreeKeys); }, 60.0)) << said() << desktop.everything();
+    report("from the launch to the welcome by Orca, the window's focus in it", now_s() - launched_s);
+    if (braille) {
+        EXPECT_TRUE(braille->shows("Welcome. Handrail is speaking with")) << braille->everything() << desktop.everything();
+    }
+    ASSERT_NO_FATAL_FAILURE(go_on(*desktop.display, said() + desktop.everything()));
+    EXPECT_TRUE(eventually([&] { return desktop.speech->spoke("bell on your left"); }, 60.0)) << desktop.everything();
+    EXPECT_EQ(own_voice(), "") << "two voices";
+}
+
+}  // namespace
+}  // namespace handrail::test
