@@ -105,9 +105,9 @@ TEST(Latency, of_the_programs_own_voice_is_reported) {
     if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
     const TemporaryFolder folder;
     const auto voice = folder.path() / "voice";
-    Exploring program(folder,
-                      {{"DISPLAY", std::getenv("DISPLAY")}, {"LIBGL_ALWAYS_SOFTWARE", "1"}, {"LD_PRELOAD", STANDIN_SOUND}, {"STANDIN_SOUND_VOICE", voice.string()}},
-                      {"--device", "none"});
+    Exploring program(
+        folder, {{"DISPLAY", std::getenv("DISPLAY")}, {"LIBGL_ALWAYS_SOFTWARE", "1"}, {"LD_PRELOAD", STANDIN_SOUND}, {"STANDIN_SOUND_VOICE", voice.string()}},
+        {"--device", "none"});
     ASSERT_TRUE(eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0));
     ASSERT_TRUE(program.says("facing north")) << program.said();
     const auto time_to = [&](const std::string& key, const std::string& event) {

@@ -226,8 +226,39 @@ TEST_F(ReadByOrca, tells_each_item_once_and_messages_about_it_too) {
     ASSERT_TRUE(desktop->press("c"));
     EXPECT_TRUE(speaks_of("Facing north, 0 degrees")) << everything();
     int items = 0;
-    for (const Recorded& entry : desktop->speech->recorded()) items += entry.event == "speak" && entry.words.find("Speech volume, 100 percent") != std::string::npos;
+    for (const Recorded& entry : desktop->speech->recorded())
+        items += entry.event == "speak" && entry.words.find("Speech volume, 100 percent") != std::string::npos;
     EXPECT_EQ(items, 1) << everything();
+    leave();
+}
+
+TEST_F(ReadByOrca, tells_a_question_and_what_is_typed) {
+    ASSERT_NO_FATAL_FAILURE(begin(false));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    for (const auto& [key, words] : {std::pair{"Tab", "What I can do"},
+                                     {"Down", "Worlds"},
+                                     {"Return", "First room"},
+                                     {"End", "Another file or folder"},
+                                     {"Return", "Which file or folder?"}}) {
+        ASSERT_TRUE(desktop->press(key));
+        ASSERT_TRUE(speaks_of(words)) << key << "\n" << everything();
+    }
+    EXPECT_TRUE(eventually([&] { return desktop->objects().find("entry \"Which file or folder? Type its path.\" focused") != std::string::npos; }, 60.0))
+        << desktop->objects();
+    ASSERT_TRUE(desktop->press("q z"));
+    ASSERT_TRUE(desktop->press("Up"));
+    EXPECT_TRUE(speaks_of("Type its path. qz")) << everything();
+    EXPECT_THAT(desktop->ask_objects(R"(
+import pyatspi
+def show(a):
+    if a.getRoleName() == 'entry': print(a.queryText().getText(0, -1))
+    for i in range(a.childCount): show(a.getChildAtIndex(i))
+for a in pyatspi.Registry.getDesktop(0):
+    if a and a.name == 'Handrail': show(a)
+)"),
+                HasSubstr("qz"));
+    ASSERT_TRUE(desktop->press("Escape Escape Escape"));
     leave();
 }
 

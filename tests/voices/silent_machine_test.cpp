@@ -134,7 +134,8 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_i
     // The display holds the question from its first word to its last, panned through.
     const std::string question = line_with("bell on your left").substr(std::string("say: ").size());
     std::string read;
-    ASSERT_TRUE(eventually([&] { return !braille->shown().empty() && question.rfind(braille->shown().substr(3), 0) == 0; }, 60.0)) << braille->everything() << question;
+    ASSERT_TRUE(eventually([&] { return !braille->shown().empty() && question.rfind(braille->shown().substr(3), 0) == 0; }, 60.0))
+        << braille->everything() << question;
     for (int piece = 0; piece < 30 && read.size() < question.size(); ++piece) {
         const std::string shown = braille->shown();
         read += (read.empty() ? "" : " ") + shown.substr(3);

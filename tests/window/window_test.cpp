@@ -278,6 +278,38 @@ TEST_F(WindowTest, shows_on_the_screen_what_it_drew_and_follows_its_size) {
     EXPECT_EQ(desktop.what_stands_on_the_screen().width, 600);
 }
 
+TEST_F(WindowTest, puts_an_open_list_on_the_screen_in_black_and_white) {
+    ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
+    view.last_spoken = "Menu. What I can do, 1 of 3";
+    view.dialogue.kind = DialogueView::Kind::List;
+    view.dialogue.title = "Menu";
+    view.dialogue.items = {{"What I can do", "", false}, {"Worlds", "", false}, {"Settings", "", false}};
+    Desktop desktop;
+    ASSERT_TRUE(desktop.found());
+    Picture screen;
+    const auto shown = [&] {
+        return wait_for([&] {
+            window_->draw(view);
+            screen = desktop.what_stands_on_the_screen();
+            return screen.rgb == window_->picture(view).rgb && !screen.rgb.empty();
+        });
+    };
+    EXPECT_TRUE(shown());
+    const Picture first = screen;
+    // The bar of the chosen item, right of its words: so high as a line of letters.
+    int bar = 0;
+    for (int y = 95; y < 580; ++y) bar += screen.at(850, y)[0] > 250;
+    EXPECT_EQ(bar, 60);
+    view.dialogue.at = 1;
+    EXPECT_TRUE(shown());
+    EXPECT_NE(screen.rgb, first.rgb);
+    view.dialogue = {};
+    EXPECT_TRUE(shown());
+    bool grey = false;  // the room is back
+    for (int y = 95; y < 580; ++y) grey |= screen.at(850, y)[0] > 40 && screen.at(850, y)[0] < 215;
+    EXPECT_TRUE(grey);
+}
+
 TEST_F(WindowTest, outlives_its_display_and_asks_to_close) {
     const ViewState view = view_in(small_room(), 3.5, 1.0, 0.0);
     window_->draw(view);
