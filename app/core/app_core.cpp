@@ -197,8 +197,11 @@ void AppCore::offer_hand(const std::string& spoken_name, double now_s) {
 }
 
 void AppCore::change_settings(const Settings& settings, double now_s) {
-    if (settings.speech.language != settings_.speech.language)
+    if (settings.speech.language != settings_.speech.language) {
         for (const Diagnostic& fault : speak_as_set(settings.speech, languages_folder_)) say(fault.sentence(), SpeechClass::Answer, now_s);
+        furnish_desk();  // its controls' names
+        lay_desk(0);
+    }
     settings_ = settings;
     lay_device_overrides();
     keys_ = KeyMap(settings_.keys, settings_.keyboard.hand);

@@ -397,8 +397,12 @@ TEST(Desk, steps_or_metres_where_one_is_and_what_is_explored_are_told_there) {
 }
 
 TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
-    const test::InLanguage german("de");
+    const test::InLanguage german("en");  // and English again in the end
     AppCore app(Settings{}, HandFacts{});
+    ASSERT_TRUE(app.desk().find("Speech volume"));
+    Settings settings;
+    settings.speech.language = "de";
+    app.change_settings(settings, 0.0);
     const auto volume = app.desk().find("Lautstärke der Sprache"), force = app.desk().find("Stärkste Kraft");
     ASSERT_TRUE(volume && force);
     EXPECT_EQ(app.step_control(*volume, -1), "90 Prozent");
