@@ -105,7 +105,7 @@ void CompanionDevices::look_around(double now_s) {
             news.push_back(opened.error().sentence());
             continue;
         }
-        news.push_back(fmt::format("I found {}. {}", with_article(one.model), one.how_to));
+        news.push_back(found_words(one.model) + " " + one.how_to);
         Plugged plugged;
         plugged.found = std::move(one);
         plugged.device = std::move(*opened);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "haptic/render/free_place.h"
+#include "worlds/base/language.h"
 #include "worlds/scene/lint.h"
 #include "worlds/scene/models.h"
 #include "worlds/scene/surfaces.h"
@@ -23,13 +24,14 @@ constexpr double kHandKeySpeed_m_per_s = 0.06;
 constexpr double kHandTap_m = 0.005;              // one tap of a hand key
 constexpr double kPushSpeed_hand_m_per_s = 0.03;  // of the workspace by keys
 constexpr double kPushTap_s = 0.2;
-constexpr std::string_view kNoHand = "There is no touch device.";
 constexpr double kLeaveWindow_s = 5.0;
 constexpr double kSamePress_s = 0.25;
 constexpr double kToneRange_m = 2.0;
 constexpr double kBreakEvery_s = 15.0 * 60.0;
 constexpr double kMostPendingSteps = 8.0;
 constexpr std::size_t kMostPathPoints = 4000;
+std::string no_hand() { return phrase("session.no_hand"); }
+
 constexpr int kTellName = 2, kTellAll = 4;  // verbosity
 
 // Which way the keys push the workspace, device frame; `held`: which of them count.
@@ -43,7 +45,11 @@ Vec3 push_way(Held held) {
 }  // namespace
 
 AppCore::AppCore(const Settings& settings, const HandFacts& hand)
-    : settings_(settings), hand_(hand), keys_(settings.keys, settings.keyboard.hand), held_(command_table().size(), false) {
+    : settings_(settings),
+      hand_(hand),
+      keys_(settings.keys, settings.keyboard.hand),
+      who_speaks_(phrase("session.your_voice")),
+      held_(command_table().size(), false) {
     lay_device_overrides();
     furnish_desk();
     lay_desk(0);
@@ -193,7 +199,7 @@ void AppCore::set_hand(const HandFacts& hand, const Settings& settings, double n
 
 void AppCore::offer_hand(const std::string& spoken_name, double now_s) {
     offered_ = true;
-    say(fmt::format("I found {}. Press {} to use it.", with_article(spoken_name), keys_.keys_of(Command::ToggleForces)), SpeechClass::Answer, now_s);
+    say(found_words(spoken_name) + " " + phrase("session.press_to_use", {{"key", keys_.keys_of(Command::ToggleForces)}}), SpeechClass::Answer, now_s);
 }
 
 void AppCore::change_settings(const Settings& settings, double now_s) {
@@ -213,28 +219,28 @@ void AppCore::change_settings(const Settings& settings, double now_s) {
 
 std::string AppCore::name_of(FeatureId feature) const {
     const std::string name = spoken_name(*scene_, feature);
-    return name.empty() ? std::string("wall") : name;
+    return name.empty() ? spoken_kind("wall") : name;
 }
 
 std::string AppCore::entering_text() const {
     const FreeSpace space = free_space(*body_world_, feet_m(), kLookHeight_m, heading_rad_);
     std::string text = sentence_case(scene_->name) + ".";
-    if (space.width_m > 0.0 && space.depth_m > 0.0) text += fmt::format(" The space around you is {}.", size_words(space.width_m, space.depth_m, distances()));
+    if (space.width_m > 0.0 && space.depth_m > 0.0) text += " " + phrase("session.space", {{"size", size_words(space.width_m, space.depth_m, distances())}});
     const Vec3 size = scene_->bounds_m.empty() ? Vec3(0.0) : scene_->bounds_m.size_m();
-    if (size.x > 1.5 * space.width_m + 2.0 || size.y > 1.5 * space.depth_m + 2.0) text += fmt::format(" All of it is {:.0f} by {:.0f} metres.", size.x, size.y);
-    text += " " + where_am_i();
-    if (hand_.present && !hand_.simulated) text += " Reach forward slowly, or press Up to walk.";
-    else if (hand_.present) text += " Press Up to walk, I and K to move the simulated hand.";
-    else text += " Press Up to walk a step.";
-    text += " F2 tells where you are, F1 the keys.";
-    return text;
+    if (size.x > 1.5 * space.width_m + 2.0 || size.y > 1.5 * space.depth_m + 2.0)
+        text += " " + phrase("session.all_of_it", {{"wide", size.x}, {"deep", size.y}});
+    text += " " + where_am_i() + " ";
+    if (hand_.present && !hand_.simulated) text += phrase("session.begin_with_hand");
+    else if (hand_.present) text += phrase("session.begin_with_simulated_hand");
+    else text += phrase("session.begin_with_keys");
+    return text + " " + phrase("session.where_help_is");
 }
 
 std::string AppCore::help_text() const {
     std::string text;
     for (const CommandInfo& row : command_table()) {
         const std::string keys = keys_.keys_of(row.command);
-        if (!keys.empty()) text += fmt::format("{}: {} ", keys, row.help);
+        if (!keys.empty()) text += phrase("session.key_help", {{"keys", keys}, {"help", row.help}}) + " ";
     }
     return text;
 }
@@ -308,7 +314,7 @@ void AppCore::act(Command command, double now_s) {
         tick.time_s = now_s;
         tick.position_m = feet_m() + Vec3(0.0, 0.0, walker_->size().eye_height_m) + forward_of_heading(heading_goal_rad_);
         cue(std::move(tick));
-        answer(sentence_case(std::string(compass_word(heading_goal_rad_))), now_s);
+        answer(sentence_case(compass_word(heading_goal_rad_)), now_s);
     };
     switch (command) {
         case Command::Forward:
@@ -335,7 +341,7 @@ void AppCore::act(Command command, double now_s) {
             setting_changes_.emplace_back("workspace.frame", to_walk ? "walk" : "map");
             publish_pose(now_s, PoseChange::Moved);
             play(SoundKind::FrameSwitch, now_s);
-            answer(to_walk ? "Walk, turning with you" : "Map, north up", now_s);
+            answer(phrase(to_walk ? "session.frame_walk" : "session.frame_map"), now_s);
             break;
         }
         case Command::ScaleBuilding:
@@ -350,7 +356,7 @@ void AppCore::act(Command command, double now_s) {
         case Command::WorkspaceRight:
         case Command::WorkspaceUp:
         case Command::WorkspaceDown:
-            if (!hand_.present) return answer(std::string(kNoHand), now_s);
+            if (!hand_.present) return answer(no_hand(), now_s);
             push_tap_ = push_way([command](Command one) { return one == command; });
             push_until_s_ = now_s + kPushTap_s;
             break;
@@ -361,14 +367,14 @@ void AppCore::act(Command command, double now_s) {
             turn_workspace(settings_.walk.turn_deg, now_s);
             break;
         case Command::WorkspaceCentre:
-            if (!hand_.present) return answer(std::string(kNoHand), now_s);
+            if (!hand_.present) return answer(no_hand(), now_s);
             publish_pose(now_s, PoseChange::Placed);
-            answer("Workspace back at you", now_s);
+            answer(phrase("session.workspace_back"), now_s);
             break;
         case Command::Grab:
-            if (!hand_.present) return answer(std::string(kNoHand), now_s);
+            if (!hand_.present) return answer(no_hand(), now_s);
             tuning_.workspace.grab_key = !tuning_.workspace.grab_key;
-            if (tuning_.workspace.grab_key) answer("Grabbed. The world goes along with your hand.", now_s);
+            if (tuning_.workspace.grab_key) answer(phrase("session.grabbed"), now_s);
             break;
         case Command::WhereAmI:
             answer(room_words(now_s) + where_am_i(), now_s);
@@ -422,7 +428,7 @@ void AppCore::act(Command command, double now_s) {
             request.kind = CueRequestKind::SilenceAll;
             request.time_s = now_s;
             cue(std::move(request));
-            say("Stopped. The force key brings the force back.", SpeechClass::Alarm, now_s);
+            say(phrase("session.stopped"), SpeechClass::Alarm, now_s);
             break;
         }
         case Command::Home:
@@ -456,7 +462,7 @@ void AppCore::act(Command command, double now_s) {
             break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
-            answer(plan_view_ ? "Plan" : "First person", now_s);
+            answer(phrase(plan_view_ ? "session.plan" : "session.first_person"), now_s);
             break;
         case Command::Menu:
             open_menu(now_s);
@@ -486,7 +492,7 @@ void AppCore::act(Command command, double now_s) {
         case Command::VerbosityCycle:
             settings_.speech.verbosity = (settings_.speech.verbosity + 1) % 5;
             setting_changes_.emplace_back("speech.verbosity", fmt::format("{}", settings_.speech.verbosity));
-            answer(fmt::format("Level {}", settings_.speech.verbosity), now_s);
+            answer(phrase("session.verbosity", {{"level", settings_.speech.verbosity}}), now_s);
             break;
         case Command::Calibrate:
             calibration_asked_ = true;
@@ -499,10 +505,10 @@ void AppCore::act(Command command, double now_s) {
                 leave_desk(now_s);
             } else if (now_s - leave_asked_s_ <= kLeaveWindow_s) {
                 wants_to_leave_ = true;
-                answer("Goodbye.", now_s);
+                answer(phrase("session.goodbye"), now_s);
             } else {
                 leave_asked_s_ = now_s;
-                answer("Press Escape again to leave.", now_s);
+                answer(phrase("session.leave_again"), now_s);
             }
             break;
         case Command::HandCentre:
@@ -545,16 +551,16 @@ void AppCore::toggle_forces(double now_s) {
     if (wake) ++tuning_.confirm;
     if (wake && tool_.fault_lasts) return answer(why_no_force_yet(), now_s);
     play(wake ? SoundKind::ForcesOn : SoundKind::ForcesOff, now_s);
-    answer(wake ? "Forces on" : "Forces off", now_s);
+    answer(phrase(wake ? "session.forces_on" : "session.forces_off"), now_s);
 }
 
 // The answer to the force key while what took the force away is still there.
 std::string AppCore::why_no_force_yet() const {
     switch (tool_.fault) {
         case Fault::Unplugged:
-            return "The touch device is not plugged in.";
+            return phrase("session.unplugged");
         case Fault::TooHot:
-            return "The motors of the touch device are still too warm.";
+            return phrase("session.too_warm");
         default:
             return fault_sentence(tool_.fault);
     }
@@ -565,14 +571,14 @@ void AppCore::notice_faults(double now_s) {
     const bool was_waiting = std::exchange(fault_lasted_, tool_.fault_lasts);
     if (!was_waiting || tool_.fault_lasts || !tool_.fault_latched) return;
     const std::string key = keys_.keys_of(Command::ToggleForces);
-    if (tool_.fault == Fault::Unplugged) say(fmt::format("The touch device is plugged in again. Press {} to feel with it.", key), SpeechClass::Alarm, now_s);
-    if (tool_.fault == Fault::TooHot) say(fmt::format("The motors have cooled. Press {} to feel again.", key), SpeechClass::Alarm, now_s);
+    if (tool_.fault == Fault::Unplugged) say(phrase("session.plugged_in_again", {{"key", key}}), SpeechClass::Alarm, now_s);
+    if (tool_.fault == Fault::TooHot) say(phrase("session.cooled", {{"key", key}}), SpeechClass::Alarm, now_s);
 }
 
 void AppCore::describe_touched(double now_s) {
-    if (!hand_.present) return answer(std::string(kNoHand) + " F2 tells what is around you.", now_s);
+    if (!hand_.present) return answer(phrase("session.no_hand_to_ask"), now_s);
     if (!two_hands()) return answer(touched_words(tool_), now_s);
-    answer(fmt::format("Right hand: {} Left hand: {}", touched_words(tool_), touched_words(left_tool_)), now_s);
+    answer(phrase("session.both_hands", {{"right", touched_words(tool_)}, {"left", touched_words(left_tool_)}}), now_s);
 }
 
 // A person who asks is told the name at every verbosity, and everything there is to tell on asking again.
@@ -580,7 +586,7 @@ std::string AppCore::touched_words(const ToolState& tool) {
     FeatureId& described = &tool == &tool_ ? described_ : left_described_;
     if (tool.contacts.count == 0) {
         described = kNoFeature;
-        return "The hand touches nothing.";
+        return phrase("session.touches_nothing");
     }
     const FeatureId id = tool.contacts.contacts[tool.contacts.strongest].feature;
     const int verbosity = std::exchange(described, id) == id ? kTellAll : std::max(kTellName, settings_.speech.verbosity);
@@ -601,7 +607,7 @@ void AppCore::place(const Vec3& feet_m, double heading_rad, double now_s) {
 
 void AppCore::go_home(double now_s) {
     place(home_feet_m_, home_heading_rad_, now_s);
-    answer(fmt::format("Base. Facing {}.", compass_word(heading_rad_)), now_s);
+    answer(phrase("session.home", {{"compass", compass_word(heading_rad_)}}), now_s);
 }
 
 // The hand cannot be moved, so the workspace is: to where the ball fits, as near as there is room. The same for a body that stands in something.
@@ -611,7 +617,7 @@ void AppCore::bring_out(double now_s) {
     const Vec3 workspace_was = workspace_m();
     const auto how_far = [&](double way_m) {
         const std::string words = distance_words(way_m, distances());
-        return words == distance_words(0.0, distances()) ? words : words + " away";
+        return is_close_by(way_m, distances()) ? words : phrase("session.away", {{"distance", words}});
     };
     if (body_world_->blocked(feet_m(), walker_->shape())) {
         const auto free = nearest_free_feet(*body_world_, feet_m(), walker_->shape());
@@ -619,9 +625,9 @@ void AppCore::bring_out(double now_s) {
             const double way = glm::length(*free - feet_m());
             keep_place_for_undo();
             place(*free, heading_rad_, now_s);
-            said = fmt::format("You stood in something. You are out, {}.", how_far(way));
+            said = phrase("session.body_out", {{"distance", how_far(way)}});
         } else {
-            said = "There is no free place to stand near here.";
+            said = phrase("session.no_place_to_stand");
         }
     }
     if (hand_.present) {
@@ -635,14 +641,15 @@ void AppCore::bring_out(double now_s) {
                 const double way = glm::length(*free - hand);
                 hand_shift_m_ += *free - hand;
                 publish_pose(now_s, PoseChange::Moved);
-                said += fmt::format("{}Your hand was in {}. It is out, {}.", said.empty() ? "" : " ",
-                                    around.feature ? name_of(around.feature) : std::string("something"), how_far(way));
+                if (!said.empty()) said += ' ';
+                said += around.feature ? phrase("session.hand_out_of", {{"what", name_of(around.feature)}, {"distance", how_far(way)}})
+                                       : phrase("session.hand_out", {{"distance", how_far(way)}});
             } else {
-                said += said.empty() ? "There is no free place for your hand near here." : " There is no free place for your hand near here.";
+                said += (said.empty() ? "" : " ") + phrase("session.no_place_for_hand");
             }
         }
     }
-    answer(said.empty() ? "You are inside nothing." : said, now_s);
+    answer(said.empty() ? phrase("session.inside_nothing") : said, now_s);
 }
 
 // As far as anything can be from a hand in this world.
@@ -673,9 +680,8 @@ Scene AppCore::world_now() const {
 }
 
 Result<void> AppCore::add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at, const std::string& material, double now_s) {
-    if (!scene_) return fail("There is no world yet.");
-    if (scene_->placed.size() >= HapticScene::kMostBodies)
-        return fail(fmt::format("There are {} things already; that is as many as can be set down.", scene_->placed.size()));
+    if (!scene_) return fail(phrase("session.no_world"));
+    if (scene_->placed.size() >= HapticScene::kMostBodies) return fail(phrase("session.too_many_things", {{"count", scene_->placed.size()}}));
     auto changed = with_placed(world_now(), name, std::move(model), at, material);
     if (!changed) return tl::unexpected(changed.error());
     change_world(std::move(*changed), now_s);
@@ -683,7 +689,7 @@ Result<void> AppCore::add_thing(const std::string& name, std::shared_ptr<const S
 }
 
 Result<void> AppCore::remove_thing(const std::string& name, double now_s) {
-    if (!scene_) return fail("There is no world yet.");
+    if (!scene_) return fail(phrase("session.no_world"));
     auto changed = without_placed(world_now(), name);
     if (!changed) return tl::unexpected(changed.error());
     change_world(std::move(*changed), now_s);
@@ -692,9 +698,9 @@ Result<void> AppCore::remove_thing(const std::string& name, double now_s) {
 
 Result<void> AppCore::send_thing(const std::string& name, const Placement& to, double speed_m_per_s) {
     const int thing = scene_ ? find_placed(*scene_, name) : -1;
-    if (thing < 0) return fail(fmt::format("There is no \"{}\" to move.", name));
+    if (thing < 0) return fail(phrase("session.none_to_move", {{"name", name}}));
     if (!is_finite(to.position_m) || !std::isfinite(to.scale) || !(to.scale > 0.0) || !(speed_m_per_s > 0.0) || !std::isfinite(speed_m_per_s))
-        return fail(fmt::format("The way of \"{}\" needs a place, a scale and a speed above zero.", name));
+        return fail(phrase("session.way_needs", {{"name", name}}));
     Placement there = to;
     there.rotation = normalized(to.rotation);
     things_.send(static_cast<std::size_t>(thing), there, speed_m_per_s);
@@ -761,6 +767,7 @@ void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_to
     push_workspace(now_s);
     notice_workspace(now_s);
     notice_volumes(now_s);
+    if (rooms_ && rooms_->done() && rooms_->found()) say_room_names(rooms_->graph());
     notice_room(now_s, false);
     follow_on(now_s);
     tone_of_walls(now_s);
@@ -770,7 +777,7 @@ void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_to
     const double contact_s = contact_before_s_ + tool.contact_s;
     if (contact_s >= (breaks_told_ + 1.0) * kBreakEvery_s) {
         breaks_told_ = std::floor(contact_s / kBreakEvery_s);
-        say(fmt::format("You have been touching for {}. A short break is good for arm and hand.", minutes_words(contact_s)), SpeechClass::Ambient, now_s);
+        say(phrase("session.take_a_break", {{"time", minutes_words(contact_s)}}), SpeechClass::Ambient, now_s);
     }
 }
 
@@ -788,9 +795,9 @@ void AppCore::turn(double now_s, double dt_s) {
     const double most = kTurnRate_rad_per_s * dt_s;
     heading_rad_ = std::abs(left) <= most ? heading_goal_rad_ : wrap_angle(heading_rad_ + std::copysign(most, left));
     if (std::exchange(stick_turns_, free_turn != 0.0) && !stick_turns_)
-        answer(free_keys_told_ ? fmt::format("{}, {:.0f} degrees", sentence_case(std::string(compass_word(heading_goal_rad_))),
-                                             std::fmod(degrees_from_radians(heading_goal_rad_) + 360.0, 360.0))
-                               : sentence_case(std::string(compass_word(heading_goal_rad_))),
+        answer(free_keys_told_ ? phrase("session.compass_degrees",
+                                        {{"compass", sentence_case(compass_word(heading_goal_rad_))}, {"degrees", whole_degrees(heading_goal_rad_)}})
+                               : sentence_case(compass_word(heading_goal_rad_)),
                now_s);
     free_keys_told_ = free_keys != 0.0;
 }
@@ -844,7 +851,7 @@ void AppCore::walk(double now_s, double dt_s) {
         cue(std::move(step));
     }
     ground_ = walked.ground;
-    if (walked.landed) say(fmt::format("You fell {:.1f} metres.", walked.fell_m), SpeechClass::Answer, now_s);
+    if (walked.landed) say(phrase("session.fell", {{"metres", walked.fell_m}}), SpeechClass::Answer, now_s);
 
     if (walked.bump && !(led() && walked.walked_m > 0.0)) {
         pending_way_m_ = 0.0;
@@ -867,7 +874,7 @@ void AppCore::walk(double now_s, double dt_s) {
     }
     // Out of the world: back to the base instead of falling for ever.
     if (!scene_->bounds_m.empty() && feet.z < scene_->bounds_m.min_m.z - 20.0) {
-        say("You fell out of the world.", SpeechClass::Answer, now_s);
+        say(phrase("session.fell_out"), SpeechClass::Answer, now_s);
         go_home(now_s);
     }
 }
@@ -994,7 +1001,7 @@ void AppCore::change_under_hand(Change change, double now_s) {
 }
 
 void AppCore::zoom(NamedScale scale_name, double now_s) {
-    if (!hand_.present) return answer(std::string(kNoHand), now_s);
+    if (!hand_.present) return answer(no_hand(), now_s);
     change_under_hand(
         [&] {
             named_scale_ = scale_name;
@@ -1016,7 +1023,7 @@ void AppCore::rescale(const Settings& changed, double now_s) {
 }
 
 void AppCore::turn_workspace(double by_deg, double now_s) {
-    if (!hand_.present) return answer(std::string(kNoHand), now_s);
+    if (!hand_.present) return answer(no_hand(), now_s);
     change_under_hand(
         [&] {
             const double turned_rad = radians_from_degrees(settings_.workspace.turn_deg + by_deg);
@@ -1027,7 +1034,9 @@ void AppCore::turn_workspace(double by_deg, double now_s) {
     const double deg = settings_.workspace.turn_deg;
     setting_changes_.emplace_back("workspace.turn_deg", fmt::format("{}", deg));
     play(SoundKind::TurnTick, now_s);
-    answer(deg == 0.0 ? "Workspace straight" : fmt::format("Workspace turned {:g} degrees to the {}", std::abs(deg), deg > 0.0 ? "right" : "left"), now_s);
+    answer(deg == 0.0 ? phrase("session.workspace_straight")
+                      : phrase(deg > 0.0 ? "session.workspace_turned_right" : "session.workspace_turned_left", {{"degrees", std::abs(deg)}}),
+           now_s);
 }
 
 void AppCore::push_workspace(double now_s) {
@@ -1046,19 +1055,19 @@ void AppCore::notice_workspace(double now_s) {
         say(workspace_words(), before == WorkspaceMotion::Scrolled ? SpeechClass::Ambient : SpeechClass::Answer, now_s);
     if (std::exchange(limit_told_, tool_.workspace_at_limit || left_tool_.workspace_at_limit) || !limit_told_) return;
     play(SoundKind::Denied, now_s);
-    say("The world ends here.", SpeechClass::Ambient, now_s);
+    say(phrase("session.world_ends"), SpeechClass::Ambient, now_s);
 }
 
 std::string AppCore::workspace_words() const {
     const Vec3 from_body = hand_shift_m_ + shift_by_hand_m() + workspace_origin_m() - feet_m();
     const Vec3 level(from_body.x, from_body.y, 0.0);
     const double up_m = from_body.z - settings_.workspace.hand_height_m - settings_.workspace.offset_up_m * scale();
-    std::string text = glm::length(level) < 0.5 * settings_.walk.step_length_m
-                           ? "Workspace round you"
-                           : fmt::format("Workspace {}",
-                                         place_words(glm::length(level), std::atan2(level.x, level.y), heading_rad_, settings_.speech.directions, distances()));
-    if (std::abs(up_m) >= 0.25) text += fmt::format(", {} {}", distance_words(std::abs(up_m), {false, 1.0}), up_m > 0.0 ? "up" : "down");
-    return text;
+    const double away_m = glm::length(level);
+    const std::string place = place_words(away_m, std::atan2(level.x, level.y), heading_rad_, settings_.speech.directions, distances());
+    const std::string text =
+        away_m < 0.5 * settings_.walk.step_length_m ? phrase("session.workspace_round_you") : phrase("session.workspace_at", {{"place", place}});
+    if (std::abs(up_m) < 0.25) return text;
+    return joined(text, phrase(up_m > 0.0 ? "session.up" : "session.down", {{"distance", distance_words(std::abs(up_m), {false, 1.0})}}));
 }
 
 void AppCore::play(SoundKind kind, double now_s) {

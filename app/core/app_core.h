@@ -15,14 +15,14 @@
 #include "app/core/dialogue.h"
 #include "app/core/guiding.h"
 #include "app/core/key_map.h"
-#include "app/core/lesson.h"
 #include "app/core/learning_state.h"
+#include "app/core/lesson.h"
 #include "app/core/mover_play.h"
 #include "app/core/placed_things.h"
-#include "app/core/side_file.h"
 #include "app/core/questions.h"
 #include "app/core/rooms_of_world.h"
 #include "app/core/route_words.h"
+#include "app/core/side_file.h"
 #include "app/core/soundscape.h"
 #include "app/core/surroundings.h"
 #include "app/core/view.h"
@@ -438,7 +438,7 @@ private:
     bool hunt_awaits_ = false;  // a hunt begins in the world that is entered next
     std::vector<SaidLater> said_later_;
     enum class AfterLesson { Nothing, Choose, Lessons } after_lesson_ = AfterLesson::Nothing;
-    std::string who_speaks_ = "your voice";
+    std::string who_speaks_;
     bool owner_sets_up_ = false, set_up_over_ = true, first_set_up_ = false, keys_alone_ = false;
     LookRound look_round_;
     Vec3 home_feet_m_{0.0};

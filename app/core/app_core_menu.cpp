@@ -16,12 +16,11 @@ namespace {
 // Where in the table each topic begins.
 struct Topic {
     Command first;
-    std::string_view name;
+    std::string_view key;
 };
 constexpr std::array kTopics{
-    Topic{Command::Forward, "Walking and turning"},   Topic{Command::ToggleForces, "Force, scale and workspace"},
-    Topic{Command::WhereAmI, "Questions and speech"}, Topic{Command::Use, "Doors, rooms and picture"},
-    Topic{Command::Menu, "Help and settings"},        Topic{Command::HandForward, "The simulated hand"},
+    Topic{Command::Forward, "menu.walking"}, Topic{Command::ToggleForces, "menu.force"}, Topic{Command::WhereAmI, "menu.questions"},
+    Topic{Command::Use, "menu.doors"},       Topic{Command::Menu, "menu.help"},          Topic{Command::HandForward, "menu.simulated_hand"},
 };
 
 std::vector<Command> commands_of(std::size_t topic) {
@@ -50,23 +49,22 @@ bool may_be_key(std::string_view name) {
 
 void AppCore::open_menu(double now_s) {
     ListSpec list;
-    list.title = "Menu";
+    list.title = phrase("menu.title");
     list.stays_open = true;
     std::vector<std::function<void()>> acts;
     const auto add = [&](std::string name, std::function<void()> act) {
         list.items.push_back({std::move(name), {}, false});
         acts.push_back(std::move(act));
     };
-    add("What I can do", [this] { open_topics(false, last_tick_s_); });
-    add("Worlds", [this] { open_worlds(last_tick_s_); });
+    add(phrase("menu.what_i_can_do"), [this] { open_topics(false, last_tick_s_); });
+    add(phrase("menu.worlds"), [this] { open_worlds(last_tick_s_); });
     add(phrase("language.menu"), [this] { open_languages(last_tick_s_); });
-    add("Settings", [this] { open_setting_topics(last_tick_s_); });
-    add("Keys: give a command another key", [this] { open_topics(true, last_tick_s_); });
-    add("Dictionary of sounds", [this] { open_sounds(last_tick_s_); });
-    for (const auto& [name, command] :
-         {std::pair{"Help: say the keys", Command::Help}, std::pair{"Input help: try keys without doing anything", Command::InputHelp},
-          std::pair{"Set up headphones and device", Command::Calibrate}, std::pair{"Leave Handrail", Command::Leave}})
-        add(name, [this, command = command] {
+    add(phrase("menu.settings"), [this] { open_setting_topics(last_tick_s_); });
+    add(phrase("menu.keys"), [this] { open_topics(true, last_tick_s_); });
+    add(phrase("menu.sounds"), [this] { open_sounds(last_tick_s_); });
+    for (const auto& [key, command] : {std::pair{"menu.say_keys", Command::Help}, std::pair{"menu.input_help", Command::InputHelp},
+                                       std::pair{"menu.set_up", Command::Calibrate}, std::pair{"menu.leave", Command::Leave}})
+        add(phrase(key), [this, command = command] {
             dialogue_.close_all();
             press(command, last_tick_s_);
             release(command);
@@ -78,10 +76,10 @@ void AppCore::open_menu(double now_s) {
 // Commands by topic; to be done, or to be given another key.
 void AppCore::open_topics(bool to_rebind, double now_s) {
     ListSpec list;
-    list.title = to_rebind ? "Keys of what" : "What to do";
+    list.title = phrase(to_rebind ? "menu.keys_of_what" : "menu.what_to_do");
     list.stays_open = true;
-    list.items.push_back({"All of it", fmt::format("{}", command_table().size()), false});
-    for (std::size_t i = 0; i < kTopics.size(); ++i) list.items.push_back({std::string(kTopics[i].name), fmt::format("{}", commands_of(i).size()), false});
+    list.items.push_back({phrase("menu.all_of_it"), fmt::format("{}", command_table().size()), false});
+    for (std::size_t i = 0; i < kTopics.size(); ++i) list.items.push_back({phrase(kTopics[i].key), fmt::format("{}", commands_of(i).size()), false});
     list.chosen = [this, to_rebind](std::size_t i) {
         std::vector<Command> commands;
         if (i > 0) commands = commands_of(i - 1);
@@ -90,11 +88,11 @@ void AppCore::open_topics(bool to_rebind, double now_s) {
         open_commands(std::move(commands), to_rebind, last_tick_s_);
     };
     if (to_rebind) {
-        list.items.push_back({"Keys for one hand", setting_line("keyboard.hand", settings_).value, true});
+        list.items.push_back({phrase("menu.one_hand"), setting_line("keyboard.hand", settings_).value, true});
         const std::size_t last = list.items.size() - 1;
         list.adjusted = [this](std::size_t, int by) { return change_setting("keyboard.hand", stepped("keyboard.hand", settings_, by)); };
         list.chosen = [this, last, open = list.chosen](std::size_t i) {
-            if (i == last) answer("Left and Right change it: both, left or right.", last_tick_s_);
+            if (i == last) answer(phrase("menu.one_hand_how"), last_tick_s_);
             else open(i);
         };
     }
@@ -103,11 +101,11 @@ void AppCore::open_topics(bool to_rebind, double now_s) {
 
 void AppCore::open_commands(std::vector<Command> commands, bool to_rebind, double now_s) {
     ListSpec list;
-    list.title = to_rebind ? "Which command" : "What to do";
+    list.title = phrase(to_rebind ? "menu.which_command" : "menu.what_to_do");
     list.stays_open = to_rebind;
     for (const Command command : commands) {
         const std::string keys = keys_.keys_of(command);
-        list.items.push_back({short_help(info(command)), keys.empty() ? "no key" : keys, false});
+        list.items.push_back({short_help(info(command)), keys.empty() ? phrase("menu.no_key") : keys, false});
     }
     list.chosen = [this, to_rebind, commands](std::size_t i) {
         if (to_rebind) return open_rebinding(commands[i], last_tick_s_);
@@ -121,54 +119,54 @@ void AppCore::open_commands(std::vector<Command> commands, bool to_rebind, doubl
 
 void AppCore::open_rebinding(Command command, double now_s) {
     const std::string keys = keys_.keys_of(command);
-    if (command == Command::StopEverything) return answer("F12 always stops everything; that does not change.", now_s);
+    if (command == Command::StopEverything) return answer(phrase("menu.stop_key_stays"), now_s);
     ListSpec list;
-    list.title = fmt::format("{}: {}", short_help(info(command)), keys.empty() ? "no key" : keys);
-    list.items = {{"Another key instead", {}, false}, {"One more key", {}, false}, {"The key it came with", {}, false}};
+    list.title = phrase("menu.command_keys", {{"command", short_help(info(command))}, {"keys", keys.empty() ? phrase("menu.no_key") : keys}});
+    list.items = {{phrase("menu.another_key"), {}, false}, {phrase("menu.one_more_key"), {}, false}, {phrase("menu.first_key"), {}, false}};
     list.stays_open = true;
     list.chosen = [this, command](std::size_t i) {
         dialogue_.key("Escape", last_tick_s_);  // back to the commands
         if (i == 2) {
             const std::string built_in(keys_.default_keys(command));
             change_keys({{command, built_in.empty() ? "none" : built_in}});
-            return answer(fmt::format("{}: {}.", short_help(info(command)), keys_.keys_of(command)), last_tick_s_);
+            return answer(phrase("menu.command_has_again", {{"command", short_help(info(command))}, {"keys", keys_.keys_of(command)}}), last_tick_s_);
         }
         rebinding_ = Rebinding{command, i == 1};
-        answer(fmt::format("Press the new key for: {} Escape leaves it as it is.", info(command).help), last_tick_s_);
+        answer(phrase("menu.press_new_key", {{"help", info(command).help}}), last_tick_s_);
     };
     open_list(std::move(list), now_s);
 }
 
 void AppCore::take_new_key(const std::string& key, double now_s) {
     const Rebinding wanted = *std::exchange(rebinding_, std::nullopt);
-    if (key == "Escape") return answer("Left as it is.", now_s);
+    if (key == "Escape") return answer(phrase("menu.left_as_it_is"), now_s);
     if (!may_be_key(key)) {
         play(SoundKind::Denied, now_s);
-        return answer(fmt::format("\"{}\" is no key's name. Left as it is.", key), now_s);
+        return answer(phrase("menu.no_keys_name", {{"key", key}}), now_s);
     }
     const auto give = [this, key, wanted](std::vector<std::pair<Command, std::string>> changes, double at_s) {
         const std::string before = wanted.one_more ? keys_.words_of_keys(wanted.command) : std::string{};
         changes.emplace_back(wanted.command, before.empty() ? key : before + " " + key);
         change_keys(changes);
-        answer(fmt::format("{} has {}.", short_help(info(wanted.command)), keys_.keys_of(wanted.command)), at_s);
+        answer(phrase("menu.command_has", {{"command", short_help(info(wanted.command))}, {"keys", keys_.keys_of(wanted.command)}}), at_s);
     };
     const auto owner = keys_.find(key);
-    if (owner == wanted.command) return answer(fmt::format("{} already does that.", key), now_s);
+    if (owner == wanted.command) return answer(phrase("menu.does_that", {{"key", key}}), now_s);
     if (!owner) return give({}, now_s);
     if (*owner == Command::StopEverything || *owner == Command::Leave || *owner == Command::StopSpeech) {
         play(SoundKind::Denied, now_s);
-        return answer(fmt::format("{} always does: {} Left as it is.", key, info(*owner).help), now_s);
+        return answer(phrase("menu.always_does", {{"key", key}, {"help", info(*owner).help}}), now_s);
     }
     // A conflict: told, and the person decides.
     const std::string rest = keys_.words_of_keys(*owner, key);
     ListSpec list;
-    list.title = fmt::format("{} does already: {}", key, info(*owner).help);
-    list.items = {{"Take it away from there", rest.empty() ? "that is then without a key" : fmt::format("that keeps {}", rest), false},
-                  {"Leave it as it is", {}, false}};
+    list.title = phrase("menu.does_already", {{"key", key}, {"help", info(*owner).help}});
+    list.items = {{phrase("menu.take_away"), rest.empty() ? phrase("menu.then_without_key") : phrase("menu.keeps", {{"keys", rest}}), false},
+                  {phrase("menu.leave_it"), {}, false}};
     list.stays_open = true;
     list.chosen = [this, give, rest, owner = *owner](std::size_t i) {
         dialogue_.key("Escape", last_tick_s_);
-        if (i == 1) return answer("Left as it is.", last_tick_s_);
+        if (i == 1) return answer(phrase("menu.left_as_it_is"), last_tick_s_);
         give({{owner, rest.empty() ? "none" : rest}}, last_tick_s_);
     };
     open_list(std::move(list), now_s);
@@ -185,7 +183,7 @@ void AppCore::change_keys(const std::vector<std::pair<Command, std::string>>& ch
 void AppCore::toggle_input_help(double now_s) {
     input_help_ = !input_help_;
     const std::string key = keys_.keys_of(Command::InputHelp);
-    answer(input_help_ ? fmt::format("Input help on. Press any key to hear what it does; {} again ends it.", key) : std::string("Input help off."), now_s);
+    answer(input_help_ ? phrase("menu.input_help_on", {{"key", key}}) : phrase("menu.input_help_off"), now_s);
 }
 
 // True: the key was explained, or is the new key of a command, and does nothing else.
@@ -199,7 +197,7 @@ bool AppCore::take_key_apart(const std::string& key, double now_s) {
     const auto command = keys_.find(key);
     if (command == Command::InputHelp) return false;
     quiet(now_s);
-    answer(command ? fmt::format("{}: {}", key, info(*command).help) : fmt::format("{}: does nothing.", key), now_s);
+    answer(command ? phrase("menu.key_does", {{"key", key}, {"help", info(*command).help}}) : phrase("menu.key_does_nothing", {{"key", key}}), now_s);
     return true;
 }
 
@@ -223,7 +221,8 @@ bool AppCore::take_line_apart(std::string_view line, double now_s) {
     const CommandInfo* row = find_command(line);
     if (!row || row->command == Command::InputHelp) return false;
     const std::string keys = keys_.keys_of(row->command);
-    answer(fmt::format("{}: {}{}", row->word, row->help, keys.empty() ? "" : fmt::format(" Key: {}.", keys)), now_s);
+    const std::string does = phrase("menu.key_does", {{"key", row->word}, {"help", row->help}});
+    answer(keys.empty() ? does : does + " " + phrase("menu.its_key", {{"keys", keys}}), now_s);
     return true;
 }
 
@@ -240,7 +239,7 @@ std::string AppCore::change_setting(std::string_view key, const std::string& val
 
 void AppCore::open_setting_topics(double now_s) {
     ListSpec list;
-    list.title = "Settings";
+    list.title = phrase("menu.settings");
     list.stays_open = true;
     const std::vector<std::string_view> topics = setting_topics();
     for (const std::string_view topic : topics) list.items.push_back({sentence_case(std::string(topic)), {}, false});
@@ -250,7 +249,7 @@ void AppCore::open_setting_topics(double now_s) {
 
 void AppCore::open_settings(std::string_view topic, double now_s) {
     ListSpec list;
-    list.title = fmt::format("{}: Left and Right change, Enter explains and takes a value", sentence_case(std::string(topic)));
+    list.title = phrase("menu.settings_of", {{"topic", sentence_case(std::string(topic))}});
     list.stays_open = true;
     std::vector<std::string_view> keys;
     for (const SettingLine& line : setting_lines(topic, settings_)) {
@@ -261,7 +260,7 @@ void AppCore::open_settings(std::string_view topic, double now_s) {
     list.chosen = [this, keys, topic](std::size_t i) {
         const SettingLine line = setting_line(keys[i], settings_);
         TextSpec question;
-        question.question = fmt::format("{} It is {}. Type {}.", line.meaning, line.value, line.range);
+        question.question = phrase("menu.setting_question", {{"meaning", line.meaning}, {"value", line.value}, {"range", line.range}});
         question.done = [this, topic, key = keys[i]](std::string typed) {
             const std::string value = change_setting(key, typed);
             std::vector<ListItem> items;
@@ -278,12 +277,12 @@ void AppCore::open_settings(std::string_view topic, double now_s) {
 
 void AppCore::want_world(const std::filesystem::path& file) {
     world_wanted_ = file;
-    answer(fmt::format("Going to {}.", name_of_file(file)), last_tick_s_);
+    answer(phrase("menu.going_to", {{"world", name_of_file(file)}}), last_tick_s_);
 }
 
 void AppCore::open_worlds(double now_s) {
     ListSpec list;
-    list.title = "Worlds";
+    list.title = phrase("menu.worlds");
     list.stays_open = true;
     std::vector<std::filesystem::path> files;
     const auto add = [&](const std::filesystem::path& file, std::string_view where) {
@@ -291,16 +290,16 @@ void AppCore::open_worlds(double now_s) {
         list.items.push_back({name_of_file(file), std::string(where), false});
         files.push_back(file);
     };
-    for (const std::filesystem::path& file : shelf_.recent) add(file, "visited before");
-    for (const ShelvedWorld& world : worlds_in(shelf_.bundled)) add(world.file, "comes with Handrail");
-    list.items.push_back({"Another file or folder", {}, false});
+    for (const std::filesystem::path& file : shelf_.recent) add(file, phrase("menu.visited_before"));
+    for (const ShelvedWorld& world : worlds_in(shelf_.bundled)) add(world.file, phrase("menu.bundled"));
+    list.items.push_back({phrase("menu.another_world"), {}, false});
     list.chosen = [this, files](std::size_t i) {
         if (i < files.size()) {
             dialogue_.close_all();
             return want_world(files[i]);
         }
         TextSpec question;
-        question.question = "Which file or folder? Type its path.";
+        question.question = phrase("menu.which_file");
         question.done = [this](const std::string& path) { open_folder(path, last_tick_s_); };
         ask_text(std::move(question), last_tick_s_);
     };
@@ -320,7 +319,7 @@ void AppCore::open_folder(const std::filesystem::path& typed, double now_s) {
     const std::vector<ShelvedWorld> worlds = worlds_in(path);
     if (worlds.empty()) {
         play(SoundKind::Denied, now_s);
-        return answer(fmt::format("There is no world at {}.", path.string()), now_s);
+        return answer(phrase("menu.no_world_at", {{"path", path.string()}}), now_s);
     }
     ListSpec list;
     list.title = name_of_file(path);
@@ -337,7 +336,7 @@ void AppCore::open_folder(const std::filesystem::path& typed, double now_s) {
 
 void AppCore::open_sounds(double now_s) {
     ListSpec list;
-    list.title = "Sounds: Enter plays";
+    list.title = phrase("menu.sounds_title");
     list.stays_open = true;
     const auto entries = std::make_shared<const std::vector<DictionaryEntry>>(sound_dictionary());
     for (const DictionaryEntry& entry : *entries) list.items.push_back({entry.text, {}, false});

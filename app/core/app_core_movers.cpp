@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/core/app_core.h"
+#include "worlds/base/language.h"
 #include "worlds/scene/models.h"
 
 namespace handrail {
@@ -37,7 +38,7 @@ void AppCore::press_mover(std::uint32_t mover, bool back_again, double now_s) {
     sound.time_s = now_s;
     sound.position_m = feature.bounds_m.centre_m();
     cue(std::move(sound));
-    say(sentence_case(feature.name) + " pressed", SpeechClass::Contact, now_s);
+    say(phrase("movers.pressed", {{"name", sentence_case(spoken_name(feature))}}), SpeechClass::Contact, now_s);
 }
 
 int AppCore::mover_of(FeatureId feature) const {
@@ -64,10 +65,11 @@ void AppCore::use(double now_s) {
             }
         }
     }
-    if (chosen < 0) return answer("There is no door or button within reach.", now_s);
+    if (chosen < 0) return answer(phrase("movers.none_in_reach"), now_s);
     const auto mover = static_cast<std::uint32_t>(chosen);
     if (!scene_->movers[mover].by_hand)
-        return answer(fmt::format("{}: it is opened from elsewhere.", sentence_case(scene_->features[scene_->movers[mover].feature.value].name)), now_s);
+        return answer(phrase("movers.opened_from_elsewhere", {{"name", sentence_case(spoken_name(scene_->features[scene_->movers[mover].feature.value]))}}),
+                      now_s);
     press_mover(mover, true, now_s);
 }
 
@@ -79,7 +81,7 @@ void AppCore::meet_switch(FeatureId volume, double now_s) {
         if (!act.leads_elsewhere) continue;
         place(act.feet_m, act.heading_rad, now_s);
         play(SoundKind::FrameSwitch, now_s);
-        answer("You went through a door to elsewhere. " + where_am_i(), now_s);
+        answer(phrase("movers.elsewhere") + " " + where_am_i(), now_s);
         return;
     }
 }
@@ -136,15 +138,15 @@ void AppCore::play_movers(double now_s, double dt_s) {
             if (event.kind == MoverEvent::Kind::Leaves && event.at_rest) continue;  // it shuts: heard when it is shut
             cue(std::move(sound));
             if (!speaks) continue;
-            const std::string name = sentence_case(feature.name);
-            const bool opens = feature.kind == FeatureKind::Door;
+            const std::string name = sentence_case(spoken_name(feature));
+            const bool opens = feature.kind == FeatureKind::Door, button = feature.kind == FeatureKind::Button;
             if (event.kind == MoverEvent::Kind::Leaves)
-                say(name + (opens ? " opens" : feature.kind == FeatureKind::Button ? " pressed" : " moves"), SpeechClass::Contact, now_s);
-            else say(name + (opens ? " is shut" : feature.kind == FeatureKind::Button ? " is out again" : " is back"), SpeechClass::Ambient, now_s);
+                say(phrase(opens ? "movers.opens" : button ? "movers.pressed" : "movers.moves", {{"name", name}}), SpeechClass::Contact, now_s);
+            else say(phrase(opens ? "movers.is_shut" : button ? "movers.is_out_again" : "movers.is_back", {{"name", name}}), SpeechClass::Ambient, now_s);
         } else if (event.kind == MoverEvent::Kind::TurnsBack) {
-            say(sentence_case(feature.name) + " met you and opens again", SpeechClass::Contact, now_s);
+            say(phrase("movers.met_you", {{"name", sentence_case(spoken_name(feature))}}), SpeechClass::Contact, now_s);
         } else if (feature.kind == FeatureKind::Lift) {
-            say(sentence_case(feature.name) + " stops", SpeechClass::Contact, now_s);
+            say(phrase("movers.stops", {{"name", sentence_case(spoken_name(feature))}}), SpeechClass::Contact, now_s);
         }
     }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/core/app_core.h"
+#include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -30,15 +31,13 @@ std::string AppCore::state_of(const Sight& sight) const {
         if (mover.feature != sight.seen.feature || !mover.moves()) continue;
         const double away = movers_.away(i);
         if (feature->kind == FeatureKind::Door) {
-            text = away > kOpen ? "open" : away < kShut ? "shut" : "half open";
-            if (away < kShut && !mover.by_hand && mover.approach_m.empty()) text += ", opened from elsewhere";
+            text = phrase(away > kOpen ? "questions.open" : away < kShut ? "questions.shut" : "questions.half_open");
+            if (away < kShut && !mover.by_hand && mover.approach_m.empty()) text = joined(text, phrase("questions.opened_from_elsewhere"));
         } else if (away > kShut) {
-            text = "moved";
+            text = phrase("questions.moved");
         }
     }
-    const std::string sides = sides_of_door(*feature, sight.seen.bearing_rad);
-    if (!sides.empty()) text += (text.empty() ? "" : ", ") + sides;
-    return text;
+    return joined(text, sides_of_door(*feature, sight.seen.bearing_rad));
 }
 
 std::string AppCore::tell_sight(const Sight& sight) const { return tell(sight, state_of(sight), telling()); }
@@ -56,8 +55,10 @@ std::string AppCore::tell_sights(std::span<const Sight> sights) const {
 std::string AppCore::where_am_i() const {
     const bool home = glm::length(feet_m() - home_feet_m_) < 0.5 * settings_.walk.step_length_m;
     const bool at_door = std::any_of(scene_->features.begin(), scene_->features.end(), [](const Feature& feature) { return feature.base; });
-    std::string text = fmt::format("You are {}, facing {}.", !home ? fmt::format("in {}", scene_->name) : at_door ? "at the door, base" : "at the base",
-                                   compass_word(heading_rad_));
+    const std::string compass = compass_word(heading_rad_);
+    std::string text = !home     ? phrase("questions.you_are_in", {{"world", scene_->name}, {"compass", compass}})
+                       : at_door ? phrase("questions.you_are_at_door", {{"compass", compass}})
+                                 : phrase("questions.you_are_at_base", {{"compass", compass}});
     // Two landmarks first, then what a straight look meets on four sides, then what else is near.
     std::vector<Sight> things = in_sight(asker(), kMostThings);
     std::stable_partition(things.begin(), things.end(), [&](const Sight& thing) {
@@ -78,9 +79,13 @@ std::string AppCore::where_am_i() const {
         const bool told = seen && std::any_of(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(landmarks),
                                               [&](const Sight& thing) { return thing.seen.feature == seen->seen.feature; });
         if (told) continue;
-        if (!seen) text += fmt::format(" {}: open.", side);
-        else if (settings_.speech.verbosity <= 1) text += fmt::format(" {}: {}.", side, seen->name);
-        else text += fmt::format(" {}: {}, {}.", side, name_of(seen->seen.feature), distance_words(seen->seen.distance_m, distances()));
+        text += ' ';
+        if (!seen) text += phrase("questions.side_open", {{"side", side}});
+        else if (settings_.speech.verbosity <= 1) text += phrase("questions.side", {{"side", side}, {"what", seen->name}});
+        else {
+            const std::string what = joined(name_of(seen->seen.feature), distance_words(seen->seen.distance_m, distances()));
+            text += phrase("questions.side", {{"side", side}, {"what", what}});
+        }
     }
     const auto rest = std::span(things).subspan(landmarks);
     const std::string others = tell_sights(rest.first(std::min(rest.size(), kMostThingsTold - landmarks)));
@@ -93,16 +98,16 @@ std::string AppCore::around_me() const {
     for (int i = 0; i < 4; ++i) {
         const auto& sight = quarters[static_cast<std::size_t>(i)];
         const std::string side = sentence_case(side_words(i, heading_rad_, settings_.speech.directions));
-        std::string told = !sight ? "open." : tell_sight(*sight);
-        if (told.back() != '.') told += '.';
-        text += fmt::format("{}{}: {}", text.empty() ? "" : " ", side, told);
+        if (!text.empty()) text += ' ';
+        if (!sight) text += phrase("questions.side_open", {{"side", side}});
+        else text += phrase("questions.side_sights", {{"side", side}, {"sights", tell_sights(std::span(&*sight, 1))}});
     }
     return text;
 }
 
 std::string AppCore::ahead_of_me() const {
     const std::vector<Sight> sights = ahead(asker());
-    return sights.empty() ? "Nothing ahead within 100 metres." : tell_sights(sights);
+    return sights.empty() ? phrase("questions.nothing_ahead", {{"metres", kSightRange_m}}) : tell_sights(sights);
 }
 
 void AppCore::look_round(int by, double now_s) {
@@ -112,21 +117,25 @@ void AppCore::look_round(int by, double now_s) {
     const double bearing = look_round_.step(by, feet_m(), heading_goal_rad_, hand_rad);
     const std::vector<Sight> sights = look_towards(asker(), bearing);
     const std::string direction = sentence_case(direction_words(bearing, heading_rad_, settings_.speech.directions, false));
-    answer(sights.empty() ? fmt::format("{}: open.", direction) : fmt::format("{}: {}", direction, tell_sights(sights)), now_s);
+    answer(sights.empty() ? phrase("questions.side_open", {{"side", direction}})
+                          : phrase("questions.side_sights", {{"side", direction}, {"sights", tell_sights(sights)}}),
+           now_s);
 }
 
 std::string AppCore::heading_words() const {
-    return fmt::format("Facing {}, {:.0f} degrees", compass_word(heading_goal_rad_), std::fmod(degrees_from_radians(heading_goal_rad_) + 360.0, 360.0));
+    return phrase("questions.facing_degrees", {{"compass", compass_word(heading_goal_rad_)}, {"degrees", whole_degrees(heading_goal_rad_)}});
 }
 
 std::string AppCore::coordinates() const {
-    std::string text = coordinates_words(feet_m());
-    const auto above = [&](const Vec3& place_m) {
-        const auto height = above_floor_m(*body_world_, place_m);
-        return height ? fmt::format("{:.1f} metres above the floor", *height) : std::string("with nothing below");
+    const auto told = [&](const Vec3& place_m, const Vec3& above_m) {
+        const std::string coordinates = coordinates_words(place_m);
+        const auto height = above_floor_m(*body_world_, above_m);
+        return height ? phrase("questions.above_floor", {{"coordinates", coordinates}, {"metres", *height}})
+                      : phrase("questions.nothing_below", {{"coordinates", coordinates}});
     };
-    text += standing() ? ", on the floor." : fmt::format(", {}.", above(feet_m() + Vec3(0.0, 0.0, 0.01)));
-    if (hand_.present && tool_.ticks > 0) text += fmt::format(" Your hand: {}, {}.", coordinates_words(tool_.proxy_m), above(tool_.proxy_m));
+    std::string text =
+        standing() ? phrase("questions.on_floor", {{"coordinates", coordinates_words(feet_m())}}) : told(feet_m(), feet_m() + Vec3(0.0, 0.0, 0.01));
+    if (hand_.present && tool_.ticks > 0) text += " " + phrase("questions.your_hand", {{"place", told(tool_.proxy_m, tool_.proxy_m)}});
     return text;
 }
 

@@ -1,10 +1,11 @@
 #include "app/core/questions.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -26,11 +27,11 @@ bool is_surface(FeatureKind kind) {
 Sight sight_of(const Scene& scene, const Seen& seen) {
     Sight sight{seen, {}, {}, false};
     if (const Feature* feature = scene.find(seen.feature)) {
-        sight.name = feature->name;
-        sight.material = scene.material(feature->material).name;
+        sight.name = spoken_name(*feature);
+        sight.material = spoken_material(scene.material(feature->material).name);
         sight.surface = is_surface(feature->kind);
     }
-    if (sight.name.empty()) sight.name = sight.material.empty() ? "wall" : std::exchange(sight.material, {});
+    if (sight.name.empty()) sight.name = sight.material.empty() ? spoken_kind("wall") : std::exchange(sight.material, {});
     return sight;
 }
 
@@ -104,19 +105,15 @@ std::vector<Sight> look_towards(const Asker& asker, double bearing_rad) {
 
 std::string sides_of_door(const Feature& door, double bearing_rad) {
     static const std::map<std::string, double, std::less<>> kSides{{"north", 0.0}, {"east", kQuarter_rad}, {"south", kPi}, {"west", -kQuarter_rad}};
-    const auto side = [&](const std::string& compass) -> std::string {
+    const auto side = [&](const std::string& compass, const char* left, const char* right) -> std::string {
         const auto found = kSides.find(compass);
         if (found == kSides.end()) return {};
         const double turn = wrap_angle(found->second - bearing_rad);
         // Seen along the leaf there is no left and right.
         if (std::abs(std::sin(turn)) < 0.3) return {};
-        return turn > 0.0 ? "right" : "left";
+        return phrase(turn > 0.0 ? right : left);
     };
-    const std::string hinge = side(door.hinge), handle = side(door.handle);
-    std::string text;
-    if (!hinge.empty()) text = "hinged " + hinge;
-    if (!handle.empty()) text += (text.empty() ? "handle " : ", handle ") + handle;
-    return text;
+    return joined(side(door.hinge, "questions.hinged_left", "questions.hinged_right"), side(door.handle, "questions.handle_left", "questions.handle_right"));
 }
 
 std::string tell(const Sight& sight, const std::string& state, const Telling& how) {
@@ -124,15 +121,15 @@ std::string tell(const Sight& sight, const std::string& state, const Telling& ho
     const std::string place = place_words(sight.seen.distance_m, sight.seen.bearing_rad, how.heading_rad, how.directions, how.distances);
     if (how.verbosity <= 1) return name;
     if (how.verbosity >= 4) {
-        std::string text = fmt::format("{}: it is {}.", name, place);
-        if (!sight.material.empty()) text += fmt::format(" It is made of {}.", sight.material);
-        if (!state.empty()) text += fmt::format(" It is {}.", state);
+        std::string text = phrase("questions.it_is_there", {{"name", name}, {"place", place}});
+        if (!sight.material.empty()) text += " " + phrase("questions.made_of", {{"material", sight.material}});
+        if (!state.empty()) text += " " + phrase("questions.in_state", {{"state", state}});
         return text;
     }
     std::string text = name;
-    if (!sight.material.empty() && (sight.surface || how.verbosity == 3)) text += ", " + sight.material;
-    if (!state.empty() && how.verbosity == 3) text += ", " + state;
-    return text + ", " + place;
+    if (sight.surface || how.verbosity == 3) text = joined(text, sight.material);
+    if (how.verbosity == 3) text = joined(text, state);
+    return joined(text, place);
 }
 
 std::string steps_of_size(const Feature& feature, const DistanceWords& how) {
@@ -140,7 +137,7 @@ std::string steps_of_size(const Feature& feature, const DistanceWords& how) {
     const auto steps = [&](double m) { return std::round(10.0 * m / how.step_length_m) / 10.0; };
     const double wide = steps(std::max(size.x, size.y)), deep = steps(std::min(size.x, size.y));
     const bool upright = feature.kind == FeatureKind::Wall || feature.kind == FeatureKind::Door || deep == 0.0;
-    return upright ? fmt::format("{} {}.", wide, wide == 1.0 ? "step" : "steps") : fmt::format("{} by {} steps.", wide, deep);
+    return upright ? phrase("questions.steps_wide", {{"steps", wide}}) : phrase("questions.steps_by_steps", {{"wide", wide}, {"deep", deep}});
 }
 
 double LookRound::step(int by, const Vec3& feet_m, double heading_rad, std::optional<double> hand_rad) {
@@ -158,26 +155,30 @@ double LookRound::step(int by, const Vec3& feet_m, double heading_rad, std::opti
 
 std::string scale_bar_words(bool outdoors, const Telling& how, double hand_scale, double workspace_heading_rad) {
     const double bar_m = outdoors ? kBarOutdoors_m : kBarSteps * how.distances.step_length_m;
-    std::string text = outdoors ? fmt::format("25 metres, {} steps", std::lround(bar_m / how.distances.step_length_m))
-                                : fmt::format("{} steps, {:.1f} metres", kBarSteps, bar_m);
-    if (hand_scale > 0.0) text += fmt::format(", are {:.1f} centimetres under your hand", 100.0 * bar_m / hand_scale);
-    text += ".";
+    const long steps = outdoors ? std::lround(bar_m / how.distances.step_length_m) : kBarSteps;
     // For the compass north is no direction to be told, so then by the sides.
     const DirectionChoice choice = how.directions == DirectionChoice::Compass ? DirectionChoice::Sides : how.directions;
-    if (hand_scale > 0.0) {
-        const std::string under_hand = direction_words(0.0, workspace_heading_rad, choice, how.distances.rounded);
-        text += fmt::format(" North is {} for your hand", under_hand == "ahead" ? "away from you" : under_hand == "behind" ? "towards you" : under_hand);
-        text += fmt::format(", and {} for your feet.", direction_words(0.0, how.heading_rad, choice, how.distances.rounded));
-    } else {
-        text += fmt::format(" North is {}.", direction_words(0.0, how.heading_rad, choice, how.distances.rounded));
+    const std::string north = direction_words(0.0, how.heading_rad, choice, how.distances.rounded);
+    if (!(hand_scale > 0.0)) {
+        const std::string bar = phrase(outdoors ? "questions.bar_outdoors" : "questions.bar", {{"steps", steps}, {"metres", bar_m}});
+        return bar + " " + phrase("questions.north", {{"direction", north}});
     }
-    return text;
+    const double turn_deg = std::abs(told_turn_deg(0.0, workspace_heading_rad, how.distances.rounded));
+    const bool clock = choice == DirectionChoice::Clock;
+    const std::string under_hand = !clock && turn_deg == 0.0     ? phrase("questions.away_from_you")
+                                   : !clock && turn_deg == 180.0 ? phrase("questions.towards_you")
+                                                                 : direction_words(0.0, workspace_heading_rad, choice, how.distances.rounded);
+    return phrase(outdoors ? "questions.bar_outdoors_under_hand" : "questions.bar_under_hand",
+                  {{"steps", steps}, {"metres", bar_m}, {"centimetres", 100.0 * bar_m / hand_scale}}) +
+           " " + phrase("questions.north_under_hand", {{"hand", under_hand}, {"feet", north}});
 }
 
 std::string coordinates_words(const Vec3& place_m) {
-    const auto along = [](double m, const char* plus, const char* minus) { return fmt::format("{:.1f} {}", std::abs(m), m >= -0.05 ? plus : minus); };
-    return fmt::format("{}, {}, height {:.1f} metres", along(place_m.x, "east", "west"), along(place_m.y, "north", "south"),
-                       std::abs(place_m.z) < 0.05 ? 0.0 : place_m.z);
+    return phrase("questions.coordinates", {{"x", std::abs(place_m.x)},
+                                            {"east", place_m.x >= -0.05 ? "yes" : "no"},
+                                            {"y", std::abs(place_m.y)},
+                                            {"north", place_m.y >= -0.05 ? "yes" : "no"},
+                                            {"height", std::abs(place_m.z) < 0.05 ? 0.0 : place_m.z}});
 }
 
 std::optional<double> above_floor_m(const BodyWorld& world, const Vec3& place_m) {

@@ -171,7 +171,7 @@ public:
             case Check::Touching:
                 return each_tick(
                     [&](const LoggedTick& t) {
-                        const std::string name = t.contact ? spoken_name(scene_, t.touched) : std::string("nothing");
+                        const std::string name = t.contact ? stored_name(scene_, t.touched) : std::string("nothing");
                         return words_in_order(e_.text, name) ? std::string() : fmt::format("touching {}", name.empty() ? "something without a name" : name);
                     },
                     fmt::format("touching \"{}\"", e_.text));

@@ -1,12 +1,11 @@
 #include "app/core/soundscape.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "audio-cues/plan/sound_table.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -204,7 +203,7 @@ CueRequest SoundDictionary::step(int by, const Listener& listener, double now_s)
     request.time_s = now_s;
     request.sound = entry.kind;
     request.material = entry.material;
-    request.text = fmt::format("{} {} of {}.", entry.text, shown_ + 1, count);
+    request.text = phrase("session.sound_of", {{"sound", entry.text}, {"number", shown_ + 1}, {"count", count}});
     request.position_m = listener.ears_m + forward_of_heading(listener.heading_rad);
     return request;
 }

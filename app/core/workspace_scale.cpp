@@ -1,11 +1,10 @@
 #include "app/core/workspace_scale.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "haptic/servo/workspace_mover.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -14,22 +13,21 @@ constexpr double kLeast = 1.0, kMost = 500.0;  // as workspace.scale
 
 // Whole metres from ten on, below to the decimetre.
 std::string metres(double length_m) {
-    const double rounded = length_m < 9.95 ? std::round(length_m * 10.0) / 10.0 : std::round(length_m);
-    return fmt::format("{:g} {}", rounded, rounded == 1.0 ? "metre" : "metres");
+    return phrase("words.metres", {{"metres", length_m < 9.95 ? std::round(length_m * 10.0) / 10.0 : std::round(length_m)}});
 }
 
 }  // namespace
 
-std::string_view name_of(NamedScale scale) {
+std::string name_of(NamedScale scale) {
     switch (scale) {
         case NamedScale::Building:
-            return "Building";
+            return phrase("session.scale_building");
         case NamedScale::Floor:
-            return "Floor";
+            return phrase("session.scale_floor");
         case NamedScale::Room:
-            return "Room";
+            return phrase("session.scale_room");
         case NamedScale::Detail:
-            return "Detail";
+            return phrase("session.scale_detail");
     }
     return "";
 }
@@ -52,9 +50,8 @@ double world_m_per_hand_m(NamedScale scale, const Aabb& bounds_m, double reach_h
 
 std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double reach_hand_m, const DistanceWords& how) {
     const double width_m = 2.0 * reach_hand_m * world_m_per_hand_m;
-    std::string text = fmt::format("{}, {} wide", name_of(scale), metres(width_m));
-    if (how.in_steps) text += ", " + distance_words(width_m, how);
-    return text;
+    const std::string text = phrase("session.scale_wide", {{"scale", name_of(scale)}, {"metres", metres(width_m)}});
+    return how.in_steps ? joined(text, distance_words(width_m, how)) : text;
 }
 
 double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m) {

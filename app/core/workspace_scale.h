@@ -13,7 +13,7 @@ namespace handrail {
 
 enum class NamedScale : std::uint8_t { Building, Floor, Room, Detail };
 
-std::string_view name_of(NamedScale scale);  // "Room"
+std::string name_of(NamedScale scale);  // "Room"
 
 // World metres per hand metre. Building fits the bounds, corner to corner, inside the rim of a device of that reach; the others are the same everywhere.
 double world_m_per_hand_m(NamedScale scale, const Aabb& bounds_m, double reach_hand_m);

@@ -1,13 +1,12 @@
 #include "app/core/world_shelf.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdlib>
 
 #include "app/core/words.h"
 #include "worlds/base/files.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -32,7 +31,7 @@ std::string name_of_file(const fs::path& file) {
     std::string name;
     for (const std::string& character : characters_of(stem))
         if (is_utf8(character) && !is_control(character[0])) name += character == "_" || character == "-" ? " " : character;
-    return name.empty() ? "a world without a name" : sentence_case(name);
+    return name.empty() ? phrase("worlds.without_a_name") : sentence_case(name);
 }
 
 std::vector<ShelvedWorld> worlds_in(const fs::path& folder) {
@@ -64,8 +63,7 @@ RecentWorlds::RecentWorlds(fs::path file) : file_(std::move(file)) {
     fs::path aside = file_;
     aside += ".damaged";
     fs::rename(file_, aside, ec);
-    news_ = ec ? "The list of your last worlds is damaged and cannot be moved; it starts empty and is not saved."
-               : fmt::format("The list of your last worlds is damaged. It is kept as {} and starts empty.", aside.filename().string());
+    news_ = ec ? phrase("worlds.list_damaged_stays") : phrase("worlds.list_damaged", {{"file", aside.filename().string()}});
     if (ec) file_.clear();
 }
 

@@ -344,7 +344,7 @@ private:
         if (!plug_watch_) return true;
         for (PluggedHand& hand : plug_watch_->take_new()) {
             if (hand.problem.empty()) offer(std::move(hand));
-            else say(fmt::format("I found {}. {}", with_article(hand.spoken_name), hand.problem));
+            else say(found_words(hand.spoken_name) + " " + hand.problem);
         }
         return true;
     }

@@ -35,7 +35,7 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
     if (wanted == "auto") {
         for (const FoundDevice& device : found) {
             if (device.kind != DeviceKind::Kinesthetic) continue;
-            news.push_back(fmt::format("I found {}.", with_article(device.model)));
+            news.push_back(found_words(device.model));
             if (device.usable) return real_hand(device);
             news.push_back(device.problem);
         }

@@ -173,7 +173,7 @@ std::string replay(const Scene& scene, const std::vector<PathRow>& rows, const T
             const double length = glm::length(force_n);
             if (limits && length > limits->peak_force_n) force_n *= limits->peak_force_n / length;
             contacts = result.contacts.count;
-            if (contacts > 0) feature = spoken_name(scene, result.contacts.contacts[result.contacts.strongest].feature);
+            if (contacts > 0) feature = stored_name(scene, result.contacts.contacts[result.contacts.strongest].feature);
         }
         append_number(out, row.t_s);
         for (const Vec3& v : {row.position_m, proxy_m, force_n})

@@ -45,7 +45,7 @@ std::string size_sentence(const Feature& feature) {
 std::string describe_feature(const Scene& scene, FeatureId id, int verbosity) {
     const Feature* feature = scene.find(id);
     if (feature == nullptr || verbosity <= 0) return {};
-    std::string text = verbosity == 1 ? feature->name : spoken_name(scene, id);
+    std::string text = verbosity == 1 ? spoken_name(*feature) : spoken_name(scene, id);
     if (text.empty() || verbosity == 1) return sentence_case(text);
     if (!feature->handle.empty()) text += fmt::format(", handle on the {} side", feature->handle);
     if (feature->base) text += ", base";

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
 
@@ -53,10 +55,6 @@ std::string speakable(std::string_view text) {
     return out;
 }
 
-std::string sentence_case(std::string_view text) {
-    std::string out = speakable(text);
-    if (!out.empty() && out.front() >= 'a' && out.front() <= 'z') out.front() = static_cast<char>(out.front() - 'a' + 'A');
-    return out;
-}
+std::string sentence_case(std::string_view text) { return capitalised(speakable(text)); }
 
 }  // namespace handrail

@@ -10,7 +10,7 @@ namespace handrail {
 // as Latin-1, which is what old maps were written in. Text that is already clean comes back unchanged.
 std::string speakable(std::string_view text);
 
-// The same with an upper-case first letter (ASCII only), as a label is spoken and printed.
+// The same with an upper-case first letter, as a label is spoken and printed.
 std::string sentence_case(std::string_view text);
 
 }  // namespace handrail

@@ -4,6 +4,7 @@
 #include <unicode/locid.h>
 #include <unicode/messagepattern.h>
 #include <unicode/msgfmt.h>
+#include <unicode/uchar.h>
 #include <unicode/unistr.h>
 
 #include <toml++/toml.h>
@@ -140,6 +141,13 @@ std::string phrase(std::string_view key, std::initializer_list<TextValue> values
 }
 
 bool has_phrase(std::string_view key) { return find(language_spoken(), key) || find(english(), key); }
+
+std::string capitalised(std::string_view text) {
+    icu::UnicodeString made = wide(text);
+    const UChar32 first = made.isEmpty() ? 0 : made.char32At(0), upper = u_totitle(first);
+    if (first == upper) return std::string(text);
+    return narrow(made.replace(0, U16_LENGTH(first), upper));
+}
 
 std::vector<LanguageName> bundled_languages() {
     std::vector<LanguageName> names;

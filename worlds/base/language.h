@@ -38,6 +38,9 @@ std::string phrase(std::string_view key, std::initializer_list<TextValue> values
 // Whether the language spoken, or English, has the key: for keys made of names that come from files ("material.moss").
 bool has_phrase(std::string_view key);
 
+// First letter in upper case, for the start of a sentence, in any script; a text that begins with no letter stays.
+std::string capitalised(std::string_view text);
+
 // A language that can be chosen: its code ("de") and its own name for itself ("Deutsch").
 struct LanguageName {
     std::string code;

@@ -1,12 +1,12 @@
 #include "worlds/navigation/rooms.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
 
+#include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -19,6 +19,27 @@ constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0, kLeastRoom_m2 = 0.8,
 constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
 constexpr double kStorey_m = 2.0;
 constexpr double kOnePortal_m = 1.0;  // gaps in a border smaller than that do not make two portals
+
+MadeRoomName by_thing(const std::string& name, bool made) {
+    MadeRoomName called;
+    called.thing = name;
+    called.thing_made = made;
+    return called;
+}
+
+std::string made_name(const MadeRoomName& made) {
+    constexpr std::array kLooks{"room_name.niche", "room_name.corridor", "room_name.small_room", "room_name.room", "room_name.large_room", "room_name.hall"};
+    const std::string thing = made.thing_made ? spoken_kind(made.thing) : made.thing;
+    if (made.with_thing) return phrase(made.look == RoomLook::Niche ? "room_name.niche_with" : "room_name.room_with", {{"thing", thing}});
+    if (!thing.empty()) return thing;
+    const std::string look = phrase(kLooks[static_cast<std::size_t>(made.look)]);
+    const std::string side = made.side_rad ? compass_word(*made.side_rad) : phrase("room_name.middle");
+    const std::string name = phrase("room_name.by_size", {{"look", look}, {"wide", made.wide_m}, {"deep", made.deep_m}, {"side", side}});
+    if (made.levels == 2) return phrase(made.level == 0 ? "room_name.lower_level" : "room_name.upper_level", {{"room", name}});
+    return made.levels > 2 ? phrase("room_name.level", {{"room", name}, {"level", made.level + 1}}) : name;
+}
+
+std::string numbered(const Room& room) { return phrase("room_name.another", {{"room", room.name}, {"number", room.same_name}}); }
 
 class Builder {
 public:
@@ -345,57 +366,66 @@ private:
 
     // By what stands in it and nowhere else, else by size and place.
     void name() {
-        std::vector<std::string> content(graph_.rooms.size());
+        std::vector<MadeRoomName> content(graph_.rooms.size());
         for (const Feature& feature : scene_.features) {
             if (!feature.landmark || feature.bounds_m.empty() || feature.kind == FeatureKind::Door) continue;
             const Vec3 c = feature.bounds_m.centre_m(), size = feature.bounds_m.size_m();
             const std::uint32_t s = space_.nearest({c.x, c.y, feature.bounds_m.min_m.z}, 0.5 * std::max(size.x, size.y) + 1.0, 0.6, 2.0);
-            if (s != kNothing && content[label_[s]].empty()) content[label_[s]] = feature.name;
+            if (s != kNothing && content[label_[s]].thing.empty()) content[label_[s]] = by_thing(feature.name, feature.made_name);
         }
         std::vector<Aabb> levels(static_cast<std::size_t>(levels_));
         for (const Room& room : graph_.rooms) levels[static_cast<std::size_t>(room.level)].include(room.bounds_m);
         for (std::uint32_t r = 0; r < graph_.rooms.size(); ++r) {
             Room& room = graph_.rooms[r];
             if (room.named) continue;
-            if (room.kind == RoomKind::Stairs) room.name = ground_name(r, "Stairs");
-            else if (room.kind == RoomKind::Liquid) room.name = liquid_name(r);
-            else if (!content[r].empty()) room.name = fmt::format("{} with {}", room.kind == RoomKind::Niche ? "niche" : "room", content[r]);
-            else room.name = size_name(room, levels[static_cast<std::size_t>(room.level)]);
+            if (room.kind == RoomKind::Stairs) room.made = ground_name(r);
+            else if (room.kind == RoomKind::Liquid) room.made = liquid_name(r);
+            else if (content[r].thing.empty()) room.made = by_size(room, levels[static_cast<std::size_t>(room.level)]);
+            else {
+                room.made = content[r];
+                room.made.with_thing = true;
+                if (room.kind == RoomKind::Niche) room.made.look = RoomLook::Niche;
+            }
+            room.name = made_name(room.made);
         }
+        graph_.language = spoken_language();
         std::map<std::string, int> seen;
-        for (Room& room : graph_.rooms)
-            if (const int count = ++seen[room.name]; count > 1) room.name += fmt::format(", {}", count);
+        for (Room& room : graph_.rooms) {
+            room.same_name = ++seen[room.name];
+            if (room.same_name > 1) room.name = numbered(room);
+        }
     }
 
-    std::string ground_name(std::uint32_t room, std::string otherwise) const {
+    MadeRoomName ground_name(std::uint32_t room) const {
         for (std::uint32_t s = 0; s < label_.size(); ++s)
             if (label_[s] == room && space_.spans[s].ground < space_.obstacle_features.size())
                 if (const Feature* feature = scene_.find(space_.obstacle_features[space_.spans[s].ground]);
                     feature && feature->kind == FeatureKind::Object && !feature->name.empty())
-                    return feature->name;
-        return otherwise;
+                    return by_thing(feature->name, feature->made_name);
+        return by_thing("stairs", true);
     }
-    std::string liquid_name(std::uint32_t room) const {
+    MadeRoomName liquid_name(std::uint32_t room) const {
         for (const Solid& solid : scene_.solids)
             if (solid.role == SolidRole::Liquid && solid.feature && contains(solid.shape, graph_.rooms[room].middle_m + Vec3(0.0, 0.0, 0.3)))
-                return scene_.features[solid.feature.value].name;
-        return "water";
+                return by_thing(scene_.features[solid.feature.value].name, scene_.features[solid.feature.value].made_name);
+        return by_thing("water", true);
     }
-    std::string size_name(const Room& room, const Aabb& level) const {
+    MadeRoomName by_size(const Room& room, const Aabb& level) const {
         const Vec3 size = room.bounds_m.size_m(), all = level.size_m(), off = room.middle_m - level.centre_m();
         const double least = std::min(size.x, size.y), most = std::max(size.x, size.y);
-        const char* what = room.kind == RoomKind::Niche        ? "niche"
-                           : least < 2.5 && most > 3.0 * least ? "corridor"
-                           : room.area_m2 < 6.0                ? "small room"
-                           : room.area_m2 > 250.0              ? "hall"
-                           : room.area_m2 > 80.0               ? "large room"
-                                                               : "room";
-        const bool middle = std::abs(off.x) < 0.15 * all.x && std::abs(off.y) < 0.15 * all.y;
-        std::string text = fmt::format("{}, {:.0f} by {:.0f} metres, {}", what, std::max(1.0, size.x), std::max(1.0, size.y),
-                                       middle ? "middle" : std::string(compass_word(Vec3(off.x, off.y, 0.0))));
-        if (levels_ == 2) text += room.level == 0 ? ", lower level" : ", upper level";
-        else if (levels_ > 2) text += fmt::format(", level {}", room.level + 1);
-        return text;
+        MadeRoomName made;
+        made.look = room.kind == RoomKind::Niche        ? RoomLook::Niche
+                    : least < 2.5 && most > 3.0 * least ? RoomLook::Corridor
+                    : room.area_m2 < 6.0                ? RoomLook::SmallRoom
+                    : room.area_m2 > 250.0              ? RoomLook::Hall
+                    : room.area_m2 > 80.0               ? RoomLook::LargeRoom
+                                                        : RoomLook::Room;
+        made.wide_m = static_cast<int>(std::nearbyint(std::max(1.0, size.x)));
+        made.deep_m = static_cast<int>(std::nearbyint(std::max(1.0, size.y)));
+        if (std::abs(off.x) >= 0.15 * all.x || std::abs(off.y) >= 0.15 * all.y) made.side_rad = std::atan2(off.x, off.y);
+        made.level = room.level;
+        made.levels = levels_;
+        return made;
     }
 
     const Scene& scene_;
@@ -415,6 +445,16 @@ RoomGraph make_rooms(const Scene& scene, const WalkSpace& space) {
     body.walls_only = true;
     const Result<WalkSpace> walls = make_walk_space(scene, body);
     return Builder(scene, space, walls ? *walls : space).build();
+}
+
+void say_room_names(RoomGraph& graph) {
+    if (std::string spoken = spoken_language(); graph.language != spoken) graph.language = std::move(spoken);
+    else return;
+    for (Room& room : graph.rooms) {
+        if (room.named) continue;
+        room.name = made_name(room.made);
+        if (room.same_name > 1) room.name = numbered(room);
+    }
 }
 
 std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,10 +12,26 @@ namespace handrail {
 
 enum class RoomKind : std::uint8_t { Room, Stairs, Liquid, Niche };
 
+// What a room without a name of its own is called by.
+enum class RoomLook : std::uint8_t { Niche, Corridor, SmallRoom, Room, LargeRoom, Hall };
+struct MadeRoomName {
+    std::string thing;        // by something in it, where there is such a thing: see Feature::name
+    bool thing_made = false;  // see Feature::made_name
+    bool with_thing = false;  // "room with Stove"; else the room is called as the thing is
+    RoomLook look = RoomLook::Room;
+    int wide_m = 0, deep_m = 0;      // else by size and place
+    std::optional<double> side_rad;  // of its storey it is on; none: in the middle
+    int level = 0, levels = 1;
+};
+
 struct Room {
     RoomKind kind = RoomKind::Room;
-    std::string name;      // lower case unless it is a name: "Kitchen", "large room, 12 by 8 metres, north"
-    bool named = false;    // by the map or a person; else made from what is known of it
+    // Lower case unless it is a name: "Kitchen", "large room, 12 by 8 metres, north". A made one is in the language that was spoken when it was made:
+    // see say_room_names. No file knows a room by a made name.
+    std::string name;
+    bool named = false;  // by the map or a person; else made from what is known of it
+    MadeRoomName made;
+    int same_name = 1;     // the how manyth of that name it is
     int level = 0;         // 0 is the lowest
     double area_m2 = 0.0;  // of floor where one can stand, plus the strip along its walls
     double floor_m = 0.0;  // mean height
@@ -41,11 +58,15 @@ struct RoomGraph {
     std::vector<Room> rooms;
     std::vector<Portal> portals;
     std::vector<std::uint32_t> room_of_span;  // size WalkSpace::spans
+    std::string language;                     // the one that the made names are in
 };
 
 // Rooms are cut at doors, stairs, liquids and where walls come together; furniture makes none. Names of Scene::room_names cut apart what no wall does, at
 // the narrowest place between them.
 RoomGraph make_rooms(const Scene& scene, const WalkSpace& space);
+
+// Makes the made names anew where another language is spoken by now. Costs nothing where not.
+void say_room_names(RoomGraph& graph);
 
 // The room somebody stands in; kNothing where that is no walkable place.
 std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m);

@@ -217,7 +217,7 @@ private:
         Feature feature;
         feature.kind = FeatureKind::Object;
         feature.name = name.empty() || name == "default" || name == "off" ? scene_.name : words_of_name(name);
-        if (feature.name.empty()) feature.name = "surface";
+        if (feature.name.empty()) feature.name = "surface", feature.made_name = true;
         feature.source.line = line_;
         scene_.features.push_back(std::move(feature));
         return found->second;

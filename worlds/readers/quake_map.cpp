@@ -53,6 +53,12 @@ constexpr std::array kClasses{
     ClassRow{"func_bossgate", SolidRole::Solid, FeatureKind::Object, "gate"},
 };
 
+// One of our own names, where the map gives none.
+void give_name(Feature& feature, std::string_view name) {
+    feature.name = name;
+    feature.made_name = true;
+}
+
 bool fits(std::string_view pattern, std::string_view name) {
     return pattern.ends_with('*') ? name.starts_with(pattern.substr(0, pattern.size() - 1)) : name == pattern;
 }
@@ -401,7 +407,7 @@ private:
         if (const ClassRow* row = class_row(class_name)) {
             meaning.role = row->role;
             feature.kind = row->kind;
-            if (feature.name.empty()) feature.name = row->name;
+            if (feature.name.empty()) give_name(feature, row->name);
         }
         const std::string cs_name = world ? std::string{} : lower_ascii(entity.value("cs_name").substr(0, 256));
         if (cs_name == "liquid") {
@@ -409,19 +415,19 @@ private:
             meaning.liquid = true;
             meaning.role = SolidRole::Liquid;
             feature.kind = FeatureKind::Liquid;
-            if (feature.name.empty()) feature.name = "liquid";
+            if (feature.name.empty()) give_name(feature, "liquid");
         } else if (cs_name == "dynamic_box" || cs_name == "dynamic_sphere" || cs_name == "dynamic_cylinder") {
             meaning.structure = false;
             meaning.role = SolidRole::Mover;
             meaning.exact = cs_name == "dynamic_box" ? PrimitiveKind::Box : cs_name == "dynamic_sphere" ? PrimitiveKind::Sphere : PrimitiveKind::Cylinder;
-            if (feature.name.empty()) feature.name = cs_name == "dynamic_box" ? "box" : cs_name == "dynamic_sphere" ? "ball" : "cylinder";
+            if (feature.name.empty()) give_name(feature, cs_name == "dynamic_box" ? "box" : cs_name == "dynamic_sphere" ? "ball" : "cylinder");
         } else if (feature.name.empty() && !cs_name.empty()) {
             feature.name = words_of_name(entity.value("cs_name"));
         }
         if (const std::optional<PrimitiveKind> exact = shape_of(entity, world, meaning)) {
             meaning.structure = false;
             meaning.exact = exact;
-            if (feature.name.empty()) feature.name = *exact == PrimitiveKind::Sphere ? "ball" : kPrimitiveNames[static_cast<std::size_t>(*exact)];
+            if (feature.name.empty()) give_name(feature, *exact == PrimitiveKind::Sphere ? "ball" : kPrimitiveNames[static_cast<std::size_t>(*exact)]);
         }
         meaning.viscosity_ns_per_m = number_of(entity, "viscosity", 0.0, kMostViscosityNsPerM, "0 to 100 newton seconds per metre");
         meaning.soft = soft_wish_of(entity, units_, diagnostics_);
@@ -759,7 +765,7 @@ private:
                 Feature& feature = scene_.features[whole.value];
                 feature.bounds_m.include(built.solid.bounds_m);
                 if (feature.name.empty() && !volume_name.empty()) {
-                    feature.name = volume_name;
+                    give_name(feature, volume_name);
                     feature.kind = volume_kind;
                 }
                 solid.feature = whole;
@@ -919,7 +925,7 @@ private:
             }
             Feature feature;
             feature.kind = volumes_[i].kind;
-            feature.name = volumes_[i].name;
+            give_name(feature, volumes_[i].name);
             feature.source = solid.source;
             solid.feature = add_feature(feature);
         }

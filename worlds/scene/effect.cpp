@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <array>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
 
 constexpr std::array kEffects{
-    EffectSpec{"magnet", EffectKind::Magnet, 2.0, -4.0, 4.0, 0.010, 0.001, 0.1, 0.010,
-               "Draws to its middle, below 0 pushes away; strongest at the width, where it pulls with the strength."},
-    EffectSpec{"detent", EffectKind::Detent, 1.5, 0.0, 4.0, 0.010, 0.002, 0.1, 0.010, "Notches along the direction, one in each width."},
-    EffectSpec{"button", EffectKind::Button, 1.0, 0.0, 4.0, 0.020, 0.002, 0.1, 0.010, "Snaps between two places a width apart along the direction."},
-    EffectSpec{"fly-paper", EffectKind::FlyPaper, 3.0, 0.0, 4.0, 0.0, 0.0, 0.0, 0.010, "Holds the hand where it is, until pulled off with the strength."},
-    EffectSpec{"inertia", EffectKind::Inertia, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.010, "The hand drags the mass along."},
-    EffectSpec{"force", EffectKind::Force, 1.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.020, "Pushes along the direction, like wind."},
-    EffectSpec{"vibration", EffectKind::Vibration, 0.2, 0.0, 0.5, 0.0, 0.0, 0.0, 0.010, "Shakes along the direction, with the frequency."},
+    EffectSpec{"magnet", EffectKind::Magnet, 2.0, -4.0, 4.0, 0.010, 0.001, 0.1, 0.010},
+    EffectSpec{"detent", EffectKind::Detent, 1.5, 0.0, 4.0, 0.010, 0.002, 0.1, 0.010},
+    EffectSpec{"button", EffectKind::Button, 1.0, 0.0, 4.0, 0.020, 0.002, 0.1, 0.010},
+    EffectSpec{"fly-paper", EffectKind::FlyPaper, 3.0, 0.0, 4.0, 0.0, 0.0, 0.0, 0.010},
+    EffectSpec{"inertia", EffectKind::Inertia, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.010},
+    EffectSpec{"force", EffectKind::Force, 1.0, 0.0, 2.0, 0.0, 0.0, 0.0, 0.020},
+    EffectSpec{"vibration", EffectKind::Vibration, 0.2, 0.0, 0.5, 0.0, 0.0, 0.0, 0.010},
 };
 
 }  // namespace
@@ -31,6 +31,12 @@ const EffectSpec* find_effect(std::string_view name) {
 
 const EffectSpec& effect_spec(EffectKind kind) {
     return *std::find_if(kEffects.begin(), kEffects.end(), [kind](const EffectSpec& row) { return row.kind == kind; });
+}
+
+std::string effect_meaning(const EffectSpec& spec) {
+    std::string key = "effect.";
+    for (const char c : spec.name) key += c == '-' ? '_' : c;
+    return phrase(key);
 }
 
 }  // namespace handrail

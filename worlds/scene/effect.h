@@ -22,7 +22,6 @@ struct EffectSpec {
     double strength_n = 0.0, least_n = 0.0, most_n = 0.0;              // default and range; all 0: the kind has none
     double width_hand_m = 0.0, least_hand_m = 0.0, most_hand_m = 0.0;  // likewise
     double edge_hand_m = 0.010;
-    std::string_view meaning;  // of strength and width
 };
 
 // Fixed order.
@@ -30,6 +29,8 @@ std::span<const EffectSpec> effect_table();
 // Exact, case-insensitive; nullptr when there is none of that name.
 const EffectSpec* find_effect(std::string_view name);
 const EffectSpec& effect_spec(EffectKind kind);
+// What strength and width mean, in a sentence.
+std::string effect_meaning(const EffectSpec& spec);
 
 // What a magnet draws to.
 enum class MagnetPull {

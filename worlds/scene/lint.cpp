@@ -1,18 +1,13 @@
 #include "worlds/scene/lint.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
-
-std::string capital(std::string name) {
-    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
-    return name;
-}
 
 double ratio(double a, double b) {
     const double low = std::min(a, b), high = std::max(a, b);
@@ -36,8 +31,7 @@ std::string advice(const Finish& a, const Finish& b) {
     const Finish& rough = a.friction_mu <= b.friction_mu ? b : a;
     const double softer = std::floor(hard.stiffness_fraction / kStiffnessApart * 100.0) / 100.0;
     const double rougher = std::ceil(slippery.friction_mu * kFrictionApart * 100.0) / 100.0;
-    return fmt::format("Give {} a stiffness of {:g} or less, or {} a friction of {:g} or more, or one of them a texture.", soft.name, softer, rough.name,
-                       rougher);
+    return phrase("lint.advice", {{"soft", spoken_material(soft.name)}, {"stiffness", softer}, {"rough", spoken_material(rough.name)}, {"friction", rougher}});
 }
 
 // The materials that show, each with the boxes of its surfaces.
@@ -108,8 +102,12 @@ std::string crowded_view(const Scene& scene) {
             where = box.centre_m();
         }
     if (most.size() <= kMostMaterialsInView) return {};
-    return fmt::format("There are {} materials within one view round {:.1f} metres east, {:.1f} north: {}. More than {} at once are hard to keep apart.",
-                       most.size(), where.x, where.y, fmt::join(most, ", "), kMostMaterialsInView);
+    std::string list;
+    for (const std::string& name : most) {
+        const std::string material = spoken_material(name);
+        list = list.empty() ? material : phrase("words.joined", {{"one", list}, {"other", material}});
+    }
+    return phrase("lint.crowded", {{"count", most.size()}, {"east", where.x}, {"north", where.y}, {"materials", list}, {"most", kMostMaterialsInView}});
 }
 
 LintReport lint_materials(const Scene& scene) {
@@ -122,9 +120,13 @@ LintReport lint_materials(const Scene& scene) {
             const Finish one = finish_of(scene.materials[used[b]]), other = finish_of(scene.materials[used[a]]);
             if (one.name == other.name || can_be_told_apart(one, other)) continue;
             if (!told.insert(one.name < other.name ? one.name + "/" + other.name : other.name + "/" + one.name).second) continue;
-            report.problems.push_back(fmt::format("{} and {} cannot be told apart by touch: stiffness {:g} and {:g}, friction {:g} and {:g}. {}",
-                                                  capital(one.name), other.name, one.stiffness_fraction, other.stiffness_fraction, one.friction_mu,
-                                                  other.friction_mu, advice(one, other)));
+            report.problems.push_back(phrase("lint.alike", {{"one", capitalised(spoken_material(one.name))},
+                                                            {"other", spoken_material(other.name)},
+                                                            {"stiffness", one.stiffness_fraction},
+                                                            {"other_stiffness", other.stiffness_fraction},
+                                                            {"friction", one.friction_mu},
+                                                            {"other_friction", other.friction_mu},
+                                                            {"advice", advice(one, other)}}));
         }
     if (std::string crowded = crowded_view(scene); !crowded.empty()) report.warnings.push_back(std::move(crowded));
     return report;

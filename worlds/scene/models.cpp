@@ -1,12 +1,11 @@
 #include "worlds/scene/models.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <type_traits>
 #include <variant>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -81,6 +80,7 @@ Result<std::shared_ptr<const Scene>> primitive_model(const Primitive& primitive)
     scene->features.push_back({});
     scene->features.back().kind = FeatureKind::Object;
     scene->features.back().name = scene->name;
+    scene->features.back().made_name = true;
     scene->features.back().bounds_m = solid->shape.bounds_m;
     scene->bounds_m = solid->shape.bounds_m;
     solid->feature = FeatureId{0};
@@ -102,19 +102,18 @@ int find_placed(const Scene& world, const std::string& name) {
 }
 
 Result<Scene> with_placed(const Scene& world, const std::string& name, std::shared_ptr<const Scene> model, const Placement& at, const std::string& material) {
-    if (name.empty()) return fail("A thing that is set down needs a name.");
-    if (find_placed(world, name) >= 0) return fail(fmt::format("There is a \"{}\" already.", name));
+    if (name.empty()) return fail(phrase("worlds.thing_needs_name"));
+    if (find_placed(world, name) >= 0) return fail(phrase("worlds.thing_there", {{"name", name}}));
     const Aabb own = model ? touchable_bounds(*model) : Aabb{};
-    if (own.empty()) return fail(fmt::format("\"{}\" has nothing to touch.", name));
-    if (!is_finite(at.position_m) || !std::isfinite(at.scale) || !(at.scale > 0.0))
-        return fail(fmt::format("The place or scale of \"{}\" is no proper number.", name));
+    if (own.empty()) return fail(phrase("worlds.nothing_to_touch", {{"name", name}}));
+    if (!is_finite(at.position_m) || !std::isfinite(at.scale) || !(at.scale > 0.0)) return fail(phrase("worlds.thing_place_no_number", {{"name", name}}));
     Material made;
     if (!material.empty()) {
         const MaterialSpec* spec = find_material(material);
         if (!spec) {
             std::vector<std::string> names;
             for (const MaterialSpec& row : material_library()) names.emplace_back(row.name);
-            return fail(fmt::format("There is no material \"{}\". The nearest name is {}.", material, nearest_name(material, names)));
+            return fail(phrase("worlds.no_material", {{"material", material}, {"nearest", nearest_name(material, names)}}));
         }
         made.name = spec->name;
         made.sound = spec->sound;
@@ -185,7 +184,7 @@ Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector
 
 Result<Scene> without_placed(const Scene& world, const std::string& name) {
     const int index = find_placed(world, name);
-    if (index < 0) return fail(fmt::format("There is no \"{}\" to take away.", name));
+    if (index < 0) return fail(phrase("worlds.none_to_take", {{"name", name}}));
     Scene scene = world;
     undraw(scene, scene.placed[static_cast<std::size_t>(index)].feature);
     scene.placed.erase(scene.placed.begin() + index);  // its name stays, so that what was said of it can still be looked up

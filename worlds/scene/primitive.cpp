@@ -1,10 +1,9 @@
 #include "worlds/scene/primitive.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/geometry/clip.h"
 
@@ -19,16 +18,15 @@ bool differ(double a, double b) { return std::abs(a - b) > 1e-9 * std::max(std::
 
 // What makes the sizes no such shape; empty where they are.
 std::string refusal(const Primitive& p, const Vec3& size) {
-    const std::string_view name = kPrimitiveNames[static_cast<std::size_t>(p.kind)];
+    const std::string name = spoken_kind(kPrimitiveNames[static_cast<std::size_t>(p.kind)]);
     const Rotation& q = p.at.rotation;
     if (!is_finite(size) || !is_finite(p.at.position_m) || !std::isfinite(p.at.scale) || !std::isfinite(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z))
-        return fmt::format("The size or place of a {} is no number.", name);
+        return phrase("worlds.shape_no_number", {{"shape", name}});
     if (!(std::min({p.size_m.x, p.size_m.y, p.size_m.z, p.stretch.x, p.stretch.y, p.stretch.z, p.at.scale}) > 0.0))
-        return fmt::format("A {} needs sizes and scales above zero.", name);
+        return phrase("worlds.shape_above_zero", {{"shape", name}});
     if (p.kind == PrimitiveKind::Box) return {};
-    if (differ(size.x, size.y) || (p.kind == PrimitiveKind::Sphere && differ(size.x, size.z)))
-        return fmt::format("A {} must stay round: it cannot be stretched along one direction across.", name);
-    if (p.kind == PrimitiveKind::Capsule && size.z < size.x && differ(size.x, size.z)) return "A capsule is at least as long as it is wide.";
+    if (differ(size.x, size.y) || (p.kind == PrimitiveKind::Sphere && differ(size.x, size.z))) return phrase("worlds.shape_stays_round", {{"shape", name}});
+    if (p.kind == PrimitiveKind::Capsule && size.z < size.x && differ(size.x, size.z)) return phrase("worlds.capsule_long");
     return {};
 }
 
@@ -100,7 +98,8 @@ Result<Solid> make_solid(const Primitive& primitive, MaterialId material) {
     const double unit = std::max({size.x, size.y, size.z});
     BuiltSolid built = solid_from_planes(planes_of(primitive.kind, size / unit), Vec3(0.0), 4.0);
     if (built.fault != SolidFault::None) built = solid_from_planes(planes_of(PrimitiveKind::Box, size / unit), Vec3(0.0), 4.0, {0.0, 0.0});
-    if (built.fault != SolidFault::None) return fail(fmt::format("A {} is too thin to be made.", kPrimitiveNames[static_cast<std::size_t>(primitive.kind)]));
+    if (built.fault != SolidFault::None)
+        return fail(phrase("worlds.shape_too_thin", {{"shape", spoken_kind(kPrimitiveNames[static_cast<std::size_t>(primitive.kind)])}}));
     Solid solid;
     solid.shape = std::move(built.solid);
     solid.shape.bounds_m = {};

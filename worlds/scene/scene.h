@@ -26,7 +26,8 @@ enum class FeatureKind { Wall, Floor, Ceiling, Slope, Object, Door, Button, Lift
 // Anything that has a name: a joined wall, the floor of a room, a table, a door, a pool.
 struct Feature {
     FeatureKind kind = FeatureKind::Wall;
-    std::string name;  // fit to be spoken, without the material: "north wall", "Table"
+    std::string name;        // without the material: "north wall", "Table"; what files and scenarios know it by
+    bool made_name = false;  // the map gave none: one of our own English names, said by spoken_name in the person's language
     MaterialId material = kDefaultMaterial;
     Vec3 normal{0.0};  // outward, for walls, floors, ceilings and slopes; zero for objects
     Aabb bounds_m;
@@ -160,8 +161,16 @@ struct Scene {
     const Material& material(MaterialId id) const { return materials[id < materials.size() ? id : kDefaultMaterial]; }
 };
 
-// "north wall, plaster" or "Table": the feature's name with its material where it has one. Empty for kNoFeature.
+// "north wall, plaster" or "Table": the feature's name with its material where it has one, as it is said in the language spoken. A name that the map
+// gives is said as the map has it. Empty for kNoFeature.
 std::string spoken_name(const Scene& scene, FeatureId id);
+// The same without the material.
+std::string spoken_name(const Feature& feature);
+// One of our own names ("north wall", "low block"), or a material's, as it is said; a name that is none of ours stays as it is.
+std::string spoken_kind(std::string_view name);
+std::string spoken_material(std::string_view name);
+// "north wall, plaster" in English and unchanged, whatever is spoken: for tables and to be compared.
+std::string stored_name(const Scene& scene, FeatureId id);
 
 // The number of this material in the scene, which gets it if it is new. Readers only. The default wall once there are too many to count.
 MaterialId material_id(Scene& scene, const Material& material);

@@ -2,10 +2,13 @@
 
 #include <map>
 
+#include "worlds/base/language.h"
 #include "worlds/geometry/exposed_surface.h"
 
 namespace handrail {
 namespace {
+
+std::string_view compass_point(const Vec3& direction) noexcept { return handrail::compass_point(std::atan2(direction.x, direction.y)); }
 
 bool is_touchable(SolidRole role) { return role == SolidRole::Solid || role == SolidRole::Mover; }
 
@@ -35,9 +38,9 @@ std::string name_of_surface(FeatureKind kind, const Vec3& normal, const Aabb& bo
         case FeatureKind::Ceiling:
             return small ? "underside" : "ceiling";
         case FeatureKind::Wall:
-            return std::string(compass_word(-normal)) + " wall";  // one stands on the side its normal points to
+            return std::string(compass_point(-normal)) + " wall";  // one stands on the side its normal points to
         default:
-            return normal.z > 0.0 ? "slope rising " + std::string(compass_word(-normal)) : "sloping ceiling";
+            return normal.z > 0.0 ? "slope rising " + std::string(compass_point(-normal)) : "sloping ceiling";
     }
 }
 
@@ -208,6 +211,7 @@ private:
         felt.min_m.z = sides_m.min_m.z;
         felt.max_m.z = sides_m.max_m.z;
         thing.name = (bottom && !top ? "hanging " : "") + shape_name(felt);
+        thing.made_name = true;
         thing.source = scene_.solids[solids.front()].source;
         const FeatureId id = add_feature(thing);
         for (const std::uint32_t s : solids) {
@@ -327,6 +331,7 @@ private:
             Feature feature;
             feature.kind = step_[g] ? FeatureKind::Object : surface.kind;
             feature.name = step_[g] ? "step" : surface.sky ? "sky" : name_of_surface(surface.kind, surface.normal, surface.bounds_m, surface.area_m2);
+            feature.made_name = true;
             if (!step_[g]) feature.normal = surface.normal;
             feature.material = surface.sky ? kDefaultMaterial : surface.material;
             feature.bounds_m = surface.bounds_m;
@@ -397,7 +402,10 @@ private:
         }
         scene_.report.polygons_kept = scene_.report.polygons - scene_.report.polygons_hidden;
         for (Feature& feature : scene_.features)
-            if (feature.name.empty()) feature.name = shape_name(feature.bounds_m);
+            if (feature.name.empty()) {
+                feature.name = shape_name(feature.bounds_m);
+                feature.made_name = true;
+            }
     }
 
     static constexpr std::uint32_t kNone = 0xffffffffU;
@@ -420,12 +428,18 @@ private:
 
 }  // namespace
 
-std::string_view compass_word(double heading_rad) noexcept {
+std::string_view compass_point(double heading_rad) noexcept {
     constexpr std::array<std::string_view, 8> kWords{"north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"};
     return kWords[nearest_eighth(heading_rad)];
 }
 
-std::string_view compass_word(const Vec3& direction) noexcept { return compass_word(std::atan2(direction.x, direction.y)); }
+std::string compass_word(double heading_rad) {
+    constexpr std::array kWords{"compass.north", "compass.north_east", "compass.east", "compass.south_east",
+                                "compass.south", "compass.south_west", "compass.west", "compass.north_west"};
+    return phrase(kWords[nearest_eighth(heading_rad)]);
+}
+
+std::string compass_word(const Vec3& direction) { return compass_word(std::atan2(direction.x, direction.y)); }
 
 std::string shape_name(const Aabb& bounds_m) {
     const Vec3 size = bounds_m.size_m();

@@ -18,10 +18,11 @@ inline constexpr FaceLook kSkyLook = 0xffffffffU;
 // empty gets one from its shape. `looks` has one entry per solid with one look per face.
 void derive_surfaces(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit);
 
-// "north-east" for a heading or a direction that points there; the eight sides of the compass.
-std::string_view compass_word(double heading_rad) noexcept;
-std::string_view compass_word(const Vec3& direction) noexcept;
-// What a thing without a name is called, by its size: "pillar", "low block".
+// "north-east" for a heading or a direction that points there, of the eight sides of the compass: as names are made of it, and as it is said.
+std::string_view compass_point(double heading_rad) noexcept;
+std::string compass_word(double heading_rad);
+std::string compass_word(const Vec3& direction);
+// What a thing without a name is called, by its size: "pillar", "low block". One of our own names: see Feature::made_name.
 std::string shape_name(const Aabb& bounds_m);
 
 }  // namespace handrail

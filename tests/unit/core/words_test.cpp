@@ -1,5 +1,7 @@
 #include "app/core/words.h"
 
+#include "tests/support/spoken_language.h"
+
 namespace handrail {
 namespace {
 
@@ -74,6 +76,40 @@ TEST(PlaceWords, put_distance_and_direction_together) {
     EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Sides, steps), "9 steps to the right");
     EXPECT_EQ(place_words(0.1, 0.0, 0.0, DirectionChoice::Sides, steps), "close by, ahead");
     EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Compass, steps), "9 steps east");
+}
+
+TEST(Words, are_german_in_german) {
+    const test::InLanguage german("de");
+    const DistanceWords steps{true, 0.7}, metres{false, 0.7}, exact{true, 0.7, false};
+    const double right = kPi / 2.0;
+    EXPECT_EQ(distance_words(0.7, steps), "1 Schritt");
+    EXPECT_EQ(distance_words(3.5, metres), "3,5 Meter");
+    EXPECT_EQ(distance_words(3.36, exact), "4,8 Schritte");
+    EXPECT_EQ(size_words(6.0, 4.5, steps), "6 mal 4,5 Meter, 9 mal 6 Schritte");
+    EXPECT_EQ(relative_words(0.0, kPi / 4.0), "vorn links");
+    EXPECT_EQ(place_words(6.3, 0.0, 0.0, DirectionChoice::Sides, steps), "9 Schritte geradeaus");
+    EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Sides, steps), "9 Schritte nach rechts");
+    EXPECT_EQ(place_words(6.3, radians_from_degrees(-25), 0.0, DirectionChoice::Sides, steps), "9 Schritte, 25 Grad links");
+    EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Compass, steps), "9 Schritte nach Osten");
+    EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Clock, steps), "9 Schritte auf 3 Uhr");
+    EXPECT_EQ(place_words(0.1, right, 0.0, DirectionChoice::Compass, steps), "ganz nah, im Osten");
+    EXPECT_EQ(minutes_words(900.0), "15 Minuten");
+    EXPECT_EQ(sentence_case("überall"), "Überall");
+}
+
+TEST(FoundWords, have_the_article_that_the_name_wants_in_english_and_none_in_german) {
+    EXPECT_EQ(found_words("Falcon"), "I found a Falcon.");
+    EXPECT_EQ(found_words("omega.7"), "I found an omega.7.");
+    const test::InLanguage german("de");
+    EXPECT_EQ(found_words("Falcon"), "Gefunden: Falcon.");
+}
+
+TEST(SentenceCase, changes_the_first_letter_of_any_script_and_nothing_else) {
+    EXPECT_EQ(sentence_case("north wall"), "North wall");
+    EXPECT_EQ(sentence_case("éCRAN"), "ÉCRAN");
+    EXPECT_EQ(sentence_case("дверь"), "Дверь");
+    EXPECT_EQ(sentence_case("4 steps"), "4 steps");
+    EXPECT_EQ(sentence_case(""), "");
 }
 
 TEST(WrapAngle, stays_within_half_a_turn) {

@@ -35,7 +35,7 @@ TEST(Speakable, gives_valid_utf8_for_every_pair_of_bytes) {
 TEST(SentenceCase, raises_the_first_ascii_letter_only) {
     EXPECT_EQ(sentence_case("north wall"), "North wall");
     EXPECT_EQ(sentence_case("Table"), "Table");
-    EXPECT_EQ(sentence_case("écran"), "écran");
+    EXPECT_EQ(sentence_case("écran"), "Écran");
     EXPECT_EQ(sentence_case(""), "");
 }
 

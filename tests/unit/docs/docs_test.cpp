@@ -46,14 +46,15 @@ TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
             return most > 0.0 ? fmt::format("{}, {} to {} {}", value, least, most, unit) : std::string("-");
         };
         expected.push_back(fmt::format("| {} | {} | {} | {} |", effect.name, range(effect.strength_n, effect.least_n, effect.most_n, "N"),
-                                       range(effect.width_hand_m, effect.least_hand_m, effect.most_hand_m, "m"), effect.meaning));
+                                       range(effect.width_hand_m, effect.least_hand_m, effect.most_hand_m, "m"), effect_meaning(effect)));
     }
     EXPECT_THAT(table_rows("map-authors-guide.md", "| Effect | Strength |"), UnorderedElementsAreArray(expected));
 }
 
 // The reader asks for its keys by name; every name it asks for must have a row, and every row must be asked for.
 TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
-    static const std::regex kAsked(R"re((?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of_key|vector_of|name_of_key)\((?:entity_?,\s*)?"([a-z_]+)")re");
+    static const std::regex kAsked(
+        R"re((?:entity_?\.find|entity\.value|text_of|yes_no_of|number_of|side_of_key|vector_of|name_of_key)\((?:entity_?,\s*)?"([a-z_]+)")re");
     std::string source = test::content_of(kRoot / "worlds" / "readers" / "quake_map.cpp");
     for (const char* more : {"map_effects.cpp", "map_movers.cpp", "map_soft.cpp"}) source += test::content_of(kRoot / "worlds" / "readers" / more);
     std::set<std::string> asked;

@@ -4,6 +4,7 @@
 
 #include "tests/support/map_text.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/spoken_language.h"
 #include "tests/unit/navigation/grid_twin.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
@@ -210,6 +211,27 @@ TEST(Rooms, are_named_by_the_map_the_person_what_is_in_them_or_size_and_place) {
     // Two names in one open space: cut apart.
     const std::string both = names + test::entity("info_room", test::key("name", "Store") + test::key("origin", "340 80 16"));
     EXPECT_EQ(rooms_of(two_rooms(100.0, both)).rooms.size(), 2U);
+}
+
+TEST(Rooms, made_names_follow_the_language_and_given_ones_stay) {
+    const std::string stove = test::entity("thing", test::key("name", "Stove") + test::key("landmark", "1"), test::box_brush(360, 60, 0, 400, 100, 40));
+    Scene scene;
+    WalkSpace space;
+    RoomGraph graph = rooms_of(two_rooms(32.0, stove), &scene, &space);
+    const std::uint32_t west = room_at(graph, space, {1.0, 2.5, 0.0}), east = room_at(graph, space, {9.0, 2.5, 0.0});
+    const std::string english = graph.rooms[west].name;
+    EXPECT_TRUE(english.ends_with(" by 5 metres, west")) << english;
+    {
+        const test::InLanguage german("de");
+        say_room_names(graph);
+        EXPECT_TRUE(graph.rooms[west].name.starts_with("Raum, ")) << graph.rooms[west].name;
+        EXPECT_TRUE(graph.rooms[west].name.ends_with(" mal 5 Meter, Westen")) << graph.rooms[west].name;
+        EXPECT_EQ(graph.rooms[east].name, "Raum, darin Stove");
+        give_names(graph, space, {{{9.0, 2.5, 0.0}, "room"}});
+    }
+    say_room_names(graph);
+    EXPECT_EQ(graph.rooms[west].name, english);
+    EXPECT_EQ(graph.rooms[east].name, "room");
 }
 
 TEST(Rooms, tell_their_exits_clockwise) {

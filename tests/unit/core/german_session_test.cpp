@@ -1,0 +1,119 @@
+// A short session in German: what is said is whole German sentences, with the map's own names as the map has them, and follows a change of the language
+// with the next sentence.
+#include <filesystem>
+
+#include "app/core/app_core.h"
+#include "tests/support/spoken_language.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+std::shared_ptr<const Scene> world(const std::string& file) {
+    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file);
+    EXPECT_TRUE(scene);
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+struct Session {
+    explicit Session(const Settings& settings = {}) : app(settings, hand()) {}
+    static HandFacts hand() {
+        HandFacts facts;
+        facts.present = facts.simulated = true;
+        facts.spec = ideal_device_spec();
+        return facts;
+    }
+    void run(double seconds) {
+        for (const double until = now + seconds; now < until - 1e-9;) {
+            now += 1.0 / 60.0;
+            app.tick(now, tool);
+            take();
+        }
+    }
+    void take() {
+        for (CueRequest& cue : app.take_cues())
+            if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
+    }
+    std::string ask(Command command) {
+        app.press(command, now);
+        take();
+        app.release(command);
+        return said.empty() ? std::string() : said.back();
+    }
+    void touch(const std::string& name) {
+        const auto& features = app.scene()->features;
+        const auto found = std::find_if(features.begin(), features.end(), [&](const Feature& feature) { return feature.name == name; });
+        ASSERT_NE(found, features.end()) << name;
+        tool.contacts.count = 1;
+        tool.contacts.strongest = 0;
+        tool.contacts.contacts[0].feature = FeatureId{static_cast<std::uint32_t>(found - features.begin())};
+        tool.ticks = 1;
+    }
+    AppCore app;
+    ToolState tool;
+    double now = 0.0;
+    std::vector<std::string> said;
+};
+
+TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentences) {
+    const test::InLanguage german("de");
+    Session s;
+    s.app.enter_world(world("worlds/maps/house.map"), 0.0);
+    s.run(0.1);
+    const std::string here =
+        "An der Tür, am Ausgangspunkt, Blick nach Norden. Front door, 1 Schritt nach hinten. Grandfather clock, 4 Schritte, 20 Grad rechts. "
+        "Vorn: Nordwand, Ziegel, 12 Schritte. Rechts: Ostwand, Putz, 2 Schritte. Links: Westwand, Putz, 2 Schritte. "
+        "Stairs, 6 Schritte, 10 Grad links. Door mat, ganz nah, hinten.";
+    EXPECT_EQ(s.said.front(), "House with a garden. Der freie Raum ringsum misst 2,5 mal 9 Meter, 3 mal 13 Schritte. Das Ganze misst 20 mal 23 Meter. " + here +
+                                  " Pfeil hoch geht einen Schritt, I und K bewegen die simulierte Hand. F2 sagt den Standort, F1 die Tasten.");
+    EXPECT_EQ(s.ask(Command::WhereAmI), "Hall. " + here);
+    EXPECT_EQ(s.ask(Command::AroundMe),
+              "Vorn: Living room door, 3 Schritte, 45 Grad links. Rechts: Study door, 3 Schritte, 45 Grad rechts. "
+              "Hinten: Door mat, ganz nah, hinten. Links: Coat stand, 1 Schritt, 100 Grad links.");
+    EXPECT_EQ(s.ask(Command::AheadOfMe),
+              "Living room door, 3 Schritte, 45 Grad links. Grandfather clock, 4 Schritte, 20 Grad rechts. "
+              "Ticking clock, 4 Schritte, 20 Grad rechts. Stair rail, 5 Schritte geradeaus.");
+    EXPECT_EQ(s.ask(Command::Heading), "Blick nach Norden, 0 Grad");
+    s.touch("north wall");
+    s.run(0.1);
+    EXPECT_EQ(s.ask(Command::WhatIsThis), "Nordwand, Sand");
+    s.tool.contacts.count = 0;
+    s.run(0.1);
+    EXPECT_EQ(s.ask(Command::WhatIsThis), "Die Hand berührt nichts.");
+    s.ask(Command::Forward);
+    s.run(1.0);
+    EXPECT_EQ(s.ask(Command::Coordinates),
+              "6,0 Ost, 1,4 Nord, Höhe 0,0 Meter, auf dem Boden. Die Hand: 0,0 Ost, 0,0 Nord, Höhe 0,0 Meter, darunter ist nichts.");
+    EXPECT_EQ(s.ask(Command::ScaleBar),
+              "5 Schritte, 3,5 Meter, sind unter der Hand 5,8 Zentimeter. "
+              "Norden ist für die Hand vom Körper weg, für die Füße vorn.");
+    EXPECT_EQ(s.ask(Command::ScaleRoom), "Raum, 9,6 Meter breit, 14 Schritte");
+    const std::string exits = s.ask(Command::Exits);
+    EXPECT_NE(exits.find("Study door"), std::string::npos) << exits;
+    EXPECT_NE(exits.find("2 Schritte, vorn rechts"), std::string::npos) << exits;
+    EXPECT_EQ(s.ask(Command::Home), "Ausgangspunkt. Blick nach Norden.");
+    EXPECT_EQ(s.ask(Command::Leave), "Noch einmal Escape drücken, um zu beenden.");
+    EXPECT_EQ(s.ask(Command::Leave), "Auf Wiedersehen.");
+}
+
+TEST(GermanSession, made_names_of_rooms_and_walls_follow_the_language_and_the_maps_own_names_do_not) {
+    Session s;
+    s.app.enter_world(world("tests/scenarios/worlds/two_rooms_door.map"), 0.0);
+    s.run(0.1);
+    const std::string english = s.ask(Command::WhereAmI);
+    EXPECT_EQ(english,
+              "Room with Bookcase. You are at the base, facing north. Bookcase, 2 steps to the left. Door, 4 steps ahead. "
+              "Right: east wall, plaster, 3 steps. Behind: south wall, plaster, 1 step.");
+    {
+        const test::InLanguage german("de");
+        s.run(0.1);
+        EXPECT_EQ(s.ask(Command::WhereAmI),
+                  "Raum, darin Bookcase. Am Ausgangspunkt, Blick nach Norden. Bookcase, 2 Schritte nach links. "
+                  "Door, 4 Schritte geradeaus. Rechts: Ostwand, Putz, 3 Schritte. Hinten: Südwand, Putz, 1 Schritt.");
+    }
+    s.run(0.1);
+    EXPECT_EQ(s.ask(Command::WhereAmI), english);
+}
+
+}  // namespace
+}  // namespace handrail
