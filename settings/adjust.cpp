@@ -6,14 +6,14 @@
 
 #include "settings/table.h"
 #include "worlds/base/contract.h"
+#include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 
 namespace handrail {
 namespace {
 
 constexpr double kSteps = 20.0;
-constexpr std::size_t kShortUnit = 12;
-constexpr std::array<std::string_view, 9> kUnitEndings{"_ns_per_m", "_m_per_s", "_fraction", "_wpm", "_deg", "_mm", "_mu", "_m", "_n"};
+constexpr std::array<std::string_view, 5> kShortUnits{"deg", "hand_m", "m", "n", "world_m"};  // said with every value, the others with the meaning alone
 
 // 1, 2 or 5 times a power of ten, next below.
 double round_step(double step) {
@@ -25,11 +25,16 @@ double round_step(double step) {
 
 std::string in_words(const SettingInfo& info, const Settings& settings) {
     const SettingValue value = current_value(info, settings);
-    std::string text = std::visit(Overloaded{[](bool v) { return std::string(v ? "on" : "off"); }, [](std::int64_t v) { return fmt::format("{}", v); },
-                                             [](double v) { return fmt::format("{:g}", v); }, [](const std::string& v) { return v; }},
-                                  value);
-    if (!info.unit.empty() && info.unit.size() <= kShortUnit) text += fmt::format(" {}", info.unit);
-    return text;
+    const bool choice = std::holds_alternative<ChoiceField>(info.field);
+    std::string text = std::visit(
+        Overloaded{[](bool v) { return v ? phrase("setting_value.on") : phrase("setting_value.off"); }, [](std::int64_t v) { return fmt::format("{}", v); },
+                   [](double v) {
+                       return phrase("setting_value.number", {{"value", v}});
+                   },
+                   [&](const std::string& v) { return choice ? phrase(fmt::format("setting_choice.{}.{}", info.key, v)) : v; }},
+        value);
+    if (std::find(kShortUnits.begin(), kShortUnits.end(), info.unit) == kShortUnits.end()) return text;
+    return phrase("setting_value.with_unit", {{"value", text}, {"unit", spoken_unit(info.unit)}});
 }
 
 const SettingInfo& row(std::string_view key) {
@@ -41,14 +46,8 @@ const SettingInfo& row(std::string_view key) {
 std::string_view topic_of(std::string_view key) { return key.substr(0, key.find('.')); }
 
 SettingLine line_of(const SettingInfo& info, const Settings& settings) {
-    std::string name(info.key.substr(info.key.find('.') + 1));
-    for (const std::string_view ending : kUnitEndings)
-        if (name.ends_with(ending)) {
-            name.resize(name.size() - ending.size());
-            break;
-        }
-    std::replace(name.begin(), name.end(), '_', ' ');
-    return {info.key, std::move(name), in_words(info, settings), info.meaning, range_of(info), !std::holds_alternative<TextField>(info.field)};
+    return {info.key,       phrase("setting_name." + std::string(info.key)), in_words(info, settings), meaning_of(info),
+            range_of(info), !std::holds_alternative<TextField>(info.field)};
 }
 
 }  // namespace
@@ -59,6 +58,8 @@ std::vector<std::string_view> setting_topics() {
         if (std::find(topics.begin(), topics.end(), topic_of(info.key)) == topics.end()) topics.push_back(topic_of(info.key));
     return topics;
 }
+
+std::string topic_name(std::string_view topic) { return phrase("setting_topic." + std::string(topic)); }
 
 std::vector<SettingLine> setting_lines(std::string_view topic, const Settings& settings) {
     std::vector<SettingLine> lines;

@@ -11,12 +11,14 @@ namespace handrail {
 
 // The first words of keys, in table order: "workspace", "haptic", ...
 std::vector<std::string_view> setting_topics();
+// What such a topic is called: "Workspace".
+std::string topic_name(std::string_view topic);
 
 struct SettingLine {
     std::string_view key;
-    std::string name;   // "stiffness fraction": the key's own words, without its unit
+    std::string name;   // "stiffness"
     std::string value;  // "0.8", "on", "light", with its unit where it is short
-    std::string_view meaning;
+    std::string meaning;
     std::string range;
     bool steps = true;  // false: a text, which is typed
 };

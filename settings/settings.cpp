@@ -10,6 +10,7 @@
 #include "settings/table.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/files.h"
+#include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
 
@@ -363,20 +364,21 @@ void SettingsStore::clear(SettingSource source) {
 
 std::vector<SettingRow> SettingsStore::explain() const {
     std::vector<SettingRow> rows;
-    const auto add = [&](const std::string& key, const SettingValue& value, std::string_view unit, std::string range, std::string_view meaning) {
+    const auto add = [&](const std::string& key, const SettingValue& value, std::string_view unit, std::string range, std::string meaning) {
         const auto [source, origin] = impl_->provenance(key);
-        rows.push_back({key, toml_text(value), std::string(unit), std::move(range), std::string(meaning), source, origin});
+        rows.push_back({key, toml_text(value), spoken_unit(unit), std::move(range), std::move(meaning), source, origin});
     };
-    for (const SettingInfo& info : settings_table()) add(std::string(info.key), current_value(info, impl_->values), info.unit, range_of(info), info.meaning);
+    for (const SettingInfo& info : settings_table())
+        add(std::string(info.key), current_value(info, impl_->values), info.unit, range_of(info), meaning_of(info));
     std::map<std::string, SettingValue> family;  // effective entries of the open families, strongest layer last
     for (const auto& [source, layer] : impl_->layers)
         for (const auto& [key, entry] : layer)
             if (!find_setting(key)) family[key] = entry.value;
     for (const auto& [key, value] : family) {
         if (const auto device = split_device_key(key))
-            add(key, value, device->field->plain->unit, range_of(*device->field->plain), device->field->plain->meaning);
-        else if (const auto profile = split_profile_key(key)) add(key, value, profile->field->unit, range_of(*profile->field), profile->field->meaning);
-        else add(key, value, "", "a key's name", "The key of this command.");
+            add(key, value, device->field->plain->unit, range_of(*device->field->plain), meaning_of(*device->field->plain));
+        else if (const auto profile = split_profile_key(key)) add(key, value, profile->field->unit, range_of(*profile->field), meaning_of(*profile->field));
+        else add(key, value, "", phrase("setting_range.key"), phrase("setting.keys"));
     }
     return rows;
 }

@@ -145,7 +145,7 @@ enum class SettingSource { Default, Shipped, UserFile, World, CommandLine, Live 
 struct SettingRow {
     std::string key;      // "workspace.scale"
     std::string value;    // as TOML writes it
-    std::string unit;     // "world metres per hand metre", or empty
+    std::string unit;     // "world metres per hand metre" in the language spoken, or empty
     std::string range;    // "1 to 500"
     std::string meaning;  // one sentence
     SettingSource source = SettingSource::Default;

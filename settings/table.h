@@ -1,4 +1,4 @@
-// The one table of settings: key, unit, range, default, meaning and where the value lives. Files, the command line, `handrail settings`
+// The one table of settings: key, unit, range, default and where the value lives; what is said of them stands in settings/languages. Files, the command line, `handrail settings`
 // and its documentation all go through it. Private to this folder; app thread.
 #pragma once
 
@@ -36,13 +36,11 @@ struct ChoiceField {
 // 1 to 64 printable characters.
 struct TextField {
     std::string& (*at)(Settings&);
-    std::string_view range;
 };
 
 struct SettingInfo {
     std::string_view key;
-    std::string_view unit;
-    std::string_view meaning;
+    std::string_view unit;  // its name among the texts: "m_per_s"
     bool world_may_set;
     std::variant<NumberField, WholeField, SwitchField, ChoiceField, TextField> field;
 };
@@ -60,13 +58,17 @@ std::span<const OverrideInfo> override_table();
 
 // Fields of [profile."NAME"]: numbers, and the one choice, `hand`, whose words stand in `words`.
 struct ProfileInfo {
-    std::string_view field, unit, meaning;
+    std::string_view field, unit;
     double least = 0.0, most = 0.0;
     std::optional<double> DeviceProfile::*number = nullptr;  // null: the hand
     std::span<const std::string_view> words{};
 };
 std::span<const ProfileInfo> profile_table();
 std::string range_of(const ProfileInfo& info);
+// What is said of a setting, in the language spoken: its meaning in one sentence, its unit (empty where there is none).
+std::string meaning_of(const SettingInfo& info);
+std::string meaning_of(const ProfileInfo& info);
+std::string spoken_unit(std::string_view unit);
 // Writes the value into the profile, or fails in one sentence with the legal range and changes nothing.
 Result<void> apply(std::string_view key, const ProfileInfo& info, const SettingValue& value, DeviceProfile& profile);
 SettingValue value_from_word(const ProfileInfo& info, std::string_view word);

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+#include "worlds/base/language.h"
+
 // ---- accessible objects: GObject classes, so in C's manner ----
 
 namespace {
@@ -417,7 +419,7 @@ private:
         if (!the_root) the_root = make_node(handrail_node_get_type(), ATK_ROLE_APPLICATION, "Handrail", nullptr, {ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
         frame_ = make_node(handrail_frame_get_type(), ATK_ROLE_FRAME, "Handrail", the_root,
                            {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
-        view_ = make_node(handrail_node_get_type(), ATK_ROLE_DRAWING_AREA, "Building", frame_,
+        view_ = make_node(handrail_node_get_type(), ATK_ROLE_DRAWING_AREA, phrase("window.building").c_str(), frame_,
                           {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
         // The bridge reads no arguments of ours.
         if (atk_bridge_adaptor_init(nullptr, nullptr) != 0) return;
@@ -497,7 +499,9 @@ private:
         atk_object_set_name(&view_->parent, text->c_str());
     }
 
-    static std::string item_name(const ListItem& item) { return item.value.empty() ? item.name : item.name + ", " + item.value; }
+    static std::string item_name(const ListItem& item) {
+        return item.value.empty() ? item.name : phrase("window.item", {{"name", item.name}, {"value", item.value}});
+    }
 
     // The objects of the open list or question: made anew for another one, else kept up to date. The keyboard is with the item one is at, or the question.
     void follow_dialogue() {

@@ -240,7 +240,7 @@ std::string AppCore::help_text() const {
     std::string text;
     for (const CommandInfo& row : command_table()) {
         const std::string keys = keys_.keys_of(row.command);
-        if (!keys.empty()) text += phrase("session.key_help", {{"keys", keys}, {"help", row.help}}) + " ";
+        if (!keys.empty()) text += phrase("session.key_help", {{"keys", keys}, {"help", row.help()}}) + " ";
     }
     return text;
 }

@@ -37,7 +37,7 @@ std::string_view without_blanks(std::string_view text) {
     return text;
 }
 
-std::string short_help(const CommandInfo& row) { return std::string(row.help.substr(0, row.help.find_last_not_of('.') + 1)); }
+std::string short_help(const CommandInfo& row) { return std::string(row.help().substr(0, row.help().find_last_not_of('.') + 1)); }
 
 // A key's name as a person may type it; where the program has a window, the key itself is pressed.
 bool may_be_key(std::string_view name) {
@@ -132,7 +132,7 @@ void AppCore::open_rebinding(Command command, double now_s) {
             return answer(phrase("menu.command_has_again", {{"command", short_help(info(command))}, {"keys", keys_.keys_of(command)}}), last_tick_s_);
         }
         rebinding_ = Rebinding{command, i == 1};
-        answer(phrase("menu.press_new_key", {{"help", info(command).help}}), last_tick_s_);
+        answer(phrase("menu.press_new_key", {{"help", info(command).help()}}), last_tick_s_);
     };
     open_list(std::move(list), now_s);
 }
@@ -155,12 +155,12 @@ void AppCore::take_new_key(const std::string& key, double now_s) {
     if (!owner) return give({}, now_s);
     if (*owner == Command::StopEverything || *owner == Command::Leave || *owner == Command::StopSpeech) {
         play(SoundKind::Denied, now_s);
-        return answer(phrase("menu.always_does", {{"key", key}, {"help", info(*owner).help}}), now_s);
+        return answer(phrase("menu.always_does", {{"key", spoken_key(key)}, {"help", info(*owner).help()}}), now_s);
     }
     // A conflict: told, and the person decides.
     const std::string rest = keys_.words_of_keys(*owner, key);
     ListSpec list;
-    list.title = phrase("menu.does_already", {{"key", key}, {"help", info(*owner).help}});
+    list.title = phrase("menu.does_already", {{"key", spoken_key(key)}, {"help", info(*owner).help()}});
     list.items = {{phrase("menu.take_away"), rest.empty() ? phrase("menu.then_without_key") : phrase("menu.keeps", {{"keys", rest}}), false},
                   {phrase("menu.leave_it"), {}, false}};
     list.stays_open = true;
@@ -197,7 +197,7 @@ bool AppCore::take_key_apart(const std::string& key, double now_s) {
     const auto command = keys_.find(key);
     if (command == Command::InputHelp) return false;
     quiet(now_s);
-    answer(command ? phrase("menu.key_does", {{"key", key}, {"help", info(*command).help}}) : phrase("menu.key_does_nothing", {{"key", key}}), now_s);
+    answer(command ? phrase("menu.key_does", {{"key", spoken_key(key)}, {"help", info(*command).help()}}) : phrase("menu.key_does_nothing", {{"key", spoken_key(key)}}), now_s);
     return true;
 }
 
@@ -221,7 +221,7 @@ bool AppCore::take_line_apart(std::string_view line, double now_s) {
     const CommandInfo* row = find_command(line);
     if (!row || row->command == Command::InputHelp) return false;
     const std::string keys = keys_.keys_of(row->command);
-    const std::string does = phrase("menu.key_does", {{"key", row->word}, {"help", row->help}});
+    const std::string does = phrase("menu.key_does", {{"key", row->word}, {"help", row->help()}});
     answer(keys.empty() ? does : does + " " + phrase("menu.its_key", {{"keys", keys}}), now_s);
     return true;
 }
@@ -242,14 +242,14 @@ void AppCore::open_setting_topics(double now_s) {
     list.title = phrase("menu.settings");
     list.stays_open = true;
     const std::vector<std::string_view> topics = setting_topics();
-    for (const std::string_view topic : topics) list.items.push_back({sentence_case(std::string(topic)), {}, false});
+    for (const std::string_view topic : topics) list.items.push_back({sentence_case(topic_name(topic)), {}, false});
     list.chosen = [this, topics](std::size_t i) { open_settings(topics[i], last_tick_s_); };
     open_list(std::move(list), now_s);
 }
 
 void AppCore::open_settings(std::string_view topic, double now_s) {
     ListSpec list;
-    list.title = phrase("menu.settings_of", {{"topic", sentence_case(std::string(topic))}});
+    list.title = phrase("menu.settings_of", {{"topic", sentence_case(topic_name(topic))}});
     list.stays_open = true;
     std::vector<std::string_view> keys;
     for (const SettingLine& line : setting_lines(topic, settings_)) {

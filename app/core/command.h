@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace handrail {
@@ -105,13 +106,13 @@ enum class Command : std::uint8_t {
     Desk,  // the controls of one's own desk by keys
 };
 
-// A row of the key table: the command, its word for terminals and scenarios, the default key and a line of help.
+// A row of the key table: the command, its word for terminals and scenarios, the default key and a line of help (settings/languages).
 struct CommandInfo {
     Command command;
     std::string_view word;  // "where", typed in a terminal
     std::string_view key;   // default keys by name, separated by a blank: "F2 1"
     bool hold;              // acts as long as the key is down
-    std::string_view help;  // one sentence, spoken by help
+    std::string help() const;  // one sentence, in the language spoken
 };
 
 std::span<const CommandInfo> command_table();  // in the order of Command

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -20,6 +21,19 @@ std::vector<std::string> words_of(std::string_view text) {
 
 }  // namespace
 
+std::string spoken_key(std::string_view key_name) {
+    std::string text;
+    for (std::size_t begin = 0; begin < key_name.size();) {
+        // A plus sign at the end would be a key of its own.
+        const std::size_t end = std::min(key_name.find('+', begin + 1), key_name.size());
+        const std::string part(key_name.substr(begin, end - begin));
+        const std::string key = "key_name." + lower_ascii(part);
+        text += (begin > 0 ? "+" : "") + (has_phrase(key) ? phrase(key) : part);
+        begin = end + 1;
+    }
+    return text;
+}
+
 KeyMap::KeyMap(const std::map<std::string, std::string>& changes, KeyboardHand hand) : hand_(hand) {
     by_command_.resize(command_table().size());
     for (const CommandInfo& row : command_table()) by_command_[static_cast<std::size_t>(row.command)] = words_of(default_keys(row.command));
@@ -33,7 +47,7 @@ KeyMap::KeyMap(const std::map<std::string, std::string>& changes, KeyboardHand h
         if (!row) {
             std::vector<std::string> known;
             for (const CommandInfo& candidate : command_table()) known.emplace_back(candidate.word);
-            problems_.push_back(fmt::format("The settings give a key to \"{}\", which is no command. Did you mean \"{}\"?", word, nearest_name(word, known)));
+            problems_.push_back(phrase("key.no_command", {{"word", word}, {"nearest", nearest_name(word, known)}}));
             continue;
         }
         by_command_[static_cast<std::size_t>(row->command)] = words_of(keys);
@@ -44,8 +58,7 @@ KeyMap::KeyMap(const std::map<std::string, std::string>& changes, KeyboardHand h
         for (const std::string& key : by_command_[static_cast<std::size_t>(row.command)]) {
             const auto [held, fresh] = by_key_.emplace(lower_ascii(key), row.command);
             if (!fresh && held->second != row.command && !in_set(info(held->second).word))
-                problems_.push_back(
-                    fmt::format("The key {} was asked to do both {} and {}. It does {}.", key, info(held->second).word, row.word, info(held->second).word));
+                problems_.push_back(phrase("key.asked_twice", {{"key", spoken_key(key)}, {"first", info(held->second).word}, {"second", row.word}}));
         }
     };
     for (const CommandInfo& row : command_table())
@@ -79,8 +92,8 @@ std::string KeyMap::keys_of(Command command) const {
     for (const std::string& key : by_command_[static_cast<std::size_t>(command)]) {
         const auto held = find(key);
         if (held != command) continue;
-        if (!text.empty()) text += " or ";
-        text += key == "Grave" ? "the grave key" : key;
+        const std::string name = key == "Grave" ? phrase("key.the_grave") : spoken_key(key);
+        text = text.empty() ? name : phrase("key.or", {{"first", text}, {"second", name}});
     }
     return text;
 }

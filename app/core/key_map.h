@@ -13,6 +13,9 @@
 
 namespace handrail {
 
+// A key's name as it is said in the language spoken: "Shift+PageUp", "Umschalt+Bild auf". What is typed and stored is the name itself.
+std::string spoken_key(std::string_view key_name);
+
 class KeyMap {
 public:
     // `changes`: command word -> key names separated by blanks, replacing that command's default keys.

@@ -9,6 +9,7 @@
 
 #include "audio-cues/plan/sound_table.h"
 #include "worlds/base/files.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -49,39 +50,39 @@ public:
         const toml::node& node = need(key);
         const auto value = node.value<double>();
         if (!value || !(node.is_number()) || !(*value >= low && *value <= high))
-            throw Bad{line_of(node), fmt::format("\"{}\" must be a number from {} to {}.", key, low, high)};
+            throw Bad{line_of(node), phrase("scenario.number", {{"key", key}, {"least", fmt::format("{}", low)}, {"most", fmt::format("{}", high)}})};
         return *value;
     }
     double number_or(const char* key, double otherwise, double low, double high) { return has(key) ? number(key, low, high) : otherwise; }
     std::string text(const char* key) {
         const toml::node& node = need(key);
-        if (!node.is_string() || node.value<std::string>()->empty()) throw Bad{line_of(node), fmt::format("\"{}\" must be a text in quotes.", key)};
+        if (!node.is_string() || node.value<std::string>()->empty()) throw Bad{line_of(node), phrase("scenario.text", {{"key", key}})};
         return *node.value<std::string>();
     }
     bool flag(const char* key) {
         const toml::node& node = need(key);
-        if (!node.is_boolean()) throw Bad{line_of(node), fmt::format("\"{}\" must be true or false.", key)};
+        if (!node.is_boolean()) throw Bad{line_of(node), phrase("scenario.flag", {{"key", key}})};
         return *node.value<bool>();
     }
     // Three numbers; `any` is written "any" and becomes NaN where allowed.
     Vec3 vector(const char* key, bool allow_any = false) {
         const toml::array* list = need(key).as_array();
-        if (!list || list->size() != 3) throw Bad{line_of(need(key)), fmt::format("\"{}\" must be three numbers in brackets.", key)};
+        if (!list || list->size() != 3) throw Bad{line_of(need(key)), phrase("scenario.three", {{"key", key}})};
         Vec3 v{0.0};
         for (int i = 0; i < 3; ++i) {
             const toml::node& node = *list->get(static_cast<std::size_t>(i));
             if (allow_any && node.is_string() && *node.value<std::string>() == "any") v[i] = std::numeric_limits<double>::quiet_NaN();
             else if (node.is_number() && std::isfinite(*node.value<double>())) v[i] = *node.value<double>();
-            else throw Bad{line_of(node), fmt::format("\"{}\" must be three finite numbers in brackets.", key)};
+            else throw Bad{line_of(node), phrase("scenario.three_finite", {{"key", key}})};
         }
         return v;
     }
     std::array<double, 2> range(const char* key) {
         const toml::array* list = need(key).as_array();
         if (!list || list->size() != 2 || !list->get(0)->is_number() || !list->get(1)->is_number())
-            throw Bad{line_of(need(key)), fmt::format("\"{}\" must be two numbers in brackets, lowest first.", key)};
+            throw Bad{line_of(need(key)), phrase("scenario.two", {{"key", key}})};
         const std::array<double, 2> r{*list->get(0)->value<double>(), *list->get(1)->value<double>()};
-        if (!(r[0] <= r[1])) throw Bad{line_of(*list), fmt::format("\"{}\" must have its lower number first.", key)};
+        if (!(r[0] <= r[1])) throw Bad{line_of(*list), phrase("scenario.lower_first", {{"key", key}})};
         return r;
     }
     const toml::node& node(const char* key) { return need(key); }
@@ -89,14 +90,14 @@ public:
         std::vector<std::string> known(asked_.begin(), asked_.end());
         for (const auto& [key, node] : table_)
             if (!asked_.contains(std::string(key.str())))
-                throw Bad{line_of(node), fmt::format("{} has no \"{}\". Did you mean \"{}\"?", what_, key.str(), nearest_name(key.str(), known))};
+                throw Bad{line_of(node), phrase("scenario.has_no", {{"what", what_}, {"key", key.str()}, {"nearest", nearest_name(key.str(), known)}})};
     }
 
 private:
     const toml::node& need(const char* key) {
         asked_.insert(key);
         const toml::node* node = table_.get(key);
-        if (!node) throw Bad{line_of(table_), fmt::format("{} needs \"{}\".", what_, key)};
+        if (!node) throw Bad{line_of(table_), phrase("scenario.needs", {{"what", what_}, {"key", key}})};
         return *node;
     }
     const toml::table& table_;
@@ -109,7 +110,7 @@ Command command_named(Fields& fields, const char* key) {
     if (const CommandInfo* row = find_command(word)) return row->command;
     std::vector<std::string> known;
     for (const CommandInfo& row : command_table()) known.emplace_back(row.word);
-    throw Bad{line_of(fields.node(key)), fmt::format("There is no command \"{}\". Did you mean \"{}\"?", word, nearest_name(word, known))};
+    throw Bad{line_of(fields.node(key)), phrase("scenario.no_command", {{"word", word}, {"nearest", nearest_name(word, known)}})};
 }
 
 constexpr double kLongest_s = 3600.0;
@@ -125,7 +126,7 @@ fs::path find_world(const std::string& name, const Folders& folders, int line) {
     places.insert(places.end(), folders.others.begin(), folders.others.end());
     for (const fs::path& folder : places)
         if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
-    throw Bad{line, fmt::format("The world \"{}\" is neither beside this file nor among the program's worlds.", name)};
+    throw Bad{line, phrase("scenario.no_world", {{"name", name}})};
 }
 
 // turn_deg about turn_axis, upright where none is given.
@@ -133,19 +134,19 @@ std::optional<Rotation> read_turn(Fields& fields) {
     if (!fields.has("turn_deg")) return std::nullopt;
     const Vec3 axis = fields.has("turn_axis") ? fields.vector("turn_axis") : Vec3(0.0, 0.0, 1.0);
     const double length = glm::length(axis);
-    if (!(length > 0.0)) throw Bad{fields.line(), "\"turn_axis\" must not be zero."};
+    if (!(length > 0.0)) throw Bad{fields.line(), phrase("scenario.zero", {{"key", "turn_axis"}})};
     return rotation_about(axis / length, radians_from_degrees(fields.number("turn_deg", -360.0, 360.0)));
 }
 
 bool is_left(Fields& fields) {
     if (!fields.has("whose")) return false;
     const std::string hand = fields.text("whose");
-    if (hand != "left" && hand != "right") throw Bad{fields.line(), "\"whose\" must be \"left\" or \"right\": which of two hands."};
+    if (hand != "left" && hand != "right") throw Bad{fields.line(), phrase("scenario.whose")};
     return hand == "left";
 }
 
 ScenarioAction read_action(const toml::table& table, const Folders& folders) {
-    Fields fields(table, "An action");
+    Fields fields(table, "action");
     ScenarioAction action;
     action.line = fields.line();
     int kinds = 0;
@@ -168,7 +169,7 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     if (is("add")) {
         AddThing add;
         add.name = fields.text("add");
-        if (fields.has("box") == fields.has("model")) throw Bad{action.line, "\"add\" needs either \"box\" or \"model\"."};
+        if (fields.has("box") == fields.has("model")) throw Bad{action.line, phrase("scenario.add")};
         if (fields.has("box")) add.box_m = fields.vector("box");
         else add.model = find_world(fields.text("model"), folders, line_of(fields.node("model")));
         add.at.position_m = fields.vector("at");
@@ -188,7 +189,7 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
         const std::string kind = fields.text("trouble");
         static const std::vector<std::string> kinds_known{"nan", "jump", "freeze", "unplug", "late", "hot", "error"};
         if (std::find(kinds_known.begin(), kinds_known.end(), kind) == kinds_known.end())
-            throw Bad{line_of(fields.node("trouble")), fmt::format("There is no trouble \"{}\". Did you mean \"{}\"?", kind, nearest_name(kind, kinds_known))};
+            throw Bad{line_of(fields.node("trouble")), phrase("scenario.no_trouble", {{"word", kind}, {"nearest", nearest_name(kind, kinds_known)}})};
         action.step = ScenarioTrouble{kind, fields.number("for_s", 0.0, kLongest_s)};
     }
     if (is("button")) action.step = DeviceButton{fields.flag("button")};
@@ -197,7 +198,7 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     if (is("set")) {
         const std::string pair = fields.text("set");
         const std::size_t equals = pair.find('=');
-        if (equals == std::string::npos) throw Bad{line_of(fields.node("set")), "\"set\" must read key=value."};
+        if (equals == std::string::npos) throw Bad{line_of(fields.node("set")), phrase("scenario.set")};
         action.step = ChangeSetting{pair.substr(0, equals), pair.substr(equals + 1)};
     }
     if (fields.has("name")) action.name = fields.text("name");
@@ -205,17 +206,13 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     action.left = is_left(fields);
     if (fields.has("meanwhile")) action.meanwhile = fields.flag("meanwhile");
     fields.done();
-    if (kinds != 1)
-        throw Bad{action.line,
-                  "An action must hold exactly one of press, hold, key, type, wait_s, move_to, move_by, hand_to, control, sweep_at, push_n, rest_at, add, remove, send, trouble, button, "
-                  "focus, place, "
-                  "set."};
+    if (kinds != 1) throw Bad{action.line, phrase("scenario.one_action")};
     return action;
 }
 
 // The moves that one sweep stands for.
 std::vector<ScenarioAction> read_sweep(const toml::table& table) {
-    Fields fields(table, "A sweep");
+    Fields fields(table, "sweep");
     const Vec3 at = fields.vector("sweep_at");
     const double from_deg = fields.number("from_deg", -360.0, 360.0), to_deg = fields.number("to_deg", -360.0, 720.0);
     const int angles = static_cast<int>(fields.number("angles", 1.0, 360.0));
@@ -247,19 +244,19 @@ Moment read_moment(Fields& fields, const char* key, const std::set<std::string>&
         moment.action.resize(moment.action.size() - 5);
     }
     if (!names.contains(moment.action))
-        throw Bad{line_of(node), fmt::format("No action is named \"{}\". Did you mean \"{}\"?", moment.action,
-                                             nearest_name(moment.action, std::vector<std::string>(names.begin(), names.end())))};
+        throw Bad{line_of(node),
+                  phrase("scenario.no_action",
+                         {{"word", moment.action}, {"nearest", nearest_name(moment.action, std::vector<std::string>(names.begin(), names.end()))}})};
     return moment;
 }
 
-void must_be_one_of(const std::string& word, std::span<const std::string_view> known, int line, const char* what) {
+void must_be_one_of(const std::string& word, std::span<const std::string_view> known, int line, const char* otherwise) {
     if (std::find(known.begin(), known.end(), word) != known.end()) return;
-    throw Bad{line,
-              fmt::format("There is no {} \"{}\". Did you mean \"{}\"?", what, word, nearest_name(word, std::vector<std::string>(known.begin(), known.end())))};
+    throw Bad{line, phrase(otherwise, {{"word", word}, {"nearest", nearest_name(word, std::vector<std::string>(known.begin(), known.end()))}})};
 }
 
 Expectation read_expectation(const toml::table& table, const std::set<std::string>& names) {
-    Fields fields(table, "An expectation");
+    Fields fields(table, "expectation");
     Expectation e;
     e.line = fields.line();
     int kinds = 0;
@@ -271,10 +268,10 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
     };
     const auto sound = [&](const char* key) {
         e.text = fields.text(key);
-        must_be_one_of(e.text, all_sound_names(), e.line, "sound");
+        must_be_one_of(e.text, all_sound_names(), e.line, "scenario.no_sound");
         if (fields.has("material")) {
             e.material = fields.text("material");
-            must_be_one_of(e.material, all_material_names(), e.line, "sound material");
+            must_be_one_of(e.material, all_material_names(), e.line, "scenario.no_material");
         }
         if (fields.has("muffled_db")) e.muffled_db = fields.range("muffled_db");
         if (fields.has("pitch")) e.pitch = fields.range("pitch");
@@ -283,7 +280,7 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         e.vector = fields.vector(key);
         e.has_vector = true;
         const double length = glm::length(e.vector);
-        if (!(length > 0.0)) throw Bad{e.line, "\"direction\" must not be zero."};
+        if (!(length > 0.0)) throw Bad{e.line, phrase("scenario.zero", {{"key", "direction"}})};
         e.vector /= length;
     };
     const auto place = [&](const char* key) {
@@ -324,7 +321,7 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         e.high = fields.number("force_angle_deg", 0.0, 180.0);
         e.vector = fields.vector("direction");
         const double length = glm::length(e.vector);
-        if (!(length > 0.0)) throw Bad{e.line, "\"direction\" must not be zero."};
+        if (!(length > 0.0)) throw Bad{e.line, phrase("scenario.zero", {{"key", "direction"}})};
         e.vector /= length;
     }
     if (is("depth_mm", Check::Depth)) e.high = fields.number("depth_mm", 0.0, 1e6);
@@ -369,13 +366,13 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         e.has_to = true;
     }
     if (fields.has("within_s")) {
-        if (e.has_to) throw Bad{e.line, "Give \"before\" or \"within_s\", not both."};
+        if (e.has_to) throw Bad{e.line, phrase("scenario.not_both")};
         e.to = e.from;
         e.to.offset_s += fields.number("within_s", 0.0, kLongest_s);
         e.has_to = true;
     }
     fields.done();
-    if (kinds != 1) throw Bad{e.line, "An expectation must hold exactly one thing to check, such as say, sound, force_n, body_at or touching."};
+    if (kinds != 1) throw Bad{e.line, phrase("scenario.one_check")};
     return e;
 }
 
@@ -384,12 +381,12 @@ std::string toml_text(const toml::node& node) {
     if (node.is_boolean()) return *node.value<bool>() ? "true" : "false";
     if (node.is_integer()) return fmt::format("{}", *node.value<std::int64_t>());
     if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
-    throw Bad{line_of(node), "A setting must be a text, a number, true or false."};
+    throw Bad{line_of(node), phrase("scenario.setting")};
 }
 
 Scenario read_table(const toml::table& table, const fs::path& file, const std::vector<fs::path>& world_folders) {
     const Folders folders{file.parent_path(), world_folders};
-    Fields fields(table, "A scenario");
+    Fields fields(table, "scenario");
     Scenario scenario;
     scenario.file = file;
     scenario.title = fields.text("title");
@@ -398,8 +395,8 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
     if (fields.has("left_device")) scenario.left_device = fields.text("left_device");
     if (fields.has("start")) {
         const toml::table* start = fields.node("start").as_table();
-        if (!start) throw Bad{line_of(fields.node("start")), "\"start\" must be a table with \"feet\" and \"heading_deg\"."};
-        Fields inner(*start, "A start");
+        if (!start) throw Bad{line_of(fields.node("start")), phrase("scenario.start")};
+        Fields inner(*start, "start");
         scenario.has_start = true;
         scenario.start_feet_m = inner.vector("feet");
         scenario.start_heading_rad = radians_from_degrees(inner.number_or("heading_deg", 0.0, -360.0, 360.0));
@@ -408,16 +405,16 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
     if (fields.has("tail_s")) scenario.tail_s = fields.number("tail_s", 0.0, kLongest_s);
     if (fields.has("settings")) {
         const toml::table* settings = fields.node("settings").as_table();
-        if (!settings) throw Bad{line_of(fields.node("settings")), "\"settings\" must be a table."};
+        if (!settings) throw Bad{line_of(fields.node("settings")), phrase("scenario.settings")};
         for (const auto& [key, node] : *settings) scenario.settings[std::string(key.str())] = toml_text(node);
     }
     const auto each = [&](const char* key, auto&& visit) {
         if (!fields.has(key)) return;
         const toml::array* list = fields.node(key).as_array();
-        if (!list) throw Bad{line_of(fields.node(key)), fmt::format("\"{}\" must be written as [[{}]].", key, key)};
+        if (!list) throw Bad{line_of(fields.node(key)), phrase("scenario.tables", {{"key", key}})};
         for (const toml::node& node : *list) {
             const toml::table* item = node.as_table();
-            if (!item) throw Bad{line_of(node), fmt::format("\"{}\" must be written as [[{}]].", key, key)};
+            if (!item) throw Bad{line_of(node), phrase("scenario.tables", {{"key", key}})};
             visit(*item);
         }
     };
@@ -427,13 +424,13 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
         if (item.contains("sweep_at")) actions = read_sweep(item);
         else actions.push_back(read_action(item, folders));
         for (ScenarioAction& action : actions) {
-            if (!action.name.empty() && !names.insert(action.name).second) throw Bad{line_of(item), fmt::format("Two actions are named \"{}\".", action.name)};
+            if (!action.name.empty() && !names.insert(action.name).second) throw Bad{line_of(item), phrase("scenario.two_actions", {{"name", action.name}})};
             scenario.actions.push_back(std::move(action));
         }
     });
     each("expect", [&](const toml::table& item) { scenario.expectations.push_back(read_expectation(item, names)); });
     fields.done();
-    if (scenario.expectations.empty()) throw Bad{0, "This scenario expects nothing; add at least one [[expect]]."};
+    if (scenario.expectations.empty()) throw Bad{0, phrase("scenario.expects_nothing")};
     return scenario;
 }
 
@@ -447,7 +444,7 @@ Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>
         const toml::table table = toml::parse(*text, name);
         return read_table(table, file, world_folders);
     } catch (const toml::parse_error& error) {
-        return fail(fmt::format("This is not valid TOML: {}.", error.description()), name, static_cast<int>(error.source().begin.line),
+        return fail(phrase("scenario.not_toml", {{"reason", error.description()}}), name, static_cast<int>(error.source().begin.line),
                     static_cast<int>(error.source().begin.column));
     } catch (const Bad& bad) {
         return fail(bad.message, name, bad.line);

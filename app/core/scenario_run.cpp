@@ -89,12 +89,12 @@ private:
             return hold->for_s;
         }
         if (const auto* key = std::get_if<TapKey>(&action.step)) {
-            if (!session_.tap_key(key->key)) return fail(fmt::format("The key {} means nothing here.", key->key));
+            if (!session_.tap_key(key->key)) return fail(phrase("scenario.no_key", {{"key", key->key}}));
             return kTap_s;
         }
         if (const auto* typed = std::get_if<TypeText>(&action.step)) {
             for (const std::string& character : characters_of(typed->text))
-                if (!session_.app().take_text(character, now)) return fail(fmt::format("Nothing is open that could take \"{}\".", typed->text));
+                if (!session_.app().take_text(character, now)) return fail(phrase("scenario.nothing_open", {{"text", typed->text}}));
             return kTap_s;
         }
         if (const auto* wait = std::get_if<Wait>(&action.step)) return wait->for_s;
@@ -114,7 +114,7 @@ private:
             command.target_m = move->to_m;
             if (!move->control.empty()) {
                 const auto place = session_.app().desk_place_m(move->control);
-                if (!place) return fail(fmt::format("There is no \"{}\" on this page of the desk.", move->control), scenario_.file.filename().string(), action.line);
+                if (!place) return fail(phrase("scenario.no_control", {{"control", move->control}}), scenario_.file.filename().string(), action.line);
                 command.target_m = *place + Vec3(move->to_m.x, -move->to_m.y, move->to_m.z);
             }
             command.speed_m_per_s = move->speed_m_per_s;
@@ -245,7 +245,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, std::shared_ptr<const 
         const std::string& device = which == 0 ? scenario.device : scenario.left_device;
         if (device == "none") continue;
         const DeviceSpec* spec = find_device_spec(device);
-        if (!spec) return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", device, nearest_name(device, device_names())), file);
+        if (!spec) return fail(phrase("scenario.no_device", {{"device", device}, {"nearest", nearest_name(device, device_names())}}), file);
         facts[which].present = facts[which].simulated = true;
         facts[which].spec = *spec;
     }

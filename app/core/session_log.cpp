@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "app/core/words.h"
 #include "audio-cues/plan/sound_table.h"
+#include "worlds/base/language.h"
 #include "worlds/scene/lint.h"
 
 #include "worlds/scene/primitive.h"
@@ -80,7 +82,7 @@ public:
     Checker(const Scenario& scenario, const SessionLog& log, const Scene& scene, const Expectation& e)
         : log_(log), ticks_(e.left ? log.left_ticks : log.ticks), scene_(scene), e_(e) {
         window_ = {moment(e.from), e.has_to ? moment(e.to) : log.end_s};
-        where_ = fmt::format("{} line {}, {:.3f} to {:.3f} s", scenario.file.filename().string(), e.line, window_.from_s, window_.to_s);
+        where_ = phrase("log.where", {{"file", scenario.file.filename().string()}, {"line", e.line}, {"from", window_.from_s}, {"to", window_.to_s}});
     }
 
     // Empty when the expectation holds.
@@ -106,9 +108,9 @@ public:
                 return each_tick(
                     [&](const LoggedTick& t) {
                         const double n = e_.has_vector ? glm::dot(t.force_n, e_.vector) : glm::length(t.force_n);
-                        return n >= e_.low && n <= e_.high ? std::string() : fmt::format("force {:.4f} N {}", n, shown(t.force_n));
+                        return wrong_unless(n >= e_.low && n <= e_.high, [=] { return phrase("log.force", {{"force", n}, {"vector", shown(t.force_n)}}); });
                     },
-                    fmt::format("force {} to {} N", e_.low, e_.high));
+                    phrase("log.force_range", {{"least", e_.low}, {"most", e_.high}}));
             case Check::ForceStep:
                 return force_step();
             case Check::ForceSpike:
@@ -120,68 +122,73 @@ public:
                 return each_tick(
                     [&](const LoggedTick& t) {
                         const double force = glm::length(t.force_n);
-                        if (force <= kFeltForce_n) return std::string();
                         const double off = degrees_from_radians(std::acos(std::clamp(glm::dot(t.force_n, e_.vector) / force, -1.0, 1.0)));
-                        return off <= e_.high ? std::string() : fmt::format("{:.2f} degrees off, {}", off, shown(t.force_n));
+                        return wrong_unless(force <= kFeltForce_n || off <= e_.high, [=] {
+                            return phrase("log.angle", {{"angle", off}, {"vector", shown(t.force_n)}});
+                        });
                     },
-                    fmt::format("force within {} degrees of {}", e_.high, shown(e_.vector)));
+                    phrase("log.angle_range", {{"most", e_.high}, {"vector", shown(e_.vector)}}));
             case Check::Depth:
                 return each_tick(
                     [&](const LoggedTick& t) {
                         const double depth_mm = t.contact ? 1e3 * glm::length(t.hip_m - t.proxy_m) / t.scale : 0.0;
-                        return depth_mm <= e_.high ? std::string() : fmt::format("{:.3f} mm", depth_mm);
+                        return wrong_unless(depth_mm <= e_.high, [=] { return phrase("log.depth", {{"depth", depth_mm}}); });
                     },
-                    fmt::format("hand at most {} mm in", e_.high));
+                    phrase("log.depth_range", {{"most", e_.high}}));
             case Check::ForceRising:
                 return force_rising();
             case Check::SlideRatio:
                 return each_tick(
                     [&](const LoggedTick& t) {
                         const double along = glm::dot(t.force_n, e_.vector), across = glm::length(t.force_n - e_.vector * along);
-                        return along > 0.0 && across >= e_.low * along && across <= e_.high * along
-                                   ? std::string()
-                                   : fmt::format("{:.4f} N across {:.4f} N, a ratio of {:.4f}", across, along, across / along);
+                        return wrong_unless(along > 0.0 && across >= e_.low * along && across <= e_.high * along, [=] {
+                            return phrase("log.slide", {{"across", across}, {"along", along}, {"ratio", across / along}});
+                        });
                     },
-                    fmt::format("a ratio of {} to {}", e_.low, e_.high));
+                    phrase("log.slide_range", {{"least", e_.low}, {"most", e_.high}}));
             case Check::StrongestLine:
                 return strongest_line();
             case Check::ToldApart:
             case Check::NotToldApart:
                 return told_apart();
             case Check::BodyAt:
-                return place("body", [](const LoggedTick& t) { return t.feet_m; });
+                return place("log.body_range", "log.body_at", [](const LoggedTick& t) { return t.feet_m; });
             case Check::HipAt:
-                return place("hand", [](const LoggedTick& t) { return t.hip_m; });
+                return place("log.hand_range", "log.hand_at", [](const LoggedTick& t) { return t.hip_m; });
             case Check::ProxyAt:
-                return place("proxy", [](const LoggedTick& t) { return t.proxy_m; });
+                return place("log.proxy_range", "log.proxy_at", [](const LoggedTick& t) { return t.proxy_m; });
             case Check::Heading:
                 return each_tick(
                     [&](const LoggedTick& t) {
                         const double off = degrees_from_radians(std::abs(wrap_angle(t.heading_rad - radians_from_degrees(e_.low))));
-                        return off <= e_.tolerance ? std::string() : fmt::format("heading {:.2f} degrees", degrees_from_radians(t.heading_rad));
+                        return wrong_unless(off <= e_.tolerance, [=] { return phrase("log.heading", {{"heading", degrees_from_radians(t.heading_rad)}}); });
                     },
-                    fmt::format("heading {} degrees", e_.low));
+                    phrase("log.heading_range", {{"heading", e_.low}}));
             case Check::Penetration:
                 return each_tick(
                     [&](const LoggedTick& t) {
                         const double depth = overlap_m(scene_, t.proxy_m, t.radius_m);
-                        return depth <= e_.high ? std::string() : fmt::format("{:.6f} m deep at {}", depth, shown(t.proxy_m));
+                        return wrong_unless(depth <= e_.high, [=] { return phrase("log.penetration", {{"depth", depth}, {"vector", shown(t.proxy_m)}}); });
                     },
-                    fmt::format("penetration of at most {} m", e_.high));
+                    phrase("log.penetration_range", {{"most", e_.high}}));
             case Check::Touching:
                 return each_tick(
                     [&](const LoggedTick& t) {
                         const std::string name = t.contact ? stored_name(scene_, t.touched) : std::string("nothing");
-                        return words_in_order(e_.text, name) ? std::string() : fmt::format("touching {}", name.empty() ? "something without a name" : name);
+                        return wrong_unless(words_in_order(e_.text, name), [=] {
+                            if (!t.contact) return phrase("log.touching_nothing");
+                            return name.empty() ? phrase("log.touching_unnamed") : phrase("log.touching", {{"name", name}});
+                        });
                     },
-                    fmt::format("touching \"{}\"", e_.text));
+                    phrase("log.touching_wanted", {{"name", e_.text}}));
             case Check::Free:
                 return each_tick(
                     [&](const LoggedTick& t) {
-                        return !t.contact && t.force_n == Vec3(0.0) ? std::string()
-                                                                    : fmt::format("force {} {}", shown(t.force_n), t.contact ? "in contact" : "");
+                        return wrong_unless(!t.contact && t.force_n == Vec3(0.0), [=] {
+                            return phrase(t.contact ? "log.contact" : "log.no_contact", {{"vector", shown(t.force_n)}});
+                        });
                     },
-                    "no contact and no force");
+                    phrase("log.free"));
         }
         return {};
     }
@@ -193,7 +200,9 @@ private:
         if (found == log_.action_times.end()) return m.offset_s;
         return (m.at_end ? found->second.second : found->second.first) + m.offset_s;
     }
-    std::string fail(const std::string& expected, const std::string& seen) const { return fmt::format("{}: expected {}; seen: {}.", where_, expected, seen); }
+    std::string fail(const std::string& expected, const std::string& seen) const {
+        return phrase("log.failed", {{"where", where_}, {"expected", expected}, {"seen", seen}});
+    }
 
     std::string say(bool wanted) const {
         int found = 0;
@@ -206,8 +215,11 @@ private:
         const int least = wanted ? e_.times.value_or(1) : 0;
         const bool holds = wanted ? (e_.times ? found == least : found >= 1) : found == 0;
         if (holds) return {};
-        return fail(fmt::format("\"{}\" {}", e_.text, wanted ? fmt::format("{} {} times", e_.times ? "exactly" : "at least", least) : "never"),
-                    fmt::format("{} times; said:{}", found, others.empty() ? " nothing" : others));
+        return fail(phrase(!wanted    ? "log.never"
+                           : e_.times ? "log.exactly"
+                                      : "log.at_least",
+                           {{"text", e_.text}, {"count", least}}),
+                    phrase(others.empty() ? "log.said_nothing" : "log.said", {{"count", found}, {"lines", others}}));
     }
 
     std::string say_in_order() const {
@@ -227,7 +239,7 @@ private:
             if (begin > e_.text.size()) return {};
             part = next();
         }
-        return fail(fmt::format("\"{}\" in its turn", part), "not there; said:" + said);
+        return fail(phrase("log.in_turn", {{"text", part}}), phrase("log.not_there", {{"lines", said}}));
     }
 
     std::string nothing_twice() const {
@@ -235,8 +247,8 @@ private:
             for (std::size_t k = 0; k < i; ++k)
                 if (window_.has(log_.lines[k].time_s) && window_.has(log_.lines[i].time_s) && log_.lines[i].text == log_.lines[k].text &&
                     log_.lines[i].time_s - log_.lines[k].time_s < e_.high)
-                    return fail(fmt::format("nothing twice within {} s", e_.high),
-                                fmt::format("\"{}\" at {:.3f} s and {:.3f} s", log_.lines[i].text, log_.lines[k].time_s, log_.lines[i].time_s));
+                    return fail(phrase("log.nothing_twice", {{"seconds", e_.high}}),
+                                phrase("log.twice", {{"text", log_.lines[i].text}, {"first", log_.lines[k].time_s}, {"second", log_.lines[i].time_s}}));
         return {};
     }
 
@@ -252,7 +264,7 @@ private:
             if (i >= 2 && times_s[i] - times_s[i - 1] > times_s[i - 1] - times_s[i - 2] + 0.02) holds = false;
         }
         if (holds && times_s.back() - times_s[times_s.size() - 2] < 0.5 * (times_s[1] - times_s[0])) return {};
-        return fail(fmt::format("\"{}\" at least four times, ever sooner, at the end twice as fast", e_.text), fmt::format("seconds between:{}", seen));
+        return fail(phrase("log.ever_sooner", {{"text", e_.text}}), phrase("log.seconds_between", {{"seconds", seen}}));
     }
 
     bool is_wanted(const LoggedSound& s) const {
@@ -271,16 +283,20 @@ private:
                 ++found;
                 latest_ms = std::max(latest_ms, (s.time_s - s.cue.event_time_s) * 1e3);
             } else if (!s.loop && others.size() < 400) {
-                others += fmt::format(" {:.3f} s {} of {}", s.time_s, info(s.cue.kind).name, material_sound_name(s.cue.material));
+                others +=
+                    " " + phrase("log.other", {{"seconds", s.time_s}, {"sound", info(s.cue.kind).name}, {"material", material_sound_name(s.cue.material)}});
             }
         }
         const bool wanted = e_.check == Check::Sound;
-        const std::string what = fmt::format("sound \"{}\"{}", e_.text, e_.material.empty() ? "" : " of " + e_.material);
+        const std::string what = phrase(e_.material.empty() ? "log.sound" : "log.sound_of", {{"sound", e_.text}, {"material", e_.material}});
         if (wanted ? (e_.times ? found != *e_.times : found < 1) : found != 0)
-            return fail(fmt::format("{} {}", what, wanted ? (e_.times ? fmt::format("exactly {} times", *e_.times) : "at least once") : "never"),
-                        fmt::format("{} times; others:{}", found, others.empty() ? " none" : others));
+            return fail(phrase(!wanted    ? "log.sound_never"
+                               : e_.times ? "log.sound_exactly"
+                                          : "log.sound_once",
+                               {{"sound", what}, {"count", e_.times.value_or(1)}}),
+                        phrase(others.empty() ? "log.sound_no_others" : "log.sound_others", {{"count", found}, {"others", others}}));
         if (wanted && e_.high > 0.0 && latest_ms > e_.high)
-            return fail(fmt::format("{} within {} ms", what, e_.high), fmt::format("{:.1f} ms after its event", latest_ms));
+            return fail(phrase("log.sound_within", {{"sound", what}, {"ms", e_.high}}), phrase("log.sound_after", {{"ms", latest_ms}}));
         return {};
     }
 
@@ -290,31 +306,39 @@ private:
             if (!window_.has(s.time_s) || !is_wanted(s)) continue;
             if (first < 0.0) first = s.cue.loudness;
             if (s.cue.loudness < last - 1e-9)
-                return fail(fmt::format("\"{}\" to grow", e_.text), fmt::format("it fell from {:.3f} to {:.3f} at {:.3f} s", last, s.cue.loudness, s.time_s));
+                return fail(phrase("log.to_grow", {{"sound", e_.text}}),
+                            phrase("log.fell", {{"before", last}, {"after", s.cue.loudness}, {"seconds", s.time_s}}));
             last = s.cue.loudness;
         }
         if (first < 0.0 || !(last > first))
-            return fail(fmt::format("\"{}\" to grow", e_.text), first < 0.0 ? "it was not heard" : fmt::format("{:.3f} all the time", first));
+            return fail(phrase("log.to_grow", {{"sound", e_.text}}), first < 0.0 ? phrase("log.not_heard") : phrase("log.all_the_time", {{"loudness", first}}));
         return {};
+    }
+
+    // What is wrong with a tick; put into words only where it is told, for there are a thousand ticks a second.
+    using Wrong = std::function<std::string()>;
+    template <class Words>
+    static Wrong wrong_unless(bool holds, Words words) {
+        return holds ? Wrong{} : Wrong(std::move(words));
     }
 
     template <class Test>
     std::string each_tick(Test test, const std::string& expected) const {
-        std::string last;
+        Wrong last;
         double last_s = 0.0;
         bool any_tick = false;
         for (const LoggedTick& t : ticks_) {
             if (!window_.has(t.time_s)) continue;
             any_tick = true;
-            const std::string wrong = test(t);
-            if (wrong.empty() && !e_.always) return {};
-            if (!wrong.empty() && e_.always) return fail(expected + " all the time", fmt::format("{} at {:.3f} s", wrong, t.time_s));
-            last = wrong;
+            Wrong wrong = test(t);
+            if (!wrong && !e_.always) return {};
+            if (wrong && e_.always) return fail(phrase("log.always", {{"expected", expected}}), phrase("log.at", {{"seen", wrong()}, {"seconds", t.time_s}}));
+            last = std::move(wrong);
             last_s = t.time_s;
         }
-        if (!any_tick) return fail(expected, "the window holds no tick");
+        if (!any_tick) return fail(expected, phrase("log.no_tick"));
         if (e_.always) return {};
-        return fail(expected + " at some time", fmt::format("at the end {} ({:.3f} s)", last, last_s));
+        return fail(phrase("log.sometime", {{"expected", expected}}), phrase("log.at_end", {{"seen", last()}, {"seconds", last_s}}));
     }
 
     std::string force_step() const {
@@ -332,7 +356,7 @@ private:
             before = &t;
         }
         return worst <= e_.high ? std::string()
-                                : fail(fmt::format("force changes of at most {} N between ticks", e_.high), fmt::format("{:.4f} N at {:.3f} s", worst, when));
+                                : fail(phrase("log.force_step", {{"most", e_.high}}), phrase("log.newtons_at", {{"force", worst}, {"seconds", when}}));
     }
 
     std::string force_lines() const {
@@ -343,8 +367,9 @@ private:
                 if (window_.has(t.time_s)) samples.push_back(t.force_n[axis]);
             worst = std::max(worst, line_amplitude(samples, 1e-3, e_.from_hz, e_.to_hz));
         }
-        return worst <= e_.high ? std::string()
-                                : fail(fmt::format("at most {} N between {} and {} Hz", e_.high, e_.from_hz, e_.to_hz), fmt::format("{:.4f} N", worst));
+        return worst <= e_.high
+                   ? std::string()
+                   : fail(phrase("log.force_band", {{"most", e_.high}, {"from", e_.from_hz}, {"to", e_.to_hz}}), phrase("log.newtons", {{"force", worst}}));
     }
 
     std::string strongest_line() const {
@@ -361,16 +386,16 @@ private:
                 }
         }
         if (best_n >= e_.tolerance && best_hz >= e_.low && best_hz <= e_.high) return {};
-        return fail(fmt::format("the strongest line between {} and {} Hz, of {} N or more", e_.low, e_.high, e_.tolerance),
-                    fmt::format("{:.4f} N at {:.2f} Hz", best_n, best_hz));
+        return fail(phrase("log.strongest_line", {{"from", e_.low}, {"to", e_.high}, {"least", e_.tolerance}}),
+                    phrase("log.line", {{"force", best_n}, {"hz", best_hz}}));
     }
 
     std::string told_apart() const {
         const std::vector<std::string> problems = lint_materials(scene_).problems;
-        if (e_.check == Check::ToldApart) return problems.empty() ? std::string() : fail("materials that can be told apart", problems.front());
+        if (e_.check == Check::ToldApart) return problems.empty() ? std::string() : fail(phrase("log.told_apart"), problems.front());
         for (const std::string& problem : problems)
             if (words_in_order(e_.text, problem)) return {};
-        return fail(fmt::format("\"{}\" to be named", e_.text), problems.empty() ? "nothing to be reported" : problems.front());
+        return fail(phrase("log.to_be_named", {{"text", e_.text}}), problems.empty() ? phrase("log.nothing_reported") : problems.front());
     }
 
     std::string force_spike() const {
@@ -382,12 +407,12 @@ private:
             if (before) {
                 const double force = glm::length(t.force_n), last = glm::length(before->force_n), begin = glm::length(first->force_n);
                 if (force > e_.high * std::min(last, begin) + 1e-9)
-                    return fail(fmt::format("force of at most {} times the last one", e_.high),
-                                fmt::format("{:.4f} N at {:.3f} s after {:.4f} N, and {:.4f} N at the begin", force, t.time_s, last, begin));
+                    return fail(phrase("log.force_spike", {{"most", e_.high}}),
+                                phrase("log.spike", {{"force", force}, {"seconds", t.time_s}, {"last", last}, {"first", begin}}));
             }
             before = &t;
         }
-        return first ? std::string() : fail("a force", "the window holds no tick");
+        return first ? std::string() : fail(phrase("log.a_force"), phrase("log.no_tick"));
     }
 
     std::string force_rising() const {
@@ -395,23 +420,23 @@ private:
         for (const LoggedTick& t : ticks_) {
             if (!window_.has(t.time_s)) continue;
             if (before && glm::length(t.force_n) < glm::length(before->force_n) - 1e-9)
-                return fail("force that only rises",
-                            fmt::format("{:.5f} N after {:.5f} N at {:.3f} s", glm::length(t.force_n), glm::length(before->force_n), t.time_s));
+                return fail(phrase("log.only_rises"),
+                            phrase("log.falls", {{"force", glm::length(t.force_n)}, {"last", glm::length(before->force_n)}, {"seconds", t.time_s}}));
             before = &t;
         }
         return {};
     }
 
     template <class Where>
-    std::string place(const char* what, Where where) const {
+    std::string place(const char* wanted, const char* seen, Where where) const {
         return each_tick(
             [&](const LoggedTick& t) {
                 double off = 0.0;
                 for (int axis = 0; axis < 3; ++axis)
                     if (!std::isnan(e_.vector[axis])) off = std::max(off, std::abs(where(t)[axis] - e_.vector[axis]));
-                return off <= e_.tolerance ? std::string() : fmt::format("{} at {}", what, shown(where(t)));
+                return wrong_unless(off <= e_.tolerance, [=] { return phrase(seen, {{"place", shown(where(t))}}); });
             },
-            fmt::format("{} within {} m of {}", what, e_.tolerance, shown(e_.vector)));
+            phrase(wanted, {{"within", e_.tolerance}, {"place", shown(e_.vector)}}));
     }
 
     const SessionLog& log_;

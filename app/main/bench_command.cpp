@@ -5,6 +5,7 @@
 #include "app/main/world_files.h"
 #include "tests/bench/compare/report.h"
 #include "worlds/base/files.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -27,7 +28,7 @@ bool write(const fs::path& file, const std::string& content, std::ostream& err) 
     out << content;
     out.close();
     if (out) return true;
-    err << fmt::format("The file {} could not be written.\n", file.string());
+    err << phrase("program.not_written", {{"file", file.string()}}) << '\n';
     return false;
 }
 
@@ -39,7 +40,7 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
     for (const fs::path& map : arguments.maps) {
         std::error_code ec;
         if (!fs::is_regular_file(map, ec)) {
-            err << fmt::format("There is no map {}.\n", map.string());
+            err << phrase("program.no_map", {{"file", map.string()}}) << '\n';
             return 1;
         }
         options.maps.push_back(map);
@@ -49,7 +50,7 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
     options.servo_s = arguments.seconds.value_or(arguments.quick ? 1.0 : 60.0);
     const std::vector<std::string> names = bench::scene_names(options);
     if (names.empty()) {
-        err << fmt::format("No scene is named like \"{}\". Say handrail bench --list for the names.\n", arguments.scene);
+        err << phrase("program.no_scene", {{"name", arguments.scene}}) << '\n';
         return 1;
     }
     if (arguments.list) {
@@ -71,7 +72,7 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
         std::ifstream in(*arguments.instructions, std::ios::binary);
         counted.assign(std::istreambuf_iterator<char>(in), {});
         if (!in && counted.empty()) {
-            err << fmt::format("The file {} could not be read.\n", arguments.instructions->string());
+            err << phrase("program.not_read", {{"file", arguments.instructions->string()}}) << '\n';
             return 1;
         }
     }

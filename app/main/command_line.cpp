@@ -4,6 +4,7 @@
 
 #include "app/core/command.h"
 #include "app/core/spoken_language.h"
+#include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
 
@@ -16,9 +17,9 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
                         const std::string& help) {
     const auto read = [name, take = std::move(take), zero_allowed](const std::string& word) {
         double value = 0.0;
-        if (!parse_finite(word, value)) throw CLI::ValidationError(fmt::format("{} needs a number, not \"{}\".", name, word));
+        if (!parse_finite(word, value)) throw CLI::ValidationError(phrase("help.needs_number", {{"option", name}, {"word", word}}));
         if (value < 0.0 || (value == 0.0 && !zero_allowed))
-            throw CLI::ValidationError(fmt::format("{} must be {}, not {}.", name, zero_allowed ? "0 or more" : "above 0", word));
+            throw CLI::ValidationError(phrase(zero_allowed ? "help.not_below_0" : "help.above_0", {{"option", name}, {"word", word}}));
         take(value);
     };
     return app.add_option_function<std::string>(name, read, help)->type_name(unit)->type_size(1);
@@ -26,17 +27,12 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
 
 void add_map_scale(CLI::App& app, CommonArguments& common) {
     add_number(
-        app, "--map-scale", "M", [&common](double v) { common.map_scale_m_per_unit = v; }, false, "metres per unit of a .map; 1/32 unless given");
+        app, "--map-scale", "M", [&common](double v) { common.map_scale_m_per_unit = v; }, false, phrase("help.map_scale"));
 }
 
 void add_settings_options(CLI::App& app, SettingsOptions& options) {
-    app.add_option("--settings", options.file, "settings file in place of your own")->type_name("FILE");
-    app.add_option("--set", options.assignments, "change one setting for this time, such as --set workspace.scale=40; may be repeated")
-        ->type_name("KEY=VALUE")
-        ->type_size(1)
-        ->expected(1)
-        ->allow_extra_args(false)
-        ->take_all();
+    app.add_option("--settings", options.file, phrase("help.settings_file"))->type_name("FILE");
+    app.add_option("--set", options.assignments, phrase("help.set"))->type_name("KEY=VALUE")->type_size(1)->expected(1)->allow_extra_args(false)->take_all();
 }
 
 std::string part_words() {
@@ -47,7 +43,7 @@ std::string part_words() {
 
 // The whole grammar. Lives as long as one parse; the commands' arguments are filled in place.
 struct Grammar {
-    CLI::App app{"Handrail: learn a building by touch, sound and speech.\nWithout a command it opens WORLD, or a first small world of its own."};
+    CLI::App app{phrase("help.program")};
     ExploreCall explore;
     std::vector<std::string> explore_devices;  // --device, once or twice
     InfoArguments info;
@@ -61,13 +57,18 @@ struct Grammar {
 
     Grammar() {
         app.name("handrail");
+        app.option_defaults()->group(phrase("help.group_options"));
+        for (const auto& [label, key] :
+             {std::pair{"Usage", "help.usage"}, std::pair{"OPTIONS", "help.options"}, std::pair{"SUBCOMMAND", "help.subcommand"},
+              std::pair{"Positionals", "help.positionals"}, std::pair{"REQUIRED", "help.mandatory"}, std::pair{"Excludes", "help.label_excludes"}})
+            app.get_formatter()->label(label, phrase(key));
         app.require_subcommand(0, 1);
-        app.set_version_flag("--version", "handrail " HANDRAIL_VERSION, "say the version");
-        app.set_help_flag("-h,--help", "say how to use this");
-        app.footer("Exit status: 0 done, 1 it failed, 2 wrong usage. A world whose file is named like a command is opened as ./info.");
-        app.add_option("WORLD", explore.arguments.world, "the world to explore")->type_name("");
-        app.add_flag("--no-window", explore.arguments.no_window, "stay in the terminal");
-        app.add_option("--device", explore_devices, "haptic device by name or serial number, or none; given twice, the first is for the right hand")
+        app.set_version_flag("--version", "handrail " HANDRAIL_VERSION, phrase("help.version"));
+        app.set_help_flag("-h,--help", phrase("help.help"));
+        app.footer(phrase("help.exit_status"));
+        app.add_option("WORLD", explore.arguments.world, phrase("help.world_to_explore"))->type_name("");
+        app.add_flag("--no-window", explore.arguments.no_window, phrase("help.no_window"));
+        app.add_option("--device", explore_devices, phrase("help.devices_given"))
             ->type_name("NAME")
             ->type_size(1)
             ->expected(1)
@@ -76,76 +77,70 @@ struct Grammar {
         add_map_scale(app, explore.arguments.common);
         add_settings_options(app, explore.settings);
 
-        info_app = app.add_subcommand("info", "say what a world holds, and what was understood, guessed or left out");
-        info_app->add_option("WORLD", info.world, "the world")->required()->type_name("");
-        CLI::Option* json = info_app->add_flag("--json", info.json, "as one JSON object");
-        info_app->add_flag("--lint", info.lint, "only whether its materials can be told apart by touch; exit status 1 if not")->excludes(json);
+        info_app = app.add_subcommand("info", phrase("help.info"));
+        info_app->add_option("WORLD", info.world, phrase("help.the_world"))->required()->type_name("");
+        CLI::Option* json = info_app->add_flag("--json", info.json, phrase("help.json"));
+        info_app->add_flag("--lint", info.lint, phrase("help.lint"))->excludes(json);
         add_map_scale(*info_app, info.common);
 
-        touch_app = app.add_subcommand("touch", "replay a hand's path through a world, without a device");
-        touch_app->add_option("WORLD", touch.world, "the world")->required()->type_name("");
-        touch_app->add_option("--path", touch.path_csv, "the hand's path: t,x,y,z")->required()->type_name("IN.csv");
-        touch_app->add_option("--out", touch.out_csv, "where to write forces and contacts")->required()->type_name("OUT.csv");
+        touch_app = app.add_subcommand("touch", phrase("help.touch"));
+        touch_app->add_option("WORLD", touch.world, phrase("help.the_world"))->required()->type_name("");
+        touch_app->add_option("--path", touch.path_csv, phrase("help.path"))->required()->type_name("IN.csv");
+        touch_app->add_option("--out", touch.out_csv, phrase("help.out"))->required()->type_name("OUT.csv");
         add_number(
-            *touch_app, "--radius", "M", [this](double v) { touch.radius_m = v; }, true, "radius of the ball in world metres; 0.005 unless given");
+            *touch_app, "--radius", "M", [this](double v) { touch.radius_m = v; }, true, phrase("help.radius"));
         add_number(
-            *touch_app, "--stiffness", "N_PER_M", [this](double v) { touch.stiffness_n_per_m = v; }, true, "stiffness of every surface");
+            *touch_app, "--stiffness", "N_PER_M", [this](double v) { touch.stiffness_n_per_m = v; }, true, phrase("help.stiffness"));
         add_number(
-            *touch_app, "--damping", "NS_PER_M", [this](double v) { touch.damping_ns_per_m = v; }, true, "damping of every surface");
+            *touch_app, "--damping", "NS_PER_M", [this](double v) { touch.damping_ns_per_m = v; }, true, phrase("help.damping"));
         add_number(
-            *touch_app, "--friction-static", "MU", [this](double v) { touch.friction_static = v; }, true, "friction of every surface at rest");
+            *touch_app, "--friction-static", "MU", [this](double v) { touch.friction_static = v; }, true, phrase("help.friction_static"));
         add_number(
-            *touch_app, "--friction-kinetic", "MU", [this](double v) { touch.friction_kinetic = v; }, true, "friction of every surface while sliding");
+            *touch_app, "--friction-kinetic", "MU", [this](double v) { touch.friction_kinetic = v; }, true, phrase("help.friction_kinetic"));
         add_number(
-            *touch_app, "--scale", "S", [this](double v) { touch.scale_world_m_per_hand_m = v; }, false, "world metres per hand metre; 1 unless given");
-        touch_app->add_option("--device", touch.device, "apply this model's limits; an ideal device unless given")->type_name("NAME");
+            *touch_app, "--scale", "S", [this](double v) { touch.scale_world_m_per_hand_m = v; }, false, phrase("help.scale"));
+        touch_app->add_option("--device", touch.device, phrase("help.limits"))->type_name("NAME");
         add_map_scale(*touch_app, touch.common);
 
-        scenario_app = app.add_subcommand("scenario", "run scenario files, or folders of them");
-        scenario_app->add_option("PATH", scenario.paths, "files or folders")->required()->type_name("");
-        scenario_app->add_option("--junit", scenario.junit, "write the results as JUnit XML")->type_name("FILE");
+        scenario_app = app.add_subcommand("scenario", phrase("help.scenario"));
+        scenario_app->add_option("PATH", scenario.paths, phrase("help.paths"))->required()->type_name("");
+        scenario_app->add_option("--junit", scenario.junit, phrase("help.junit"))->type_name("FILE");
         add_map_scale(*scenario_app, scenario.common);
 
-        bench_app = app.add_subcommand("bench", "measure how fast and how exact touch is, beside other renderers");
-        bench_app->add_flag("--quick", bench.quick, "a few seconds instead of some minutes; times are rough");
-        bench_app->add_flag("--json", bench.json, "as one JSON object");
-        bench_app->add_option("--scene", bench.scene, "only scenes and families with this in their name")->type_name("NAME");
-        bench_app->add_flag("--list", bench.list, "say the names of the scenes and measure nothing");
-        bench_app->add_option("--map", bench.maps, "also this map; may be repeated")
-            ->type_name("FILE")
-            ->type_size(1)
-            ->expected(1)
-            ->allow_extra_args(false)
-            ->take_all();
-        bench_app->add_option("--svg", bench.svg_folder, "write plots of speed against error into this folder")->type_name("FOLDER");
-        bench_app->add_option("--markdown", bench.markdown, "write the tables to this file")->type_name("FILE");
-        bench_app->add_option("--instructions", bench.instructions, "instructions per tick as tests/bench/compare.sh counted them")->type_name("FILE");
-        bench_app->add_option("--count", bench.count, "only the ticks of one renderer on the first scene, once, to be counted")->type_name("RENDERER");
+        bench_app = app.add_subcommand("bench", phrase("help.bench"));
+        bench_app->add_flag("--quick", bench.quick, phrase("help.quick"));
+        bench_app->add_flag("--json", bench.json, phrase("help.json"));
+        bench_app->add_option("--scene", bench.scene, phrase("help.scene"))->type_name("NAME");
+        bench_app->add_flag("--list", bench.list, phrase("help.list"));
+        bench_app->add_option("--map", bench.maps, phrase("help.map"))->type_name("FILE")->type_size(1)->expected(1)->allow_extra_args(false)->take_all();
+        bench_app->add_option("--svg", bench.svg_folder, phrase("help.svg"))->type_name("FOLDER");
+        bench_app->add_option("--markdown", bench.markdown, phrase("help.markdown"))->type_name("FILE");
+        bench_app->add_option("--instructions", bench.instructions, phrase("help.instructions"))->type_name("FILE");
+        bench_app->add_option("--count", bench.count, phrase("help.count"))->type_name("RENDERER");
         add_number(
-            *bench_app, "--seconds", "S", [this](double v) { bench.seconds = v; }, true, "how long to run the servo thread; 60 unless given, 0 for not");
+            *bench_app, "--seconds", "S", [this](double v) { bench.seconds = v; }, true, phrase("help.seconds"));
 
-        settings_app = app.add_subcommand("settings", "list every setting with its value");
-        settings_app->add_flag("--explain", settings.arguments.explain, "with unit, range, meaning and where each value comes from");
+        settings_app = app.add_subcommand("settings", phrase("help.settings"));
+        settings_app->add_flag("--explain", settings.arguments.explain, phrase("help.explain"));
         add_settings_options(*settings_app, settings.settings);
 
-        calibrate_app = app.add_subcommand("calibrate", "set up headphones, touch device, force and reach, led by voice");
+        calibrate_app = app.add_subcommand("calibrate", phrase("help.calibrate"));
         calibrate.arguments.calibrate = *parse_wizard_parts("");
         const auto take_parts = [this](const std::string& words) {
             auto parts = parse_wizard_parts(words);
             if (!parts) throw CLI::ValidationError(parts.error().sentence());
             calibrate.arguments.calibrate = std::move(*parts);
         };
-        calibrate_app->add_option_function<std::string>("--only", take_parts, fmt::format("only these parts, such as headphones,reach; of {}", part_words()))
-            ->type_name("PARTS");
-        calibrate_app->add_flag("--no-window", calibrate.arguments.no_window, "stay in the terminal");
-        calibrate_app->add_option("--device", calibrate.arguments.device, "haptic device by name or serial number, or none")->type_name("NAME");
+        calibrate_app->add_option_function<std::string>("--only", take_parts, phrase("help.only", {{"parts", part_words()}}))->type_name("PARTS");
+        calibrate_app->add_flag("--no-window", calibrate.arguments.no_window, phrase("help.no_window"));
+        calibrate_app->add_option("--device", calibrate.arguments.device, phrase("help.device"))->type_name("NAME");
         add_settings_options(*calibrate_app, calibrate.settings);
 
-        devices_app = app.add_subcommand("devices", "say which touch devices are plugged in, and what each is and needs");
-        devices_app->add_flag("--json", devices.json, "as one JSON object");
+        devices_app = app.add_subcommand("devices", phrase("help.devices"));
+        devices_app->add_flag("--json", devices.json, phrase("help.json"));
 
         for (CLI::App* sub : {calibrate_app, info_app, touch_app, scenario_app, bench_app, settings_app, devices_app})
-            sub->set_help_flag("-h,--help", "say how to use this command");
+            sub->group(phrase("help.group_commands"))->set_help_flag("-h,--help", phrase("help.command_help"));
     }
 
     CLI::App& chosen() {
@@ -160,7 +155,10 @@ struct Grammar {
     }
 };
 
-std::string_view help_hint(const CLI::App& app) { return app.get_parent() ? " See --help of this command." : " See --help."; }
+// The sentence, and where to read on.
+UsageError with_hint(const CLI::App& app, const std::string& sentence) {
+    return {phrase(app.get_parent() ? "help.see_command" : "help.see", {{"sentence", sentence}})};
+}
 
 // "handrail inof" reads as a world named inof. Where there is no such file and it is no path either, a command was meant.
 bool is_misspelt_command(const fs::path& world) {
@@ -169,7 +167,7 @@ bool is_misspelt_command(const fs::path& world) {
 }
 
 UsageError no_such_command(Grammar& grammar, const std::string& word) {
-    return {fmt::format("There is no world file and no command \"{}\"; the nearest command is {}.", word, nearest_name(word, grammar.command_names()))};
+    return {phrase("help.no_such_command", {{"word", word}, {"nearest", nearest_name(word, grammar.command_names())}})};
 }
 
 // A word that nothing took: an unknown option, or one name too many.
@@ -179,20 +177,18 @@ UsageError leftover_word(Grammar& grammar, const std::string& word) {
         std::vector<std::string> names;
         for (const CLI::Option* option : app.get_options())
             for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-        return {fmt::format("There is no option {}; the nearest is {}.", word, nearest_name(word.substr(0, word.find('=')), names))};
+        return {phrase("help.no_such_option", {{"option", word}, {"nearest", nearest_name(word.substr(0, word.find('=')), names)}})};
     }
     if (&app == &grammar.app && grammar.explore.arguments.world && is_misspelt_command(*grammar.explore.arguments.world))
         return no_such_command(grammar, grammar.explore.arguments.world->string());
-    return {fmt::format("There is one word too many, \"{}\".{}", word, help_hint(app))};
+    return with_hint(app, phrase("help.one_too_many", {{"word", word}}));
 }
 
 // Options that stand before a command must not be lost in silence.
 std::optional<UsageError> options_before_command(Grammar& grammar) {
     for (const CLI::Option* option : grammar.app.get_options())
         if (option->count() > 0) {
-            const std::string name = option->get_name();
-            return UsageError{
-                fmt::format("{} does not belong before the command {}; options stand after the command they are for.", name, grammar.chosen().get_name())};
+            return UsageError{phrase("help.before_command", {{"option", option->get_name()}, {"command", grammar.chosen().get_name()}})};
         }
     return std::nullopt;
 }
@@ -203,12 +199,28 @@ std::string first_line_as_sentence(std::string text) {
     return text;
 }
 
+// What the library found wrong, in the language spoken; its own words where it has more to say than these three.
+std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error) {
+    const std::string message = error.what();
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string name = option->get_name();
+        if (dynamic_cast<const CLI::RequiredError*>(&error) && option->get_required() && option->count() == 0) return phrase("help.required", {{"name", name}});
+        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && message.starts_with(name + ": "))
+            return phrase("help.value_missing", {{"option", name}, {"value", option->get_type_name()}});
+        if (dynamic_cast<const CLI::ExcludesError*>(&error) && option->count() > 0)
+            for (const CLI::Option* other : option->get_excludes())
+                if (other->count() > 0) return phrase("help.excludes", {{"option", name}, {"other", other->get_name()}});
+    }
+    return first_line_as_sentence(message);
+}
+
 std::optional<UsageError> check_touch(TouchArguments& touch) {
     // One friction option sets both.
     if (!touch.friction_static) touch.friction_static = touch.friction_kinetic;
     if (!touch.friction_kinetic) touch.friction_kinetic = touch.friction_static;
     if (touch.friction_static && *touch.friction_static < *touch.friction_kinetic)
-        return UsageError{fmt::format("--friction-static ({}) must not be below --friction-kinetic ({}).", *touch.friction_static, *touch.friction_kinetic)};
+        return UsageError{
+            phrase("help.friction", {{"static", fmt::format("{}", *touch.friction_static)}, {"kinetic", fmt::format("{}", *touch.friction_kinetic)}})};
     return std::nullopt;
 }
 
@@ -252,13 +264,12 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
         const std::vector<std::string> extras = grammar.app.remaining(true);
         return leftover_word(grammar, extras.empty() ? "" : extras.front());
     } catch (const CLI::ParseError& error) {
-        return UsageError{first_line_as_sentence(error.what()) + std::string(help_hint(grammar.chosen()))};
+        return with_hint(grammar.chosen(), what_is_wrong(grammar.chosen(), error));
     }
     CLI::App& chosen = grammar.chosen();
     if (&chosen != &grammar.app)
         if (auto error = options_before_command(grammar)) return *error;
-    if (grammar.explore_devices.size() > 2)
-        return UsageError{"There are two hands, so --device can be given twice at most." + std::string(help_hint(grammar.app))};
+    if (grammar.explore_devices.size() > 2) return with_hint(grammar.app, phrase("help.two_hands"));
     if (!grammar.explore_devices.empty()) grammar.explore.arguments.device = grammar.explore_devices.front();
     if (grammar.explore_devices.size() > 1) grammar.explore.arguments.left_device = grammar.explore_devices.back();
     if (&chosen == grammar.info_app) return grammar.info;

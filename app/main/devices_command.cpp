@@ -2,6 +2,7 @@
 
 #include "app/main/commands.h"
 #include "haptic/drivers/found_device.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -20,14 +21,14 @@ std::string_view kind_word(DeviceKind kind) {
     return "";
 }
 
-std::string_view kind_sentence(DeviceKind kind) {
+std::string kind_sentence(DeviceKind kind) {
     switch (kind) {
         case DeviceKind::Kinesthetic:
-            return "It pushes the hand in space.";
+            return phrase("program.device_pushes");
         case DeviceKind::Cues:
-            return "It gives cues to the fingers; it cannot stop the hand.";
+            return phrase("program.device_cues");
         case DeviceKind::Navigation:
-            return "It moves you through the world; it gives no force.";
+            return phrase("program.device_moves");
     }
     return "";
 }
@@ -56,17 +57,19 @@ Json json_of(const FoundDevice& device) {
 }
 
 void tell(const FoundDevice& device, std::ostream& out) {
-    out << fmt::format("{}, called {}, on {}. {}\n", device.model, device.name, device.connection, kind_sentence(device.kind));
-    if (!device.serial.empty()) out << fmt::format("  Serial number {}.\n", device.serial);
-    out << fmt::format("  Driver: {}.\n", device.driver);
-    if (!device.firmware.empty()) out << fmt::format("  Firmware: {}.\n", device.firmware);
-    if (!device.calibration.empty()) out << fmt::format("  Calibration: {}.\n", device.calibration);
+    out << phrase("program.device", {{"model", device.model}, {"name", device.name}, {"connection", device.connection}, {"kind", kind_sentence(device.kind)}})
+        << '\n';
+    const auto line = [&out](const std::string& sentence) { out << "  " << sentence << '\n'; };
+    if (!device.serial.empty()) line(phrase("program.device_serial", {{"serial", device.serial}}));
+    line(phrase("program.device_driver", {{"driver", device.driver}}));
+    if (!device.firmware.empty()) line(phrase("program.device_firmware", {{"firmware", device.firmware}}));
+    if (!device.calibration.empty()) line(phrase("program.device_calibration", {{"calibration", device.calibration}}));
     if (device.spec)
-        out << fmt::format("  Reach {:.0f} centimetres around its middle, force up to {:g} newtons, walls up to {:g} newtons per metre.\n",
-                           device.spec->workspace_radius_m * 100.0, device.spec->peak_force_n, device.spec->rated_stiffness_n_per_m);
-    if (device.rate_hz > 0.0) out << fmt::format("  Up to {:g} times a second.\n", device.rate_hz);
-    if (device.usable) out << fmt::format("  State: {}.\n", device_state(device));
-    else out << fmt::format("  It cannot be used yet. {}\n", device.problem);
+        line(phrase(
+            "program.device_reach",
+            {{"reach", device.spec->workspace_radius_m * 100.0}, {"force", device.spec->peak_force_n}, {"stiffness", device.spec->rated_stiffness_n_per_m}}));
+    if (device.rate_hz > 0.0) line(phrase("program.device_rate", {{"rate", device.rate_hz}}));
+    line(device.usable ? phrase("program.device_state", {{"state", device_state(device)}}) : phrase("program.device_problem", {{"problem", device.problem}}));
 }
 
 }  // namespace
@@ -83,9 +86,9 @@ int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostre
             << '\n';
         return 0;
     }
-    if (found.empty()) out << "No touch device was found. Everything works with keyboard and sound. Plug one in and ask again.\n";
+    if (found.empty()) out << phrase("program.no_devices") << '\n';
     for (const FoundDevice& device : found) tell(device, out);
-    out << "Simulated devices are always there: sim-t, sim-f.\n";
+    out << phrase("program.simulated_devices") << '\n';
     return 0;
 }
 

@@ -26,6 +26,7 @@
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_loop.h"
 #include "worlds/base/clock.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/readers/reader.h"
 
@@ -97,14 +98,14 @@ public:
         app_->find_rooms_beside();
         for (const Diagnostic& problem : arguments_.settings_problems) news.push_back(problem.sentence());
         open_window(news);
-        if (wanted == "none") news.push_back("No touch device, as you asked. Everything works with keyboard and sound.");
+        if (wanted == "none") news.push_back(phrase("program.no_device_as_asked"));
         ears_->start();
         first_ = !settings_.values().welcome.done && !arguments_.world && !arguments_.calibrate;
         const std::string voice = first_ ? voice_that_speaks() : std::string{};
         asked_s_ = clock_.now_s();
         if (first_) app_->begin_first_minutes(voice, true, asked_s_);
         news.push_back(recent_.take_news());
-        say(first_ ? joined(news) : "Handrail. " + joined(news), asked_s_);
+        say(first_ ? joined(news) : phrase("program.welcome", {{"news", joined(news)}}), asked_s_);
         if (arguments_.calibrate) {
             begin_wizard(*arguments_.calibrate);
             calibrate();
@@ -176,7 +177,7 @@ private:
             clock_.sleep_until_s(clock_.now_s() + 0.01);
             voice = ears_->who_speaks();
         }
-        return voice.empty() ? "text alone" : voice;
+        return voice.empty() ? phrase("voice.text_alone") : voice;
     }
 
     // ---- the set-up by voice ----
@@ -270,7 +271,7 @@ private:
             app_->press(Command::ToggleForces, now_s);
             app_->release(Command::ToggleForces);
         }
-        say(fmt::format("Back in {}.", app_->scene()->name));
+        say(phrase("program.back_in", {{"world", app_->scene()->name}}));
     }
 
     void hand_over_wizard() {
@@ -293,9 +294,7 @@ private:
     // A device that nobody set up yet.
     void offer_calibration() {
         if (!settings_.values().profiles.contains(profile_key(facts_.spec.name, facts_.serial)))
-            say(fmt::format("This {} is not set up for you yet. {} does that, in two minutes.", facts_.spec.spoken_name,
-                            app_->keys().keys_of(Command::Calibrate)),
-                asked_s_);
+            say(phrase("program.not_set_up", {{"device", facts_.spec.spoken_name}, {"keys", app_->keys().keys_of(Command::Calibrate)}}), asked_s_);
     }
 
     std::string wanted_hand() const { return arguments_.device.value_or(settings_.values().haptic.device); }
@@ -319,7 +318,7 @@ private:
                         fmt::print(err, "{}\n", found.error().sentence());
                         return false;
                     }
-                    say("A simulated hand follows the mouse and the keys instead. You can plug a device in at any time.", clock_.now_s());
+                    say(phrase("program.simulated_instead_plug"), clock_.now_s());
                     use_hand(simulated_hand("sim-t").facts, nullptr);
                     return true;
                 }
@@ -332,7 +331,7 @@ private:
         }
         if (app_->offer_taken() && offer_) {
             asked_s_ = clock_.now_s();
-            say(fmt::format("Opening the {}.", offer_->spoken_name), asked_s_);
+            say(phrase("program.opening", {{"device", offer_->spoken_name}}), asked_s_);
             search_.emplace(offer_->name);
             return true;
         }
@@ -413,7 +412,7 @@ private:
             if (!look_for_hand(err)) return false;
             if (clock_.now_s() - told_s >= kProgressEvery_s) {
                 told_s = clock_.now_s();
-                say(fmt::format("Loading, {} percent.", loading.percent()));
+                say(phrase("program.loading", {{"percent", loading.percent()}}));
             }
         }
         auto scene = loading.take();
@@ -430,9 +429,7 @@ private:
     void enter(Scene scene, const std::filesystem::path& path, double asked_s) {
         const ReadReport& report = scene.report;
         if (report.warnings_in_all > 0)
-            say(fmt::format("{} {} in this file; the first: {}", report.warnings_in_all, report.warnings_in_all == 1 ? "problem" : "problems",
-                            report.warnings.front().sentence()),
-                asked_s);
+            say(phrase("program.problems", {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}), asked_s);
         app_->use_side_file(SideFile::of_world(path, user_data_folder(), is_shipped(path)));
         app_->enter_world(std::make_shared<const Scene>(std::move(scene)), asked_s);
         recent_.add(path);
@@ -442,7 +439,7 @@ private:
     // Another world is read while this one goes on; one that cannot be read leaves everything as it is.
     void change_world(double now_s) {
         if (const auto wanted = app_->take_world_request()) {
-            if (next_world_) return say(fmt::format("{} is still being read.", name_of_file(next_path_)));
+            if (next_world_) return say(phrase("program.still_read", {{"world", name_of_file(next_path_)}}));
             next_path_ = *wanted;
             next_told_s_ = now_s;
             next_world_ = std::make_unique<WorldLoading>(next_path_, arguments_.common);
@@ -451,11 +448,11 @@ private:
         if (!next_world_->ready()) {
             if (now_s - next_told_s_ < kProgressEvery_s) return;
             next_told_s_ = now_s;
-            return say(fmt::format("Loading, {} percent.", next_world_->percent()));
+            return say(phrase("program.loading", {{"percent", next_world_->percent()}}));
         }
         auto scene = next_world_->take();
         next_world_.reset();
-        if (!scene) return say(fmt::format("{} You stay in {}.", scene.error().sentence(), app_->scene()->name), now_s);
+        if (!scene) return say(phrase("program.stay_in", {{"problem", scene.error().sentence()}, {"world", app_->scene()->name}}), now_s);
         enter(std::move(*scene), next_path_, now_s);
     }
 
@@ -566,7 +563,7 @@ private:
     // Where two periods of the sound device drop out it gets three, from the next start on.
     void hold_more_sound() {
         if (settings_.values().sound.periods >= 3 || !ears_->sound_drops_out() || !settings_.set("sound.periods", "3", SettingSource::Live)) return;
-        say("Sound drops out on this machine. From the next start on it is a little later and steadier.");
+        say(phrase("program.drops_out"));
     }
 
     void look_at_window() {

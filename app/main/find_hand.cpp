@@ -5,6 +5,7 @@
 
 #include "app/companions/companion_session.h"
 #include "app/core/words.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -39,8 +40,8 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
             if (device.usable) return real_hand(device);
             news.push_back(device.problem);
         }
-        if (news.empty()) news.push_back("No touch device was found. A simulated hand follows the mouse and the keys.");
-        else news.push_back("A simulated hand follows the mouse and the keys instead.");
+        if (news.empty()) news.push_back(phrase("program.no_device_found"));
+        else news.push_back(phrase("program.simulated_instead"));
         return std::nullopt;
     }
     for (const FoundDevice& device : found) {
@@ -49,7 +50,7 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
             news.push_back(cues_and_walking_sentence(device.model));
             return std::nullopt;
         }
-        if (!device.usable) return fail(fmt::format("The {} cannot be used yet. {}", device.model, device.problem));
+        if (!device.usable) return fail(phrase("program.not_usable_yet", {{"device", device.model}, {"problem", device.problem}}));
         return real_hand(device);
     }
     if (is_companion(wanted)) {
@@ -60,13 +61,12 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
         std::vector<std::string> names = device_names();
         for (std::string& name : companion_names()) names.push_back(std::move(name));
         for (const FoundDevice& device : found) names.push_back(device.name);
-        return fail(fmt::format("There is no device \"{}\". Did you mean \"{}\"?", wanted, nearest_name(wanted, names)));
+        return fail(phrase("program.no_such_device", {{"device", wanted}, {"nearest", nearest_name(wanted, names)}}));
     }
     const std::vector<std::string> drivable = openable_device_names();
-    if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end())
-        return fail(fmt::format("The {} cannot be driven yet. Use sim-t, sim-f or none.", spec->spoken_name));
+    if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end()) return fail(phrase("program.not_driven", {{"device", spec->spoken_name}}));
     if (is_found_only_by_opening(spec->name)) return Hand{HandFacts{true, false, *spec, {}}, {std::string(spec->name)}};
-    return fail(fmt::format("The {} is not plugged in. Use sim-t, sim-f or none.", spec->spoken_name));
+    return fail(phrase("program.not_plugged", {{"device", spec->spoken_name}}));
 }
 
 HandSearch::HandSearch(std::string wanted) : found_(std::async(std::launch::async, [this, wanted = std::move(wanted)] { return search(wanted); })) {}

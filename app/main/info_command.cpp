@@ -7,6 +7,7 @@
 #include "haptic/compile/touch_model.h"
 #include "settings/settings.h"
 #include "worlds/base/clock.h"
+#include "worlds/base/language.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/lint.h"
 
@@ -99,47 +100,49 @@ std::string counted(int count, std::string_view one, std::string_view many) { re
 void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
     const Vec3 size = scene.bounds_m.empty() ? Vec3{0.0} : scene.bounds_m.size_m();
-    out << fmt::format("{}, from {}.\n", scene.name, scene.source_file);
-    out << fmt::format("It is {:.1f} metres from west to east, {:.1f} from south to north, and {:.1f} high. One unit of the file is {} metres.\n", size.x,
-                       size.y, size.z, scene.metres_per_unit);
-    out << fmt::format("{} with a name to touch, {}, {}, {}, {}.\n", counted(static_cast<int>(scene.features.size()), "thing", "things"),
-                       counted(report.doors, "door", "doors"), counted(report.movers, "moving part", "moving parts"),
-                       counted(report.liquids, "liquid", "liquids"), counted(report.starts, "start", "starts"));
-    out << fmt::format("The file holds {}, {} and {}. {} are wholly covered by others, {} can be felt.\n", counted(report.brushes, "brush", "brushes"),
-                       counted(report.polygons, "face", "faces"), counted(report.triangles, "triangle", "triangles"), report.polygons_hidden,
-                       report.polygons_kept);
+    const auto line = [&out](const std::string& sentence) { out << sentence << '\n'; };
+    line(phrase("info.world", {{"world", scene.name}, {"file", scene.source_file}}));
+    line(phrase("info.size", {{"x", size.x}, {"y", size.y}, {"z", size.z}, {"unit", fmt::format("{}", scene.metres_per_unit)}}));
+    line(phrase(
+        "info.holds",
+        {{"things", scene.features.size()}, {"doors", report.doors}, {"movers", report.movers}, {"liquids", report.liquids}, {"starts", report.starts}}));
+    line(phrase("info.file_holds", {{"brushes", report.brushes},
+                                    {"faces", report.polygons},
+                                    {"triangles", report.triangles},
+                                    {"hidden", report.polygons_hidden},
+                                    {"kept", report.polygons_kept}}));
     if (!scene.effects.empty()) {
         std::vector<std::string> kinds;
         for (const EffectSpec& row : effect_table()) {
             const auto many = std::count_if(scene.effects.begin(), scene.effects.end(), [&](const Effect& effect) { return effect.kind == row.kind; });
             if (many > 0) kinds.push_back(fmt::format("{} {}", row.name, many));
         }
-        out << fmt::format("Forces hang in space: {}.\n", fmt::join(kinds, ", "));
+        line(phrase("info.forces", {{"kinds", fmt::format("{}", fmt::join(kinds, ", "))}}));
     }
     const std::vector<std::string> materials = material_names(scene);
-    out << (materials.empty() ? "No materials are named.\n" : fmt::format("Materials: {}.\n", fmt::join(materials, ", ")));
+    line(materials.empty() ? phrase("info.no_materials") : phrase("info.materials", {{"names", fmt::format("{}", fmt::join(materials, ", "))}}));
     std::vector<std::string> parts;
     for (const TouchModel::Part& part : touch.parts)
         if (part.count > 0) parts.push_back(counted(static_cast<int>(part.count), part.one, spaced(part.key)));
-    out << fmt::format("The hand meets: {}.\n", parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", ")));
-    if (!touch.stages_on.empty()) out << fmt::format("Looked at on each tick of the hand besides surfaces: {}.\n", fmt::join(touch.stages_on, ", "));
-    if (!touch.stages_off.empty()) out << fmt::format("Not modelled, since nothing here needs it: {}.\n", fmt::join(touch.stages_off, ", "));
-    const auto list = [&](std::string_view title, const std::vector<std::string>& sentences) {
+    line(parts.empty() ? phrase("info.meets_nothing") : phrase("info.meets", {{"parts", fmt::format("{}", fmt::join(parts, ", "))}}));
+    if (!touch.stages_on.empty()) line(phrase("info.stages", {{"stages", fmt::format("{}", fmt::join(touch.stages_on, ", "))}}));
+    if (!touch.stages_off.empty()) line(phrase("info.not_modelled", {{"stages", fmt::format("{}", fmt::join(touch.stages_off, ", "))}}));
+    const auto list = [&](const std::string& title, const std::vector<std::string>& sentences) {
         if (sentences.empty()) return;
-        out << title << ":\n";
+        line(title);
         for (const std::string& sentence : sentences) out << "  " << sentence << '\n';
     };
-    list("Guessed", report.guessed);
-    list("Simplified", report.simplified);
-    list("Left out", report.left_out);
+    list(phrase("info.guessed"), report.guessed);
+    list(phrase("info.simplified"), report.simplified);
+    list(phrase("info.left_out"), report.left_out);
     if (report.warnings_in_all == 0) {
-        out << "No problems.\n";
+        line(phrase("info.no_problems"));
     } else {
-        out << (report.warnings_in_all == 1 ? "1 problem:\n" : fmt::format("{} problems:\n", report.warnings_in_all));
+        line(phrase("info.problems", {{"count", report.warnings_in_all}}));
         for (const Diagnostic& warning : report.warnings) out << "  " << warning.sentence() << '\n';
-        if (const auto more = report.warnings_in_all - static_cast<int>(report.warnings.size()); more > 0) out << fmt::format("  And {} more.\n", more);
+        if (const auto more = report.warnings_in_all - static_cast<int>(report.warnings.size()); more > 0) line("  " + phrase("info.more", {{"count", more}}));
     }
-    out << fmt::format("Loaded in {:.2f} seconds with {} megabytes of memory.\n", cost.load_s, (cost.peak_memory_bytes + (1 << 19)) >> 20);
+    line(phrase("info.loaded", {{"seconds", cost.load_s}, {"megabytes", (cost.peak_memory_bytes + (1 << 19)) >> 20}}));
 }
 
 // Can a hand tell this world's materials apart? 1 when not.
@@ -147,7 +150,7 @@ int tell_lint(const Scene& scene, std::ostream& out) {
     const LintReport lint = lint_materials(scene);
     for (const std::string& problem : lint.problems) out << problem << '\n';
     for (const std::string& warning : lint.warnings) out << warning << '\n';
-    if (lint.problems.empty()) out << "All materials here can be told apart by touch.\n";
+    if (lint.problems.empty()) out << phrase("program.told_apart") << '\n';
     return lint.problems.empty() ? 0 : 1;
 }
 
@@ -156,7 +159,7 @@ int tell_lint(const Scene& scene, std::ostream& out) {
 int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err) {
     const ReadOptions options = arguments.common.read_options();
     if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0) {
-        err << "The map scale must be a positive number of metres per unit.\n";
+        err << phrase("program.map_scale") << '\n';
         return 2;
     }
     const SteadyClock clock;

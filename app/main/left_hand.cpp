@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "haptic/device/simulated_device.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -33,7 +34,7 @@ bool LeftHand::take_change(std::vector<std::string>& news) {
     auto found = search_->take();
     search_.reset();
     if (!found) {
-        news.push_back("For the left hand: " + found.error().sentence());
+        news.push_back(phrase("program.for_left_hand", {{"problem", found.error().sentence()}}));
         return false;
     }
     return found->device && use(found->facts, std::move(found->device), news);
@@ -45,14 +46,14 @@ bool LeftHand::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device
     if (facts.simulated) held = std::make_unique<SimulatedDevice>(facts.spec, std::make_shared<SimulatedHand>());
     servo_ = std::make_unique<ServoLoop>(std::move(held), clock_, kPeriod_s, ServoLoop::Links{&switches_, &contacts_});
     if (const auto opened = servo_->open(); !opened) {
-        news.push_back("For the left hand: " + opened.error().sentence());
+        news.push_back(phrase("program.for_left_hand", {{"problem", opened.error().sentence()}}));
         guarded_ = nullptr;
         servo_.reset();
         return false;
     }
     facts_ = facts;
     servo_->start();
-    news.push_back(fmt::format("The {} is in the left hand.", facts_.spec.spoken_name));
+    news.push_back(phrase("program.in_left_hand", {{"device", facts_.spec.spoken_name}}));
     return true;
 }
 

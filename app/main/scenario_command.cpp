@@ -8,6 +8,7 @@
 #include "app/main/world_files.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "worlds/base/files.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -30,13 +31,13 @@ Result<std::vector<fs::path>> scenario_files(const std::vector<fs::path>& paths)
             std::vector<fs::path> inside;
             for (const auto& entry : fs::directory_iterator(path, ec))
                 if (entry.path().extension() == ".toml") inside.push_back(entry.path());
-            if (inside.empty()) return fail("This folder holds no scenario file (*.toml).", path.filename().string());
+            if (inside.empty()) return fail(phrase("program.no_scenarios"), path.filename().string());
             std::sort(inside.begin(), inside.end());
             files.insert(files.end(), inside.begin(), inside.end());
         } else if (fs::is_regular_file(path, ec)) {
             files.push_back(path);
         } else {
-            return fail("There is no such scenario file or folder.", path.string());
+            return fail(phrase("program.no_such_scenario"), path.string());
         }
     }
     return files;
@@ -131,12 +132,14 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
     for (const Scenario& scenario : scenarios) {
         outcomes.push_back(run_one(scenario, arguments.common.read_options()));
         const Outcome& o = outcomes.back();
-        fmt::print(out, "{}: {} ({}, {:.1f} virtual seconds)\n", o.failures.empty() ? "holds" : "FAILS", o.title, o.name, o.virtual_s);
+        fmt::print(
+            out, "{}\n",
+            phrase(o.failures.empty() ? "program.scenario_holds" : "program.scenario_fails", {{"title", o.title}, {"file", o.name}, {"seconds", o.virtual_s}}));
         for (const std::string& failure : o.failures) fmt::print(out, "  {}\n", failure);
         out.flush();
     }
     const auto failed = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return !o.failures.empty(); });
-    fmt::print(out, "{} of {} scenarios hold.\n", outcomes.size() - static_cast<std::size_t>(failed), outcomes.size());
+    fmt::print(out, "{}\n", phrase("program.scenarios_hold", {{"hold", outcomes.size() - static_cast<std::size_t>(failed)}, {"all", outcomes.size()}}));
     if (arguments.junit) {
         if (const auto written = write_file_atomically(*arguments.junit, junit_xml(outcomes)); !written) {
             fmt::print(err, "{}\n", written.error().sentence());

@@ -1,22 +1,24 @@
 #include "app/main/commands.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 
 // One setting a line; --explain adds unit, range, meaning and source in whole phrases, so that a line read aloud makes sense by itself.
 int run_settings(const SettingsArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err) {
     for (const SettingRow& row : settings.explain()) {
-        out << row.key << " = " << row.value;
-        if (arguments.explain) {
-            if (!row.unit.empty()) out << " " << row.unit;
-            out << " (" << row.range << "), from: " << source_name(row.source);
-            if (!row.origin.empty()) out << " " << row.origin;
-            out << ". " << row.meaning;
+        if (!arguments.explain) {
+            out << row.key << " = " << row.value << "\n";
+            continue;
         }
-        out << "\n";
+        std::string source(source_name(row.source));
+        if (!row.origin.empty()) source = phrase("program.source", {{"source", source}, {"origin", row.origin}});
+        out << phrase(row.unit.empty() ? "program.setting" : "program.setting_unit",
+                      {{"key", row.key}, {"value", row.value}, {"unit", row.unit}, {"range", row.range}, {"source", source}, {"meaning", row.meaning}})
+            << "\n";
     }
     out.flush();
     if (out) return 0;
-    err << "The settings could not be printed.\n";
+    err << phrase("program.settings_not_printed") << "\n";
     return 1;
 }
 

@@ -8,6 +8,7 @@
 #include "haptic/device/device_spec.h"
 #include "haptic/render/touch.h"
 #include "worlds/base/files.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/readers/reader.h"
 
@@ -67,21 +68,19 @@ Result<std::vector<PathRow>> parse_path(std::string_view text, const std::string
         if (line.empty()) continue;
         const std::vector<std::string_view> cells = cells_of(line);
         if (!has_header) {
-            if (cells != std::vector<std::string_view>{"t", "x", "y", "z"})
-                return fail("A hand path starts with the header t,x,y,z; this file does not.", file, line_number);
+            if (cells != std::vector<std::string_view>{"t", "x", "y", "z"}) return fail(phrase("program.path_no_head"), file, line_number);
             has_header = true;
             continue;
         }
-        if (cells.size() != 4) return fail(fmt::format("A row of a hand path has four numbers, t,x,y,z; this one has {}.", cells.size()), file, line_number);
+        if (cells.size() != 4) return fail(phrase("program.path_cells", {{"count", cells.size()}}), file, line_number);
         std::array<double, 4> numbers{};
         for (std::size_t i = 0; i < 4; ++i)
-            if (!parse_cell(cells[i], numbers[i])) return fail(fmt::format("\"{}\" is not a number.", cells[i]), file, line_number);
-        if (!std::isfinite(numbers[0])) return fail("The time of this row is not a finite number.", file, line_number);
-        if (!rows.empty() && !(numbers[0] > rows.back().t_s))
-            return fail("Time must rise from row to row; here it stands still or runs back.", file, line_number);
+            if (!parse_cell(cells[i], numbers[i])) return fail(phrase("program.path_no_number", {{"text", cells[i]}}), file, line_number);
+        if (!std::isfinite(numbers[0])) return fail(phrase("program.path_not_finite"), file, line_number);
+        if (!rows.empty() && !(numbers[0] > rows.back().t_s)) return fail(phrase("program.path_time"), file, line_number);
         rows.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}});
     }
-    if (!has_header) return fail("A hand path starts with the header t,x,y,z; this file is empty.", file, 1);
+    if (!has_header) return fail(phrase("program.path_empty"), file, 1);
     return rows;
 }
 
@@ -195,7 +194,7 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err)
     if (arguments.device) {
         limits = find_device_spec(*arguments.device);
         if (!limits) {
-            err << fmt::format("There is no device model named {}. Known ones are {}.\n", *arguments.device, fmt::join(device_names(), ", "));
+            err << phrase("program.no_model", {{"name", *arguments.device}, {"known", fmt::format("{}", fmt::join(device_names(), ", "))}}) << '\n';
             return 2;
         }
         if (limits->name == ideal_device_spec().name) limits = nullptr;  // it has none

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <charconv>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -40,21 +41,20 @@ Result<TerminalLine> parse_terminal_line(std::string_view line) {
     } else {
         std::vector<std::string> known{"quit"};
         for (const CommandInfo& candidate : command_table()) known.emplace_back(candidate.word);
-        return fail(fmt::format("There is no command \"{}\". Did you mean \"{}\"? Type help for all of them.", word, nearest_name(word, known)));
+        return fail(phrase("terminal.no_command", {{"word", word}, {"nearest", nearest_name(word, known)}}));
     }
     if (!rest.empty()) {
         const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), parsed.times);
         if (error != std::errc{} || end != rest.data() + rest.size() || parsed.times < 1 || parsed.times > kMostTimes)
-            return fail(fmt::format("After \"{}\" only a count from 1 to {} may stand.", word, kMostTimes));
+            return fail(phrase("terminal.only_count", {{"word", word}, {"most", kMostTimes}}));
     }
     return parsed;
 }
 
 std::string terminal_help() {
-    std::string text = "Type a word and Enter.";
-    for (const CommandInfo& row : command_table()) text += fmt::format(" {}: {}", row.word, row.help);
-    text += " quit: Leave at once. A count may follow: forward 5.";
-    return text;
+    std::string commands;
+    for (const CommandInfo& row : command_table()) commands += fmt::format("{}{}: {}", commands.empty() ? "" : " ", row.word, row.help());
+    return phrase("terminal.help", {{"commands", commands}});
 }
 
 std::vector<std::string> LineInput::take() {

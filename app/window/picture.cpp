@@ -2,6 +2,8 @@
 
 #include <png.h>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 
 Result<void> save_png(const Picture& picture, const std::filesystem::path& path) {
@@ -11,7 +13,7 @@ Result<void> save_png(const Picture& picture, const std::filesystem::path& path)
     image.height = static_cast<png_uint_32>(picture.height);
     image.format = PNG_FORMAT_RGB;
     if (png_image_write_to_file(&image, path.c_str(), 0, picture.rgb.data(), 0, nullptr) == 0)
-        return fail(fmt::format("The picture could not be saved: {}", image.message), path.string());
+        return fail(phrase("window.not_saved", {{"reason", image.message}}), path.string());
     return {};
 }
 

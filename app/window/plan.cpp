@@ -1,5 +1,7 @@
 #include "app/window/plan.h"
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
 
@@ -116,10 +118,10 @@ ScaleBar scale_bar(double pixels_per_m, double widest_px) {
     bar.length_m = decade * (digit >= 5.0 ? 5.0 : digit >= 2.0 ? 2.0 : 1.0);
     if (bar.length_m >= 0.999) {
         const long metres = std::lround(bar.length_m);
-        bar.words = fmt::format("{} {}", metres, metres == 1 ? "metre" : "metres");
+        bar.words = phrase("window.metres", {{"length", metres}});
     } else {
         const long centimetres = std::lround(100.0 * bar.length_m);
-        bar.words = fmt::format("{} {}", centimetres, centimetres == 1 ? "centimetre" : "centimetres");
+        bar.words = phrase("window.centimetres", {{"length", centimetres}});
     }
     return bar;
 }

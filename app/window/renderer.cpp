@@ -13,6 +13,7 @@
 #include "app/window/draw_mesh.h"
 #include "app/window/large_text.h"
 #include "app/window/plan.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -184,7 +185,7 @@ public:
         if (linked == GL_TRUE) return {};
         std::array<char, 512> log{};
         glGetProgramInfoLog(name_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        return fail(fmt::format("There is no picture; the graphics driver refuses the drawing programs: {}", log.data()));
+        return fail(phrase("window.driver_refuses", {{"reason", log.data()}}));
     }
     void use() const { glUseProgram(name_); }
     void set(const char* uniform, float value) const { glUniform1f(at(uniform), value); }
@@ -333,7 +334,7 @@ public:
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;  // nothing of ours is kept in ImGui's file
         font_ = load_font(*io.Fonts);
-        if (!ImGui_ImplOpenGL3_Init("#version 330 core")) return fail("There is no picture; text cannot be drawn with this graphics driver.");
+        if (!ImGui_ImplOpenGL3_Init("#version 330 core")) return fail(phrase("window.driver_no_text"));
         imgui_drawing_ = true;
         return {};
     }
@@ -579,9 +580,10 @@ private:
         list.AddCircleFilled(middle, 7.5F * unit_px, black);
         list.AddCircle(middle, 7.5F * unit_px, white, 0, 2.0F);
         list.AddTriangleFilled(needle(6.5, 0.0), needle(1.0, 2.0), needle(1.0, -2.0), white);
-        const ImVec2 letter = font_->CalcTextSizeA(text_px, 1e9F, 0.0F, "N");
+        const std::string north = phrase("window.north");
+        const ImVec2 letter = font_->CalcTextSizeA(text_px, 1e9F, 0.0F, north.c_str());
         const ImVec2 below = needle(-2.5, 0.0);
-        list.AddText(font_, text_px, {below.x - 0.5F * letter.x, below.y - 0.5F * letter.y}, white, "N");
+        list.AddText(font_, text_px, {below.x - 0.5F * letter.x, below.y - 0.5F * letter.y}, white, north.c_str());
     }
 
     void draw_text(const std::string& text, PixelSize size, std::size_t most) const {
@@ -614,7 +616,7 @@ Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Renderer::~Renderer() = default;
 
 Result<std::unique_ptr<Renderer>> Renderer::create() {
-    if (epoxy_gl_version() < 33) return fail("There is no picture; the graphics driver does not offer OpenGL 3.3.");
+    if (epoxy_gl_version() < 33) return fail(phrase("window.driver_no_opengl"));
     auto impl = std::make_unique<Impl>();
     if (auto started = impl->start(); !started) return tl::unexpected(started.error());
     return std::unique_ptr<Renderer>(new Renderer(std::move(impl)));

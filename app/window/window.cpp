@@ -7,6 +7,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app/window/renderer.h"
+#include "worlds/base/language.h"
 
 // As GLFW's own header of native access declares it; that one asks for more X headers than we need.
 extern "C" Display* glfwGetX11Display();
@@ -31,7 +32,7 @@ std::string utf8_of(unsigned int c) {
 std::string glfw_problem() {
     const char* description = nullptr;
     glfwGetError(&description);
-    return description ? description : "no reason was given";
+    return description ? std::string(description) : phrase("window.no_reason");
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ class Window::Impl {
 public:
     Result<void> open(const WindowOptions& options) {
         if (glfwInit() != GLFW_TRUE)
-            return fail(fmt::format("There is no display; the picture is left out and everything else works in the terminal ({}).", glfw_problem()));
+            return fail(phrase("window.no_display", {{"reason", glfw_problem()}}));
         initialised_ = true;
         // Left alone, Xlib ends the whole program when the display goes away, and the hand would be let go of without a ramp.
         XSetIOErrorHandler([](Display*) { return 0; });
@@ -56,7 +57,7 @@ public:
             window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
             if (window_) break;
         }
-        if (!window_) return fail(fmt::format("There is no picture; the display offers no OpenGL 3.3 ({}).", glfw_problem()));
+        if (!window_) return fail(phrase("window.no_opengl", {{"reason", glfw_problem()}}));
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(0);
         auto renderer = Renderer::create();

@@ -7,21 +7,21 @@
 #include <bit>
 #include <cmath>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
 
 constexpr std::array kParts{
-    WizardPartInfo{WizardPart::Headphones, "headphones", false, "This finds out which ear is which."},
-    WizardPartInfo{WizardPart::Find, "find", false, "This looks for a touch device and wakes it."},
-    WizardPartInfo{WizardPart::Home, "home", true, "This lets the device find out where its grip is. Nothing pushes your hand."},
-    WizardPartInfo{WizardPart::Hand, "hand", true, "This asks which hand holds the grip."},
-    WizardPartInfo{WizardPart::Gentlest, "gentlest", true, "This finds the gentlest force that you notice. It never presses with more than one newton."},
-    WizardPartInfo{WizardPart::Strongest, "strongest", true,
-                   "This finds the strongest force that is comfortable. Left and Right change it by a little. Nothing will ever push more."},
-    WizardPartInfo{WizardPart::Reach, "reach", true, "This measures how far your hand reaches, and how much of the world fits into that."},
-    WizardPartInfo{WizardPart::Step, "step", false, "This asks how long your step is, so that distances can be told in steps."},
+    WizardPartInfo{WizardPart::Headphones, "headphones", false},
+    WizardPartInfo{WizardPart::Find, "find", false},
+    WizardPartInfo{WizardPart::Home, "home", true},
+    WizardPartInfo{WizardPart::Hand, "hand", true},
+    WizardPartInfo{WizardPart::Gentlest, "gentlest", true},
+    WizardPartInfo{WizardPart::Strongest, "strongest", true},
+    WizardPartInfo{WizardPart::Reach, "reach", true},
+    WizardPartInfo{WizardPart::Step, "step", false},
 };
 
 constexpr double kBellEvery_s = 2.5;
@@ -40,12 +40,9 @@ constexpr double kAheadShare = 0.125;     // the middle of the reach lies this s
 constexpr double kStepStep_m = 0.05, kShortestStep_m = 0.2, kLongestStep_m = 1.5;
 constexpr std::array kScales{7.5, 15.0, 30.0, 60.0, 120.0, 240.0};
 
-// "9" or "7.5".
-std::string number_words(double value) { return fmt::format("{:g}", value < 10.0 ? std::round(value * 10.0) / 10.0 : std::round(value)); }
-std::string newtons(double force_n) {
-    const double rounded_n = std::round(force_n * 100.0) / 100.0;
-    return rounded_n == 1.0 ? "1 newton" : fmt::format("{:g} newtons", rounded_n);
-}
+// 9 or 7.5.
+double rounded(double value) { return value < 10.0 ? std::round(value * 10.0) / 10.0 : std::round(value); }
+std::string newtons(double force_n) { return phrase("wizard.force", {{"force", std::round(force_n * 100.0) / 100.0}}); }
 
 // Everything a hand can reach, pushing it towards the person; how strongly, the ceiling says.
 std::shared_ptr<const HapticScene> pressing_scene() {
@@ -76,7 +73,7 @@ Result<std::vector<WizardPart>> parse_wizard_parts(std::string_view words) {
         const std::string word = lower_ascii(words.substr(0, comma));
         words.remove_prefix(std::min(comma + 1, words.size()));
         const auto row = std::find(known.begin(), known.end(), word);
-        if (row == known.end()) return fail(fmt::format("There is no part \"{}\"; the nearest is {}.", word, nearest_name(word, known)));
+        if (row == known.end()) return fail(phrase("wizard.no_part", {{"word", word}, {"nearest", nearest_name(word, known)}}));
         chosen[static_cast<std::size_t>(row - known.begin())] = true;
     }
     std::vector<WizardPart> parts;
@@ -182,7 +179,7 @@ bool Wizard::is_skipped(Step step) const {
 
 void Wizard::enter(std::size_t index) {
     while (is_skipped(plan_[index])) {
-        if (plan_[index] == Step::BellLeft) say("There is no sound device, so there are no ears to tell apart.");
+        if (plan_[index] == Step::BellLeft) say(phrase("wizard.no_ears"));
         ++index;
     }
     index_ = index;
@@ -218,7 +215,7 @@ void Wizard::enter(std::size_t index) {
             break;
         case Step::Done:
             play(SoundKind::Arrived, sense_.listener.ears_m);
-            say("You are set up.");
+            say(phrase("wizard.done"));
             finished_ = true;
             return;
         default:
@@ -230,7 +227,7 @@ void Wizard::enter(std::size_t index) {
 void Wizard::go_back() {
     std::size_t before = index_;
     while (before > 0 && (is_skipped(plan_[before - 1]) || plan_[before - 1] == Step::Search)) --before;
-    if (before == 0) say("This is the first question.");
+    if (before == 0) say(phrase("wizard.first"));
     enter(before == 0 ? index_ : before - 1);
 }
 
@@ -242,34 +239,29 @@ void Wizard::ask() {
 std::string Wizard::question_now() const {
     switch (step_) {
         case Step::BellLeft:
-            return "Headphones? You should hear a bell on your left. Press Left arrow or Enter if you do, Right if it is on your right.";
+            return phrase("wizard.bell_left");
         case Step::BellRight:
-            return "And now on your right? Press Right arrow or Enter.";
+            return phrase("wizard.bell_right");
         case Step::Search:
-            return "I am looking for a touch device.";
+            return phrase("wizard.search");
         case Step::Pull:
-            return "Rest your arm on the table. Take the grip in your hand. Pull it all the way towards you.";
+            return phrase("wizard.pull");
         case Step::Push:
-            return "Push it in, away from you.";
+            return phrase("wizard.push");
         case Step::WhichHand:
-            return "Which hand holds it? Move the grip to that side, or press Left or Right arrow.";
+            return phrase("wizard.which_hand");
         case Step::Press:
-            return fmt::format("{}I will press against your hand, lightly, and slowly more. Press the button or Enter when you feel it.",
-                               sense_.tool.waiting_for_hand ? "Move the grip a little. Then " : "");
+            return sense_.tool.waiting_for_hand ? phrase("wizard.press_waiting") : phrase("wizard.press");
         case Step::Wall:
-            return fmt::format("Now a wall. Pull back a little, then push against it. Force: {}. Up and Down change it, Enter when it is comfortable.",
-                               ceiling_words());
+            return phrase("wizard.wall", {{"force", ceiling_words()}});
         case Step::Sweep:
-            return "Move the grip as far as is comfortable: right and left, near and far, up and down. Each side clicks. Then press Enter.";
+            return phrase("wizard.sweep");
         case Step::Scale:
-            return fmt::format("Your reach spans {}. Up for more of the world, Down for less, Enter when it is right.", span_words());
+            return phrase("wizard.scale", {{"span", span_words()}});
         case Step::Beyond:
-            return fmt::format("Beyond your reach, walk, or press past its rim. The rim is {}; Up and Down change that, Enter keeps it.",
-                               settings_.workspace.rim ? "on" : "off");
+            return settings_.workspace.rim ? phrase("wizard.beyond_on") : phrase("wizard.beyond_off");
         case Step::StepLength:
-            return fmt::format(
-                "Your step is {:.0f} centimetres. Enter keeps it; Up and Down change it, or type another. To measure it, walk ten steps and type their metres.",
-                step_length_m_ * 100.0);
+            return phrase("wizard.step_length", {{"length", step_length_m_ * 100.0}});
         case Step::Done:
             break;
     }
@@ -278,15 +270,17 @@ std::string Wizard::question_now() const {
 
 std::string Wizard::ceiling_words() const {
     const auto is = [this](double level_n) { return std::abs(wanted_ceiling_n_ - level_n) < 1e-6; };
-    const char* name = is(kLightCeiling_n) ? "light, " : is(kNormalCeiling_n) ? "normal, " : is(strongest_n()) ? "full, " : "";
-    return fmt::format("{}{}", name, newtons(wanted_ceiling_n_));
+    const std::string force = newtons(wanted_ceiling_n_);
+    if (is(kLightCeiling_n)) return phrase("wizard.light", {{"force", force}});
+    if (is(kNormalCeiling_n)) return phrase("wizard.normal", {{"force", force}});
+    return is(strongest_n()) ? phrase("wizard.full", {{"force", force}}) : force;
 }
 
 std::string Wizard::span_words() const {
     const DeviceProfile own = own_profile();
     const double width_m = measured_m_.x > 0.0 ? measured_m_.x : own.width_m.value_or(2.0 * radius_m());
     const double depth_m = measured_m_.y > 0.0 ? measured_m_.y : own.depth_m.value_or(2.0 * radius_m());
-    return fmt::format("{} by {} metres", number_words(width_m * scale_), number_words(depth_m * scale_));
+    return phrase("wizard.span", {{"width", rounded(width_m * scale_)}, {"depth", rounded(depth_m * scale_)}});
 }
 
 DeviceProfile Wizard::own_profile() const {
@@ -309,7 +303,7 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
         silence.kind = CueRequestKind::SilenceAll;
         silence.time_s = now_s_;
         cues_.push_back(std::move(silence));
-        pause("All force is off. Enter goes on, Escape leaves.");
+        pause(phrase("wizard.stopped"));
         tuning_.panic = true;
         return;
     }
@@ -339,12 +333,12 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
             return go_back();
         case WizardKey::Leave:
             if (paused_) {
-                say("Leaving. What you have set is kept.");
+                say(phrase("wizard.leaving"));
                 tuning_.forces_on = false;
                 finished_ = true;
                 return;
             }
-            return pause(fmt::format("{} Enter goes on. Escape again leaves; what you have set is kept.", part_of(step_).meaning));
+            return pause(phrase("wizard.explain", {{"part", phrase("wizard_part." + std::string(part_of(step_).word))}}));
         default:
             return adjust(*key);
     }
@@ -367,8 +361,7 @@ void Wizard::accept() {
         case Step::Pull:
         case Step::Push:
             if (homed()) return go_on();
-            say(fmt::format("Not yet: it does not know its place. {} of 3 legs do. Pull all the way towards you and push all the way in.",
-                            std::popcount(static_cast<unsigned>(sense_.tool.homed_legs))));
+            say(phrase("wizard.not_homed", {{"legs", std::popcount(static_cast<unsigned>(sense_.tool.homed_legs))}}));
             return;
         case Step::WhichHand:
             return keep_hand(own_profile().hand.value_or(HoldingHand::Right));
@@ -403,11 +396,11 @@ void Wizard::adjust(WizardKey key) {
             if (key == WizardKey::Left) return go_on();
             settings_.sound.swap_sides = !settings_.sound.swap_sides;
             change("sound.swap_sides", settings_.sound.swap_sides ? "true" : "false");
-            say("Swapped; it is put right. Once more.");
+            say(phrase("wizard.swapped"));
             return enter(index_);
         case Step::BellRight:
             if (!across) break;
-            if (key == WizardKey::Left) say("Both on one side: one ear may be silent. Everything works with one ear too.");
+            if (key == WizardKey::Left) say(phrase("wizard.one_side"));
             return go_on();
         case Step::WhichHand:
             if (!across) break;
@@ -424,7 +417,7 @@ void Wizard::adjust(WizardKey key) {
             const double before_n = std::exchange(wanted_ceiling_n_, std::clamp(wanted_n, weakest_ceiling_n(), strongest_n()));
             question_ = question_now();
             if (before_n == wanted_ceiling_n_) play(SoundKind::Denied, sense_.listener.ears_m);
-            return say(fmt::format("{}.", sentence_case(ceiling_words())));
+            return say(sentence_case(phrase("wizard.said", {{"words", ceiling_words()}})));
         }
         case Step::Scale: {
             if (across) break;
@@ -438,19 +431,19 @@ void Wizard::adjust(WizardKey key) {
             }
             question_ = question_now();
             if (before == scale_) play(SoundKind::Denied, sense_.listener.ears_m);
-            return say(fmt::format("{}.", sentence_case(span_words())));
+            return say(sentence_case(phrase("wizard.said", {{"words", span_words()}})));
         }
         case Step::Beyond:
             if (across) break;
             settings_.workspace.rim = !settings_.workspace.rim;
             question_ = question_now();
-            return say(settings_.workspace.rim ? "On." : "Off.");
+            return say(settings_.workspace.rim ? phrase("wizard.on") : phrase("wizard.off"));
         case Step::StepLength:
             if (across) break;
             step_length_m_ = std::clamp(step_length_m_ + sign * kStepStep_m, kShortestStep_m, kLongestStep_m);
             typed_.clear();
             question_ = question_now();
-            return say(fmt::format("{:.0f} centimetres.", step_length_m_ * 100.0));
+            return say(phrase("wizard.centimetres", {{"length", step_length_m_ * 100.0}}));
         default:
             break;
     }
@@ -460,7 +453,7 @@ void Wizard::adjust(WizardKey key) {
 
 void Wizard::keep_hand(HoldingHand hand) {
     change_profile("hand", hand == HoldingHand::Left ? "left" : "right");
-    say(hand == HoldingHand::Left ? "Left hand." : "Right hand.");
+    say(hand == HoldingHand::Left ? phrase("wizard.left_hand") : phrase("wizard.right_hand"));
     go_on();
 }
 
@@ -469,7 +462,7 @@ void Wizard::keep_gentlest(double felt_n) {
     else if (felt_n >= kNoticed_n) gentlest_n_ = std::clamp(std::round(felt_n * 100.0) / 100.0, kNoticed_n, kGentlestMost_n);
     else gentlest_n_ = own_profile().gentlest_n.value_or(gentlest_n_);
     change_profile("gentlest_n", fmt::format("{}", gentlest_n_));
-    say(fmt::format("Felt at {}.", newtons(gentlest_n_)));
+    say(phrase("wizard.felt", {{"force", newtons(gentlest_n_)}}));
     go_on();
 }
 
@@ -479,14 +472,14 @@ void Wizard::keep_ceiling() {
     const bool above_normal = wanted_ceiling_n_ > kNormalCeiling_n, above_light = wanted_ceiling_n_ > kLightCeiling_n;
     if (above_normal && settings_.haptic.ceiling != ForceCeiling::Full) change("haptic.ceiling", "full");
     else if (above_light && settings_.haptic.ceiling == ForceCeiling::Light) change("haptic.ceiling", "normal");
-    say(fmt::format("Nothing will push with more than {}.", newtons(wanted_ceiling_n_)));
+    say(phrase("wizard.ceiling", {{"force", newtons(wanted_ceiling_n_)}}));
     go_on();
 }
 
 void Wizard::keep_reach() {
     const Vec3 size_m = most_m_ - least_m_, middle_m = 0.5 * (most_m_ + least_m_);
     if (!(size_m.x >= kLeastReachShare * 2.0 * radius_m() && size_m.y >= kLeastReachShare * 2.0 * radius_m())) {
-        say("I keep the reach that this device is built for.");
+        say(phrase("wizard.reach_kept"));
         return go_on();
     }
     measured_m_ = size_m;
@@ -497,7 +490,7 @@ void Wizard::keep_reach() {
     // The middle of what the hand reaches lies a little ahead of the body, at the height that the workspace asks for.
     change_profile("offset_ahead_m", kept(std::clamp(kAheadShare * size_m.y - middle_m.y, -0.1, 0.1)));
     change_profile("offset_up_m", kept(std::clamp(-middle_m.z, -0.1, 0.1)));
-    say(fmt::format("Your hand reaches {:.0f} by {:.0f} by {:.0f} centimetres.", size_m.x * 100.0, size_m.y * 100.0, size_m.z * 100.0));
+    say(phrase("wizard.reach", {{"width", size_m.x * 100.0}, {"depth", size_m.y * 100.0}, {"height", size_m.z * 100.0}}));
     go_on();
 }
 
@@ -508,14 +501,14 @@ void Wizard::keep_step_length() {
         double length_m = 0.0;
         if (parse_finite(typed_, typed)) length_m = typed <= kLongestStep_m ? typed : typed <= 10.0 * kLongestStep_m ? typed / 10.0 : typed / 100.0;
         if (!(length_m >= kShortestStep_m - 1e-9 && length_m <= kLongestStep_m + 1e-9)) {
-            say(fmt::format("A step is 20 to 150 centimetres, and {} is none.", typed_));
+            say(phrase("wizard.no_step", {{"typed", typed_}}));
             typed_.clear();
             return ask();
         }
         step_length_m_ = length_m;
     }
     change("walk.step_length_m", fmt::format("{:.2f}", step_length_m_));
-    say(fmt::format("A step of {:.0f} centimetres.", step_length_m_ * 100.0));
+    say(phrase("wizard.step", {{"length", step_length_m_ * 100.0}}));
     go_on();
 }
 
@@ -547,14 +540,14 @@ void Wizard::watch_search() {
     for (const std::string& sentence : sense_.news)
         if (!sentence.empty()) say(sentence);
     if (sense_.search == WizardSearch::Nothing) {
-        say("No touch device. Everything works with keyboard and sound; you can plug one in any time.");
+        say(phrase("wizard.no_device"));
         return go_on();
     }
     if (sense_.search != WizardSearch::Ready || paused_) return;
     if (search_begun_s_ < 0.0) search_begun_s_ = now_s_;
     if (sense_.tool.ticks == 0 || now_s_ - search_begun_s_ < kFirstAnswer_s) return;
     tuning_.touch.rated_stiffness_n_per_m = sense_.hand.spec.rated_stiffness_n_per_m;
-    say(fmt::format("The {} is ready.", sense_.hand.spec.spoken_name));
+    say(phrase("wizard.ready", {{"device", sense_.hand.spec.spoken_name}}));
     go_on();
 }
 
@@ -563,12 +556,12 @@ void Wizard::watch_hand(double dt_s) {
     if (tool.fault == Fault::Unplugged && !lost_device_) {
         lost_device_ = true;
         reply_s_ = now_s_;
-        say("The touch device was unplugged. I go on without it.");
+        say(phrase("wizard.unplugged"));
         return go_on();
     }
     if (tool.fault_latched && tuning_.forces_on && !paused_) {  // where no force is wanted, none is missed
         reply_s_ = now_s_;
-        return pause("Here Enter goes on, and Escape leaves.");  // what happened is said as everywhere
+        return pause(phrase("wizard.fault"));  // what happened is said as everywhere
     }
     const bool pressed = tool.buttons != 0 && !std::exchange(button_was_down_, tool.buttons != 0);
     if (tool.buttons == 0) button_was_down_ = false;
@@ -590,7 +583,7 @@ void Wizard::watch_hand(double dt_s) {
             held_top_s_ += dt_s;
             if (held_top_s_ <= kLetGoAfter_s) break;
             tuning_.forces_on = false;
-            say(fmt::format("I pressed with {} and have let go. Space tries again, Enter goes on.", newtons(kGentlestMost_n)));
+            say(phrase("wizard.let_go", {{"force", newtons(kGentlestMost_n)}}));
             break;
         case Step::Wall: {
             const double most_n = kCeilingRise_n_per_s * dt_s;
@@ -619,7 +612,7 @@ void Wizard::watch_homing() {
     if (!(step_ == Step::Pull ? pulled : pushed)) return;
     reply_s_ = now_s_;
     if (fresh <= 0) click();
-    say("Good.");
+    say(phrase("wizard.good"));
     go_on();
 }
 

@@ -29,7 +29,6 @@ struct WizardPartInfo {
     WizardPart part;
     std::string_view word;  // "headphones", as --only takes it
     bool needs_device;
-    std::string_view meaning;  // what Escape explains
 };
 std::span<const WizardPartInfo> wizard_parts();
 // "headphones,reach" to parts in their order; empty text is all of them. Fails naming the nearest word.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -61,7 +62,7 @@ Result<WizardLine> parse_wizard_line(std::string_view line) {
     rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));
     number = 1.0;
     if (!rest.empty() && !(parse_finite(rest, number) && number > 0.0 && number <= kMostTaps))
-        return fail(fmt::format("After \"{}\" only a number up to {:g} may stand.", word, kMostTaps));
+        return fail(phrase("wizard.only_number", {{"word", word}, {"most", kMostTaps}}));
     std::vector<std::string> known{"button", "wait", "help"};
     for (const WordKey& row : kWordKeys) {
         known.emplace_back(row.word);
@@ -76,13 +77,12 @@ Result<WizardLine> parse_wizard_line(std::string_view line) {
     parsed.help = word == "help";
     if (word == "wait") parsed.wait_s = std::min(number, kLongestWait_s);
     if (parsed.events.empty() && parsed.hand_by_m == Vec3(0.0) && !parsed.button && !parsed.help && parsed.wait_s == 0.0)
-        return fail(fmt::format("There is no answer \"{}\" here. Did you mean \"{}\"? Type help for all of them.", word, nearest_name(word, known)));
+        return fail(phrase("wizard.no_answer", {{"word", word}, {"nearest", nearest_name(word, known)}}));
     return parsed;
 }
 
 std::string wizard_help() {
-    return "Enter accepts. Space repeats. Left, Right, Up and Down choose. Backspace goes back one. Escape explains, and leaves at the second press. F12 stops "
-           "all force. In a terminal an empty line is Enter, and the words are: repeat, left, right, up, down, back, leave, stop, a number.";
+    return phrase("wizard.help");
 }
 
 void WizardSession::move_hand(const Vec3& by_m) {

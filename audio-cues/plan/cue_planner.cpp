@@ -8,6 +8,7 @@
 
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/plan/speakable.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -27,17 +28,20 @@ constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;  // of the wall
 constexpr double kAlarmFloor = 0.2;                               // settings: everything but alarms may fall below
 constexpr std::size_t kMostAlarmsWaiting = 4;
 
-std::string metres(double length_m) {
-    const double rounded = std::round(length_m * 10.0) / 10.0;
-    return fmt::format("{:g} {}", rounded, rounded == 1.0 ? "metre" : "metres");
+double to_decimetre(double length_m) { return std::round(length_m * 10.0) / 10.0; }
+
+// A side as maps write it, in the language spoken.
+std::string spoken_side(const std::string& side) {
+    const std::string key = "side." + side;
+    return has_phrase(key) ? phrase(key) : side;
 }
 
 std::string size_sentence(const Feature& feature) {
     const Vec3 size = feature.bounds_m.max_m - feature.bounds_m.min_m;
-    const auto area = [](double a_m, double b_m) { return fmt::format("{:g} by {}", std::round(a_m * 10.0) / 10.0, metres(b_m)); };
-    if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling) return area(size.x, size.y) + ".";
-    if (feature.kind == FeatureKind::Object) return fmt::format("{}, {} high.", area(std::max(size.x, size.y), std::min(size.x, size.y)), metres(size.z));
-    return fmt::format("{} wide, {} high.", metres(std::max(size.x, size.y)), metres(size.z));
+    const double x = to_decimetre(size.x), y = to_decimetre(size.y), height = to_decimetre(size.z);
+    if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling) return phrase("touched.flat", {{"width", x}, {"depth", y}});
+    if (feature.kind == FeatureKind::Object) return phrase("touched.object", {{"width", std::max(x, y)}, {"depth", std::min(x, y)}, {"height", height}});
+    return phrase("touched.upright", {{"width", std::max(x, y)}, {"height", height}});
 }
 
 }  // namespace
@@ -47,9 +51,9 @@ std::string describe_feature(const Scene& scene, FeatureId id, int verbosity) {
     if (feature == nullptr || verbosity <= 0) return {};
     std::string text = verbosity == 1 ? spoken_name(*feature) : spoken_name(scene, id);
     if (text.empty() || verbosity == 1) return sentence_case(text);
-    if (!feature->handle.empty()) text += fmt::format(", handle on the {} side", feature->handle);
-    if (feature->base) text += ", base";
-    if (verbosity >= 3 && !feature->hinge.empty()) text += fmt::format(", hinged on the {} side", feature->hinge);
+    if (!feature->handle.empty()) text = phrase("touched.handle", {{"name", text}, {"side", spoken_side(feature->handle)}});
+    if (feature->base) text = phrase("touched.base", {{"name", text}});
+    if (verbosity >= 3 && !feature->hinge.empty()) text = phrase("touched.hinge", {{"name", text}, {"side", spoken_side(feature->hinge)}});
     if (verbosity >= 4) text += ". " + size_sentence(*feature);
     if (verbosity >= 3 && !feature->message.empty()) text += (text.back() == '.' ? " " : ". ") + feature->message;
     return sentence_case(text);
@@ -127,7 +131,7 @@ void CuePlanner::stop_slide(Hand& hand, AudioSink& audio) {
 // Met, and named unless the hand is known to touch it.
 void CuePlanner::touch(Hand& hand, const ContactEvent& event) {
     if (event.feature && !is_touched(hand, event.feature)) hand.touched.push_back(event.feature);
-    name_touched(hand, whose(hand.number), event.feature, event.time_s, kSettle_s, kKeepName_s);
+    name_touched(hand, true, event.feature, event.time_s, kSettle_s, kKeepName_s);
 }
 
 // They stay where they are, so what the sink is told follows from what was asked for and what the person wants to hear now.
@@ -140,13 +144,19 @@ void CuePlanner::keep_world_sounds(AudioSink& audio) {
     std::erase_if(world_sounds_, [](const SoundCue& cue) { return cue.loudness <= 0.0; });
 }
 
-void CuePlanner::name_touched(Hand& hand, const std::string& prefix, FeatureId feature, double time_s, double settle_s, double keep_s) {
+std::string CuePlanner::whose(std::size_t hand, std::string text) const {
+    if (!two_hands_) return text;
+    return hand == 0 ? phrase("voice.right_hand", {{"text", text}}) : phrase("voice.left_hand", {{"text", text}});
+}
+
+void CuePlanner::name_touched(Hand& hand, bool by_hand, FeatureId feature, double time_s, double settle_s, double keep_s) {
     if (!scene_) return;
-    const std::string text = describe_feature(*scene_, feature, settings_.speech.verbosity);
+    std::string text = describe_feature(*scene_, feature, settings_.speech.verbosity);
     if (text.empty()) return;
+    if (by_hand) text = whose(hand.number, std::move(text));
     // A hand that trembles between two surfaces must not put the name off for ever: the first touch sets the time, the last one the name.
     const double due_s = hand.name ? std::min(hand.name->due_s, time_s + settle_s) : time_s + settle_s;
-    hand.name = Waiting{.utterance = {.text = prefix + text, .speech_class = SpeechClass::Contact},
+    hand.name = Waiting{.utterance = {.text = std::move(text), .speech_class = SpeechClass::Contact},
                         .due_s = due_s,
                         .asked_s = time_s,
                         .touched = feature,
@@ -215,7 +225,7 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
             stop_slide(hand, audio);
             play({.kind = is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm, .event_time_s = event.time_s}, audio);
             // What waits for a confirmation is told again when it comes again at once: the person has just asked for the force.
-            ask(whose(event.hand) + fault_sentence(event.fault), SpeechClass::Alarm, event.time_s, !passes_by_itself(event.fault));
+            ask(whose(event.hand, fault_sentence(event.fault)), SpeechClass::Alarm, event.time_s, !passes_by_itself(event.fault));
             return;
         case ContactEventKind::RimPassed:
             play({.kind = SoundKind::Rim, .event_time_s = event.time_s}, audio);
@@ -266,7 +276,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             const Feature* feature = scene_ ? scene_->find(request.feature) : nullptr;
             if (cue.material == SoundClass::Generic && feature != nullptr) cue.material = sound_of(feature->material);
             play(cue, audio);
-            name_touched(hands_[0], "", request.feature, asked_s, 0.0, kKeepBump_s);
+            name_touched(hands_[0], false, request.feature, asked_s, 0.0, kKeepBump_s);
             return;
         }
         case CueRequestKind::WallTone: {
@@ -314,7 +324,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             return;
         }
         case CueRequestKind::Repeat: {
-            const std::string text = spoken_.empty() ? "Nothing has been said yet." : spoken_.back().text;
+            const std::string text = spoken_.empty() ? phrase("voice.nothing_said") : spoken_.back().text;
             answer({.utterance = {.text = text}, .asked_s = asked_s, .repeatable = true, .again = true}, now_s, speech);
             return;
         }
@@ -394,14 +404,14 @@ void CuePlanner::step_history(bool back, double asked_s, double now_s, SpeechSin
     const std::size_t wanted = back ? back_ + 1 : std::max<std::size_t>(back_, 1) - 1;
     std::string text;
     if (lines.empty()) {
-        text = "Nothing has been said yet.";
+        text = phrase("voice.nothing_said");
     } else if (wanted == 0) {
-        text = "That was the newest.";
+        text = phrase("voice.newest");
     } else if (wanted > lines.size()) {
-        text = "That was the oldest that is kept.";
+        text = phrase("voice.oldest");
     } else {
         back_ = wanted;
-        text = fmt::format("{} {} of {}.", lines[wanted - 1]->text, wanted, lines.size());
+        text = phrase("voice.history", {{"text", lines[wanted - 1]->text}, {"number", wanted}, {"all", lines.size()}});
     }
     answer({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true, .again = true}, now_s, speech);
 }

@@ -127,13 +127,13 @@ private:
         double slide_s = 0.0;  // time of the last slide event
     };
 
-    void name_touched(Hand& hand, const std::string& prefix, FeatureId feature, double time_s, double settle_s, double keep_s);
+    void name_touched(Hand& hand, bool by_hand, FeatureId feature, double time_s, double settle_s, double keep_s);
     void touch(Hand& hand, const ContactEvent& event);
     static bool is_touched(const Hand& hand, FeatureId feature);
     void stop_slide(Hand& hand, AudioSink& audio);
     void speak_name(Hand& hand, double now_s, bool engaged, SpeechSink& speech);
-    // "Left hand: " where there are two.
-    std::string whose(std::size_t hand) const { return !two_hands_ ? "" : hand == 0 ? "Right hand: " : "Left hand: "; }
+    // "Left hand: door" where there are two.
+    std::string whose(std::size_t hand, std::string text) const;
     void keep_world_sounds(AudioSink& audio);
     void demonstrate(double now_s, AudioSink& audio, const SpeechSink& speech);
     void end_demonstration(AudioSink& audio);

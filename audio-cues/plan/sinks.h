@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "settings/settings.h"
+#include "worlds/base/language.h"
 #include "worlds/base/vec.h"
 #include "worlds/scene/material.h"
 
@@ -39,7 +40,7 @@ public:
     // A sentence about the sink itself, fit to be spoken ("There is no voice ..."); each is given once.
     virtual std::optional<std::string> news() { return std::nullopt; }
     // Who speaks, as it stands inside a sentence: "the speech server", "text alone". Empty while that is not decided.
-    virtual std::string_view who() const { return "text alone"; }
+    virtual std::string who() const { return phrase("voice.text_alone"); }
 };
 
 enum class SoundKind : std::uint8_t {

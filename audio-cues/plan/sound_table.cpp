@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "audio-cues/plan/speakable.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -14,64 +14,62 @@ namespace {
 
 using Sound = Settings::Sound;
 
-constexpr SoundInfo world(SoundKind kind, std::string_view name, std::string_view meaning) {
-    return {kind, name, meaning, &Sound::world_volume, &Sound::world};
-}
+constexpr SoundInfo world(SoundKind kind, std::string_view name) { return {kind, name, &Sound::world_volume, &Sound::world}; }
 
 constexpr std::array kTable{
-    SoundInfo{SoundKind::Contact, "contact", "the hand meets a surface", &Sound::contact_volume, &Sound::contact},
-    SoundInfo{SoundKind::Slide, "slide", "the hand slides along a surface", &Sound::contact_volume, &Sound::slide},
-    SoundInfo{SoundKind::Footstep, "footstep", "a step, on the floor you hear", &Sound::footstep_volume, &Sound::footstep},
-    SoundInfo{SoundKind::Bump, "bump", "you walked into something", &Sound::footstep_volume, &Sound::bump},
-    SoundInfo{SoundKind::WallTone, "wall tone", "a wall is near, on the side you hear it; louder the nearer", &Sound::wall_tone_volume, &Sound::wall_tone},
-    SoundInfo{SoundKind::Splash, "splash", "hand or body is in a liquid", &Sound::contact_volume, &Sound::splash},
-    SoundInfo{SoundKind::DoorMoves, "door moves", "a door, lift or button sets off", &Sound::world_volume, &Sound::door},
-    SoundInfo{SoundKind::DoorShuts, "door shuts", "a door is shut again", &Sound::world_volume, &Sound::door},
-    SoundInfo{SoundKind::Bell, "bell", "tells which ear is which", &Sound::earcon_volume, nullptr},
-    SoundInfo{SoundKind::Corner, "corner", "two walls meet here", &Sound::earcon_volume, &Sound::corner},
-    SoundInfo{SoundKind::Opening, "opening", "the wall beside you is open here", &Sound::earcon_volume, &Sound::corner},
-    SoundInfo{SoundKind::DropNear, "drop", "an edge is ahead; faster the nearer", &Sound::earcon_volume, &Sound::drop},
-    SoundInfo{SoundKind::StairsUp, "stairs up", "stairs up are ahead", &Sound::earcon_volume, &Sound::ways},
-    SoundInfo{SoundKind::StairsDown, "stairs down", "stairs down are ahead", &Sound::earcon_volume, &Sound::ways},
-    SoundInfo{SoundKind::DoorNear, "door near", "a door is before you; faster the nearer", &Sound::world_volume, &Sound::ways},
-    SoundInfo{SoundKind::Mark, "mark", "hand or body is near a mark that you set", &Sound::earcon_volume, &Sound::marks},
-    SoundInfo{SoundKind::Landmark, "landmark", "you touch or pass a landmark, which stays where it is", &Sound::earcon_volume, &Sound::marks},
-    SoundInfo{SoundKind::Clue, "clue", "you touch or pass a clue, which may change", &Sound::earcon_volume, &Sound::marks},
-    SoundInfo{SoundKind::Beacon, "beacon", "where you want to go is at this side; faster the nearer", &Sound::beacon_volume, &Sound::beacon},
-    SoundInfo{SoundKind::BeaconAhead, "beacon ahead", "where you want to go is straight ahead", &Sound::beacon_volume, &Sound::beacon},
-    SoundInfo{SoundKind::BeaconBehind, "beacon behind", "where you want to go is behind you", &Sound::beacon_volume, &Sound::beacon},
-    world(SoundKind::Hum, "hum", "a computer or other machine that hums"),
-    world(SoundKind::Buzz, "buzz", "a lamp or transformer"),
-    world(SoundKind::Drone, "drone", "a large machine or engine"),
-    world(SoundKind::Drip, "drip", "dripping water"),
-    world(SoundKind::Wind, "wind", "wind or a draught"),
-    world(SoundKind::Swamp, "swamp", "a swamp, with its animals"),
-    world(SoundKind::Thunder, "thunder", "thunder far away"),
-    world(SoundKind::Stream, "stream", "running water, a fountain"),
-    world(SoundKind::Fire, "fire", "a fire or a torch"),
-    world(SoundKind::Clock, "clock", "a ticking clock"),
-    world(SoundKind::Fan, "fan", "a fan or steam"),
-    world(SoundKind::Rain, "rain", "rain"),
-    world(SoundKind::Birds, "birds", "birds"),
-    world(SoundKind::Tolling, "tolling", "a bell in the distance"),
-    world(SoundKind::Music, "music", "music or a loudspeaker"),
-    world(SoundKind::Shimmer, "shimmer", "something else that sounds or glitters"),
-    SoundInfo{SoundKind::Denied, "denied", "this cannot be done", &Sound::earcon_volume, &Sound::denied},
-    SoundInfo{SoundKind::ForcesOn, "forces on", "forces are on", &Sound::earcon_volume, &Sound::forces},
-    SoundInfo{SoundKind::ForcesOff, "forces off", "forces are off", &Sound::earcon_volume, &Sound::forces},
-    SoundInfo{SoundKind::TurnTick, "turn", "you turned by one notch", &Sound::earcon_volume, &Sound::turn},
-    SoundInfo{SoundKind::FrameSwitch, "frame switch", "changed between Map and Walk", &Sound::earcon_volume, &Sound::frame},
-    SoundInfo{SoundKind::Arrived, "arrived", "you have arrived", &Sound::earcon_volume, &Sound::arrived},
-    SoundInfo{SoundKind::Rim, "rim", "the hand is past the rim and the workspace moves on", &Sound::earcon_volume, &Sound::workspace},
-    SoundInfo{SoundKind::RimBack, "rim back", "the hand is back inside the rim", &Sound::earcon_volume, &Sound::workspace},
-    SoundInfo{SoundKind::Grab, "grab", "the world goes along with the hand", &Sound::earcon_volume, &Sound::workspace},
-    SoundInfo{SoundKind::LetGo, "let go", "the world is let go of", &Sound::earcon_volume, &Sound::workspace},
-    SoundInfo{SoundKind::Click, "click", "you came to your desk or left it, or pressed something there", &Sound::earcon_volume, &Sound::desk},
-    SoundInfo{SoundKind::GuideStart, "guide start", "your hand will be led", &Sound::earcon_volume, &Sound::guide},
-    SoundInfo{SoundKind::GuideStop, "guide stop", "your hand is not led any more", &Sound::earcon_volume, &Sound::guide},
-    SoundInfo{SoundKind::Warmer, "warmer", "the faster it ticks, the nearer your hand is to what you look for", &Sound::beacon_volume, &Sound::beacon},
-    SoundInfo{SoundKind::Alarm, "alarm", "something is wrong; the reason is said", &Sound::earcon_volume, nullptr},
-    SoundInfo{SoundKind::Beep, "beep", "stands for speech where there is no voice", &Sound::earcon_volume, nullptr},
+    SoundInfo{SoundKind::Contact, "contact", &Sound::contact_volume, &Sound::contact},
+    SoundInfo{SoundKind::Slide, "slide", &Sound::contact_volume, &Sound::slide},
+    SoundInfo{SoundKind::Footstep, "footstep", &Sound::footstep_volume, &Sound::footstep},
+    SoundInfo{SoundKind::Bump, "bump", &Sound::footstep_volume, &Sound::bump},
+    SoundInfo{SoundKind::WallTone, "wall tone", &Sound::wall_tone_volume, &Sound::wall_tone},
+    SoundInfo{SoundKind::Splash, "splash", &Sound::contact_volume, &Sound::splash},
+    SoundInfo{SoundKind::DoorMoves, "door moves", &Sound::world_volume, &Sound::door},
+    SoundInfo{SoundKind::DoorShuts, "door shuts", &Sound::world_volume, &Sound::door},
+    SoundInfo{SoundKind::Bell, "bell", &Sound::earcon_volume, nullptr},
+    SoundInfo{SoundKind::Corner, "corner", &Sound::earcon_volume, &Sound::corner},
+    SoundInfo{SoundKind::Opening, "opening", &Sound::earcon_volume, &Sound::corner},
+    SoundInfo{SoundKind::DropNear, "drop", &Sound::earcon_volume, &Sound::drop},
+    SoundInfo{SoundKind::StairsUp, "stairs up", &Sound::earcon_volume, &Sound::ways},
+    SoundInfo{SoundKind::StairsDown, "stairs down", &Sound::earcon_volume, &Sound::ways},
+    SoundInfo{SoundKind::DoorNear, "door near", &Sound::world_volume, &Sound::ways},
+    SoundInfo{SoundKind::Mark, "mark", &Sound::earcon_volume, &Sound::marks},
+    SoundInfo{SoundKind::Landmark, "landmark", &Sound::earcon_volume, &Sound::marks},
+    SoundInfo{SoundKind::Clue, "clue", &Sound::earcon_volume, &Sound::marks},
+    SoundInfo{SoundKind::Beacon, "beacon", &Sound::beacon_volume, &Sound::beacon},
+    SoundInfo{SoundKind::BeaconAhead, "beacon ahead", &Sound::beacon_volume, &Sound::beacon},
+    SoundInfo{SoundKind::BeaconBehind, "beacon behind", &Sound::beacon_volume, &Sound::beacon},
+    world(SoundKind::Hum, "hum"),
+    world(SoundKind::Buzz, "buzz"),
+    world(SoundKind::Drone, "drone"),
+    world(SoundKind::Drip, "drip"),
+    world(SoundKind::Wind, "wind"),
+    world(SoundKind::Swamp, "swamp"),
+    world(SoundKind::Thunder, "thunder"),
+    world(SoundKind::Stream, "stream"),
+    world(SoundKind::Fire, "fire"),
+    world(SoundKind::Clock, "clock"),
+    world(SoundKind::Fan, "fan"),
+    world(SoundKind::Rain, "rain"),
+    world(SoundKind::Birds, "birds"),
+    world(SoundKind::Tolling, "tolling"),
+    world(SoundKind::Music, "music"),
+    world(SoundKind::Shimmer, "shimmer"),
+    SoundInfo{SoundKind::Denied, "denied", &Sound::earcon_volume, &Sound::denied},
+    SoundInfo{SoundKind::ForcesOn, "forces on", &Sound::earcon_volume, &Sound::forces},
+    SoundInfo{SoundKind::ForcesOff, "forces off", &Sound::earcon_volume, &Sound::forces},
+    SoundInfo{SoundKind::TurnTick, "turn", &Sound::earcon_volume, &Sound::turn},
+    SoundInfo{SoundKind::FrameSwitch, "frame switch", &Sound::earcon_volume, &Sound::frame},
+    SoundInfo{SoundKind::Arrived, "arrived", &Sound::earcon_volume, &Sound::arrived},
+    SoundInfo{SoundKind::Rim, "rim", &Sound::earcon_volume, &Sound::workspace},
+    SoundInfo{SoundKind::RimBack, "rim back", &Sound::earcon_volume, &Sound::workspace},
+    SoundInfo{SoundKind::Grab, "grab", &Sound::earcon_volume, &Sound::workspace},
+    SoundInfo{SoundKind::LetGo, "let go", &Sound::earcon_volume, &Sound::workspace},
+    SoundInfo{SoundKind::Click, "click", &Sound::earcon_volume, &Sound::desk},
+    SoundInfo{SoundKind::GuideStart, "guide start", &Sound::earcon_volume, &Sound::guide},
+    SoundInfo{SoundKind::GuideStop, "guide stop", &Sound::earcon_volume, &Sound::guide},
+    SoundInfo{SoundKind::Warmer, "warmer", &Sound::beacon_volume, &Sound::beacon},
+    SoundInfo{SoundKind::Alarm, "alarm", &Sound::earcon_volume, nullptr},
+    SoundInfo{SoundKind::Beep, "beep", &Sound::earcon_volume, nullptr},
 };
 static_assert(kTable.size() == kSoundKinds);
 constexpr bool in_order() {
@@ -123,10 +121,14 @@ std::string_view material_sound_name(SoundClass material) { return kMaterials[st
 std::vector<DictionaryEntry> sound_dictionary() {
     std::vector<DictionaryEntry> all;
     for (const SoundInfo& row : kTable)
-        if (row.kind != SoundKind::Contact) all.push_back({row.kind, SoundClass::Wood, sentence_case(fmt::format("{}: {}.", row.name, row.meaning))});
+        if (row.kind != SoundKind::Contact) {
+            std::string key = fmt::format("sound.{}", row.name);
+            std::replace(key.begin(), key.end(), ' ', '_');
+            all.push_back({row.kind, SoundClass::Wood, phrase(key)});
+        }
     for (int m = 0; m < static_cast<int>(SoundClass::Generic); ++m) {
         const auto material = static_cast<SoundClass>(m);
-        all.push_back({SoundKind::Contact, material, sentence_case(fmt::format("contact with {}.", material_sound_name(material)))});
+        all.push_back({SoundKind::Contact, material, phrase(fmt::format("sound_contact.{}", material_sound_name(material)))});
     }
     return all;
 }

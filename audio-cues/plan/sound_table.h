@@ -1,4 +1,4 @@
-// What each sound is called, what it tells, which volume and switch it obeys, and which names in a map mean it: one table for the cue
+// What each sound is called, which volume and switch it obeys, and which names in a map mean it: one table for the cue
 // planner, scenarios and the spoken sound dictionary. Pure data; any thread.
 #pragma once
 
@@ -13,8 +13,7 @@ namespace handrail {
 
 struct SoundInfo {
     SoundKind kind;
-    std::string_view name;     // as scenarios and the dictionary call it: "wall tone"
-    std::string_view meaning;  // fit to be spoken after the name: "a wall is near; louder the nearer"
+    std::string_view name;  // as scenarios call it, in every language: "wall tone"; what people are told of it stands in settings/languages
     double Settings::Sound::*volume;
     bool Settings::Sound::*on;  // nullptr: cannot be switched off
 };
@@ -29,7 +28,7 @@ struct DictionaryEntry {
     std::string text;  // fit to be spoken: "Wall tone: a wall is near ..."
 };
 std::vector<DictionaryEntry> sound_dictionary();
-std::string_view material_sound_name(SoundClass material);  // "plaster"
+std::string_view material_sound_name(SoundClass material);  // "plaster", as scenarios call it
 
 // What a map's word for a sound or for particles is heard as: "ambient_drip", "water/stream1.wav", "particle_fire". Letters alone count,
 // the first word of the table that it holds wins; a word that says nothing is Shimmer.

@@ -94,7 +94,7 @@ void AudioThread::publish() {
     const std::vector<SpokenLine>& spoken = planner_.spoken();
     const auto fresh = static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(planner_.spoken_in_all() - published_, spoken.size()));
     published_ = planner_.spoken_in_all();
-    const std::string_view who = speech_->who();
+    const std::string who = speech_->who();
     if (fresh == 0 && who == told_who_) return;
     const std::lock_guard lock(mutex_);
     told_who_ = who_ = who;

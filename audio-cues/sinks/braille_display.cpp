@@ -15,6 +15,7 @@
 
 #include "audio-cues/sinks/braille_line.h"
 #include "audio-cues/sinks/server_client.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -245,7 +246,7 @@ void BrailleDisplay::set_speech(const Settings::Speech& settings) {
 std::optional<std::string> BrailleDisplay::news() {
     const std::lock_guard lock(shared_->mutex);
     if (!std::exchange(shared_->lost, false)) return std::nullopt;
-    return "The braille display has gone; it is looked for again.";
+    return phrase("braille.gone");
 }
 
 }  // namespace handrail

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
 
@@ -23,10 +25,10 @@ std::u32string code_points(std::string_view utf8) {
 }  // namespace
 
 std::string heading_cells(double heading_rad) {
-    constexpr std::array<const char*, 8> kNames{"N", "NE", "E", "SE", "S", "SW", "W", "NW"};
+    constexpr std::array<const char*, 8> kNames{"braille.n", "braille.ne", "braille.e", "braille.se", "braille.s", "braille.sw", "braille.w", "braille.nw"};
     const double turned = std::fmod(heading_rad * 180.0 / std::numbers::pi, 360.0);
     const int degrees = static_cast<int>(std::lround(turned < 0.0 ? turned + 360.0 : turned)) % 360;
-    if (degrees % 45 == 0) return kNames[static_cast<std::size_t>(degrees / 45)];
+    if (degrees % 45 == 0) return phrase(kNames[static_cast<std::size_t>(degrees / 45)]);
     return std::to_string(degrees);
 }
 

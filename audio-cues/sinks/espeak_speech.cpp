@@ -91,7 +91,7 @@ struct EspeakSpeech::Impl {
             espeak_ng_STATUS status = espeak_ng_Initialize(&context);
             espeak_ng_ClearErrorContext(&context);
             if (status == ENS_OK) status = espeak_ng_InitializeOutput(ENOUTPUT_MODE_SYNCHRONOUS, 0, nullptr);
-            if (status != ENS_OK) return fail(fmt::format("The embedded voice cannot start: {}. Is espeak-ng-data installed?", status_words(status)));
+            if (status != ENS_OK) return fail(phrase("voice.cannot_start", {{"reason", status_words(status)}}));
             library_ready = true;
         }
         rate_hz = espeak_ng_GetSampleRate();
@@ -106,7 +106,7 @@ struct EspeakSpeech::Impl {
         if (!choose(voice)) {
             choose("en");
             const std::lock_guard lock(mutex);
-            news = fmt::format("There is no voice named {}; English is used.", voice);
+            news = phrase("voice.no_such_voice", {{"voice", voice}});
         }
         espeak_SetParameter(espeakRATE, std::clamp(wanted.rate_wpm, espeakRATE_MINIMUM, espeakRATE_MAXIMUM), 0);
     }
@@ -147,7 +147,7 @@ struct EspeakSpeech::Impl {
 EspeakSpeech::EspeakSpeech(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 Result<std::unique_ptr<EspeakSpeech>> EspeakSpeech::open(std::shared_ptr<VoiceChannel> channel, const Settings::Speech& settings) {
-    if (library_taken.exchange(true)) return fail("The embedded voice is already in use.");
+    if (library_taken.exchange(true)) return fail(phrase("voice.in_use"));
     auto impl = std::make_unique<Impl>();
     impl->channel = std::move(channel);
     impl->settings = settings;
@@ -233,7 +233,7 @@ void BeepSpeech::say(const Utterance& utterance) {
 std::unique_ptr<SpeechSink> open_voice(const std::shared_ptr<VoiceChannel>& channel, const Settings::Speech& settings) {
     auto opened = EspeakSpeech::open(channel, settings);
     if (opened) return std::move(*opened);
-    return std::make_unique<BeepSpeech>(channel, opened.error().sentence() + " Beeps tell that there is text to read.");
+    return std::make_unique<BeepSpeech>(channel, phrase("voice.beeps", {{"problem", opened.error().sentence()}}));
 }
 
 }  // namespace handrail

@@ -21,6 +21,7 @@
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/sinks/dropout_watch.h"
 #include "audio-cues/sinks/synth.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -201,12 +202,12 @@ struct OpenALSink::Impl {
         const auto open_device = alc_function<LPALCLOOPBACKOPENDEVICESOFT>(nullptr, "alcLoopbackOpenDeviceSOFT");
         render_samples = alc_function<LPALCRENDERSAMPLESSOFT>(nullptr, "alcRenderSamplesSOFT");
         if (open_device != nullptr && render_samples != nullptr) device = open_device(nullptr);
-        if (device == nullptr) return fail("This OpenAL has no loopback device; OpenAL Soft is needed for sound.");
+        if (device == nullptr) return fail(phrase("sound_output.no_loopback"));
         loopback = true;
         rendered_until_s = now_s;
         if (make_context({ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT, ALC_FLOAT_SOFT, ALC_FREQUENCY, kSampleRate_hz})) return {};
         close();
-        return fail("OpenAL could not make its loopback device ready for 48 kHz.");
+        return fail(phrase("sound_output.no_48_khz"));
     }
 
     bool make_context(std::vector<ALCint> attributes) {
@@ -298,7 +299,7 @@ struct OpenALSink::Impl {
     std::string device_name() const {
         const bool all = alcIsExtensionPresent(device, "ALC_ENUMERATE_ALL_EXT") == ALC_TRUE;
         const ALCchar* name = alcGetString(device, all ? ALC_ALL_DEVICES_SPECIFIER : ALC_DEVICE_SPECIFIER);
-        return name != nullptr ? name : "an unnamed device";
+        return name != nullptr ? std::string(name) : phrase("sound_output.unnamed");
     }
 
     bool hrtf_active() const {
@@ -348,14 +349,14 @@ struct OpenALSink::Impl {
             change_device();
             lost = device == nullptr || loopback;
             next_reopen_s = now_s + kReopen_s;
-            news = lost ? std::string("The sound device was lost. Text goes on, and sound when a device is back.")
-                        : fmt::format("The sound device was lost. Sound goes on through {}.", device_name());
+            news = lost ? phrase("sound_output.lost") : phrase("sound_output.lost_other", {{"device", device_name()}});
         } else if (lost && now_s >= next_reopen_s) {
             next_reopen_s = now_s + kReopen_s;
             if (!device_is_there()) return;
             change_device();
             lost = device == nullptr || loopback;
-            if (!lost) news = fmt::format("{} {}.", never_had ? "Sound is here now, through" : "Sound is back, through", device_name());
+            if (!lost)
+                news = never_had ? phrase("sound_output.here_now", {{"device", device_name()}}) : phrase("sound_output.back", {{"device", device_name()}});
         }
     }
 
@@ -658,7 +659,7 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
     impl->channel = std::move(voice);
     if (auto opened = impl->open(); !opened) return tl::unexpected(opened.error());
     if (options.output == Output::Device && impl->loopback) {
-        impl->news = "No sound device was found. Everything that would be spoken is printed as text.";
+        impl->news = phrase("sound_output.none_found");
         impl->lost = true;  // one may be plugged in later
         impl->never_had = true;
     }
@@ -712,8 +713,9 @@ bool OpenALSink::drops_out() const { return impl_->drops_out; }
 std::optional<std::string> OpenALSink::news() { return std::exchange(impl_->news, std::nullopt); }
 
 std::string OpenALSink::description() const {
-    if (!has_device()) return impl_->options.output == Output::OnDemand ? "Sound is rendered on demand." : "There is no sound device; sound is not heard.";
-    return fmt::format("Sound goes to {}, {}.", impl_->device_name(), impl_->hrtf_active() ? "for headphones" : "in plain stereo");
+    if (!has_device()) return impl_->options.output == Output::OnDemand ? phrase("sound_output.on_demand") : phrase("sound_output.none");
+    const std::string device = impl_->device_name();
+    return impl_->hrtf_active() ? phrase("sound_output.headphones", {{"device", device}}) : phrase("sound_output.stereo", {{"device", device}});
 }
 
 bool OpenALSink::has_device() const { return impl_->device != nullptr && !impl_->loopback; }

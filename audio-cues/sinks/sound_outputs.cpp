@@ -12,6 +12,7 @@
 #include "audio-cues/sinks/speechd_speech.h"
 #include "audio-cues/sinks/text_speech.h"
 #include "audio-cues/sinks/voice_router.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -40,7 +41,7 @@ SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shar
     voices.push_back(std::make_unique<SpeechdSpeech>(settings.speech));
     const auto channel = std::make_shared<VoiceChannel>();
     if (auto opened = OpenALSink::open(channel, {.periods = settings.sound.periods, .hrtf = settings.sound.headphones}); !opened) {
-        outputs.audio = std::make_unique<SilentAudio>(fmt::format("There is no sound: {}", opened.error().sentence()));
+        outputs.audio = std::make_unique<SilentAudio>(phrase("sound_output.no_sound", {{"problem", opened.error().sentence()}}));
     } else {
         // The sinks have one owner, who lets go of the voice first.
         voices.push_back(std::make_unique<EmbeddedVoice>(

@@ -23,6 +23,6 @@ public:
 };
 
 // "the speech server", as it stands inside a sentence.
-std::string_view voice_name(SpeechThrough through);
+std::string voice_name(SpeechThrough through);
 
 }  // namespace handrail

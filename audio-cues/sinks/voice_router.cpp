@@ -6,22 +6,23 @@
 #include <utility>
 
 #include "audio-cues/plan/speakable.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 
-std::string_view voice_name(SpeechThrough through) {
+std::string voice_name(SpeechThrough through) {
     switch (through) {
         case SpeechThrough::ScreenReader:
-            return "the screen reader";
+            return phrase("voice.screen_reader");
         case SpeechThrough::SpeechDispatcher:
-            return "the speech server";
+            return phrase("voice.speech_server");
         case SpeechThrough::Embedded:
-            return "the built-in voice";
+            return phrase("voice.built_in");
         case SpeechThrough::Auto:
         case SpeechThrough::Text:
             break;
     }
-    return "text";
+    return phrase("voice.text");
 }
 
 VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<BrailleSink> braille,
@@ -107,23 +108,24 @@ void VoiceRouter::hand_over_to(Voice* next) {
 }
 
 void VoiceRouter::tell_change(const Voice* before, const Voice* after) {
-    const auto speaks = [](const Voice& voice) { return sentence_case(fmt::format("{} speaks now.", voice_name(voice.through()))); };
+    const std::string voice = after ? voice_name(after->through()) : std::string();
     const bool lost = before && before->state() != VoiceState::Ready && !choosing_again_;
     if (lost) {
-        const std::string left = after ? fmt::format("{} speaks now.", voice_name(after->through())) : std::string("there is only text now.");
-        news_ = sentence_case(fmt::format("{} has gone; {}", voice_name(before->through()), left));
+        const std::string gone = voice_name(before->through());
+        news_ = sentence_case(after ? phrase("voice.gone", {{"gone", gone}, {"voice", voice}}) : phrase("voice.gone_only_text", {{"gone", gone}}));
     } else if (chosen_) {
-        news_ = after ? speaks(*after) : std::string("There is only text now.");
+        news_ = after ? sentence_case(phrase("voice.speaks_now", {{"voice", voice}})) : phrase("voice.only_text_now");
     } else if (through_ != SpeechThrough::Auto && through_ != SpeechThrough::Text && (!after || after->through() != through_)) {
         // The person asked for one by name; without a word they would think it broken.
-        news_ = sentence_case(fmt::format("{} cannot be reached; {}", voice_name(through_),
-                                          after ? fmt::format("{} speaks instead.", voice_name(after->through())) : std::string("there is only text.")));
+        const std::string wanted = voice_name(through_);
+        news_ = sentence_case(after ? phrase("voice.not_reached", {{"wanted", wanted}, {"voice", voice}})
+                                    : phrase("voice.not_reached_only_text", {{"wanted", wanted}}));
     }
 }
 
-std::string_view VoiceRouter::who() const {
+std::string VoiceRouter::who() const {
     if (!chosen_) return {};
-    return active_ ? voice_name(active_->through()) : "text alone";
+    return active_ ? voice_name(active_->through()) : phrase("voice.text_alone");
 }
 
 void VoiceRouter::set_speech(const Settings::Speech& settings) {

@@ -34,7 +34,7 @@ public:
     void set_speech(const Settings::Speech& settings) override;
     std::optional<std::string> news() override;
 
-    std::string_view who() const override;
+    std::string who() const override;
 
     // Who speaks now; Text: nobody.
     SpeechThrough speaks() const { return active_ ? active_->through() : SpeechThrough::Text; }

@@ -3,6 +3,7 @@
 #include <clocale>
 #include <sstream>
 
+#include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
@@ -165,6 +166,19 @@ TEST(SettingsCommand, explains_every_setting_and_prints_problems_of_the_file) {
     EXPECT_THAT(err.str(), StartsWith("mine.toml, line 3"));
     const std::string text = out.str();
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), SettingsStore{}.explain().size());
+}
+
+TEST(CommandLine, helps_and_refuses_in_german_while_its_words_stay) {
+    const test::InLanguage german("de");
+    const auto help = std::get<PrintedText>(parse_command_line({"touch", "--help"})).text;
+    for (const char* line : {"Aufruf: handrail touch [OPTIONEN] WORLD", "Angaben:", "--path IN.csv NÖTIG", "Radius der Kugel in Metern der Welt"})
+        EXPECT_THAT(help, HasSubstr(line));
+    EXPECT_THAT(std::get<PrintedText>(parse_command_line({"--help"})).text, HasSubstr("Befehle:\n  info "));
+    const auto refusal = [](const Words& words) { return std::get<UsageError>(parse_command_line(words)).sentence; };
+    EXPECT_EQ(refusal({"info"}), "WORLD fehlt. Mehr sagt --help dieses Befehls.");
+    EXPECT_EQ(refusal({"bench", "--map"}), "--map: FILE fehlt. Mehr sagt --help dieses Befehls.");
+    EXPECT_EQ(refusal({"info", "a.map", "--lint", "--json"}), "--json und --lint schließen einander aus. Mehr sagt --help dieses Befehls.");
+    EXPECT_EQ(refusal({"info", "x.map", "--jsno"}), "Die Option --jsno gibt es nicht; am nächsten kommt --json.");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ TEST(CommandTable, lists_every_command_once_in_order) {
     for (std::size_t i = 0; i < command_table().size(); ++i) {
         EXPECT_EQ(static_cast<std::size_t>(command_table()[i].command), i);
         EXPECT_TRUE(words.insert(command_table()[i].word).second) << command_table()[i].word;
-        EXPECT_FALSE(command_table()[i].help.empty());
+        EXPECT_FALSE(command_table()[i].help().empty());
     }
 }
 

@@ -72,7 +72,7 @@ TEST(Menu, leads_to_every_command_by_topic_each_with_its_key) {
         p.line(std::to_string(topic));
         const std::string all = p.line("list");
         for (const CommandInfo& row : command_table())
-            if (all.find(row.help.substr(0, row.help.size() - 1)) != std::string::npos) told.insert(std::string(row.word));
+            if (all.find(row.help().substr(0, row.help().size() - 1)) != std::string::npos) told.insert(std::string(row.word));
         p.line("escape");
     }
     for (const CommandInfo& row : command_table()) EXPECT_TRUE(told.contains(std::string(row.word))) << row.word;

@@ -11,7 +11,7 @@ TEST(UserGuide, lists_every_command_with_its_keys_and_nothing_else) {
     for (const CommandInfo& command : command_table()) {
         std::string keys(command.key);
         for (std::size_t at = keys.find(' '); at != std::string::npos; at = keys.find(' ', at + 4)) keys.replace(at, 1, " or ");
-        expected.push_back(fmt::format("| {} | {} | {} |", command.word, keys, command.help));
+        expected.push_back(fmt::format("| {} | {} | {} |", command.word, keys, command.help()));
     }
     EXPECT_THAT(table_rows("user-guide.md", "| Command | Keys |"), UnorderedElementsAreArray(expected));
 }

@@ -73,6 +73,7 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         // Names that files know things by; spoken as phrase("kind." + name) and phrase("material." + name).
         {"worlds/scene/surfaces.cpp", {"sloping ceiling", "slope rising", "low block", "large block"}},
         {"worlds/scene/material.cpp", {"steel grille"}},
+        {"app/main/scenario_command.cpp", {"<testsuite", "<testcase", "<failure"}},  // JUnit's XML
         {"app/window/renderer.cpp", {"gl_", "uniform ", "#version"}},
         {"app/window/draw_mesh.cpp", {"gl_", "uniform ", "#version"}},
     };
@@ -105,7 +106,28 @@ TEST(LanguageFiles, are_complete_and_ask_for_the_same_values) {
 }
 
 // Keys made of a name, as in phrase("material." + name): the sections whose keys no literal names one by one.
-const std::vector<std::string> kMadeOfNames{"kind.", "material.", "effect."};
+const std::vector<std::string> kMadeOfNames{
+    "kind.",
+    "material.",
+    "effect.",
+    // Looked at beside their tables: tests/unit/core/command_texts_test.cpp,
+    "command.",
+    "key_name.",
+    // tests/unit/settings/setting_texts_test.cpp,
+    "setting.",
+    "setting_name.",
+    "setting_topic.",
+    "setting_choice.",
+    "setting_range.",
+    "unit.",
+    // tests/unit/cue_plan/sound_texts_test.cpp,
+    "sound.",
+    "sound_contact.",
+    // tests/unit/wizard/wizard_test.cpp,
+    "wizard_part.",
+    // and below.
+    "side.",
+};
 
 TEST(LanguageFiles, have_every_key_that_the_code_names_and_no_other) {
     static const std::regex kCall("\\bphrase\\(\\s*\"([^\"]*)\"\\s*[,)]");
@@ -124,6 +146,17 @@ TEST(LanguageFiles, have_every_key_that_the_code_names_and_no_other) {
         const bool made = std::any_of(kMadeOfNames.begin(), kMadeOfNames.end(), [&](const std::string& section) { return key.starts_with(section); });
         EXPECT_TRUE(made || named.contains(key)) << "nothing says " << key << "; take it out of settings/languages";
     }
+}
+
+TEST(LanguageFiles, name_the_sides_that_maps_can_name) {
+    const std::string reader = test::content_of(HANDRAIL_SOURCE_DIR "/worlds/readers/quake_map.cpp");
+    std::size_t sides = 0;
+    for (const auto& [key, pattern] : texts_of("en"))
+        if (key.starts_with("side.")) {
+            ++sides;
+            EXPECT_NE(reader.find("\"" + key.substr(5) + "\""), std::string::npos) << "no map says " << key;
+        }
+    EXPECT_EQ(sides, 12U);
 }
 
 TEST(LanguageFiles, hold_every_text_that_a_person_hears) {

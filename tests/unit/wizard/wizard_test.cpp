@@ -1,5 +1,8 @@
 #include "app/wizard/wizard.h"
 
+#include <set>
+
+#include "tests/support/spoken_language.h"
 #include "tests/unit/wizard/wizard_rig.h"
 
 namespace handrail::test {
@@ -355,6 +358,28 @@ TEST(WizardWords, know_their_parts_and_name_the_nearest) {
     EXPECT_EQ(parse_wizard_line("  \r")->events.size(), 1U);
     EXPECT_EQ(parse_wizard_line("70")->events.size(), 2U);
     EXPECT_NEAR(parse_wizard_line("HAND-left 4")->hand_by_m.x, -0.02, 1e-12);
+}
+
+TEST(WizardWords, have_an_explanation_of_every_part_in_every_language_and_of_nothing_else) {
+    std::set<std::string> wanted;
+    for (const WizardPartInfo& part : wizard_parts()) wanted.insert("wizard_part." + std::string(part.word));
+    for (const LanguageName& language : bundled_languages()) {
+        std::set<std::string> found;
+        for (const auto& [key, pattern] : bundled_texts(language.code))
+            if (key.starts_with("wizard_part.")) found.insert(key);
+        EXPECT_EQ(found, wanted) << language.code;
+    }
+}
+
+TEST(WizardWords, are_said_in_german_and_typed_as_ever) {
+    const InLanguage german("de");
+    WizardRig rig("step");
+    rig.session.type("up");
+    rig.session.type("leave");
+    rig.run(1.0);
+    EXPECT_TRUE(rig.has_said("Zentimeter lang. Enter behält das"));
+    EXPECT_TRUE(rig.has_said("Hier geht es um die Länge eines Schritts"));
+    EXPECT_EQ(parse_wizard_line("lft").error().message, "Die Antwort „lft“ gibt es hier nicht. War „left“ gemeint? help nennt alle.");
 }
 
 TEST(WizardWords, the_end_of_input_leaves_and_keeps_what_was_set) {

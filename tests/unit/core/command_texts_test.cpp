@@ -1,0 +1,50 @@
+// Every command and every key has its words in every language; what is typed stays.
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "app/core/key_map.h"
+#include "tests/support/project_files.h"
+#include "tests/support/spoken_language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+TEST(CommandTexts, are_there_for_every_command_and_for_nothing_else) {
+    std::set<std::string> wanted;
+    for (const CommandInfo& row : command_table()) wanted.insert("command." + std::string(row.word));
+    for (const LanguageName& language : bundled_languages()) {
+        std::set<std::string> found;
+        for (const auto& [key, pattern] : bundled_texts(language.code))
+            if (key.starts_with("command.")) found.insert(key);
+        EXPECT_EQ(found, wanted) << language.code;
+    }
+}
+
+TEST(CommandTexts, name_no_key_that_a_window_does_not_know) {
+    const std::string names = lower_ascii(test::content_of(HANDRAIL_SOURCE_DIR "/app/window/keys.cpp"));
+    std::size_t keys = 0;
+    for (const auto& [key, pattern] : bundled_texts("en"))
+        if (key.starts_with("key_name.")) {
+            ++keys;
+            EXPECT_NE(names.find("\"" + key.substr(9) + "\""), std::string::npos) << key;
+        }
+    EXPECT_GT(keys, 40U);
+}
+
+TEST(CommandTexts, are_said_in_german_with_the_names_of_german_keys) {
+    const test::InLanguage german("de");
+    EXPECT_EQ(info(Command::Forward).help(), "Ein Schritt vorwärts; gehalten: gehen.");
+    EXPECT_EQ(find_command("forward")->command, Command::Forward);
+    EXPECT_EQ(spoken_key("Control+Alt+PageUp"), "Strg+Alt+Bild auf");
+    EXPECT_EQ(spoken_key("Q"), "Q");
+    const KeyMap keys({{"wheer", "F5"}});
+    EXPECT_EQ(keys.keys_of(Command::Repeat), "Leertaste oder Q");
+    EXPECT_EQ(keys.keys_of(Command::ToggleForces), "F oder die Taste links neben der 1");
+    EXPECT_EQ(keys.words_of_keys(Command::Repeat), "Space Q");
+    EXPECT_EQ(keys.problems().front(), "Die Einstellungen geben „wheer“ eine Taste, aber das ist kein Befehl. War „where“ gemeint?");
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,42 @@
+// Every sound and every material has its words in every language.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <set>
+
+#include "audio-cues/plan/sound_table.h"
+#include "tests/support/spoken_language.h"
+
+namespace handrail {
+namespace {
+
+TEST(SoundTexts, are_there_for_every_sound_and_material_and_for_nothing_else) {
+    std::set<std::string> wanted;
+    for (const SoundInfo& row : sound_table()) {
+        if (row.kind == SoundKind::Contact) continue;  // told for each material
+        std::string key = "sound." + std::string(row.name);
+        std::replace(key.begin(), key.end(), ' ', '_');
+        wanted.insert(key);
+    }
+    for (int m = 0; m < static_cast<int>(SoundClass::Generic); ++m)
+        wanted.insert("sound_contact." + std::string(material_sound_name(static_cast<SoundClass>(m))));
+    for (const LanguageName& language : bundled_languages()) {
+        std::set<std::string> found;
+        for (const auto& [key, pattern] : bundled_texts(language.code))
+            if (key.starts_with("sound.") || key.starts_with("sound_contact.")) found.insert(key);
+        EXPECT_EQ(found, wanted) << language.code;
+    }
+}
+
+TEST(SoundTexts, are_said_in_german_while_scenarios_keep_their_names) {
+    const test::InLanguage german("de");
+    const auto all = sound_dictionary();
+    const auto tone = std::find_if(all.begin(), all.end(), [](const DictionaryEntry& entry) { return entry.kind == SoundKind::WallTone; });
+    ASSERT_NE(tone, all.end());
+    EXPECT_EQ(tone->text, "Wandton: Eine Wand ist nah, auf der Seite, auf der er klingt; je näher, desto lauter.");
+    EXPECT_EQ(info(SoundKind::WallTone).name, "wall tone");
+    EXPECT_EQ(all.back().text, "Berührung: Gitter.");
+}
+
+}  // namespace
+}  // namespace handrail
