@@ -1,6 +1,5 @@
 #include "worlds/navigation/nav_mesh.h"
 
-#include <fmt/format.h>
 #include <recastnavigation/DetourNavMesh.h>
 #include <recastnavigation/DetourNavMeshBuilder.h>
 #include <recastnavigation/DetourNavMeshQuery.h>
@@ -9,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -29,8 +30,7 @@ struct Free {
     void operator()(dtNavMeshQuery* p) const { dtFreeNavMeshQuery(p); }
 };
 
-// By format, since the compiler takes the copy of a constant text for one beyond its end (GCC 12, -Warray-bounds).
-tl::unexpected<Error> failed() { return fail(fmt::format("This world's floors are too many for {}.", "planned ways")); }
+tl::unexpected<Error> failed() { return fail(phrase("navigation.too_many_floors")); }
 
 unsigned char area_of(const WalkSpan& span) {
     if (span.liquid) return kWading;
@@ -186,7 +186,7 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space) {
         if (!polygons || !rcBuildPolyMesh(&context, *contours, DT_VERTS_PER_POLYGON, *polygons)) return failed();
         break;
     }
-    if (polygons->npolys == 0) return fail("There is too little floor here for planned ways.");
+    if (polygons->npolys == 0) return fail(phrase("navigation.little_floor"));
     std::fill(polygons->flags, polygons->flags + polygons->npolys, static_cast<unsigned short>(1));
 
     auto parts = std::make_unique<Parts>();

@@ -1,12 +1,11 @@
 #include "worlds/navigation/walk_space.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <unordered_map>
 
+#include "worlds/base/language.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/placement.h"
 
@@ -762,20 +761,17 @@ Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, cons
     space.body = body;
     WalkBody tried = body;
     for (;; tried.cell_m *= 2.0) {
-        if (tried.cell_m > kCoarsest_m) return fail("This world is too large to find ways through it on foot.", scene.source_file);
+        if (tried.cell_m > kCoarsest_m) return fail(phrase("navigation.too_large"), scene.source_file);
         Flood flood(scene, tried, stop);
         const Flood::End end = flood.run();
-        if (end == Flood::End::Stopped) return fail("Finding the rooms was given up.", scene.source_file);
+        if (end == Flood::End::Stopped) return fail(phrase("navigation.given_up"), scene.source_file);
         if (end == Flood::End::TooLarge || !flood.fits_in_grid()) continue;
-        if (flood.reached() == 0) return fail("There is no floor to walk on here, so there are no rooms and no ways.", scene.source_file);
+        if (flood.reached() == 0) return fail(phrase("navigation.no_floor"), scene.source_file);
         flood.write(space);
         break;
     }
     space.body.cell_m = tried.cell_m;
-    if (tried.cell_m > body.cell_m)
-        space.said.push_back(
-            fmt::format("This world is so large that ways are found to {} centimetres only; passages that are just wide enough may count as too narrow.",
-                        std::lround(tried.cell_m * 100.0)));
+    if (tried.cell_m > body.cell_m) space.said.push_back(phrase("navigation.coarse", {{"centimetres", std::lround(tried.cell_m * 100.0)}}));
     measure_clearance(space);
     find_stairs(space);
     thin_drops(space);

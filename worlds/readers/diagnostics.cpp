@@ -10,12 +10,11 @@ std::string excerpt(std::string_view found, std::size_t most) {
     return text;
 }
 
-tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world, std::string_view parts) {
-    const std::string why = fmt::format("Nothing to touch was found in this {}.", world);
-    if (diagnostics.kept().empty()) return fail(fmt::format("{} It holds no {}.", why, parts), file);
+tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world) {
+    if (diagnostics.kept().empty()) return fail(phrase("reader.nothing_to_touch", {{"world", world}}), file);
     const Diagnostic& first = diagnostics.kept().front();
-    const std::string count = diagnostics.in_all() == 1 ? "The problem" : fmt::format("{} problems; the first", diagnostics.in_all());
-    return fail(fmt::format("{} {}: {}", why, count, first.message), file, first.line, first.column);
+    return fail(phrase("reader.only_problems", {{"world", world}, {"count", diagnostics.in_all()}, {"problem", first.message}}), file, first.line,
+                first.column);
 }
 
 }  // namespace handrail

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "worlds/base/language.h"
 #include "worlds/base/result.h"
 #include "worlds/scene/scene.h"
 
@@ -25,13 +27,15 @@ public:
 
     explicit Diagnostics(std::string file) : file_(std::move(file)) {}
 
-    template <class... Args>
-    void warn(TextPlace place, std::string_view action, fmt::format_string<Args...> message, Args&&... args) {
-        add(Severity::Warning, place, action, message, std::forward<Args>(args)...);
+    // `action` and `message` are keys of texts, both filled with the same values.
+    using Values = std::initializer_list<TextValue>;
+    void warn(TextPlace place, std::string_view action, std::string_view message, Values values = {}) {
+        add(Severity::Warning, place, action, message, values);
     }
-    template <class... Args>
-    void error(TextPlace place, std::string_view action, fmt::format_string<Args...> message, Args&&... args) {
-        add(Severity::Error, place, action, message, std::forward<Args>(args)...);
+    void error(TextPlace place, std::string_view action, std::string_view message, Values values = {}) { add(Severity::Error, place, action, message, values); }
+    // What somebody else said, in its own words.
+    void pass_on(TextPlace place, std::string_view action, const std::string& words) {
+        if (++in_all_ <= static_cast<int>(kMostKept)) kept_.push_back({Severity::Warning, file_, place.line, place.column, words, phrase(action)});
     }
 
     const std::vector<Diagnostic>& kept() const { return kept_; }
@@ -42,11 +46,10 @@ public:
     }
 
 private:
-    template <class... Args>
-    void add(Severity severity, TextPlace place, std::string_view action, fmt::format_string<Args...> message, Args&&... args) {
+    void add(Severity severity, TextPlace place, std::string_view action, std::string_view message, Values values) {
         ++in_all_;
         if (kept_.size() >= kMostKept) return;
-        kept_.push_back({severity, file_, place.line, place.column, fmt::format(message, std::forward<Args>(args)...), std::string(action)});
+        kept_.push_back({severity, file_, place.line, place.column, phrase(message, values), phrase(action, values)});
     }
 
     std::string file_;
@@ -58,6 +61,7 @@ private:
 std::string excerpt(std::string_view found, std::size_t most = 24);
 
 // The failure of a file that holds nothing usable, with the first problem where there was one: "... in this map. It holds no brushes."
-tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world, std::string_view parts);
+// `world`: "map" or "mesh".
+tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world);
 
 }  // namespace handrail

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <vector>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
 
@@ -66,9 +68,9 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
 
 Result<HeightPicture> read_height_picture(std::string_view bytes, const std::string& file_name) {
     constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
-    if (!bytes.starts_with(kSignature)) return fail("This is no PNG picture.", file_name);
+    if (!bytes.starts_with(kSignature)) return fail(phrase("reader.no_png"), file_name);
     if (bytes.size() >= 24 && (big_endian(bytes, 16) > kLargestPictureSide || big_endian(bytes, 20) > kLargestPictureSide))
-        return fail("This picture is larger than 4096 pixels on a side. Make it smaller.", file_name);
+        return fail(phrase("reader.large_picture", {{"pixels", kLargestPictureSide}}), file_name);
     std::vector<unsigned char> pixels;
     std::vector<png_bytep> rows;
     Decoder decoder;
@@ -78,7 +80,7 @@ Result<HeightPicture> read_height_picture(std::string_view bytes, const std::str
     decoder.rows = &rows;
     decoder.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, jump_out, keep_quiet);
     if (decoder.png) decoder.info = png_create_info_struct(decoder.png);
-    if (!decoder.info || !decode(decoder) || decoder.channels < 2) return fail("This picture is damaged or cut short.", file_name);
+    if (!decoder.info || !decode(decoder) || decoder.channels < 2) return fail(phrase("reader.damaged_picture"), file_name);
 
     HeightPicture picture;
     picture.width = decoder.width;

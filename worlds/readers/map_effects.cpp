@@ -19,40 +19,35 @@ public:
 
     bool read(Effect& effect) {
         const MapKey* kind = entity_.find("effect");
-        if (!kind) return refuse(entity_.place, "does not say which one it is, with the key effect");
+        if (!kind) return refuse(entity_.place, "map.effect_which");
         const std::string word = lower_ascii(trimmed(kind->value).substr(0, 64));
         const EffectSpec* spec = find_effect(word == "flypaper" ? "fly-paper" : word);
         if (!spec) {
             std::vector<std::string> names;
             for (const EffectSpec& row : effect_table()) names.emplace_back(row.name);
-            diagnostics_.warn(kind->place, "It was left out.", "there is no effect \"{}\". The nearest name is {}.", excerpt(kind->value),
-                              nearest_name(word, names));
+            diagnostics_.warn(kind->place, "map.then_left_out", "map.no_effect", {{"value", excerpt(kind->value)}, {"nearest", nearest_name(word, names)}});
             return false;
         }
         effect.kind = spec->kind;
-        effect.name = name_.empty() ? std::string(spec->name) : name_;
+        effect.name = name_.empty() ? phrase("effect_name." + std::string(spec->name)) : name_;
         name_ = effect.name;
         effect.strength_n = spec->strength_n;
         effect.width_hand_m = spec->width_hand_m;
         effect.edge_hand_m = spec->edge_hand_m;
         if (spec->most_n > 0.0)
-            effect.strength_n = keys_.number_of(entity_, "strength", spec->least_n, spec->most_n, fmt::format("{} to {} newtons", spec->least_n, spec->most_n))
-                                    .value_or(effect.strength_n);
+            effect.strength_n = keys_.number_of(entity_, "strength", spec->least_n, spec->most_n, "map.range_newtons").value_or(effect.strength_n);
         if (spec->most_hand_m > 0.0) {
-            if (!has_size("width", "has no width")) return false;
-            effect.width_hand_m = keys_
-                                      .number_of(entity_, "width", spec->least_hand_m, spec->most_hand_m,
-                                                 fmt::format("{} to {} metres of hand travel", spec->least_hand_m, spec->most_hand_m))
-                                      .value_or(effect.width_hand_m);
+            if (!has_size("width", "map.effect_no_width")) return false;
+            effect.width_hand_m =
+                keys_.number_of(entity_, "width", spec->least_hand_m, spec->most_hand_m, "map.range_hand_metres").value_or(effect.width_hand_m);
         }
-        effect.edge_hand_m =
-            keys_.number_of(entity_, "edge", kLeastEdge_hand_m, kMostEdge_hand_m, "0.001 to 0.1 metres of hand travel").value_or(effect.edge_hand_m);
-        effect.frequency_hz = keys_.number_of(entity_, "frequency", kLeastVibration_hz, kMostVibration_hz, "20 to 250 hertz").value_or(effect.frequency_hz);
-        effect.mass_kg = keys_.number_of(entity_, "mass", kLeastMass_kg, kMostMass_kg, "0.05 to 0.3 kilograms").value_or(effect.mass_kg);
-        if (const std::optional<Vec3> direction = keys_.vector_of(entity_, "direction", "Up was taken.")) {
+        effect.edge_hand_m = keys_.number_of(entity_, "edge", kLeastEdge_hand_m, kMostEdge_hand_m, "map.range_hand_metres").value_or(effect.edge_hand_m);
+        effect.frequency_hz = keys_.number_of(entity_, "frequency", kLeastVibration_hz, kMostVibration_hz, "map.range_hertz").value_or(effect.frequency_hz);
+        effect.mass_kg = keys_.number_of(entity_, "mass", kLeastMass_kg, kMostMass_kg, "map.range_kilograms").value_or(effect.mass_kg);
+        if (const std::optional<Vec3> direction = keys_.vector_of(entity_, "direction", "map.then_up")) {
             const double length = glm::length(*direction);
             if (length > 0.0) effect.direction = *direction / length;
-            else diagnostics_.warn(entity_.find("direction")->place, "Up was taken.", "the direction of the effect {} has no length.", name_);
+            else diagnostics_.warn(entity_.find("direction")->place, "map.then_up", "map.effect_direction", {{"name", name_}});
         }
         if (const MapKey* pull = entity_.find("pull")) {
             const std::string value = lower_ascii(trimmed(pull->value).substr(0, 32));
@@ -60,8 +55,7 @@ public:
             if (found != kPulls.end()) {
                 effect.pull = static_cast<MagnetPull>(found - kPulls.begin());
             } else {
-                diagnostics_.warn(pull->place, "Its point was taken.", "the value \"{}\" of the key pull is none of point, line, surface and object.",
-                                  excerpt(pull->value));
+                diagnostics_.warn(pull->place, "map.then_point", "map.effect_pull", {{"value", excerpt(pull->value)}});
             }
         }
         return true;
@@ -71,22 +65,22 @@ public:
     bool read_round(Effect& effect) {
         const std::optional<Vec3> origin = keys_.vector_of(entity_, "origin");
         if (!origin) {
-            if (!entity_.find("origin")) refuse(entity_.place, "has neither brushes nor an origin");
+            if (!entity_.find("origin")) refuse(entity_.place, "map.effect_nowhere");
             return false;
         }
-        if (!entity_.find("radius")) return refuse(entity_.place, "has an origin but no radius");
-        if (!has_size("radius", "has no radius")) return false;
-        const std::optional<double> radius = keys_.number_of(entity_, "radius", 0.0, kFarthestM / units_, "a length in units");
+        if (!entity_.find("radius")) return refuse(entity_.place, "map.effect_point");
+        if (!has_size("radius", "map.effect_no_radius")) return false;
+        const std::optional<double> radius = keys_.number_of(entity_, "radius", 0.0, kFarthestM / units_, "map.range_length");
         if (!radius) return false;
-        const std::optional<Vec3> end = keys_.vector_of(entity_, "end", "A ball was taken.");
+        const std::optional<Vec3> end = keys_.vector_of(entity_, "end", "map.then_ball");
         if (end && *end != *origin) effect.where = EffectCapsule{*origin * units_, *end * units_, *radius * units_};
         else effect.where = EffectBall{*origin * units_, *radius * units_};
         return true;
     }
 
-    // `why` completes "the effect NAME ...".
+    // `why`: the key of a sentence about the effect {name}, which may be {named} or not.
     bool refuse(TextPlace place, std::string_view why) {
-        diagnostics_.warn(place, "It was left out.", "the effect {} {}.", name_.empty() ? std::string("without a name") : name_, why);
+        diagnostics_.warn(place, "map.then_left_out", why, {{"name", name_}, {"named", name_.empty() ? "no" : "yes"}});
         return false;
     }
 
@@ -126,8 +120,8 @@ std::vector<ReadEffect> read_effects(const MapEntity& entity, int index, const s
     for (const MapBrush& brush : entity.brushes) {
         BuiltSolid solid = built(brush);
         if (solid.fault != SolidFault::None) {
-            if (solid.fault == SolidFault::Open) reader.refuse(brush.place, "has a volume that is not closed: a face is missing");
-            else reader.refuse(brush.place, "has a volume without a size");
+            if (solid.fault == SolidFault::Open) reader.refuse(brush.place, "map.effect_open");
+            else reader.refuse(brush.place, "map.effect_no_volume");
             continue;
         }
         one.effect.where = std::move(solid.solid);
@@ -147,13 +141,11 @@ void attach_effects(std::vector<ReadEffect>& effects, Scene& scene, Diagnostics&
                 else if (names.size() < 1000) names.push_back(feature.name);
             }
             if (!effect.belongs_to)
-                diagnostics.warn(read.target_place, "It stays where it is.", "the effect {} belongs to \"{}\", which is not here. The nearest name is {}.",
-                                 effect.name, excerpt(read.target), nearest_name(read.target, names));
+                diagnostics.warn(read.target_place, "map.then_stays", "map.effect_target",
+                                 {{"name", effect.name}, {"target", excerpt(read.target)}, {"nearest", nearest_name(read.target, names)}});
         }
         if (effect.pull == MagnetPull::Object && !effect.belongs_to) {
-            if (read.target.empty())
-                diagnostics.warn({effect.source.line, 0}, "Its point was taken.", "the effect {} draws to an object but names none with the key target.",
-                                 effect.name);
+            if (read.target.empty()) diagnostics.warn({effect.source.line, 0}, "map.then_point", "map.effect_no_target", {{"name", effect.name}});
             effect.pull = MagnetPull::Point;
         }
         scene.effects.push_back(std::move(effect));

@@ -26,13 +26,14 @@ std::optional<double> MapKeys::number_of(const MapEntity& entity, std::string_vi
     if (!found) return std::nullopt;
     double value = 0.0;
     if (!parse_finite(trimmed(found->value), value)) {
-        diagnostics_.warn(found->place, "The default was taken.", "the value \"{}\" of the key {} is no number. It takes {}.", excerpt(found->value), key,
-                          range);
+        diagnostics_.warn(found->place, "map.then_default", "map.no_number",
+                          {{"value", excerpt(found->value)}, {"key", key}, {"range", phrase(range, {{"least", least}, {"most", most}})}});
         return std::nullopt;
     }
     const double legal = std::clamp(value, least, most);
     if (legal != value)
-        diagnostics_.warn(found->place, fmt::format("{} was taken.", legal), "the value {} of the key {} is out of range. It takes {}.", value, key, range);
+        diagnostics_.warn(found->place, "map.then_number", "map.out_of_range",
+                          {{"value", value}, {"key", key}, {"range", phrase(range, {{"least", least}, {"most", most}})}, {"taken", legal}});
     return legal;
 }
 
@@ -45,7 +46,7 @@ std::optional<Vec3> MapKeys::vector_of(const MapEntity& entity, std::string_view
         rest = trimmed(rest);
         const std::size_t end = std::min(rest.find_first_of(" \t"), rest.size());
         if (!parse_finite(rest.substr(0, end), v[axis]) || std::abs(v[axis] * units_) > kFarthestM) {
-            diagnostics_.warn(found->place, otherwise, "the value \"{}\" of the key {} is not three numbers.", excerpt(found->value), key);
+            diagnostics_.warn(found->place, otherwise, "map.no_vector", {{"value", excerpt(found->value)}, {"key", key}});
             return std::nullopt;
         }
         rest.remove_prefix(end);

@@ -18,10 +18,11 @@ class MapKeys {
 public:
     MapKeys(Diagnostics& diagnostics, double metres_per_unit) : diagnostics_(diagnostics), units_(metres_per_unit) {}
 
-    // A number from `least` to `most`; what is no number is left out, what lies outside is moved to the nearest end, both with a warning.
+    // A number from `least` to `most`; what is no number is left out, what lies outside is moved to the nearest end, both with a warning. `range` is the
+    // key of the text that says the range, from {least} and {most}.
     std::optional<double> number_of(const MapEntity& entity, std::string_view key, double least, double most, std::string_view range) const;
-    // "x y z", as it stands. Without a warning about what is missing.
-    std::optional<Vec3> vector_of(const MapEntity& entity, std::string_view key, std::string_view otherwise = "This entity has no place.") const;
+    // "x y z", as it stands. Without a warning about what is missing. `otherwise` is the key of what is done about a bad one.
+    std::optional<Vec3> vector_of(const MapEntity& entity, std::string_view key, std::string_view otherwise = "map.then_no_place") const;
 
 private:
     Diagnostics& diagnostics_;

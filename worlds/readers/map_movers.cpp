@@ -91,15 +91,15 @@ void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view cla
     if (const MapKey* key = entity.find("opens")) read.wish_place = key->place;
     read.linked = (flags_of(entity) & kDoNotLink) == 0;
     read.has_angle = entity.find("angle") != nullptr;
-    read.angle_deg = keys.number_of(entity, "angle", -360.0, 360.0, "degrees, -1 for up and -2 for down").value_or(0.0);
-    read.speed_units = keys.number_of(entity, "speed", 0.0, 1e5, "units per second")
+    read.angle_deg = keys.number_of(entity, "angle", -360.0, 360.0, "map.range_door_angle").value_or(0.0);
+    read.speed_units = keys.number_of(entity, "speed", 0.0, 1e5, "map.range_speed")
                            .value_or(lift     ? kLiftSpeed_units_per_s
                                      : button ? kButtonSpeed_units_per_s
                                               : kDoorSpeed_units_per_s);
     if (read.speed_units <= 0.0) read.speed_units = kButtonSpeed_units_per_s;  // the game's way of saying "as usual"
-    read.lip_units = keys.number_of(entity, "lip", -1e5, 1e5, "units").value_or(lift ? kLiftLip_units : button ? kButtonLip_units : kDoorLip_units);
-    read.height_units = keys.number_of(entity, "height", 0.0, 1e5, "units").value_or(0.0);
-    const std::optional<double> wait_s = keys.number_of(entity, "wait", -1.0, 3600.0, "seconds, or -1 for ever");
+    read.lip_units = keys.number_of(entity, "lip", -1e5, 1e5, "map.range_units").value_or(lift ? kLiftLip_units : button ? kButtonLip_units : kDoorLip_units);
+    read.height_units = keys.number_of(entity, "height", 0.0, 1e5, "map.range_units").value_or(0.0);
+    const std::optional<double> wait_s = keys.number_of(entity, "wait", -1.0, 3600.0, "map.range_wait");
     read.has_wait = wait_s.has_value();
     read.mover.wait_s = wait_s.value_or(lift ? kLiftWait_s : button ? kButtonWait_s : kDoorWait_s);
     read.mover.rests_far = door && (flags_of(entity) & kStartsOpen) != 0;
@@ -136,7 +136,7 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
         static const std::vector<std::string> kWishes{"north", "east", "south", "west", "up", "down", "slide"};
         if (!read.wish.empty() && std::find(kWishes.begin(), kWishes.end(), read.wish) == kWishes.end()) {
             const std::string nearest = nearest_name(read.wish, kWishes);
-            diagnostics.warn(read.wish_place, fmt::format("{} was taken.", nearest), "a door opens to north, east, south or west, up, down, or by \"slide\".");
+            diagnostics.warn(read.wish_place, "map.then_word", "map.door_wish", {{"taken", nearest}});
             read.wish = nearest;
         }
         const bool swings = read.door && !flat && !scene.game_map && !read.has_angle && read.wish != "up" && read.wish != "down" && read.wish != "slide" &&
@@ -188,7 +188,7 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
         const auto to = std::find_if(found.destinations.begin(), found.destinations.end(), [&](const ReadDestination& d) { return d.name == read.target; });
         if (to == found.destinations.end()) {
             if (!found.names.contains(read.target))
-                diagnostics.warn(read.place, "It leads nowhere.", "this teleporter's target \"{}\" is not in the map.", excerpt(read.target));
+                diagnostics.warn(read.place, "map.then_nowhere", "map.teleporter_target", {{"target", excerpt(read.target)}});
             continue;
         }
         read.act.leads_elsewhere = true;

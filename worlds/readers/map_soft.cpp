@@ -29,7 +29,7 @@ std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_
     SoftWish wish;
     wish.place = soft->place;
     if (kind != "elastic" && kind != "plastic") {
-        diagnostics.warn(soft->place, "It stays hard.", "the value \"{}\" of the key soft is neither elastic nor plastic.", excerpt(soft->value));
+        diagnostics.warn(soft->place, "map.then_hard", "map.soft_kind", {{"value", excerpt(soft->value)}});
         return std::nullopt;
     }
     wish.face.plastic = kind == "plastic";
@@ -38,15 +38,15 @@ std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_
         wish.depth_place = depth->place;
         double value = 1.0;
         if (parse_finite(trimmed(depth->value), value) && value <= 0.0) {
-            diagnostics.warn(depth->place, "It stays hard.", "this thing is soft to no depth.");
+            diagnostics.warn(depth->place, "map.then_hard", "map.soft_no_depth");
             return std::nullopt;
         }
-        wish.face.depth_m = keys.number_of(entity, "soft_depth", 0.0, kFarthestM, "a length in units").value_or(0.0) * metres_per_unit;
+        wish.face.depth_m = keys.number_of(entity, "soft_depth", 0.0, kFarthestM, "map.range_length").value_or(0.0) * metres_per_unit;
     }
     wish.face.stiffness_fraction =
-        keys.number_of(entity, "soft_stiffness", kLeastStiffness, kMostStiffness, "0.02 to 0.6").value_or(wish.face.stiffness_fraction);
-    wish.face.recovery_s = keys.number_of(entity, "soft_recovery", kShortestRecoveryS, kLongestRecoveryS, "0.02 to 60 seconds").value_or(wish.face.recovery_s);
-    wish.face.yield_n = keys.number_of(entity, "soft_yield", kLeastYieldN, kMostYieldN, "0.1 to 4 newtons").value_or(wish.face.yield_n);
+        keys.number_of(entity, "soft_stiffness", kLeastStiffness, kMostStiffness, "map.range").value_or(wish.face.stiffness_fraction);
+    wish.face.recovery_s = keys.number_of(entity, "soft_recovery", kShortestRecoveryS, kLongestRecoveryS, "map.range_seconds").value_or(wish.face.recovery_s);
+    wish.face.yield_n = keys.number_of(entity, "soft_yield", kLeastYieldN, kMostYieldN, "map.range_newtons").value_or(wish.face.yield_n);
     if (const MapKey* side = entity.find("soft_side")) {
         const std::string value = lower_ascii(trimmed(side->value).substr(0, 32));
         const auto found = std::find_if(kSides.begin(), kSides.end(), [&](const SideRow& row) { return row.name == value; });
@@ -55,15 +55,14 @@ std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_
         } else {
             std::vector<std::string> names;
             for (const SideRow& row : kSides) names.emplace_back(row.name);
-            diagnostics.warn(side->place, "The top was taken.", "the value \"{}\" of the key soft_side is no side. The nearest is {}.", excerpt(side->value),
-                             nearest_name(value, names));
+            diagnostics.warn(side->place, "map.then_top", "map.soft_side", {{"value", excerpt(side->value)}, {"nearest", nearest_name(value, names)}});
         }
     }
     return wish;
 }
 
 std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name, Diagnostics& diagnostics) {
-    const std::string what = name.empty() ? "this thing" : name;
+    const std::string what = name.empty() ? phrase("map.this_thing") : name;
     SoftFace soft = wish.face;
     double best = kFacesThatWay;
     bool found = false;
@@ -74,7 +73,7 @@ std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& sh
             found = true;
         }
     if (!found) {
-        diagnostics.warn(wish.place, "It stays hard.", "{} has no face that looks to its soft side.", what);
+        diagnostics.warn(wish.place, "map.then_hard", "map.soft_no_face", {{"name", what}});
         return std::nullopt;
     }
     double lowest = 0.0;  // of all corners, under the face
@@ -83,7 +82,7 @@ std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& sh
     const double most = kMostOfThickness * -lowest;
     if (soft.depth_m <= 0.0) soft.depth_m = 0.5 * -lowest;
     if (soft.depth_m > most) {
-        diagnostics.warn(wish.depth_place, "Nine tenths of it were taken.", "{} is not as thick as it is soft.", what);
+        diagnostics.warn(wish.depth_place, "map.then_nine_tenths", "map.soft_too_deep", {{"name", what}});
         soft.depth_m = most;
     }
     return soft;

@@ -160,7 +160,7 @@ private:
         token.text = bytes_.substr(begin, end - begin);
         at_ = end;
         if (end < bytes_.size() && bytes_[end] == '"') ++at_;
-        else diagnostics_.warn(token.place, "It was taken to end with the line.", "a quoted text has no closing quote.");
+        else diagnostics_.warn(token.place, "map.then_line_end", "map.open_quote");
         return token;
     }
 
@@ -187,13 +187,14 @@ public:
             if (token.is('{')) read_entity(token.place);
             else if (!complained_outside_) {
                 complained_outside_ = true;  // once: a file of another kind would give thousands
-                diagnostics_.error(token.place, "It was passed over.", "expected an opening brace where an entity begins, found {}.", shown(token));
+                diagnostics_.error(token.place, "map.then_passed_over", "map.no_entity", {{"found", excerpt(token.text)}, {"end", is_end(token)}});
             }
         }
     }
 
 private:
-    static std::string shown(const Token& token) { return token.kind == TokenKind::End ? "the end of the file" : "\"" + excerpt(token.text) + "\""; }
+    // What a text about {found} asks besides: the end of the file is no word.
+    static const char* is_end(const Token& token) { return token.kind == TokenKind::End ? "yes" : "no"; }
 
     void read_entity(TextPlace place) {
         MapEntity entity;
@@ -202,7 +203,7 @@ private:
         for (;;) {
             const Token token = lexer_.peek();
             if (token.is('(')) {  // faces right here: the file, or this part of it, holds brushes without an entity
-                if (!complained_bare_) diagnostics_.warn(token.place, "They were taken as the building itself.", "brushes stand outside of any entity.");
+                if (!complained_bare_) diagnostics_.warn(token.place, "map.then_building", "map.bare_brushes");
                 complained_bare_ = true;
                 read_faces(entity, place);
                 file_.entities.push_back(std::move(entity));
@@ -211,8 +212,7 @@ private:
             lexer_.take();
             if (token.is('}')) break;
             if (token.kind == TokenKind::End) {
-                diagnostics_.error(token.place, "What was complete was kept.",
-                                   "the file ends inside the entity that begins in line {}. A closing brace is missing.", place.line);
+                diagnostics_.error(token.place, "map.then_kept", "map.open_entity", {{"line", place.line}});
                 break;
             }
             if (token.is('{')) {
@@ -221,9 +221,8 @@ private:
                 add_key(entity, token, lexer_.take());
             } else if (!complained) {
                 complained = true;
-                if (token.kind == TokenKind::Quoted)
-                    diagnostics_.warn(token.place, "The key was left out.", "the key \"{}\" has no value in quotes.", excerpt(token.text));
-                else diagnostics_.error(token.place, "It was passed over.", "expected a key in quotes or a brush inside an entity, found {}.", shown(token));
+                if (token.kind == TokenKind::Quoted) diagnostics_.warn(token.place, "map.then_key_left_out", "map.no_value", {{"key", excerpt(token.text)}});
+                else diagnostics_.error(token.place, "map.then_passed_over", "map.no_key", {{"found", excerpt(token.text)}, {"end", is_end(token)}});
             }
         }
         if (!entity.keys.empty() || !entity.brushes.empty() || !entity.patches.empty()) file_.entities.push_back(std::move(entity));
@@ -232,12 +231,12 @@ private:
     void add_key(MapEntity& entity, const Token& key, const Token& value) {
         for (MapKey& known : entity.keys) {
             if (known.key != key.text) continue;
-            diagnostics_.warn(key.place, "The last value was taken.", "the key \"{}\" is given twice.", excerpt(key.text));
+            diagnostics_.warn(key.place, "map.then_last_value", "map.key_twice", {{"key", excerpt(key.text)}});
             known = {key.text, value.text, value.place};
             return;
         }
         if (entity.keys.size() >= kMostKeys) {
-            diagnostics_.warn(key.place, "It was left out.", "this key is more than {} in one entity.", kMostKeys);
+            diagnostics_.warn(key.place, "map.then_left_out", "map.many_keys", {{"most", kMostKeys}});
             return;
         }
         entity.keys.push_back({key.text, value.text, value.place});
@@ -257,7 +256,7 @@ private:
                 return;
             }
             ++file_.primitives;
-            diagnostics_.warn(first.place, "It was left out.", "this part is written as \"{}\", which is not read yet.", excerpt(first.text));
+            diagnostics_.warn(first.place, "map.then_left_out", "map.other_form", {{"form", excerpt(first.text)}});
             lexer_.skip_block();
             return;
         }
@@ -276,12 +275,12 @@ private:
             entity.patches.push_back(std::move(patch));
         } else {
             ++file_.curves_damaged;
-            diagnostics_.error(found.place, "This curved patch was left out.", "expected {}, found {}.", wrong, shown(found));
+            diagnostics_.error(found.place, "map.then_patch_left_out", wrong, {{"found", excerpt(found.text)}, {"end", is_end(found)}});
         }
         for (; open_braces > 0; --open_braces) lexer_.skip_block();
     }
 
-    // What was expected where the patch is damaged, and what was found there; empty when all of it was read. Braces still open are counted.
+    // The text about what was expected where the patch is damaged, and what was found there; empty when all of it was read. Braces still open are counted.
     std::string_view patch_fault(MapPatch& patch, int& open_braces, Token& found) {
         const auto take = [&](char c) {
             found = lexer_.peek();
@@ -295,40 +294,40 @@ private:
             lexer_.take();
             return true;
         };
-        if (!take('{')) return "an opening brace in a curved patch";
+        if (!take('{')) return "map.patch_brace";
         ++open_braces;
         found = lexer_.take_texture();
-        if (found.kind == TokenKind::End) return "a texture name in a curved patch";
+        if (found.kind == TokenKind::End) return "map.patch_texture";
         patch.texture = found.text;
-        if (!take('(')) return "an opening bracket before the size of a curved patch";
+        if (!take('(')) return "map.patch_size_open";
         std::array<double, 2> size{};
         for (double& n : size) {
-            if (!number(n)) return "two numbers as the size of a curved patch";
-            if (!(n >= 3.0 && n <= kMostPatchPoints) || std::fmod(n, 2.0) != 1.0) return "an odd number of at least 3 as the size of a curved patch";
+            if (!number(n)) return "map.patch_size";
+            if (!(n >= 3.0 && n <= kMostPatchPoints) || std::fmod(n, 2.0) != 1.0) return "map.patch_odd_size";
         }
         for (double ignored = 0.0; !lexer_.peek().is(')');)
-            if (!number(ignored)) return "a closing bracket after the size of a curved patch";
+            if (!number(ignored)) return "map.patch_size_close";
         take(')');
         PatchGrid& grid = patch.grid_units;
         grid.rows = static_cast<int>(size[0]);
         grid.columns = static_cast<int>(size[1]);
-        if (!take('(')) return "an opening bracket before the points of a curved patch";
+        if (!take('(')) return "map.patch_points_open";
         for (int row = 0; row < grid.rows; ++row) {
-            if (!take('(')) return "as many rows of points as the size of a curved patch says";
+            if (!take('(')) return "map.patch_rows";
             for (int column = 0; column < grid.columns; ++column) {
-                if (!take('(')) return "as many points in a row as the size of a curved patch says";
+                if (!take('(')) return "map.patch_columns";
                 Vec3 p(0.0);
                 for (int axis = 0; axis < 3; ++axis)
-                    if (!number(p[axis])) return "three numbers in a point of a curved patch";
+                    if (!number(p[axis])) return "map.patch_point";
                 for (double ignored = 0.0; !lexer_.peek().is(')');)
-                    if (!number(ignored)) return "a closing bracket after a point of a curved patch";
+                    if (!number(ignored)) return "map.patch_point_close";
                 take(')');
                 grid.points_m.push_back(p);
             }
-            if (!take(')')) return "a closing bracket after a row of points of a curved patch";
+            if (!take(')')) return "map.patch_row_close";
         }
-        if (!take(')')) return "a closing bracket after the points of a curved patch";
-        if (!take('}')) return "a closing brace after a curved patch";
+        if (!take(')')) return "map.patch_points_close";
+        if (!take('}')) return "map.patch_end";
         --open_braces;
         return {};
     }
@@ -356,17 +355,17 @@ private:
                 break;
             }
             if (token.kind == TokenKind::End) {
-                diagnostics_.error(token.place, left_out(), "the file ends inside the brush that begins in line {}. A closing brace is missing.", place.line);
+                diagnostics_.error(token.place, "map.then_brush_left_out", "map.open_brush", {{"line", place.line}, {"before", brushes_before()}});
                 damaged = true;
                 break;
             }
             if (token.is('{') && !brush.faces.empty()) {
-                diagnostics_.error(token.place, "It was taken to end here.", "the brush that begins in line {} has no closing brace.", place.line);
+                diagnostics_.error(token.place, "map.then_ends_here", "map.endless_brush", {{"line", place.line}});
                 break;
             }
             if (!damaged)
-                diagnostics_.error(token.place, left_out(), "expected a face or a closing brace in the brush that begins in line {}, found {}.", place.line,
-                                   shown(token));
+                diagnostics_.error(token.place, "map.then_brush_left_out", "map.no_face",
+                                   {{"line", place.line}, {"found", excerpt(token.text)}, {"end", is_end(token)}, {"before", brushes_before()}});
             damaged = true;
             if (token.is('{')) {  // braces within braces: nothing here can be a brush
                 lexer_.take();
@@ -378,38 +377,40 @@ private:
             lexer_.skip_damaged_line();
         }
         if (!damaged && brush.faces.empty()) {
-            diagnostics_.warn(place, "It was left out.", "this brush has no faces.");
+            diagnostics_.warn(place, "map.then_left_out", "map.no_faces");
             damaged = true;
         }
         if (damaged) ++file_.brushes_damaged;
         else entity.brushes.push_back(std::move(brush));
     }
 
-    std::string left_out() const { return fmt::format("This brush was left out; {} brushes were read before it.", file_.brushes - file_.brushes_damaged - 1); }
+    int brushes_before() const { return file_.brushes - file_.brushes_damaged - 1; }
 
     // "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then numbers, or two axes in square brackets and numbers. Games add numbers: none is required.
     bool read_face(MapFace& face, bool silent, bool primitive) {
         face.place = lexer_.peek().place;
-        const auto refuse = [&](const Token& found, const std::string& expected) {
-            if (!silent) diagnostics_.error(found.place, left_out(), "a face ends early. Expected {}, found {}.", expected, shown(found));
+        const auto refuse = [&](const Token& found, std::string_view what, int point = 0) {
+            if (!silent)
+                diagnostics_.error(found.place, "map.then_brush_left_out", what,
+                                   {{"found", excerpt(found.text)}, {"end", is_end(found)}, {"point", point}, {"before", brushes_before()}});
             return false;
         };
         for (int point = 0; point < 3; ++point) {
-            if (!lexer_.peek().is('(')) return refuse(lexer_.peek(), fmt::format("an opening bracket before point {}", point + 1));
+            if (!lexer_.peek().is('(')) return refuse(lexer_.peek(), "map.face_open", point + 1);
             lexer_.take();
             for (int axis = 0; axis < 3; ++axis) {
                 const Token& number = lexer_.peek();
                 if (number.kind != TokenKind::Word || !parse_finite(number.text, face.points_units[static_cast<std::size_t>(point)][axis]))
-                    return refuse(number, fmt::format("a number in point {}", point + 1));
+                    return refuse(number, "map.face_number", point + 1);
                 lexer_.take();
             }
-            if (!lexer_.peek().is(')')) return refuse(lexer_.peek(), fmt::format("a closing bracket after point {}", point + 1));
+            if (!lexer_.peek().is(')')) return refuse(lexer_.peek(), "map.face_close", point + 1);
             lexer_.take();
         }
         // Looked at only here: elsewhere a texture's name may begin with a bracket.
-        if (primitive && !skip_texture_matrix()) return refuse(lexer_.peek(), "two rows of three numbers for the texture");
+        if (primitive && !skip_texture_matrix()) return refuse(lexer_.peek(), "map.face_matrix");
         const Token texture = lexer_.take_texture();
-        if (texture.kind == TokenKind::End) return refuse(texture, "a texture name");
+        if (texture.kind == TokenKind::End) return refuse(texture, "map.face_texture");
         face.texture = texture.text;
         while (lexer_.peek().is('[') || lexer_.peek().is(']') || is_number(lexer_.peek())) lexer_.take();
         return true;

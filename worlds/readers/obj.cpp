@@ -65,16 +65,13 @@ public:
     Result<Scene> build() {
         if (bytes_.starts_with("\xEF\xBB\xBF")) at_ = 3;
         while (next_line()) read_line();
-        if (scene_.triangles.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "mesh", "faces");
+        if (scene_.triangles.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "mesh");
         ReadReport& report = scene_.report;
         report.polygons_kept = report.polygons;
         report.triangles = static_cast<int>(scene_.triangles.size());
-        if (curves_ > 0) report.left_out.push_back(fmt::format("{} lines, points or curves were left out: only faces can be touched.", curves_));
-        if (faces_left_out_ > 0)
-            report.left_out.push_back(faces_left_out_ == 1 ? "One damaged face was left out."
-                                                           : fmt::format("{} damaged faces were left out.", faces_left_out_));
-        for (const auto& [material, from] : guessed_from_)
-            report.guessed.push_back(fmt::format("The material {} was guessed from the name {}.", material, excerpt(from)));
+        if (curves_ > 0) report.left_out.push_back(phrase("obj.curves_left_out", {{"n", curves_}}));
+        if (faces_left_out_ > 0) report.left_out.push_back(phrase("obj.faces_left_out", {{"n", faces_left_out_}}));
+        for (const auto& [material, from] : guessed_from_) report.guessed.push_back(phrase("obj.guessed", {{"material", material}, {"name", excerpt(from)}}));
         name_main_materials();
         diagnostics_.move_into(report);
         if (options_.progress) options_.progress(1.0);
@@ -106,7 +103,7 @@ private:
     // A comment, so that other programs pass it over.
     void read_side(std::string_view word) {
         if (const std::optional<TouchSide> side = touch_side_named(word)) side_ = *side;
-        else diagnostics_.warn({next_line_, 1}, "It was passed over.", "\"{}\" is none of both, front and back.", excerpt(trimmed(word)));
+        else diagnostics_.warn({next_line_, 1}, "map.then_passed_over", "obj.touch_side", {{"value", excerpt(trimmed(word))}});
     }
 
     struct Word {
@@ -140,7 +137,7 @@ private:
         else if (what == "l" || what == "p" || what == "curv" || what == "surf") ++curves_;
         else if (what != "vt" && what != "vn" && what != "vp" && what != "s" && what != "mtllib" && !complained_unknown_) {
             complained_unknown_ = true;  // once: a file of another kind would give thousands
-            diagnostics_.warn(place(0), "It was passed over.", "\"{}\" is no statement of an obj file.", excerpt(what));
+            diagnostics_.warn(place(0), "map.then_passed_over", "obj.no_statement", {{"word", excerpt(what)}});
         }
     }
 
@@ -153,13 +150,11 @@ private:
     void read_vertex() {
         Vertex vertex;
         vertex.good = words_.size() >= 4;
-        if (!vertex.good) diagnostics_.warn(place(0), "Faces that use it are left out.", "this point has fewer than three numbers.");
+        if (!vertex.good) diagnostics_.warn(place(0), "obj.then_its_faces", "obj.short_point");
         for (int axis = 0; vertex.good && axis < 3; ++axis) {
             const Word& word = words_[static_cast<std::size_t>(axis) + 1];
             vertex.good = parse_finite(word.text, vertex.at_m[axis]) && std::abs(vertex.at_m[axis]) <= kFarthestM;
-            if (!vertex.good)
-                diagnostics_.warn({line_, word.column}, "Faces that use this point are left out.", "expected a number of at most a million, found \"{}\".",
-                                  excerpt(word.text));
+            if (!vertex.good) diagnostics_.warn({line_, word.column}, "obj.then_point_faces", "obj.bad_number", {{"found", excerpt(word.text)}});
         }
         vertices_.push_back(vertex);
     }
@@ -170,23 +165,22 @@ private:
         const std::string_view text = word.text.substr(0, word.text.find('/'));
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
         const auto count = static_cast<long long>(vertices_.size());
-        const auto refuse = [&](const std::string& why) -> const Vec3* {
-            diagnostics_.warn({line_, word.column}, "The face was left out.", "{}", why);
+        const auto refuse = [&](std::string_view why, long long point = 0) -> const Vec3* {
+            diagnostics_.warn({line_, word.column}, "obj.then_face", why, {{"found", excerpt(word.text)}, {"point", point}, {"count", count}});
             return nullptr;
         };
-        if (error != std::errc{} || end != text.data() + text.size())
-            return refuse(fmt::format("expected the number of a point, found \"{}\".", excerpt(word.text)));
+        if (error != std::errc{} || end != text.data() + text.size()) return refuse("obj.no_number");
         const long long index = number < 0 ? count + number : number - 1;
-        if (number == 0 || index < 0 || index >= count) return refuse(fmt::format("there is no point {}; {} were read so far.", number, count));
+        if (number == 0 || index < 0 || index >= count) return refuse("obj.no_point", number);
         const Vertex& vertex = vertices_[static_cast<std::size_t>(index)];
-        if (!vertex.good) return refuse(fmt::format("point {} is damaged.", index + 1));
+        if (!vertex.good) return refuse("obj.damaged_point", index + 1);
         return &vertex.at_m;
     }
 
     void read_face() {
         std::vector<Vec3> corners_m;
         const bool fits = words_.size() >= 4 && words_.size() <= kMostCorners + 1;
-        if (!fits) diagnostics_.warn(place(0), "It was left out.", "this face has {} corners. It needs 3 to {}.", words_.size() - 1, kMostCorners);
+        if (!fits) diagnostics_.warn(place(0), "map.then_left_out", "obj.corners", {{"n", words_.size() - 1}, {"most", kMostCorners}});
         for (std::size_t i = 1; fits && i < words_.size(); ++i) {
             const Vec3* at_m = corner(words_[i]);
             if (!at_m) break;

@@ -3,6 +3,7 @@
 #include <set>
 #include <tuple>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/geometry/exposed_surface.h"
 #include "worlds/readers/height_picture.h"
@@ -82,24 +83,24 @@ bool is_particles(std::string_view class_name) {
 }
 
 struct SoundRow {
-    std::string_view class_name, name;
+    std::string_view class_name, name;  // a text's key
 };
 constexpr std::array kSounds{
-    SoundRow{"ambient_comp_hum", "computer hum"},
-    SoundRow{"ambient_drip", "dripping water"},
-    SoundRow{"ambient_drone", "machine drone"},
-    SoundRow{"ambient_flouro_buzz", "lamp buzzing"},
-    SoundRow{"ambient_light_buzz", "lamp buzzing"},
-    SoundRow{"ambient_suck_wind", "wind"},
-    SoundRow{"ambient_swamp*", "swamp"},
-    SoundRow{"ambient_thunder", "thunder"},
-    SoundRow{"light_torch*", "torch"},
-    SoundRow{"light_flame*", "flame"},
-    SoundRow{"particle_explo*", "explosion"},
-    SoundRow{"particle_fire*", "fire"},
-    SoundRow{"particle_fountain*", "fountain"},
-    SoundRow{"particle_rain*", "rain"},
-    SoundRow{"particle_snow*", "snow"},
+    SoundRow{"ambient_comp_hum", "map.sound_computer_hum"},
+    SoundRow{"ambient_drip", "map.sound_dripping_water"},
+    SoundRow{"ambient_drone", "map.sound_machine_drone"},
+    SoundRow{"ambient_flouro_buzz", "map.sound_lamp_buzzing"},
+    SoundRow{"ambient_light_buzz", "map.sound_lamp_buzzing"},
+    SoundRow{"ambient_suck_wind", "map.sound_wind"},
+    SoundRow{"ambient_swamp*", "map.sound_swamp"},
+    SoundRow{"ambient_thunder", "map.sound_thunder"},
+    SoundRow{"light_torch*", "map.sound_torch"},
+    SoundRow{"light_flame*", "map.sound_flame"},
+    SoundRow{"particle_explo*", "map.sound_explosion"},
+    SoundRow{"particle_fire*", "map.sound_fire"},
+    SoundRow{"particle_fountain*", "map.sound_fountain"},
+    SoundRow{"particle_rain*", "map.sound_rain"},
+    SoundRow{"particle_snow*", "map.sound_snow"},
 };
 
 // What one texture says about the brush it covers.
@@ -135,6 +136,9 @@ TextureFacts facts_of_texture(std::string_view texture) {
     return facts;
 }
 
+// Nothing below a millionth of a millimetre is worth its zeros.
+double in_millimetres(double m) { return m < 1e-9 ? 0.0 : 1e3 * m; }
+
 // Equal for surfaces that feel alike, whatever they are made of.
 std::string look_of_surface(const Material& m) {
     const auto of = [](const std::optional<double>& value) { return value.value_or(-1.0); };
@@ -163,7 +167,7 @@ public:
         for (std::size_t i = 0; i < file_.entities.size(); ++i) read_entity(file_.entities[i], static_cast<int>(i));
         progress(0.5);
         bend_patches();
-        if (scene_.solids.empty() && scene_.triangles.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "map", "brushes");
+        if (scene_.solids.empty() && scene_.triangles.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "map");
         join_volumes();
         derive_surfaces(scene_, looks_, units_);
         progress(0.9);
@@ -227,8 +231,7 @@ private:
         if (value == "0" || value == "no" || value == "false") return false;
         double number = 1.0;
         const bool yes = !parse_finite(value, number) || number > 0.5;
-        diagnostics_.warn(found->place, yes ? "1 was taken." : "0 was taken.", "the value \"{}\" of the key {} is neither 0 nor 1.", excerpt(found->value),
-                          key);
+        diagnostics_.warn(found->place, "map.then_number", "map.no_switch", {{"value", excerpt(found->value)}, {"key", key}, {"taken", yes ? 1 : 0}});
         return yes;
     }
 
@@ -240,8 +243,7 @@ private:
         const std::string value = lower_ascii(trimmed(found->value).substr(0, 32));
         if (std::find(kSides.begin(), kSides.end(), value) != kSides.end()) return value;
         const std::string nearest = nearest_name(value, kSides);
-        diagnostics_.warn(found->place, fmt::format("{} was taken.", nearest), "the value \"{}\" of the key {} is no side such as north, east, left or top.",
-                          excerpt(found->value), key);
+        diagnostics_.warn(found->place, "map.then_word", "map.no_side", {{"value", excerpt(found->value)}, {"key", key}, {"taken", nearest}});
         return nearest;
     }
 
@@ -255,14 +257,13 @@ private:
         const bool world = class_name == "worldspawn";
         if (world) {
             saw_worldspawn_ = true;
-            if (const auto error = number_of(entity, "curve_error", 0.01, 100.0, "0.01 to 100 millimetres")) curve_error_m_ = *error * 1e-3;
+            if (const auto error = number_of(entity, "curve_error", 0.01, 100.0, "map.range_millimetres")) curve_error_m_ = *error * 1e-3;
         }
         note_kind_of_map(entity, class_name);
         if (class_name.empty() && !entity.keys.empty())
-            diagnostics_.warn(entity.place, entity.brushes.empty() ? "It was left out." : "Its brushes were taken as part of the building.",
-                              "this entity has no classname.");
+            diagnostics_.warn(entity.place, entity.brushes.empty() ? "map.then_left_out" : "map.then_part_of_building", "map.no_classname");
         if (class_name == "misc_external_map" || class_name == "func_instance" || class_name == "misc_prefab" || entity.find("_external_map"))
-            diagnostics_.warn(entity.place, "That part is missing here.", "this entity stands for the content of another file.");
+            diagnostics_.warn(entity.place, "map.then_missing", "map.other_file");
         if (class_name.starts_with("info_player_")) read_start(entity, class_name, index);
         if (class_name.starts_with("func_door")) ++scene_.report.doors;
         note_name(movers_, entity);
@@ -314,7 +315,7 @@ private:
     // Clockwise from north, 0 to 2 pi.
     double heading_of(const MapEntity& entity) {
         double angle_deg = 0.0;
-        if (entity.find("angle")) angle_deg = number_of(entity, "angle", -1e6, 1e6, "degrees").value_or(0.0);
+        if (entity.find("angle")) angle_deg = number_of(entity, "angle", -1e6, 1e6, "map.range_angle").value_or(0.0);
         else if (const std::optional<Vec3> angles = vector_of(entity, entity.find("angles") ? "angles" : "mangle")) angle_deg = angles->y;
         if (angle_deg == -1.0 || angle_deg == -2.0) angle_deg = 0.0;  // these two mean up and down
         const double heading = std::remainder(radians_from_degrees(90.0 - angle_deg), 2.0 * kPi);
@@ -325,7 +326,7 @@ private:
         ++scene_.report.starts;
         const std::optional<Vec3> origin = vector_of(entity, "origin");
         if (!origin) {
-            if (!entity.find("origin")) diagnostics_.warn(entity.place, "It was left out.", "this start has no origin.");
+            if (!entity.find("origin")) diagnostics_.warn(entity.place, "map.then_left_out", "map.start_nowhere");
             return;
         }
         Start start;
@@ -348,7 +349,7 @@ private:
         const std::optional<Vec3> origin = vector_of(entity, "origin");
         std::string name = text_of(entity, "name");
         if (origin && !name.empty()) scene_.room_names.push_back({*origin * units_, std::move(name)});
-        else diagnostics_.warn(entity.place, "It was left out.", "an info_room needs an origin in the room and a name.");
+        else diagnostics_.warn(entity.place, "map.then_left_out", "map.room_nowhere");
     }
 
     void choose_base() {
@@ -357,7 +358,7 @@ private:
         const auto chosen = first == scene_.starts.end() ? scene_.starts.begin() : first;
         for (auto start = scene_.starts.begin(); start != scene_.starts.end(); ++start) {
             start->base = start == chosen;
-            if (start->name.empty()) start->name = start->base ? "base" : "other start";
+            if (start->name.empty()) start->name = phrase(start->base ? "map.base" : "map.other_start");
         }
     }
 
@@ -372,10 +373,10 @@ private:
         source.sound = sound.empty() ? class_name : sound;
         source.name = text_of(entity, "name");
         for (const SoundRow& row : kSounds)
-            if (source.name.empty() && sound.empty() && fits(row.class_name, class_name)) source.name = row.name;
+            if (source.name.empty() && sound.empty() && fits(row.class_name, class_name)) source.name = phrase(row.name);
         if (source.name.empty())
             source.name = words_of_name(ambient && sound.empty() ? std::string_view(class_name).substr(8) : std::string_view(source.sound));
-        source.loudness = number_of(entity, "volume", 0.0, 1.0, "0 to 1").value_or(1.0);
+        source.loudness = number_of(entity, "volume", 0.0, 1.0, "map.range").value_or(1.0);
         if (const std::optional<Vec3> origin = vector_of(entity, "origin")) {
             source.position_m = *origin * units_;
         } else {
@@ -429,19 +430,17 @@ private:
             meaning.exact = exact;
             if (feature.name.empty()) give_name(feature, *exact == PrimitiveKind::Sphere ? "ball" : kPrimitiveNames[static_cast<std::size_t>(*exact)]);
         }
-        meaning.viscosity_ns_per_m = number_of(entity, "viscosity", 0.0, kMostViscosityNsPerM, "0 to 100 newton seconds per metre");
+        meaning.viscosity_ns_per_m = number_of(entity, "viscosity", 0.0, kMostViscosityNsPerM, "map.range_viscosity");
         meaning.soft = soft_wish_of(entity, units_, diagnostics_);
-        meaning.buoyancy_n = number_of(entity, "buoyancy", 0.0, kMostBuoyancyN, "0 to 1 newton").value_or(0.0);
-        meaning.film_n = number_of(entity, "film", 0.0, kMostFilmN, "0 to 0.5 newtons").value_or(0.0);
-        if (const std::optional<Vec3> flow = keys_.vector_of(entity, "flow", "It stands still.")) {
+        meaning.buoyancy_n = number_of(entity, "buoyancy", 0.0, kMostBuoyancyN, "map.range_newtons").value_or(0.0);
+        meaning.film_n = number_of(entity, "film", 0.0, kMostFilmN, "map.range_newtons").value_or(0.0);
+        if (const std::optional<Vec3> flow = keys_.vector_of(entity, "flow", "map.then_still")) {
             meaning.flow_hand_m_per_s = *flow;
             if (const double speed = glm::length(*flow); speed > kMostFlowMPerS) {
                 meaning.flow_hand_m_per_s *= kMostFlowMPerS / speed;
-                diagnostics_.warn(entity.find("flow")->place, fmt::format("{} was taken, in the same direction.", kMostFlowMPerS),
-                                  "the stream of {} metres per second is too fast. The key flow takes up to {} of hand speed.", speed, kMostFlowMPerS);
+                diagnostics_.warn(entity.find("flow")->place, "map.then_slower", "map.fast_flow", {{"speed", speed}, {"most", kMostFlowMPerS}});
             }
-            if (meaning.viscosity_ns_per_m.value_or(0.0) <= 0.0)
-                diagnostics_.warn(entity.find("flow")->place, "It is not felt.", "a stream carries the hand by its viscosity, and this liquid has none.");
+            if (meaning.viscosity_ns_per_m.value_or(0.0) <= 0.0) diagnostics_.warn(entity.find("flow")->place, "map.then_unfelt", "map.thin_flow");
         }
         read_surface(entity, meaning.surface);
         meaning.look = look_of_surface(meaning.surface);
@@ -451,8 +450,8 @@ private:
             } else {
                 std::vector<std::string> names;
                 for (const MaterialSpec& row : material_library()) names.emplace_back(row.name);
-                diagnostics_.warn(key->place, "The default was taken.", "there is no material \"{}\". The nearest name is {}.", excerpt(key->value),
-                                  nearest_name(key->value.substr(0, 64), names));
+                diagnostics_.warn(key->place, "map.then_default", "map.no_material",
+                                  {{"value", excerpt(key->value)}, {"nearest", nearest_name(key->value.substr(0, 64), names)}});
             }
         }
         return meaning;
@@ -461,38 +460,35 @@ private:
     // ---- surfaces ----
 
     void read_surface(const MapEntity& entity, Material& surface) {
-        surface.stiffness_fraction = number_of(entity, "stiffness", 0.0, 1.0, "0 to 1");
-        surface.friction_mu = number_of(entity, "friction", 0.0, kMostFriction, "0 to 2");
-        surface.friction_static = number_of(entity, "friction_static", 0.0, kMostFriction, "0 to 2");
-        surface.damping_ns_per_m = number_of(entity, "damping", 0.0, kMostDampingNsPerM, "0 to 10 newton seconds per metre");
+        surface.stiffness_fraction = number_of(entity, "stiffness", 0.0, 1.0, "map.range");
+        surface.friction_mu = number_of(entity, "friction", 0.0, kMostFriction, "map.range");
+        surface.friction_static = number_of(entity, "friction_static", 0.0, kMostFriction, "map.range");
+        surface.damping_ns_per_m = number_of(entity, "damping", 0.0, kMostDampingNsPerM, "map.range_viscosity");
         if (surface.friction_static && surface.friction_mu) {
             const TextPlace place = entity.find("friction_static")->place;
             if (*surface.friction_static < *surface.friction_mu) {
-                diagnostics_.warn(place, fmt::format("{} was taken.", *surface.friction_mu), "the key friction_static is below friction.");
+                diagnostics_.warn(place, "map.then_number", "map.low_static", {{"taken", *surface.friction_mu}});
                 surface.friction_static = surface.friction_mu;
             } else if (*surface.friction_static > kMostStaticOverKinetic * *surface.friction_mu) {
-                diagnostics_.warn(place, "It was taken.", "the key friction_static is more than {} times friction; the hand will stick and slip by itself.",
-                                  kMostStaticOverKinetic);
+                diagnostics_.warn(place, "map.then_taken", "map.high_static", {{"times", kMostStaticOverKinetic}});
             }
         }
-        const std::optional<double> depth_mm = number_of(entity, "texture_depth", 0.0, 5.0, "0 to 5 millimetres");
-        const double turn_rad = radians_from_degrees(number_of(entity, "texture_angle", -360.0, 360.0, "-360 to 360 degrees").value_or(0.0));
+        const std::optional<double> depth_mm = number_of(entity, "texture_depth", 0.0, 5.0, "map.range_millimetres");
+        const double turn_rad = radians_from_degrees(number_of(entity, "texture_angle", -360.0, 360.0, "map.range_degrees").value_or(0.0));
         read_wave(entity, depth_mm, turn_rad, surface);
         read_picture(entity, depth_mm, turn_rad, surface);
     }
 
     void read_wave(const MapEntity& entity, std::optional<double> depth_mm, double turn_rad, Material& surface) {
-        const std::optional<double> share = number_of(entity, "friction_wave", 0.0, 0.3, "0 to 0.3");
-        const std::optional<double> period_mm = number_of(entity, "texture_period", 1.0, 100.0, "1 to 100 millimetres");
+        const std::optional<double> share = number_of(entity, "friction_wave", 0.0, 0.3, "map.range");
+        const std::optional<double> period_mm = number_of(entity, "texture_period", 1.0, 100.0, "map.range_millimetres");
         std::optional<WaveShape> shape;
         if (const MapKey* key = entity.find("texture_wave")) {
             const std::string word = lower_ascii(trimmed(key->value).substr(0, 16));
             if (word == "sine") shape = WaveShape::Sine;
             else if (word == "square") shape = WaveShape::Square;
             else if (word == "none") shape = WaveShape::Level;
-            else
-                diagnostics_.warn(key->place, "The surface stays plain.", "the value \"{}\" of the key texture_wave is none of sine, square and none.",
-                                  excerpt(key->value));
+            else diagnostics_.warn(key->place, "map.then_plain", "map.no_wave", {{"value", excerpt(key->value)}});
         }
         if (!share && !shape) return;
         TextureWave wave;
@@ -505,18 +501,16 @@ private:
     }
 
     void read_picture(const MapEntity& entity, std::optional<double> depth_mm, double turn_rad, Material& surface) {
-        const std::optional<double> size_units = number_of(entity, "texture_size", 1.0, 1e5, "1 to 100000 units");
+        const std::optional<double> size_units = number_of(entity, "texture_size", 1.0, 1e5, "map.range_in_units");
         const MapKey* key = entity.find("texture_picture");
         if (!key) return;
         const std::string name = unquoted(trimmed(key->value).substr(0, 256));
         const auto [found, is_new] = pictures_.try_emplace(name);
         if (is_new) {
-            const Result<std::string> bytes = options_.read_beside ? options_.read_beside(name) : fail("There is no folder to take it from.", name);
+            const Result<std::string> bytes = options_.read_beside ? options_.read_beside(name) : fail(phrase("map.no_folder"), name);
             Result<HeightPicture> picture = bytes ? read_height_picture(*bytes, name) : tl::unexpected(bytes.error());
             if (picture) found->second = std::make_shared<const HeightPicture>(std::move(*picture));
-            else
-                diagnostics_.warn(key->place, "The surface stays plain.", "the picture {} of the key texture_picture cannot be used: {}", excerpt(name, 60),
-                                  picture.error().message);
+            else diagnostics_.warn(key->place, "map.then_plain", "map.bad_picture", {{"picture", excerpt(name, 60)}, {"why", picture.error().message}});
         }
         if (!found->second) return;
         TexturePicture picture;
@@ -537,18 +531,17 @@ private:
         if (!key) return std::nullopt;
         const std::string value = lower_ascii(trimmed(key->value).substr(0, 32));
         if (world) {
-            diagnostics_.warn(key->place, "It was left out.", "the key shape stands on the whole building. It belongs on one thing.");
+            diagnostics_.warn(key->place, "map.then_left_out", "map.shape_on_building");
             return std::nullopt;
         }
         if (meaning.role != SolidRole::Solid && meaning.role != SolidRole::Mover) {
-            diagnostics_.warn(key->place, "It was left out.", "the key shape stands on something that cannot be touched.");
+            diagnostics_.warn(key->place, "map.then_left_out", "map.shape_untouchable");
             return std::nullopt;
         }
         for (std::size_t kind = 0; kind < kPrimitiveNames.size(); ++kind)
             if (value == kPrimitiveNames[kind]) return static_cast<PrimitiveKind>(kind);
         const std::vector<std::string> names(kPrimitiveNames.begin(), kPrimitiveNames.end());
-        diagnostics_.warn(key->place, "Its brushes were taken as they are.", "there is no shape \"{}\". The nearest name is {}.", excerpt(key->value),
-                          nearest_name(value, names));
+        diagnostics_.warn(key->place, "map.then_brushes", "map.no_shape", {{"value", excerpt(key->value)}, {"nearest", nearest_name(value, names)}});
         return std::nullopt;
     }
 
@@ -565,7 +558,7 @@ private:
         const std::string name = back ? value.substr(1) : value;
         if (name == "x") return {0, rotation_about({0, 1, 0}, back ? -0.5 * kPi : 0.5 * kPi)};
         if (name == "y") return {1, rotation_about({1, 0, 0}, back ? 0.5 * kPi : -0.5 * kPi)};
-        if (name != "z") diagnostics_.warn(key->place, "z was taken.", "the value \"{}\" of the key axis is not x, y or z.", excerpt(key->value));
+        if (name != "z") diagnostics_.warn(key->place, "map.then_word", "map.no_axis", {{"value", excerpt(key->value)}, {"taken", "z"}});
         return {2, name == "z" && back ? rotation_about({1, 0, 0}, kPi) : Rotation{}};
     }
 
@@ -596,20 +589,22 @@ private:
             const bool sphere = primitive.kind == PrimitiveKind::Sphere;
             const double least = std::min(std::min(across, deep), sphere ? length : across), most = std::max(std::max(across, deep), sphere ? length : across);
             if (most > kAgree * least)
-                diagnostics_.warn(entity.place, fmt::format("{} was taken.", least / units_),
-                                  "the box around this {} is {} by {} by {} units, and not as wide as deep{}.",
-                                  kPrimitiveNames[static_cast<std::size_t>(primitive.kind)], box.size_m().x / units_, box.size_m().y / units_,
-                                  box.size_m().z / units_, sphere ? " and high" : "");
+                diagnostics_.warn(entity.place, "map.then_number", "map.uneven_shape",
+                                  {{"shape", kPrimitiveNames[static_cast<std::size_t>(primitive.kind)]},
+                                   {"x", box.size_m().x / units_},
+                                   {"y", box.size_m().y / units_},
+                                   {"z", box.size_m().z / units_},
+                                   {"taken", least / units_}});
             size = {least, least, sphere ? least : length};
             if (primitive.kind == PrimitiveKind::Capsule && length < least) {
-                diagnostics_.warn(entity.place, "It was made thinner.", "this capsule is longer across than along.");
+                diagnostics_.warn(entity.place, "map.then_thinner", "map.wide_capsule");
                 size = Vec3(length);
             }
         }
         const TextureFacts& facts = facts_of(first->faces.front().texture);
         const Result<Solid> made = make_solid(primitive, material_of(meaning, facts, first->faces.front().texture));
         if (!made) {
-            diagnostics_.warn(entity.place, "It was left out.", "{}", made.error().message);
+            diagnostics_.pass_on(entity.place, "map.then_left_out", made.error().message);
             ++brushes_left_out_;
             return kNoFeature;
         }
@@ -642,8 +637,7 @@ private:
             }
             Plane plane;
             if (!plane_from_clockwise(p[0], p[1], p[2], plane)) {
-                if (report && degenerate == 0)
-                    diagnostics_.warn(face.place, "The brush was tried without this face.", "the three points of this face lie on one line.");
+                if (report && degenerate == 0) diagnostics_.warn(face.place, "map.then_without_face", "map.flat_face");
                 ++degenerate;
                 continue;
             }
@@ -652,7 +646,7 @@ private:
             middle += p[0];
         }
         if (farthest_m > kFarthestM) {
-            if (report) diagnostics_.warn(brush.place, "It was left out.", "this brush is more than a thousand kilometres away.");
+            if (report) diagnostics_.warn(brush.place, "map.then_left_out", "map.far_brush");
             BuiltSolid nothing;
             nothing.fault = SolidFault::Open;
             return nothing;
@@ -660,9 +654,9 @@ private:
         if (!planes.empty()) middle /= static_cast<double>(planes.size());
         BuiltSolid built = solid_from_planes(planes, middle, 4.0 * farthest_m + 4096.0, {1e-6 * units_, 1e-4 * units_});
         if (!report) return built;
-        if (built.fault == SolidFault::Empty) diagnostics_.warn(brush.place, "It was left out.", "this brush has no volume.");
-        if (built.fault == SolidFault::Open) diagnostics_.warn(brush.place, "It was left out.", "this brush is not closed; a face is missing.");
-        if (built.was_inside_out) diagnostics_.warn(brush.place, "It was turned round.", "this brush is inside out.");
+        if (built.fault == SolidFault::Empty) diagnostics_.warn(brush.place, "map.then_left_out", "map.flat_brush");
+        if (built.fault == SolidFault::Open) diagnostics_.warn(brush.place, "map.then_left_out", "map.leaky_brush");
+        if (built.was_inside_out) diagnostics_.warn(brush.place, "map.then_turned", "map.inside_out");
         if (built.fault == SolidFault::None) dropped_faces_ += built.planes_without_face;
         return built;
     }
@@ -805,11 +799,11 @@ private:
         const MapKey* key = entity.find("touch_side");
         if (!key) return TouchSide::Both;
         if (entity.patches.empty()) {
-            diagnostics_.warn(key->place, "It was left out.", "the key touch_side stands on a thing without curved patches. A brush is solid from every side.");
+            diagnostics_.warn(key->place, "map.then_left_out", "map.side_of_brush");
             return TouchSide::Both;
         }
         if (const std::optional<TouchSide> side = touch_side_named(key->value)) return *side;
-        diagnostics_.warn(key->place, "Both were taken.", "the value \"{}\" of the key touch_side is none of both, front and back.", excerpt(key->value));
+        diagnostics_.warn(key->place, "map.then_both", "map.no_touch_side", {{"value", excerpt(key->value)}});
         return TouchSide::Both;
     }
 
@@ -827,7 +821,7 @@ private:
             box.include(p);
         }
         if (std::max({-box.min_m.x, -box.min_m.y, -box.min_m.z, box.max_m.x, box.max_m.y, box.max_m.z}) > kFarthestM) {
-            diagnostics_.warn(patch.place, "It was left out.", "this curved patch is more than a thousand kilometres away.");
+            diagnostics_.warn(patch.place, "map.then_left_out", "map.far_patch");
             ++patches_left_out_;
             return;
         }
@@ -874,9 +868,9 @@ private:
             }
         }
         scene_.report.patches = static_cast<int>(bent_.size());
-        scene_.report.simplified.push_back(fmt::format("{} became {} flat triangles, at most {:.2g} millimetres beside the curve; {:.3g} were allowed.",
-                                                       bent_.size() == 1 ? "One curved patch" : fmt::format("{} curved patches", bent_.size()),
-                                                       scene_.triangles.size(), 1e3 * error_m, 1e3 * chord_m));
+        scene_.report.simplified.push_back(
+            phrase("map.curves_cut",
+                   {{"n", bent_.size()}, {"triangles", scene_.triangles.size()}, {"error", in_millimetres(error_m)}, {"bound", in_millimetres(chord_m)}}));
     }
 
     // ---- materials ----
@@ -934,7 +928,7 @@ private:
     void name_world() {
         scene_.name = world_name_.empty() ? words_of_name(scene_.source_file) : world_name_;
         scene_.game_map = stated_building_ ? !*stated_building_ : game_things_ && !building_things_;
-        if (!saw_worldspawn_) diagnostics_.warn({}, "What is there was taken.", "this map has no worldspawn, the entity that holds the building.");
+        if (!saw_worldspawn_) diagnostics_.warn({}, "map.then_what_is_there", "map.no_worldspawn");
     }
 
     void write_report() {
@@ -945,24 +939,18 @@ private:
             int shown = 0;
             for (const std::string& texture : textures)
                 if (shown++ < 3) names += (shown > 1 ? ", " : "") + excerpt(texture);
-            if (shown > 3) names += fmt::format(" and {} more", shown - 3);
-            report.guessed.push_back(
-                fmt::format("The material {} was guessed from the {} {}.", material, shown == 1 ? "texture name" : "texture names", names));
+            report.guessed.push_back(phrase("map.guessed", {{"material", material}, {"n", shown}, {"names", names}, {"more", std::max(0, shown - 3)}}));
         }
-        if (dropped_faces_ > 0)
-            report.simplified.push_back(dropped_faces_ == 1 ? "One face that repeats another or has no area was dropped."
-                                                            : fmt::format("{} faces that repeat another or have no area were dropped.", dropped_faces_));
-        const auto left_out = [&](int count, std::string_view one, std::string_view many) {
-            if (count > 0) report.left_out.push_back(count == 1 ? fmt::format("One {} was left out.", one) : fmt::format("{} {} were left out.", count, many));
+        if (dropped_faces_ > 0) report.simplified.push_back(phrase("map.faces_dropped", {{"n", dropped_faces_}}));
+        const auto left_out = [&](int count, std::string_view says) {
+            if (count > 0) report.left_out.push_back(phrase(says, {{"n", count}}));
         };
-        left_out(brushes_left_out_ + file_.brushes_damaged, "damaged brush", "damaged brushes");
-        left_out(file_.curves_damaged + patches_left_out_, "curved patch that is damaged or cannot be touched",
-                 "curved patches that are damaged or cannot be touched");
-        left_out(file_.primitives, "brush in a form that is not read yet", "brushes in a form that is not read yet");
-        left_out(helper_brushes_, "brush that only helps the map's compiler", "brushes that only help the map's compiler");
-        left_out(shapeless_things_, "thing without a shape in the file, such as an item or a creature,",
-                 "things without a shape in the file, such as items and creatures,");
-        if (left_out_cursor_) report.left_out.push_back("The object named PHANTOM was left out: it stands for the hand itself.");
+        left_out(brushes_left_out_ + file_.brushes_damaged, "map.brushes_left_out");
+        left_out(file_.curves_damaged + patches_left_out_, "map.curves_left_out");
+        left_out(file_.primitives, "map.forms_left_out");
+        left_out(helper_brushes_, "map.helpers_left_out");
+        left_out(shapeless_things_, "map.things_left_out");
+        if (left_out_cursor_) report.left_out.push_back(phrase("map.cursor_left_out"));
         diagnostics_.move_into(report);
     }
 
@@ -996,8 +984,7 @@ private:
 }  // namespace
 
 Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
-    if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0)
-        return fail("The size of a map unit must be a positive number of metres.", file_name);
+    if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0) return fail(phrase("map.unit_size"), file_name);
     return MapSceneBuilder(bytes, file_name, options).build();
 }
 
