@@ -1,7 +1,6 @@
 #include "haptic/drivers/guarded_device.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
@@ -19,6 +18,8 @@
 #include "haptic/drivers/hand_guard.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/descriptor.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
 
 extern "C" char** environ;
 
@@ -28,6 +29,7 @@ namespace {
 
 // The guard's descriptors begin here.
 constexpr int kFirstFd = 3;
+constexpr std::string_view kGuardProgram = "handrail-guard";
 constexpr std::size_t kLongestSentence = 4096;
 constexpr int kLookMs = 50;  // whether the opening was given up
 
@@ -48,7 +50,7 @@ std::optional<Message> receive(int life_fd) {
 fs::path find_guard_program() {
     std::error_code ec;
     const fs::path here = fs::read_symlink("/proc/self/exe", ec).parent_path();
-    for (const fs::path& candidate : {here / "handrail-guard", here.parent_path() / "libexec" / "handrail" / "handrail-guard"})
+    for (const fs::path& candidate : {here / kGuardProgram, here.parent_path() / "libexec" / "handrail" / kGuardProgram})
         if (!ec && ::access(candidate.c_str(), X_OK) == 0) return candidate;
     return {};
 }
@@ -59,17 +61,17 @@ GuardedDevice::GuardedDevice(const DeviceSpec& spec, fs::path guard_program, std
 GuardedDevice::~GuardedDevice() { GuardedDevice::close(); }
 
 Result<void> GuardedDevice::start_guard() {
-    const auto problem = [](const char* what) { return fail(fmt::format("The process that guards the touch device cannot be started: {}.", what)); };
-    if (guard_program_.empty()) return problem("its program, handrail-guard, is not beside this one");
+    const auto problem = [](int error) { return fail(phrase("guard.cannot_start", {{"reason", reason_of(error)}})); };
+    if (guard_program_.empty()) return fail(phrase("guard.no_program", {{"program", kGuardProgram}}));
     const Descriptor memory(::memfd_create("handrail-hand", MFD_CLOEXEC));
-    if (memory.get() < 0 || ::ftruncate(memory.get(), sizeof(HandMailbox)) != 0) return problem(std::strerror(errno));
+    if (memory.get() < 0 || ::ftruncate(memory.get(), sizeof(HandMailbox)) != 0) return problem(errno);
     void* mapped = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
-    if (mapped == MAP_FAILED) return problem(std::strerror(errno));
+    if (mapped == MAP_FAILED) return problem(errno);
     mailbox_ = new (mapped) HandMailbox;
 
     Descriptor wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
     std::array<int, 2> ends{-1, -1};
-    if (wake.get() < 0 || ::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return problem(std::strerror(errno));
+    if (wake.get() < 0 || ::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return problem(errno);
     Descriptor ours(ends[0]);
     const Descriptor theirs(ends[1]);
 
@@ -78,13 +80,13 @@ Result<void> GuardedDevice::start_guard() {
     const std::array<int, 3> passed{memory.get(), wake.get(), theirs.get()};
     for (std::size_t i = 0; i < passed.size(); ++i) high[i] = ::fcntl(passed[i], F_DUPFD_CLOEXEC, 64);
     const Descriptor high_memory(high[0]), high_wake(high[1]), high_life(high[2]);
-    if (high[0] < 0 || high[1] < 0 || high[2] < 0) return problem(std::strerror(errno));
+    if (high[0] < 0 || high[1] < 0 || high[2] < 0) return problem(errno);
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     for (std::size_t i = 0; i < high.size(); ++i) posix_spawn_file_actions_adddup2(&actions, high[i], kFirstFd + static_cast<int>(i));
     posix_spawn_file_actions_addclosefrom_np(&actions, kFirstFd + static_cast<int>(high.size()));
-    std::vector<std::string> words{guard_program_.string(), "3", "4", "5"};
+    std::vector<std::string> words{guard_program_.string(), "3", "4", "5", spoken_language(), spoken_language_folder().string()};
     words.insert(words.end(), arguments_.begin(), arguments_.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
@@ -93,7 +95,7 @@ Result<void> GuardedDevice::start_guard() {
     posix_spawn_file_actions_destroy(&actions);
     if (status != 0) {
         guard_ = -1;
-        return problem(std::strerror(status));
+        return problem(status);
     }
     wake_fd_ = wake.release();
     life_fd_ = ours.release();
@@ -114,14 +116,14 @@ Result<void> GuardedDevice::open() {
         const bool late = clock.now_s() >= deadline_s;
         if (late || given_up_.exchange(false, std::memory_order_acq_rel)) {
             close();
-            return fail(late ? fmt::format("The {} did not get ready within {:.0f} seconds.", spec_.spoken_name, kOpenS)
-                             : fmt::format("The {} was not waited for.", spec_.spoken_name));
+            return fail(late ? phrase("guard.late", {{"device", spec_.spoken_name()}, {"seconds", kOpenS}})
+                             : phrase("guard.not_waited_for", {{"device", spec_.spoken_name()}}));
         }
         if (::poll(&watched, 1, kLookMs) <= 0) continue;
         const auto message = receive(life_fd_);
         if (!message) {
             close();
-            return fail(fmt::format("The process that guards the {} ended by itself.", spec_.spoken_name));
+            return fail(phrase("guard.ended", {{"device", spec_.spoken_name()}}));
         }
         if (message->kind == GuardMessage::Ready) break;
         if (message->kind == GuardMessage::Failed) {

@@ -18,7 +18,7 @@ namespace handrail {
 
 class GuardedDevice final : public HapticDevice {
 public:
-    // `guard_program` is started by open() with `arguments` and the three descriptors in front of them.
+    // `guard_program` is started by open() with three descriptors, the language spoken by then and the folder of its own file, and `arguments`.
     GuardedDevice(const DeviceSpec& spec, std::filesystem::path guard_program, std::vector<std::string> arguments);
     ~GuardedDevice() override;
     GuardedDevice(const GuardedDevice&) = delete;

@@ -1,5 +1,5 @@
 // A guard process with a device made of numbers, so that the program's side can be tried without any hardware. Started like handrail-guard;
-// the name says how the device behaves: echo, blocks (after 20 exchanges), nan, dies.
+// the name says how the device behaves: echo, blocks (after 20 exchanges), nan, dies, absent.
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "haptic/drivers/hand_guard.h"
+#include "worlds/base/language.h"
 
 namespace {
 
@@ -36,10 +37,12 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 5) return 2;
+    if (argc < 7) return 2;
     return handrail::run_guard_process(std::atoi(argv[1]), std::atoi(argv[2]), std::atoi(argv[3]),
                                        [&](const std::function<void(const std::string&)>& tell) -> handrail::Result<std::unique_ptr<handrail::HapticDevice>> {
+                                           (void)handrail::speak_language(argv[4], argv[5]);
+                                           if (std::string(argv[6]) == "absent") return handrail::fail(handrail::phrase("drivers.no_falcon"));
                                            tell("Waking it.");
-                                           return std::unique_ptr<handrail::HapticDevice>(std::make_unique<NumbersDevice>(argv[4]));
+                                           return std::unique_ptr<handrail::HapticDevice>(std::make_unique<NumbersDevice>(argv[6]));
                                        });
 }

@@ -13,10 +13,8 @@
 
 namespace handrail {
 namespace fs = std::filesystem;
-namespace {
 
-// Why a file was refused: the usual reasons in the language spoken, the others in the system's words.
-std::string reason(int error) {
+std::string reason_of(int error) {
     switch (error) {
         case ENOENT:
             return phrase("files.not_there");
@@ -36,22 +34,19 @@ std::string reason(int error) {
             return std::generic_category().message(error);
     }
 }
-
-}  // namespace
-
 Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes) {
     const std::string name = path.filename().string();
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason(errno)}}), name);
+    if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason_of(errno)}}), name);
     struct stat info {};
-    if (::fstat(file.get(), &info) != 0) return fail(phrase("files.cannot_read", {{"reason", reason(errno)}}), name);
+    if (::fstat(file.get(), &info) != 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
     if (S_ISDIR(info.st_mode)) return fail(phrase("files.folder"), name);
     std::string content;
     char block[1 << 16];
     for (;;) {
         const ssize_t got = ::read(file.get(), block, sizeof block);
         if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return fail(phrase("files.cannot_read", {{"reason", reason(errno)}}), name);
+        if (got < 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
         if (got == 0) return content;
         if (content.size() + static_cast<std::size_t>(got) > max_bytes) return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), name);
         content.append(block, static_cast<std::size_t>(got));
@@ -63,11 +58,11 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view conten
     // Link by link, since the last one may point to a file that is still to be made.
     fs::path target = path;
     for (int links = 0; fs::is_symlink(target, ec); ++links) {
-        if (links == 40) return fail(phrase("files.cannot_save", {{"reason", reason(ELOOP)}}), path.filename().string());  // the system's own limit
+        if (links == 40) return fail(phrase("files.cannot_save", {{"reason", reason_of(ELOOP)}}), path.filename().string());  // the system's own limit
         target = target.parent_path() / fs::read_symlink(target, ec);
     }
     const std::string name = target.filename().string();
-    const auto refused = [&](int error) { return fail(phrase("files.save_refused", {{"reason", reason(error)}}), name); };
+    const auto refused = [&](int error) { return fail(phrase("files.save_refused", {{"reason", reason_of(error)}}), name); };
     if (target.has_parent_path()) {
         fs::create_directories(target.parent_path(), ec);
         if (ec) return refused(ec.value());

@@ -9,6 +9,9 @@
 
 namespace handrail {
 
+// Why the system refused something, by its errno: the usual reasons in the language spoken, the others in the system's words. No full stop.
+std::string reason_of(int error);
+
 // The whole file. Fails in one sentence when it is missing, unreadable, a folder, or larger than max_bytes.
 Result<std::string> read_whole_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30);
 

@@ -30,6 +30,7 @@ struct Language {
     std::string code;
     icu::Locale locale;
     std::map<std::string, std::string, std::less<>> texts;
+    std::filesystem::path folder;  // of the person's own file
 };
 
 // The texts of a table, "section.key" each; what is not a text gets a diagnostic. `fits` says what is wrong with a text, or nothing.
@@ -48,7 +49,7 @@ void gather(const toml::table& table, const std::string& prefix, const std::stri
 
 // Bundled files are right by test, so nothing is looked at twice here.
 const Language* make_bundled(const BundledLanguage& source) {
-    auto* made = new Language{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}};
+    auto* made = new Language{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
     std::vector<Diagnostic> faults;
     gather(
         toml::parse(source.content), "", "", [](const std::string&, const std::string&) { return std::string(); }, *made, faults);
@@ -189,6 +190,8 @@ std::string language_of_environment(const std::filesystem::path& folder) {
 
 std::string spoken_language() { return language_spoken().code; }
 
+std::filesystem::path spoken_language_folder() { return language_spoken().folder; }
+
 Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std::filesystem::path& folder) {
     const Language* language = bundled(code);
     const std::filesystem::path path = folder / (std::string(code) + ".toml");
@@ -200,7 +203,7 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
         if (!is_utf8(*content)) return fail(phrase("language.not_utf8"), path.filename().string());
         try {
             const toml::table table = toml::parse(*content);
-            auto* own = new Language{std::string(code), icu::Locale(std::string(code).c_str()), {}};
+            auto* own = new Language{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
             if (language) own->texts = language->texts;
             gather(table, "", path.filename().string(), misfit, *own, faults);
             language = own;

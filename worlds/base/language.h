@@ -55,6 +55,8 @@ std::vector<LanguageName> languages_to_choose(const std::filesystem::path& folde
 std::string spoken_language();
 // The code of the language that the environment asks for (LC_ALL, LC_MESSAGES, LANG, the first that is set) if it can be chosen, else "en".
 std::string language_of_environment(const std::filesystem::path& folder);
+// Where its own file was read from, for a process that is to speak the same; empty where there was none.
+std::filesystem::path spoken_language_folder();
 
 // Speaks `code` from now on. A file CODE.toml in `folder` (which may be empty or absent) adds a language or replaces single texts of a bundled
 // one. Returns what is wrong with that file, text by text, each of which is then said as before (bundled, else English). Fails, and

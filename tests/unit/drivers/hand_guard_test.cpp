@@ -12,6 +12,8 @@
 
 #include "haptic/drivers/guarded_device.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
 
 namespace handrail {
 namespace {
@@ -211,6 +213,24 @@ TEST(GuardedDevice, says_in_a_sentence_that_its_guard_is_missing_or_ends) {
     const auto opened = other.open();
     ASSERT_FALSE(opened);
     EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("ended by itself"));
+}
+
+TEST(GuardedDevice, is_told_in_the_language_of_the_program_what_its_guard_says) {
+    const test::InLanguage german("de");
+    GuardedDevice absent(*find_device_spec("falcon"), STANDIN_GUARD, {"absent"});
+    const auto opened = absent.open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().sentence(), "Der Falcon ist nicht angesteckt.");
+}
+
+TEST(GuardedDevice, is_told_a_persons_own_texts_by_its_guard) {
+    const test::TemporaryFolder folder;
+    folder.write("de.toml", "[drivers]\nno_falcon = \"Kein Falcon da.\"\n");
+    const test::InLanguage own("de", folder.path());
+    GuardedDevice absent(*find_device_spec("falcon"), STANDIN_GUARD, {"absent"});
+    const auto opened = absent.open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().sentence(), "Kein Falcon da.");
 }
 
 // Ticks it like a servo until it is so, at most 20 s.
