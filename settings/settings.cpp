@@ -79,7 +79,7 @@ Error unknown_setting(std::string_view key) {
     std::vector<std::string> names;
     for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
     Error error;
-    error.message = fmt::format("There is no setting {}; the nearest is {}.", key, nearest_name(key, names));
+    error.message = phrase("settings_file.unknown", {{"key", key}, {"nearest", nearest_name(key, names)}});
     return error;
 }
 
@@ -104,8 +104,8 @@ Result<toml::table> parse(const std::string& content, const fs::path& path) {
     try {
         return toml::parse(content, path.string());
     } catch (const toml::parse_error& error) {
-        return fail(fmt::format("The settings file is damaged: {}.", std::string(error.description())), path.filename().string(),
-                    static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column));
+        return fail(phrase("settings_file.damaged", {{"reason", error.description()}}), path.filename().string(), static_cast<int>(error.source().begin.line),
+                    static_cast<int>(error.source().begin.column));
     }
 }
 
@@ -221,14 +221,13 @@ struct SettingsStore::Impl {
             if (known || (command_words.empty() && is_command_word(word)))
                 return short_text(key, value).map([&](const std::string& text) { target.keys[word] = text; });
         }
-        return fail(fmt::format("There is no setting {}; the nearest is {}.", key, nearest_key(key)));
+        return fail(phrase("settings_file.unknown", {{"key", key}, {"nearest", nearest_key(key)}}));
     }
 
     Result<void> check(const std::string& key, const SettingValue& value, SettingSource source) const {
         Settings scratch;
         if (const Result<void> applied = apply_to(scratch, key, value); !applied) return applied;
-        if (source == SettingSource::World && !world_may_set(key))
-            return fail(fmt::format("A world may not set {}: forces, speech, sound and keys are yours alone.", key));
+        if (source == SettingSource::World && !world_may_set(key)) return fail(phrase("settings_file.not_for_worlds", {{"key", key}}));
         return {};
     }
 
@@ -260,15 +259,13 @@ struct SettingsStore::Impl {
             const std::optional<SettingValue> value = from_toml(node);
             Result<void> checked = check(key, value.value_or(std::string{}), source);
             if (const SettingInfo* info = find_setting(key); info && !value)
-                checked = fail(fmt::format("The setting {} is a list or a date, but must be {}.", key, range_of(*info)));
+                checked = fail(phrase("settings_file.wrong_kind", {{"key", key}, {"range", range_of(*info)}}));
             const auto profile = split_profile_key(key);
             if (checked) {
                 layer[key] = {*value, fmt::format("{}:{}", path.string(), line)};
             } else if (!profile || damaged.insert(profile->device).second) {
-                const char* done = profile ? "This profile is set aside and its device held at light force; handrail calibrate measures it anew."
-                                           : "It is not used; the rest applies.";
-                problems.push_back(
-                    {Severity::Error, path.filename().string(), line, static_cast<int>(node.source().begin.column), checked.error().message, done});
+                problems.push_back({Severity::Error, path.filename().string(), line, static_cast<int>(node.source().begin.column), checked.error().message,
+                                    phrase(profile ? "settings_file.profile_set_aside" : "settings_file.not_used")});
             }
         }
     }
@@ -307,7 +304,7 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
     const Result<toml::table> table = read_whole_file(path, kLongestFileBytes).and_then([&](const std::string& content) { return parse(content, path); });
     if (!table) {
         const Error& e = table.error();
-        return {{Severity::Error, e.file, e.line, e.column, e.message, "None of it is used, and the file is left as it is."}};
+        return {{Severity::Error, e.file, e.line, e.column, e.message, phrase("settings_file.none_used")}};
     }
     std::vector<Diagnostic> problems;
     Layer layer;
@@ -351,8 +348,7 @@ Result<void> SettingsStore::set(std::string_view key, std::string_view value, Se
 
 Result<void> SettingsStore::set_assignment(std::string_view assignment, SettingSource source) {
     const std::size_t equals = assignment.find('=');
-    if (equals == std::string_view::npos || equals == 0)
-        return fail(fmt::format("\"{}\" is no setting and value; write it as key=value, such as workspace.scale=40.", assignment));
+    if (equals == std::string_view::npos || equals == 0) return fail(phrase("settings_file.no_assignment", {{"text", assignment}}));
     return set(assignment.substr(0, equals), assignment.substr(equals + 1), source);
 }
 
@@ -387,12 +383,12 @@ Result<void> SettingsStore::save_user_file() {
     const auto live = impl_->layers.find(SettingSource::Live);
     if (live == impl_->layers.end() || live->second.empty()) return {};
     const fs::path& path = impl_->user_file;
-    if (path.empty()) return fail("The settings were not saved: no home folder is known to keep them in.");
+    if (path.empty()) return fail(phrase("settings_file.no_folder"));
     // What the file holds now, not at the start: another editor may have changed it since.
     std::string held;
     std::error_code ec;
     const auto not_saved = [](Error error) {
-        error.message += " The settings were not saved, and the file is left as it is.";
+        error.message += " " + phrase("settings_file.not_saved");
         return tl::unexpected(std::move(error));
     };
     if (fs::status(path, ec).type() != fs::file_type::not_found) {
@@ -411,7 +407,7 @@ Result<void> SettingsStore::save_user_file() {
         std::ostringstream out;
         out << toml::toml_formatter{*table, toml::format_flags::none} << "\n";
         text = out.str();
-        if (!says_the_same(text, *table)) return not_saved({path.filename().string(), 0, 0, "Something in this file cannot be written back as it was."});
+        if (!says_the_same(text, *table)) return not_saved({path.filename().string(), 0, 0, phrase("settings_file.unwritable")});
     }
     return write_file_atomically(path, text);
 }
@@ -420,22 +416,22 @@ std::string profile_key(std::string_view device_name, std::string_view serial) {
     return lower_ascii(serial.empty() ? std::string(device_name) : fmt::format("{} {}", device_name, serial));
 }
 
-std::string_view source_name(SettingSource source) {
+std::string source_name(SettingSource source) {
     switch (source) {
         case SettingSource::Default:
-            return "default";
+            return phrase("settings_file.from_default");
         case SettingSource::Shipped:
-            return "shipped with the program";
+            return phrase("settings_file.from_program");
         case SettingSource::UserFile:
-            return "your settings file";
+            return phrase("settings_file.from_user");
         case SettingSource::World:
-            return "world";
+            return phrase("settings_file.from_world");
         case SettingSource::CommandLine:
-            return "command line";
+            return phrase("settings_file.from_command_line");
         case SettingSource::Live:
-            return "changed now";
+            return phrase("settings_file.from_now");
     }
-    return "unknown";
+    return {};
 }
 
 fs::path user_settings_path() {

@@ -197,7 +197,7 @@ bool world_may_set(std::string_view key);
 std::string profile_key(std::string_view device_name, std::string_view serial);
 
 // "default", "world", ...
-std::string_view source_name(SettingSource source);
+std::string source_name(SettingSource source);
 
 // $XDG_CONFIG_HOME/handrail/settings.toml, else ~/.config/handrail/settings.toml; empty when neither is known.
 std::filesystem::path user_settings_path();

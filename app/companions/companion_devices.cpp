@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/core/words.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -144,7 +145,7 @@ void CompanionDevices::step() {
     std::vector<std::string> gone;
     std::erase_if(plugged_, [&](Plugged& plugged) {
         if (serve(plugged, cue, now_s, sum)) return false;
-        gone.push_back(fmt::format("The {} was unplugged.", plugged.found.model));
+        gone.push_back(phrase("companion.unplugged", {{"device", plugged.found.model}}));
         return true;
     });
     count_ = plugged_.size();

@@ -1,9 +1,8 @@
 #include "app/companions/companion_session.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -42,13 +41,8 @@ bool is_companion(std::string_view name) {
     return std::find(names.begin(), names.end(), lower_ascii(name)) != names.end();
 }
 
-std::string cues_and_walking_sentence(std::string_view model) {
-    return fmt::format("The {} gives cues and walks; it has no hand to touch with. Everything else works with keyboard and sound.", model);
-}
+std::string cues_and_walking_sentence(std::string_view model) { return phrase("companion.cues_and_walking", {{"device", model}}); }
 
-std::string no_companion_sentence(std::string_view name) {
-    return fmt::format("No {} is plugged in. Plug it in whenever you like; until then everything works with keyboard and sound.",
-                       companion_model(lower_ascii(name)));
-}
+std::string no_companion_sentence(std::string_view name) { return phrase("companion.none", {{"device", companion_model(lower_ascii(name))}}); }
 
 }  // namespace handrail

@@ -69,7 +69,7 @@ void tell(const FoundDevice& device, std::ostream& out) {
             "program.device_reach",
             {{"reach", device.spec->workspace_radius_m * 100.0}, {"force", device.spec->peak_force_n}, {"stiffness", device.spec->rated_stiffness_n_per_m}}));
     if (device.rate_hz > 0.0) line(phrase("program.device_rate", {{"rate", device.rate_hz}}));
-    line(device.usable ? phrase("program.device_state", {{"state", device_state(device)}}) : phrase("program.device_problem", {{"problem", device.problem}}));
+    line(device.usable ? phrase("program.device_state", {{"state", spoken_device_state(device)}}) : phrase("program.device_problem", {{"problem", device.problem}}));
 }
 
 }  // namespace

@@ -294,7 +294,7 @@ private:
     // A device that nobody set up yet.
     void offer_calibration() {
         if (!settings_.values().profiles.contains(profile_key(facts_.spec.name, facts_.serial)))
-            say(phrase("program.not_set_up", {{"device", facts_.spec.spoken_name}, {"keys", app_->keys().keys_of(Command::Calibrate)}}), asked_s_);
+            say(phrase("program.not_set_up", {{"device", facts_.spec.spoken_name()}, {"keys", app_->keys().keys_of(Command::Calibrate)}}), asked_s_);
     }
 
     std::string wanted_hand() const { return arguments_.device.value_or(settings_.values().haptic.device); }
@@ -338,7 +338,7 @@ private:
         if (guarded_ && !guard_missed_ && guarded_->guard_ended()) {
             guard_missed_ = true;
             const DeviceSpec& spec = servo_->device_spec();
-            offer(PluggedHand{std::string(spec.name), std::string(spec.spoken_name), {}, {}});
+            offer(PluggedHand{std::string(spec.name), spec.spoken_name(), {}, {}});
         }
         if (!plug_watch_) return true;
         for (PluggedHand& hand : plug_watch_->take_new()) {

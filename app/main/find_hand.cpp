@@ -64,9 +64,9 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
         return fail(phrase("program.no_such_device", {{"device", wanted}, {"nearest", nearest_name(wanted, names)}}));
     }
     const std::vector<std::string> drivable = openable_device_names();
-    if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end()) return fail(phrase("program.not_driven", {{"device", spec->spoken_name}}));
+    if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end()) return fail(phrase("program.not_driven", {{"device", spec->spoken_name()}}));
     if (is_found_only_by_opening(spec->name)) return Hand{HandFacts{true, false, *spec, {}}, {std::string(spec->name)}};
-    return fail(phrase("program.not_plugged", {{"device", spec->spoken_name}}));
+    return fail(phrase("program.not_plugged", {{"device", spec->spoken_name()}}));
 }
 
 HandSearch::HandSearch(std::string wanted) : found_(std::async(std::launch::async, [this, wanted = std::move(wanted)] { return search(wanted); })) {}

@@ -87,14 +87,11 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
             {"peak_memory_bytes", cost.peak_memory_bytes}};
 }
 
-// "liquids_with_drag" as words.
-std::string spaced(std::string_view key) {
-    std::string words(key);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return words;
+std::string spoken_stages(const std::vector<std::string_view>& stages) {
+    std::string text;
+    for (const std::string_view stage : stages) text += (text.empty() ? "" : ", ") + spoken_stage(stage);
+    return text;
 }
-
-std::string counted(int count, std::string_view one, std::string_view many) { return fmt::format("{} {}", count, count == 1 ? one : many); }
 
 // Sentences to be heard one after another, the important first.
 void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::ostream& out) {
@@ -115,7 +112,7 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
         std::vector<std::string> kinds;
         for (const EffectSpec& row : effect_table()) {
             const auto many = std::count_if(scene.effects.begin(), scene.effects.end(), [&](const Effect& effect) { return effect.kind == row.kind; });
-            if (many > 0) kinds.push_back(fmt::format("{} {}", row.name, many));
+            if (many > 0) kinds.push_back(fmt::format("{} {}", phrase("effect_name." + std::string(row.name)), many));
         }
         line(phrase("info.forces", {{"kinds", fmt::format("{}", fmt::join(kinds, ", "))}}));
     }
@@ -123,10 +120,10 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     line(materials.empty() ? phrase("info.no_materials") : phrase("info.materials", {{"names", fmt::format("{}", fmt::join(materials, ", "))}}));
     std::vector<std::string> parts;
     for (const TouchModel::Part& part : touch.parts)
-        if (part.count > 0) parts.push_back(counted(static_cast<int>(part.count), part.one, spaced(part.key)));
+        if (part.count > 0) parts.push_back(spoken_part(part));
     line(parts.empty() ? phrase("info.meets_nothing") : phrase("info.meets", {{"parts", fmt::format("{}", fmt::join(parts, ", "))}}));
-    if (!touch.stages_on.empty()) line(phrase("info.stages", {{"stages", fmt::format("{}", fmt::join(touch.stages_on, ", "))}}));
-    if (!touch.stages_off.empty()) line(phrase("info.not_modelled", {{"stages", fmt::format("{}", fmt::join(touch.stages_off, ", "))}}));
+    if (!touch.stages_on.empty()) line(phrase("info.stages", {{"stages", spoken_stages(touch.stages_on)}}));
+    if (!touch.stages_off.empty()) line(phrase("info.not_modelled", {{"stages", spoken_stages(touch.stages_off)}}));
     const auto list = [&](const std::string& title, const std::vector<std::string>& sentences) {
         if (sentences.empty()) return;
         line(title);

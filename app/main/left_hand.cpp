@@ -53,7 +53,7 @@ bool LeftHand::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device
     }
     facts_ = facts;
     servo_->start();
-    news.push_back(phrase("program.in_left_hand", {{"device", facts_.spec.spoken_name}}));
+    news.push_back(phrase("program.in_left_hand", {{"device", facts_.spec.spoken_name()}}));
     return true;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "haptic/compile/simplify_mesh.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -141,9 +142,12 @@ void compact(TriangleMesh& mesh) {
     mesh.points_m.shrink_to_fit();
 }
 
-// 0.00012 as "0.12 millimetres".
-std::string length_in_words(double m) {
-    return m >= 1e-3 || m == 0.0 ? fmt::format("{:.3g} millimetres", m * 1e3) : fmt::format("{:.2g} millimetres", m * 1e3);
+// In two digits below a millimetre; nothing below a millionth of one is worth its zeros.
+double in_millimetres(double m) {
+    if (m < 1e-9) return 0.0;
+    if (m >= 1e-3) return 1e3 * m;
+    const double digits = std::pow(10.0, 1.0 - std::floor(std::log10(1e3 * m)));
+    return std::round(1e3 * m * digits) / digits;
 }
 
 }  // namespace
@@ -242,22 +246,17 @@ MeshReport& MeshReport::operator+=(const MeshReport& other) {
 
 std::vector<std::string> MeshReport::sentences() const {
     std::vector<std::string> said;
-    const auto some = [](std::size_t n, const char* one, const char* many) {
-        return n == 1 ? fmt::format("One {} was", one) : fmt::format("{} {} were", n, many);
-    };
-    if (points_welded > 0)
-        said.push_back(some(points_welded, "point", "points") + fmt::format(" moved to another by at most {}.", length_in_words(farthest_weld_m)));
-    if (without_area > 0) said.push_back(some(without_area, "triangle without area", "triangles without area") + " left out: their neighbours cover them.");
-    if (repeated > 0) said.push_back(some(repeated, "triangle that repeats another", "triangles that repeat others") + " left out.");
+    if (points_welded > 0) said.push_back(phrase("compile.welded", {{"n", points_welded}, {"far", in_millimetres(farthest_weld_m)}}));
+    if (without_area > 0) said.push_back(phrase("compile.without_area", {{"n", without_area}}));
+    if (repeated > 0) said.push_back(phrase("compile.repeated", {{"n", repeated}}));
     if (simplified > 0)
-        said.push_back(some(simplified, "triangle", "triangles") +
-                       fmt::format(" saved by a coarser mesh, which is at most {} off (bound {}, measured every {}).", length_in_words(simplify_measured_m),
-                                   length_in_words(simplify_bound_m), length_in_words(simplify_spacing_m)));
+        said.push_back(phrase("compile.simplified", {{"n", simplified},
+                                                     {"far", in_millimetres(simplify_measured_m)},
+                                                     {"bound", in_millimetres(simplify_bound_m)},
+                                                     {"spacing", in_millimetres(simplify_spacing_m)}}));
     if (merged > 0)
-        said.push_back(some(merged, "triangle", "triangles") +
-                       fmt::format(" joined to {}, at most {} out of plane (bound {}).",
-                                   polygons == 1 ? std::string("one flat polygon") : fmt::format("{} flat polygons", polygons),
-                                   length_in_words(flat_measured_m), length_in_words(flat_bound_m)));
+        said.push_back(phrase("compile.merged",
+                              {{"n", merged}, {"polygons", polygons}, {"far", in_millimetres(flat_measured_m)}, {"bound", in_millimetres(flat_bound_m)}}));
     return said;
 }
 

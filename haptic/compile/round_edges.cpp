@@ -1,12 +1,10 @@
 #include "haptic/compile/round_edges.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "worlds/base/language.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
 
@@ -443,20 +441,15 @@ RoundingReport& RoundingReport::operator+=(const RoundingReport& other) {
 
 std::vector<std::string> RoundingReport::sentences() const {
     std::vector<std::string> all;
-    const auto solids = [](std::size_t count) { return count == 1 ? std::string("1 solid") : fmt::format("{} solids", count); };
-    const auto stay = [&](std::size_t count, std::string_view why, const std::vector<std::string>& names) {
+    const auto stay = [&](std::size_t count, std::string_view says, const std::vector<std::string>& names) {
         if (count == 0) return;
-        std::string text = fmt::format("{} {} sharp edges: {}", solids(count), count == 1 ? "keeps" : "keep", why);
-        if (!names.empty()) text += fmt::format(" ({}{})", fmt::join(names, ", "), count > names.size() ? " and others" : "");
-        all.push_back(text + ".");
+        std::string listed;
+        for (const std::string& name : names) listed += (listed.empty() ? "" : ", ") + name;
+        all.push_back(phrase(says, {{"n", count}, {"names", listed}, {"listed", names.empty() ? "none" : count > names.size() ? "some" : "all"}}));
     };
-    if (rounded > 0) {
-        std::string text = fmt::format("Edges of {} are felt rounded by {:.3g} metres of the world", solids(rounded), radius_m);
-        if (less > 0) text += fmt::format(", {} of them by less because they are thin", less);
-        all.push_back(text + ".");
-    }
-    stay(too_thin, "too thin to be rounded", thin_names);
-    stay(at_seams, "a groove would open where they join others", seam_names);
+    if (rounded > 0) all.push_back(phrase("compile.rounded", {{"n", rounded}, {"radius", radius_m}, {"less", less}}));
+    stay(too_thin, "compile.too_thin", thin_names);
+    stay(at_seams, "compile.at_seams", seam_names);
     return all;
 }
 

@@ -10,7 +10,6 @@ namespace handrail {
 
 struct DeviceSpec {
     std::string_view name;                    // as `--device` takes it, case-insensitive: "sim-t", "falcon"
-    std::string_view spoken_name;             // "simulated Touch"
     double peak_force_n = 0.0;                // infinity: none
     double rated_stiffness_n_per_m = 1000.0;  // the 1.0 of every stiffness fraction, before the delay formula
     double workspace_radius_m = 0.08;         // of a sphere the hand reaches, device frame
@@ -21,6 +20,8 @@ struct DeviceSpec {
     bool kinesthetic = true;
     // Share of the peak force that the motors bear as root mean square over ten seconds.
     double sustained_share = 0.8;
+
+    std::string spoken_name() const;  // "simulated Touch"; not on the servo's thread
 };
 
 std::span<const DeviceSpec> device_specs();

@@ -1,7 +1,5 @@
 #include "haptic/drivers/companion.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,16 +8,12 @@
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/playstation_pad.h"
 #include "haptic/drivers/space_mouse.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
 
 constexpr double kStickDeadBand = 0.1;
-constexpr std::string_view kPadWords =
-    "The left stick walks, the right stick turns. Cross tells where you are, circle what the hand touches, square repeats, triangle the heading, "
-    "options stops everything.";
-constexpr std::string_view kPuckWords = "Push it to walk, twist it to turn. Its left button tells where you are, its right one repeats.";
-constexpr std::string_view kRumbleWords = "Its left stick walks and turns, its lower button tells where you are. It rumbles at walls.";
 
 constexpr std::uint32_t bit(CompanionButton button) { return 1U << static_cast<unsigned>(button); }
 
@@ -142,22 +136,22 @@ std::vector<FoundCompanion> find_companions() {
     for (const HidDeviceInfo& hid : list_hid_devices()) {
         const auto identity = playstation_pad(hid.vendor, hid.product);
         if (identity) {
-            found.push_back({std::string(identity->name), std::string(identity->spoken), hid.path, hid.permitted, std::string(kPadWords)});
+            found.push_back({std::string(identity->name), std::string(identity->spoken), hid.path, hid.permitted, phrase("companion.pad")});
             pad_over_hid = pad_over_hid || hid.permitted;
         } else if (is_space_mouse(hid)) {
-            found.push_back({"spacemouse", std::string(companion_model("spacemouse")), hid.path, hid.permitted, std::string(kPuckWords)});
+            found.push_back({"spacemouse", companion_model("spacemouse"), hid.path, hid.permitted, phrase("companion.puck")});
         }
     }
     for (const FfDeviceInfo& ff : list_ff_devices()) {
         if (!ff.abilities.rumble || (ff.abilities.constant && ff.abilities.stick)) continue;
         if (pad_over_hid && is_event_node_of_a_playstation_pad(ff.name)) continue;
-        found.push_back({"rumble-pad", ff.name.empty() ? std::string(companion_model("rumble-pad")) : ff.name, ff.path, true, std::string(kRumbleWords)});
+        found.push_back({"rumble-pad", ff.name.empty() ? companion_model("rumble-pad") : ff.name, ff.path, true, phrase("companion.rumble")});
     }
     return found;
 }
 
 Result<std::unique_ptr<Companion>> open_companion(const FoundCompanion& found) {
-    if (!found.permitted) return fail(fmt::format("The {} is plugged in. {}", found.model, permission_advice()));
+    if (!found.permitted) return fail(phrase("companion.not_permitted", {{"device", found.model}, {"advice", permission_advice()}}));
     if (found.name == "rumble-pad") {
         auto link = open_ff_link(found.path);
         if (!link) return tl::unexpected(link.error());
@@ -165,16 +159,16 @@ Result<std::unique_ptr<Companion>> open_companion(const FoundCompanion& found) {
     }
     for (const HidDeviceInfo& hid : list_hid_devices())
         if (hid.path == found.path) return open_hid_companion(hid);
-    return fail(fmt::format("The {} is gone.", found.model));
+    return fail(phrase("companion.gone", {{"device", found.model}}));
 }
 
 std::vector<std::string> companion_names() { return {"dualsense", "dualshock4", "spacemouse", "rumble-pad"}; }
 
-std::string_view companion_model(std::string_view name) {
+std::string companion_model(std::string_view name) {
     if (name == "dualsense") return "DualSense";
     if (name == "dualshock4") return "DualShock 4";
     if (name == "spacemouse") return "SpaceMouse";
-    return "rumble pad";
+    return phrase("companion.rumble_pad");
 }
 
 }  // namespace handrail

@@ -59,7 +59,7 @@ std::vector<FoundCompanion> find_companions();
 Result<std::unique_ptr<Companion>> open_companion(const FoundCompanion& found);
 // The names in FoundCompanion, and what to call such a device.
 std::vector<std::string> companion_names();
-std::string_view companion_model(std::string_view name);
+std::string companion_model(std::string_view name);
 
 // A stick's share after a dead band of a tenth and a square, so that it steers finely and a worn stick stays at rest.
 double stick_curve(double share) noexcept;

@@ -7,6 +7,7 @@
 
 #include "haptic/drivers/force_packing.h"
 #include "haptic/drivers/vendor_library.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -45,16 +46,16 @@ public:
     const DeviceSpec& spec() const override { return spec_; }
 
     Result<void> open() override {
-        if (call_.count() <= 0) return fail("No Force Dimension device is plugged in and switched on.");
-        if (call_.open() < 0) return fail("The Force Dimension device cannot be opened; another program may be using it.");
+        if (call_.count() <= 0) return fail(phrase("drivers.dhd_none"));
+        if (call_.open() < 0) return fail(phrase("drivers.dhd_in_use"));
         open_ = true;
         const int code = call_.type(kDefaultDevice);
         const auto model = std::find_if(kModels.begin(), kModels.end(), [&](const Model& m) { return m.code == code; });
-        if (model == kModels.end()) return fail(fmt::format("This Force Dimension device (type {}) is not known to Handrail.", code));
+        if (model == kModels.end()) return fail(phrase("drivers.dhd_unknown", {{"type", code}}));
         spec_ = *find_device_spec(model->spec);
         call_.max_force(spec_.peak_force_n, kDefaultDevice);
         call_.watchdog(kWatchdogTens, kDefaultDevice);
-        if (call_.enable_force(1, kDefaultDevice) < 0) return fail(fmt::format("The {} does not switch its motors on.", spec_.spoken_name));
+        if (call_.enable_force(1, kDefaultDevice) < 0) return fail(phrase("drivers.no_motors", {{"device", spec_.spoken_name()}}));
         return {};
     }
 

@@ -1,7 +1,5 @@
 #include "haptic/drivers/falcon_device.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +8,7 @@
 #include "haptic/drivers/falcon_kinematics.h"
 #include "haptic/drivers/force_packing.h"
 #include "worlds/base/files.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace fs = std::filesystem;
@@ -178,22 +177,22 @@ bool FalconDevice::echoed(std::span<const std::uint8_t> sent, double deadline_s)
 }
 
 Result<void> FalconDevice::upload(std::span<const std::uint8_t> image) {
-    if (!says_hello()) return fail("The Falcon does not answer. Please check that its own power supply is plugged in.");
+    if (!says_hello()) return fail(phrase("drivers.falcon_silent"));
     static constexpr std::array<std::uint8_t, 1> kMeasureSpeed{0x41};
     if (!link_->control(kModemLines, kDtrLow) || !link_->control(kBaud, kBaudLoading) || link_->write(kMeasureSpeed, kLoadingDeadlineS) != 1 ||
         !echoed(kMeasureSpeed, clock_.now_s() + kLoadingDeadlineS))
-        return fail("The Falcon answered, but did not take the speed for its firmware.");
+        return fail(phrase("drivers.falcon_speed"));
     for (std::size_t at = 0; at < image.size(); at += kPieceBytes) {
         const auto piece = image.subspan(at, std::min(kPieceBytes, image.size() - at));
         if (link_->write(piece, kLoadingDeadlineS) != static_cast<int>(piece.size()) || !echoed(piece, clock_.now_s() + kLoadingDeadlineS))
-            return fail(fmt::format("The Falcon's firmware was not taken whole: it went wrong near byte {} of {}.", at, image.size()));
+            return fail(phrase("drivers.falcon_upload", {{"byte", at}, {"bytes", image.size()}}));
     }
-    if (!run_mode()) return fail("The Falcon was unplugged while it was being woken.");
+    if (!run_mode()) return fail(phrase("drivers.falcon_unplugged"));
     for (int poke = 0; poke < kPokesAfterUpload && !lost_; ++poke) {
         send({0, 0, 0});
         if (wait_for_answer(clock_.now_s() + kPokeDeadlineS)) return {};
     }
-    return fail("The Falcon took its firmware but does not answer.");
+    return fail(phrase("drivers.falcon_asleep"));
 }
 
 Result<void> FalconDevice::open() {
@@ -203,7 +202,7 @@ Result<void> FalconDevice::open() {
     forget_place();
     status_ = {};
     lost_ = !link_->control(kReset, kPurgeIn);
-    if (lost_) return fail("The Falcon was found, but it does not take orders. Please unplug it and plug it in again.");
+    if (lost_) return fail(phrase("drivers.falcon_deaf"));
     firmware_was_running_ = answers();
     if (!firmware_was_running_) {
         Error refused;
@@ -217,18 +216,16 @@ Result<void> FalconDevice::open() {
             }
         }
         if (image.empty() && !refused.message.empty()) return tl::unexpected(refused);
-        if (image.empty())
-            return fail(fmt::format("The Falcon needs its firmware, which Handrail may not bring along. Please put the file nvent_firmware.bin into {}.",
-                                    falcon_firmware_folder().string()));
+        if (image.empty()) return fail(phrase("drivers.falcon_needs_firmware", {{"folder", falcon_firmware_folder().string()}}));
         Result<void> done = fail("");
         for (int attempt = 1; attempt <= kUploadTries && !done && !lost_; ++attempt) {
-            tell(attempt == 1 ? "The Falcon needs waking, this may take three tries. Try 1." : fmt::format("Try {}.", attempt));
+            tell(attempt == 1 ? phrase("drivers.falcon_waking") : phrase("drivers.falcon_try", {{"n", attempt}}));
             done = upload({reinterpret_cast<const std::uint8_t*>(image.data()), image.size()});
         }
         if (!done) return done;
     }
     answered_s_ = clock_.now_s();
-    tell(status_.homed_legs == 7 ? "The Falcon is ready." : "The Falcon is awake. Pull the grip all the way towards you, then push it in.");
+    tell(phrase(status_.homed_legs == 7 ? "drivers.falcon_ready" : "drivers.falcon_awake"));
     return {};
 }
 

@@ -1,9 +1,9 @@
 #include "haptic/drivers/falcon_protocol.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -93,20 +93,20 @@ Result<void> check_falcon_firmware(std::span<const std::uint8_t> image, const st
         at += 2;
         return value;
     };
-    if (word() != 0x08AA || cut) return fail("This is no firmware for the Falcon: it does not begin like one.", name);
+    if (word() != 0x08AA || cut) return fail(phrase("drivers.no_firmware"), name);
     for (int i = 0; i < 8; ++i) word();
     word();  // entry address, high word first
     word();
     for (;;) {
         const unsigned words = word();
-        if (cut) return fail(fmt::format("The Falcon's firmware is cut off after {} bytes.", image.size()), name);
+        if (cut) return fail(phrase("drivers.firmware_cut", {{"bytes", image.size()}}), name);
         if (words == 0) break;
         word();  // load address
         word();
         at += 2 * std::size_t{words};
-        if (cut || at > image.size()) return fail(fmt::format("The Falcon's firmware is cut off after {} bytes.", image.size()), name);
+        if (cut || at > image.size()) return fail(phrase("drivers.firmware_cut", {{"bytes", image.size()}}), name);
     }
-    if (at != image.size()) return fail(fmt::format("This is no firmware for the Falcon: {} bytes stand after its end.", image.size() - at), name);
+    if (at != image.size()) return fail(phrase("drivers.firmware_tail", {{"bytes", image.size() - at}}), name);
     return {};
 }
 

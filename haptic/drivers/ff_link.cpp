@@ -2,7 +2,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <linux/input.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -13,6 +12,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
@@ -145,7 +146,7 @@ std::vector<FfDeviceInfo> list_ff_devices(const std::string& folder) {
 
 Result<std::unique_ptr<FfLink>> open_ff_link(const std::string& path) {
     const int fd = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
-    if (fd < 0) return fail(fmt::format("The device {} cannot be opened: {}.", path, std::strerror(errno)));
+    if (fd < 0) return fail(phrase("drivers.cannot_open_why", {{"device", path}, {"reason", reason_of(errno)}}));
     return std::unique_ptr<FfLink>(std::make_unique<EvdevLink>(fd));
 }
 

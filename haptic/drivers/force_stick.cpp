@@ -3,15 +3,16 @@
 #include <cmath>
 
 #include "haptic/drivers/force_packing.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 
 Result<void> ForceStick::open() {
     const FfAbilities can = link_->abilities();
-    if (!can.constant || !can.stick) return fail("This joystick has no constant force in two directions.");
-    if (can.gain && !link_->gain(1.0)) return fail("The joystick does not take orders. Please plug it in again.");
+    if (!can.constant || !can.stick) return fail(phrase("drivers.weak_stick"));
+    if (can.gain && !link_->gain(1.0)) return fail(phrase("drivers.deaf_stick"));
     open_ = link_->constant(0.0, 0.0);
-    if (!open_) return fail("The joystick refuses a force. Please plug it in again.");
+    if (!open_) return fail(phrase("drivers.stick_refuses"));
     return {};
 }
 

@@ -1,7 +1,5 @@
 #include "haptic/drivers/found_device.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -18,6 +16,7 @@
 #include "haptic/drivers/playstation_pad.h"
 #include "haptic/drivers/space_mouse.h"
 #include "haptic/drivers/usb_link.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -25,15 +24,15 @@ namespace {
 
 constexpr std::array kFalconIds{UsbId{0x0403, 0xcb48}};
 
-std::string why_not(const UsbDeviceInfo& usb) { return usb.permitted ? fmt::format("It cannot be opened: {}.", usb.problem) : permission_advice(); }
+std::string why_not(const UsbDeviceInfo& usb) { return usb.permitted ? phrase("device.cannot_open", {{"reason", usb.problem}}) : permission_advice(); }
 
-std::string place_of(const UsbDeviceInfo& usb) { return fmt::format("USB bus {}, device {}", usb.bus, usb.address); }
+std::string place_of(const UsbDeviceInfo& usb) { return phrase("device.usb_place", {{"bus", usb.bus}, {"device", usb.address}}); }
 
-std::string falcon_firmware_state(bool running) {
-    if (running) return "running";
+// The first sound file of firmware; empty: there is none.
+std::filesystem::path falcon_firmware_file() {
     for (const std::filesystem::path& file : falcon_firmware_files())
-        if (falcon_firmware_is_sound(file)) return fmt::format("not running; {} is sent when the device is opened", file.string());
-    return fmt::format("missing: put nvent_firmware.bin into {}", falcon_firmware_folder().string());
+        if (falcon_firmware_is_sound(file)) return file;
+    return {};
 }
 
 // A neutral frame or two: no force, no firmware.
@@ -47,13 +46,17 @@ void look_at_falcon(const UsbDeviceInfo& usb, FoundDevice& found) {
     SteadyClock clock;
     FalconDevice falcon(std::move(*link), clock);
     const bool running = falcon.answers();
-    found.firmware = falcon_firmware_state(running);
-    found.usable = running || found.firmware.starts_with("not running");
-    if (!found.usable) found.problem = fmt::format("Its firmware is {}.", found.firmware);
+    const std::filesystem::path file = running ? std::filesystem::path() : falcon_firmware_file();
+    found.usable = running || !file.empty();
+    found.firmware = running         ? phrase("device.firmware_running")
+                     : !file.empty() ? phrase("device.firmware_not_running", {{"file", file.string()}})
+                                     : phrase("device.firmware_missing", {{"folder", falcon_firmware_folder().string()}});
+    if (!found.usable) found.problem = phrase("device.firmware_lacks", {{"folder", falcon_firmware_folder().string()}});
     const int legs = std::popcount(static_cast<unsigned>(falcon.homed_legs()));
-    found.calibration = !running    ? "not homed: it is asleep"
-                        : legs == 3 ? "homed; force not calibrated, so held at 3 newtons"
-                                    : fmt::format("not homed: {} of 3 legs; pull the grip out and push it in", legs);
+    found.needs_calibration = !running || legs != 3;
+    found.calibration = !running    ? phrase("device.falcon_asleep")
+                        : legs == 3 ? phrase("device.falcon_homed", {{"newtons", found.spec->peak_force_n}})
+                                    : phrase("device.falcon_not_homed", {{"legs", legs}});
 }
 
 void find_falcons(std::vector<FoundDevice>& found) {
@@ -63,7 +66,7 @@ void find_falcons(std::vector<FoundDevice>& found) {
         FoundDevice device;
         device.name = "falcon";
         device.model = "Novint Falcon";
-        device.driver = "Handrail's own, over libusb";
+        device.driver = phrase("device.own_driver", {{"library", "libusb"}});
         device.connection = place_of(usb);
         device.serial = usb.serial;
         device.spec = *find_device_spec("falcon");
@@ -80,7 +83,7 @@ void look_at_pad(const HidDeviceInfo& hid, const PadIdentity& id, FoundDevice& d
     device.model = id.spoken;
     device.kind = DeviceKind::Cues;
     device.rate_hz = 250.0;
-    device.calibration = "none needed";
+    device.calibration = phrase("device.no_calibration");
     if (id.model != PadModel::DualSense || !device.usable) return;
     auto link = open_hid_link(hid);
     if (!link) {
@@ -94,14 +97,16 @@ void look_at_pad(const HidDeviceInfo& hid, const PadIdentity& id, FoundDevice& d
     device.usable = device.problem.empty();
 }
 
-void find_hid_devices(std::vector<FoundDevice>& found) {
+// True where there is one.
+bool find_hid_devices(std::vector<FoundDevice>& found) {
+    const std::size_t before = found.size();
     for (const HidDeviceInfo& hid : list_hid_devices()) {
         const auto pad = playstation_pad(hid.vendor, hid.product);
         const bool puck = is_space_mouse(hid);
         if (!pad && !puck) continue;
         FoundDevice device;
-        device.driver = "Handrail's own, over hidapi";
-        device.connection = fmt::format("{}, {}", hid.bluetooth ? "Bluetooth" : "USB", hid.path);
+        device.driver = phrase("device.own_driver", {{"library", "hidapi"}});
+        device.connection = (hid.bluetooth ? "Bluetooth, " : "USB, ") + hid.path;
         device.serial = hid.serial;
         device.usable = hid.permitted;
         if (!hid.permitted) device.problem = permission_advice();
@@ -110,12 +115,13 @@ void find_hid_devices(std::vector<FoundDevice>& found) {
             device.model = hid.product_name.empty() ? "SpaceMouse" : hid.product_name;
             device.kind = DeviceKind::Navigation;
             device.rate_hz = 125.0;
-            device.calibration = "none needed";
+            device.calibration = phrase("device.no_calibration");
         } else {
             look_at_pad(hid, *pad, device);
         }
         found.push_back(std::move(device));
     }
+    return found.size() > before;
 }
 
 // Devices that only their maker's library can speak to. Their numbers on USB say that one is there; the library itself is loaded in the guard
@@ -158,15 +164,15 @@ void find_makers_devices(std::vector<FoundDevice>& found) {
             FoundDevice device;
             device.name = model_of(maker, usb);
             device.spec = *find_device_spec(device.name);
-            device.model = fmt::format("{} {}", maker.name, usb.product_name.empty() ? std::string(device.spec->spoken_name) : usb.product_name);
-            device.driver = fmt::format("its maker's library {}, loaded when it is chosen", maker.libraries.front());
+            device.model = std::string(maker.name) + " " + (usb.product_name.empty() ? device.spec->spoken_name() : usb.product_name);
+            device.driver = phrase("device.makers_library", {{"library", maker.libraries.front()}});
             device.connection = place_of(usb);
             device.serial = usb.serial;
-            device.firmware = "its own";
-            device.calibration = "told when it is opened";
+            device.firmware = phrase("device.own_firmware");
+            device.calibration = phrase("device.calibration_later");
             device.rate_hz = 1000.0;
             device.usable = library_lies_somewhere(maker);
-            if (!device.usable) device.problem = fmt::format("The library {} of {} is not installed.", maker.libraries.front(), maker.name);
+            if (!device.usable) device.problem = phrase("device.no_library", {{"library", maker.libraries.front()}, {"maker", maker.name}});
             found.push_back(std::move(device));
         }
     }
@@ -179,29 +185,29 @@ void find_inverse3(std::vector<FoundDevice>& found) {
     FoundDevice device;
     device.name = "inverse3";
     device.model = "Haply Inverse3";
-    device.driver = "its maker's service, over a WebSocket on this computer";
-    device.connection = fmt::format("127.0.0.1, port {}", kHaplyPort);
+    device.driver = phrase("device.makers_service");
+    device.connection = phrase("device.port", {{"address", "127.0.0.1"}, {"port", kHaplyPort}});
     device.serial = facts->device_id;
-    device.firmware = facts->firmware.empty() ? "its own" : facts->firmware;
-    device.calibration = facts->calibrated ? "calibrated" : "not calibrated: follow its maker's steps";
+    device.firmware = facts->firmware.empty() ? phrase("device.own_firmware") : facts->firmware;
+    device.needs_calibration = !facts->calibrated;
+    device.calibration = phrase(facts->calibrated ? "device.calibrated" : "device.not_calibrated");
     device.spec = *find_device_spec("inverse3");
     device.rate_hz = 1000.0;
     found.push_back(std::move(device));
 }
 
-// Pads that a driver of ours already speaks to over hidapi have event nodes too; they are told once.
-void find_ff_devices(std::vector<FoundDevice>& found) {
+// Pads that a driver of ours already speaks to over hidapi (`known`) have event nodes too; they are told once.
+void find_ff_devices(std::vector<FoundDevice>& found, bool known) {
     for (const FfDeviceInfo& ff : list_ff_devices()) {
         const bool stick = ff.abilities.constant && ff.abilities.stick;
-        const bool known = std::any_of(found.begin(), found.end(), [](const FoundDevice& device) { return device.driver.ends_with("hidapi"); });
         if (!stick && known && is_event_node_of_a_playstation_pad(ff.name)) continue;
         FoundDevice device;
         device.name = stick ? "force-stick" : "rumble-pad";
         device.model = ff.name.empty() ? device.name : ff.name;
         device.kind = stick ? DeviceKind::Kinesthetic : DeviceKind::Cues;
-        device.driver = "the kernel's force feedback";
+        device.driver = phrase("device.kernels_driver");
         device.connection = ff.path;
-        device.calibration = "none needed";
+        device.calibration = phrase("device.no_calibration");
         if (stick) device.spec = *find_device_spec("force-stick");
         device.rate_hz = stick ? 250.0 : 20.0;
         found.push_back(std::move(device));
@@ -217,14 +223,14 @@ Result<std::unique_ptr<HapticDevice>> open_force_stick() {
         if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
         return std::unique_ptr<HapticDevice>(std::move(device));
     }
-    return fail("No force-feedback joystick is plugged in.");
+    return fail(phrase("drivers.no_force_stick"));
 }
 
 Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock& clock, const std::function<void(const std::string&)>& tell) {
     const auto plugged = list_usb_devices(kFalconIds);
     if (!plugged) return tl::unexpected(plugged.error());
     const auto wanted = std::find_if(plugged->begin(), plugged->end(), [&](const UsbDeviceInfo& usb) { return serial.empty() || usb.serial == serial; });
-    if (wanted == plugged->end()) return fail("The Falcon is not plugged in.");
+    if (wanted == plugged->end()) return fail(phrase("drivers.no_falcon"));
     if (!wanted->problem.empty()) return fail(why_not(*wanted));
     auto link = open_usb_link(*wanted);
     if (!link) return tl::unexpected(link.error());
@@ -240,7 +246,12 @@ Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock
 
 std::string_view device_state(const FoundDevice& device) {
     if (!device.usable) return "cannot be used yet";
-    return device.calibration.starts_with("not ") ? "needs calibration" : "ready";
+    return device.needs_calibration ? "needs calibration" : "ready";
+}
+
+std::string spoken_device_state(const FoundDevice& device) {
+    if (!device.usable) return phrase("device.state_not_usable");
+    return phrase(device.needs_calibration ? "device.state_needs_calibration" : "device.state_ready");
 }
 
 std::vector<FoundDevice> find_devices() {
@@ -248,8 +259,8 @@ std::vector<FoundDevice> find_devices() {
     find_falcons(found);
     find_makers_devices(found);
     find_inverse3(found);
-    find_hid_devices(found);
-    find_ff_devices(found);
+    const bool over_hid = find_hid_devices(found);
+    find_ff_devices(found, over_hid);
     return found;
 }
 
@@ -260,20 +271,18 @@ std::vector<PluggedHand> plugged_hands() {
         if (!plugged) return;
         for (const UsbDeviceInfo& usb : *plugged) {
             const DeviceSpec& spec = *find_device_spec(name_of(usb));
-            hands.push_back({std::string(spec.name), std::string(spec.spoken_name), place_of(usb), usb.problem.empty() ? std::string() : why_not(usb)});
+            hands.push_back({std::string(spec.name), spec.spoken_name(), place_of(usb), usb.problem.empty() ? std::string() : why_not(usb)});
         }
     };
     add_usb(kFalconIds, [](const UsbDeviceInfo&) { return std::string_view("falcon"); });
     for (const Maker& maker : kMakers) add_usb(std::span(&maker.id, 1), [&](const UsbDeviceInfo& usb) { return model_of(maker, usb); });
     for (const FfDeviceInfo& ff : list_ff_devices())
         if (ff.abilities.constant && ff.abilities.stick)
-            hands.push_back({"force-stick", ff.name.empty() ? std::string(find_device_spec("force-stick")->spoken_name) : ff.name, ff.path, {}});
+            hands.push_back({"force-stick", ff.name.empty() ? find_device_spec("force-stick")->spoken_name() : ff.name, ff.path, {}});
     return hands;
 }
 
-std::string permission_advice() {
-    return fmt::format("You may not open it. Please copy the rule {} into /etc/udev/rules.d and plug the device in again.", kUdevRule);
-}
+std::string permission_advice() { return phrase("device.permission", {{"rule", kUdevRule}}); }
 
 bool is_meant(const FoundDevice& device, std::string_view name_or_serial) {
     return device.name == lower_ascii(name_or_serial) || (!device.serial.empty() && device.serial == name_or_serial);
@@ -292,7 +301,7 @@ Result<std::unique_ptr<HapticDevice>> open_device(std::string_view name, std::st
     if (name == "omega" || name == "sigma" || name == "lambda" || name == "delta") return open_dhd_device();
     if (name == "inverse3") return open_haply_device(clock);
     if (name == "force-stick") return open_force_stick();
-    return fail(fmt::format("There is no driver for \"{}\".", name));
+    return fail(phrase("drivers.no_driver", {{"device", name}}));
 }
 
 }  // namespace handrail

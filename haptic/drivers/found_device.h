@@ -25,14 +25,17 @@ struct FoundDevice {
     std::string serial;              // empty: it has none, or it may not be asked
     std::string firmware;            // a sentence's worth: "running", "must be sent when it is opened"
     std::string calibration;         // "homed", "not homed: 1 of 3 legs"
+    bool needs_calibration = false;
     std::optional<DeviceSpec> spec;  // Kinesthetic: workspace, force limit, stiffness
     double rate_hz = 0.0;            // exchanges per second that the device is built for; 0: not known
     bool usable = true;
     std::string problem;  // why not, and what to do; one or two sentences
 };
 
-// In a word or two what the device can do now: "ready", "needs calibration", "cannot be used yet".
+// In a word or two what the device can do now, as `handrail devices --json` has it: "ready", "needs calibration", "cannot be used yet".
 std::string_view device_state(const FoundDevice& device);
+// The same to be spoken.
+std::string spoken_device_state(const FoundDevice& device);
 
 // Everything that a driver of ours can speak to.
 std::vector<FoundDevice> find_devices();

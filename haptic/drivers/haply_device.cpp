@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "haptic/drivers/force_packing.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -69,20 +70,20 @@ public:
             beast::get_lowest_layer(socket_).async_connect(Tcp::endpoint(boost::asio::ip::address_v4::loopback(), port_),
                                                            [&](beast::error_code error) { problem = error; });
             run_until(kOpenDeadlineS, [&] { return problem != boost::asio::error::would_block; });
-            if (problem) return fail("The service of the Inverse3 does not run on this computer. Please install and start it.");
+            if (problem) return fail(phrase("drivers.haply_no_service"));
             beast::get_lowest_layer(socket_).socket().set_option(Tcp::no_delay(true));
             socket_.read_message_max(kLargestMessage);
             problem = boost::asio::error::would_block;
             socket_.async_handshake(fmt::format("127.0.0.1:{}", port_), "/", [&](beast::error_code error) { problem = error; });
             run_until(kOpenDeadlineS, [&] { return problem != boost::asio::error::would_block; });
-            if (problem) return fail("What answers in place of the Inverse3's service is something else.");
+            if (problem) return fail(phrase("drivers.haply_other"));
             open_ = true;
             // A first snapshot comes unasked.
             for (const double deadline_s = clock_.now_s() + kOpenDeadlineS; clock_.now_s() < deadline_s && !lost_;)
                 if (receive(deadline_s) && !device_id_.empty()) return {};
-            return fail("The service of the Inverse3 runs, but no Inverse3 is connected and ready.");
+            return fail(phrase("drivers.haply_no_device"));
         } catch (const std::exception&) {
-            return fail("The service of the Inverse3 cannot be spoken to.");
+            return fail(phrase("drivers.haply_silent"));
         }
     }
 

@@ -6,6 +6,7 @@
 
 #include "haptic/drivers/force_packing.h"
 #include "haptic/drivers/vendor_library.h"
+#include "worlds/base/language.h"
 #include "worlds/base/latest_value.h"
 #include "worlds/base/text.h"
 
@@ -59,7 +60,7 @@ public:
         handle_ = call_.init(nullptr);
         if (const ErrorInfo error = call_.get_error(); error.code != 0 || handle_ == kInvalid) {
             handle_ = kInvalid;
-            return fail("No device of 3D Systems answers. Please check its cable, its power, and the maker's own diagnostic program.");
+            return fail(phrase("drivers.hd_none"));
         }
         call_.make_current(handle_);
         name_model();
@@ -68,7 +69,7 @@ public:
         call_.start();
         running_ = true;
         scheduled_ = call_.schedule([](void* self) { return static_cast<HdDevice*>(self)->tick(); }, this, kPriority);
-        if (call_.get_error().code != 0) return fail(fmt::format("The {} does not start its loop.", spec_.spoken_name));
+        if (call_.get_error().code != 0) return fail(phrase("drivers.no_loop", {{"device", spec_.spoken_name()}}));
         return {};
     }
 

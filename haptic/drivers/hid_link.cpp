@@ -1,12 +1,13 @@
 #include "haptic/drivers/hid_link.h"
 
-#include <fmt/format.h>
 #include <hidapi/hidapi.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -75,7 +76,8 @@ std::vector<HidDeviceInfo> list_hid_devices() {
 Result<std::unique_ptr<HidLink>> open_hid_link(const HidDeviceInfo& device) {
     const std::lock_guard guard(hidapi_lock());
     hid_device* opened = hid_open_path(device.path.c_str());
-    if (!opened) return fail(fmt::format("The {} cannot be opened.", device.product_name.empty() ? "device" : device.product_name));
+    if (!opened)
+        return fail(device.product_name.empty() ? phrase("drivers.cannot_open_any") : phrase("drivers.cannot_open", {{"device", device.product_name}}));
     return std::unique_ptr<HidLink>(std::make_unique<HidapiLink>(opened));
 }
 

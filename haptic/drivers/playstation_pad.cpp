@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
 
@@ -171,7 +173,7 @@ Result<void> PlaystationPad::open() {
         // A fresh link sends short reports until this one was asked for: calibration, unused here.
         std::array<std::uint8_t, 64> calibration{};
         calibration[0] = model_ == PadModel::DualSense ? 0x05 : 0x02;
-        if (link_->feature(calibration) < 0) return fail("The game pad does not answer over Bluetooth. Please connect it again.");
+        if (link_->feature(calibration) < 0) return fail(phrase("drivers.pad_silent"));
     }
     if (model_ == PadModel::DualSense) {
         std::array<std::uint8_t, 64> facts{};
@@ -185,7 +187,7 @@ Result<void> PlaystationPad::open() {
     open_ = true;
     if (write({})) return {};
     open_ = false;
-    return fail("The game pad does not take orders. Please connect it again.");
+    return fail(phrase("drivers.pad_deaf"));
 }
 
 std::optional<PadInput> PlaystationPad::read(double timeout_s) noexcept {

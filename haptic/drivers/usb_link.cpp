@@ -1,11 +1,12 @@
 #include "haptic/drivers/usb_link.h"
 
-#include <fmt/format.h>
 #include <libusb-1.0/libusb.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -47,6 +48,24 @@ std::string text_of(libusb_device_handle* handle, std::uint8_t index) {
     return length > 0 ? std::string(text.begin(), text.begin() + length) : std::string();
 }
 
+// The usual reasons in the language spoken, the others in the library's words.
+std::string reason_of_usb(int status) {
+    switch (status) {
+        case LIBUSB_ERROR_IO:
+            return phrase("drivers.usb_io");
+        case LIBUSB_ERROR_ACCESS:
+            return phrase("drivers.usb_access");
+        case LIBUSB_ERROR_NO_DEVICE:
+            return phrase("drivers.usb_gone");
+        case LIBUSB_ERROR_NOT_FOUND:
+            return phrase("drivers.usb_not_found");
+        case LIBUSB_ERROR_BUSY:
+            return phrase("drivers.usb_busy");
+        default:
+            return libusb_strerror(static_cast<libusb_error>(status));
+    }
+}
+
 unsigned milliseconds(double seconds) noexcept {
     // 0 would wait for ever.
     return static_cast<unsigned>(std::clamp(std::ceil(seconds * 1000.0), 1.0, 10000.0));
@@ -84,7 +103,7 @@ private:
 
 Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wanted) {
     const Context context = make_context();
-    if (!context) return fail("USB devices cannot be looked for on this computer.");
+    if (!context) return fail(phrase("drivers.no_usb"));
     std::vector<UsbDeviceInfo> found;
     for_each_device(context.get(), [&](libusb_device* device, const libusb_device_descriptor& descriptor) {
         const bool known = std::any_of(wanted.begin(), wanted.end(), [&](const UsbId& id) {
@@ -98,7 +117,7 @@ Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wante
         libusb_device_handle* raw = nullptr;
         if (const int status = libusb_open(device, &raw); status != 0) {
             info.permitted = status != LIBUSB_ERROR_ACCESS;
-            info.problem = libusb_strerror(static_cast<libusb_error>(status));
+            info.problem = reason_of_usb(status);
         } else {
             const Handle handle(raw);
             info.serial = text_of(raw, descriptor.iSerialNumber);
@@ -114,7 +133,7 @@ Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wante
 
 Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& wanted) {
     Context context = make_context();
-    if (!context) return fail("USB devices cannot be looked for on this computer.");
+    if (!context) return fail(phrase("drivers.no_usb"));
     libusb_device_handle* raw = nullptr;
     int status = LIBUSB_ERROR_NO_DEVICE;
     for_each_device(context.get(), [&](libusb_device* device, const libusb_device_descriptor& descriptor) {
@@ -124,12 +143,11 @@ Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& wanted) {
         status = libusb_open(device, &raw);
         return true;
     });
-    if (status != 0) return fail(fmt::format("The USB device cannot be opened: {}.", libusb_strerror(static_cast<libusb_error>(status))));
+    if (status != 0) return fail(phrase("drivers.usb_cannot_open", {{"reason", reason_of_usb(status)}}));
     Handle handle(raw);
     libusb_set_auto_detach_kernel_driver(raw, 1);
     if (status = libusb_claim_interface(raw, 0); status != 0)
-        return fail(status == LIBUSB_ERROR_BUSY ? std::string("Another program is using the USB device.")
-                                                : fmt::format("The USB device cannot be used: {}.", libusb_strerror(static_cast<libusb_error>(status))));
+        return fail(status == LIBUSB_ERROR_BUSY ? phrase("drivers.usb_in_use") : phrase("drivers.usb_cannot_use", {{"reason", reason_of_usb(status)}}));
     return std::unique_ptr<ByteLink>(std::make_unique<LibusbLink>(std::move(context), std::move(handle)));
 }
 

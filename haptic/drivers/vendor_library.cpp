@@ -4,12 +4,14 @@
 
 #include <utility>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 
 Result<VendorLibrary> VendorLibrary::load(std::initializer_list<std::string> names, const std::string& maker) {
     for (const std::string& name : names)
         if (void* handle = ::dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) return VendorLibrary(handle, name);
-    return fail(fmt::format("The library {} of {} is not installed, so its devices cannot be used.", *names.begin(), maker));
+    return fail(phrase("drivers.no_library", {{"library", *names.begin()}, {"maker", maker}}));
 }
 
 VendorLibrary::VendorLibrary(VendorLibrary&& other) noexcept
@@ -27,7 +29,7 @@ void* VendorLibrary::find(const char* name) {
 
 Result<void> VendorLibrary::complete() const {
     if (missing_.empty()) return {};
-    return fail(fmt::format("The library {} lacks {}; another version of it may have it.", name_, missing_));
+    return fail(phrase("drivers.library_lacks", {{"library", name_}, {"function", missing_}}));
 }
 
 }  // namespace handrail

@@ -2,8 +2,6 @@
 // a sentence, not a crash. Any thread; loading runs the library's own start-up code, so it happens in the guard process.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <initializer_list>
 #include <string>
 

@@ -1,35 +1,37 @@
 #include "haptic/servo/fault.h"
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 
-const char* fault_sentence(Fault fault) {
+std::string fault_sentence(Fault fault) {
     switch (fault) {
         case Fault::None:
             return "";
         case Fault::BadSample:
-            return "The touch device sent positions that cannot be. Its force is off; press the force key to try again.";
+            return phrase("fault.bad_sample");
         case Fault::Jump:
-            return "The touch device's position jumped. Its force is off; press the force key to try again.";
+            return phrase("fault.jump");
         case Fault::Unplugged:
-            return "Device unplugged. Everything else goes on.";
+            return phrase("fault.unplugged");
         case Fault::DeviceSilent:
-            return "The touch device stopped answering. Its force comes back slowly when it does.";
+            return phrase("fault.device_silent");
         case Fault::LateLoop:
-            return "The computer is too busy for steady touch. The force is off; press the force key to try again.";
+            return phrase("fault.late_loop");
         case Fault::Stalled:
-            return "The computer stopped for a moment. The force comes back slowly.";
+            return phrase("fault.stalled");
         case Fault::Unhomed:
-            return "The touch device does not know its position yet. Move the grip through its whole reach.";
+            return phrase("fault.unhomed");
         case Fault::BadForce:
-            return "Handrail computed a force that cannot be. The force is off; press the force key to try again.";
+            return phrase("fault.bad_force");
         case Fault::TooHot:
-            return "The motors of the touch device are too warm. Its force is off until they have cooled.";
+            return phrase("fault.too_hot");
         case Fault::DriverError:
-            return "The touch device reports an error. Its force is off; press the force key to try again.";
+            return phrase("fault.driver_error");
         case Fault::FocusLost:
-            return "The window lost the keyboard. The force is off until it is back.";
+            return phrase("fault.focus_lost");
         case Fault::ButtonReleased:
-            return "Button released. The force is off until you hold it.";
+            return phrase("fault.button_released");
     }
     return "";
 }

@@ -1,7 +1,8 @@
-// What can go wrong with a live device, and the words for it. The sentences say what happened and what to do; any thread.
+// What can go wrong with a live device, and the words for it. The sentences say what happened and what to do; any thread but the servo's.
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace handrail {
 
@@ -27,6 +28,6 @@ inline bool is_pause(Fault fault) { return fault == Fault::FocusLost || fault ==
 // The force comes back by itself when the cause is gone, and a ramp over.
 inline bool passes_by_itself(Fault fault) { return is_pause(fault) || fault == Fault::DeviceSilent || fault == Fault::Stalled || fault == Fault::Unhomed; }
 // Fit to be spoken; empty for None.
-const char* fault_sentence(Fault fault);
+std::string fault_sentence(Fault fault);
 
 }  // namespace handrail

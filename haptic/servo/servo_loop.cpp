@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "worlds/base/language.h"
+
 namespace handrail {
 namespace {
 
@@ -29,19 +31,16 @@ bool lock_memory() noexcept {
 
 }  // namespace
 
-std::string memory_sentence(bool locked) {
-    return locked ? ""
-                  : "The memory of touch is not locked, so a computer short of memory may interrupt it; an unlimited memlock for this user would allow it.";
-}
+std::string memory_sentence(bool locked) { return locked ? "" : phrase("device.memory_not_locked"); }
 
 std::string scheduling_sentence(Scheduling scheduling) {
     switch (scheduling) {
         case Scheduling::NotStarted:
             return "";
         case Scheduling::RealTime:
-            return "Touch runs in real time.";
+            return phrase("device.real_time");
         case Scheduling::Ordinary:
-            return "Touch runs without real-time priority, so a busy computer may interrupt it; an rtprio limit of 70 for this user would allow it.";
+            return phrase("device.ordinary_time", {{"priority", kRealTimePriority}});
     }
     return "";
 }

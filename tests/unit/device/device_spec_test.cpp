@@ -3,6 +3,7 @@
 #include <set>
 
 #include "tests/support/precompiled.h"
+#include "tests/support/spoken_language.h"
 
 namespace handrail {
 namespace {
@@ -12,7 +13,7 @@ TEST(DeviceSpec, rows_have_unique_lower_case_names_and_sane_facts) {
     for (const DeviceSpec& spec : device_specs()) {
         SCOPED_TRACE(spec.name);
         EXPECT_TRUE(seen.insert(spec.name).second);
-        EXPECT_FALSE(spec.spoken_name.empty());
+        EXPECT_FALSE(spec.spoken_name().empty());
         for (const char c : spec.name) EXPECT_FALSE(c >= 'A' && c <= 'Z');
         EXPECT_GT(spec.peak_force_n, 0.0);
         EXPECT_GT(spec.rated_stiffness_n_per_m, 0.0);
@@ -21,6 +22,15 @@ TEST(DeviceSpec, rows_have_unique_lower_case_names_and_sane_facts) {
         EXPECT_GE(spec.min_rate_hz, 0.0);
     }
     EXPECT_EQ(device_names().size(), device_specs().size());
+}
+
+TEST(DeviceNames, stand_in_every_language_and_for_no_other_device) {
+    for (const LanguageName& language : bundled_languages()) {
+        const test::InLanguage spoken(language.code);
+        for (const DeviceSpec& spec : device_specs()) EXPECT_TRUE(has_phrase("device_name." + std::string(spec.name))) << language.code << ": " << spec.name;
+        for (const auto& [key, text] : bundled_texts(language.code))
+            if (key.starts_with("device_name.")) EXPECT_NE(find_device_spec(key.substr(12)), nullptr) << language.code << ": " << key;
+    }
 }
 
 TEST(DeviceSpec, is_found_in_any_case_and_unknown_names_are_not) {

@@ -4,6 +4,7 @@
 
 #include "haptic/servo/fault.h"
 #include "tests/support/precompiled.h"
+#include "tests/support/spoken_language.h"
 
 namespace handrail {
 namespace {
@@ -69,7 +70,9 @@ TEST(FaultSentence, every_fault_has_its_own_whole_sentence) {
         ASSERT_GT(sentence.size(), 20u);
         EXPECT_EQ(sentence.back(), '.');
     }
-    EXPECT_STREQ(fault_sentence(Fault::None), "");
+    EXPECT_EQ(fault_sentence(Fault::None), "");
+    const test::InLanguage german("de");
+    EXPECT_EQ(fault_sentence(Fault::Unplugged), "Gerät abgezogen. Alles andere läuft weiter.");
 }
 
 }  // namespace

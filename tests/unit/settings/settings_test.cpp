@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tests/support/scale.h"
+#include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
@@ -110,6 +111,18 @@ TEST(Settings, say_the_legal_range_and_ignore_the_value_when_it_is_outside_or_of
           "speech.verbosity=1.5", "sound.wall_tone=maybe", "haptic.ceiling=", "scale", "=3", "keys.UPPER=F2", "speech.voice=\xff"})
         EXPECT_FALSE(store.set_assignment(bad, SettingSource::CommandLine)) << bad;
     EXPECT_EQ(shown(store), shown(SettingsStore{}));
+}
+
+TEST(Settings, tell_in_german_what_is_wrong_with_a_file) {
+    const test::InLanguage german("de");
+    const TemporaryFolder folder;
+    SettingsStore store;
+    const auto problems = store.load_file(folder.write("settings.toml", "[workspace]\nscael = 40\n"), SettingSource::UserFile);
+    EXPECT_THAT(sentences(problems), ElementsAre("settings.toml, Zeile 2, Spalte 9: Fehler: Die Einstellung workspace.scael gibt es nicht; am ähnlichsten ist "
+                                                 "workspace.scale. Sie gilt nicht; der Rest schon."));
+    EXPECT_EQ(store.set("speech.rate_wpm", "200", SettingSource::World).error().message,
+              "Eine Welt darf speech.rate_wpm nicht setzen: Über Kräfte, Sprache, Ton und Tasten bestimmt nur der Mensch selbst.");
+    EXPECT_EQ(source_name(SettingSource::UserFile), "eigene Einstellungsdatei");
 }
 
 TEST(Settings, refuse_from_a_world_every_force_speech_and_sound_setting_and_every_key) {
