@@ -1,7 +1,5 @@
 #include "app/companions/companion_devices.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 

@@ -71,7 +71,7 @@ public:
         report.triangles = static_cast<int>(scene_.triangles.size());
         if (curves_ > 0) report.left_out.push_back(phrase("obj.curves_left_out", {{"n", curves_}}));
         if (faces_left_out_ > 0) report.left_out.push_back(phrase("obj.faces_left_out", {{"n", faces_left_out_}}));
-        for (const auto& [material, from] : guessed_from_) report.guessed.push_back(phrase("obj.guessed", {{"material", material}, {"name", excerpt(from)}}));
+        for (const auto& [material, from] : guessed_from_) report.guessed.push_back(phrase("obj.guessed", {{"material", spoken_material(material)}, {"name", excerpt(from)}}));
         name_main_materials();
         diagnostics_.move_into(report);
         if (options_.progress) options_.progress(1.0);

@@ -773,7 +773,7 @@ private:
             }
             solid.shape = std::move(built.solid);
             if (meaning.soft && (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover))
-                solid.soft = soft_face_of(*meaning.soft, solid.shape, meaning.feature.name, diagnostics_);
+                solid.soft = soft_face_of(*meaning.soft, solid.shape, spoken_name(meaning.feature), diagnostics_);
             scene_.solids.push_back(std::move(solid));
         }
         for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, whole, side);
@@ -828,7 +828,7 @@ private:
         if (meaning.structure) {
             Feature curve;
             curve.kind = FeatureKind::Object;
-            curve.name = "curved surface";
+            give_name(curve, "curved surface");
             curve.material = bent.material;
             curve.source = {patch.place.line, index};
             bent.feature = add_feature(curve);
@@ -939,7 +939,7 @@ private:
             int shown = 0;
             for (const std::string& texture : textures)
                 if (shown++ < 3) names += (shown > 1 ? ", " : "") + excerpt(texture);
-            report.guessed.push_back(phrase("map.guessed", {{"material", material}, {"n", shown}, {"names", names}, {"more", std::max(0, shown - 3)}}));
+            report.guessed.push_back(phrase("map.guessed", {{"material", spoken_material(material)}, {"n", shown}, {"names", names}, {"more", std::max(0, shown - 3)}}));
         }
         if (dropped_faces_ > 0) report.simplified.push_back(phrase("map.faces_dropped", {{"n", dropped_faces_}}));
         const auto left_out = [&](int count, std::string_view says) {
