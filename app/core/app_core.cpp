@@ -460,6 +460,9 @@ void AppCore::act(Command command, double now_s) {
         case Command::Routes:
             list_routes(now_s);
             break;
+        case Command::NameRoom:
+            ask_room_name(now_s);
+            break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
             answer(phrase(plan_view_ ? "session.plan" : "session.first_person"), now_s);

@@ -20,6 +20,7 @@
 #include "app/core/mover_play.h"
 #include "app/core/placed_things.h"
 #include "app/core/questions.h"
+#include "app/core/room_names.h"
 #include "app/core/rooms_of_world.h"
 #include "app/core/route_words.h"
 #include "app/core/side_file.h"
@@ -314,6 +315,9 @@ private:
     std::string passage_name(PassageKind kind, FeatureId feature, double rise_m) const;
     void tell_exits(bool unvisited_only, double now_s);
     void list_routes(double now_s);
+    void lay_given_names(double now_s);
+    void ask_room_name(double now_s);
+    void name_room(std::uint32_t room, const std::string& typed, double now_s);
     void follow_way(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
     void follow_route(Route route, const std::string& name, const std::string& first, double now_s);
     bool rooms_known();
@@ -407,6 +411,8 @@ private:
     std::unique_ptr<RoomsOfWorld> rooms_;
     std::uint32_t room_ = kNothing;    // the last one the body was in
     std::vector<bool> visited_rooms_;  // since this world was entered
+    std::vector<RoomNameGiven> room_names_;
+    std::vector<std::string> own_room_names_;  // what each room is called where the person has given no name
     RouteFollower follower_;
     std::string follow_name_;
     std::vector<FeatureId> used_switches_;  // that act only once

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/core/app_core.h"
+#include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
@@ -53,6 +54,7 @@ void AppCore::notice_room(double now_s, bool quietly) {
     if (!rooms_told_) {
         rooms_told_ = true;
         visited_rooms_.assign(graph.rooms.size(), false);
+        lay_given_names(now_s);
         for (const std::string& sentence : rooms_->navigation().said()) say(sentence, SpeechClass::Ambient, now_s);
         quietly = true;
     }
@@ -133,6 +135,49 @@ void AppCore::list_routes(double now_s) {
         follow_way(room.middle_m, sentence_case(room.name), {}, last_tick_s_);
     };
     open_list(std::move(list), now_s);
+}
+
+// ---- names that the person gives ----
+
+// Once the rooms are known.
+void AppCore::lay_given_names(double now_s) {
+    RoomGraph& graph = rooms_->graph();
+    own_room_names_.clear();
+    for (const Room& room : graph.rooms) own_room_names_.push_back(room.name);
+    int unreadable = 0;
+    room_names_ = read_room_names(side_file_, unreadable);
+    if (unreadable > 0) say(fmt::format("{} of your names of rooms could not be read.", unreadable), SpeechClass::Answer, now_s);
+    lay_room_names(graph, rooms_->navigation().space(), side_file_, room_names_);
+    if (std::string unfit = unfit_sentence(room_names_); !unfit.empty()) say(std::move(unfit), SpeechClass::Answer, now_s);
+}
+
+void AppCore::ask_room_name(double now_s) {
+    if (!have_rooms(now_s)) return;
+    if (room_ == kNothing) return answer(std::string(kNowhere), now_s);
+    TextSpec question;
+    question.question = fmt::format("{}. Type another name for this room and press Enter, or Escape", sentence_case(rooms_->graph().rooms[room_].name));
+    question.done = [this, room = room_](const std::string& typed) { name_room(room, typed, last_tick_s_); };
+    question.left = [this] { answer("The name stays.", last_tick_s_); };
+    ask_text(std::move(question), now_s);
+}
+
+void AppCore::name_room(std::uint32_t room, const std::string& typed, double now_s) {
+    const auto name = good_name(typed);
+    if (!name) return answer(name.error().message, now_s);
+    RoomGraph& graph = rooms_->graph();
+    for (std::uint32_t other = 0; other < graph.rooms.size(); ++other)
+        if (other != room && lower_ascii(graph.rooms[other].name) == lower_ascii(*name))
+            return answer(fmt::format("Another room is called {}. The name stays {}.", *name, graph.rooms[room].name), now_s);
+    const std::uint32_t known = name_of_room(graph, rooms_->navigation().space(), room_names_, room);
+    if (known != kNothing) room_names_.erase(room_names_.begin() + known);
+    // Its own name again takes the given one away.
+    if (*name != own_room_names_[room])
+        room_names_.push_back({*name, graph.rooms[room].middle_m, graph.rooms[room].area_m2, side_file_.world_checksum(), true, {}});
+    graph.rooms[room].name = *name;
+    graph.rooms[room].named = true;
+    write_room_names(side_file_, room_names_);
+    save_additions(now_s);
+    answer(fmt::format("This room is now called {}.", *name), now_s);
 }
 
 void AppCore::follow_way(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s) {

@@ -65,6 +65,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::Exits, "exits", "X", false},
     CommandInfo{Command::UnvisitedExits, "unvisited", "Shift+X", false},
     CommandInfo{Command::Routes, "routes", "Shift+4", false},
+    CommandInfo{Command::NameRoom, "name-room", "Control+N", false},
     CommandInfo{Command::PlanView, "plan", "F3", false},
     // Help and settings.
     CommandInfo{Command::Menu, "menu", "Tab", false},

@@ -64,6 +64,7 @@ enum class Command : std::uint8_t {
     Exits,           // of this room, clockwise
     UnvisitedExits,  // that lead where one has not been
     Routes,          // a list of rooms; the way to the chosen one in words, and along it
+    NameRoom,        // another name for the room one is in, typed
     PlanView,
     // Help and settings.
     Menu,  // everything that can be done, in a list

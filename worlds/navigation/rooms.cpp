@@ -17,6 +17,7 @@ constexpr double kDoorwayShare = 0.6;  // and narrower than this share of what l
 constexpr double kWideShare = 0.5;     // a wider opening
 constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0, kLeastRoom_m2 = 0.8, kNiche_m2 = 3.0, kLeastBorder_m2 = 1.0;
 constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
+constexpr double kLong = 6.0;  // a huge place of so many squares as wide as its widest part is corridors
 constexpr double kStorey_m = 2.0;
 constexpr double kOnePortal_m = 1.0;  // gaps in a border smaller than that do not make two portals
 
@@ -137,7 +138,7 @@ private:
             }
         }
         std::map<std::uint32_t, std::uint32_t> number;
-        std::vector<std::uint32_t> of_walls(walls_.spans.size(), kNothing);
+        of_walls_.assign(walls_.spans.size(), kNothing);
         for (std::uint32_t s = 0; s < walls_.spans.size(); ++s) {
             if (!plain(walls_.spans[s])) continue;
             const std::uint32_t r = root(s);
@@ -146,11 +147,106 @@ private:
                 kinds_.push_back(RoomKind::Room);
                 names_.push_back(basins[r].name);
             }
-            of_walls[s] = found->second;
+            of_walls_[s] = found->second;
         }
+        part_long_ones();
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
             if (plain(space_.spans[s]))
-                if (const std::uint32_t under = walls_.at(space_.place_m(s)); under != kNothing) label_[s] = of_walls[under];
+                if (const std::uint32_t under = walls_.at(space_.place_m(s)); under != kNothing) label_[s] = of_walls_[under];
+    }
+
+    // A huge place that is nowhere wide is corridors: no wall comes together anywhere in it, but it turns and branches. Each straight stretch becomes a
+    // place of its own: a cell belongs to the longer of the two level runs through it, and a run never leaves the place.
+    void part_long_ones() {
+        const std::size_t count = kinds_.size();
+        std::vector<std::size_t> cells(count, 0);
+        std::vector<double> widest_m(count, 0.0);
+        for (std::uint32_t s = 0; s < of_walls_.size(); ++s)
+            if (const std::uint32_t l = of_walls_[s]; l != kNothing) {
+                ++cells[l];
+                widest_m[l] = std::max(widest_m[l], 2.0 * (wide_m(s) + walls_.body.radius_m));
+            }
+        std::vector<bool> parts(count, false);
+        for (std::size_t l = 0; l < count; ++l) parts[l] = names_[l].empty() && area(cells[l]) > kHuge_m2 && area(cells[l]) > kLong * widest_m[l] * widest_m[l];
+        const std::vector<std::uint32_t> east = runs(0, 2), north = runs(1, 3);
+        const auto along = [&](std::uint32_t s) { return east[s] >= north[s]; };
+        std::vector<std::uint32_t> stretch(of_walls_.size(), kNothing), open;
+        std::vector<std::size_t> size;
+        for (std::uint32_t s = 0; s < of_walls_.size(); ++s) {
+            if (of_walls_[s] == kNothing || !parts[of_walls_[s]] || stretch[s] != kNothing) continue;
+            open.assign(1, s);
+            stretch[s] = static_cast<std::uint32_t>(size.size());
+            size.push_back(0);
+            while (!open.empty()) {
+                const std::uint32_t here = open.back();
+                open.pop_back();
+                ++size.back();
+                for (const std::uint32_t n : walls_.spans[here].next)
+                    if (n != kNothing && of_walls_[n] == of_walls_[s] && stretch[n] == kNothing && along(n) == along(s)) {
+                        stretch[n] = stretch[s];
+                        open.push_back(n);
+                    }
+            }
+        }
+        // Recesses and crumbs of slanting walls go to the longest border.
+        std::vector<std::uint32_t> goes(size.size());
+        std::iota(goes.begin(), goes.end(), 0U);
+        for (int round = 0; round < 8; ++round) {
+            std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> border;
+            std::fill(size.begin(), size.end(), 0);
+            for (std::uint32_t s = 0; s < stretch.size(); ++s) {
+                if (stretch[s] == kNothing) continue;
+                ++size[stretch[s]];
+                for (const std::uint32_t n : walls_.spans[s].next)
+                    if (n != kNothing && stretch[n] != kNothing && stretch[n] != stretch[s] && of_walls_[n] == of_walls_[s]) ++border[{stretch[s], stretch[n]}];
+            }
+            bool any = false;
+            for (std::uint32_t part = 0; part < size.size(); ++part) {
+                goes[part] = part;
+                if (size[part] == 0 || area(size[part]) >= kLeastOfHuge_m2) continue;
+                std::size_t longest = 0;
+                for (auto it = border.lower_bound({part, 0}); it != border.end() && it->first.first == part; ++it) {
+                    const std::uint32_t other = it->first.second;
+                    if (size[other] < size[part] || (size[other] == size[part] && other > part) || it->second <= longest) continue;
+                    longest = it->second;
+                    goes[part] = other;
+                    any = true;
+                }
+            }
+            if (!any) break;
+            for (std::uint32_t& part : stretch)
+                if (part != kNothing) part = goes[part];
+        }
+        std::map<std::uint32_t, std::uint32_t> label;
+        std::vector<bool> kept(count, false);  // the first stretch of a place keeps its label
+        for (std::uint32_t s = 0; s < stretch.size(); ++s) {
+            if (stretch[s] == kNothing) continue;
+            const auto [found, is_new] = label.try_emplace(stretch[s], of_walls_[s]);
+            if (is_new && kept[of_walls_[s]]) {
+                found->second = static_cast<std::uint32_t>(kinds_.size());
+                kinds_.push_back(RoomKind::Room);
+                names_.emplace_back();
+            } else if (is_new) {
+                kept[of_walls_[s]] = true;
+            }
+            of_walls_[s] = found->second;
+        }
+    }
+
+    // Of each cell of a place, how many of it lie in one row with it, that way and back.
+    std::vector<std::uint32_t> runs(std::size_t way, std::size_t back) const {
+        const auto on = [&](std::uint32_t s, std::size_t to) {
+            const std::uint32_t n = walls_.spans[s].next[to];
+            return n != kNothing && of_walls_[n] == of_walls_[s] && walls_.spans[n].next[(to + 2) % 4] == s ? n : kNothing;
+        };
+        std::vector<std::uint32_t> length(of_walls_.size(), 0), row;
+        for (std::uint32_t s = 0; s < of_walls_.size(); ++s) {
+            if (of_walls_[s] == kNothing || on(s, back) != kNothing) continue;
+            row.clear();
+            for (std::uint32_t at = s; at != kNothing; at = on(at, way)) row.push_back(at);
+            for (const std::uint32_t at : row) length[at] = static_cast<std::uint32_t>(row.size());
+        }
+        return length;
     }
 
     template <class Is>
@@ -415,7 +511,7 @@ private:
         const double least = std::min(size.x, size.y), most = std::max(size.x, size.y);
         MadeRoomName made;
         made.look = room.kind == RoomKind::Niche        ? RoomLook::Niche
-                    : least < 2.5 && most > 3.0 * least ? RoomLook::Corridor
+                    : most > 3.0 * least && (least < 2.5 || most > 12.0) ? RoomLook::Corridor
                     : room.area_m2 < 6.0                ? RoomLook::SmallRoom
                     : room.area_m2 > 250.0              ? RoomLook::Hall
                     : room.area_m2 > 80.0               ? RoomLook::LargeRoom
@@ -431,6 +527,7 @@ private:
     const Scene& scene_;
     const WalkSpace &space_, &walls_;
     std::vector<std::uint32_t> label_, parent_;
+    std::vector<std::uint32_t> of_walls_;  // label of each span of walls_
     std::vector<RoomKind> kinds_;
     std::vector<std::string> names_;
     std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> door_sides_;

@@ -10,6 +10,7 @@
 
 #include "app/core/body_world.h"
 #include "app/core/walker.h"
+#include "tests/support/scale.h"
 
 namespace handrail::test {
 
@@ -39,6 +40,9 @@ private:
     std::vector<std::array<int, 8>> next_;  // towards east, north-east, north, ...
     std::map<std::tuple<long, long, long>, int> known_;
 };
+
+// Which places are taken as beginnings of compared routes: every one, and every tenth in instrumented builds; always to all places.
+inline constexpr std::size_t kSourceStride = static_cast<std::size_t>(1.0 / kSanitizerScale + 0.5);
 
 // The scene without the leaves of its doors.
 std::shared_ptr<const Scene> without_doors(const Scene& scene);

@@ -94,7 +94,7 @@ TEST(Routes, agree_with_a_grid_search_between_all_landmarks_of_every_bundled_wor
             twins.wide.flood_from(place);
         }
         int compared = 0;
-        for (const Vec3& from : places) compared += agrees_with(twins, *navigation, from, places);
+        for (std::size_t i = 0; i < places.size(); i += test::kSourceStride) compared += agrees_with(twins, *navigation, places[i], places);
         EXPECT_GT(compared, 0);
     }
 }

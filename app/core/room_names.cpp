@@ -1,0 +1,80 @@
+#include "app/core/room_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace handrail {
+namespace {
+
+constexpr const char* kList = "room_name";
+constexpr std::size_t kMostTold = 3;
+
+std::optional<RoomNameGiven> name_from(const SideEntry& entry) {
+    const auto name = good_name(text_of(entry, "name"));
+    const std::vector<double> at = numbers_of(entry, "place_m", 3);
+    if (!name || at.empty()) return std::nullopt;
+    RoomNameGiven given{*name, {at[0], at[1], at[2]}, std::max(0.0, number_of(entry, "area_m2", 0.0)), text_of(entry, "world"), true, entry};
+    for (const char* known : {"name", "place_m", "area_m2", "world"}) given.kept.erase(known);
+    return given;
+}
+
+}  // namespace
+
+std::vector<RoomNameGiven> read_room_names(const SideFile& file, int& unreadable) {
+    std::vector<RoomNameGiven> names;
+    unreadable = 0;
+    for (const SideEntry& entry : file.entries(kList)) {
+        if (auto given = name_from(entry)) names.push_back(std::move(*given));
+        else ++unreadable;
+    }
+    return names;
+}
+
+void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names) {
+    std::vector<SideEntry> entries;
+    for (const RoomNameGiven& given : names) {
+        SideEntry entry = given.kept;
+        entry["name"] = given.name;
+        entry["place_m"] = std::vector<double>{given.at_m.x, given.at_m.y, given.at_m.z};
+        if (given.area_m2 > 0.0) entry["area_m2"] = given.area_m2;
+        if (!given.world.empty()) entry["world"] = given.world;
+        entries.push_back(std::move(entry));
+    }
+    for (const SideEntry& entry : file.entries(kList))
+        if (!name_from(entry)) entries.push_back(entry);
+    file.set_entries(kList, entries);
+}
+
+void lay_room_names(RoomGraph& graph, const WalkSpace& space, const SideFile& file, std::vector<RoomNameGiven>& names) {
+    std::vector<bool> taken(graph.rooms.size(), false);
+    for (RoomNameGiven& given : names) {
+        const std::uint32_t at = room_at(graph, space, given.at_m);
+        given.fits = at != kNothing && !taken[at];
+        if (given.fits && given.world != file.world_checksum() && given.area_m2 > 0.0) {
+            const double now = graph.rooms[at].area_m2;
+            given.fits = now <= kSameRoomArea * given.area_m2 && given.area_m2 <= kSameRoomArea * now;
+        }
+        if (!given.fits) continue;
+        taken[at] = true;
+        give_names(graph, space, {{given.at_m, given.name}});
+    }
+}
+
+std::string unfit_sentence(const std::vector<RoomNameGiven>& names) {
+    std::string list;
+    std::size_t unfit = 0;
+    for (const RoomNameGiven& given : names)
+        if (!given.fits && ++unfit <= kMostTold) list += (unfit == 1 ? "" : "; ") + given.name;
+    if (unfit == 0) return {};
+    if (unfit > kMostTold) list += fmt::format("; and {} more", unfit - kMostTold);
+    return fmt::format("This world has changed since you named rooms. {} of {} names no longer {}: {}.", unfit, names.size(), unfit == 1 ? "fits" : "fit", list);
+}
+
+std::uint32_t name_of_room(const RoomGraph& graph, const WalkSpace& space, const std::vector<RoomNameGiven>& names, std::uint32_t room) {
+    for (std::uint32_t i = 0; i < names.size(); ++i)
+        if (names[i].fits && room_at(graph, space, names[i].at_m) == room) return i;
+    return kNothing;
+}
+
+}  // namespace handrail
