@@ -679,6 +679,12 @@ void AppCore::rebuild_body_world() {
 Scene AppCore::world_now() const {
     Scene now = *scene_;
     for (std::size_t i = 0; i < things_.size(); ++i) move_placed(now, i, things_.at(i));
+    // An open door is still found in its doorway, wherever its leaf is.
+    for (std::uint32_t i = 0; i < now.movers.size(); ++i) {
+        Feature& feature = now.features[now.movers[i].feature.value];
+        if (feature.kind == FeatureKind::Door && thing_of_mover_[i] >= 0)
+            feature.bounds_m.include(placed_bounds(now.placed[static_cast<std::size_t>(thing_of_mover_[i])].model->bounds_m, movers_.at_rest(i)));
+    }
     return now;
 }
 

@@ -321,6 +321,13 @@ private:
     void follow_way(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
     void follow_route(Route route, const std::string& name, const std::string& first, double now_s);
     bool rooms_known();
+    struct Leg {
+        Route route;
+        Vec3 to_m{0.0};
+        double along_m = 0.0;  // of the route
+    };
+    std::optional<Leg> next_leg(const Vec3& goal_m) const;
+    void tell_way_on(double now_s);
     void follow_on(double now_s);
     // Doors, lifts, buttons and teleporters: app_core_movers.cpp.
     void use(double now_s);

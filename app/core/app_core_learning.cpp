@@ -37,9 +37,10 @@ bool AppCore::act_learning(Command command, double now_s) {
             learning_.walls_done = learning_.lanes_begun = false;
             learning_.base_m = feet_m();
             learning_.seen_notes = 0;
-            answer(learning_.on ? fmt::format("Learning this place. Base here. First the walls: hold {} to go along them. {} says how far you are, {} what is left.",
-                                              keys_.keys_of(Command::TrailLeft), keys_.keys_of(Command::ProgressReport), keys_.keys_of(Command::Unexplored))
-                                : "Learning ends. " + progress_words(now_s),
+            answer(learning_.on
+                       ? fmt::format("Learning this place. Base here. First the walls: hold {} to go along them. {} says how far you are, {} what is left.",
+                                     keys_.keys_of(Command::TrailLeft), keys_.keys_of(Command::ProgressReport), keys_.keys_of(Command::Unexplored))
+                       : "Learning ends. " + progress_words(now_s),
                    now_s);
             return true;
         case Command::Hunt:
@@ -122,8 +123,7 @@ void AppCore::tell_unexplored(double now_s) {
     const auto left = nearest_unexplored(place_here(), learning_.notes, feet_m());
     if (!left) return answer("All of this place is explored.", now_s);
     const double dx = left->point_m.x - feet_m().x, dy = left->point_m.y - feet_m().y;
-    answer(fmt::format("Unexplored {} {}", left->wall ? name_of(left->feature) : std::string("floor"),
-                       where_words(std::hypot(dx, dy), std::atan2(dx, dy))),
+    answer(fmt::format("Unexplored {} {}", left->wall ? name_of(left->feature) : std::string("floor"), where_words(std::hypot(dx, dy), std::atan2(dx, dy))),
            now_s);
 }
 
@@ -153,8 +153,8 @@ void AppCore::guide_learning(double now_s) {
         for (const Lane& lane : lanes)
             if (!lane.done()) {
                 const double off = lane.at_m - (lane.north ? feet_m().x : feet_m().y);
-                next = fmt::format(" The next runs {}, {} to the {}.", lane.north ? "north and south" : "east and west", distance_words(std::abs(off), distances()),
-                                   lane.north ? (off > 0.0 ? "east" : "west") : (off > 0.0 ? "north" : "south"));
+                next = fmt::format(" The next runs {}, {} to the {}.", lane.north ? "north and south" : "east and west",
+                                   distance_words(std::abs(off), distances()), lane.north ? (off > 0.0 ? "east" : "west") : (off > 0.0 ? "north" : "south"));
                 break;
             }
         answer(fmt::format("Lane done, {} of {}.{}", walked, lanes.size(), next), now_s);
@@ -186,16 +186,20 @@ void AppCore::hunt_key(double now_s) {
 }
 
 std::string AppCore::hunt_words() const {
-    const auto way = hunt_->ground.way_m(feet_m());
-    const auto next = hunt_->ground.next_m(*hunt_->open_world, feet_m(), walker_->size());
+    // By the ways of this world where they are known; they begin anywhere. The ground's own squares else.
+    std::optional<double> way;
+    std::optional<Vec3> next;
+    if (rooms_ && rooms_->done() && rooms_->found())
+        if (const auto leg = next_leg(hunt_->clock_m); leg && leg->route.reaches) way = leg->route.length_m, next = leg->to_m;
+    if (!way) way = hunt_->ground.way_m(feet_m()), next = hunt_->ground.next_m(*hunt_->open_world, feet_m(), walker_->size());
     if (!way || !next) {
         const Vec3 to = hunt_->clock_m - feet_m();
-        return fmt::format("The clock is {} as the crow flies. No way on foot is known from here.", where_words(std::hypot(to.x, to.y), std::atan2(to.x, to.y)));
+        return fmt::format("The clock is {} as the crow flies. No way on foot is known from here.",
+                           where_words(std::hypot(to.x, to.y), std::atan2(to.x, to.y)));
     }
     const Vec3 to = *next - feet_m();
     const double bearing = std::atan2(to.x, to.y), straight_m = std::hypot(to.x, to.y);
-    std::string text = fmt::format("Go {}, {:.0f} degrees. The clock is {} on foot.", where_words(straight_m, bearing),
-                                   std::fmod(degrees_from_radians(bearing) + 360.0, 360.0), distance_words(*way, distances()));
+    std::string text = fmt::format("Go {}. The clock is {} on foot.", where_words(straight_m, bearing), distance_words(*way, distances()));
     const Vec3 up(0.0, 0.0, 1.0);
     const TraceHit hit = body_world_->trace(feet_m() + up, *next + Vec3(0.0, 0.0, 1.0), walker_->shape().height_m > 0.0 ? BodyShape{} : BodyShape{}, true);
     if (hit.hit)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/core/app_core.h"
+#include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -99,8 +100,7 @@ void AppCore::tell_exits(bool unvisited_only, double now_s) {
         ++count;
         const Vec3 off = portal.place_m - feet_m();
         const std::string what = passage_name(portal.kind, portal.feature, 0.0), to = graph.rooms[other].name;
-        told += fmt::format(" {}{}, {}, {}.", sentence_case(what), to == what ? "" : " to " + to, distance_words(std::hypot(off.x, off.y), distances()),
-                            relative_words(std::atan2(off.x, off.y), heading_rad_));
+        told += fmt::format(" {}{}, {}.", sentence_case(what), to == what ? "" : " to " + to, where_words(std::hypot(off.x, off.y), std::atan2(off.x, off.y)));
     }
     const std::string room = sentence_case(graph.rooms[room_].name);
     if (count == 0) return answer(unvisited_only ? room + ". You have been behind every exit." : room + ". It has no exits.", now_s);
@@ -118,8 +118,9 @@ void AppCore::list_routes(double now_s) {
     list.title = "Way to";
     std::vector<std::uint32_t> rooms;
     if (follower_.following()) {
+        list.items.push_back({phrase("way.goes_on"), {}, false});
         list.items.push_back({"Stop following the way", {}, false});
-        rooms.push_back(kNothing);
+        rooms.assign(2, kNothing);
     }
     for (const auto& [distance_m, room] : near) {
         list.items.push_back({sentence_case(graph.rooms[room].name), distance_words(distance_m, distances()), false});
@@ -127,6 +128,7 @@ void AppCore::list_routes(double now_s) {
     }
     if (list.items.empty()) return answer("There is no other room here.", now_s);
     list.chosen = [this, rooms](std::size_t at) {
+        if (rooms[at] == kNothing && at == 0) return tell_way_on(last_tick_s_);
         if (rooms[at] == kNothing) {
             follower_.stop();
             return answer("No way is followed any more.", last_tick_s_);
@@ -146,7 +148,7 @@ void AppCore::lay_given_names(double now_s) {
     for (const Room& room : graph.rooms) own_room_names_.push_back(room.name);
     int unreadable = 0;
     room_names_ = read_room_names(side_file_, unreadable);
-    if (unreadable > 0) say(fmt::format("{} of your names of rooms could not be read.", unreadable), SpeechClass::Answer, now_s);
+    if (unreadable > 0) say(phrase("room_names.unreadable", {{"count", unreadable}}), SpeechClass::Answer, now_s);
     lay_room_names(graph, rooms_->navigation().space(), side_file_, room_names_);
     if (std::string unfit = unfit_sentence(room_names_); !unfit.empty()) say(std::move(unfit), SpeechClass::Answer, now_s);
 }
@@ -155,9 +157,9 @@ void AppCore::ask_room_name(double now_s) {
     if (!have_rooms(now_s)) return;
     if (room_ == kNothing) return answer(std::string(kNowhere), now_s);
     TextSpec question;
-    question.question = fmt::format("{}. Type another name for this room and press Enter, or Escape", sentence_case(rooms_->graph().rooms[room_].name));
+    question.question = phrase("room_names.ask", {{"room", sentence_case(rooms_->graph().rooms[room_].name)}});
     question.done = [this, room = room_](const std::string& typed) { name_room(room, typed, last_tick_s_); };
-    question.left = [this] { answer("The name stays.", last_tick_s_); };
+    question.left = [this] { answer(phrase("room_names.stays"), last_tick_s_); };
     ask_text(std::move(question), now_s);
 }
 
@@ -167,7 +169,7 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
     RoomGraph& graph = rooms_->graph();
     for (std::uint32_t other = 0; other < graph.rooms.size(); ++other)
         if (other != room && lower_ascii(graph.rooms[other].name) == lower_ascii(*name))
-            return answer(fmt::format("Another room is called {}. The name stays {}.", *name, graph.rooms[room].name), now_s);
+            return answer(phrase("room_names.taken", {{"name", *name}, {"own", graph.rooms[room].name}}), now_s);
     const std::uint32_t known = name_of_room(graph, rooms_->navigation().space(), room_names_, room);
     if (known != kNothing) room_names_.erase(room_names_.begin() + known);
     // Its own name again takes the given one away.
@@ -177,7 +179,7 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
     graph.rooms[room].named = true;
     write_room_names(side_file_, room_names_);
     save_additions(now_s);
-    answer(fmt::format("This room is now called {}.", *name), now_s);
+    answer(phrase("room_names.given", {{"name", *name}}), now_s);
 }
 
 void AppCore::follow_way(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s) {
@@ -202,6 +204,35 @@ void AppCore::follow_route(Route route, const std::string& name, const std::stri
     answer(fmt::format("{}To {}. {}", words, goal, route_words(route, nodes, heading_rad_, distances())), now_s);
     follow_name_ = goal;
     follower_.follow(std::move(route), std::move(nodes));
+}
+
+// The next straight stretch of a way from here to `goal_m` that is longer than half a step; none: there is no way.
+std::optional<AppCore::Leg> AppCore::next_leg(const Vec3& goal_m) const {
+    Leg leg;
+    leg.route = rooms_->navigation().plan(feet_m(), goal_m);
+    const std::vector<Vec3>& points = leg.route.points_m;
+    if (points.size() < 2) return std::nullopt;
+    std::size_t corner = 1;
+    while (corner + 1 < points.size() && glm::length(points[corner] - feet_m()) < 0.5 * settings_.walk.step_length_m) ++corner;
+    for (std::size_t i = 1; i <= corner; ++i) leg.along_m += glm::length(points[i] - points[i - 1]);
+    leg.to_m = points[corner];
+    return leg;
+}
+
+// How far the way that is followed goes on straight, which way, and to what.
+void AppCore::tell_way_on(double now_s) {
+    if (!follower_.following()) return answer(phrase("way.none"), now_s);
+    const auto leg = next_leg(follower_.goal_m());
+    if (!leg) return answer(phrase("way.no_floor"), now_s);
+    const Vec3 off = leg->to_m - feet_m();
+    const Route& route = leg->route;
+    const std::string where = where_words(std::hypot(off.x, off.y), std::atan2(off.x, off.y)), all = sentence_case(distance_words(route.length_m, distances()));
+    for (const RoutePassage& passage : route.passages)
+        if (passage.at_m < leg->along_m + 1.0) {
+            const std::string what = passage_name(passage.kind, passage.feature, passage.rise_m);
+            return answer(phrase("way.next_passage", {{"goal", follow_name_}, {"where", where}, {"passage", what}, {"all", all}}), now_s);
+        }
+    answer(phrase("way.next", {{"goal", follow_name_}, {"where", where}, {"all", all}}), now_s);
 }
 
 void AppCore::follow_on(double now_s) {

@@ -17,9 +17,9 @@ constexpr double kLookEvery_s = 0.25, kLookEvery_m = 0.15, kLookEvery_rad = 0.1;
 constexpr double kEdgeConfirm_s = 2.0;
 constexpr double kTellAgain_s = 30.0, kSamePlace_m = 1.5;
 constexpr double kDoorNear_m = 3.0;
-constexpr double kStill_s = 1.5;           // after which nothing beats any more
+constexpr double kStill_s = 1.5;  // after which nothing beats any more
 constexpr double kRiser_m = 0.08;
-constexpr double kLanding_m = 0.6;         // level, after the last riser
+constexpr double kLanding_m = 0.6;  // level, after the last riser
 constexpr double kRamp = 0.03, kRampSure_m = 0.4;
 
 }  // namespace
@@ -39,7 +39,7 @@ void AppCore::keep_place_for_undo() {
 }
 
 std::string AppCore::where_words(double distance_m, double bearing_rad) const {
-    return fmt::format("{}, {}", distance_words(distance_m, distances()), relative_words(bearing_rad, heading_goal_rad_));
+    return place_words(distance_m, bearing_rad, heading_goal_rad_, settings_.speech.directions, distances());
 }
 
 // Keys of this topic. False: it is another's.
@@ -146,8 +146,7 @@ std::optional<Vec3> AppCore::lead_walk(double now_s, double dt_s) {
     if (!led() || !walker_->state().on_ground) return std::nullopt;
     if (walking_.retracing) return retrace_wish(now_s, dt_s);
     std::vector<TrailEvent> events;
-    const TrailWay way =
-        walking_.trail.tick(*body_world_, feet_m(), heading_rad_, walker_->size(), settings_.walk.speed_m_per_s, dt_s, events);
+    const TrailWay way = walking_.trail.tick(*body_world_, feet_m(), heading_rad_, walker_->size(), settings_.walk.speed_m_per_s, dt_s, events);
     heading_goal_rad_ = wrap_angle(way.heading_rad);
     for (const TrailEvent& event : events) tell_trail(event, now_s);
     const bool keys = held(Command::TrailLeft) || held(Command::TrailRight);
@@ -227,9 +226,7 @@ void AppCore::square_up(double now_s) {
     const double origin = nearest ? std::atan2(-nearest->normal.x, -nearest->normal.y) : 0.0;
     heading_goal_rad_ = wrap_angle(origin + std::round(wrap_angle(heading_goal_rad_ - origin) / quarter) * quarter);
     std::string text = fmt::format("Square. Facing {}", compass_word(heading_goal_rad_));
-    if (nearest)
-        text += fmt::format(". {}, {}", sentence_case(name_of(nearest->feature)),
-                            where_words(nearest_m, origin));
+    if (nearest) text += fmt::format(". {}, {}", sentence_case(name_of(nearest->feature)), where_words(nearest_m, origin));
     play(SoundKind::TurnTick, now_s);
     answer(text, now_s);
 }

@@ -52,7 +52,7 @@ enum class Command : std::uint8_t {
     Home,
     BringOut,  // out of whatever the hand or the body is inside
     // Rooms, routes and what moves.
-    Use,       // opens or shuts the door, presses the button, that the hand touches or the body stands before
+    Use,  // opens or shuts the door, presses the button, that the hand touches or the body stands before
     DropMark,
     DeleteMark,  // chosen from a list
     Marks,       // list of marks, with the beacon and the help on the way
@@ -69,7 +69,7 @@ enum class Command : std::uint8_t {
     // Help and settings.
     Menu,  // everything that can be done, in a list
     Help,
-    InputHelp,     // keys are explained instead of done
+    InputHelp,  // keys are explained instead of done
     Lessons,
     FirstMinutes,  // as at the first start
     Language,

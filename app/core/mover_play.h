@@ -32,6 +32,7 @@ public:
 
     std::size_t size() const { return parts_.size(); }
     Placement at(std::uint32_t mover) const { return movers_[mover].at(parts_[mover].part); }
+    Placement at_rest(std::uint32_t mover) const { return movers_[mover].at(rest(mover)); }
     // How far it is from where it rests, as a part of its whole way, 0 to 1.
     double away(std::uint32_t mover) const { return std::abs(parts_[mover].part - rest(mover)); }
     bool any_moving() const;

@@ -1,8 +1,8 @@
 #include "app/core/room_names.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -67,8 +67,8 @@ std::string unfit_sentence(const std::vector<RoomNameGiven>& names) {
     for (const RoomNameGiven& given : names)
         if (!given.fits && ++unfit <= kMostTold) list += (unfit == 1 ? "" : "; ") + given.name;
     if (unfit == 0) return {};
-    if (unfit > kMostTold) list += fmt::format("; and {} more", unfit - kMostTold);
-    return fmt::format("This world has changed since you named rooms. {} of {} names no longer {}: {}.", unfit, names.size(), unfit == 1 ? "fits" : "fit", list);
+    if (unfit > kMostTold) list = phrase("room_names.more", {{"names", list}, {"count", unfit - kMostTold}});
+    return phrase("room_names.unfit", {{"count", unfit}, {"all", names.size()}, {"names", list}});
 }
 
 std::uint32_t name_of_room(const RoomGraph& graph, const WalkSpace& space, const std::vector<RoomNameGiven>& names, std::uint32_t room) {

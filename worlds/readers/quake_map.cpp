@@ -404,6 +404,10 @@ private:
             feature.hinge = side_of_key(entity, "hinge");
             feature.handle = side_of_key(entity, "handle");
         }
+        if (class_name == "trigger_changelevel") {  // where the map ends: one may look for it, and is told
+            feature.landmark = true;
+            if (feature.message.empty()) feature.message = phrase("exit.reached");
+        }
         meaning.structure = world || (is_structure(class_name) && feature.name.empty() && !feature.landmark && !feature.clue);
         if (const ClassRow* row = class_row(class_name)) {
             meaning.role = row->role;

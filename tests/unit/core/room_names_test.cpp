@@ -77,7 +77,9 @@ struct World {
 
 TEST(NamesOfRooms, are_typed_told_everywhere_and_kept_for_the_next_time) {
     const World world;
-    const std::string sign = "K\xC3\xBC" "che \xE5\x8E\xA8\xE6\x88\xBF";
+    const std::string sign =
+        "K\xC3\xBC"
+        "che \xE5\x8E\xA8\xE6\x88\xBF";
     {
         Person p(world.path);
         EXPECT_THAT(p.said.back(), HasSubstr("Room, 7 by 5 metres, west."));
@@ -173,7 +175,8 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
         EXPECT_EQ(p.name("Shop"), "This room is now called Shop.");
     }
     // One entry without a place, in a file that can be read: counted, told, and still there after something was saved.
-    ASSERT_TRUE(write_file_atomically(world.beside(), "[[room_name]]\nname = \"Attic\"\nplace_m = [1.0]\n[[room_name]]\nname = \"Shop\"\nplace_m = [1.0, 2.5, 0.0]\n"));
+    ASSERT_TRUE(
+        write_file_atomically(world.beside(), "[[room_name]]\nname = \"Attic\"\nplace_m = [1.0]\n[[room_name]]\nname = \"Shop\"\nplace_m = [1.0, 2.5, 0.0]\n"));
     Person p(world.path);
     EXPECT_TRUE(p.heard("1 of your names of rooms could not be read."));
     EXPECT_THAT(p.press(Command::WhereAmI), testing::StartsWith("Shop. "));

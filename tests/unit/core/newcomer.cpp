@@ -1,0 +1,231 @@
+#include "tests/unit/core/newcomer.h"
+
+#include <cmath>
+#include <regex>
+
+#include "app/core/session_log.h"
+
+namespace handrail::test {
+namespace {
+
+bool begins(const std::string& text, const std::string& with) { return text.rfind(with, 0) == 0; }
+
+// "Kitchen" of "Way to. Kitchen, 12 steps, 1 of 5" and of "Kitchen, 12 steps, 1 of 5".
+std::string entry_of(std::string spoken) {
+    static const std::regex count(", \\d+ of \\d+\\s*$");
+    return std::regex_replace(spoken, count, "");
+}
+
+}  // namespace
+
+std::optional<Direction> direction_in(const std::string& text) {
+    static const std::regex pattern("(\\d+) steps?(?:,? (\\d+) degrees (right|left)|,? (?:to the )?(ahead|behind|right|left)( right| left)?)");
+    static const std::regex close("close by,? (?:(\\d+) degrees (right|left)|(?:to the )?(ahead|behind|right|left)( right| left)?)");
+    std::smatch found;
+    Direction direction;
+    std::string degrees, degrees_side, word, half;
+    if (std::regex_search(text, found, pattern)) {
+        direction.steps = std::stoi(found[1]);
+        degrees = found[2], degrees_side = found[3], word = found[4], half = found[5];
+    } else if (std::regex_search(text, found, close)) {
+        degrees = found[1], degrees_side = found[2], word = found[3], half = found[4];
+    } else {
+        return std::nullopt;
+    }
+    if (!degrees.empty()) {
+        direction.right_deg = std::stod(degrees) * (degrees_side == "right" ? 1.0 : -1.0);
+    } else {
+        const double side = half == " right" ? 1.0 : half == " left" ? -1.0 : 0.0;
+        direction.right_deg = word == "right" ? 90.0 : word == "left" ? -90.0 : word == "behind" ? (side == 0.0 ? 180.0 : side * 135.0) : side * 45.0;
+    }
+    return direction;
+}
+
+Newcomer::Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records) {
+    session_ = std::make_unique<HeadlessSession>(Settings{}, HandFacts{}, audio_, speech_);
+    if (!records.empty()) session_->app().keep_records_in(records);
+    session_->app().enter_world(std::move(world), 0.0);
+    wait(1.0);
+}
+
+void Newcomer::wait(double seconds) {
+    for (const double until = session_->now_s() + seconds; session_->now_s() < until - 1e-9;) session_->advance();
+}
+
+void Newcomer::tap(const std::string& key, double then_s) {
+    session_->tap_key(key);
+    wait(then_s);
+}
+
+void Newcomer::hold(const std::string& key, double seconds) {
+    const auto command = session_->app().keys().find(key);
+    if (!command) return;
+    session_->press(*command);
+    wait(seconds);
+    session_->app().release(*command);
+    wait(0.2);
+}
+
+std::string Newcomer::ask(const std::string& key, double listen_s) {
+    const std::size_t before = lines();
+    tap(key, listen_s);
+    std::string all;
+    for (std::size_t i = before; i < lines(); ++i) all += (all.empty() ? "" : " ") + line(i);
+    return all;
+}
+
+bool Newcomer::heard(const std::string& words, std::size_t since) const {
+    for (std::size_t i = since; i < lines(); ++i)
+        if (words_in_order(words, line(i))) return true;
+    return false;
+}
+
+std::string Newcomer::last_lines(std::size_t count) const {
+    std::string all;
+    for (std::size_t i = lines() > count ? lines() - count : 0; i < lines(); ++i) all += line(i) + "\n";
+    return all;
+}
+
+// "Facing north, 12 degrees".
+double Newcomer::heading_deg() {
+    static const std::regex degrees("(\\d+) degrees");
+    const std::string text = ask("C", 0.2);
+    std::smatch found;
+    return std::regex_search(text, found, degrees) ? std::stod(found[1]) : 0.0;
+}
+
+void Newcomer::turn(double right_deg) {
+    if (std::abs(right_deg) < 3.0) return;
+    const double goal = heading_deg() + right_deg;
+    for (int i = 0; i < 60; ++i) {
+        const double off = std::remainder(goal - heading_deg(), 360.0);
+        if (std::abs(off) <= 3.0) return;
+        const bool large = std::abs(off) > 20.0;
+        tap(off > 0 ? (large ? "Right" : "Alt+Right") : (large ? "Left" : "Alt+Left"), 0.3);
+    }
+}
+
+bool Newcomer::bumped_since(std::size_t sounds) const {
+    for (std::size_t i = sounds; i < audio_.sounds().size(); ++i)
+        if (audio_.sounds()[i].cue.kind == SoundKind::Bump) return true;
+    return false;
+}
+
+bool Newcomer::walk(int steps) {
+    for (int i = 0; i < steps; ++i) {
+        const std::size_t sounds = audio_.sounds().size(), said = lines();
+        tap("Up", 0.9);
+        if (heard("Again to go over it", said)) {
+            if (!over_edges_) return true;
+            tap("Up", 1.2);
+            continue;
+        }
+        if (!bumped_since(sounds)) continue;
+        const std::string ahead = ask("3");
+        if (heard("door", said) || ahead.find("oor") != std::string::npos) {
+            const std::string answer = ask("Enter", 3.0);
+            if (answer.find("opens") != std::string::npos || answer.find("Left") != std::string::npos) {
+                tap("Up", 0.9);
+                continue;
+            }
+        }
+        return true;
+    }
+    return false;
+}
+
+// Something is in the way: along it for a few steps, now on one side, now on the other, the longer the more often.
+void Newcomer::get_round() {
+    ++met_;
+    const std::string along = met_ % 4 < 2 ? "Shift+Left" : "Shift+Right";
+    hold(along, 0.7 + 0.4 * static_cast<double>(met_ % 7));
+}
+
+bool Newcomer::obey(const std::string& text) {
+    const auto direction = direction_in(text);
+    if (!direction) return false;
+    turn(direction->right_deg);
+    over_edges_ = text.find("edge") != std::string::npos;  // the way leads down there
+    if (walk(std::clamp(direction->steps, 1, 8))) get_round();
+    return true;
+}
+
+std::vector<std::string> Newcomer::entries(const std::string& key) {
+    std::vector<std::string> all;
+    std::string spoken = ask(key);
+    static const std::regex title("^[^.]*\\. ");
+    spoken = std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
+    for (int i = 0; i < 200 && !spoken.empty(); ++i) {
+        const std::string entry = entry_of(spoken);
+        if (std::find(all.begin(), all.end(), entry) != all.end()) break;
+        all.push_back(entry);
+        spoken = ask("Down");
+    }
+    tap("Escape");
+    return all;
+}
+
+std::string Newcomer::choose(const std::string& key, const std::string& begin) {
+    std::string spoken = ask(key);
+    static const std::regex title("^[^.]*\\. ");
+    spoken = std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
+    std::string before;
+    for (int i = 0; i < 200; ++i) {
+        if (begins(spoken, begin)) return ask("Enter", 0.8);
+        if (spoken == before || spoken.empty()) break;
+        before = spoken;
+        spoken = ask("Down");
+    }
+    tap("Escape");
+    return {};
+}
+
+bool Newcomer::go_to_room(const std::string& room) {
+    const std::size_t since = lines();
+    const std::string way = choose("Shift+4", room);
+    if (way.empty() || way.find("No walking way") != std::string::npos) return false;
+    for (int asked = 0; asked < 120; ++asked) {
+        if (heard(room + " You are there", since)) return true;
+        const std::string on = choose("Shift+4", "Where the way goes on");
+        if (heard(room + " You are there", since)) return true;
+        if (!obey(on)) return false;
+    }
+    return false;
+}
+
+bool Newcomer::go_to_thing(const std::string& thing) {
+    const std::size_t since = lines();
+    if (choose("Shift+H", thing).empty()) return false;
+    tap("Enter", 0.6);  // the first of the ways to find it: the beacon
+    for (int beats = 0; beats < 120; ++beats) {
+        if (heard("Here " + thing, since)) return true;
+        const std::size_t sounds = audio_.sounds().size();
+        wait(1.3);
+        std::optional<double> right_deg;
+        for (std::size_t i = sounds; i < audio_.sounds().size(); ++i)
+            if (is_beacon(audio_.sounds()[i].cue.kind)) right_deg = right_of_ears_deg(audio_.sounds()[i].cue.position_m);
+        if (!right_deg) continue;
+        turn(*right_deg);
+        if (walk(3)) get_round();
+    }
+    return false;
+}
+
+double Newcomer::right_of_ears_deg(const Vec3& place_m) const {
+    const Vec3 way = place_m - audio_.listener().ears_m;
+    return std::remainder(degrees_from_radians(std::atan2(way.x, way.y) - audio_.listener().heading_rad), 360.0);
+}
+
+std::vector<Newcomer::Heard> Newcomer::listen_to(SoundKind kind) const {
+    std::vector<Heard> all;
+    for (const SoundCue& cue : audio_.world_sounds())
+        if (cue.kind == kind && cue.loudness > 0.0) all.push_back({cue.source, right_of_ears_deg(cue.position_m), cue.muffled_db});
+    return all;
+}
+
+void Newcomer::obey_ears(double right_deg) {
+    turn(right_deg);
+    if (walk(2)) get_round();
+}
+
+}  // namespace handrail::test

@@ -1,0 +1,70 @@
+// A newcomer with keys and ears alone, in worlds that nobody made for this test.
+#include "tests/unit/core/newcomer.h"
+
+#include <set>
+
+#include "tests/support/real_worlds.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+using test::Newcomer;
+
+std::shared_ptr<const Scene> real(const std::string& name) {
+    const auto path = test::real_world(name);
+    if (!path) return nullptr;
+    auto scene = read_world(*path);
+    EXPECT_TRUE(scene);
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+// "Corridor, 6 by 26 metres, south" of "Corridor, 6 by 26 metres, south, 35 steps".
+std::string name_of(const std::string& entry) { return entry.substr(0, entry.rfind(", ")); }
+
+TEST(ANewcomer, walks_the_first_tutorial_map_from_its_start_to_its_exit_through_its_door) {
+    const auto world = real("agtut01.map");
+    if (!world) GTEST_SKIP() << "agtut01.map is not here";
+    Newcomer n(world);
+    std::string exit_room;
+    for (const std::string& room : n.entries("Shift+4"))
+        if (room.find("exit") != std::string::npos) exit_room = name_of(room);
+    ASSERT_FALSE(exit_room.empty()) << n.last_lines(5);
+    EXPECT_TRUE(n.go_to_room(exit_room)) << n.last_lines(20);
+    EXPECT_TRUE(n.heard("Door opens")) << n.last_lines(20);
+    if (!n.heard("You have reached the exit")) {
+        EXPECT_TRUE(n.go_to_thing("Exit")) << n.last_lines(20);
+    }
+    for (int steps = 0; steps < 6 && !n.heard("You have reached the exit"); ++steps) n.walk(1);
+    EXPECT_TRUE(n.heard("You have reached the exit")) << n.last_lines(20);
+    std::cout << "the exit after " << n.now_s() << " s\n";
+}
+
+// Three things, each in another room than the one before: the way to the room is asked for, then what is there, then it is walked to by ear.
+void reaches_three_things(const char* map) {
+    const auto world = real(map);
+    if (!world) GTEST_SKIP() << map << " is not here";
+    Newcomer n(world);
+    std::set<std::string> found;
+    for (const std::string& entry : n.entries("Shift+4")) {
+        const std::string room = name_of(entry);
+        if (found.size() == 3) break;
+        if (!n.go_to_room(room)) {
+            std::cout << "not to " << room << ": " << n.last_lines(1);
+            continue;
+        }
+        const std::vector<std::string> things = n.entries("Shift+H");
+        ASSERT_FALSE(things.empty()) << n.last_lines(5);
+        const std::string thing = things[0].substr(0, things[0].find(", "));
+        const bool there = n.go_to_thing(thing);
+        std::cout << room << ": " << things[0] << (there ? " reached" : " not reached") << ", " << n.now_s() << " s\n";
+        if (there) found.insert(room);
+    }
+    EXPECT_EQ(found.size(), 3U) << n.last_lines(30);
+}
+
+TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_melee_that_it_found_by_asking) { reaches_three_things("agdm01.map"); }
+TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_by_asking) { reaches_three_things("office.map"); }
+
+}  // namespace
+}  // namespace handrail
