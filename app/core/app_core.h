@@ -419,6 +419,7 @@ private:
     std::uint32_t room_ = kNothing;    // the last one the body was in
     std::vector<bool> visited_rooms_;  // since this world was entered
     std::vector<RoomNameGiven> room_names_;
+    std::vector<bool> room_named_by_map_;
     std::vector<std::string> own_room_names_;  // what each room is called where the person has given no name
     RouteFollower follower_;
     std::string follow_name_;

@@ -145,7 +145,11 @@ void AppCore::list_routes(double now_s) {
 void AppCore::lay_given_names(double now_s) {
     RoomGraph& graph = rooms_->graph();
     own_room_names_.clear();
-    for (const Room& room : graph.rooms) own_room_names_.push_back(room.name);
+    room_named_by_map_.clear();
+    for (const Room& room : graph.rooms) {
+        own_room_names_.push_back(room.name);
+        room_named_by_map_.push_back(room.named);
+    }
     int unreadable = 0;
     room_names_ = read_room_names(side_file_, unreadable);
     if (unreadable > 0) say(phrase("room_names.unreadable", {{"count", unreadable}}), SpeechClass::Answer, now_s);
@@ -176,7 +180,7 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
     if (*name != own_room_names_[room])
         room_names_.push_back({*name, graph.rooms[room].middle_m, graph.rooms[room].area_m2, side_file_.world_checksum(), true, {}});
     graph.rooms[room].name = *name;
-    graph.rooms[room].named = true;
+    graph.rooms[room].named = *name != own_room_names_[room] || room_named_by_map_[room];
     write_room_names(side_file_, room_names_);
     save_additions(now_s);
     answer(phrase("room_names.given", {{"name", *name}}), now_s);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/core/app_core.h"
+#include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -12,6 +13,7 @@ constexpr double kRayHeight_m = 1.0;  // of what looks for doors and walls
 constexpr double kCrumb_m = 0.25;
 constexpr std::size_t kMostCrumbs = 4000, kMostUndo = 16, kMostPlaces = 64, kMostTold = 16;
 constexpr double kSquareReach_m = 3.0;
+constexpr double kMarkHeight_m = 1.5;  // of a mark, above or below the waist, to count as on this floor
 constexpr double kFreeTurn_rad = 5.0 * kPi / 180.0;
 constexpr double kLookEvery_s = 0.25, kLookEvery_m = 0.15, kLookEvery_rad = 0.1;
 constexpr double kEdgeConfirm_s = 2.0;
@@ -231,50 +233,64 @@ void AppCore::square_up(double now_s) {
     answer(text, now_s);
 }
 
-// To the next door, landmark or clue in sight, in the order of the file, and to a place before it where there is room.
+// To the next door, landmark, clue or own mark in sight, in the order of the file, and to a place before it where there is room. Marks come last, in the
+// order in which they were set; one leaps right onto them where that is free.
 void AppCore::leap(int by, double now_s) {
-    std::vector<Seen> places = things_in_sight(*body_world_, feet_m(), kRayHeight_m, kMostPlaces);
-    std::erase_if(places, [&](const Seen& seen) {
+    struct Target {
+        std::uint32_t order = 0;
+        double bearing_rad = 0.0, distance_m = 0.0;
+        bool mark = false;
+    };
+    std::vector<Target> places;
+    for (const Seen& seen : things_in_sight(*body_world_, feet_m(), kRayHeight_m, kMostPlaces)) {
         const Feature& feature = scene_->features[seen.feature.value];
-        return feature.kind != FeatureKind::Door && !feature.landmark && !feature.clue;
-    });
-    std::sort(places.begin(), places.end(), [](const Seen& a, const Seen& b) { return a.feature.value < b.feature.value; });
+        if (feature.kind == FeatureKind::Door || feature.landmark || feature.clue)
+            places.push_back({seen.feature.value, seen.bearing_rad, seen.distance_m, false});
+    }
+    const Vec3 eye = feet_m() + Vec3(0.0, 0.0, kRayHeight_m);
+    for (std::size_t i = 0; i < guiding_.marks.size() && places.size() < kMostPlaces; ++i) {
+        const Vec3 way = guiding_.marks[i].place_m - eye;
+        const double level_m = std::hypot(way.x, way.y);
+        if (level_m < 0.5 * settings_.walk.step_length_m || level_m > kSightRange_m || std::abs(way.z) > kMarkHeight_m) continue;
+        if (body_world_->trace(eye, eye + Vec3(way.x, way.y, 0.0), BodyShape{}, true).hit) continue;
+        places.push_back({static_cast<std::uint32_t>(scene_->features.size() + i), std::atan2(way.x, way.y), level_m, true});
+    }
+    std::sort(places.begin(), places.end(), [](const Target& a, const Target& b) { return a.order < b.order; });
     const std::size_t count = places.size();
     std::size_t first = 0;  // the first after the last one, either way
     if (walking_.leapt_to) {
         if (by > 0)
-            while (first < count && places[first].feature.value <= walking_.leapt_to.value) ++first;
+            while (first < count && places[first].order <= walking_.leapt_to.value) ++first;
         else {
             first = count;
-            while (first > 0 && places[first - 1].feature.value >= walking_.leapt_to.value) --first;
+            while (first > 0 && places[first - 1].order >= walking_.leapt_to.value) --first;
             first = (first + count - 1) % std::max<std::size_t>(count, 1);
         }
     }
     const BodyShape shape = walker_->shape();
     for (std::size_t i = 0; i < count; ++i) {
-        const Seen& seen = places[(first + (by > 0 ? i : count - i)) % count];
-        const Vec3 way = forward_of_heading(seen.bearing_rad);
-        for (double before = shape.radius_m + 0.15; before < shape.radius_m + 1.0; before += 0.1) {
-            if (before > seen.distance_m) break;
-            Vec3 feet = feet_m() + way * (seen.distance_m - before);
+        const Target& to = places[(first + (by > 0 ? i : count - i)) % count];
+        const Vec3 way = forward_of_heading(to.bearing_rad);
+        for (double before = to.mark ? 0.0 : shape.radius_m + 0.15; before < shape.radius_m + 1.0; before += 0.1) {
+            if (before > to.distance_m) break;
+            const Vec3 feet = feet_m() + way * (to.distance_m - before);
             const TraceHit ground = body_world_->trace(feet + Vec3(0.0, 0.0, 0.5), feet - Vec3(0.0, 0.0, 1.0), shape);
             if (!ground.hit || ground.normal.z < 0.7 || body_world_->blocked(ground.end_m, shape)) continue;
-            const double way_m = seen.distance_m - before;
-            const std::string where = where_words(way_m, seen.bearing_rad);
+            const std::string where = where_words(to.distance_m - before, to.bearing_rad);
+            const std::string name = to.mark ? guiding_.marks[to.order - scene_->features.size()].name
+                                             : describe_feature(*scene_, FeatureId{to.order}, std::max(2, settings_.speech.verbosity));
+            const FeatureId order{to.order};
+            const double bearing = to.bearing_rad;
             keep_place_for_undo();
-            const FeatureId to = seen.feature;
-            const double bearing = seen.bearing_rad;
             place(ground.end_m, bearing, now_s);
-            walking_.leapt_to = to;
+            walking_.leapt_to = order;
             play(SoundKind::Arrived, now_s);
-            answer(fmt::format("{}. {}, facing {}", describe_feature(*scene_, to, std::max(2, settings_.speech.verbosity)), sentence_case(where),
-                               compass_word(bearing)),
-                   now_s);
+            answer(fmt::format("{}. {}, facing {}", name, sentence_case(where), compass_word(bearing)), now_s);
             return;
         }
     }
     play(SoundKind::Denied, now_s);
-    answer("There is no door, landmark or clue in sight to leap to.", now_s);
+    answer(phrase("leap.none"), now_s);
 }
 
 // Takes the body back to `before` when it stands over a drop that was not asked for twice. True: it was.

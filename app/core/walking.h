@@ -23,7 +23,7 @@ struct Walking {
         double heading_rad = 0.0;
     };
     std::vector<Place> undo;
-    FeatureId leapt_to = kNoFeature;
+    FeatureId leapt_to = kNoFeature;  // or the number of a mark, counted on from the features
     // The ground ahead, looked at when the body has moved or turned.
     GroundAhead ahead;
     Vec3 looked_from_m{0.0};

@@ -2,12 +2,15 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/core/walker.h"
 #include "app/main/commands.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/compile/touch_model.h"
 #include "settings/settings.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/language.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/lint.h"
 
@@ -142,6 +145,23 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     line(phrase("info.loaded", {{"seconds", cost.load_s}, {"megabytes", (cost.peak_memory_bytes + (1 << 19)) >> 20}}));
 }
 
+// The rooms that were found where the file states none; nothing where nobody can stand or none were found.
+std::optional<std::string> rooms_sentence(const Scene& scene) {
+    constexpr std::size_t kMostNamed = 20;
+    const BodySize size = body_size(scene, Settings{}.walk.body_radius_m);
+    const auto space = make_walk_space(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+    if (!space) return std::nullopt;
+    const RoomGraph graph = make_rooms(scene, *space);
+    if (graph.rooms.empty()) return std::nullopt;
+    std::vector<std::string> names;
+    for (const Room& room : graph.rooms)
+        if (names.size() < kMostNamed) names.push_back(room.name);
+    const std::string list = fmt::format("{}", fmt::join(names, "; "));
+    const std::size_t rooms = graph.rooms.size(), ways = graph.portals.size();
+    if (rooms > kMostNamed) return phrase("found_rooms.first", {{"rooms", rooms}, {"ways", ways}, {"names", list}, {"more", rooms - kMostNamed}});
+    return phrase("found_rooms.all", {{"rooms", rooms}, {"ways", ways}, {"names", list}});
+}
+
 // Can a hand tell this world's materials apart? 1 when not.
 int tell_lint(const Scene& scene, std::ostream& out) {
     const LintReport lint = lint_materials(scene);
@@ -179,6 +199,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     const TouchModel touch = touch_model(*compile_haptic(*scene, exploring(rounding_m), &compiled));
     for (std::string& sentence : compiled.mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
     for (std::string& sentence : compiled.rounding.sentences()) scene->report.simplified.push_back(std::move(sentence));
+    if (auto rooms = rooms_sentence(*scene)) scene->report.guessed.push_back(std::move(*rooms));
     if (arguments.json) out << json_of(*scene, touch, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else tell(*scene, touch, cost, out);
     return 0;

@@ -5,7 +5,9 @@
 #include <random>
 
 #include "tests/support/box_scene.h"
+#include "tests/support/map_text.h"
 #include "tests/support/random_families.h"
+#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace {
@@ -140,6 +142,59 @@ TEST(Trail, goes_round_a_free_standing_block_outside_and_round_a_slanted_one) {
         }
         for (const bool passed : side) EXPECT_TRUE(passed);
         EXPECT_TRUE(std::none_of(lap.events.begin(), lap.events.end(), [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Ends; }));
+    }
+}
+
+// A brush that stands upright on a polygon, counter-clockwise from above; map units.
+std::string prism(const std::vector<Vec3>& ring, double z0, double z1) {
+    const auto point = [](double x, double y, double z) { return fmt::format("( {} {} {} ) ", x, y, z); };
+    std::string faces;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()];
+        faces += point(b.x, b.y, z0) + point(a.x, a.y, z0) + point(a.x, a.y, z1) + "plain 0 0 0 1 1\n";
+    }
+    faces += point(1, 0, z1) + point(0, 0, z1) + point(0, 1, z1) + "plain 0 0 0 1 1\n";
+    faces += point(0, 1, z0) + point(0, 0, z0) + point(1, 0, z0) + "plain 0 0 0 1 1\n";
+    return "{\n" + faces + "}\n";
+}
+
+// Six walls, none of which runs along an axis in two of three rooms.
+TEST(Trail, rounds_a_room_of_slanted_walls_at_a_constant_distance) {
+    for (const double turned : {0.0, 0.2, 0.41}) {
+        constexpr double kRadius = 128.0;  // 4 m
+        const auto corner = [&](int i, double radius) {
+            return Vec3(radius * std::cos(turned + i * kPi / 3.0), radius * std::sin(turned + i * kPi / 3.0), 0.0);
+        };
+        std::vector<Vec3> ring;
+        std::string walls;
+        for (int i = 0; i < 6; ++i) {
+            ring.push_back(corner(i, kRadius + 16.0));
+            walls += prism({corner(i, kRadius), corner(i, kRadius + 8.0), corner(i + 1, kRadius + 8.0), corner(i + 1, kRadius)}, 0, 96);
+        }
+        const auto scene = read_quake_map(test::entity("worldspawn", test::key("building", "1"), prism(ring, -16, 0) + walls), "hexagon.map");
+        ASSERT_TRUE(scene);
+        const auto shared = std::make_shared<const Scene>(*scene);
+        const BodyWorld world(shared);
+        const double apothem = kRadius / 32.0 * std::cos(kPi / 6.0);
+        // Begins beside the middle of the first wall and faces along it.
+        const double across = turned + kPi / 6.0;
+        const Vec3 start((apothem - 0.6) * std::cos(across), (apothem - 0.6) * std::sin(across), 0.0);
+        const Trailed lap = go(world, body_size(*shared, 0.25), start, -across, TrailSide::Left, 27.0);
+        bool passed[6] = {};
+        for (std::size_t i = lap.feet_m.size() / 10; i < lap.feet_m.size(); ++i) {
+            const Vec3 p = lap.feet_m[i];
+            double nearest = 1e9;
+            for (int wall = 0; wall < 6; ++wall) {
+                const double angle = turned + (wall + 0.5) * kPi / 3.0;
+                const double off = apothem - (p.x * std::cos(angle) + p.y * std::sin(angle));
+                nearest = std::min(nearest, off);
+                passed[wall] |= off < 0.35;
+            }
+            EXPECT_GT(nearest, 0.25 - 1e-3) << turned;
+            EXPECT_LT(nearest, 0.45) << "never away from the walls, turned by " << turned;
+        }
+        for (int wall = 0; wall < 6; ++wall) EXPECT_TRUE(passed[wall]) << "wall " << wall << " turned by " << turned;
+        EXPECT_GE(std::count_if(lap.events.begin(), lap.events.end(), [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Corner; }), 6);
     }
 }
 

@@ -35,7 +35,8 @@ struct Walk {
         return std::any_of(cues.begin(), cues.end(), [&](const CueRequest& cue) { return cue.kind == CueRequestKind::Say && words_in_order(words, cue.text); });
     }
     int sounds(SoundKind kind) const {
-        return static_cast<int>(std::count_if(cues.begin(), cues.end(), [&](const CueRequest& cue) { return cue.kind == CueRequestKind::Play && cue.sound == kind; }));
+        return static_cast<int>(
+            std::count_if(cues.begin(), cues.end(), [&](const CueRequest& cue) { return cue.kind == CueRequestKind::Play && cue.sound == kind; }));
     }
     AppCore app;
     double now = 0.0;
@@ -129,6 +130,25 @@ TEST(Walking, a_leap_and_home_are_taken_back_one_after_the_other) {
     EXPECT_LT(glm::length(w.app.feet_m() - here), 1e-3);
     w.tap(Command::UndoLeap);
     EXPECT_TRUE(w.said("There is nothing to take back"));
+}
+
+TEST(Walking, a_leap_leads_to_ones_own_mark_too_and_right_onto_it) {
+    Settings settings;
+    settings.marks.ask_name = false;
+    Walk w(room(), settings);
+    const Vec3 marked = w.app.feet_m();
+    w.tap(Command::DropMark);
+    w.hold(Command::Forward, 1.5);
+    ASSERT_GT(glm::length(w.app.feet_m() - marked), 1.0);
+    ASSERT_TRUE(w.said("Mark 1"));
+    w.tap(Command::LeapLast);  // before the first is the last one, and marks come last
+    EXPECT_LT(glm::length(w.app.feet_m() - marked), 0.05);
+    w.tap(Command::UndoLeap);
+    EXPECT_GT(glm::length(w.app.feet_m() - marked), 1.0);
+    w.tap(Command::LeapNext);
+    w.tap(Command::LeapNext);
+    w.tap(Command::LeapNext);
+    EXPECT_LT(glm::length(w.app.feet_m() - marked), 0.05) << "door, clock, mark";
 }
 
 TEST(Walking, going_back_follows_the_way_one_came_to_its_beginning) {
