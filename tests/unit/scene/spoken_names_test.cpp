@@ -49,7 +49,7 @@ TEST(SpokenNames, of_kinds_stand_under_the_name_that_files_know_them_by) {
         for (const double high : {0.05, 0.3, 1.1, 3.0}) {
             const std::string name = shape_name({{0, 0, 0}, {wide, wide, high}});
             EXPECT_TRUE(has_phrase(key_of("kind.", name))) << name;
-            EXPECT_TRUE(has_phrase(key_of("kind.hanging ", name))) << name;
+            EXPECT_TRUE(has_phrase(key_of("kind.", "hanging " + name))) << name;
         }
     for (const std::string_view name : kPrimitiveNames) EXPECT_TRUE(has_phrase(key_of("kind.", name))) << name;
 }
