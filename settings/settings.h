@@ -126,6 +126,7 @@ struct Settings {
         bool pull = true;       // "take me there" pulls the hand; else it sets the beacon
         double strength = 1.0;  // of its limits, 0.1 to 1
         bool fades = true;      // less help lap by lap as errors fall
+        bool grooves = false;   // the floor has grooves along the planned way and through doorways
     } guidance;
     struct Keyboard {
         KeyboardHand hand = KeyboardHand::Both;

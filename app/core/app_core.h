@@ -374,6 +374,8 @@ private:
     void notice_left_way(double now_s);
     void watch_way(double now_s);
     void renew_way();
+    void lay_grooves(double now_s);
+    void know_way(std::vector<Vec3> soles_m);
     Vec3 carry_workspace();
     void cross_lines(const Goal& goal, double now_s);
     void toggle_lines(double now_s);

@@ -19,6 +19,7 @@ constexpr double kMovedLately_s = 0.5;   // who walks or moves the workspace doe
 constexpr double kRests_s = 0.3;         // afterwards a new way is planned
 constexpr double kWaist_m = 1.0;
 constexpr double kLowest_m = 0.3, kHighest_m = 1.6;  // of a led hand over the floor: over door sills, under lintels
+constexpr double kGroovesAgain_s = 1.0;              // grooves that ended are laid again no sooner
 constexpr double kShut = 0.5;                        // a door that has come less of its way is shut
 // Where the way leads out of reach the workspace goes on along it: from so much of the reach on, back to so much of it, and so fast.
 constexpr double kCarryFrom = 0.55, kCarryTo = 0.45;
@@ -88,6 +89,7 @@ AppCore::HandLead AppCore::hand_lead(const Goal& goal) {
             return lead;
         }
         const Route route = walk_to_thing(rooms_->navigation(), *body_world_, from, goal.box_m, goal.feature);
+        know_way(route.points_m);
         if (route.points_m.empty()) {
             lead.problem = phrase("lead.no_start");
             return lead;
@@ -226,6 +228,7 @@ void AppCore::follow_guidance(double now_s) {
         g.announced.reset();
         g.acts = true;
     }
+    if (!g.acts && !g.announced && !g.left) lay_grooves(now_s);
     if (!g.acts) return;
     if (tool_.guidance.number != g.path.number) return;  // the servo has not seen it yet
     const bool pull = g.path.kind == GuidanceKind::Pull;
@@ -261,6 +264,38 @@ void AppCore::renew_way() {
     lead.path->strength = g.path.strength;
     lead.path->number = ++g.last_number;
     g.path = *lead.path;
+}
+
+// The way planned last, along which a groove runs.
+void AppCore::know_way(std::vector<Vec3> soles_m) {
+    guiding_.grooves_changed = guiding_.grooves_changed || guiding_.way_m != soles_m;
+    guiding_.way_m = std::move(soles_m);
+}
+
+// Grooves lie while they are wished for and nothing else acts; they are laid anew for another way, another scale, and a hand that has gone far.
+void AppCore::lay_grooves(double now_s) {
+    Guiding& g = guiding_;
+    const bool lie = g.path.number != 0 && g.path.kind == GuidanceKind::Grooves;
+    if (!settings_.guidance.grooves || !hand_.present || keys_alone_ || !force_may_guide() || at_desk()) {
+        if (lie) g.path.number = 0;
+        return;
+    }
+    if (!rooms_known()) return;
+    if (!std::exchange(g.doorways_known, true)) g.doorways = grooves_through_doorways(rooms_->graph(), rooms_->navigation().space());
+    if (lie && tool_.guidance.number == g.path.number && tool_.guidance.phase != GuidancePhase::Acts && now_s - g.grooves_ended_s > kGroovesAgain_s) {
+        g.grooves_ended_s = now_s;  // a jump of the workspace, or force that might not act
+        g.grooves_changed = true;
+    }
+    const Vec3 here = finding_place_m();
+    if (lie && !g.grooves_changed && g.grooves_scale == scale() && glm::length(here - g.grooves_near_m) <= g.grooves_good_within_m) return;
+    Grooves grooves = nearest_grooves(g.way_m, g.doorways, here, tuning_.touch.radius_m);
+    g.grooves_changed = false;
+    g.grooves_near_m = here;
+    g.grooves_good_within_m = grooves.good_within_m;
+    g.grooves_scale = scale();
+    g.path = grooves.path;
+    g.path.strength = settings_.guidance.strength;
+    g.path.number = ++g.last_number;
 }
 
 // While it pulls: doors across the way, and how far off it the hand is.

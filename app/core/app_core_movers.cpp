@@ -4,6 +4,7 @@
 
 #include "app/core/app_core.h"
 #include "worlds/base/language.h"
+#include "worlds/geometry/closest_point.h"
 #include "worlds/scene/models.h"
 
 namespace handrail {
@@ -13,8 +14,6 @@ constexpr double kReach_m = 1.2;         // from the middle of the body to what 
 constexpr double kCloseToLift_m = 0.05;  // soles above the lift that carries them
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
-
-double distance_to(const Aabb& box, const Vec3& p) { return glm::length(glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0))); }
 
 // Borders do not count, as they do in clip.h: who stands beside a lift and on its level is not in its way.
 bool overlap(const Aabb& a, const Aabb& b) {
@@ -58,7 +57,7 @@ void AppCore::use(double now_s) {
         const Vec3 middle = feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
         for (std::size_t i = 0; i < scene_->movers.size(); ++i) {
             if (!usable(i)) continue;
-            const double distance_m = distance_to(box_of(*scene_, scene_->movers[i].feature), middle);
+            const double distance_m = std::sqrt(distance_squared(box_of(*scene_, scene_->movers[i].feature), middle));
             if (distance_m < nearest_m) {
                 nearest_m = distance_m;
                 chosen = static_cast<int>(i);

@@ -207,6 +207,7 @@ void AppCore::follow_route(Route route, const std::string& name, const std::stri
     std::vector<RouteNode> nodes = nodes_of(route, goal, [this](const RoutePassage& p) { return passage_name(p.kind, p.feature, p.rise_m); });
     answer(fmt::format("{}To {}. {}", words, goal, route_words(route, nodes, heading_rad_, distances())), now_s);
     follow_name_ = goal;
+    know_way(route.points_m);
     follower_.follow(std::move(route), std::move(nodes));
 }
 

@@ -10,7 +10,7 @@ namespace handrail {
 
 Vec3 nearest_place(const Aabb& box, const Vec3& to_m) { return glm::clamp(to_m, box.min_m, box.max_m); }
 
-void Beacon::set(std::string name, const Aabb& thing_m) {
+void Sought::set(std::string name, const Aabb& thing_m) {
     on_ = true;
     name_ = std::move(name);
     thing_m_ = thing_m;
@@ -43,13 +43,6 @@ Beacon::Beat Beacon::tick(const Vec3& feet_m, const Listener& listener, const st
     sound.muffled_db = std::min(muffled_db(sound.position_m), kMostMuffled_db);
     beat.sound = std::move(sound);
     return beat;
-}
-
-void Warmer::set(std::string name, const Aabb& thing_m) {
-    on_ = true;
-    name_ = std::move(name);
-    thing_m_ = thing_m;
-    last_s_ = -1e9;
 }
 
 // 80 ms at the thing, and 11 ms more for each millimetre of the hand.

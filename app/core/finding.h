@@ -13,20 +13,30 @@
 
 namespace handrail {
 
+// What is sought by a rhythm, and when it sounded last.
+class Sought {
+public:
+    void set(std::string name, const Aabb& thing_m);
+    void clear() { on_ = false; }
+    bool on() const { return on_; }
+    const std::string& name() const { return name_; }
+    const Aabb& thing_m() const { return thing_m_; }
+
+protected:
+    bool on_ = false;
+    std::string name_;
+    Aabb thing_m_;
+    double last_s_ = -1e9;
+};
+
 // One at a time. Its beat is the faster the nearer one is; straight ahead it rings, behind it is dull, and on arriving it ends by itself.
-class Beacon {
+class Beacon : public Sought {
 public:
     static constexpr double kAhead_rad = 11.25 * kPi / 180.0;   // to either side: half a notch of turning
     static constexpr double kBehind_rad = 112.5 * kPi / 180.0;  // from there on
     static constexpr double kArrived_m = 1.2;                   // level, from the body to the thing; two storeys are not one place
     static constexpr double kStorey_m = 1.5;
     static constexpr double kMostMuffled_db = 12.0;  // it obeys walls and stays audible
-
-    void set(std::string name, const Aabb& thing_m);
-    void clear() { on_ = false; }
-    bool on() const { return on_; }
-    const std::string& name() const { return name_; }
-    const Aabb& thing_m() const { return thing_m_; }
 
     struct Beat {
         std::optional<CueRequest> sound;  // to be played now
@@ -35,26 +45,15 @@ public:
     // muffled_db: what lies between ears and a place; asked only for a beat. `heard`: false while sounds are stopped.
     Beat tick(const Vec3& feet_m, const Listener& listener, const std::function<double(const Vec3&)>& muffled_db, bool heard, double now_s);
     static double interval_s(double distance_m);
-
-private:
-    bool on_ = false;
-    std::string name_;
-    Aabb thing_m_;
-    double last_s_ = -1e9;
 };
 
 // The nearest place of a box to another place.
 Vec3 nearest_place(const Aabb& box, const Vec3& to_m);
 
 // A tick in the middle of the head that comes the faster the nearer the hand is: by felt distance, or the body's where there is no device.
-class Warmer {
+class Warmer : public Sought {
 public:
     static constexpr double kFound_hand_m = 0.004;
-    void set(std::string name, const Aabb& thing_m);
-    void clear() { on_ = false; }
-    bool on() const { return on_; }
-    const std::string& name() const { return name_; }
-    const Aabb& thing_m() const { return thing_m_; }
 
     struct Beat {
         bool sound = false;
@@ -63,12 +62,6 @@ public:
     // felt_m: hand metres from the ball to the thing; found_m: how near counts as found.
     Beat tick(double felt_m, double found_m, bool heard, double now_s);
     static double interval_s(double felt_m);
-
-private:
-    bool on_ = false;
-    std::string name_;
-    Aabb thing_m_;
-    double last_s_ = -1e9;
 };
 
 // How strongly one is led, lap by lap to the same goal: 100, 60, 30, 0 % as errors fall. It never grows by itself.

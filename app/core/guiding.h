@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/core/finding.h"
+#include "app/core/grooves.h"
 #include "app/core/marks.h"
 #include "haptic/servo/guidance.h"
 
@@ -45,6 +46,16 @@ struct Guiding {
     bool carries = false;                     // the workspace goes along with the hand now
     bool carried = false;                     // and has, since that was last looked at
     std::vector<FeatureId> doors_told;        // shut ones across the way
+
+    // Grooves on the floor, while nothing else acts.
+    std::vector<Vec3> way_m;          // soles, of the way planned last; empty: none
+    std::vector<GrooveLeg> doorways;  // of this world
+    bool doorways_known = false;
+    bool grooves_changed = false;  // another way
+    Vec3 grooves_near_m{0.0};      // where the hand was when they were laid
+    double grooves_good_within_m = 0.0;
+    double grooves_scale = 0.0;     // then
+    double grooves_ended_s = -1e9;  // by the servo
 
     // Where hand and body have been told to be near, so that each is told once.
     std::vector<bool> mark_near;

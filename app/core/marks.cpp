@@ -6,14 +6,13 @@
 #include <cmath>
 
 #include "app/core/words.h"
+#include "worlds/geometry/closest_point.h"
 
 namespace handrail {
 namespace {
 
 constexpr const char* kList = "mark";
 constexpr std::size_t kMostTold = 5;
-
-double distance_to(const Aabb& box, const Vec3& p) { return glm::length(glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0))); }
 
 bool reads(const SideEntry& entry) { return good_name(text_of(entry, "name")).has_value() && !numbers_of(entry, "place_m", 3).empty(); }
 
@@ -77,7 +76,7 @@ NearThing nearest_thing(const Scene& scene, const Vec3& place_m) {
         for (const Feature& feature : scene.features) {
             const bool wanted = things ? is_thing(feature) : feature.kind == FeatureKind::Wall;
             if (!wanted || feature.name.empty() || feature.bounds_m.empty()) continue;
-            const double distance_m = distance_to(feature.bounds_m, place_m);
+            const double distance_m = std::sqrt(distance_squared(feature.bounds_m, place_m));
             if (distance_m < best.distance_m) best = {feature.name, distance_m};
         }
         if (!best.name.empty()) return best;
@@ -104,7 +103,7 @@ void check_marks(const Scene& scene, const SideFile& file, std::vector<Mark>& ma
         if (mark.world == file.world_checksum() || mark.near.empty()) continue;
         mark.fits = std::any_of(scene.features.begin(), scene.features.end(), [&](const Feature& feature) {
             return feature.name == mark.near && !feature.bounds_m.empty() &&
-                   std::abs(distance_to(feature.bounds_m, mark.place_m) - mark.near_m) <= kMarkMoved_m;
+                   std::abs(std::sqrt(distance_squared(feature.bounds_m, mark.place_m)) - mark.near_m) <= kMarkMoved_m;
         });
     }
 }

@@ -1,6 +1,7 @@
 // Walks and touches through quake-e1m1.map at a ball of 5 mm and scale 1. Under callgrind, instructions.sh counts the whole servo_tick (sample checks,
 // workspace, touch, events, limiter), or of touch_tick alone: as shipped (touch), with every optional feature compiled out (plain), or with all compiled
-// in, used or not (all).  touch_walk [TICKS [servo|touch|plain|all]]
+// in, used or not (all). servo: nothing guides the hand; pull and grooves: it is pulled, or among 32 grooves.
+//   touch_walk [TICKS [servo|pull|grooves|touch|plain|all]]
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -33,13 +34,26 @@ template <Tick tick>
     return tally;
 }
 
-[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const ServoTuning& tuning, const std::vector<Vec3>& goals, ServoState& state) {
+// To a place so far away that the pull lasts all the time; or in the middle of the most grooves that there can be.
+GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
+    GuidancePath path;
+    if (how == "servo") return path;
+    path.number = 1;
+    path.kind = how == "pull" ? GuidanceKind::Pull : GuidanceKind::Grooves;
+    path.count = GuidancePath::kMostPoints;
+    for (std::uint32_t i = 0; i < path.count; ++i)
+        path.points_m[i] = how == "pull" ? Vec3(1e6 + i, 0.0, 0.0) : goals[(i / 2 + i % 2) * (goals.size() - 1) / (path.count / 2)];
+    return path;
+}
+
+[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const ServoTuning& tuning, const std::vector<Vec3>& goals, ServoState& state,
+                                       const GuidancePath& guidance) {
     Tally tally;
     double now_s = 0.0;
     for (const Vec3& goal : goals) {
         DeviceSample sample;
         sample.position_m = goal;  // scale 1 and a workspace at the origin: the hand is where the world is
-        const ForceCommand command = servo_tick(state, &scene, tuning, WorkspacePose{}, sample, now_s += 1e-3);
+        const ForceCommand command = servo_tick(state, &scene, tuning, WorkspacePose{}, sample, now_s += 1e-3, nullptr, nullptr, &guidance);
         tally.checksum += command.force_n.x;
         tally.touching += state.tool().contacts.count > 0;
         tally.worst_iterations = std::max<long>(tally.worst_iterations, state.tool().contacts.iterations);
@@ -60,11 +74,12 @@ int run(int ticks, const std::string& part) {
     ServoState servo_state(ideal_device_spec());
     ServoTuning servo_tuning;
     servo_tuning.touch = tuning;
+    const GuidancePath path = led(part, goals);
     const auto begin = std::chrono::steady_clock::now();
     const Tally tally = part == "touch"   ? measured_ticks<touch_tick>(*haptic, tuning, goals, touch_state)
                         : part == "plain" ? measured_ticks<touch_tick_with<PlainFeatures>>(*haptic, tuning, goals, touch_state)
                         : part == "all"   ? measured_ticks<touch_tick_with<AllFeatures>>(*haptic, tuning, goals, touch_state)
-                                          : measured_ticks(*haptic, servo_tuning, goals, servo_state);
+                                          : measured_ticks(*haptic, servo_tuning, goals, servo_state, path);
     const double ns = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
     std::cout << fmt::format("{} obstacles, {} ticks, {:.1f} % touching, {:.0f} ns per tick, at most {} rounds, ended {:.1f} m from the start, checksum {}\n",
                              haptic->obstacles.size(), ticks, 100.0 * static_cast<double>(tally.touching) / ticks, ns / ticks, tally.worst_iterations,

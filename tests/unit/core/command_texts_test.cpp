@@ -1,11 +1,12 @@
 // Every command and every key has its words in every language; what is typed stays.
 #include <gmock/gmock.h>
 
+#include <map>
 #include <set>
 
 #include "app/core/key_map.h"
-#include "tests/support/project_files.h"
 #include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -39,7 +40,8 @@ TEST(CommandTexts, are_said_in_german_with_the_names_of_german_keys) {
     EXPECT_EQ(find_command("forward")->command, Command::Forward);
     EXPECT_EQ(spoken_key("Control+Alt+PageUp"), "Strg+Alt+Bild auf");
     EXPECT_EQ(spoken_key("Q"), "Q");
-    const KeyMap keys({{"wheer", "F5"}});
+    const std::map<std::string, std::string> changes{{"wheer", "F5"}};
+    const KeyMap keys(changes);
     EXPECT_EQ(keys.keys_of(Command::Repeat), "Leertaste oder Q");
     EXPECT_EQ(keys.keys_of(Command::ToggleForces), "F oder die Taste links neben der 1");
     EXPECT_EQ(keys.words_of_keys(Command::Repeat), "Space Q");
