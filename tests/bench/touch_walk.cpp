@@ -39,6 +39,7 @@ GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
     GuidancePath path;
     if (how == "servo") return path;
     path.number = 1;
+    if (how == "pull") path.strength = 0.0;  // all of the work, and no letting go
     path.kind = how == "pull" ? GuidanceKind::Pull : GuidanceKind::Grooves;
     path.count = GuidancePath::kMostPoints;
     for (std::uint32_t i = 0; i < path.count; ++i)
@@ -50,10 +51,12 @@ GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
                                        const GuidancePath& guidance) {
     Tally tally;
     double now_s = 0.0;
+    const GuidancePath none;
     for (const Vec3& goal : goals) {
         DeviceSample sample;
         sample.position_m = goal;  // scale 1 and a workspace at the origin: the hand is where the world is
-        const ForceCommand command = servo_tick(state, &scene, tuning, WorkspacePose{}, sample, now_s += 1e-3, nullptr, nullptr, &guidance);
+        const ForceCommand command =
+            servo_tick(state, &scene, tuning, WorkspacePose{}, sample, now_s += 1e-3, nullptr, nullptr, state.tool().waiting_for_hand ? &none : &guidance);
         tally.checksum += command.force_n.x;
         tally.touching += state.tool().contacts.count > 0;
         tally.worst_iterations = std::max<long>(tally.worst_iterations, state.tool().contacts.iterations);
