@@ -28,8 +28,10 @@ TEST(DeviceNames, stand_in_every_language_and_for_no_other_device) {
     for (const LanguageName& language : bundled_languages()) {
         const test::InLanguage spoken(language.code);
         for (const DeviceSpec& spec : device_specs()) EXPECT_TRUE(has_phrase("device_name." + std::string(spec.name))) << language.code << ": " << spec.name;
-        for (const auto& [key, text] : bundled_texts(language.code))
-            if (key.starts_with("device_name.")) EXPECT_NE(find_device_spec(key.substr(12)), nullptr) << language.code << ": " << key;
+        for (const auto& [key, text] : bundled_texts(language.code)) {
+            if (!key.starts_with("device_name.")) continue;
+            EXPECT_NE(find_device_spec(key.substr(12)), nullptr) << language.code << ": " << key;
+        }
     }
 }
 

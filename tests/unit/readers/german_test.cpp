@@ -42,8 +42,10 @@ TEST(EffectNames, stand_in_every_language_and_for_no_other_effect) {
     for (const LanguageName& language : bundled_languages()) {
         const InLanguage spoken(language.code);
         for (const EffectSpec& row : effect_table()) EXPECT_TRUE(has_phrase("effect_name." + std::string(row.name))) << language.code << ": " << row.name;
-        for (const auto& [key, text] : bundled_texts(language.code))
-            if (key.starts_with("effect_name.")) EXPECT_NE(find_effect(key.substr(12)), nullptr) << language.code << ": " << key;
+        for (const auto& [key, text] : bundled_texts(language.code)) {
+            if (!key.starts_with("effect_name.")) continue;
+            EXPECT_NE(find_effect(key.substr(12)), nullptr) << language.code << ": " << key;
+        }
     }
 }
 
