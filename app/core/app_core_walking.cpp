@@ -257,7 +257,7 @@ void AppCore::leap(int by, double now_s) {
     }
     std::sort(places.begin(), places.end(), [](const Target& a, const Target& b) { return a.order < b.order; });
     const std::size_t count = places.size();
-    std::size_t first = 0;  // the first after the last one, either way
+    std::size_t first = by > 0 || count == 0 ? 0 : count - 1;  // the first after the last one, either way
     if (walking_.leapt_to) {
         if (by > 0)
             while (first < count && places[first].order <= walking_.leapt_to.value) ++first;

@@ -23,7 +23,7 @@ TEST(ReadersInGerman, tell_where_the_file_ends_too_early) {
     const Result<Scene> scene = read_quake_map("{\n\"classname\" \"worldspawn\"\n{\n( 0 0 0 ) ( 1 0 ", "haus.map", {});
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().sentence(),
-              "haus.map, Zeile 4, Spalte 16: In dieser Karte ist nichts zu berühren. 2 Probleme; das erste: Eine Fläche endet zu früh. Erwartet: eine Zahl in "
+              "haus.map, Zeile 4, Spalte 17: In dieser Karte ist nichts zu berühren. 3 Probleme; das erste: Eine Fläche endet zu früh. Erwartet: eine Zahl in "
               "Punkt 2; gefunden: das Ende der Datei.");
 }
 

@@ -74,8 +74,11 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         {"worlds/scene/surfaces.cpp", {"sloping ceiling", "slope rising", "low block", "large block"}},
         {"worlds/scene/material.cpp", {"steel grille"}},
         {"app/main/scenario_command.cpp", {"<testsuite", "<testcase", "<failure"}},  // JUnit's XML
-        {"worlds/readers/quake_map.cpp",                                    // names that files know things by
+        {"worlds/readers/quake_map.cpp",                                             // names that files know things by
          {"moving platform", "turning part", "secret place", "marked place", "sliding floor", "curved surface"}},
+        {"audio-cues/plan/sound_table.cpp",  // names that scenario files know sounds by; told as phrase("sound." + name)
+         {"wall tone", "door moves", "door shuts", "stairs up", "stairs down", "door near", "beacon ahead", "beacon behind", "forces on", "forces off",
+          "frame switch", "rim back", "let go", "guide start", "guide stop"}},
         {"worlds/readers/reader.cpp", {"version https://git-lfs"}},                                             // how such a file begins
         {"worlds/readers/height_picture.cpp", {"cut short"}},                                                   // said to libpng, which is kept quiet
         {"haptic/compile/touch_model.cpp", {"sheets of one side", "liquid surfaces", "textures and shading"}},  // of info --json
