@@ -54,7 +54,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::BringOut, "out", "G", false},
     // Rooms, routes and what moves.
     CommandInfo{Command::Use, "use", "Enter", false},
-    CommandInfo{Command::DropMark, "mark", "Insert", false},
+    CommandInfo{Command::DropMark, "mark", "Insert Shift+M", false},
     CommandInfo{Command::DeleteMark, "delete-mark", "Delete", false},
     CommandInfo{Command::Marks, "marks", "4", false},
     CommandInfo{Command::SetBeacon, "beacon", "Y", false},

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "app/core/key_map.h"
 
@@ -24,6 +25,24 @@ TEST(KeyMap, keeps_the_keys_of_the_original) {
                                                   {"Down", Command::Back},      {"PageUp", Command::TiltUp},   {"PageDown", Command::TiltDown},
                                                   {"F", Command::ToggleForces}, {"Escape", Command::Leave}};
     for (const auto& [key, command] : original) EXPECT_EQ(keys.find(key), command) << key;
+}
+
+// Orca and NVDA keep Insert and the keypad to themselves, in every set of keys.
+TEST(KeyMap, needs_no_key_that_screen_readers_keep) {
+    for (const KeyboardHand hand : {KeyboardHand::Both, KeyboardHand::Left, KeyboardHand::Right}) {
+        const KeyMap keys({}, hand);
+        EXPECT_EQ(keys.find("Shift+M"), Command::DropMark);
+        for (const CommandInfo& row : command_table()) {
+            std::istringstream names(keys.words_of_keys(row.command));
+            bool needs = false, other = false;
+            for (std::string name; names >> name;) {
+                const bool kept = name.find("Insert") != std::string::npos || name.find("CapsLock") != std::string::npos || name.starts_with("Keypad");
+                needs = needs || kept;
+                other = other || !kept;
+            }
+            EXPECT_TRUE(!needs || other) << row.word;
+        }
+    }
 }
 
 TEST(KeyMap, lets_the_person_change_keys_and_says_what_clashes) {

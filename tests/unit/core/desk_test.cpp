@@ -373,7 +373,7 @@ TEST(Desk, a_beacon_is_put_on_the_mark_of_its_list_and_taken_off_again) {
     EXPECT_FALSE(app.guiding().beacon.on());
     app.enter_world(open_ground(), 1.0);  // without marks
     EXPECT_EQ(app.desk().value(mark), "none yet");
-    EXPECT_EQ(app.press_control(beacon), "There are no marks yet. Insert sets one.");
+    EXPECT_EQ(app.press_control(beacon), "There are no marks yet. Insert or Shift+M sets one.");
 }
 
 TEST(Desk, steps_or_metres_where_one_is_and_what_is_explored_are_told_there) {
