@@ -5,6 +5,7 @@
 
 #include "app/core/app_core.h"
 #include "audio-cues/plan/speakable.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -15,7 +16,6 @@ constexpr double kFarther = 1.5;         // what was near is far again from so m
 constexpr double kStorey_m = 1.5;
 constexpr double kWaist_m = 1.0;
 constexpr double kLookRange_m = 30.0;
-constexpr std::string_view kNoMarks = "There are no marks yet. Insert sets one.";
 
 Aabb point_box(const Vec3& p) { return {p, p}; }
 
@@ -38,7 +38,7 @@ void AppCore::enter_guiding(double now_s) {
     for (const std::string& news : side_file_.news()) say(news, SpeechClass::Answer, now_s);
     int unreadable = 0;
     guiding_.marks = read_marks(side_file_, unreadable);
-    if (unreadable > 0) say(fmt::format("{} of your marks here could not be read.", unreadable), SpeechClass::Answer, now_s);
+    if (unreadable > 0) say(phrase("marks.unreadable", {{"count", unreadable}}), SpeechClass::Answer, now_s);
     check_marks(*scene_, side_file_, guiding_.marks);
     if (std::string unfit = unfit_sentence(guiding_.marks); !unfit.empty()) say(std::move(unfit), SpeechClass::Answer, now_s);
 }
@@ -48,11 +48,13 @@ Vec3 AppCore::finding_place_m() const { return hand_.present && tool_.ticks > 0 
 std::string AppCore::where_words(const Aabb& box) const {
     const Vec3 way = nearest_place(box, feet_m() + Vec3(0.0, 0.0, kWaist_m)) - feet_m();
     const double level_m = std::hypot(way.x, way.y);
-    std::string text = distance_words(level_m, distances());
-    if (level_m >= 0.5 * settings_.walk.step_length_m) text += ", " + relative_words(std::atan2(way.x, way.y), heading_rad_);
-    if (way.z > kStorey_m + kWaist_m) text += ", above";
-    if (way.z < -kStorey_m) text += ", below";
-    return text;
+    const std::string distance = distance_words(level_m, distances()), direction = relative_words(std::atan2(way.x, way.y), heading_rad_);
+    return phrase("guide.where", {{"distance", distance},
+                                  {"far", level_m >= 0.5 * settings_.walk.step_length_m ? "yes" : "no"},
+                                  {"direction", direction},
+                                  {"storey", way.z > kStorey_m + kWaist_m ? "above"
+                                             : way.z < -kStorey_m         ? "below"
+                                                                          : "this"}});
 }
 
 std::vector<Goal> AppCore::goals() const {
@@ -69,13 +71,13 @@ std::vector<Goal> AppCore::goals() const {
 // ---- marks ----
 
 void AppCore::save_additions(double now_s) {
-    if (const auto saved = side_file_.save(); !saved) say("This could not be kept: " + saved.error().sentence(), SpeechClass::Alarm, now_s);
+    if (const auto saved = side_file_.save(); !saved) say(phrase("guide.not_kept", {{"why", saved.error().sentence()}}), SpeechClass::Alarm, now_s);
 }
 
 void AppCore::drop_mark(bool by_button, double now_s) {
     Vec3 place = feet_m();
     if (hand_.present && tool_.ticks > 0) {
-        if (tool_.fault == Fault::Unplugged || tool_.workspace_jump != pose_.jump) return answer("The hand's place is not known.", now_s);
+        if (tool_.fault == Fault::Unplugged || tool_.workspace_jump != pose_.jump) return answer(phrase("guide.hand_unknown"), now_s);
         place = tool_.proxy_m;
     }
     Mark mark = new_mark(*scene_, side_file_, guiding_.marks, place);
@@ -86,9 +88,9 @@ void AppCore::drop_mark(bool by_button, double now_s) {
     write_marks(side_file_, guiding_.marks);
     save_additions(now_s);
     play_at(SoundKind::Mark, place, now_s);
-    if (by_button || !settings_.marks.ask_name) return answer(name + " set", now_s);
+    if (by_button || !settings_.marks.ask_name) return answer(phrase("marks.set", {{"name", name}}), now_s);
     TextSpec question;
-    question.question = name + " set. Type another name, or press Enter";
+    question.question = phrase("marks.set_and_ask", {{"name", name}});
     question.text = name;
     question.done = [this, name](std::string typed) { rename_mark(name, typed, last_tick_s_); };
     ask_text(std::move(question), now_s);
@@ -112,19 +114,22 @@ void AppCore::delete_mark(std::size_t which, double now_s) {
     guiding_.mark_near.assign(guiding_.marks.size(), true);
     write_marks(side_file_, guiding_.marks);
     save_additions(now_s);
-    answer(name + " deleted", now_s);
+    answer(phrase("marks.deleted", {{"name", name}}), now_s);
 }
 
 std::vector<ListItem> AppCore::mark_items() const {
     std::vector<ListItem> items;
-    for (const Mark& mark : guiding_.marks) items.push_back({mark.name, where_words(point_box(mark.place_m)) + (mark.fits ? "" : ", may no longer fit")});
+    for (const Mark& mark : guiding_.marks) {
+        const std::string where = where_words(point_box(mark.place_m));
+        items.push_back({mark.name, mark.fits ? where : phrase("marks.may_not_fit", {{"where", where}})});
+    }
     return items;
 }
 
 void AppCore::open_delete_marks(double now_s) {
-    if (guiding_.marks.empty()) return answer(std::string(kNoMarks), now_s);
+    if (guiding_.marks.empty()) return answer(phrase("desk.no_marks", {{"key", keys_.keys_of(Command::DropMark)}}), now_s);
     ListSpec list;
-    list.title = "Delete which mark";
+    list.title = phrase("marks.delete_which");
     list.items = mark_items();
     list.chosen = [this](std::size_t i) { delete_mark(i, last_tick_s_); };
     open_list(std::move(list), now_s);
@@ -133,10 +138,10 @@ void AppCore::open_delete_marks(double now_s) {
 // Marks, the beacon, and how much help being led gives.
 void AppCore::open_marks(double now_s) {
     ListSpec list;
-    list.title = "Marks and beacon";
-    list.items.push_back({"Beacon", guiding_.beacon.on() ? guiding_.beacon.name() : "off"});
-    const auto help = [this] { return fmt::format("{:.0f} percent", 100.0 * guiding_.laps.strength()); };
-    list.items.push_back({"Help on the way", help(), true});
+    list.title = phrase("marks.title");
+    list.items.push_back({phrase("guide.beacon"), guiding_.beacon.on() ? guiding_.beacon.name() : phrase("setting_value.off")});
+    const auto help = [this] { return phrase("guide.percent", {{"percent", std::lround(100.0 * guiding_.laps.strength())}}); };
+    list.items.push_back({phrase("guide.help"), help(), true});
     for (ListItem& item : mark_items()) list.items.push_back(std::move(item));
     list.adjusted = [this, help](std::size_t, int by) {
         guiding_.laps.change(by);
@@ -156,7 +161,7 @@ void AppCore::open_marks(double now_s) {
 void AppCore::open_find(double now_s) {
     const std::vector<Goal> all = goals();
     ListSpec list;
-    list.title = "Find";
+    list.title = phrase("guide.find");
     for (const Goal& goal : all) list.items.push_back({goal.name, where_words(goal.box_m)});
     list.chosen = [this, all](std::size_t i) { open_tools(all[i], last_tick_s_); };
     open_list(std::move(list), now_s);
@@ -166,13 +171,14 @@ void AppCore::open_tools(const Goal& goal, double now_s) {
     guiding_.goal = goal;
     ListSpec list;
     list.title = goal.name;
-    list.items = {{"Beacon", ""}, {"Take me there", ""}, {"Warmer and colder", ""}, {"Lines through it", ""}, {"Where is it", where_words(goal.box_m)}};
+    for (const char* way : {"guide.beacon", "guide.take_me", "guide.warmer", "guide.lines"}) list.items.push_back({phrase(way), ""});
+    list.items.push_back({phrase("guide.where_is_it"), where_words(goal.box_m)});
     list.chosen = [this, goal](std::size_t i) {
         if (i == 0) set_beacon(goal, last_tick_s_);
         if (i == 1) lead_to(goal, {}, last_tick_s_);
         if (i == 2) seek_warmer(goal, last_tick_s_);
         if (i == 3) cross_lines(goal, last_tick_s_);
-        if (i == 4) answer(fmt::format("{}, {}", goal.name, where_words(goal.box_m)), last_tick_s_);
+        if (i == 4) answer(joined(goal.name, where_words(goal.box_m)), last_tick_s_);
     };
     open_list(std::move(list), now_s);
 }
@@ -180,7 +186,7 @@ void AppCore::open_tools(const Goal& goal, double now_s) {
 void AppCore::set_beacon(const Goal& goal, double now_s) {
     guiding_.goal = goal;
     guiding_.beacon.set(goal.name, goal.box_m);
-    answer(fmt::format("Beacon on {}, {}", goal.name, where_words(goal.box_m)), now_s);
+    answer(phrase("guide.beacon_on", {{"name", goal.name}, {"where", where_words(goal.box_m)}}), now_s);
 }
 
 // What the hand touches, else what is straight ahead, else to be chosen.
@@ -196,27 +202,28 @@ void AppCore::beacon_here(double now_s) {
     }
     const Feature* feature = scene_->find(id);
     if (!feature || feature->name.empty()) return open_find(now_s);
+    const std::string name = spoken_name(*feature);
     const bool whole = !is_surface(feature->kind) && !feature->bounds_m.empty();
-    set_beacon({sentence_case(speakable(feature->name)), whole ? feature->bounds_m : point_box(place), id}, now_s);
+    set_beacon({sentence_case(speakable(name)), whole ? feature->bounds_m : point_box(place), id}, now_s);
 }
 
 void AppCore::mute_beacon(double now_s) {
     if (guiding_.beacon.on()) {
         guiding_.beacon.clear();
-        return answer("Beacon off", now_s);
+        return answer(phrase("guide.beacon_off"), now_s);
     }
     if (guiding_.goal) return set_beacon(*guiding_.goal, now_s);
-    answer(fmt::format("There is no beacon. {} sets one.", keys_.keys_of(Command::SetBeacon)), now_s);
+    answer(phrase("guide.no_beacon", {{"key", keys_.keys_of(Command::SetBeacon)}}), now_s);
 }
 
 void AppCore::seek_warmer(const Goal& goal, double now_s) {
     guiding_.goal = goal;
     if (guiding_.warmer.on() && guiding_.warmer.name() == goal.name) {
         guiding_.warmer.clear();
-        return answer("Warmer and colder off", now_s);
+        return answer(phrase("guide.warmer_off"), now_s);
     }
     guiding_.warmer.set(goal.name, goal.box_m);
-    answer(fmt::format("{}: the faster it ticks, the nearer", goal.name), now_s);
+    answer(phrase("guide.warmer_on", {{"name", goal.name}}), now_s);
 }
 
 // ---- every tick ----
@@ -285,7 +292,7 @@ void AppCore::tick_guiding(double now_s) {
         if (beat.arrived) {
             if (follow_name_ == g.beacon.name()) follower_.stop();  // told once
             play(SoundKind::Arrived, now_s);
-            say(fmt::format("Here: {}", g.beacon.name()), SpeechClass::Answer, now_s);
+            say(phrase("lead.here", {{"goal", g.beacon.name()}}), SpeechClass::Answer, now_s);
         }
     }
     if (g.warmer.on()) {
@@ -300,7 +307,7 @@ void AppCore::tick_guiding(double now_s) {
         if (beat.sound) play(SoundKind::Warmer, now_s);
         if (beat.found) {
             play(SoundKind::Arrived, now_s);
-            say(fmt::format("Here: {}", g.warmer.name()), SpeechClass::Answer, now_s);
+            say(phrase("lead.here", {{"goal", g.warmer.name()}}), SpeechClass::Answer, now_s);
         }
     }
 }

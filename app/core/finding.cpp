@@ -83,7 +83,7 @@ std::vector<NamedThing> named_things(const Scene& scene) {
         const Feature& feature = scene.features[i];
         if (feature.name.empty() || feature.bounds_m.empty()) continue;
         if (!is_thing(feature)) continue;
-        things.push_back({feature.name, feature.bounds_m, FeatureId{static_cast<std::uint32_t>(i)}, feature.kind, feature.landmark, feature.clue});
+        things.push_back({spoken_name(feature), feature.bounds_m, FeatureId{static_cast<std::uint32_t>(i)}, feature.kind, feature.landmark, feature.clue});
     }
     return things;
 }

@@ -1,11 +1,10 @@
 #include "app/core/marks.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
-#include "app/core/words.h"
+#include "worlds/base/language.h"
 #include "worlds/geometry/closest_point.h"
 
 namespace handrail {
@@ -15,6 +14,17 @@ constexpr const char* kList = "mark";
 constexpr std::size_t kMostTold = 5;
 
 bool reads(const SideEntry& entry) { return good_name(text_of(entry, "name")).has_value() && !numbers_of(entry, "place_m", 3).empty(); }
+
+// As it is said.
+std::string spoken_thing(const Scene& scene, const std::string& stored) {
+    const auto feature = std::find_if(scene.features.begin(), scene.features.end(), [&](const Feature& f) { return f.name == stored; });
+    return feature == scene.features.end() ? std::string() : spoken_name(*feature);
+}
+
+// "Mark 3" and "Mark 3, near radiator", but not "Mark 30".
+bool is_called(std::string_view name, std::string_view mark) {
+    return name.starts_with(mark) && (name.size() == mark.size() || !std::isalnum(static_cast<unsigned char>(name[mark.size()])));
+}
 
 }  // namespace
 
@@ -87,13 +97,15 @@ NearThing nearest_thing(const Scene& scene, const Vec3& place_m) {
 Mark new_mark(const Scene& scene, const SideFile& file, const std::vector<Mark>& marks, const Vec3& place_m) {
     const NearThing near = nearest_thing(scene, place_m);
     const auto taken = [&](const std::string& name) {
-        return std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) { return mark.name == name || mark.name.starts_with(name + ","); });
+        return std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) { return is_called(mark.name, name); });
     };
-    int number = 1;
-    while (taken(fmt::format("Mark {}", number))) ++number;
-    std::string name = fmt::format("Mark {}", number);
+    std::string name;
+    std::size_t number = 1;
+    do name = phrase("marks.name", {{"number", number}});
+    while (taken(name) && ++number <= marks.size() + 1);  // so many marks cannot take more; a text without a number would for ever
+    const std::string thing = spoken_thing(scene, near.name), whole = phrase("marks.name_near", {{"mark", name}, {"thing", thing}});
     // A long name of a thing is left out rather than cut in the middle of a letter.
-    if (!near.name.empty() && name.size() + near.name.size() + 7 <= kLongestName_bytes && good_name(near.name)) name += ", near " + near.name;
+    if (whole.size() <= kLongestName_bytes && good_name(thing)) name = whole;
     return {.name = std::move(name), .place_m = place_m, .near = near.name, .near_m = near.distance_m, .world = file.world_checksum(), .kept = {}};
 }
 
@@ -109,15 +121,13 @@ void check_marks(const Scene& scene, const SideFile& file, std::vector<Mark>& ma
 }
 
 std::string unfit_sentence(const std::vector<Mark>& marks) {
-    std::vector<std::string> names;
-    for (const Mark& mark : marks)
-        if (!mark.fits) names.push_back(mark.name);
-    if (names.empty()) return {};
     std::string list;
-    for (std::size_t i = 0; i < std::min(names.size(), kMostTold); ++i) list += (i == 0 ? "" : "; ") + names[i];
-    if (names.size() > kMostTold) list += fmt::format("; and {} more", names.size() - kMostTold);
-    return fmt::format("This world has changed since you set marks. {} of {} no longer {}: {}.", names.size(), marks.size(), names.size() == 1 ? "fits" : "fit",
-                       list);
+    std::size_t unfit = 0;
+    for (const Mark& mark : marks)
+        if (!mark.fits && ++unfit <= kMostTold) list += (unfit == 1 ? "" : "; ") + mark.name;
+    if (unfit == 0) return {};
+    if (unfit > kMostTold) list = phrase("marks.more", {{"names", list}, {"count", unfit - kMostTold}});
+    return phrase("marks.unfit", {{"count", unfit}, {"all", marks.size()}, {"names", list}});
 }
 
 }  // namespace handrail

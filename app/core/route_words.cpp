@@ -1,9 +1,9 @@
 #include "app/core/route_words.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -15,10 +15,12 @@ double bearing(const Vec3& from, const Vec3& to) { return std::atan2(to.x - from
 
 std::string turn_words(double turn_rad) {
     const double size = std::abs(turn_rad);
-    const char* side = turn_rad > 0.0 ? "right" : "left";
+    const bool right = turn_rad > 0.0;
     if (size < kLeastTurn_rad) return {};
-    if (size > 0.9 * kPi) return "turn round";
-    return fmt::format("turn {}{}", size < 0.3 * kPi ? "half " : size > 0.65 * kPi ? "sharp " : "", side);
+    if (size > 0.9 * kPi) return phrase("route.turn_round");
+    if (size < 0.3 * kPi) return phrase(right ? "route.turn_half_right" : "route.turn_half_left");
+    if (size > 0.65 * kPi) return phrase(right ? "route.turn_sharp_right" : "route.turn_sharp_left");
+    return phrase(right ? "route.turn_right" : "route.turn_left");
 }
 
 }  // namespace
@@ -44,17 +46,15 @@ std::vector<RouteNode> nodes_of(const Route& route, const std::string& goal, con
 }
 
 std::string route_words(const Route& route, const std::vector<RouteNode>& nodes, double heading_rad, const DistanceWords& how) {
-    if (route.points_m.size() < 2 || nodes.empty()) return "You are there.";
-    std::string text = sentence_case(distance_words(route.length_m, how)) + " in all.";
+    if (route.points_m.size() < 2 || nodes.empty()) return phrase("route.there");
+    std::string text = capitalised(phrase("route.in_all", {{"distance", distance_words(route.length_m, how)}}));
     const std::string first = turn_words(wrap_angle(bearing(route.points_m[0], route.points_m[1]) - heading_rad));
-    if (!first.empty()) text += " " + sentence_case(first) + ".";
+    if (!first.empty()) text += " " + capitalised(phrase("route.first", {{"turn", first}}));
     double before = 0.0;
     for (const RouteNode& node : nodes) {
-        text += " " + sentence_case(distance_words(node.at_m - before, how));
-        if (!node.what.empty()) text += " to " + node.what;
-        const std::string turn = turn_words(node.turn_rad);
-        if (!turn.empty()) text += (node.what.empty() ? ", then " : ", ") + turn;
-        text += '.';
+        const std::string distance = distance_words(node.at_m - before, how), turn = turn_words(node.turn_rad);
+        const char* leg = node.what.empty() ? (turn.empty() ? "route.leg" : "route.leg_turn") : turn.empty() ? "route.leg_to" : "route.leg_to_turn";
+        text += " " + capitalised(phrase(leg, {{"distance", distance}, {"what", node.what}, {"turn", turn}}));
         before = node.at_m;
     }
     return text;
@@ -91,7 +91,8 @@ RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords&
     }
     along_m_ = along;
     if (glm::length(feet_m - goal_m()) < kThere_m || (left_m() < kThere_m && nearest < kThere_m)) {
-        said.text = sentence_case(nodes_.empty() || nodes_.back().what.empty() ? "the end of the way" : nodes_.back().what) + ". You are there.";
+        const bool named = !nodes_.empty() && !nodes_.back().what.empty();
+        said.text = named ? phrase("route.arrived", {{"goal", sentence_case(nodes_.back().what)}}) : phrase("route.arrived_at_end");
         said.arrived = true;
         stop();
         return said;
@@ -106,16 +107,17 @@ RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords&
         const std::string turn = turn_words(node.turn_rad);
         if (!reached_[i] && std::abs(ahead) < kAtFeature_m && i + 1 < nodes_.size()) {
             reached_[i] = announced_[i] = true;
-            said.text = node.what.empty() ? sentence_case(turn) : sentence_case(node.what) + (turn.empty() ? "" : ", " + turn);
-            const double to_next = nodes_[i + 1].at_m - node.at_m;
-            if (!said.text.empty())
-                said.text += fmt::format(", then {}{}", distance_words(to_next, how), nodes_[i + 1].what.empty() ? "" : " to " + nodes_[i + 1].what);
+            const RouteNode& next = nodes_[i + 1];
+            const std::string here = sentence_case(joined(node.what, turn)), distance = distance_words(next.at_m - node.at_m, how);
+            if (!here.empty())
+                said.text =
+                    phrase(next.what.empty() ? "route.reached" : "route.reached_then_to", {{"here", here}, {"distance", distance}, {"next", next.what}});
         } else if (!announced_[i] && ahead > 0.0 && ahead <= kAnnounceAhead_m) {
             announced_[i] = true;
-            said.text = fmt::format("{}, {}", sentence_case(node.what.empty() ? turn : node.what), distance_words(ahead, how));
+            said.text = phrase("route.ahead", {{"what", sentence_case(node.what.empty() ? turn : node.what)}, {"distance", distance_words(ahead, how)}});
         }
     }
-    if (said.text.empty() && along_m_ - word_at_m_ >= kReassureEvery_m) said.text = "On the way, " + distance_words(left_m(), how) + " left";
+    if (said.text.empty() && along_m_ - word_at_m_ >= kReassureEvery_m) said.text = phrase("route.on_the_way", {{"distance", distance_words(left_m(), how)}});
     if (!said.text.empty()) word_at_m_ = along_m_;
     return said;
 }

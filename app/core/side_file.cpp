@@ -7,9 +7,11 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 
 #include "worlds/base/files.h"
+#include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
 
@@ -142,12 +144,12 @@ std::vector<double> numbers_of(const SideEntry& entry, const std::string& key, s
 
 Result<std::string> good_name(std::string_view typed) {
     const std::size_t first = typed.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) return fail("A name needs at least one letter.");
+    if (first == std::string_view::npos) return fail(phrase("side_file.name_empty"));
     const std::string name(typed.substr(first, typed.find_last_not_of(" \t\r\n") - first + 1));
-    if (!is_utf8(name)) return fail("This name is not written in UTF-8.");
-    if (name.size() > kLongestName_bytes) return fail(fmt::format("This name is too long; {} bytes are the most.", kLongestName_bytes));
+    if (!is_utf8(name)) return fail(phrase("side_file.name_no_text"));
+    if (name.size() > kLongestName_bytes) return fail(phrase("side_file.name_too_long", {{"most", kLongestName_bytes}}));
     for (const char c : name)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return fail("A name is one line without control characters.");
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return fail(phrase("side_file.name_control"));
     return name;
 }
 
@@ -160,27 +162,27 @@ struct SideFile::Content {
 
     void read(const fs::path& from) {
         const std::string name = from.filename().string();
-        std::string why;
-        if (const auto text = read_whole_file(from, kLongestFile_bytes); !text) {
-            why = "cannot be read";
-        } else {
+        std::optional<std::uint32_t> damaged_line;  // else it cannot be read
+        if (const auto text = read_whole_file(from, kLongestFile_bytes); text) {
             try {
                 root = toml::parse(*text, from.string());
                 return;
             } catch (const toml::parse_error& error) {
-                why = fmt::format("is damaged in line {}", error.source().begin.line);
+                damaged_line = error.source().begin.line;
             }
         }
         const fs::path kept = kept_name(from);
         std::error_code ec;
         if (!kept.empty()) fs::rename(from, kept, ec);
         if (!kept.empty() && !ec) {
-            news.push_back(
-                fmt::format("What you had added to this world {}. It is kept as {}, and I start with nothing added.", why, kept.filename().string()));
+            const std::string kept_as = kept.filename().string();
+            news.push_back(damaged_line ? phrase("side_file.damaged_kept", {{"line", *damaged_line}, {"file", kept_as}})
+                                        : phrase("side_file.unreadable_kept", {{"file", kept_as}}));
             return;
         }
         // It stays where it is and must not be written over.
-        news.push_back(fmt::format("What you had added to this world {}. It stays as {}, and I start with nothing added.", why, name));
+        news.push_back(damaged_line ? phrase("side_file.damaged_stays", {{"line", *damaged_line}, {"file", name}})
+                                    : phrase("side_file.unreadable_stays", {{"file", name}}));
         if (path == from) std::swap(path, other_path);
         if (path == from || path.empty()) path = kept;
     }

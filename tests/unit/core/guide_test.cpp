@@ -5,6 +5,7 @@
 
 #include "app/core/app_core.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
@@ -124,6 +125,40 @@ TEST(Marks, are_set_named_kept_found_again_and_deleted) {
     again.enter(world);
     ASSERT_EQ(again.app.guiding().marks.size(), 1U);
     EXPECT_EQ(again.app.guiding().marks[0].name, "Książki 本");
+}
+
+TEST(Marks, are_set_and_found_in_german_near_what_the_world_stores_in_english) {
+    const test::InLanguage german("de");
+    Scene scene = *room(4.0);
+    for (Feature& feature : scene.features) feature.made_name = feature.kind == FeatureKind::Wall;
+    Person p;
+    p.enter({}, std::make_shared<const Scene>(std::move(scene)));
+    p.tap(Command::DeleteMark);
+    EXPECT_TRUE(p.heard("Es gibt noch keine Marken. Einfügen oder Umschalt+M setzt eine.")) << testing::PrintToString(p.said);
+    p.stand_at({0.5, 1.0, 0.0});
+    p.tap(Command::DropMark);
+    EXPECT_TRUE(p.heard("Marke 1, bei Westwand gesetzt. Anderen Namen tippen oder Enter drücken")) << testing::PrintToString(p.said);
+    p.key("Enter");
+    ASSERT_EQ(p.app.guiding().marks.size(), 1U);
+    EXPECT_EQ(p.app.guiding().marks[0].near, "west wall");
+    p.stand_at({3.0, 0.5, 0.0});
+    p.tap(Command::Marks);
+    EXPECT_TRUE(p.heard("Marken und Signal")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.heard("Signal, aus")) << testing::PrintToString(p.said);
+    p.key("Down");
+    EXPECT_TRUE(p.heard("Hilfe auf dem Weg, 100 Prozent")) << testing::PrintToString(p.said);
+    p.key("Down");
+    EXPECT_TRUE(p.heard("Marke 1, bei Westwand, 4 Schritte, links")) << testing::PrintToString(p.said);
+    p.key("Enter");
+    p.key("Enter");
+    EXPECT_TRUE(p.heard("Signal auf Marke 1, bei Westwand, 4 Schritte, links")) << testing::PrintToString(p.said);
+    p.stand_at({1.2, 1.0, 0.0});
+    EXPECT_TRUE(p.heard("Hier: Marke 1, bei Westwand")) << testing::PrintToString(p.said);
+    p.stand_at({3.0, 0.5, 0.0});
+    p.tap(Command::SetBeacon);
+    EXPECT_TRUE(p.heard("Signal auf Nordwand, 5 Schritte, vorn")) << testing::PrintToString(p.said);
+    p.tap(Command::DropMark);
+    EXPECT_TRUE(p.heard("Marke 2, bei Table gesetzt")) << testing::PrintToString(p.said);
 }
 
 TEST(Marks, of_an_edited_world_that_no_longer_fit_are_told) {

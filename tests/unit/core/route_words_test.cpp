@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/support/spoken_language.h"
+
 namespace handrail {
 namespace {
 
@@ -61,6 +63,20 @@ TEST(RouteFollower, announces_features_6_m_ahead_and_at_them_and_arrives) {
                                          "Turn half right, then 14 steps to Kitchen", "Kitchen, 9 steps", "Kitchen. You are there."));
     EXPECT_TRUE(walked.arrived);
     EXPECT_FALSE(follower.following());
+}
+
+TEST(RouteWords, are_german_sentences_before_the_way_and_along_it) {
+    const test::InLanguage german("de");
+    const Route route = corner();
+    EXPECT_EQ(route_words(route, nodes(route), -kPi / 2.0, kSteps),
+              "45 Schritte insgesamt. Rechts abbiegen. 14 Schritte bis blue door, rechts abbiegen. 15 Schritte, dann halb rechts abbiegen. "
+              "14 Schritte bis Kitchen.");
+    EXPECT_EQ(route_words(Route{}, {}, 0.0, kSteps), "Das Ziel ist erreicht.");
+    RouteFollower follower;
+    follower.follow(route, nodes(route));
+    EXPECT_THAT(walk(follower, route.points_m).said,
+                ElementsAre("Blue door, noch 9 Schritte", "Blue door, rechts abbiegen, dann 15 Schritte", "Halb rechts abbiegen, noch 9 Schritte",
+                            "Halb rechts abbiegen, dann 14 Schritte bis Kitchen", "Kitchen, noch 9 Schritte", "Kitchen. Das Ziel ist erreicht."));
 }
 
 TEST(RouteFollower, says_every_10_m_that_one_is_on_the_way) {

@@ -73,6 +73,7 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         // Names that files know things by; spoken as phrase("kind." + name) and phrase("material." + name).
         {"worlds/scene/surfaces.cpp", {"sloping ceiling", "slope rising", "low block", "large block"}},
         {"worlds/scene/material.cpp", {"steel grille"}},
+        {"app/core/side_file.cpp", {"# What was added to this world"}},              // how such a file begins
         {"app/main/scenario_command.cpp", {"<testsuite", "<testcase", "<failure"}},  // JUnit's XML
         {"worlds/readers/quake_map.cpp",                                             // names that files know things by
          {"moving platform", "turning part", "secret place", "marked place", "sliding floor", "curved surface"}},
