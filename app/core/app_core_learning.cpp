@@ -4,6 +4,7 @@
 
 #include "app/core/app_core.h"
 #include "app/core/side_file.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -12,13 +13,12 @@ constexpr double kLookEvery_s = 1.0;
 constexpr double kHide_m = 6.0;       // on foot from where one is
 constexpr double kHandFinds_m = 0.4;  // of world
 
-std::string percent(double share) { return fmt::format("{:.0f} percent", std::floor(100.0 * share + 0.5)); }
+long percent(double share) { return static_cast<long>(std::floor(100.0 * share + 0.5)); }
 
 std::string time_words(double seconds) {
     const long all = std::lround(seconds);
-    const auto counted = [](long n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
-    if (all < 60) return counted(all, "second");
-    return all % 60 == 0 ? counted(all / 60, "minute") : counted(all / 60, "minute") + " " + counted(all % 60, "second");
+    if (all < 60) return phrase("learning.seconds", {{"seconds", all}});
+    return all % 60 == 0 ? minutes_words(seconds) : phrase("learning.minutes_and_seconds", {{"minutes", all / 60}, {"seconds", all % 60}});
 }
 
 }  // namespace
@@ -37,10 +37,10 @@ bool AppCore::act_learning(Command command, double now_s) {
             learning_.walls_done = learning_.lanes_begun = false;
             learning_.base_m = feet_m();
             learning_.seen_notes = 0;
-            answer(learning_.on
-                       ? fmt::format("Learning this place. Base here. First the walls: hold {} to go along them. {} says how far you are, {} what is left.",
-                                     keys_.keys_of(Command::TrailLeft), keys_.keys_of(Command::ProgressReport), keys_.keys_of(Command::Unexplored))
-                       : "Learning ends. " + progress_words(now_s),
+            answer(learning_.on ? phrase("learning.begun", {{"trail", keys_.keys_of(Command::TrailLeft)},
+                                                            {"progress", keys_.keys_of(Command::ProgressReport)},
+                                                            {"unexplored", keys_.keys_of(Command::Unexplored)}})
+                                : phrase("learning.ended") + " " + progress_words(now_s),
                    now_s);
             return true;
         case Command::Hunt:
@@ -111,19 +111,22 @@ std::string AppCore::progress_words(double now_s) {
     const Progress progress = progress_of(place_here(), learning_.notes, *scene_);
     std::string named;
     for (const WallProgress& wall : progress.walls)
-        if (wall.touched_m > 0.0) named += (named.empty() ? "" : ", ") + name_of(wall.feature);
-    std::string text = fmt::format("Walls {}, floor {}", percent(progress.perimeter_share()), percent(progress.floor_share()));
-    if (progress.doors > 0) text += fmt::format(", {} of {} {}", progress.doors_found, progress.doors, progress.doors == 1 ? "door" : "doors");
-    text += fmt::format(". {}.", time_words(now_s - learning_.since_s));
-    if (!named.empty()) text += " Touched: " + named + ".";
-    return text;
+        if (wall.touched_m > 0.0) named = joined(named, name_of(wall.feature));
+    const std::string time = time_words(now_s - learning_.since_s);
+    const TextValue of_walls{"walls", percent(progress.perimeter_share())}, of_floor{"floor", percent(progress.floor_share())}, took{"time", time};
+    const std::string text = progress.doors > 0
+                                 ? phrase("learning.progress_and_doors", {of_walls, of_floor, {"found", progress.doors_found}, {"doors", progress.doors}, took})
+                                 : phrase("learning.progress", {of_walls, of_floor, took});
+    return named.empty() ? text : text + " " + phrase("learning.touched", {{"names", named}});
 }
 
 void AppCore::tell_unexplored(double now_s) {
     const auto left = nearest_unexplored(place_here(), learning_.notes, feet_m());
-    if (!left) return answer("All of this place is explored.", now_s);
+    if (!left) return answer(phrase("learning.all_explored"), now_s);
     const double dx = left->point_m.x - feet_m().x, dy = left->point_m.y - feet_m().y;
-    answer(fmt::format("Unexplored {} {}", left->wall ? name_of(left->feature) : std::string("floor"), where_words(std::hypot(dx, dy), std::atan2(dx, dy))),
+    const std::string where = where_words(std::hypot(dx, dy), std::atan2(dx, dy));
+    answer(left->wall ? phrase("learning.unexplored_wall", {{"wall", name_of(left->feature)}, {"where", where}})
+                      : phrase("learning.unexplored_floor", {{"where", where}}),
            now_s);
 }
 
@@ -136,28 +139,29 @@ void AppCore::guide_learning(double now_s) {
     for (const WallProgress& wall : progress.walls) {
         if (!wall.done() || wall.length_m < 0.5 || std::find(learning_.done.begin(), learning_.done.end(), wall.feature) != learning_.done.end()) continue;
         learning_.done.push_back(wall.feature);
-        answer(fmt::format("{} done, {} of {}.", sentence_case(name_of(wall.feature)), done, progress.walls.size()), now_s);
+        answer(phrase("learning.wall_done", {{"wall", sentence_case(name_of(wall.feature))}, {"done", done}, {"walls", progress.walls.size()}}), now_s);
     }
     if (!learning_.walls_done && progress.perimeter_share() >= 0.95) {
         learning_.walls_done = true;
         play(SoundKind::Arrived, now_s);
-        answer(fmt::format("All walls done, {}. Now the floor, in lanes a metre apart. The base is {}.", time_words(now_s - learning_.since_s),
-                           where_words(glm::length(learning_.base_m - feet_m()), std::atan2(learning_.base_m.x - feet_m().x, learning_.base_m.y - feet_m().y))),
-               now_s);
+        const Vec3 base = learning_.base_m - feet_m();
+        const std::string where = where_words(glm::length(base), std::atan2(base.x, base.y));
+        answer(phrase("learning.walls_done", {{"time", time_words(now_s - learning_.since_s)}, {"where", where}}), now_s);
     }
     const std::vector<Lane> lanes = lanes_of(place, learning_.notes);
     std::size_t walked = 0;
     for (const Lane& lane : lanes) walked += lane.done();
     if (walked > learning_.lanes_told && learning_.walls_done) {
-        std::string next = " All lanes done.";
+        std::string next = phrase("learning.lanes_done");
         for (const Lane& lane : lanes)
             if (!lane.done()) {
                 const double off = lane.at_m - (lane.north ? feet_m().x : feet_m().y);
-                next = fmt::format(" The next runs {}, {} to the {}.", lane.north ? "north and south" : "east and west",
-                                   distance_words(std::abs(off), distances()), lane.north ? (off > 0.0 ? "east" : "west") : (off > 0.0 ? "north" : "south"));
+                const char* key = lane.north ? (off > 0.0 ? "learning.lane_to_east" : "learning.lane_to_west")
+                                             : (off > 0.0 ? "learning.lane_to_north" : "learning.lane_to_south");
+                next = phrase(key, {{"distance", distance_words(std::abs(off), distances())}});
                 break;
             }
-        answer(fmt::format("Lane done, {} of {}.{}", walked, lanes.size(), next), now_s);
+        answer(phrase("learning.lane_done", {{"done", walked}, {"lanes", lanes.size()}}) + " " + next, now_s);
     }
     learning_.lanes_told = walked;
 }
@@ -176,13 +180,13 @@ void AppCore::hunt_key(double now_s) {
     });
     auto world = std::make_unique<BodyWorld>(std::make_shared<const Scene>(std::move(open)));
     HuntGround ground(*world, feet_m(), walker_->size());
-    if (ground.size() < 30) return answer("There is no room for a hunt here.", now_s);
+    if (ground.size() < 30) return answer(phrase("hunt.no_space"), now_s);
     const Vec3 clock = ground.hiding_place(static_cast<std::uint64_t>(now_s * 1e3) + 7919U * ++hunts_, kHide_m);
     ground.aim(clock);
     hunt_.emplace(ClockHunt{std::move(ground), std::move(world), clock, now_s, 0});
-    soundscape_.add({SoundSource{clock + Vec3(0.0, 0.0, 1.0), "hidden clock", "clock", 1.0}});
+    soundscape_.add({SoundSource{clock + Vec3(0.0, 0.0, 1.0), {}, "clock", 1.0}});
     play(SoundKind::Arrived, now_s);
-    answer(fmt::format("A clock is hidden and ticks. Find it: go there, or reach for it. {} gives a hint.", keys_.keys_of(Command::Hunt)), now_s);
+    answer(phrase("hunt.begun", {{"key", keys_.keys_of(Command::Hunt)}}), now_s);
 }
 
 std::string AppCore::hunt_words() const {
@@ -194,17 +198,16 @@ std::string AppCore::hunt_words() const {
     if (!way) way = hunt_->ground.way_m(feet_m()), next = hunt_->ground.next_m(*hunt_->open_world, feet_m(), walker_->size());
     if (!way || !next) {
         const Vec3 to = hunt_->clock_m - feet_m();
-        return fmt::format("The clock is {} as the crow flies. No way on foot is known from here.",
-                           where_words(std::hypot(to.x, to.y), std::atan2(to.x, to.y)));
+        return phrase("hunt.straight", {{"where", where_words(std::hypot(to.x, to.y), std::atan2(to.x, to.y))}});
     }
     const Vec3 to = *next - feet_m();
     const double bearing = std::atan2(to.x, to.y), straight_m = std::hypot(to.x, to.y);
-    std::string text = fmt::format("Go {}. The clock is {} on foot.", where_words(straight_m, bearing), distance_words(*way, distances()));
+    std::string text = phrase("hunt.go", {{"where", where_words(straight_m, bearing)}, {"distance", distance_words(*way, distances())}});
     const Vec3 up(0.0, 0.0, 1.0);
     const TraceHit hit = body_world_->trace(feet_m() + up, *next + Vec3(0.0, 0.0, 1.0), walker_->shape().height_m > 0.0 ? BodyShape{} : BodyShape{}, true);
     if (hit.hit)
         if (const Feature* feature = scene_->find(hit.feature); feature && feature->kind == FeatureKind::Door)
-            text = fmt::format("Open the {}. ", feature->name) + text;
+            text = phrase("hunt.open", {{"door", spoken_name(*feature)}}) + " " + text;
     return text;
 }
 
@@ -217,21 +220,20 @@ void AppCore::seek_clock(double now_s) {
     hunt_.reset();
     soundscape_.add({});
     play(SoundKind::Arrived, now_s);
-    std::string text = fmt::format("You found the clock: {}", time_words(took_s));
-    text += hints == 0 ? ", without a hint." : fmt::format(", {} {}.", hints, hints == 1 ? "hint" : "hints");
+    std::string text = phrase("hunt.found", {{"time", time_words(took_s)}, {"hints", hints}});
     // The best time for each world lies in the person's own data folder.
     SideFile times = records_folder_.empty() ? SideFile() : SideFile::of_world(records_folder_ / "hunt", records_folder_);
     SideEntry best = times.table("best_seconds");
     for (const std::string& news : times.news()) text += " " + news;
     const double before_s = records_folder_.empty() ? (best_hunt_s_ > 0.0 ? best_hunt_s_ : -1.0) : number_of(best, scene_->name, -1.0);
     if (before_s < 0.0 || took_s < before_s) {
-        text += before_s < 0.0 ? " That is the first time here." : fmt::format(" The best time here, before it was {}.", time_words(before_s));
+        text += " " + (before_s < 0.0 ? phrase("hunt.first_time") : phrase("hunt.better", {{"time", time_words(before_s)}}));
         best[scene_->name] = took_s;
         best_hunt_s_ = took_s;
         times.set_table("best_seconds", best);
         if (const auto saved = times.save(); !saved) text += " " + saved.error().sentence();
     } else {
-        text += fmt::format(" The best time here is {}.", time_words(before_s));
+        text += " " + phrase("hunt.best", {{"time", time_words(before_s)}});
     }
     answer(text, now_s);
 }

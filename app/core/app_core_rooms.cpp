@@ -7,12 +7,6 @@
 #include "worlds/base/text.h"
 
 namespace handrail {
-namespace {
-
-constexpr std::string_view kNotYet = "The rooms of this world are still being looked for. Ask again in a moment.";
-constexpr std::string_view kNowhere = "You are at no place that belongs to a room.";
-
-}  // namespace
 
 void AppCore::begin_rooms(std::shared_ptr<const Scene> scene) {
     const BodySize size = body_size(*scene, settings_.walk.body_radius_m);
@@ -30,7 +24,7 @@ bool AppCore::rooms_known() { return rooms_ && (!rooms_beside_ || rooms_->ready(
 // True when rooms are there to speak of; else says why not.
 bool AppCore::have_rooms(double now_s) {
     if (!rooms_ || (rooms_beside_ && !rooms_->ready())) {
-        answer(std::string(kNotYet), now_s);
+        answer(phrase("rooms.not_yet"), now_s);
         return false;
     }
     if (rooms_->ready() && rooms_->found()) {
@@ -45,7 +39,7 @@ bool AppCore::have_rooms(double now_s) {
 std::string AppCore::room_words(double now_s) {
     if (!rooms_known() || rooms_->graph().rooms.size() < 2) return {};
     notice_room(now_s, true);
-    return room_ == kNothing ? std::string() : sentence_case(rooms_->graph().rooms[room_].name) + ". ";
+    return room_ == kNothing ? std::string() : phrase("rooms.here", {{"room", sentence_case(rooms_->graph().rooms[room_].name)}}) + " ";
 }
 
 // Which room one is in now; `quietly`: without a word about it.
@@ -67,29 +61,32 @@ void AppCore::notice_room(double now_s, bool quietly) {
 }
 
 std::string AppCore::passage_name(PassageKind kind, FeatureId feature, double rise_m) const {
-    const std::string height = fmt::format("{:.1f} metres {}", std::abs(rise_m), rise_m > 0.0 ? "up" : "down");
+    const auto rising = [rise_m](const std::string& passage) {
+        if (rise_m == 0.0) return passage;
+        return phrase(rise_m > 0.0 ? "rooms.passage_up" : "rooms.passage_down", {{"passage", passage}, {"metres", std::abs(rise_m)}});
+    };
     const Feature* found = scene_->find(feature);
-    const std::string name = found && !found->name.empty() ? found->name : std::string();
+    const std::string name = found ? spoken_name(*found) : std::string();
     switch (kind) {
         case PassageKind::Door:
-            return name.empty() ? "door" : name;
+            return name.empty() ? phrase("rooms.door") : name;
         case PassageKind::Stairs:
-            return (name.empty() || (found && found->kind != FeatureKind::Object) ? "stairs" : name) + (rise_m == 0.0 ? "" : ", " + height);
+            return rising(name.empty() || (found && found->kind != FeatureKind::Object) ? phrase("rooms.stairs") : name);
         case PassageKind::Lift:
-            return (name.empty() ? "lift" : name) + (rise_m == 0.0 ? "" : ", " + height);
+            return rising(name.empty() ? phrase("rooms.lift") : name);
         case PassageKind::Drop:
-            return rise_m == 0.0 ? "edge to step down from" : "edge, " + height;
+            return rise_m == 0.0 ? phrase("rooms.edge_to_step_down") : rising(phrase("rooms.edge"));
         case PassageKind::Teleporter:
-            return name.empty() ? "teleporter" : name;
+            return name.empty() ? phrase("rooms.teleporter") : name;
         case PassageKind::Opening:
             break;
     }
-    return "opening";
+    return phrase("rooms.opening");
 }
 
 void AppCore::tell_exits(bool unvisited_only, double now_s) {
     if (!have_rooms(now_s)) return;
-    if (room_ == kNothing) return answer(std::string(kNowhere), now_s);
+    if (room_ == kNothing) return answer(phrase("rooms.nowhere"), now_s);
     const RoomGraph& graph = rooms_->graph();
     std::string told;
     int count = 0;
@@ -100,11 +97,13 @@ void AppCore::tell_exits(bool unvisited_only, double now_s) {
         ++count;
         const Vec3 off = portal.place_m - feet_m();
         const std::string what = passage_name(portal.kind, portal.feature, 0.0), to = graph.rooms[other].name;
-        told += fmt::format(" {}{}, {}.", sentence_case(what), to == what ? "" : " to " + to, where_words(std::hypot(off.x, off.y), std::atan2(off.x, off.y)));
+        const std::string where = where_words(std::hypot(off.x, off.y), std::atan2(off.x, off.y)), exit = sentence_case(what);
+        told += " " + (to == what ? phrase("rooms.exit", {{"exit", exit}, {"where", where}})
+                                  : phrase("rooms.exit_to", {{"exit", exit}, {"room", to}, {"where", where}}));
     }
     const std::string room = sentence_case(graph.rooms[room_].name);
-    if (count == 0) return answer(unvisited_only ? room + ". You have been behind every exit." : room + ". It has no exits.", now_s);
-    answer(fmt::format("{}. {} exit{}{}.{}", room, count, count == 1 ? "" : "s", unvisited_only ? " you have not taken" : "", told), now_s);
+    if (count == 0) return answer(phrase(unvisited_only ? "rooms.every_exit_taken" : "rooms.no_exits", {{"room", room}}), now_s);
+    answer(phrase(unvisited_only ? "rooms.exits_not_taken" : "rooms.exits", {{"room", room}, {"count", count}}) + told, now_s);
 }
 
 void AppCore::list_routes(double now_s) {
@@ -115,23 +114,23 @@ void AppCore::list_routes(double now_s) {
         if (r != room_) near.emplace_back(glm::length(graph.rooms[r].middle_m - feet_m()), r);
     std::stable_sort(near.begin(), near.end());
     ListSpec list;
-    list.title = "Way to";
+    list.title = phrase("rooms.way_to");
     std::vector<std::uint32_t> rooms;
     if (follower_.following()) {
         list.items.push_back({phrase("way.goes_on"), {}, false});
-        list.items.push_back({"Stop following the way", {}, false});
+        list.items.push_back({phrase("rooms.stop_following"), {}, false});
         rooms.assign(2, kNothing);
     }
     for (const auto& [distance_m, room] : near) {
         list.items.push_back({sentence_case(graph.rooms[room].name), distance_words(distance_m, distances()), false});
         rooms.push_back(room);
     }
-    if (list.items.empty()) return answer("There is no other room here.", now_s);
+    if (list.items.empty()) return answer(phrase("rooms.no_other"), now_s);
     list.chosen = [this, rooms](std::size_t at) {
         if (rooms[at] == kNothing && at == 0) return tell_way_on(last_tick_s_);
         if (rooms[at] == kNothing) {
             follower_.stop();
-            return answer("No way is followed any more.", last_tick_s_);
+            return answer(phrase("lead.stopped"), last_tick_s_);
         }
         const Room& room = rooms_->graph().rooms[rooms[at]];
         follow_way(room.middle_m, sentence_case(room.name), {}, last_tick_s_);
@@ -159,7 +158,7 @@ void AppCore::lay_given_names(double now_s) {
 
 void AppCore::ask_room_name(double now_s) {
     if (!have_rooms(now_s)) return;
-    if (room_ == kNothing) return answer(std::string(kNowhere), now_s);
+    if (room_ == kNothing) return answer(phrase("rooms.nowhere"), now_s);
     TextSpec question;
     question.question = phrase("room_names.ask", {{"room", sentence_case(rooms_->graph().rooms[room_].name)}});
     question.done = [this, room = room_](const std::string& typed) { name_room(room, typed, last_tick_s_); };
@@ -193,19 +192,19 @@ void AppCore::follow_way(const Vec3& goal_m, const std::string& name, const std:
 // Where the goal cannot be reached, to the nearest place that can. `first` is said before all else.
 void AppCore::follow_route(Route route, const std::string& name, const std::string& first, double now_s) {
     follower_.stop();
-    if (route.points_m.empty()) return answer((first.empty() ? first : first + " ") + "No walking way found: there is no floor to walk on where you are.", now_s);
     std::string goal = name, words = first.empty() ? first : first + ' ';
+    if (route.points_m.empty()) return answer(words + phrase("rooms.no_way_no_floor"), now_s);
     if (!route.reaches) {
         const std::uint32_t end = room_at(rooms_->graph(), rooms_->navigation().space(), route.points_m.back());
-        const std::string where = end == kNothing ? std::string() : " in " + rooms_->graph().rooms[end].name;
-        words += fmt::format("No walking way found to {}. The nearest place you can reach is{}, {} short of it.", name, where,
-                             distance_words(route.short_of_m, distances()));
+        const std::string short_of = distance_words(route.short_of_m, distances());
+        words += end == kNothing ? phrase("rooms.not_reached", {{"goal", name}, {"short_of", short_of}})
+                                 : phrase("rooms.not_reached_in", {{"goal", name}, {"room", rooms_->graph().rooms[end].name}, {"short_of", short_of}});
         if (route.points_m.size() < 2) return answer(words, now_s);
         words += ' ';
-        goal = "the nearest place to " + name;
+        goal = phrase("rooms.nearest_place_to", {{"goal", name}});
     }
     std::vector<RouteNode> nodes = nodes_of(route, goal, [this](const RoutePassage& p) { return passage_name(p.kind, p.feature, p.rise_m); });
-    answer(fmt::format("{}To {}. {}", words, goal, route_words(route, nodes, heading_rad_, distances())), now_s);
+    answer(words + phrase("rooms.way", {{"goal", goal}, {"route", route_words(route, nodes, heading_rad_, distances())}}), now_s);
     follow_name_ = goal;
     know_way(route.points_m);
     follower_.follow(std::move(route), std::move(nodes));
@@ -247,7 +246,7 @@ void AppCore::follow_on(double now_s) {
     if (said.left) {
         // Planned anew from here, and said once.
         const std::string name = follow_name_;
-        say("You have left the way.", SpeechClass::Contact, now_s);
+        say(phrase("lead.left_way"), SpeechClass::Contact, now_s);
         follow_way(goal, name, {}, now_s);
     } else if (!said.text.empty()) {
         say(said.text, SpeechClass::Contact, now_s);

@@ -72,23 +72,23 @@ bool AppCore::act_walking(Command command, double now_s) {
         case Command::UndoLeap: {
             if (walking_.undo.empty()) {
                 play(SoundKind::Denied, now_s);
-                answer("There is nothing to take back.", now_s);
+                answer(phrase("walking.nothing_to_undo"), now_s);
                 return true;
             }
             const Walking::Place back = walking_.undo.back();
             walking_.undo.pop_back();
             place(back.feet_m, back.heading_rad, now_s);
-            answer("Back where you were. " + where_am_i(), now_s);
+            answer(phrase("walking.undone") + " " + where_am_i(), now_s);
             return true;
         }
         case Command::Retrace:
             walking_.trail.stop();
             if (walking_.crumbs_m.size() <= 1) {
                 play(SoundKind::Denied, now_s);
-                answer("You are where your way began.", now_s);
+                answer(phrase("walking.at_beginning"), now_s);
                 return true;
             }
-            if (!walking_.retracing) answer("Going back the way you came", now_s);
+            if (!walking_.retracing) answer(phrase("walking.going_back"), now_s);
             walking_.retracing = true;
             walking_.retrace_left_m = std::min(walking_.retrace_left_m + step_m, 8.0 * step_m);
             return true;
@@ -99,7 +99,7 @@ bool AppCore::act_walking(Command command, double now_s) {
         case Command::Callouts:
             settings_.walk.callouts = !settings_.walk.callouts;
             setting_changes_.emplace_back("walk.callouts", settings_.walk.callouts ? "true" : "false");
-            answer(settings_.walk.callouts ? "Callouts on" : "Callouts off", now_s);
+            answer(phrase(settings_.walk.callouts ? "walking.callouts_on" : "walking.callouts_off"), now_s);
             return true;
         default:
             return false;
@@ -133,7 +133,7 @@ bool AppCore::start_trail(TrailSide side, double now_s) {
     if (walking_.trail.active() && walking_.trail.side() == side) return true;
     if (walking_.trail.start(*body_world_, feet_m(), heading_goal_rad_, walker_->size(), side)) return true;
     play(SoundKind::Denied, now_s);
-    answer("There is no wall near you.", now_s);
+    answer(phrase("walking.no_wall"), now_s);
     return false;
 }
 
@@ -165,7 +165,7 @@ void AppCore::tell_trail(const TrailEvent& event, double now_s) {
     switch (event.kind) {
         case TrailEvent::Kind::Corner:
             cue(sound_at(SoundKind::Corner, event.place_m, now_s));
-            say("Corner. " + name, SpeechClass::Contact, now_s);
+            say(phrase("walking.corner", {{"name", name}}), SpeechClass::Contact, now_s);
             return;
         case TrailEvent::Kind::Meets: {
             CueRequest touched = sound_at(SoundKind::Contact, event.place_m, now_s);
@@ -179,16 +179,16 @@ void AppCore::tell_trail(const TrailEvent& event, double now_s) {
             cue(sound_at(SoundKind::Opening, event.place_m, now_s));
             if (!settings_.walk.callouts) return;
             // An open door goes by its name.
-            std::string text = fmt::format("Opening, {:g} metres wide", std::round(event.width_m * 10.0) / 10.0);
+            std::string text = phrase("walking.opening", {{"metres", std::round(event.width_m * 10.0) / 10.0}});
             for (const Feature& feature : scene_->features)
                 if (feature.kind == FeatureKind::Door && !feature.bounds_m.empty() &&
                     glm::length(glm::clamp(event.place_m, feature.bounds_m.min_m, feature.bounds_m.max_m) - event.place_m) < 0.5)
-                    text = sentence_case(feature.name) + ", open";
+                    text = phrase("walking.open", {{"door", sentence_case(spoken_name(feature))}});
             say(text, SpeechClass::Contact, now_s);
             return;
         }
         case TrailEvent::Kind::Ends:
-            say("The wall ends here.", SpeechClass::Contact, now_s);
+            say(phrase("walking.wall_ends"), SpeechClass::Contact, now_s);
             return;
     }
 }
@@ -204,7 +204,7 @@ std::optional<Vec3> AppCore::retrace_wish(double now_s, double dt_s) {
         walking_.retracing = false;
         walking_.retrace_left_m = 0.0;
         play(SoundKind::Arrived, now_s);
-        answer("You are where your way began.", now_s);
+        answer(phrase("walking.at_beginning"), now_s);
         return std::nullopt;
     }
     heading_goal_rad_ = std::atan2(left.x, left.y);
@@ -227,10 +227,11 @@ void AppCore::square_up(double now_s) {
     const double quarter = 0.5 * kPi;
     const double origin = nearest ? std::atan2(-nearest->normal.x, -nearest->normal.y) : 0.0;
     heading_goal_rad_ = wrap_angle(origin + std::round(wrap_angle(heading_goal_rad_ - origin) / quarter) * quarter);
-    std::string text = fmt::format("Square. Facing {}", compass_word(heading_goal_rad_));
-    if (nearest) text += fmt::format(". {}, {}", sentence_case(name_of(nearest->feature)), where_words(nearest_m, origin));
+    const std::string compass = compass_word(heading_goal_rad_);
     play(SoundKind::TurnTick, now_s);
-    answer(text, now_s);
+    if (!nearest) return answer(phrase("walking.square", {{"compass", compass}}), now_s);
+    const std::string wall = sentence_case(name_of(nearest->feature)), where = where_words(nearest_m, origin);
+    answer(phrase("walking.square_to", {{"compass", compass}, {"wall", wall}, {"where", where}}), now_s);
 }
 
 // To the next door, landmark, clue or own mark in sight, in the order of the file, and to a place before it where there is room. Marks come last, in the
@@ -285,7 +286,7 @@ void AppCore::leap(int by, double now_s) {
             place(ground.end_m, bearing, now_s);
             walking_.leapt_to = order;
             play(SoundKind::Arrived, now_s);
-            answer(fmt::format("{}. {}, facing {}", name, sentence_case(where), compass_word(bearing)), now_s);
+            answer(phrase("walking.leapt", {{"name", name}, {"where", sentence_case(where)}, {"compass", compass_word(bearing)}}), now_s);
             return;
         }
     }
@@ -311,8 +312,7 @@ bool AppCore::held_at_edge(const WalkerState& before, double now_s) {
     if (std::exchange(walking_.edge_held, true)) return true;
     walking_.edge_s = now_s;
     play(SoundKind::Denied, now_s);
-    const std::string deep = drop->depth_m ? fmt::format("{:.1f} metres deep", *drop->depth_m) : "very deep";
-    answer(fmt::format("Edge. Drop, {}. Again to go over it.", deep), now_s);
+    answer(drop->depth_m ? phrase("walking.edge", {{"metres", *drop->depth_m}}) : phrase("walking.edge_very_deep"), now_s);
     return true;
 }
 
@@ -353,8 +353,7 @@ void AppCore::notice_ground(const Vec3& before_m, const WalkResult& walked, doub
     if (walking_.risers != 0 && walking_.since_riser_m > kLanding_m) {
         const int risers = std::exchange(walking_.risers, 0);
         if (std::abs(risers) >= 3 && settings_.walk.callouts)
-            say(fmt::format("{}, {} steps {}", risers > 0 ? "Landing" : "Foot of the stairs", std::abs(risers), risers > 0 ? "up" : "down"),
-                SpeechClass::Contact, now_s);
+            say(phrase(risers > 0 ? "walking.landing" : "walking.foot_of_stairs", {{"steps", std::abs(risers)}}), SpeechClass::Contact, now_s);
     }
     if (walked.walked_m > 1e-6 && walking_.risers == 0) {
         const double slope = ground_slope(*body_world_, feet, std::atan2(moved.x, moved.y));
@@ -363,7 +362,7 @@ void AppCore::notice_ground(const Vec3& before_m, const WalkResult& walked, doub
         walking_.ramp_m = sign == 0 || walking_.ramp_m * sign < 0.0 ? 0.0 : walking_.ramp_m + sign * walked.walked_m;
         if (std::abs(walking_.ramp_m) >= kRampSure_m && walking_.ramp_told != sign) {
             walking_.ramp_told = sign;
-            if (settings_.walk.callouts) say(sign > 0 ? "Ramp up" : "Ramp down", SpeechClass::Contact, now_s);
+            if (settings_.walk.callouts) say(phrase(sign > 0 ? "walking.ramp_up" : "walking.ramp_down"), SpeechClass::Contact, now_s);
         }
         if (sign == 0) walking_.ramp_told = 0;
     }
@@ -384,15 +383,17 @@ void AppCore::notice_ground(const Vec3& before_m, const WalkResult& walked, doub
 void AppCore::tell_ahead(double now_s) {
     const GroundAhead& ahead = walking_.ahead;
     if (ahead.stairs && ahead.stairs->distance_m <= kStairsCallout_m && walking_.risers == 0 && tell_place_once(ahead.stairs->place_m, false, now_s)) {
-        cue(sound_at(ahead.stairs->up ? SoundKind::StairsUp : SoundKind::StairsDown, ahead.stairs->place_m, now_s));
-        if (settings_.walk.callouts)
-            say(fmt::format("Stairs {}, {}ahead, {}", ahead.stairs->up ? "up" : "down",
-                            ahead.stairs->whole ? fmt::format("{} steps, ", ahead.stairs->risers) : std::string(),
-                            distance_words(ahead.stairs->distance_m, distances())),
+        const bool up = ahead.stairs->up;
+        cue(sound_at(up ? SoundKind::StairsUp : SoundKind::StairsDown, ahead.stairs->place_m, now_s));
+        if (settings_.walk.callouts) {
+            const std::string distance = distance_words(ahead.stairs->distance_m, distances());
+            say(ahead.stairs->whole ? phrase(up ? "walking.stairs_up" : "walking.stairs_down", {{"steps", ahead.stairs->risers}, {"distance", distance}})
+                                    : phrase(up ? "walking.stairs_up_on" : "walking.stairs_down_on", {{"distance", distance}}),
                 SpeechClass::Contact, now_s);
+        }
     }
     if (ahead.drop && ahead.drop->distance_m <= kDropWarning_m && settings_.walk.callouts && tell_place_once(ahead.drop->place_m, true, now_s))
-        say(fmt::format("Drop, {} ahead", distance_words(ahead.drop->distance_m, distances())), SpeechClass::Contact, now_s);
+        say(phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances())}}), SpeechClass::Contact, now_s);
 }
 
 // The beat before an edge, and knocks from a door that is faced; silent for one who stands still.
