@@ -94,8 +94,13 @@ TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentenc
               "5 Schritte, 3,5 Meter, sind unter der Hand 5,8 Zentimeter. "
               "Norden ist für die Hand vom Körper weg, für die Füße vorn.");
     EXPECT_EQ(s.ask(Command::ScaleRoom), "Raum, 9,6 Meter breit, 14 Schritte");
-    EXPECT_EQ(s.ask(Command::Exits), "Hall. TODO");
-    EXPECT_EQ(s.ask(Command::UnvisitedExits), "Hall. TODO");
+    const std::string exits =
+        "Garden door, 11 Schritte, 5 Grad rechts, führt zu: Garden. Utility room door, 9 Schritte, 10 Grad rechts, führt zu: Utility room. "
+        "Bathroom door, 6 Schritte, 15 Grad rechts, führt zu: Bathroom. Study door, 2 Schritte, 65 Grad rechts, führt zu: Study. "
+        "Front door, 2 Schritte nach hinten, führt zu: Garden. Living room door, 2 Schritte, 65 Grad links, führt zu: Living room. "
+        "Treppe, 2 Schritte, 10 Grad links, führt zu: Stairs.";
+    EXPECT_EQ(s.ask(Command::Exits), "Hall. 7 Ausgänge. " + exits);
+    EXPECT_EQ(s.ask(Command::UnvisitedExits), "Hall. 7 noch unbenutzte Ausgänge. " + exits);
     EXPECT_EQ(s.ask(Command::Home), "Ausgangspunkt. Blick nach Norden.");
     EXPECT_EQ(s.ask(Command::Leave), "Noch einmal Escape drücken, um zu beenden.");
     EXPECT_EQ(s.ask(Command::Leave), "Auf Wiedersehen.");
@@ -126,14 +131,18 @@ TEST(GermanSession, tells_what_of_a_place_was_learnt_and_what_is_left_in_german)
     Session s;
     s.app.enter_world(world("tests/scenarios/worlds/two_rooms_door.map"), 0.0);
     s.run(0.1);
-    EXPECT_EQ(s.ask(Command::LearnPlace), "TODO");
+    EXPECT_EQ(s.ask(Command::LearnPlace),
+              "Diesen Ort lernen. Hier ist der Ausgangspunkt. Zuerst die Wände: Umschalt+Pfeil links halten, um an ihnen entlangzugehen. 8 sagt den Stand, 7 "
+              "was noch fehlt.");
     s.hold(Command::TrailLeft, 6.0);
-    EXPECT_EQ(s.ask(Command::ProgressReport), "TODO");
-    EXPECT_EQ(s.ask(Command::Unexplored), "TODO");
-    EXPECT_EQ(s.ask(Command::Hunt), "TODO");
-    EXPECT_EQ(s.ask(Command::Hunt), "TODO");
-    EXPECT_EQ(s.ask(Command::SquareUp), "TODO");
-    EXPECT_EQ(s.ask(Command::LearnPlace), "TODO");
+    EXPECT_EQ(s.ask(Command::ProgressReport),
+              "Wände 23 Prozent, Boden 22 Prozent, 0 von 1 Tür. 6 Sekunden. Berührt: Westwand, Putz, Südwand, Putz, Bookcase, Holz.");
+    EXPECT_EQ(s.ask(Command::Unexplored), "Noch nicht erkundet: Boden, 1 Schritt, 115 Grad rechts");
+    EXPECT_EQ(s.ask(Command::Hunt), "Eine Uhr ist versteckt und tickt. Jetzt suchen: hingehen oder nach ihr greifen. 0 gibt einen Tipp.");
+    EXPECT_EQ(s.ask(Command::Hunt), "Door öffnen. Weiter: 4 Schritte, 120 Grad rechts. Zu Fuß bis zur Uhr: 12 Schritte.");
+    EXPECT_EQ(s.ask(Command::SquareUp), "Gerade ausgerichtet. Blick nach Westen. Bookcase, Holz, 1 Schritt geradeaus");
+    EXPECT_EQ(s.ask(Command::LearnPlace),
+              "Das Lernen endet. Wände 23 Prozent, Boden 22 Prozent, 0 von 1 Tür. 6 Sekunden. Berührt: Westwand, Putz, Südwand, Putz, Bookcase, Holz.");
 }
 
 TEST(GermanSession, made_names_of_rooms_and_walls_follow_the_language_and_the_maps_own_names_do_not) {
