@@ -11,7 +11,6 @@ namespace handrail {
 namespace {
 
 constexpr const char* kList = "mark";
-constexpr std::size_t kMostTold = 5;
 
 bool reads(const SideEntry& entry) { return good_name(text_of(entry, "name")).has_value() && !numbers_of(entry, "place_m", 3).empty(); }
 
@@ -121,13 +120,10 @@ void check_marks(const Scene& scene, const SideFile& file, std::vector<Mark>& ma
 }
 
 std::string unfit_sentence(const std::vector<Mark>& marks) {
-    std::string list;
-    std::size_t unfit = 0;
+    std::vector<std::string> unfit;
     for (const Mark& mark : marks)
-        if (!mark.fits && ++unfit <= kMostTold) list += (unfit == 1 ? "" : "; ") + mark.name;
-    if (unfit == 0) return {};
-    if (unfit > kMostTold) list = phrase("marks.more", {{"names", list}, {"count", unfit - kMostTold}});
-    return phrase("marks.unfit", {{"count", unfit}, {"all", marks.size()}, {"names", list}});
+        if (!mark.fits) unfit.push_back(mark.name);
+    return unfit_words("marks.unfit", unfit, marks.size());
 }
 
 }  // namespace handrail

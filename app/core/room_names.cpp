@@ -8,7 +8,6 @@ namespace handrail {
 namespace {
 
 constexpr const char* kList = "room_name";
-constexpr std::size_t kMostTold = 3;
 
 std::optional<RoomNameGiven> name_from(const SideEntry& entry) {
     const auto name = good_name(text_of(entry, "name"));
@@ -62,13 +61,10 @@ void lay_room_names(RoomGraph& graph, const WalkSpace& space, const SideFile& fi
 }
 
 std::string unfit_sentence(const std::vector<RoomNameGiven>& names) {
-    std::string list;
-    std::size_t unfit = 0;
+    std::vector<std::string> unfit;
     for (const RoomNameGiven& given : names)
-        if (!given.fits && ++unfit <= kMostTold) list += (unfit == 1 ? "" : "; ") + given.name;
-    if (unfit == 0) return {};
-    if (unfit > kMostTold) list = phrase("room_names.more", {{"names", list}, {"count", unfit - kMostTold}});
-    return phrase("room_names.unfit", {{"count", unfit}, {"all", names.size()}, {"names", list}});
+        if (!given.fits) unfit.push_back(given.name);
+    return unfit_words("room_names.unfit", unfit, names.size());
 }
 
 std::uint32_t name_of_room(const RoomGraph& graph, const WalkSpace& space, const std::vector<RoomNameGiven>& names, std::uint32_t room) {

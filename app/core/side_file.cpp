@@ -5,6 +5,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <optional>
@@ -22,6 +23,7 @@ namespace {
 constexpr std::size_t kLongestFile_bytes = std::size_t{16} << 20;
 constexpr std::size_t kLongestFileName_bytes = 220;  // of 255, less our ending and that of a file being written
 constexpr std::string_view kEnding = ".handrail.toml";
+constexpr std::size_t kMostTold = 5;
 
 std::string checksum_of(std::string_view bytes) {
     auto crc = ::crc32(0, Z_NULL, 0);
@@ -256,6 +258,14 @@ Result<void> SideFile::save() {
     if (!written) return tl::unexpected(written.error());
     content.changed = false;
     return {};
+}
+
+std::string unfit_words(std::string_view key, const std::vector<std::string>& unfit, std::size_t all) {
+    if (unfit.empty()) return {};
+    const std::size_t told = std::min(unfit.size(), kMostTold);
+    std::string names = fmt::format("{}", fmt::join(unfit.begin(), unfit.begin() + static_cast<std::ptrdiff_t>(told), "; "));
+    if (unfit.size() > told) names = phrase("side_file.more", {{"names", names}, {"count", unfit.size() - told}});
+    return phrase(key, {{"count", unfit.size()}, {"all", all}, {"names", names}});
 }
 
 fs::path user_data_folder() {

@@ -43,7 +43,7 @@ public:
     SideFile& operator=(SideFile&&) noexcept;
 
     // The file that belongs to `world`. A file that cannot be understood is kept under another name and the additions start empty; news() says so.
-    // shipped: the world is the program\'s own, so what is added to it belongs into the data folder whatever can be written.
+    // shipped: the world is the program's own, so what is added to it belongs into the data folder whatever can be written.
     static SideFile of_world(const std::filesystem::path& world, const std::filesystem::path& data_folder, bool shipped = false);
 
     // One sentence each about what could not be read; fit to be spoken.
@@ -68,6 +68,9 @@ private:
     struct Content;
     std::unique_ptr<Content> content_;
 };
+
+// Which of `all` additions no longer fit the world, the first five by name, as the text `key` says it with {count}, {all} and {names}; empty where all fit.
+std::string unfit_words(std::string_view key, const std::vector<std::string>& unfit, std::size_t all);
 
 // $XDG_DATA_HOME/handrail, else ~/.local/share/handrail; empty when neither is known.
 std::filesystem::path user_data_folder();
