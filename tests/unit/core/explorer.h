@@ -123,6 +123,7 @@ public:
         return text;
     }
     const std::vector<HeardSound>& sounds() const { return audio_.sounds(); }
+    const Listener& ears() const { return audio_.listener(); }
 
 private:
     RecordingAudio audio_;

@@ -307,6 +307,99 @@ TEST(BeaconTest, is_set_on_what_is_ahead_muted_and_brought_back) {
     EXPECT_EQ(p.count(SoundKind::BeaconAhead), stopped);
 }
 
+// In the list of what can be found, the thing and then the way to find it.
+void seek(Person& p, const std::string& thing, const std::string& way) {
+    p.tap(Command::Find);
+    const std::vector<ListItem> items = p.app.dialogue().view().items;
+    const auto found = std::find_if(items.begin(), items.end(), [&](const ListItem& item) { return item.name == thing; });
+    ASSERT_NE(found, items.end()) << thing;
+    ASSERT_TRUE(p.app.take_line(std::to_string(found - items.begin() + 1), p.now));
+    p.run(0.05);
+    p.said.clear();
+    ASSERT_TRUE(p.app.take_line(way, p.now));
+    p.run(0.05);
+}
+
+TEST(WarmerTest, ticks_the_faster_the_nearer_is_silent_while_stopped_and_ends_on_the_thing) {
+    for (double felt_m = 0.0; felt_m < 0.3; felt_m += 0.001) EXPECT_LE(Warmer::interval_s(felt_m), Warmer::interval_s(felt_m + 0.001)) << felt_m;
+    for (double felt_m = 0.0; felt_m < 0.135; felt_m += 0.005)
+        EXPECT_GT(Warmer::interval_s(felt_m + 0.005), Warmer::interval_s(felt_m) + 0.04) << "each step of 5 mm in the reach of a hand is heard";
+    EXPECT_GE(Warmer::interval_s(0.0), 0.08) << "single ticks, no buzz";
+    EXPECT_LE(Warmer::interval_s(9.0), 1.6) << "never lost";
+
+    Warmer warmer;
+    double now_s = 0.0;
+    const auto ticks_in_10_s = [&](double felt_m, bool heard) {
+        int ticks = 0;
+        for (int i = 0; i < 10000; ++i, now_s += 0.001) ticks += warmer.tick(felt_m, Warmer::kFound_hand_m, heard, now_s).sound;
+        return ticks;
+    };
+    EXPECT_EQ(ticks_in_10_s(0.02, true), 0) << "nothing is sought";
+    warmer.set("cup", {{0, 0, 0}, {1, 1, 1}});
+    int before = 0;
+    for (const double felt_m : {0.2, 0.1, 0.05, 0.02, 0.01, 0.005}) {
+        const int ticks = ticks_in_10_s(felt_m, true);
+        EXPECT_GT(ticks, before) << felt_m;
+        EXPECT_NEAR(ticks, 10.0 / Warmer::interval_s(felt_m), 2.0) << felt_m;
+        before = ticks;
+    }
+    EXPECT_EQ(ticks_in_10_s(0.02, false), 0) << "stopped";
+    EXPECT_TRUE(warmer.on()) << "and still sought";
+    const Warmer::Beat last = warmer.tick(Warmer::kFound_hand_m, Warmer::kFound_hand_m, true, now_s);
+    EXPECT_TRUE(last.found);
+    EXPECT_FALSE(last.sound);
+    EXPECT_FALSE(warmer.on());
+    EXPECT_FALSE(warmer.tick(0.0, Warmer::kFound_hand_m, true, now_s + 9.0).found) << "told once";
+}
+
+TEST(WarmerTest, is_told_ticks_for_hand_or_body_and_is_off_when_asked_again) {
+    for (const bool device : {true, false}) {
+        Person p(device);
+        p.enter();
+        // So far from the radiator's front, level with it.
+        const auto away = [&](double metres) {
+            const Vec3 place(5.8 - metres, 1.5, device ? 0.5 : 0.0);
+            if (device) p.hand_at(place);
+            else p.stand_at(place);
+        };
+        const auto ticks = [&] {
+            const int before = p.count(SoundKind::Warmer);
+            p.run(3.0);
+            return p.count(SoundKind::Warmer) - before;
+        };
+        away(4.0);
+        EXPECT_EQ(ticks(), 0) << "not asked for";
+        ASSERT_NO_FATAL_FAILURE(seek(p, "Radiator", "Warmer and colder"));
+        EXPECT_TRUE(p.heard("Radiator: the faster it ticks, the nearer")) << testing::PrintToString(p.said);
+        int before = 0;
+        for (const double metres : {4.0, 2.8, 2.0, 1.4}) {
+            away(metres);
+            const int now = ticks();
+            EXPECT_GT(now, before) << metres;
+            before = now;
+        }
+        away(4.0);
+        EXPECT_LT(ticks(), before) << "colder";
+        ASSERT_NO_FATAL_FAILURE(seek(p, "Radiator", "Warmer and colder"));
+        EXPECT_TRUE(p.heard("Warmer and colder off")) << testing::PrintToString(p.said);
+        EXPECT_EQ(ticks(), 0);
+
+        ASSERT_NO_FATAL_FAILURE(seek(p, "Radiator", "Warmer and colder"));
+        EXPECT_GT(ticks(), 0);
+        p.said.clear();
+        away(device ? 0.2 : 1.0);
+        p.run(0.1);
+        EXPECT_TRUE(p.heard("Here: Radiator")) << testing::PrintToString(p.said);
+        EXPECT_EQ(p.count(SoundKind::Arrived), 1);
+        EXPECT_EQ(ticks(), 0) << "found";
+
+        away(4.0);
+        ASSERT_NO_FATAL_FAILURE(seek(p, "Radiator", "Warmer and colder"));
+        p.tap(Command::StopEverything);
+        EXPECT_EQ(ticks(), 0) << "all sound is stopped";
+    }
+}
+
 TEST(LapsTest, help_falls_as_errors_do_and_never_grows_by_itself) {
     Laps laps;
     laps.begin("table");
