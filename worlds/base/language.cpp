@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cctype>
 #include <cstdlib>
+#include <deque>
 #include <map>
 #include <mutex>
 #include <set>
@@ -47,19 +48,26 @@ void gather(const toml::table& table, const std::string& prefix, const std::stri
     }
 }
 
-// Bundled files are right by test, so nothing is looked at twice here.
-const Language* make_bundled(const BundledLanguage& source) {
-    auto* made = new Language{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
-    std::vector<Diagnostic> faults;
-    gather(
-        toml::parse(source.content), "", "", [](const std::string&, const std::string&) { return std::string(); }, *made, faults);
-    return made;
+// Languages live as long as the process, longer than its static objects: another thread may be reading one that was just left.
+Language& kept(Language language) {
+    static std::mutex guard;
+    static auto& all = *new std::deque<Language>;
+    const std::scoped_lock lock(guard);
+    return all.emplace_back(std::move(language));
 }
 
-// Languages live as long as the process: another thread may be reading one that was just left.
+// Bundled files are right by test, so nothing is looked at twice here.
+const Language* make_bundled(const BundledLanguage& source) {
+    Language made{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
+    std::vector<Diagnostic> faults;
+    gather(
+        toml::parse(source.content), "", "", [](const std::string&, const std::string&) { return std::string(); }, made, faults);
+    return &kept(std::move(made));
+}
+
 const Language* bundled(std::string_view code) {
     static std::mutex guard;
-    static std::map<std::string, const Language*, std::less<>> made;
+    static auto& made = *new std::map<std::string, const Language*, std::less<>>;
     for (const BundledLanguage& source : kBundledLanguages)
         if (source.code == code) {
             const std::scoped_lock lock(guard);
@@ -203,10 +211,10 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
         if (!is_utf8(*content)) return fail(phrase("language.not_utf8"), path.filename().string());
         try {
             const toml::table table = toml::parse(*content);
-            auto* own = new Language{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
-            if (language) own->texts = language->texts;
-            gather(table, "", path.filename().string(), misfit, *own, faults);
-            language = own;
+            Language own{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
+            if (language) own.texts = language->texts;
+            gather(table, "", path.filename().string(), misfit, own, faults);
+            language = &kept(std::move(own));
         } catch (const toml::parse_error& error) {
             return fail(phrase("language.damaged", {{"reason", std::string(error.description())}}), path.filename().string(),
                         static_cast<int>(error.source().begin.line));
