@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "tests/property/replay.h"
+#include "tests/support/random_families.h"
 
 namespace handrail::test {
 namespace {
@@ -52,7 +53,7 @@ Rotation random_rotation(std::mt19937& random) {
 // T18: a still hand is found by all six faces of a box, as a box and as a mesh, however it stands, at three speeds: nothing gets behind the ball's
 // skin, contact begins on the tick the box arrives, the ball goes exactly as the face goes, and the force stands on the face.
 TEST(Bodies, a_box_that_comes_to_a_still_hand_is_felt_on_every_face) {
-    const auto seed = static_cast<std::uint32_t>(std::random_device{}());
+    const auto seed = seed_of_run();
     std::mt19937 random(seed);
     for (const bool mesh : {false, true})
         for (const double speed : {0.05, 0.3, 0.5, 2.0})
@@ -200,7 +201,7 @@ TEST(Bodies, whoever_starts_inside_feels_nothing_until_out) {
 // One thousand times something appears or vanishes under the hand at random: never more than 0.02 N a tick on appearing, nothing left 10 ms after
 // vanishing.
 TEST(Bodies, a_thousand_things_that_come_and_go_never_knock) {
-    const auto seed = static_cast<std::uint32_t>(std::random_device{}());
+    const auto seed = seed_of_run();
     std::mt19937 random(seed);
     const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
     for (int round = 0; round < scaled(1000); ++round) {
@@ -281,7 +282,7 @@ TEST(Bodies, friction_carries_the_ball_on_a_moving_floor) {
 
 // Scene shape, placement and motion at random, hand at random: never inside, and the same however the world is placed.
 TEST(Bodies, random_heaps_in_motion_let_nothing_in) {
-    const auto seed0 = static_cast<std::uint32_t>(std::random_device{}());
+    const auto seed0 = seed_of_run();
     int touched = 0;
     const int rounds = std::max(6, static_cast<int>(scaled(12)));
     for (int k = 0; k < rounds; ++k) {

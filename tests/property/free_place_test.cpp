@@ -3,6 +3,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/property/replay.h"
+#include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"
 
@@ -11,7 +12,7 @@ namespace {
 
 // Against the judge, in heaps of solids and sheets.
 TEST(FreePlace, a_thousand_random_starts_end_outside_every_solid) {
-    const auto seed = static_cast<std::uint32_t>(std::random_device{}());
+    const auto seed = seed_of_run();
     std::mt19937 random(seed);
     const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
     int inside = 0;
