@@ -93,6 +93,14 @@ bool eventually(const std::function<bool()>& holds, double most_s) {
     return true;
 }
 
+std::string why_no_preload() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return "the sanitizers' own library has to come first";
+#else
+    return {};
+#endif
+}
+
 bool installed(const std::string& program) {
     for (const char* folder : {"/usr/bin/", "/usr/local/bin/", "/bin/", "/sbin/", "/usr/sbin/", "/usr/libexec/"})
         if (::access((folder + program).c_str(), X_OK) == 0) return true;

@@ -44,4 +44,7 @@ bool eventually(const std::function<bool()>& holds, double most_s = 30.0);
 // True if a program of this name lies in the usual folders.
 bool installed(const std::string& program);
 
+// Why no library can be laid before those of a child (LD_PRELOAD); empty where it can.
+std::string why_no_preload();
+
 }  // namespace handrail::test

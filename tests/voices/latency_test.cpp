@@ -101,6 +101,7 @@ std::vector<Recorded> own_voice(const std::filesystem::path& file) {
 }
 
 TEST(Latency, of_the_programs_own_voice_is_reported) {
+    if (const std::string why = why_no_preload(); !why.empty()) GTEST_SKIP() << why;
     const auto display = VirtualDisplay::start();
     if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
     const TemporaryFolder folder;

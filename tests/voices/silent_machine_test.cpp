@@ -75,6 +75,7 @@ protected:
 };
 
 TEST_F(SilentMachineNever, speaks_with_its_own_voice_where_there_is_nothing_else) {
+    if (const std::string why = why_no_preload(); !why.empty()) GTEST_SKIP() << why;
     const auto display = VirtualDisplay::start();
     if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
     launch({{"DISPLAY", std::getenv("DISPLAY")}, {"LIBGL_ALWAYS_SOFTWARE", "1"}});
@@ -94,6 +95,7 @@ TEST_F(SilentMachineNever, speaks_with_its_own_voice_where_there_is_nothing_else
 }
 
 TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_its_own_voice_is_silent) {
+    if (const std::string why = why_no_preload(); !why.empty()) GTEST_SKIP() << why;
     if (!installed("speech-dispatcher")) GTEST_SKIP() << "speech-dispatcher is not installed";
     const auto display = VirtualDisplay::start();
     if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
