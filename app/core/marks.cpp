@@ -12,7 +12,27 @@ namespace {
 
 constexpr const char* kList = "mark";
 
-bool reads(const SideEntry& entry) { return good_name(text_of(entry, "name")).has_value() && !numbers_of(entry, "place_m", 3).empty(); }
+std::optional<Mark> mark_from(const SideEntry& entry) {
+    const auto name = good_name(text_of(entry, "name"));
+    const auto place = place_of(entry);
+    if (!name || !place) return std::nullopt;
+    return Mark{.name = *name,
+                .place_m = *place,
+                .near = text_of(entry, "near"),
+                .near_m = number_of(entry, "near_m", 0.0),
+                .world = text_of(entry, "world"),
+                .kept = without(entry, {"name", "place_m", "near", "near_m", "world"})};
+}
+
+SideEntry entry_of(const Mark& mark) {
+    SideEntry entry = mark.kept;
+    entry["name"] = mark.name;
+    put_place(entry, mark.place_m);
+    if (!mark.near.empty()) entry["near"] = mark.near;
+    if (!mark.near.empty()) entry["near_m"] = mark.near_m;
+    if (!mark.world.empty()) entry["world"] = mark.world;
+    return entry;
+}
 
 // As it is said.
 std::string spoken_thing(const Scene& scene, const std::string& stored) {
@@ -42,41 +62,13 @@ bool is_thing(const Feature& feature) {
 }
 
 std::vector<Mark> read_marks(const SideFile& file, int& unreadable) {
-    std::vector<Mark> marks;
-    unreadable = 0;
-    for (const SideEntry& entry : file.entries(kList)) {
-        if (!reads(entry)) {
-            ++unreadable;
-            continue;
-        }
-        const std::vector<double> place = numbers_of(entry, "place_m", 3);
-        Mark mark{.name = *good_name(text_of(entry, "name")),
-                  .place_m = Vec3(place[0], place[1], place[2]),
-                  .near = text_of(entry, "near"),
-                  .near_m = number_of(entry, "near_m", 0.0),
-                  .world = text_of(entry, "world"),
-                  .kept = entry};
-        for (const char* known : {"name", "place_m", "near", "near_m", "world"}) mark.kept.erase(known);
-        marks.push_back(std::move(mark));
-    }
+    std::vector<std::size_t> unread;
+    std::vector<Mark> marks = read_list(file, kList, mark_from, unread);
+    unreadable = static_cast<int>(unread.size());
     return marks;
 }
 
-void write_marks(SideFile& file, const std::vector<Mark>& marks) {
-    std::vector<SideEntry> entries;
-    for (const Mark& mark : marks) {
-        SideEntry entry = mark.kept;
-        entry["name"] = mark.name;
-        entry["place_m"] = std::vector<double>{mark.place_m.x, mark.place_m.y, mark.place_m.z};
-        if (!mark.near.empty()) entry["near"] = mark.near;
-        if (!mark.near.empty()) entry["near_m"] = mark.near_m;
-        if (!mark.world.empty()) entry["world"] = mark.world;
-        entries.push_back(std::move(entry));
-    }
-    for (const SideEntry& entry : file.entries(kList))
-        if (!reads(entry)) entries.push_back(entry);
-    file.set_entries(kList, entries);
-}
+void write_marks(SideFile& file, const std::vector<Mark>& marks) { write_list(file, kList, marks, entry_of, mark_from); }
 
 NearThing nearest_thing(const Scene& scene, const Vec3& place_m) {
     NearThing best;

@@ -11,39 +11,31 @@ constexpr const char* kList = "room_name";
 
 std::optional<RoomNameGiven> name_from(const SideEntry& entry) {
     const auto name = good_name(text_of(entry, "name"));
-    const std::vector<double> at = numbers_of(entry, "place_m", 3);
-    if (!name || at.empty()) return std::nullopt;
-    RoomNameGiven given{*name, {at[0], at[1], at[2]}, std::max(0.0, number_of(entry, "area_m2", 0.0)), text_of(entry, "world"), true, entry};
-    for (const char* known : {"name", "place_m", "area_m2", "world"}) given.kept.erase(known);
-    return given;
+    const auto at = place_of(entry);
+    if (!name || !at) return std::nullopt;
+    return RoomNameGiven{*name, *at, std::max(0.0, number_of(entry, "area_m2", 0.0)), text_of(entry, "world"), true,
+                         without(entry, {"name", "place_m", "area_m2", "world"})};
+}
+
+SideEntry entry_of(const RoomNameGiven& given) {
+    SideEntry entry = given.kept;
+    entry["name"] = given.name;
+    put_place(entry, given.at_m);
+    if (given.area_m2 > 0.0) entry["area_m2"] = given.area_m2;
+    if (!given.world.empty()) entry["world"] = given.world;
+    return entry;
 }
 
 }  // namespace
 
 std::vector<RoomNameGiven> read_room_names(const SideFile& file, int& unreadable) {
-    std::vector<RoomNameGiven> names;
-    unreadable = 0;
-    for (const SideEntry& entry : file.entries(kList)) {
-        if (auto given = name_from(entry)) names.push_back(std::move(*given));
-        else ++unreadable;
-    }
+    std::vector<std::size_t> unread;
+    std::vector<RoomNameGiven> names = read_list(file, kList, name_from, unread);
+    unreadable = static_cast<int>(unread.size());
     return names;
 }
 
-void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names) {
-    std::vector<SideEntry> entries;
-    for (const RoomNameGiven& given : names) {
-        SideEntry entry = given.kept;
-        entry["name"] = given.name;
-        entry["place_m"] = std::vector<double>{given.at_m.x, given.at_m.y, given.at_m.z};
-        if (given.area_m2 > 0.0) entry["area_m2"] = given.area_m2;
-        if (!given.world.empty()) entry["world"] = given.world;
-        entries.push_back(std::move(entry));
-    }
-    for (const SideEntry& entry : file.entries(kList))
-        if (!name_from(entry)) entries.push_back(entry);
-    file.set_entries(kList, entries);
-}
+void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names) { write_list(file, kList, names, entry_of, name_from); }
 
 void lay_room_names(RoomGraph& graph, const WalkSpace& space, const SideFile& file, std::vector<RoomNameGiven>& names) {
     std::vector<bool> taken(graph.rooms.size(), false);

@@ -58,6 +58,9 @@ bool folder_takes_files(const fs::path& file) {
     return ::access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
+SideEntry entry_from(const toml::table& table);
+toml::table table_from(const SideEntry& entry);
+
 SideValue from_toml(const toml::node& node) {
     if (const auto* v = node.as_boolean()) return v->get();
     if (const auto* v = node.as_integer()) return v->get();
@@ -68,6 +71,11 @@ SideValue from_toml(const toml::node& node) {
         for (const toml::node& one : *list)
             if (one.is_floating_point()) numbers.push_back(*one.value<double>());
         if (!list->empty() && numbers.size() == list->size()) return numbers;
+        if (list->is_array_of_tables()) {
+            std::vector<SideTable> tables;
+            for (const toml::node& one : *list) tables.push_back({entry_from(*one.as_table())});
+            return tables;
+        }
     }
     std::ostringstream out;
     if (const toml::table* table = node.as_table()) {
@@ -84,6 +92,11 @@ void put(toml::table& table, const std::string& key, const SideValue& value) {
     std::visit(Overloaded{[&](const std::vector<double>& numbers) {
                               toml::array list;
                               for (const double number : numbers) list.push_back(number);
+                              table.insert_or_assign(key, std::move(list));
+                          },
+                          [&](const std::vector<SideTable>& tables) {
+                              toml::array list;
+                              for (const SideTable& one : tables) list.push_back(table_from(one.entry));
                               table.insert_or_assign(key, std::move(list));
                           },
                           [&](const SideText& text) {
@@ -144,6 +157,19 @@ std::vector<double> numbers_of(const SideEntry& entry, const std::string& key, s
     return *numbers;
 }
 
+std::optional<Vec3> place_of(const SideEntry& entry) {
+    const std::vector<double> at = numbers_of(entry, "place_m", 3);
+    if (at.empty()) return std::nullopt;
+    return Vec3(at[0], at[1], at[2]);
+}
+
+void put_place(SideEntry& entry, const Vec3& place_m) { entry["place_m"] = std::vector<double>{place_m.x, place_m.y, place_m.z}; }
+
+SideEntry without(SideEntry entry, std::initializer_list<const char*> known) {
+    for (const char* key : known) entry.erase(key);
+    return entry;
+}
+
 Result<std::string> good_name(std::string_view typed) {
     const std::size_t first = typed.find_first_not_of(" \t\r\n");
     if (first == std::string_view::npos) return fail(phrase("side_file.name_empty"));
@@ -157,6 +183,7 @@ Result<std::string> good_name(std::string_view typed) {
 
 struct SideFile::Content {
     fs::path path, other_path;  // where it is saved, and where when that folder refuses
+    std::string read_name;      // of the file that was read
     std::string checksum;
     toml::table root;
     std::vector<std::string> news;
@@ -168,6 +195,7 @@ struct SideFile::Content {
         if (const auto text = read_whole_file(from, kLongestFile_bytes); text) {
             try {
                 root = toml::parse(*text, from.string());
+                read_name = name;
                 return;
             } catch (const toml::parse_error& error) {
                 damaged_line = error.source().begin.line;
@@ -230,6 +258,14 @@ void SideFile::set_entries(const std::string& name, const std::vector<SideEntry>
     if (list.empty()) content_->root.erase(name);
     else content_->root.insert_or_assign(name, std::move(list));
     content_->changed = true;
+}
+
+Error SideFile::fault_in(const std::string& name, std::size_t entry, std::string message) const {
+    Error fault{content_->read_name, 0, 0, std::move(message)};
+    if (const toml::array* list = content_->root[name].as_array())
+        for (const toml::node& node : *list)
+            if (node.is_table() && entry-- == 0) fault.line = static_cast<int>(node.source().begin.line);
+    return fault;
 }
 
 SideEntry SideFile::table(const std::string& name) const {

@@ -1,4 +1,4 @@
-// What a person adds to a world - marks, names of rooms - is kept beside it in one TOML file: house.map.handrail.toml. Where that folder
+// What a person adds to a world - marks, names of rooms, ways - is kept beside it in one TOML file: house.map.handrail.toml. Where that folder
 // cannot be written it lies in the person's own data folder. A world without a file (a test, a scenario) keeps its additions in memory.
 // Each topic owns its lists and tables by name and leaves the others alone; what nobody here knows stays in the file. App thread only.
 // Cost: opening and saving are a few hundred microseconds, and reading the world's bytes once for its checksum.
@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "worlds/base/result.h"
+#include "worlds/base/vec.h"
 
 namespace handrail {
 
@@ -22,14 +24,25 @@ struct SideText {
     std::string toml;
     bool operator==(const SideText&) const = default;
 };
-using SideValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, SideText>;
+struct SideTable;
+using SideValue = std::variant<bool, std::int64_t, double, std::string, std::vector<double>, std::vector<SideTable>, SideText>;
 using SideEntry = std::map<std::string, SideValue>;
+// One of the tables of a list inside an entry: the [[way.stop]] of a [[way]].
+struct SideTable {
+    SideEntry entry;
+    bool operator==(const SideTable&) const = default;
+};
 
 // Of an entry; the second argument where it is missing or of another kind. Numbers that are not finite count as missing.
 std::string text_of(const SideEntry& entry, const std::string& key, const std::string& otherwise = {});
 double number_of(const SideEntry& entry, const std::string& key, double otherwise);
 // Exactly `count` finite numbers, or none.
 std::vector<double> numbers_of(const SideEntry& entry, const std::string& key, std::size_t count);
+// The place under "place_m", world metres; none where it is missing or of another kind.
+std::optional<Vec3> place_of(const SideEntry& entry);
+void put_place(SideEntry& entry, const Vec3& place_m);
+// What of an entry a reader does not know, to be handed back.
+SideEntry without(SideEntry entry, std::initializer_list<const char*> known);
 
 // A name as a person may give one: one line of UTF-8, 1 to 200 bytes. Says what is wrong with it.
 inline constexpr std::size_t kLongestName_bytes = 200;
@@ -56,6 +69,8 @@ public:
     // [[name]] tables, in their order; none: empty. Keys that the caller does not know come along and are to be handed back.
     std::vector<SideEntry> entries(const std::string& name) const;
     void set_entries(const std::string& name, const std::vector<SideEntry>& entries);
+    // What is wrong with one of entries(), with the file and the line where it begins; no line where it was not read from a file.
+    Error fault_in(const std::string& name, std::size_t entry, std::string message) const;
     // The table [name]; none: empty.
     SideEntry table(const std::string& name) const;
     void set_table(const std::string& name, const SideEntry& table);
@@ -68,6 +83,29 @@ private:
     struct Content;
     std::unique_ptr<Content> content_;
 };
+
+// The entries of a list as `from` reads them (an optional or a Result), in the order of the file. Those it makes nothing of are left out and stay in the
+// file; `unread` gets their places among entries().
+template <class From>
+auto read_list(const SideFile& file, const std::string& name, From from, std::vector<std::size_t>& unread) {
+    std::vector<typename decltype(from(SideEntry{}))::value_type> all;
+    const std::vector<SideEntry> entries = file.entries(name);
+    unread.clear();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        if (auto one = from(entries[i])) all.push_back(std::move(*one));
+        else unread.push_back(i);
+    }
+    return all;
+}
+// Writes them as `to` makes entries of them, and after them what `from` could not read.
+template <class T, class To, class From>
+void write_list(SideFile& file, const std::string& name, const std::vector<T>& all, To to, From from) {
+    std::vector<SideEntry> entries;
+    for (const T& one : all) entries.push_back(to(one));
+    for (const SideEntry& entry : file.entries(name))
+        if (!from(entry)) entries.push_back(entry);
+    file.set_entries(name, entries);
+}
 
 // Which of `all` additions no longer fit the world, the first five by name, as the text `key` says it with {count}, {all} and {names}; empty where all fit.
 std::string unfit_words(std::string_view key, const std::vector<std::string>& unfit, std::size_t all);
