@@ -6,12 +6,11 @@
 #include <functional>
 
 #include "app/core/desk_panel.h"
-#include "app/core/headless_session.h"
 #include "app/core/marks.h"
-#include "audio-cues/sinks/recording_sinks.h"
 #include "haptic/servo/personal_space.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/spoken_language.h"
+#include "tests/unit/core/explorer.h"
 
 namespace handrail {
 namespace {
@@ -28,10 +27,11 @@ std::shared_ptr<const Scene> open_ground() {
 }
 
 // A session in virtual time, with the hand of a device or without any.
-class DeskSession {
+class DeskSession : public test::Explorer {
 public:
-    explicit DeskSession(const char* device, const Settings& settings = {}) : session_(settings, facts(device), audio_, speech_) {
-        session_.app().set_worlds({std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps", {}});
+    explicit DeskSession(const char* device, const Settings& settings = {}) : Explorer(open_ground(), device, settings, furnish) {}
+    static void furnish(AppCore& app) {
+        app.set_worlds({std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps", {}});
         SideFile additions;
         std::vector<Mark> marks(2);
         marks[0].name = "Bench";
@@ -39,44 +39,12 @@ public:
         marks[1].name = "Well";
         marks[1].place_m = {-7, 3, 0};
         write_marks(additions, marks);
-        session_.app().use_side_file(std::move(additions));
-        session_.app().enter_world(open_ground(), 0.0);
-        run(0.1);
-        if (device == nullptr) return;
-        go({0.0, 0.0, 0.005});
-        go({0.0, 0.0, 0.0});
-        run(1.2);
+        app.use_side_file(std::move(additions));
     }
-    static HandFacts facts(const char* device) {
-        HandFacts facts;
-        facts.present = facts.simulated = device != nullptr;
-        if (device) facts.spec = *find_device_spec(device);
-        return facts;
-    }
-    AppCore& app() { return session_.app(); }
-    const ToolState& tool() const { return session_.tool(); }
-    void run(double seconds) {
-        for (const double until = session_.now_s() + seconds; session_.now_s() < until - 1e-9;) session_.advance();
-    }
-    void go(const Vec3& to_m, double speed_m_per_s = 0.15) {
-        HandCommand command;
-        command.mode = HandMode::Move;
-        command.target_m = to_m;
-        command.speed_m_per_s = speed_m_per_s;
-        command.buttons = buttons_;
-        session_.hand().command.publish(command);
-        session_.hand().state.refresh();
-        run(glm::length(to_m - session_.hand().state.read().position_m) / speed_m_per_s + 0.01);
-        at_m_ = to_m;
-    }
-    void button(bool down) {
-        buttons_ = down ? 1U : 0U;
-        go(at_m_);
-        run(0.05);
-    }
+    void go(const Vec3& to_m, double speed_m_per_s = 0.15) { hold(to_m, speed_m_per_s); }
     void pull_through() {
-        const double reach = session_.facts().spec.workspace_radius_m;
-        go({at_m_.x, -0.3 * reach, at_m_.z});
+        const double reach = spec().workspace_radius_m;
+        go({at_m().x, -0.3 * reach, at_m().z});
         go({0.0, -0.3 * reach, 0.0});
         go({0.0, -0.95 * reach, 0.0}, 0.05);
         run(0.2);
@@ -87,7 +55,7 @@ public:
         const auto place = app().desk_place_m(name);
         if (!place) return false;
         const Vec3 before = *place + Vec3(across_m, -0.012, up_m);
-        go({at_m_.x, before.y, at_m_.z});
+        go({at_m().x, before.y, at_m().z});
         go(before);
         go(*place + Vec3(across_m, -off_m, up_m), 0.05);
         run(0.1);
@@ -98,16 +66,16 @@ public:
         for (int i = 0; i < 12 && !app().desk_place_m(name); ++i) press("Next page");
         ASSERT_TRUE(app().desk_place_m(name)) << name;
     }
-    double deep_m() const { return 1.5 / effective_stiffness_n_per_m(session_.facts().spec, 1e-3, 5.0) / 0.8 * 1.05; }
+    double deep_m() const { return 1.5 / effective_stiffness_n_per_m(spec(), 1e-3, 5.0) / 0.8 * 1.05; }
     void touch(const std::string& name) {
         const DeskKind kind = app().desk().controls()[*app().desk().find(name)].kind;
         const bool knob = kind == DeskKind::Knob, list = kind == DeskKind::List;  // beside the post of the one and the notch of the other
         // And beside the ridge in the middle of a slider with an even number of positions, which would be pressed deeper.
         double across = 0.0;
         if (kind == DeskKind::Slider) {
-            const DeskGrid grid = desk_grid(session_.facts().spec);
+            const DeskGrid grid = desk_grid(spec());
             const std::size_t i = *app().desk().find(name);
-            const DeskPanel panel = lay_out_desk(app().desk().controls(), session_.facts().spec, desk_pages(app().desk().controls(), grid)[i]);
+            const DeskPanel panel = lay_out_desk(app().desk().controls(), spec(), desk_pages(app().desk().controls(), grid)[i]);
             across = panel.of(i)->x_of(panel.of(i)->positions / 2) - panel.of(i)->x_m;
         }
         ASSERT_TRUE(reach(name, knob ? 0.0045 : across, list ? 0.004 : 0.0, -0.2 * deep_m()));
@@ -117,37 +85,8 @@ public:
         ASSERT_TRUE(reach(name, across_m, up_m, -deep_m()));
         withdraw();
     }
-    void withdraw() { go(at_m_ - Vec3(0.0, 0.015, 0.0)); }
+    void withdraw() { go(at_m() - Vec3(0.0, 0.015, 0.0)); }
     void slide_to(const Vec3& to_m) { go(to_m, 0.03); }
-    const Vec3& at_m() const { return at_m_; }
-    void key(std::string_view name) {
-        if (!app().take_key(name, session_.now_s())) {
-            const auto command = app().keys().find(name);
-            ASSERT_TRUE(command) << name;
-            session_.press(*command);
-            run(0.05);
-            app().release(*command);
-        }
-        run(0.05);
-    }
-    std::size_t lines() const { return speech_.lines().size(); }
-    bool said(const std::string& words, std::size_t from = 0) const {
-        for (std::size_t i = from; i < speech_.lines().size(); ++i)
-            if (speech_.lines()[i].utterance.text.find(words) != std::string::npos) return true;
-        return false;
-    }
-    std::string all_said(std::size_t from) const {
-        std::string text;
-        for (std::size_t i = from; i < speech_.lines().size(); ++i) text += speech_.lines()[i].utterance.text + " / ";
-        return text;
-    }
-
-private:
-    RecordingAudio audio_;
-    RecordingSpeech speech_;
-    HeadlessSession session_;
-    Vec3 at_m_{0.0};
-    std::uint32_t buttons_ = 0;
 };
 
 const char* const kDevices[] = {"sim-t", "sim-f"};
@@ -239,7 +178,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
         DeskSession by_hand(device), by_keys(nullptr);
         by_hand.pull_through();
         ASSERT_TRUE(by_hand.app().at_desk()) << device;
-        EXPECT_TRUE(by_hand.said("Your desk")) << by_hand.all_said(0);
+        EXPECT_TRUE(by_hand.heard("Your desk")) << by_hand.all_heard(0);
         by_keys.key("F10");
         const Desk& desk = by_hand.app().desk();
         for (std::size_t i = 0; i < desk.controls().size(); ++i) {
@@ -250,7 +189,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
             by_hand.find(control.name);
             std::size_t from = by_hand.lines();
             by_hand.touch(control.name);
-            EXPECT_TRUE(by_hand.said(desk.words(i), from)) << by_hand.all_said(from) << " instead of " << desk.words(i);
+            EXPECT_TRUE(by_hand.heard(desk.words(i), from)) << by_hand.all_heard(from) << " instead of " << desk.words(i);
             const DialogueView view = by_keys.app().dialogue().view();
             ASSERT_EQ(view.kind, DialogueView::Kind::List);
             ASSERT_EQ(view.at, i);
@@ -276,7 +215,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                     break;
                 case DeskKind::Assign: {
                     by_hand.press(control.name);
-                    EXPECT_TRUE(by_hand.said("on the knob", from)) << by_hand.all_said(from);
+                    EXPECT_TRUE(by_hand.heard("on the knob", from)) << by_hand.all_heard(from);
                     by_hand.find("Volume knob");
                     // Round the knob until one position is heard to be passed; anticlockwise: down.
                     ASSERT_TRUE(by_hand.reach("Volume knob", 0.0, 0.0045, -by_hand.deep_m()));
@@ -309,7 +248,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                     break;
                 case DeskKind::Indicator:
                     by_hand.press(control.name);
-                    EXPECT_TRUE(by_hand.said(desk.words(i), from));
+                    EXPECT_TRUE(by_hand.heard(desk.words(i), from));
                     by_keys.key("Enter");
                     break;
             }
@@ -318,7 +257,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
             }
             EXPECT_EQ(by_keys.app().desk().value(i), desk.value(i));
             if (control.kind != DeskKind::Indicator && control.kind != DeskKind::Knob) {
-                EXPECT_TRUE(by_hand.said(desk.value(i), from)) << by_hand.all_said(from);
+                EXPECT_TRUE(by_hand.heard(desk.value(i), from)) << by_hand.all_heard(from);
             }
             for (const DeskSetting& row : desk_settings()) {
                 if (row.key == "workspace.scale") continue;
@@ -330,7 +269,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
         EXPECT_EQ(by_hand.app().settings().workspace.scale, Settings{}.workspace.scale);
         by_hand.pull_through();
         EXPECT_FALSE(by_hand.app().at_desk());
-        EXPECT_TRUE(by_hand.said("Back in the world. You are"));
+        EXPECT_TRUE(by_hand.heard("Back in the world. You are"));
         EXPECT_NE(by_hand.app().settings().workspace.scale, Settings{}.workspace.scale);
         EXPECT_EQ(by_hand.app().settings().workspace.scale, by_keys.app().settings().workspace.scale);
     }
@@ -437,7 +376,7 @@ TEST(Desk, the_world_waits_and_escape_leads_back) {
     s.run(1.0);
     EXPECT_EQ(s.app().feet_m(), feet);
     EXPECT_EQ(s.app().heading_rad(), 0.0);
-    EXPECT_TRUE(s.said("You are at your desk", from));
+    EXPECT_TRUE(s.heard("You are at your desk", from));
     s.key("Escape");
     s.run(0.1);
     EXPECT_FALSE(s.app().at_desk());
@@ -453,10 +392,10 @@ TEST(Desk, can_be_switched_off_wholly) {
     DeskSession s("sim-t", settings);
     s.pull_through();
     EXPECT_FALSE(s.app().at_desk());
-    EXPECT_FALSE(s.said("Your desk"));
+    EXPECT_FALSE(s.heard("Your desk"));
     s.key("F10");
     EXPECT_FALSE(s.app().dialogue().is_open());
-    EXPECT_TRUE(s.said("switched off"));
+    EXPECT_TRUE(s.heard("switched off"));
 }
 
 TEST(Desk, a_value_between_two_positions_goes_to_the_next_one_either_way) {

@@ -4,26 +4,22 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 
 #include "app/core/headless_session.h"
 #include "audio-cues/sinks/recording_sinks.h"
-#include "worlds/readers/reader.h"
+#include "tests/unit/core/app_session.h"
 
 namespace handrail::test {
 
-inline std::shared_ptr<const Scene> our_world(const char* file) {
-    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file);
-    EXPECT_TRUE(scene);
-    return std::make_shared<const Scene>(std::move(*scene));
-}
-
 class Explorer {
 public:
-    // device: null for keys only.
-    Explorer(std::shared_ptr<const Scene> scene, const char* device, const Settings& settings = {}) : session_(settings, facts(device), audio_, speech_) {
+    // device: null for keys only. `before` is done before the world is entered.
+    Explorer(std::shared_ptr<const Scene> scene, const char* device, const Settings& settings = {}, const std::function<void(AppCore&)>& before = {})
+        : session_(settings, facts(device), audio_, speech_) {
+        if (before) before(app());
         app().enter_world(std::move(scene), 0.0);
         run(0.1);
         if (!device) return;
@@ -59,8 +55,8 @@ public:
         app().release(command);
         run(then_s);
     }
-    void key(const char* name) {
-        session_.tap_key(name);
+    void key(const std::string& name) {
+        EXPECT_TRUE(session_.tap_key(name)) << name;
         run(0.05);
     }
     void line(const std::string& text) {
@@ -95,8 +91,16 @@ public:
         command.mode = HandMode::Move;
         command.target_m = at_m;
         command.speed_m_per_s = speed_m_per_s;
+        command.buttons = buttons_;
+        at_m_ = at_m;
         session_.hand().command.publish(command);
         run(glm::length(at_m - hand_m()) / speed_m_per_s + 0.01);
+    }
+    const Vec3& at_m() const { return at_m_; }  // where it was told to go last
+    void button(bool down) {
+        buttons_ = down ? 1U : 0U;
+        hold(at_m_);
+        run(0.05);
     }
     // The hand goes where it is pulled and pushes by itself.
     void push(const Vec3& force_n = Vec3(0.0)) {
@@ -125,10 +129,14 @@ public:
     const std::vector<HeardSound>& sounds() const { return audio_.sounds(); }
     const Listener& ears() const { return audio_.listener(); }
 
+    const DeviceSpec& spec() const { return session_.facts().spec; }
+
 private:
     RecordingAudio audio_;
     RecordingSpeech speech_;
     HeadlessSession session_;
+    Vec3 at_m_{0.0};
+    std::uint32_t buttons_ = 0;
 };
 
 }  // namespace handrail::test

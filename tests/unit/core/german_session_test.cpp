@@ -1,50 +1,21 @@
 // A short session in German: what is said is whole German sentences, with the map's own names as the map has them, and follows a change of the language
 // with the next sentence.
-#include <filesystem>
-
-#include "app/core/app_core.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/spoken_language.h"
-#include "worlds/readers/reader.h"
+#include "tests/unit/core/app_session.h"
 
 namespace handrail {
 namespace {
 
-std::shared_ptr<const Scene> world(const std::string& file) {
-    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file);
-    EXPECT_TRUE(scene);
-    return std::make_shared<const Scene>(std::move(*scene));
-}
+std::shared_ptr<const Scene> world(const char* file) { return test::world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file); }
 
-struct Session {
-    explicit Session(const Settings& settings = {}) : app(settings, hand()) {}
+struct Session : test::AppSession {
+    explicit Session(const Settings& settings = {}) : AppSession(settings, hand()) {}
     static HandFacts hand() {
         HandFacts facts;
         facts.present = facts.simulated = true;
         facts.spec = ideal_device_spec();
         return facts;
-    }
-    void run(double seconds) {
-        for (const double until = now + seconds; now < until - 1e-9;) {
-            now += 1.0 / 60.0;
-            app.tick(now, tool);
-            take();
-        }
-    }
-    void take() {
-        for (CueRequest& cue : app.take_cues())
-            if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
-    }
-    std::string ask(Command command) {
-        app.press(command, now);
-        take();
-        app.release(command);
-        return said.empty() ? std::string() : said.back();
-    }
-    void hold(Command command, double seconds) {
-        app.press(command, now);
-        run(seconds);
-        app.release(command);
     }
     void touch(const std::string& name) {
         const auto& features = app.scene()->features;
@@ -55,10 +26,6 @@ struct Session {
         tool.contacts.contacts[0].feature = FeatureId{static_cast<std::uint32_t>(found - features.begin())};
         tool.ticks = 1;
     }
-    AppCore app;
-    ToolState tool;
-    double now = 0.0;
-    std::vector<std::string> said;
 };
 
 TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentences) {

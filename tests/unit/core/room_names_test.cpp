@@ -3,11 +3,10 @@
 
 #include <filesystem>
 
-#include "app/core/app_core.h"
 #include "tests/support/map_text.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/core/app_session.h"
 #include "worlds/base/files.h"
-#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace {
@@ -24,47 +23,22 @@ std::string two_rooms(double gap_units = 32.0) {
            test::entity("info_player_start", test::key("origin", "40 80 24"));
 }
 
-struct Person {
-    explicit Person(const fs::path& world) : app(Settings{}, HandFacts{}) {
-        auto scene = read_world(world);
-        EXPECT_TRUE(scene);
+struct Person : test::AppSession {
+    explicit Person(const fs::path& world) {
         app.use_side_file(SideFile::of_world(world, {}));
-        app.enter_world(std::make_shared<const Scene>(std::move(*scene)), now);
+        app.enter_world(test::world_in(world), now);
         run(0.1);
-        press(Command::Exits);  // from here on the rooms are known
-    }
-    void run(double seconds) {
-        for (const double until = now + seconds; now < until - 1e-9;) {
-            now += 1.0 / 60.0;
-            app.tick(now, {});
-            listen();
-        }
-    }
-    void listen() {
-        for (CueRequest& cue : app.take_cues())
-            if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
-    }
-    std::string press(Command command) {
-        app.press(command, now);
-        app.release(command);
-        listen();
-        return said.empty() ? std::string() : said.back();
+        ask(Command::Exits);  // from here on the rooms are known
     }
     // By the keys alone: the question, the letters, Enter.
     std::string name(const std::string& typed) {
         EXPECT_EQ(app.keys().find("Control+N"), Command::NameRoom);
-        press(Command::NameRoom);
+        ask(Command::NameRoom);
         app.take_text(typed, now);
         app.take_key("Enter", now);
         listen();
         return said.back();
     }
-    bool heard(const std::string& part) const {
-        return std::any_of(said.begin(), said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
-    }
-    AppCore app;
-    double now = 0.0;
-    std::vector<std::string> said;
 };
 
 struct World {
@@ -84,17 +58,17 @@ TEST(NamesOfRooms, are_typed_told_everywhere_and_kept_for_the_next_time) {
         Person p(world.path);
         EXPECT_THAT(p.said.back(), HasSubstr("Room, 7 by 5 metres, west."));
         EXPECT_EQ(p.name(sign), "This room is now called " + sign + ".");
-        EXPECT_THAT(p.press(Command::WhereAmI), testing::StartsWith(sign + ". "));
-        EXPECT_THAT(p.press(Command::Exits), testing::StartsWith(sign + ". "));
+        EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith(sign + ". "));
+        EXPECT_THAT(p.ask(Command::Exits), testing::StartsWith(sign + ". "));
         p.app.place({9.0, 2.5, 0.0}, 0.0, p.now);
         p.run(0.1);
-        EXPECT_THAT(p.press(Command::Exits), HasSubstr("to " + sign));
+        EXPECT_THAT(p.ask(Command::Exits), HasSubstr("to " + sign));
         EXPECT_EQ(p.name("Study"), "This room is now called Study.");
         EXPECT_EQ(p.name("Library"), "This room is now called Library.");  // again
     }
     Person p(world.path);
-    EXPECT_THAT(p.press(Command::WhereAmI), testing::StartsWith(sign + ". "));
-    EXPECT_THAT(p.press(Command::Exits), HasSubstr("to Library"));
+    EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith(sign + ". "));
+    EXPECT_THAT(p.ask(Command::Exits), HasSubstr("to Library"));
     EXPECT_FALSE(p.heard("fit"));
 }
 
@@ -103,7 +77,7 @@ TEST(NamesOfRooms, are_typed_in_a_terminal_by_word_and_line) {
     Person p(world.path);
     const CommandInfo* row = find_command("name-room");
     ASSERT_TRUE(row);
-    EXPECT_THAT(p.press(row->command), HasSubstr("Type another name for this room"));
+    EXPECT_THAT(p.ask(row->command), HasSubstr("Type another name for this room"));
     EXPECT_TRUE(p.app.take_line("Workshop", p.now));
     p.listen();
     EXPECT_EQ(p.said.back(), "This room is now called Workshop.");
@@ -114,7 +88,7 @@ TEST(NamesOfRooms, may_have_200_bytes_and_no_more_and_are_not_given_twice) {
     Person p(world.path);
     const std::string longest(200, 'a');
     EXPECT_EQ(p.name(longest), "This room is now called " + longest + ".");
-    p.press(Command::NameRoom);
+    p.ask(Command::NameRoom);
     p.app.take_line(std::string(201, 'b'), p.now);
     p.listen();
     EXPECT_THAT(p.said.back(), HasSubstr("At most 200 bytes"));
@@ -124,7 +98,7 @@ TEST(NamesOfRooms, may_have_200_bytes_and_no_more_and_are_not_given_twice) {
     p.app.place({9.0, 2.5, 0.0}, 0.0, p.now);
     p.run(0.1);
     EXPECT_THAT(p.name(std::string(200, 'A')), HasSubstr("Another room is called"));
-    EXPECT_THAT(p.press(Command::WhereAmI), testing::StartsWith("Room, 6 by 5 metres, east. "));
+    EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, 6 by 5 metres, east. "));
 }
 
 TEST(NamesOfRooms, go_away_when_the_rooms_own_name_is_typed) {
@@ -150,19 +124,19 @@ TEST(NamesOfRooms, of_a_world_that_was_edited_are_told_where_they_no_longer_fit)
     {
         Person p(world.path);
         EXPECT_FALSE(p.heard("fit")) << p.said.back();
-        EXPECT_THAT(p.press(Command::Exits), HasSubstr("Shop. 1 exit"));
+        EXPECT_THAT(p.ask(Command::Exits), HasSubstr("Shop. 1 exit"));
     }
     // Without the wall there is one room twice as large, which is neither.
     world.write(two_rooms(160.0));
     {
         Person p(world.path);
         EXPECT_TRUE(p.heard("This world has changed since you named rooms. 2 of 2 names no longer fit: Shop; Larder."));
-        EXPECT_THAT(p.press(Command::WhereAmI), testing::Not(HasSubstr("Shop")));
+        EXPECT_THAT(p.ask(Command::WhereAmI), testing::Not(HasSubstr("Shop")));
     }
     // They are still kept for the day when the wall is back.
     world.write(two_rooms());
     Person p(world.path);
-    EXPECT_THAT(p.press(Command::WhereAmI), testing::StartsWith("Shop. "));
+    EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Shop. "));
 }
 
 TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
@@ -171,7 +145,7 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
     {
         Person p(world.path);
         EXPECT_TRUE(p.heard("is damaged in line 2. It is kept as flat.map.handrail.toml.damaged")) << p.said.front();
-        EXPECT_THAT(p.press(Command::WhereAmI), testing::StartsWith("Room, 7 by 5 metres, west. "));
+        EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, 7 by 5 metres, west. "));
         EXPECT_EQ(p.name("Shop"), "This room is now called Shop.");
     }
     // One entry without a place, in a file that can be read: counted, told, and still there after something was saved.
@@ -179,7 +153,7 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
         write_file_atomically(world.beside(), "[[room_name]]\nname = \"Attic\"\nplace_m = [1.0]\n[[room_name]]\nname = \"Shop\"\nplace_m = [1.0, 2.5, 0.0]\n"));
     Person p(world.path);
     EXPECT_TRUE(p.heard("1 of your names of rooms could not be read."));
-    EXPECT_THAT(p.press(Command::WhereAmI), testing::StartsWith("Shop. "));
+    EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Shop. "));
     p.name("Store");
     const auto kept = read_whole_file(world.beside());
     ASSERT_TRUE(kept);

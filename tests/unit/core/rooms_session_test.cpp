@@ -2,45 +2,17 @@
 #include <chrono>
 #include <filesystem>
 
-#include "app/core/app_core.h"
-#include "worlds/readers/reader.h"
+#include "tests/unit/core/app_session.h"
 
 namespace handrail {
 namespace {
 
-std::shared_ptr<const Scene> house() {
-    auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "house.map");
-    EXPECT_TRUE(scene);
-    return std::make_shared<const Scene>(std::move(*scene));
-}
+std::shared_ptr<const Scene> house() { return test::our_world("house.map"); }
 
-struct Session {
-    explicit Session(bool beside = false) : app(Settings{}, HandFacts{}) {
+struct Session : test::AppSession {
+    explicit Session(bool beside = false) {
         if (beside) app.find_rooms_beside();
     }
-    void run(double seconds) {
-        for (const double until = now + seconds; now < until - 1e-9;) {
-            now += 1.0 / 60.0;
-            app.tick(now, {});
-            take();
-        }
-    }
-    void take() {
-        for (CueRequest& cue : app.take_cues())
-            if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
-    }
-    std::string ask(Command command) {
-        app.press(command, now);
-        take();
-        app.release(command);
-        return said.empty() ? std::string() : said.back();
-    }
-    bool heard(const std::string& part) const {
-        return std::any_of(said.begin(), said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
-    }
-    AppCore app;
-    double now = 0.0;
-    std::vector<std::string> said;
 };
 
 TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
@@ -87,7 +59,7 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     s.ask(Command::Routes);
     EXPECT_TRUE(s.said.back().starts_with("Way to")) << s.said.back();
     ASSERT_TRUE(s.app.take_line("Music room", s.now));
-    s.take();
+    s.listen();
     const std::string words = s.said.back();
     EXPECT_TRUE(words.starts_with("To Music room. ")) << words;
     EXPECT_NE(words.find("to Stairs, "), std::string::npos) << words;
@@ -106,7 +78,7 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     EXPECT_TRUE(s.heard("To Music room. "));
     s.ask(Command::Routes);
     ASSERT_TRUE(s.app.take_line("Stop following the way", s.now));
-    s.take();
+    s.listen();
     EXPECT_EQ(s.said.back(), "No way is followed any more.");
 }
 
@@ -153,7 +125,7 @@ TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
     s.run(0.1);
     s.ask(Command::Routes);
     ASSERT_TRUE(s.app.take_line("Balcony", s.now));
-    s.take();
+    s.listen();
     EXPECT_TRUE(s.said.back().starts_with("No walking way found to Balcony. The nearest place you can reach is in ")) << s.said.back();
 }
 

@@ -1,0 +1,70 @@
+// A person before the app alone, without servo and voices: what they press and type, and what is to be said. For tests of what the session does and says.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/core/app_core.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail::test {
+
+inline std::shared_ptr<const Scene> world_in(const std::filesystem::path& file) {
+    auto scene = read_world(file);
+    EXPECT_TRUE(scene) << file;
+    return scene ? std::make_shared<const Scene>(std::move(*scene)) : std::make_shared<const Scene>();
+}
+
+inline std::shared_ptr<const Scene> our_world(const char* file) {
+    return world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file);
+}
+
+struct AppSession {
+    explicit AppSession(const Settings& settings = {}, const HandFacts& hand = {}) : app(settings, hand) {}
+    void run(double seconds) {
+        for (const double until = now + seconds; now < until - 1e-9;) {
+            now += 1.0 / 60.0;
+            app.tick(now, tool);
+            listen();
+        }
+    }
+    void listen() {
+        for (CueRequest& cue : app.take_cues()) {
+            if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
+            if (cue.kind == CueRequestKind::Bump) bumped.push_back(cue.feature);
+        }
+    }
+    // What was said last when the command has been given.
+    std::string ask(Command command) {
+        app.press(command, now);
+        app.release(command);
+        listen();
+        return said.empty() ? std::string() : said.back();
+    }
+    void hold(Command command, double seconds) {
+        app.press(command, now);
+        run(seconds);
+        app.release(command);
+    }
+    // To the open list or question, as a terminal gives it.
+    std::string line(const std::string& text) {
+        EXPECT_TRUE(app.take_line(text, now)) << text;
+        listen();
+        return said.empty() ? std::string() : said.back();
+    }
+    bool heard(const std::string& part) const {
+        return std::any_of(said.begin(), said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
+    }
+    AppCore app;
+    ToolState tool;
+    double now = 0.0;
+    std::vector<std::string> said;
+    std::vector<FeatureId> bumped;  // into
+};
+
+}  // namespace handrail::test
