@@ -463,6 +463,12 @@ void AppCore::act(Command command, double now_s) {
         case Command::NameRoom:
             ask_room_name(now_s);
             break;
+        case Command::Ways:
+            open_ways(now_s);
+            break;
+        case Command::KeepWay:
+            open_keep_way(now_s);
+            break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
             answer(phrase(plan_view_ ? "session.plan" : "session.first_person"), now_s);

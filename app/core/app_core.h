@@ -29,6 +29,7 @@
 #include "app/core/view.h"
 #include "app/core/walker.h"
 #include "app/core/walking.h"
+#include "app/core/ways.h"
 #include "app/core/words.h"
 #include "app/core/workspace_scale.h"
 #include "app/core/world_shelf.h"
@@ -326,9 +327,41 @@ private:
         Vec3 to_m{0.0};
         double along_m = 0.0;  // of the route
     };
-    std::optional<Leg> next_leg(const Vec3& goal_m) const;
+    std::optional<Leg> next_leg(Route route) const;
     void tell_way_on(double now_s);
     void follow_on(double now_s);
+    // Ways that were kept: app_core_ways.cpp.
+    void enter_ways(double now_s);
+    FoundWay found_way(const SavedWay& way);
+    std::string way_faults(const FoundWay& found) const;
+    void tell_unfit_ways(double now_s);
+    void save_ways(double now_s);
+    void rename_room_in_ways(const std::string& before, const std::string& name);
+    Stop stop_at_place(const Vec3& place_m, const std::string& otherwise);
+    Stop stop_in_room(std::uint32_t room);
+    Stop stop_at_goal(const Goal& goal, const Vec3& from_m);
+    void note_planned(Stop stop);
+    void open_keep_way(double now_s);
+    bool way_name_taken(const std::string& name, std::size_t except) const;
+    void ask_way_name(const std::vector<Stop>& stops, double now_s);
+    std::optional<std::string> free_way_name(const std::string& typed, std::size_t except, double now_s);
+    void open_ways(double now_s);
+    void open_way(std::size_t which, double now_s);
+    void add_ways_to_go(ListSpec& list, std::vector<std::function<void()>>& acts, const std::string& name, const std::vector<Stop>& stops);
+    void open_way_backwards(std::size_t which, double now_s);
+    void open_add_stop(std::size_t which, double now_s);
+    void add_stop(std::size_t which, Stop stop, double now_s);
+    void take_over_way(std::size_t which, double now_s);
+    void ask_new_way_name(std::size_t which, double now_s);
+    void delete_way(std::size_t which, double now_s);
+    void tell_way(const std::string& name, const std::vector<Stop>& stops, double now_s);
+    void begin_way(const std::vector<Stop>& stops, bool by_hand, double now_s);
+    Goal goal_of(const Stop& stop) const;
+    void go_on_way(const std::string& first, double now_s);
+    Route way_on(const Vec3& from_m);
+    bool runs_to(const std::string& goal) const;
+    void pass_stops();
+    bool next_stop(const std::string& words, double now_s);
     // Doors, lifts, buttons and teleporters: app_core_movers.cpp.
     void use(double now_s);
     void play_movers(double now_s, double dt_s);
@@ -425,6 +458,10 @@ private:
     std::vector<std::string> own_room_names_;  // what each room is called where the person has given no name
     RouteFollower follower_;
     std::string follow_name_;
+    std::vector<SavedWay> ways_;
+    std::vector<Stop> planned_stops_;   // where the person has wanted to go, one after the other
+    std::optional<Vec3> way_begins_m_;  // where the person said that a way begins
+    std::optional<WayRun> run_;         // a kept way that is gone along now
     std::vector<FeatureId> used_switches_;  // that act only once
     std::vector<int> thing_of_mover_;       // place among things_, -1: part of the building
     FeatureId ground_ = kNoFeature;         // what the body stands on

@@ -41,6 +41,7 @@ void AppCore::enter_guiding(double now_s) {
     if (unreadable > 0) say(phrase("marks.unreadable", {{"count", unreadable}}), SpeechClass::Answer, now_s);
     check_marks(*scene_, side_file_, guiding_.marks);
     if (std::string unfit = unfit_sentence(guiding_.marks); !unfit.empty()) say(std::move(unfit), SpeechClass::Answer, now_s);
+    enter_ways(now_s);
 }
 
 Vec3 AppCore::finding_place_m() const { return hand_.present && tool_.ticks > 0 ? tool_.proxy_m : feet_m() + Vec3(0.0, 0.0, kWaist_m); }
@@ -175,7 +176,11 @@ void AppCore::open_tools(const Goal& goal, double now_s) {
     list.items.push_back({phrase("guide.where_is_it"), where_words(goal.box_m)});
     list.chosen = [this, goal](std::size_t i) {
         if (i == 0) set_beacon(goal, last_tick_s_);
-        if (i == 1) lead_to(goal, {}, last_tick_s_);
+        if (i == 1) {
+            run_.reset();
+            if (rooms_known()) note_planned(stop_at_goal(goal, finding_place_m()));
+            lead_to(goal, {}, last_tick_s_);
+        }
         if (i == 2) seek_warmer(goal, last_tick_s_);
         if (i == 3) cross_lines(goal, last_tick_s_);
         if (i == 4) answer(joined(goal.name, where_words(goal.box_m)), last_tick_s_);
@@ -290,7 +295,7 @@ void AppCore::tick_guiding(double now_s) {
         Beacon::Beat beat = g.beacon.tick(feet_m(), ears, way_db, !tuning_.panic, now_s);
         if (beat.sound) cue(std::move(*beat.sound));
         if (beat.arrived) {
-            if (follow_name_ == g.beacon.name()) follower_.stop();  // told once
+            if (follow_name_ == g.beacon.name() && !run_) follower_.stop();  // told once
             play(SoundKind::Arrived, now_s);
             say(phrase("lead.here", {{"goal", g.beacon.name()}}), SpeechClass::Answer, now_s);
         }

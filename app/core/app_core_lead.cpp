@@ -70,6 +70,7 @@ void AppCore::take_me(double now_s) {
     }
     if (!hand_may_be_led() && follower_.following()) {
         follower_.stop();
+        run_.reset();
         guiding_.beacon.clear();
         return answer(phrase("lead.stopped"), now_s);
     }
@@ -83,12 +84,13 @@ AppCore::HandLead AppCore::hand_lead(const Goal& goal) {
     HandLead lead;
     const Vec3 from = finding_place_m();
     std::vector<Vec3> points{from, nearest_place(goal.box_m, from)};
-    if (!free_line(*body_world_, from, place_on(goal.box_m, from), goal.feature)) {
+    const bool along_kept = runs_to(goal.name) && run_->by_hand;  // the way that was kept, and not the nearest one
+    if ((along_kept && run_->next < run_->goal()) || !free_line(*body_world_, from, place_on(goal.box_m, from), goal.feature)) {
         if (!rooms_known()) {
             lead.problem = rooms_ && rooms_beside_ && !rooms_->ready() ? phrase("lead.ways_not_yet") : phrase("lead.stands_between");
             return lead;
         }
-        const Route route = walk_to_thing(rooms_->navigation(), *body_world_, from, goal.box_m, goal.feature);
+        const Route route = along_kept ? way_on(from) : walk_to_thing(rooms_->navigation(), *body_world_, from, goal.box_m, goal.feature);
         know_way(route.points_m);
         if (route.points_m.empty()) {
             lead.problem = phrase("lead.no_start");
@@ -141,6 +143,10 @@ void AppCore::lead_by_ear(const Goal& goal, const std::string& first, double now
     end_guidance();
     follower_.stop();
     guiding_.beacon.clear();
+    if (runs_to(goal.name) && run_->by_hand) {
+        run_->by_hand = false;
+        return go_on_way(first, now_s);
+    }
     const Vec3 waist = feet_m() + Vec3(0.0, 0.0, kWaist_m);
     const bool in_sight = free_line(*body_world_, waist, place_on(goal.box_m, waist), goal.feature);
     Route route;
@@ -230,6 +236,7 @@ void AppCore::follow_guidance(double now_s) {
     }
     if (!g.acts && !g.announced && !g.left) lay_grooves(now_s);
     if (!g.acts) return;
+    if (run_ && run_->by_hand) pass_stops();
     if (tool_.guidance.number != g.path.number) return;  // the servo has not seen it yet
     const bool pull = g.path.kind == GuidanceKind::Pull;
     bool arrived = tool_.guidance.phase == GuidancePhase::Arrived;
@@ -249,6 +256,8 @@ void AppCore::follow_guidance(double now_s) {
         g.laps.finish(g.errors, settings_.guidance.fades);
         play(SoundKind::Arrived, now_s);
         const std::string name = g.goal ? g.goal->name : std::string();
+        if (to_nearest) run_.reset();
+        if (runs_to(name) && run_->by_hand && next_stop(phrase("ways.reached", {{"stop", name}}), now_s)) return;
         return answer(to_nearest ? phrase("lead.nearest_place", {{"goal", name}}) : phrase("lead.here", {{"goal", name}}), now_s);
     }
     play(SoundKind::GuideStop, now_s);

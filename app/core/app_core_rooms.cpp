@@ -16,6 +16,7 @@ void AppCore::begin_rooms(std::shared_ptr<const Scene> scene) {
     room_ = kNothing;
     visited_rooms_.clear();
     follower_.stop();
+    run_.reset();
 }
 
 // Rooms and ways are there to be used; where the same must happen in every run they are looked for now.
@@ -130,9 +131,12 @@ void AppCore::list_routes(double now_s) {
         if (rooms[at] == kNothing && at == 0) return tell_way_on(last_tick_s_);
         if (rooms[at] == kNothing) {
             follower_.stop();
+            run_.reset();
             return answer(phrase("lead.stopped"), last_tick_s_);
         }
         const Room& room = rooms_->graph().rooms[rooms[at]];
+        run_.reset();
+        note_planned(stop_in_room(rooms[at]));
         follow_way(room.middle_m, sentence_case(room.name), {}, last_tick_s_);
     };
     open_list(std::move(list), now_s);
@@ -154,6 +158,7 @@ void AppCore::lay_given_names(double now_s) {
     if (unreadable > 0) say(phrase("room_names.unreadable", {{"count", unreadable}}), SpeechClass::Answer, now_s);
     lay_room_names(graph, rooms_->navigation().space(), side_file_, room_names_);
     if (std::string unfit = unfit_sentence(room_names_); !unfit.empty()) say(std::move(unfit), SpeechClass::Answer, now_s);
+    tell_unfit_ways(now_s);
 }
 
 void AppCore::ask_room_name(double now_s) {
@@ -178,6 +183,7 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
     // Its own name again takes the given one away.
     if (*name != own_room_names_[room])
         room_names_.push_back({*name, graph.rooms[room].middle_m, graph.rooms[room].area_m2, side_file_.world_checksum(), true, {}});
+    rename_room_in_ways(graph.rooms[room].name, *name);
     graph.rooms[room].name = *name;
     graph.rooms[room].named = *name != own_room_names_[room] || room_named_by_map_[room];
     write_room_names(side_file_, room_names_);
@@ -210,10 +216,10 @@ void AppCore::follow_route(Route route, const std::string& name, const std::stri
     follower_.follow(std::move(route), std::move(nodes));
 }
 
-// The next straight stretch of a way from here to `goal_m` that is longer than half a step; none: there is no way.
-std::optional<AppCore::Leg> AppCore::next_leg(const Vec3& goal_m) const {
+// The next straight stretch of a way from here that is longer than half a step; none: there is no way.
+std::optional<AppCore::Leg> AppCore::next_leg(Route route) const {
     Leg leg;
-    leg.route = rooms_->navigation().plan(feet_m(), goal_m);
+    leg.route = std::move(route);
     const std::vector<Vec3>& points = leg.route.points_m;
     if (points.size() < 2) return std::nullopt;
     std::size_t corner = 1;
@@ -226,7 +232,8 @@ std::optional<AppCore::Leg> AppCore::next_leg(const Vec3& goal_m) const {
 // How far the way that is followed goes on straight, which way, and to what.
 void AppCore::tell_way_on(double now_s) {
     if (!follower_.following()) return answer(phrase("way.none"), now_s);
-    const auto leg = next_leg(follower_.goal_m());
+    const bool kept = runs_to(follow_name_);
+    const auto leg = next_leg(kept ? plan_through(rooms_->navigation(), feet_m(), run_->places()) : rooms_->navigation().plan(feet_m(), follower_.goal_m()));
     if (!leg) return answer(phrase("way.no_floor"), now_s);
     const Vec3 off = leg->to_m - feet_m();
     const Route& route = leg->route;
@@ -241,17 +248,21 @@ void AppCore::tell_way_on(double now_s) {
 
 void AppCore::follow_on(double now_s) {
     if (!follower_.following()) return;
+    pass_stops();
     const Vec3 goal = follower_.goal_m();
     const RouteFollower::Said said = follower_.tick(feet_m(), distances());
     if (said.left) {
         // Planned anew from here, and said once.
         const std::string name = follow_name_;
         say(phrase("lead.left_way"), SpeechClass::Contact, now_s);
-        follow_way(goal, name, {}, now_s);
+        if (runs_to(name)) go_on_way({}, now_s);
+        else follow_way(goal, name, {}, now_s);
     } else if (!said.text.empty()) {
+        if (said.arrived) play(SoundKind::Arrived, now_s);
+        if (said.arrived && runs_to(follow_name_) && next_stop(said.text, now_s)) return;
         say(said.text, SpeechClass::Contact, now_s);
         if (!said.arrived) return;
-        play(SoundKind::Arrived, now_s);
+        run_.reset();
         if (guiding_.beacon.name() == follow_name_) guiding_.beacon.clear();
     }
 }

@@ -65,6 +65,8 @@ enum class Command : std::uint8_t {
     UnvisitedExits,  // that lead where one has not been
     Routes,          // a list of rooms; the way to the chosen one in words, and along it
     NameRoom,        // another name for the room one is in, typed
+    Ways,            // a list of the ways that were kept
+    KeepWay,         // the one planned or walked last, under a name
     PlanView,
     // Help and settings.
     Menu,  // everything that can be done, in a list

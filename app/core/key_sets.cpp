@@ -45,6 +45,8 @@ constexpr std::array kRight{
     SetKeys{"help", "F1 Control+H"},
     SetKeys{"menu", "Tab Control+N"},
     SetKeys{"name-room", "Control+Y"},
+    SetKeys{"ways", "R Control+7"},
+    SetKeys{"keep-way", "Shift+R Control+8"},
     SetKeys{"workspace-forward", "W Control+Home"},
     SetKeys{"workspace-back", "S Control+End"},
     SetKeys{"workspace-left", "A Control+Delete"},

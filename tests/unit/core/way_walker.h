@@ -1,0 +1,49 @@
+// A body that does what it is told: walks along the way that was planned last, point after point, and opens what it stands before.
+#pragma once
+
+#include <cmath>
+#include <functional>
+
+#include "tests/unit/core/app_session.h"
+
+namespace handrail::test {
+
+// Until `there`, or for so many seconds; true when it got there.
+inline bool walk_along(AppSession& person, const std::function<bool()>& there, double seconds) {
+    constexpr double kAtPoint_m = 0.1, kStuck_s = 0.5, kDoorOpens_s = 2.5;
+    AppCore& app = person.app;
+    std::vector<Vec3> way;
+    std::size_t at = 0;
+    Vec3 was = app.feet_m();
+    double moved_s = person.now;
+    for (const double until = person.now + seconds; person.now < until && !there();) {
+        if (way != app.guiding().way_m) {
+            way = app.guiding().way_m;
+            at = 0;
+        }
+        const auto level = [&](const Vec3& to) { return Vec3(to.x - app.feet_m().x, to.y - app.feet_m().y, 0.0); };
+        while (at < way.size() && glm::length(level(way[at])) < kAtPoint_m) ++at;
+        if (at >= way.size()) {
+            app.steer({});
+            person.run(0.1);
+            continue;
+        }
+        const Vec3 to = level(way[at]);
+        const double right_rad = wrap_angle(std::atan2(to.x, to.y) - app.heading_rad());
+        app.steer({std::cos(right_rad), std::sin(right_rad), std::clamp(2.0 * right_rad, -1.0, 1.0)});
+        person.run(1.0 / 60.0);
+        if (glm::length(app.feet_m() - was) > 0.05) {
+            was = app.feet_m();
+            moved_s = person.now;
+        }
+        if (person.now - moved_s < kStuck_s) continue;
+        app.steer({});
+        person.ask(Command::Use);
+        person.run(kDoorOpens_s);
+        moved_s = person.now;
+    }
+    app.steer({});
+    return there();
+}
+
+}  // namespace handrail::test

@@ -1,0 +1,401 @@
+// Kept ways in a session: planned or walked, kept under a name beside the world, and after a restart heard, followed stop after stop by ear and by the hand,
+// backwards, changed, deleted; damaged, and in a world that was edited since.
+#include <gmock/gmock.h>
+
+#include "tests/support/map_text.h"
+#include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/core/explorer.h"
+#include "tests/unit/core/way_walker.h"
+#include "worlds/base/files.h"
+#include "worlds/navigation/way_place.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+// The house, where additions to it are kept beside it.
+struct House {
+    House() { fs::copy_file(fs::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map", path); }
+    fs::path beside() const { return path.string() + ".handrail.toml"; }
+    test::TemporaryFolder folder;
+    fs::path path = folder.path() / "house.map";
+};
+
+struct Person : test::AppSession {
+    explicit Person(const fs::path& world) {
+        app.use_side_file(SideFile::of_world(world, {}));
+        app.enter_world(test::world_in(world), now);
+        run(0.1);
+    }
+    // Chooses a room in the list of ways and walks there.
+    bool go_to(const std::string& room) {
+        ask(Command::Routes);
+        line(room);
+        const std::string there = room + ". You are there.";
+        said.clear();
+        return test::walk_along(*this, [&] { return heard(there); }, 90.0);
+    }
+    // The text of an entry of the list that is open, with its value; empty: none.
+    std::string item(const std::string& begin) const {
+        for (const ListItem& one : app.dialogue().view().items)
+            if (one.name.starts_with(begin)) return one.name + ", " + one.value;
+        return {};
+    }
+    std::string keep(const std::string& which, const std::string& name) {
+        ask(Command::KeepWay);
+        line(which);
+        return line(name);
+    }
+};
+
+TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart) {
+    const House house;
+    {
+        Person p(house.path);
+        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("No way is kept here yet. Shift+R keeps the one"));
+        ASSERT_TRUE(p.go_to("Living room")) << p.app.feet_m().x << " " << p.app.feet_m().y;
+        p.ask(Command::Routes);
+        p.line("Kitchen");  // planned from where the way before ended: part of the same
+        p.ask(Command::KeepWay);
+        EXPECT_EQ(p.item("The way you planned last"), "The way you planned last, Hall, Living room, Kitchen");
+        EXPECT_THAT(p.line("The way you planned last"), HasSubstr("Hall to Kitchen. Type another name for this way, or press Enter"));
+        EXPECT_EQ(p.line("To the stove"), "Way To the stove kept");
+    }
+    const auto text = read_whole_file(house.beside());
+    ASSERT_TRUE(text);
+    EXPECT_THAT(*text, HasSubstr("[[way.stop]]"));
+    EXPECT_THAT(*text, HasSubstr("room = \"Living room\""));
+
+    Person p(house.path);
+    EXPECT_FALSE(p.heard("fit")) << p.said.back();
+    p.ask(Command::Ways);
+    EXPECT_EQ(p.item("To the stove"), "To the stove, by way of Living room");
+    p.line("To the stove");
+    const std::string words = p.line("Hear it");
+    EXPECT_THAT(words, StartsWith("To the stove. From Hall, "));
+    EXPECT_THAT(words, HasSubstr(" To Living room. "));
+    EXPECT_THAT(words, HasSubstr(" to Living room door, "));
+    EXPECT_THAT(words, HasSubstr(" To Kitchen. "));
+    EXPECT_THAT(words, HasSubstr(" to Kitchen."));
+
+    p.ask(Command::Ways);
+    p.line("To the stove");
+    EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));  // one stands at its first stop
+    p.said.clear();
+    ASSERT_TRUE(test::walk_along(p, [&] { return p.heard("Kitchen. You are there."); }, 120.0)) << p.app.feet_m().x << " " << p.app.feet_m().y;
+    EXPECT_TRUE(p.heard("Living room. You are there. To Kitchen. "));
+    EXPECT_EQ(p.ask(Command::WhereAmI).substr(0, 9), "Kitchen. ");
+    p.ask(Command::Routes);
+    EXPECT_EQ(p.item("Stop following"), "");  // it is over
+
+    // Backwards, from where it ends.
+    p.ask(Command::Ways);
+    p.line("To the stove");
+    EXPECT_THAT(p.line("Backwards"), HasSubstr("To the stove, backwards"));
+    EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));
+    p.said.clear();
+    ASSERT_TRUE(test::walk_along(p, [&] { return p.heard("Hall. You are there."); }, 120.0));
+    EXPECT_TRUE(p.heard("Living room. You are there. To Hall. "));
+}
+
+TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_asked) {
+    const House house;
+    Person p(house.path);
+    p.ask(Command::Routes);
+    p.line("Living room");
+    p.keep("The way you planned last", "There");
+    p.ask(Command::Ways);
+    p.line("There");
+    p.line("Add a stop");
+    EXPECT_EQ(p.line("Kitchen"), "There now goes on to Kitchen.");
+    // From the study one is led to its first stop first.
+    p.app.place({9.5, 3.0, 0.0}, 0.0, p.now);
+    p.run(0.1);
+    p.ask(Command::Ways);
+    p.line("There");
+    EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Hall. "));
+    p.said.clear();
+    ASSERT_TRUE(test::walk_along(p, [&] { return p.heard("Hall. You are there. To Living room."); }, 60.0));
+    // Carried far off, one is told the way to the same stop.
+    p.app.place({6.0, -4.0, 0.0}, 0.0, p.now);
+    p.said.clear();
+    p.run(0.3);
+    EXPECT_TRUE(p.heard("You have left the way."));
+    EXPECT_TRUE(p.heard("To Living room. "));
+    p.ask(Command::Routes);
+    EXPECT_THAT(p.line("Where the way goes on"), HasSubstr("To Living room: "));
+    EXPECT_EQ(p.ask(Command::TakeMe), "No way is followed any more.");
+    p.said.clear();
+    p.app.place({3.0, 3.5, 0.0}, 0.0, p.now);
+    p.run(0.5);
+    EXPECT_FALSE(p.heard("You are there."));
+}
+
+TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
+    const House house;
+    const auto walk = [](Person& p, const std::vector<Vec3>& places) {
+        for (const Vec3& place : places)
+            for (int i = 0; i < 600; ++i) {
+                const Vec3 off = place - p.app.feet_m();
+                if (std::hypot(off.x, off.y) < 0.1) break;
+                p.app.steer({std::cos(std::atan2(off.x, off.y)), std::sin(std::atan2(off.x, off.y)), 0.0});
+                p.run(1.0 / 60.0);
+            }
+        p.app.steer({});
+        p.run(0.3);
+    };
+    // In the garden round the pond's other side: south of the house to the west and back up, which no plan would do.
+    const std::vector<Vec3> detour{{6.0, -2.0, 0.0}, {1.0, -2.0, 0.0}, {1.0, -4.0, 0.0}, {8.0, -4.0, 0.0}};
+    {
+        Person p(house.path);
+        p.app.place(detour[0], 0.0, p.now);
+        p.run(0.1);
+        p.ask(Command::DropMark);
+        p.line("Gate");
+        p.ask(Command::KeepWay);
+        EXPECT_EQ(p.item("All that"), "");  // nothing has been walked yet
+        EXPECT_THAT(p.line("Begin a way here"), HasSubstr("A way begins here. Shift+R keeps what you walk from here on."));
+        walk(p, detour);
+        ASSERT_LT(glm::length(p.app.feet_m() - detour.back()), 0.3);
+        p.ask(Command::KeepWay);
+        EXPECT_NE(p.item("All that you walked here"), "");
+        EXPECT_NE(p.item("What you walked since Gate"), "");
+        p.line("What you walked since you began");
+        EXPECT_EQ(p.line("Round"), "Way Round kept");
+        EXPECT_EQ(p.keep("All that", "round"), "Another way is called round.");  // nothing is kept twice under one name
+    }
+    Person p(house.path);
+    std::vector<Error> faults;
+    const auto ways = read_ways(SideFile::of_world(house.path, {}), faults);
+    ASSERT_EQ(ways.size(), 1U);
+    ASSERT_EQ(ways[0].stops.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_LT(glm::length(ways[0].stops[i].place_m - detour[i]), 0.5) << i;
+        EXPECT_EQ(ways[0].stops[i].name.empty(), i == 1 || i == 2);
+    }
+    p.app.place(detour[0], 0.0, p.now);
+    p.run(0.1);
+    p.ask(Command::Ways);
+    p.line("Round");
+    p.line("Follow it by ear");
+    // The whole detour is the way: both corners on it.
+    const std::vector<Vec3> way = p.app.guiding().way_m;
+    for (const Vec3& corner : detour)
+        EXPECT_LT(nearest_on_way(way, corner).distance_m, 0.6);
+    p.said.clear();
+    double west_m = 1e9;
+    ASSERT_TRUE(test::walk_along(
+        p,
+        [&] {
+            west_m = std::min(west_m, p.app.feet_m().x);
+            return p.heard("You are there.");
+        },
+        60.0));
+    EXPECT_LT(west_m, 1.5);
+    EXPECT_LT(glm::length(p.app.feet_m() - detour.back()), 1.2);
+}
+
+TEST(KeptWays, are_renamed_and_deleted_and_the_file_follows) {
+    const House house;
+    {
+        Person p(house.path);
+        p.ask(Command::Routes);
+        p.line("Kitchen");
+        p.keep("The way you planned last", "One");
+        p.keep("The way you planned last", "Two");
+        p.ask(Command::Ways);
+        p.line("One");
+        p.line("Another name");
+        EXPECT_EQ(p.line("TWO"), "Another way is called TWO.");
+        p.ask(Command::Ways);
+        p.line("One");
+        p.line("Another name");
+        EXPECT_EQ(p.line("Three"), "Three");
+        p.ask(Command::Ways);
+        p.line("Two");
+        EXPECT_EQ(p.line("Delete it"), "Way Two deleted");
+        p.ask(Command::KeepWay);
+        p.line("The way you planned last");
+        p.app.take_key("Escape", p.now);
+        p.listen();
+        EXPECT_EQ(p.said.back(), "The way is not kept.");
+    }
+    Person p(house.path);
+    p.ask(Command::Ways);
+    EXPECT_EQ(p.app.dialogue().view().items.size(), 1U);
+    EXPECT_NE(p.item("Three"), "");
+}
+
+TEST(KeptWays, that_are_damaged_are_kept_aside_or_told_with_their_line) {
+    const House house;
+    ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Half"));
+    {
+        Person p(house.path);
+        EXPECT_TRUE(p.heard("is damaged in line 2. It is kept as house.map.handrail.toml.damaged, and I start with nothing added."));
+        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("No way is kept here yet."));
+        EXPECT_TRUE(fs::exists(house.beside().string() + ".damaged"));
+    }
+    ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Alone\"\n[[way]]\n[[way]]\n"));
+    Person p(house.path);
+    EXPECT_TRUE(p.heard("house.map.handrail.toml, line 1: the way Alone needs 2 to 200 stops, each under way.stop. Write them, or delete the entry. 2 more ways cannot be read."))
+        << p.said[1];
+    p.ask(Command::Routes);
+    p.line("Kitchen");
+    p.keep("The way you planned last", "New");
+    EXPECT_THAT(*read_whole_file(house.beside()), HasSubstr("Alone"));
+}
+
+// ---- a world that was edited ----
+
+// Two rooms of 6 by 5 m with a gap of so many units between them, and a table in the eastern one.
+std::string two_rooms(double gap_units, double table_x) {
+    using test::box_brush;
+    const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
+    std::string text = test::entity("worldspawn", test::key("building", "1"),
+                                    test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, low, 96) + box_brush(196, high, 0, 204, 160, 96)) +
+                       test::entity("info_player_start", test::key("origin", "40 80 24")) + test::entity("info_player_coop", test::key("origin", "380 80 24")) +
+                       test::entity("info_room", test::key("name", "Shop") + test::key("origin", "40 80 24"));
+    if (table_x > 0.0) text += test::entity("func_wall", test::key("name", "Table"), box_brush(table_x, 110, 0, table_x + 40, 130, 24));
+    return text;
+}
+
+TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_when_chosen) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.path() / "flat.map";
+    const auto write = [&](const std::string& text) { ASSERT_TRUE(write_file_atomically(path, text)); };
+    write(two_rooms(32.0, 300.0));
+    {
+        Person p(path);
+        p.ask(Command::Exits);
+        p.ask(Command::Find);
+        p.line("Table");
+        p.line("Take me there");
+        ASSERT_EQ(p.keep("The way you planned last", "To lunch"), "Way To lunch kept");
+    }
+    // Edited without a change to what it goes by.
+    write(two_rooms(36.0, 300.0));
+    {
+        Person p(path);
+        EXPECT_FALSE(p.heard("fit"));
+    }
+    const struct {
+        double gap_units, table_x;
+        const char* told;
+    } edits[] = {
+        {36.0, 0.0, "To lunch (Table is gone)."},
+        {36.0, 206.0, "To lunch (Table is 2 steps from where it was)."},
+        {0.0, 300.0, "To lunch (no walking way from Shop to Table)."},
+    };
+    for (const auto& edit : edits) {
+        write(two_rooms(edit.gap_units, edit.table_x));
+        Person p(path);
+        EXPECT_TRUE(p.heard(std::string("This world has changed since you kept ways. 1 of 1 no longer fits: ") + edit.told)) << testing::PrintToString(p.said);
+        p.ask(Command::Ways);
+        EXPECT_EQ(p.item("To lunch"), "To lunch, may no longer fit");
+        const std::string chosen = p.line("To lunch");
+        const std::string faults(edit.told + 10, std::strlen(edit.told) - 12);
+        EXPECT_THAT(chosen, HasSubstr("To lunch. It does not fit this world: " + faults));
+        // Followed all the same, as far as it goes.
+        const std::string words = p.line("Follow it by ear");
+        EXPECT_THAT(words, edit.gap_units == 0.0 ? HasSubstr("No walking way found to Table.") : HasSubstr("To Table. "));
+    }
+    // Taken over as it is: told no more, and it leads to where the table stands.
+    write(two_rooms(36.0, 206.0));
+    {
+        Person p(path);
+        p.ask(Command::Ways);
+        p.line("To lunch");
+        EXPECT_EQ(p.line("Keep it as it is found here"), "Way To lunch kept");
+    }
+    Person p(path);
+    EXPECT_FALSE(p.heard("fit"));
+    p.ask(Command::Ways);
+    p.line("To lunch");
+    p.line("Follow it by ear");
+    p.said.clear();
+    ASSERT_TRUE(test::walk_along(p, [&] { return p.heard("Table. You are there."); }, 60.0));
+    EXPECT_LT(p.app.feet_m().x, 8.3);  // the table ends at 7.7 m
+}
+
+TEST(KeptWays, follow_a_room_that_the_person_gives_another_name) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.path() / "flat.map";
+    ASSERT_TRUE(write_file_atomically(path, two_rooms(32.0, 300.0)));
+    {
+        Person p(path);
+        p.ask(Command::Exits);
+        p.ask(Command::Find);
+        p.line("Table");
+        p.line("Take me there");
+        p.keep("The way you planned last", "To lunch");
+        p.ask(Command::NameRoom);
+        EXPECT_EQ(p.line("Counter"), "This room is now called Counter.");
+    }
+    ASSERT_TRUE(write_file_atomically(path, two_rooms(36.0, 300.0)));
+    Person p(path);
+    EXPECT_FALSE(p.heard("no longer fit")) << testing::PrintToString(p.said);
+}
+
+// ---- by the hand, and in German ----
+
+TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
+    // On the ground: two boxes that the hand is taken to one after the other.
+    const House house;
+    Person walker(house.path);
+    test::Explorer p(test::our_world("house.map"), "sim-t");
+    p.tap(Command::Exits);
+    for (const char* thing : {"Coat stand", "Door mat"}) {
+        p.tap(Command::Find);
+        p.line(thing);
+        p.line("Take me there");
+        p.run(0.1);
+        if (std::string(thing) == "Coat stand") {
+            p.push();
+            ASSERT_TRUE(p.wait_for([&] { return p.heard("Here: Coat stand"); }, 40.0)) << p.all_heard();
+        }
+    }
+    p.tap(Command::TakeMe);  // lets go
+    p.tap(Command::KeepWay);
+    p.line("The way you planned last");
+    p.line("Hall round");
+    p.tap(Command::Home);
+    p.hold({0.0, 0.0, 0.0});
+    p.run(1.5);
+    p.tap(Command::Ways);
+    p.line("Hall round");
+    const std::size_t before = p.lines();
+    p.line("Have your hand led along it");
+    p.push();
+    ASSERT_TRUE(p.wait_for([&] { return p.heard("Here: Door mat", before); }, 90.0)) << p.all_heard(before);
+    EXPECT_LT(p.find("Taking your hand to Coat stand", before), p.find("Here: Coat stand. Taking your hand to Door mat", before)) << p.all_heard(before);
+    EXPECT_FALSE(p.heard("To Coat stand. ", before));
+}
+
+TEST(KeptWays, are_kept_told_and_followed_in_german) {
+    const test::InLanguage german("de");
+    const House house;
+    Person p(house.path);
+    EXPECT_EQ(p.ask(Command::Ways), "Hier ist noch kein Weg aufgehoben. Umschalt+R hebt den zuletzt geplanten oder gegangenen auf.");
+    p.ask(Command::Routes);
+    p.line("Living room");
+    p.ask(Command::KeepWay);
+    EXPECT_THAT(p.line("Der zuletzt geplante Weg"), HasSubstr("Hall bis Living room. Anderen Namen für diesen Weg tippen oder Enter drücken"));
+    EXPECT_EQ(p.line("Nach Hause"), "Weg Nach Hause aufgehoben");
+    p.ask(Command::Ways);
+    p.line("Nach Hause");
+    EXPECT_THAT(p.line("Anhören"), StartsWith("Nach Hause. Anfang: Hall, insgesamt "));
+    p.ask(Command::Ways);
+    p.line("Nach Hause");
+    EXPECT_THAT(p.line("Nach Gehör folgen"), StartsWith("Ziel: Living room. "));
+    p.ask(Command::Ways);
+    p.line("Nach Hause");
+    EXPECT_EQ(p.line("Löschen"), "Weg Nach Hause gelöscht");
+}
+
+}  // namespace
+}  // namespace handrail
