@@ -783,6 +783,7 @@ void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_to
     notice_workspace(now_s);
     notice_volumes(now_s);
     if (rooms_ && rooms_->done() && rooms_->found()) say_room_names(rooms_->graph());
+    know_leaves();
     notice_room(now_s, false);
     follow_on(now_s);
     tone_of_walls(now_s);

@@ -321,7 +321,9 @@ private:
     void name_room(std::uint32_t room, const std::string& typed, double now_s);
     void follow_way(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
     void follow_route(Route route, const std::string& name, const std::string& first, double now_s);
+    std::vector<RouteNode> nodes_to(const Route& route, const std::string& goal) const;
     bool rooms_known();
+    void know_leaves();
     struct Leg {
         Route route;
         Vec3 to_m{0.0};
@@ -330,6 +332,7 @@ private:
     std::optional<Leg> next_leg(Route route) const;
     void tell_way_on(double now_s);
     void follow_on(double now_s);
+    void renew_followed();
     // Ways that were kept: app_core_ways.cpp.
     void enter_ways(double now_s);
     FoundWay found_way(const SavedWay& way);
@@ -456,6 +459,8 @@ private:
     std::vector<RoomNameGiven> room_names_;
     std::vector<bool> room_named_by_map_;
     std::vector<std::string> own_room_names_;  // what each room is called where the person has given no name
+    std::shared_ptr<const Scene> leaves_of_;    // the world as it was when ways were told where leaves stand
+    std::shared_ptr<const Scene> followed_in_;  // likewise when the way that is followed was planned
     RouteFollower follower_;
     std::string follow_name_;
     std::vector<SavedWay> ways_;

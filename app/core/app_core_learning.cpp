@@ -194,7 +194,8 @@ std::string AppCore::hunt_words() const {
     std::optional<double> way;
     std::optional<Vec3> next;
     if (rooms_ && rooms_->done() && rooms_->found())
-        if (const auto leg = next_leg(rooms_->navigation().plan(feet_m(), hunt_->clock_m)); leg && leg->route.reaches) way = leg->route.length_m, next = leg->to_m;
+        if (const auto leg = next_leg(rooms_->navigation().plan(feet_m(), hunt_->clock_m)); leg && leg->route.reaches)
+            way = leg->route.length_m, next = leg->to_m;
     if (!way) way = hunt_->ground.way_m(feet_m()), next = hunt_->ground.next_m(*hunt_->open_world, feet_m(), walker_->size());
     if (!way || !next) {
         const Vec3 to = hunt_->clock_m - feet_m();

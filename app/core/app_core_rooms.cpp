@@ -7,11 +7,17 @@
 #include "worlds/base/text.h"
 
 namespace handrail {
+namespace {
+
+constexpr double kStandsOpen = 0.02;  // of its way: a door that is farther from shut has a leaf to go round
+
+}  // namespace
 
 void AppCore::begin_rooms(std::shared_ptr<const Scene> scene) {
     const BodySize size = body_size(*scene, settings_.walk.body_radius_m);
     rooms_.reset();  // what was being looked for is given up before the next begins
     rooms_ = std::make_unique<RoomsOfWorld>(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), !rooms_beside_);
+    leaves_of_.reset();
     rooms_told_ = false;
     room_ = kNothing;
     visited_rooms_.clear();
@@ -20,7 +26,27 @@ void AppCore::begin_rooms(std::shared_ptr<const Scene> scene) {
 }
 
 // Rooms and ways are there to be used; where the same must happen in every run they are looked for now.
-bool AppCore::rooms_known() { return rooms_ && (!rooms_beside_ || rooms_->ready()) && rooms_->ready() && rooms_->found(); }
+bool AppCore::rooms_known() {
+    const bool known = rooms_ && (!rooms_beside_ || rooms_->ready()) && rooms_->ready() && rooms_->found();
+    if (known) know_leaves();
+    return known;
+}
+
+// Ways lead round the leaves of doors that stand open, as of when everything came to rest last.
+void AppCore::know_leaves() {
+    if (!rooms_ || !rooms_->done() || !rooms_->found() || leaves_of_ == scene_) return;
+    leaves_of_ = scene_;
+    std::vector<OpenLeaf> leaves;
+    for (std::uint32_t i = 0; i < movers_.size(); ++i) {
+        if (thing_of_mover_[i] < 0 || scene_->features[scene_->movers[i].feature.value].kind != FeatureKind::Door || movers_.away(i) < kStandsOpen) continue;
+        const auto thing = static_cast<std::size_t>(thing_of_mover_[i]);
+        const Aabb& own = scene_->placed[thing].model->bounds_m;
+        const Vec3 size = own.size_m();
+        if (size.z < std::min(size.x, size.y)) continue;  // a bridge or trap door, which one walks over
+        leaves.push_back({own, things_.at(thing)});
+    }
+    rooms_->navigation().know_leaves(leaves);
+}
 
 // True when rooms are there to speak of; else says why not.
 bool AppCore::have_rooms(double now_s) {
@@ -29,6 +55,7 @@ bool AppCore::have_rooms(double now_s) {
         return false;
     }
     if (rooms_->ready() && rooms_->found()) {
+        know_leaves();
         notice_room(now_s, true);
         return true;
     }
@@ -191,6 +218,10 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
     answer(phrase("room_names.given", {{"name", *name}}), now_s);
 }
 
+std::vector<RouteNode> AppCore::nodes_to(const Route& route, const std::string& goal) const {
+    return nodes_of(route, goal, [this](const RoutePassage& passage) { return passage_name(passage.kind, passage.feature, passage.rise_m); });
+}
+
 void AppCore::follow_way(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s) {
     follow_route(rooms_->navigation().plan(feet_m(), goal_m), name, first, now_s);
 }
@@ -209,9 +240,20 @@ void AppCore::follow_route(Route route, const std::string& name, const std::stri
         words += ' ';
         goal = phrase("rooms.nearest_place_to", {{"goal", name}});
     }
-    std::vector<RouteNode> nodes = nodes_of(route, goal, [this](const RoutePassage& p) { return passage_name(p.kind, p.feature, p.rise_m); });
+    std::vector<RouteNode> nodes = nodes_to(route, goal);
     answer(words + phrase("rooms.way", {{"goal", goal}, {"route", route_words(route, nodes, heading_rad_, distances())}}), now_s);
     follow_name_ = goal;
+    know_way(route.points_m);
+    followed_in_ = scene_;
+    follower_.follow(std::move(route), std::move(nodes));
+}
+
+// A leaf stands across the rest of the way by now: it goes on round it, without a word but what comes.
+void AppCore::renew_followed() {
+    if (std::exchange(followed_in_, scene_) == scene_ || !rooms_->navigation().meets_leaf(follower_.ahead_m())) return;
+    Route route = runs_to(follow_name_) ? way_on(feet_m()) : rooms_->navigation().plan(feet_m(), follower_.goal_m());
+    if (!route.reaches || route.points_m.size() < 2) return;
+    std::vector<RouteNode> nodes = nodes_to(route, follow_name_);
     know_way(route.points_m);
     follower_.follow(std::move(route), std::move(nodes));
 }
@@ -249,6 +291,7 @@ void AppCore::tell_way_on(double now_s) {
 void AppCore::follow_on(double now_s) {
     if (!follower_.following()) return;
     pass_stops();
+    renew_followed();
     const Vec3 goal = follower_.goal_m();
     const RouteFollower::Said said = follower_.tick(feet_m(), distances());
     if (said.left) {

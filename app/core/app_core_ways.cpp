@@ -266,7 +266,8 @@ void AppCore::open_add_stop(std::size_t which, double now_s) {
     list.title = phrase("ways.which_stop");
     list.items.push_back({phrase("ways.here"), {}, false});
     const RoomGraph& graph = rooms_->graph();
-    for (const Room& room : graph.rooms) list.items.push_back({sentence_case(room.name), distance_words(glm::length(room.middle_m - feet_m()), distances()), false});
+    for (const Room& room : graph.rooms)
+        list.items.push_back({sentence_case(room.name), distance_words(glm::length(room.middle_m - feet_m()), distances()), false});
     const std::vector<Goal> things = goals();
     for (const Goal& goal : things) list.items.push_back({goal.name, where_words(goal.box_m), false});
     list.chosen = [this, which, things, rooms = graph.rooms.size()](std::size_t i) {
@@ -339,8 +340,8 @@ void AppCore::tell_way(const std::string& name, const std::vector<Stop>& stops, 
         const std::string& goal = stops[along.goal()].name;
         if (route.points_m.size() >= 2) {
             const double facing = std::exchange(first, false) ? heading_of(route, false) : heading_rad;
-            const auto nodes = nodes_of(route, goal, [this](const RoutePassage& p) { return passage_name(p.kind, p.feature, p.rise_m); });
-            if (route.reaches) legs += " " + phrase("rooms.way", {{"goal", goal}, {"route", route_words(route, nodes, facing, distances())}});
+            const std::string words = route_words(route, nodes_to(route, goal), facing, distances());
+            if (route.reaches) legs += " " + phrase("rooms.way", {{"goal", goal}, {"route", words}});
             heading_rad = heading_of(route, true);
             all_m += route.length_m;
         }
@@ -401,7 +402,11 @@ void AppCore::pass_stops() {
         const Vec3 hand = finding_place_m();
         while (run.next < run.goal() && near_stop(run.stops[run.next], hand, kPassed_m)) ++run.next;
     } else if (follower_.following()) {
-        while (run.next < run.goal() && run.next - run.planned < run.at_m.size() && run.at_m[run.next - run.planned] < follower_.along_m() + kPassedEar_m) ++run.next;
+        const auto passed = [&] {
+            const std::size_t i = run.next - run.planned;
+            return run.next < run.goal() && i < run.at_m.size() && run.at_m[i] < follower_.along_m() + kPassedEar_m;
+        };
+        while (passed()) ++run.next;
     }
 }
 

@@ -50,7 +50,8 @@ bool within_reach(const BodyWorld& world, const Vec3& stand_m, const Aabb& thing
                        [&](double height_m) { return !last_points(world, stand_m + Vec3(0.0, 0.0, height_m), thing_m, thing).empty(); });
 }
 
-// Walks are planned as if doors were not there; the leaf of an open one may stand across. Round its end then, where there is a free way.
+// A walk leads round the leaves of open doors where that is not far; through one else, and a hand may meet one that a body at the side of it would not. Round
+// its end then, where there is a free way.
 std::vector<Vec3> round_leaves(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m) {
     const auto free = [&](const Vec3& a, const Vec3& b) { return free_line(world, a, b, kNoFeature); };
     for (const Crossing& crossing : world.crossings(from_m, to_m)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "worlds/base/language.h"
+#include "worlds/navigation/way_place.h"
 
 namespace handrail {
 namespace {
@@ -68,6 +69,18 @@ void RouteFollower::follow(Route route, std::vector<RouteNode> nodes) {
     // What lies just ahead was told with the route itself.
     for (std::size_t i = 0; i < nodes_.size(); ++i) announced_[i] = nodes_[i].at_m < kAnnounceAhead_m;
     along_m_ = word_at_m_ = 0.0;
+}
+
+std::vector<Vec3> RouteFollower::ahead_m() const {
+    std::vector<Vec3> rest;
+    if (!following()) return rest;
+    rest.push_back(place_along(route_.points_m, along_m_));
+    double at_m = 0.0;
+    for (std::size_t i = 1; i < route_.points_m.size(); ++i) {
+        at_m += glm::length(route_.points_m[i] - route_.points_m[i - 1]);
+        if (at_m > along_m_) rest.push_back(route_.points_m[i]);
+    }
+    return rest;
 }
 
 RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords& how) {

@@ -40,6 +40,7 @@ public:
     bool following() const { return route_.points_m.size() >= 2; }
     const Vec3& goal_m() const { return route_.points_m.back(); }
     double along_m() const { return along_m_; }  // where on the route one is
+    std::vector<Vec3> ahead_m() const;           // the rest of it
     double left_m() const { return route_.length_m - along_m_; }
     Said tick(const Vec3& feet_m, const DistanceWords& how);
 

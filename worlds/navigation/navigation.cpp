@@ -4,6 +4,8 @@
 #include <cmath>
 #include <queue>
 
+#include "worlds/navigation/way_place.h"
+
 namespace handrail {
 namespace {
 
@@ -13,6 +15,10 @@ constexpr double kNarrow_m = 0.25;     // less clearance than this is a narrow p
 constexpr double kStairsTold_m = 0.4;  // a rise of less is no stairs
 constexpr double kOneFlight_m = 1.0;   // stairs with less than that between them are one
 constexpr double kGameCell_m = 0.1, kBuildingCell_m = 0.05;
+constexpr double kThroughLeaf_per_m = 30.0;  // what a metre through a leaf counts for: about 15 metres of way round it
+constexpr double kBesideLeaf_per_m = 3.0;
+constexpr double kRoundLeaf_m = 3.0;  // before and behind it a way may change for it
+constexpr double kOutOfLeaf_m = 1.0;
 constexpr double kMostGameDrop_m = 20.0, kMostDrop_m = 1.0;
 
 }  // namespace
@@ -105,11 +111,17 @@ bool Navigation::reachable(const Vec3& from_m, const Vec3& to_m) const {
     return from != kNothing && to != kNothing && pieces_from(from)[piece_[to]];
 }
 
+double Navigation::span_cost(std::uint32_t span, RouteWish wish) const {
+    const double plain = cost_per_m(space_.spans[span], wish);
+    if (leaf_marks_.empty() || leaf_marks_[span] == kNoLeaf) return plain;
+    return plain + (leaf_marks_[span] == kInLeaf ? kThroughLeaf_per_m : kBesideLeaf_per_m);
+}
+
 double Navigation::cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) const {
     double sum = 0.0;
     std::size_t count = 0;
     if (!space_.straight(from_m, to_m, [&](std::uint32_t s) {
-            sum += cost_per_m(space_.spans[s], wish);
+            sum += span_cost(s, wish);
             ++count;
         }))
         return std::numeric_limits<double>::infinity();
@@ -134,7 +146,7 @@ std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint3
         const auto go = [&](std::uint32_t n) {
             if (n == kNothing) return;
             const Vec3 there = space_.place_m(n);
-            const double through = static_cast<double>(best[here]) + glm::length(there - at) * cost_per_m(space_.spans[n], wish);
+            const double through = static_cast<double>(best[here]) + glm::length(there - at) * span_cost(n, wish);
             if (!(static_cast<float>(through) < best[n])) return;
             best[n] = static_cast<float>(through);
             came[n] = here;
@@ -153,6 +165,78 @@ std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint3
     for (std::uint32_t s = to; s != kNothing; s = came[s]) way.push_back(s);
     std::reverse(way.begin(), way.end());
     return way;
+}
+
+// The nearest place on foot where no leaf stands; the same where there is none near.
+std::uint32_t Navigation::out_of_leaf(std::uint32_t span) const {
+    if (!in_leaf(span)) return span;
+    const Vec3 from = space_.place_m(span);
+    std::vector<std::uint32_t> open{span};
+    std::uint32_t best = span;
+    double nearest_m = kOutOfLeaf_m;
+    std::vector<bool> seen(space_.spans.size(), false);
+    seen[span] = true;
+    for (std::size_t i = 0; i < open.size(); ++i)
+        for (const std::uint32_t n : space_.spans[open[i]].next) {
+            if (n == kNothing || seen[n]) continue;
+            seen[n] = true;
+            const double away_m = glm::length(space_.place_m(n) - from);
+            if (away_m >= kOutOfLeaf_m) continue;
+            open.push_back(n);
+            if (!in_leaf(n) && away_m < nearest_m) {
+                nearest_m = away_m;
+                best = n;
+            }
+        }
+    return best;
+}
+
+// From where on, and up to where, leaves stand across.
+Navigation::Stretch Navigation::in_leaves(std::span<const Vec3> points_m) const {
+    Stretch found{std::numeric_limits<double>::infinity(), -1.0};
+    double before_m = 0.0;
+    for (std::size_t i = 1; i < points_m.size() && !leaf_marks_.empty(); ++i) {
+        const Vec3 from = points_m[i - 1], way = points_m[i] - from;
+        const double length_m = glm::length(way);
+        space_.straight(from, points_m[i], [&](std::uint32_t s) {
+            if (leaf_marks_[s] != kInLeaf) return;
+            const double along_m = before_m + (length_m > 0.0 ? std::clamp(glm::dot(space_.place_m(s) - from, way) / length_m, 0.0, length_m) : 0.0);
+            found.from_m = std::min(found.from_m, along_m);
+            found.to_m = std::max(found.to_m, along_m);
+        });
+        before_m += length_m;
+    }
+    return found;
+}
+
+bool Navigation::meets_leaf(std::span<const Vec3> points_m) const { return in_leaves(points_m).to_m >= 0.0; }
+
+// The mesh knows no leaves. Where one stands across, the way from a little before it to a little behind is sought from cell to cell.
+void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const {
+    const Stretch across = in_leaves(points_m);
+    if (across.to_m < 0.0) return;
+    const double from_m = across.from_m - kRoundLeaf_m, to_m = across.to_m + kRoundLeaf_m;
+    const auto span_at = [&](double along_m) {
+        const double up_m = space_.body.step_up_m + 0.2;
+        return space_.nearest(place_along(points_m, along_m), 4.0 * space_.cell_m, up_m, up_m);
+    };
+    const std::uint32_t from = span_at(from_m), to = span_at(to_m);
+    if (from == kNothing || to == kNothing) return;
+    const std::vector<std::uint32_t> cells = over_cells(from, to, wish);
+    if (cells.empty()) return;
+    std::vector<Vec3> round;
+    double along_m = 0.0;
+    for (std::size_t i = 0; i < points_m.size(); ++i) {
+        if (i > 0) along_m += glm::length(points_m[i] - points_m[i - 1]);
+        if (along_m < from_m) round.push_back(points_m[i]);
+    }
+    for (const std::uint32_t s : cells) round.push_back(space_.place_m(s));
+    along_m = 0.0;
+    for (std::size_t i = 0; i < points_m.size(); ++i) {
+        if (i > 0) along_m += glm::length(points_m[i] - points_m[i - 1]);
+        if (along_m > to_m) round.push_back(points_m[i]);
+    }
+    points_m = std::move(round);
 }
 
 // Leaves out points between which one can as well walk straight.
@@ -302,6 +386,8 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
         route.short_of_m = nearest;
     }
 
+    if (to != kNothing) to = out_of_leaf(to);
+
     // The mesh's way, its corners put on the floor; where it has none, from cell to cell.
     std::vector<std::vector<Vec3>> legs(1);
     std::vector<std::uint32_t> links;
@@ -345,6 +431,7 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
             }
             walked.push_back(legs[i][k]);
         }
+        go_round_leaves(walked, wish);
         straighten(walked, wish);
         make_way(walked, wish);
         if (i > 0) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "worlds/navigation/nav_mesh.h"
+#include "worlds/navigation/open_leaves.h"
 #include "worlds/navigation/route.h"
 #include "worlds/navigation/walk_space.h"
 
@@ -21,6 +22,12 @@ class Navigation {
 public:
     // Fails with one sentence: no floor, too large, stopped. `stop` may be empty; it is asked now and then and ends the work.
     static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkBody& body, const std::function<bool()>& stop = {});
+
+    // Where leaves of open doors stand by now; at first there are none. Routes planned from here on go round them, unless that is much longer than through
+    // one: who comes there can shut the door.
+    void know_leaves(std::span<const OpenLeaf> leaves) { leaf_marks_ = mark_leaves(space_, leaves); }
+    // Somebody who goes along these points would meet a leaf.
+    bool meets_leaf(std::span<const Vec3> points_m) const;
 
     // From where a body stands to a place, or to the nearest one to stand at beside it. Doors count as open. A route that does not reach its goal ends at
     // the nearest place that can be reached. No points: there is no floor at `from_m`.
@@ -42,6 +49,14 @@ private:
     std::vector<bool> pieces_from(std::uint32_t span) const;
     std::vector<std::uint32_t> over_cells(std::uint32_t from, std::uint32_t to, RouteWish wish) const;
     double cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) const;
+    double span_cost(std::uint32_t span, RouteWish wish) const;
+    bool in_leaf(std::uint32_t span) const { return !leaf_marks_.empty() && leaf_marks_[span] == kInLeaf; }
+    std::uint32_t out_of_leaf(std::uint32_t span) const;
+    struct Stretch {
+        double from_m = 0.0, to_m = -1.0;  // along the points; nothing where to_m < from_m
+    };
+    Stretch in_leaves(std::span<const Vec3> points_m) const;
+    void go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const;
     void straighten(std::vector<Vec3>& points_m, RouteWish wish) const;
     void make_way(std::vector<Vec3>& points_m, RouteWish wish) const;
     void tell_passages(Route& route, const std::vector<Vec3>& leg) const;
@@ -53,6 +68,7 @@ private:
     std::vector<FeatureId> door_features_;              // of each of Scene::movers
     std::vector<std::uint32_t> door_groups_;
     std::vector<Vec3> door_places_;
+    std::vector<std::uint8_t> leaf_marks_;  // of each span; empty: no door stands open
 };
 
 }  // namespace handrail

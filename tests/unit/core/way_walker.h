@@ -10,7 +10,8 @@ namespace handrail::test {
 
 // Until `there`, or for so many seconds; true when it got there.
 inline bool walk_along(AppSession& person, const std::function<bool()>& there, double seconds) {
-    constexpr double kAtPoint_m = 0.1, kStuck_s = 0.5, kDoorOpens_s = 2.5;
+    // Who turns a hand's breadth before a point cuts the corners that ways go round by no more than that.
+    constexpr double kAtPoint_m = 0.05, kStuck_s = 0.5, kDoorOpens_s = 2.5;
     AppCore& app = person.app;
     std::vector<Vec3> way;
     std::size_t at = 0;

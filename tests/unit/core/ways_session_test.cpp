@@ -242,7 +242,8 @@ TEST(KeptWays, that_are_damaged_are_kept_aside_or_told_with_their_line) {
     }
     ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Alone\"\n[[way]]\n[[way]]\n"));
     Person p(house.path);
-    EXPECT_TRUE(p.heard("house.map.handrail.toml, line 1: the way Alone needs 2 to 200 stops, each under way.stop. Write them, or delete the entry. 2 more ways cannot be read."))
+    EXPECT_TRUE(p.heard("house.map.handrail.toml, line 1: the way Alone needs 2 to 200 stops, each under way.stop. Write them, or delete the entry. "
+                        "2 more ways cannot be read."))
         << p.said[1];
     p.ask(Command::Routes);
     p.line("Kitchen");

@@ -53,8 +53,8 @@ TEST(Ways, are_kept_to_the_last_bit_beside_marks_with_what_is_not_known) {
     const fs::path world = folder.write("a.map", "x");
     folder.write("a.map.handrail.toml",
                  "[[mark]]\nname = \"Mark 1\"\nplace_m = [1.0, 2.0, 3.0]\n"
-                 "[[way]]\nname = \"Old\"\nlater = { a = 1 }\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\nsign = \"red\"\n[[way.stop]]\nname = \"B\"\nplace_m = "
-                 "[1.0, 0.0, 0.0]\n");
+                 "[[way]]\nname = \"Old\"\nlater = { a = 1 }\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\nsign = \"red\"\n"
+                 "[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, 0.0]\n");
     SideFile file = SideFile::of_world(world, {});
     std::vector<Error> faults;
     std::vector<SavedWay> ways = read_ways(file, faults);

@@ -1,0 +1,126 @@
+// Ways past open doors in the house: a leaf that stands in a way is gone round, as it stands when one sets out and as it comes to stand on the way.
+#include <map>
+
+#include "tests/support/scale.h"
+#include "tests/unit/core/way_walker.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::size_t kPairStride = static_cast<std::size_t>(1.0 / test::kSanitizerScale + 0.5);  // instrumented builds walk every tenth pair
+
+struct HouseWalker : test::AppSession {
+    HouseWalker() {
+        app.enter_world(test::our_world("house.map"), 0.0);
+        run(0.1);
+        ask(Command::Routes);
+        for (const ListItem& item : app.dialogue().view().items)
+            if (item.name != "Pond" && item.name != "Stairs") rooms.push_back(item.name);  // at its edge one is asked; it is no place to stay
+        app.take_key("Escape", now);
+    }
+    // True when it gets there; `bumped` holds what it met on the way.
+    bool go_to(const std::string& room) {
+        ask(Command::Routes);
+        line(room);
+        said.clear();
+        bumped.clear();
+        const std::string there = room + ". You are there.";
+        return test::walk_along(*this, [&] { return heard(there); }, 60.0);
+    }
+    // Opens a door from the side it does not swing to.
+    void open(const Mover& door) {
+        const Aabb leaf = app.scene()->features[door.feature.value].bounds_m;
+        const Vec3 shut = leaf.centre_m(), open = PlacedFrame(door.at(1.0)).to_world(shut - door.pivot_m);
+        Vec3 side = leaf.size_m().x < leaf.size_m().y ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+        if (glm::dot(side, open - shut) > 0.0) side = -side;
+        const Vec3 feet = Vec3(shut.x, shut.y, leaf.min_m.z) + 0.6 * side;
+        app.place(feet, std::atan2(-side.x, -side.y), now);
+        run(0.1);
+        said.clear();
+        ask(Command::Use);
+        run(2.0);
+        EXPECT_TRUE(heard("opens")) << app.scene()->features[door.feature.value].name << ": " << testing::PrintToString(said);
+    }
+    int bumps_into(const std::string& door) const {
+        return static_cast<int>(std::count_if(bumped.begin(), bumped.end(), [&](FeatureId id) { return app.scene()->features[id.value].name == door; }));
+    }
+    std::vector<std::string> rooms;
+};
+
+std::vector<std::string> doors_of(const Scene& scene) {
+    std::vector<std::string> doors;
+    for (const Mover& mover : scene.movers)
+        if (const Feature& feature = scene.features[mover.feature.value]; feature.kind == FeatureKind::Door) doors.push_back(feature.name);
+    return doors;
+}
+
+TEST(OpenDoors, stand_in_no_way_between_two_rooms_of_the_house) {
+    HouseWalker p;
+    const std::vector<std::string> doors = doors_of(*p.app.scene());
+    ASSERT_EQ(doors.size(), 11U);
+    ASSERT_EQ(p.rooms.size(), 12U);
+    const std::vector<Mover> movers = p.app.scene()->movers;
+    for (const Mover& mover : movers)
+        if (p.app.scene()->features[mover.feature.value].kind == FeatureKind::Door) p.open(mover);
+    // To each from the hall, and from each to each other from where one came to stand.
+    std::map<std::string, Vec3> places{{"Hall", {6.0, 0.7, 0.0}}};
+    const auto walk = [&](const std::string& from, const std::string& to) {
+        SCOPED_TRACE(from + " to " + to);
+        p.app.place(places.at(from), 0.0, p.now);
+        p.run(0.1);
+        EXPECT_TRUE(p.go_to(to)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " " << p.app.feet_m().z;
+        for (const std::string& door : doors) EXPECT_EQ(p.bumps_into(door), 0) << door;
+    };
+    for (const std::string& room : p.rooms) {
+        walk("Hall", room);
+        places.emplace(room, p.app.feet_m());
+    }
+    std::size_t pair = 0;
+    for (const auto& [from, place] : places)
+        for (const auto& [to, other] : places)
+            if (from != to && pair++ % kPairStride == 0) walk(from, to);
+}
+
+TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
+    HouseWalker first;
+    const std::vector<std::string> doors = doors_of(*first.app.scene());
+    for (const std::string& room : first.rooms) {
+        SCOPED_TRACE(room);
+        HouseWalker p;
+        EXPECT_TRUE(p.go_to(room)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " " << p.app.feet_m().z;
+        for (const std::string& door : doors) EXPECT_LE(p.bumps_into(door), 1) << door;  // while it was shut
+        EXPECT_TRUE(p.go_to("Hall")) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " " << p.app.feet_m().z;
+        for (const std::string& door : doors) EXPECT_EQ(p.bumps_into(door), 0) << door;
+    }
+}
+
+TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {
+    HouseWalker p;
+    const auto way = [&] {
+        p.ask(Command::Routes);
+        p.line("Music room");
+        return p.app.guiding().way_m;
+    };
+    const std::vector<Mover> movers = p.app.scene()->movers;
+    const auto door = std::find_if(movers.begin(), movers.end(), [&](const Mover& m) { return p.app.scene()->features[m.feature.value].name == "Music room door"; });
+    ASSERT_NE(door, movers.end());
+    p.app.place({6.0, 8.0, 2.9}, 0.0, p.now);
+    p.run(0.1);
+    const std::vector<Vec3> shut = way();
+    p.open(*door);
+    const Vec3 before = p.app.feet_m();
+    p.app.place({6.0, 8.0, 2.9}, 0.0, p.now);
+    p.run(0.1);
+    EXPECT_NE(way(), shut);
+    p.app.place(before, kPi / 2.0, p.now);
+    p.run(0.1);
+    p.ask(Command::Use);
+    p.run(2.0);
+    p.app.place({6.0, 8.0, 2.9}, 0.0, p.now);
+    p.run(0.1);
+    EXPECT_EQ(way(), shut);
+}
+
+
+}  // namespace
+}  // namespace handrail

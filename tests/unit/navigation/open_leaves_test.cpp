@@ -1,0 +1,119 @@
+// The leaves of open doors across ways: which places they take, against every point of the leaf, and routes round them.
+#include "worlds/navigation/open_leaves.h"
+
+#include <random>
+
+#include "app/core/walker.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/random_families.h"
+#include "worlds/navigation/navigation.h"
+
+namespace handrail {
+namespace {
+
+using test::SceneBuilder;
+
+// A corridor 12 m long and so wide, from its corner on.
+std::shared_ptr<Navigation> corridor(double wide_m, const Vec3& at_m = Vec3(0.0)) {
+    SceneBuilder b;
+    const auto box = [&](const Vec3& low, const Vec3& high, FeatureKind kind) { b.box(at_m + low, at_m + high, "wall", SolidRole::Solid, "brick", kind); };
+    box({0, 0, -0.2}, {12, wide_m, 0}, FeatureKind::Floor);
+    box({0, -0.2, 0}, {12, 0, 2.6}, FeatureKind::Wall);
+    box({0, wide_m, 0}, {12, wide_m + 0.2, 2.6}, FeatureKind::Wall);
+    box({-0.2, 0, 0}, {0, wide_m, 2.6}, FeatureKind::Wall);
+    box({12, 0, 0}, {12.2, wide_m, 2.6}, FeatureKind::Wall);
+    b.start(at_m + Vec3(1, 0.5 * wide_m, 0), 0.0);
+    const BodySize size = body_size(b.scene(), 0.25);
+    auto made = Navigation::make(b.scene(), walk_body(b.scene(), size.radius_m, size.height_m, size.step_up_m));
+    EXPECT_TRUE(made);
+    return *made;
+}
+
+// A leaf 0.9 m long whose hinge is there, turned so far from the east to the north.
+OpenLeaf leaf(const Vec3& hinge_m, double turned_rad, double long_m = 0.9) {
+    return {{{0, -0.025, 0}, {long_m, 0.025, 2.0}}, {hinge_m, rotation_about({0, 0, 1}, turned_rad), 1.0}};
+}
+
+TEST(OpenLeaves, take_the_places_at_which_a_body_overlaps_them) {
+    std::mt19937 random(test::seed_of_run());
+    RecordProperty("seed", static_cast<int>(test::seed_of_run()));
+    const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
+    for (const Vec3& at : {Vec3(0.0), Vec3(3000.0, -2000.0, 40.0)}) {
+        const auto navigation = corridor(4.0, at);
+        const WalkSpace& space = navigation->space();
+        for (int round = 0; round < 8; ++round) {
+            const double up_m = round == 0 ? 1.9 : round == 1 ? -2.1 : round == 2 ? 0.3 : 0.0;  // over the head, under the floor, over the soles, on it
+            std::vector<OpenLeaf> leaves{leaf(at + Vec3(12.0 * part(), 4.0 * part(), up_m), 2.0 * kPi * part()),
+                                         leaf(at + Vec3(12.0 * part(), 4.0 * part(), up_m), 0.5 * kPi * static_cast<double>(random() % 4))};
+            const std::vector<std::uint8_t> marks = mark_leaves(space, leaves);
+            std::swap(leaves[0], leaves[1]);
+            EXPECT_EQ(mark_leaves(space, leaves), marks);
+            const bool meets = up_m < space.body.height_m && up_m + 2.0 > 0.0;
+            EXPECT_EQ(marks.empty(), !meets);
+            for (std::uint32_t s = 0; s < space.spans.size() && meets; ++s) {
+                const Vec3 place = space.place_m(s);
+                double nearest_m = 1e9;  // over points of the leaves a centimetre apart
+                for (const OpenLeaf& one : leaves) {
+                    const PlacedFrame frame(one.at);
+                    for (int i = 0; i <= 90; ++i)
+                        for (int k = 0; k <= 5; ++k) {
+                            const Vec3 on = frame.to_world({0.01 * i, -0.025 + 0.01 * k, 0.0});
+                            nearest_m = std::min(nearest_m, std::hypot(on.x - place.x, on.y - place.y));
+                        }
+                }
+                const double radius_m = space.body.radius_m;
+                if (nearest_m < radius_m - 0.01) {
+                    ASSERT_EQ(marks[s], kInLeaf) << nearest_m;
+                }
+                if (nearest_m > radius_m + 0.01) {
+                    ASSERT_NE(marks[s], kInLeaf) << nearest_m;
+                }
+                if (nearest_m > radius_m + kLeafRoom_m + 0.01) {
+                    ASSERT_EQ(marks[s], kNoLeaf) << nearest_m;
+                }
+            }
+        }
+    }
+    EXPECT_TRUE(mark_leaves(corridor(2.0)->space(), {}).empty());
+    EXPECT_TRUE(mark_leaves(WalkSpace{}, std::vector{leaf({1, 1, 0}, 0.0)}).empty());
+    EXPECT_TRUE(mark_leaves(corridor(2.0)->space(), std::vector{OpenLeaf{}}).empty());
+    EXPECT_TRUE(mark_leaves(corridor(2.0)->space(), std::vector{leaf({500, 1, 0}, 0.0)}).empty());
+}
+
+TEST(OpenLeaves, are_gone_round_where_there_is_room_and_through_where_there_is_none) {
+    for (const RouteWish wish : {RouteWish::Safest, RouteWish::Shortest})
+        for (const Vec3& at : {Vec3(0.0), Vec3(3000.0, -2000.0, 40.0)}) {
+            const auto wide = corridor(2.4, at), narrow = corridor(1.2, at);
+            const Vec3 from = at + Vec3(1, 0.6, 0), to = at + Vec3(11, 0.6, 0);
+            const Route plain = wide->plan(from, to, wish);
+            ASSERT_TRUE(plain.reaches);
+            // Across from the south wall, so that a metre and a half is left in the north.
+            wide->know_leaves(std::vector{leaf(at + Vec3(6, 0, 0), 0.5 * kPi)});
+            EXPECT_TRUE(wide->meets_leaf(plain.points_m));
+            for (const bool back : {false, true}) {
+                const Route round = back ? wide->plan(to, from, wish) : wide->plan(from, to, wish);
+                EXPECT_TRUE(round.reaches);
+                EXPECT_FALSE(wide->meets_leaf(round.points_m));
+                EXPECT_LT(round.length_m, plain.length_m + 1.0);
+                EXPECT_LT(glm::length(round.points_m.back() - (back ? from : to)), 0.1);
+            }
+            // Nobody gets by: it leads through, since the door can be shut.
+            narrow->know_leaves(std::vector{leaf(at + Vec3(6, 0, 0), 0.5 * kPi)});
+            const Route through = narrow->plan(from, to, wish);
+            EXPECT_TRUE(through.reaches);
+            EXPECT_TRUE(narrow->meets_leaf(through.points_m));
+            EXPECT_LT(through.length_m, 11.0);
+            // A goal that a leaf lies over is reached beside it.
+            const Route over = wide->plan(from, at + Vec3(6, 0.6, 0), wish);
+            EXPECT_TRUE(over.reaches);
+            EXPECT_FALSE(wide->meets_leaf(over.points_m));
+            EXPECT_LT(glm::length(over.points_m.back() - (at + Vec3(6, 0.6, 0))), 0.6);
+            // Shut again, all is as it was.
+            wide->know_leaves({});
+            EXPECT_FALSE(wide->meets_leaf(plain.points_m));
+            EXPECT_EQ(wide->plan(from, to, wish).points_m, plain.points_m);
+        }
+}
+
+}  // namespace
+}  // namespace handrail
