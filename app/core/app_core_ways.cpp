@@ -11,9 +11,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kAtStop_m = 1.5;    // who is so near a stop need not be led to it
-constexpr double kGoesOn_m = 3.0;    // a way planned from so near the end of the one before goes on with it
-constexpr double kPassed_m = 0.6;    // of a hand that is led past a stop
+constexpr double kAtStop_m = 1.5;     // who is so near a stop need not be led to it
+constexpr double kGoesOn_m = 3.0;     // a way planned from so near the end of the one before goes on with it
+constexpr double kPassed_m = 0.6;     // of a hand that is led past a stop
 constexpr double kPassedEar_m = 0.3;  // along the route, before a stop counts as passed
 constexpr double kTrailNear_m = 1.0;
 constexpr double kWaist_m = 1.0;
@@ -47,8 +47,7 @@ void AppCore::enter_ways(double now_s) {
     way_begins_m_.reset();
     std::vector<Error> faults;
     ways_ = read_ways(side_file_, faults);
-    if (!faults.empty())
-        say(phrase("ways.unreadable", {{"fault", faults.front().sentence()}, {"more", faults.size() - 1}}), SpeechClass::Answer, now_s);
+    if (!faults.empty()) say(phrase("ways.unreadable", {{"fault", faults.front().sentence()}, {"more", faults.size() - 1}}), SpeechClass::Answer, now_s);
     // Where nobody looks for the rooms beside, a way that may not fit is the reason to look now.
     const bool doubtful = std::any_of(ways_.begin(), ways_.end(), [&](const SavedWay& way) { return way.world != side_file_.world_checksum(); });
     if (doubtful && !rooms_beside_ && rooms_known()) notice_room(now_s, true);

@@ -18,11 +18,13 @@ std::vector<std::uint8_t> mark_leaves(const WalkSpace& space, std::span<const Op
         const auto cell = [&](double world, double origin, std::uint32_t count) {
             return static_cast<std::uint32_t>(std::clamp(std::floor((world - origin) / space.cell_m), 0.0, static_cast<double>(count - 1)));
         };
-        const std::uint32_t x0 = cell(stands.min_m.x - reach_m, space.origin_m.x, space.width), x1 = cell(stands.max_m.x + reach_m, space.origin_m.x, space.width);
-        const std::uint32_t y0 = cell(stands.min_m.y - reach_m, space.origin_m.y, space.depth), y1 = cell(stands.max_m.y + reach_m, space.origin_m.y, space.depth);
+        const std::uint32_t x0 = cell(stands.min_m.x - reach_m, space.origin_m.x, space.width),
+                            x1 = cell(stands.max_m.x + reach_m, space.origin_m.x, space.width);
+        const std::uint32_t y0 = cell(stands.min_m.y - reach_m, space.origin_m.y, space.depth),
+                            y1 = cell(stands.max_m.y + reach_m, space.origin_m.y, space.depth);
         for (std::uint32_t y = y0; y <= y1; ++y)
-            for (std::uint32_t s = space.first[static_cast<std::size_t>(y) * space.width + x0]; s < space.first[static_cast<std::size_t>(y) * space.width + x1 + 1];
-                 ++s) {
+            for (std::uint32_t s = space.first[static_cast<std::size_t>(y) * space.width + x0];
+                 s < space.first[static_cast<std::size_t>(y) * space.width + x1 + 1]; ++s) {
                 const Vec3 place = space.place_m(s);
                 if (place.z >= stands.max_m.z || place.z + space.body.height_m <= stands.min_m.z) continue;
                 const Vec3 own = frame.to_own(place), inside = glm::clamp(own, leaf.own_m.min_m, leaf.own_m.max_m);

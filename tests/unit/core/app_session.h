@@ -20,9 +20,7 @@ inline std::shared_ptr<const Scene> world_in(const std::filesystem::path& file) 
     return scene ? std::make_shared<const Scene>(std::move(*scene)) : std::make_shared<const Scene>();
 }
 
-inline std::shared_ptr<const Scene> our_world(const char* file) {
-    return world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file);
-}
+inline std::shared_ptr<const Scene> our_world(const char* file) { return world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file); }
 
 struct AppSession {
     explicit AppSession(const Settings& settings = {}, const HandFacts& hand = {}) : app(settings, hand) {}

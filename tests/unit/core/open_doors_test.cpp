@@ -25,7 +25,8 @@ struct HouseWalker : test::AppSession {
         said.clear();
         bumped.clear();
         const std::string there = room + ". You are there.";
-        return test::walk_along(*this, [&] { return heard(there); }, 60.0);
+        return test::walk_along(
+            *this, [&] { return heard(there); }, 60.0);
     }
     // Opens a door from the side it does not swing to.
     void open(const Mover& door) {
@@ -102,7 +103,8 @@ TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {
         return p.app.guiding().way_m;
     };
     const std::vector<Mover> movers = p.app.scene()->movers;
-    const auto door = std::find_if(movers.begin(), movers.end(), [&](const Mover& m) { return p.app.scene()->features[m.feature.value].name == "Music room door"; });
+    const auto door =
+        std::find_if(movers.begin(), movers.end(), [&](const Mover& m) { return p.app.scene()->features[m.feature.value].name == "Music room door"; });
     ASSERT_NE(door, movers.end());
     p.app.place({6.0, 8.0, 2.9}, 0.0, p.now);
     p.run(0.1);
@@ -120,7 +122,6 @@ TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {
     p.run(0.1);
     EXPECT_EQ(way(), shut);
 }
-
 
 }  // namespace
 }  // namespace handrail

@@ -38,7 +38,8 @@ struct Person : test::AppSession {
         line(room);
         const std::string there = room + ". You are there.";
         said.clear();
-        return test::walk_along(*this, [&] { return heard(there); }, 90.0);
+        return test::walk_along(
+            *this, [&] { return heard(there); }, 90.0);
     }
     // The text of an entry of the list that is open, with its value; empty: none.
     std::string item(const std::string& begin) const {
@@ -87,7 +88,9 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     p.line("To the stove");
     EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));  // one stands at its first stop
     p.said.clear();
-    ASSERT_TRUE(test::walk_along(p, [&] { return p.heard("Kitchen. You are there."); }, 120.0)) << p.app.feet_m().x << " " << p.app.feet_m().y;
+    ASSERT_TRUE(test::walk_along(
+        p, [&] { return p.heard("Kitchen. You are there."); }, 120.0))
+        << p.app.feet_m().x << " " << p.app.feet_m().y;
     EXPECT_TRUE(p.heard("Living room. You are there. To Kitchen. "));
     EXPECT_EQ(p.ask(Command::WhereAmI).substr(0, 9), "Kitchen. ");
     p.ask(Command::Routes);
@@ -99,7 +102,8 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     EXPECT_THAT(p.line("Backwards"), HasSubstr("To the stove, backwards"));
     EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));
     p.said.clear();
-    ASSERT_TRUE(test::walk_along(p, [&] { return p.heard("Hall. You are there."); }, 120.0));
+    ASSERT_TRUE(test::walk_along(
+        p, [&] { return p.heard("Hall. You are there."); }, 120.0));
     EXPECT_TRUE(p.heard("Living room. You are there. To Hall. "));
 }
 
@@ -120,7 +124,8 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
     p.line("There");
     EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Hall. "));
     p.said.clear();
-    ASSERT_TRUE(test::walk_along(p, [&] { return p.heard("Hall. You are there. To Living room."); }, 60.0));
+    ASSERT_TRUE(test::walk_along(
+        p, [&] { return p.heard("Hall. You are there. To Living room."); }, 60.0));
     // Carried far off, one is told the way to the same stop.
     p.app.place({6.0, -4.0, 0.0}, 0.0, p.now);
     p.said.clear();
@@ -185,8 +190,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
     p.line("Follow it by ear");
     // The whole detour is the way: both corners on it.
     const std::vector<Vec3> way = p.app.guiding().way_m;
-    for (const Vec3& corner : detour)
-        EXPECT_LT(nearest_on_way(way, corner).distance_m, 0.6);
+    for (const Vec3& corner : detour) EXPECT_LT(nearest_on_way(way, corner).distance_m, 0.6);
     p.said.clear();
     double west_m = 1e9;
     ASSERT_TRUE(test::walk_along(
@@ -242,8 +246,9 @@ TEST(KeptWays, that_are_damaged_are_kept_aside_or_told_with_their_line) {
     }
     ASSERT_TRUE(write_file_atomically(house.beside(), "[[way]]\nname = \"Alone\"\n[[way]]\n[[way]]\n"));
     Person p(house.path);
-    EXPECT_TRUE(p.heard("house.map.handrail.toml, line 1: the way Alone needs 2 to 200 stops, each under way.stop. Write them, or delete the entry. "
-                        "2 more ways cannot be read."))
+    EXPECT_TRUE(
+        p.heard("house.map.handrail.toml, line 1: the way Alone needs 2 to 200 stops, each under way.stop. Write them, or delete the entry. "
+                "2 more ways cannot be read."))
         << p.said[1];
     p.ask(Command::Routes);
     p.line("Kitchen");
@@ -319,7 +324,8 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
     p.line("To lunch");
     p.line("Follow it by ear");
     p.said.clear();
-    ASSERT_TRUE(test::walk_along(p, [&] { return p.heard("Table. You are there."); }, 60.0));
+    ASSERT_TRUE(test::walk_along(
+        p, [&] { return p.heard("Table. You are there."); }, 60.0));
     EXPECT_LT(p.app.feet_m().x, 8.3);  // the table ends at 7.7 m
 }
 
@@ -345,9 +351,6 @@ TEST(KeptWays, follow_a_room_that_the_person_gives_another_name) {
 // ---- by the hand, and in German ----
 
 TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
-    // On the ground: two boxes that the hand is taken to one after the other.
-    const House house;
-    Person walker(house.path);
     test::Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::Exits);
     for (const char* thing : {"Coat stand", "Door mat"}) {
