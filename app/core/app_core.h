@@ -343,7 +343,7 @@ private:
     Stop stop_at_place(const Vec3& place_m, const std::string& otherwise);
     Stop stop_in_room(std::uint32_t room);
     Stop stop_at_goal(const Goal& goal, const Vec3& from_m);
-    void note_planned(Stop stop);
+    void note_planned(Stop stop, const Vec3& from_m);
     void open_keep_way(double now_s);
     bool way_name_taken(const std::string& name, std::size_t except) const;
     void ask_way_name(const std::vector<Stop>& stops, double now_s);

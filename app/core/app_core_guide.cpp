@@ -178,7 +178,8 @@ void AppCore::open_tools(const Goal& goal, double now_s) {
         if (i == 0) set_beacon(goal, last_tick_s_);
         if (i == 1) {
             run_.reset();
-            if (rooms_known()) note_planned(stop_at_goal(goal, finding_place_m()));
+            const Vec3 from = hand_may_be_led() && force_may_guide() ? finding_place_m() : feet_m();
+            if (rooms_known()) note_planned(stop_at_goal(goal, from), from);
             lead_to(goal, {}, last_tick_s_);
         }
         if (i == 2) seek_warmer(goal, last_tick_s_);

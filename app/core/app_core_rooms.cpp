@@ -7,12 +7,6 @@
 #include "worlds/base/text.h"
 
 namespace handrail {
-namespace {
-
-constexpr double kStandsOpen = 0.02;  // of its way: a door that is farther from shut has a leaf to go round
-
-}  // namespace
-
 void AppCore::begin_rooms(std::shared_ptr<const Scene> scene) {
     const BodySize size = body_size(*scene, settings_.walk.body_radius_m);
     rooms_.reset();  // what was being looked for is given up before the next begins
@@ -38,7 +32,9 @@ void AppCore::know_leaves() {
     leaves_of_ = scene_;
     std::vector<OpenLeaf> leaves;
     for (std::uint32_t i = 0; i < movers_.size(); ++i) {
-        if (thing_of_mover_[i] < 0 || scene_->features[scene_->movers[i].feature.value].kind != FeatureKind::Door || movers_.away(i) < kStandsOpen) continue;
+        const Mover& mover = scene_->movers[i];
+        if (thing_of_mover_[i] < 0 || scene_->features[mover.feature.value].kind != FeatureKind::Door) continue;
+        if (movers_.at(i) == mover.at(0.0)) continue;  // as the file has it: shut, also where it rests open
         const auto thing = static_cast<std::size_t>(thing_of_mover_[i]);
         const Aabb& own = scene_->placed[thing].model->bounds_m;
         const Vec3 size = own.size_m();
@@ -163,7 +159,7 @@ void AppCore::list_routes(double now_s) {
         }
         const Room& room = rooms_->graph().rooms[rooms[at]];
         run_.reset();
-        note_planned(stop_in_room(rooms[at]));
+        note_planned(stop_in_room(rooms[at]), feet_m());
         follow_way(room.middle_m, sentence_case(room.name), {}, last_tick_s_);
     };
     open_list(std::move(list), now_s);

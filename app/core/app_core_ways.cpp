@@ -119,8 +119,8 @@ Stop AppCore::stop_at_goal(const Goal& goal, const Vec3& from_m) {
 }
 
 // The person wants to go there: what is planned one after the other, each from where the one before ended, is one way.
-void AppCore::note_planned(Stop stop) {
-    const Vec3 here = rooms_->navigation().nearest_place(finding_place_m()).value_or(feet_m());
+void AppCore::note_planned(Stop stop, const Vec3& from_m) {
+    const Vec3 here = rooms_->navigation().nearest_place(from_m).value_or(feet_m());
     if (planned_stops_.empty() || !near_stop(planned_stops_.back(), here, kGoesOn_m)) planned_stops_.assign(1, stop_at_place(here, phrase("ways.begin")));
     if (planned_stops_.back().name == stop.name && near_stop(planned_stops_.back(), stop.place_m, kAtStop_m)) return;
     planned_stops_.push_back(std::move(stop));

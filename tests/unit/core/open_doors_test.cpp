@@ -1,6 +1,7 @@
 // Ways past open doors in the house: a leaf that stands in a way is gone round, as it stands when one sets out and as it comes to stand on the way.
 #include <map>
 
+#include "tests/support/map_text.h"
 #include "tests/support/scale.h"
 #include "tests/unit/core/way_walker.h"
 
@@ -93,6 +94,34 @@ TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
         EXPECT_TRUE(p.go_to("Hall")) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " " << p.app.feet_m().z;
         for (const std::string& door : doors) EXPECT_EQ(p.bumps_into(door), 0) << door;
     }
+}
+
+TEST(OpenDoors, that_stand_open_from_the_begin_are_gone_round_from_the_begin) {
+    using test::box_brush;
+    using test::key;
+    // Two rooms with a gap of a metre in the wall between them; the door in it is hinged at its south and stands open into the eastern room. Beside its leaf,
+    // in the south-east, is where the way leads: straight on from the gap it would pass the leaf nearer than a body is wide.
+    auto scene = read_quake_map(test::entity("worldspawn", key("building", "1"),
+                                             test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, 64, 96) + box_brush(196, 96, 0, 204, 160, 96)) +
+                                    test::entity("func_door", key("name", "Door") + key("hinge", "south") + key("opens", "east") + key("spawnflags", "1"),
+                                                 box_brush(199, 64, 0, 201, 96, 80)) +
+                                    test::entity("func_wall", key("name", "Stool"), box_brush(376, 16, 0, 392, 32, 16)) +
+                                    test::entity("info_player_start", key("origin", "40 80 24")),
+                                "two_rooms.map");
+    ASSERT_TRUE(scene) << scene.error().sentence();
+    ASSERT_EQ(scene->movers.size(), 1U);
+    ASSERT_TRUE(scene->movers[0].rests_far);
+    test::AppSession p;
+    p.app.enter_world(std::make_shared<const Scene>(std::move(*scene)), 0.0);
+    p.run(0.1);
+    p.ask(Command::Exits);  // from here on the ways are known
+    p.ask(Command::Find);
+    p.line("Stool");
+    p.line("Take me there");
+    EXPECT_TRUE(test::walk_along(
+        p, [&] { return p.heard("Stool. You are there."); }, 60.0))
+        << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y;
+    EXPECT_TRUE(p.bumped.empty()) << p.app.scene()->features[p.bumped[0].value].name;
 }
 
 TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {

@@ -294,7 +294,7 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         const char* told;
     } edits[] = {
         {36.0, 0.0, "To lunch (Table is gone)."},
-        {36.0, 206.0, "To lunch (Table is 2 steps from where it was)."},
+        {36.0, 206.0, "To lunch (Table has moved, 2 steps from its stop)."},
         {0.0, 300.0, "To lunch (no walking way from Shop to Table)."},
     };
     for (const auto& edit : edits) {
@@ -378,6 +378,43 @@ TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
     ASSERT_TRUE(p.wait_for([&] { return p.heard("Here: Door mat", before); }, 90.0)) << p.all_heard(before);
     EXPECT_LT(p.find("Taking your hand to Coat stand", before), p.find("Here: Coat stand. Taking your hand to Door mat", before)) << p.all_heard(before);
     EXPECT_FALSE(p.heard("To Coat stand. ", before));
+}
+
+TEST(KeptWays, lead_the_hand_along_the_corners_of_a_trail) {
+    test::Explorer p(test::our_world("house.map"), "sim-t");
+    p.tap(Command::Exits);
+    // Round by the east of the hall, and back to its west: 3 m from where one began.
+    for (const Vec3& place : {Vec3(6.9, 1.2, 0.0), Vec3(6.9, 3.2, 0.0), Vec3(5.1, 3.2, 0.0)})
+        for (int i = 0; i < 300; ++i) {
+            const Vec3 off = place - p.app().feet_m();
+            if (std::hypot(off.x, off.y) < 0.1) break;
+            p.app().steer({std::cos(std::atan2(off.x, off.y)), std::sin(std::atan2(off.x, off.y)), 0.0});
+            p.run(1.0 / 60.0);
+        }
+    p.app().steer({});
+    p.run(0.2);
+    ASSERT_LT(glm::length(p.app().feet_m() - Vec3(5.1, 3.2, 0.0)), 0.4);
+    p.tap(Command::KeepWay);
+    p.line("All that you walked here");
+    p.line("Round the hall");
+    p.tap(Command::Home);
+    p.hold({0.0, 0.0, 0.0});
+    p.run(1.5);
+    p.tap(Command::Ways);
+    p.line("Round the hall");
+    const std::size_t before = p.lines();
+    p.line("Have your hand led along it");
+    p.push();
+    double east_m = 0.0;
+    ASSERT_TRUE(p.wait_for(
+        [&] {
+            east_m = std::max(east_m, p.tool().proxy_m.x);
+            return p.heard("Here: Stairs", before);  // where the hall ends in the north-west
+        },
+        90.0))
+        << p.all_heard(before);
+    EXPECT_GT(east_m, 6.5);
+    EXPECT_LT(p.tool().proxy_m.x, 5.6);
 }
 
 TEST(KeptWays, are_kept_told_and_followed_in_german) {
