@@ -1,6 +1,6 @@
 // Ways that a person has kept in a world under a name: an ordered list of stops, how it is kept in the side file, and how each stop is looked up again in a
-// world that was edited since. Between two stops one walks as the ways of the world lead. Pure functions over plain values; app thread. Looking up costs some
-// microseconds a stop, planning milliseconds a leg.
+// world that was edited since. Between two stops one walks as the ways of the world lead. Pure functions over plain values; app thread. Looking up plans
+// nothing; planning costs a way of Navigation for each leg.
 #pragma once
 
 #include <functional>

@@ -99,15 +99,15 @@ TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
 TEST(OpenDoors, that_stand_open_from_the_begin_are_gone_round_from_the_begin) {
     using test::box_brush;
     using test::key;
-    // Two rooms with a gap of a metre in the wall between them; the door in it is hinged at its south and stands open into the eastern room. Beside its leaf,
-    // in the south-east, is where the way leads: straight on from the gap it would pass the leaf nearer than a body is wide.
-    auto scene = read_quake_map(test::entity("worldspawn", key("building", "1"),
-                                             test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, 64, 96) + box_brush(196, 96, 0, 204, 160, 96)) +
-                                    test::entity("func_door", key("name", "Door") + key("hinge", "south") + key("opens", "east") + key("spawnflags", "1"),
-                                                 box_brush(199, 64, 0, 201, 96, 80)) +
-                                    test::entity("func_wall", key("name", "Stool"), box_brush(376, 16, 0, 392, 32, 16)) +
-                                    test::entity("info_player_start", key("origin", "40 80 24")),
-                                "two_rooms.map");
+    // Two rooms with a gap of a metre in the wall between them; the door in it is hinged at its south and stands open into the eastern room. What one goes to
+    // stands behind its leaf.
+    auto scene = read_quake_map(
+        test::entity("worldspawn", key("building", "1"),
+                     test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, 64, 96) + box_brush(196, 96, 0, 204, 160, 96)) +
+            test::entity("func_door", key("name", "Door") + key("hinge", "south") + key("opens", "east") + key("spawnflags", "1"),
+                         box_brush(199, 64, 0, 201, 96, 80)) +
+            test::entity("func_wall", key("name", "Stool"), box_brush(208, 8, 0, 224, 24, 16)) + test::entity("info_player_start", key("origin", "40 80 24")),
+        "two_rooms.map");
     ASSERT_TRUE(scene) << scene.error().sentence();
     ASSERT_EQ(scene->movers.size(), 1U);
     ASSERT_TRUE(scene->movers[0].rests_far);

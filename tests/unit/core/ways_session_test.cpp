@@ -2,6 +2,8 @@
 // backwards, changed, deleted; damaged, and in a world that was edited since.
 #include <gmock/gmock.h>
 
+#include <chrono>
+
 #include "tests/support/map_text.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
@@ -27,7 +29,9 @@ struct House {
 };
 
 struct Person : test::AppSession {
-    explicit Person(const fs::path& world) {
+    // beside: rooms are found on a thread, as in a session with a window.
+    explicit Person(const fs::path& world, bool beside = false) {
+        if (beside) app.find_rooms_beside();
         app.use_side_file(SideFile::of_world(world, {}));
         app.enter_world(test::world_in(world), now);
         run(0.1);
@@ -309,6 +313,13 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
         // Followed all the same, as far as it goes.
         const std::string words = p.line("Follow it by ear");
         EXPECT_THAT(words, edit.gap_units == 0.0 ? HasSubstr("No walking way found to Table.") : HasSubstr("To Table. "));
+    }
+    // Where the rooms are found beside everything else, as soon as they are.
+    {
+        Person p(path, true);
+        const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (!p.heard("no longer fits: To lunch (no walking way from Shop to Table).") && std::chrono::steady_clock::now() < until) p.run(0.1);
+        EXPECT_TRUE(p.heard("no longer fits: To lunch (no walking way from Shop to Table).")) << testing::PrintToString(p.said);
     }
     // Taken over as it is: told no more, and it leads to where the table stands.
     write(two_rooms(36.0, 206.0));
