@@ -361,6 +361,22 @@ TEST(KeptWays, follow_a_room_that_the_person_gives_another_name) {
 
 // ---- by the hand, and in German ----
 
+// Kept, and from the base on the free hand is led along it; how many lines had been said before.
+std::size_t kept_and_led(test::Explorer& p, const std::string& which) {
+    p.tap(Command::KeepWay);
+    p.line(which);
+    p.line("Tour");
+    p.tap(Command::Home);
+    p.hold({0.0, 0.0, 0.0});
+    p.run(1.5);
+    p.tap(Command::Ways);
+    p.line("Tour");
+    const std::size_t before = p.lines();
+    p.line("Have your hand led along it");
+    p.push();
+    return before;
+}
+
 TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
     test::Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::Exits);
@@ -375,17 +391,7 @@ TEST(KeptWays, lead_the_hand_from_stop_to_stop) {
         }
     }
     p.tap(Command::TakeMe);  // lets go
-    p.tap(Command::KeepWay);
-    p.line("The way you planned last");
-    p.line("Hall round");
-    p.tap(Command::Home);
-    p.hold({0.0, 0.0, 0.0});
-    p.run(1.5);
-    p.tap(Command::Ways);
-    p.line("Hall round");
-    const std::size_t before = p.lines();
-    p.line("Have your hand led along it");
-    p.push();
+    const std::size_t before = kept_and_led(p, "The way you planned last");
     ASSERT_TRUE(p.wait_for([&] { return p.heard("Here: Door mat", before); }, 90.0)) << p.all_heard(before);
     EXPECT_LT(p.find("Taking your hand to Coat stand", before), p.find("Here: Coat stand. Taking your hand to Door mat", before)) << p.all_heard(before);
     EXPECT_FALSE(p.heard("To Coat stand. ", before));
@@ -405,17 +411,7 @@ TEST(KeptWays, lead_the_hand_along_the_corners_of_a_trail) {
     p.app().steer({});
     p.run(0.2);
     ASSERT_LT(glm::length(p.app().feet_m() - Vec3(5.1, 3.2, 0.0)), 0.4);
-    p.tap(Command::KeepWay);
-    p.line("All that you walked here");
-    p.line("Round the hall");
-    p.tap(Command::Home);
-    p.hold({0.0, 0.0, 0.0});
-    p.run(1.5);
-    p.tap(Command::Ways);
-    p.line("Round the hall");
-    const std::size_t before = p.lines();
-    p.line("Have your hand led along it");
-    p.push();
+    const std::size_t before = kept_and_led(p, "All that you walked here");
     double east_m = 0.0;
     ASSERT_TRUE(p.wait_for(
         [&] {
