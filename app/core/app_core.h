@@ -301,7 +301,12 @@ private:
     void enter_learning(double now_s);
     void note_learning(double now_s);
     void corner_of_hand(double now_s);
-    const Place& place_here();
+    const Learnt& learnt_of(std::uint32_t room);
+    bool in_known_room(double now_s);
+    std::string no_room_words() const;
+    std::string share_words(const Progress& progress) const;
+    void list_learnt_rooms(double now_s);
+    void learn_place(double now_s);
     std::string progress_words(double now_s);
     void tell_unexplored(double now_s);
     void guide_learning(double now_s);
@@ -316,6 +321,7 @@ private:
     std::string passage_name(PassageKind kind, FeatureId feature, double rise_m) const;
     void tell_exits(bool unvisited_only, double now_s);
     void list_routes(double now_s);
+    void way_to_room(std::uint32_t room, double now_s);
     void lay_given_names(double now_s);
     void ask_room_name(double now_s);
     void name_room(std::uint32_t room, const std::string& typed, double now_s);

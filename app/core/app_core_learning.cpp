@@ -32,16 +32,10 @@ bool AppCore::act_learning(Command command, double now_s) {
             answer(progress_words(now_s), now_s);
             return true;
         case Command::LearnPlace:
-            learning_.on = !learning_.on;
-            learning_.done.clear();
-            learning_.walls_done = learning_.lanes_begun = false;
-            learning_.base_m = feet_m();
-            learning_.seen_notes = 0;
-            answer(learning_.on ? phrase("learning.begun", {{"trail", keys_.keys_of(Command::TrailLeft)},
-                                                            {"progress", keys_.keys_of(Command::ProgressReport)},
-                                                            {"unexplored", keys_.keys_of(Command::Unexplored)}})
-                                : phrase("learning.ended") + " " + progress_words(now_s),
-                   now_s);
+            learn_place(now_s);
+            return true;
+        case Command::LearntRooms:
+            list_learnt_rooms(now_s);
             return true;
         case Command::Hunt:
             hunt_key(now_s);
@@ -53,13 +47,15 @@ bool AppCore::act_learning(Command command, double now_s) {
 
 void AppCore::enter_learning(double now_s) {
     learning_ = {};
-    learning_.since_s = now_s;
+    learning_.last_s = now_s;
     hunt_.reset();
     soundscape_.add({});
 }
 
 // What hand and body touch, and where the body goes; and in the mode, what is done by now.
 void AppCore::note_learning(double now_s) {
+    learning_.unplaced_s += now_s - std::exchange(learning_.last_s, now_s);
+    if (room_ != kNothing) learning_.rooms[room_].spent_s += std::exchange(learning_.unplaced_s, 0.0);
     if (walker_->state().on_ground) learning_.notes.walked(feet_m());
     const double radius = walker_->size().radius_m;
     if (walking_.trail.touching() && led())
@@ -102,26 +98,44 @@ void AppCore::corner_of_hand(double now_s) {
     if (corner) learning_.corner_s = now_s;
 }
 
-const Place& AppCore::place_here() {
-    if (!learning_.place || !learning_.place->holds(feet_m())) learning_.place = place_around(*body_world_, feet_m(), walker_->size());
-    return *learning_.place;
+// Of a room, as much as is known of it by now.
+const Learnt& AppCore::learnt_of(std::uint32_t room) {
+    std::optional<Learnt>& learnt = learning_.rooms[room].learnt;
+    if (!learnt) learnt.emplace(place_of_room(*body_world_, rooms_->navigation().space(), rooms_->graph(), room));
+    learnt->lay(learning_.notes);
+    return *learnt;
+}
+
+// The room one stands in is known, and known to be one; notices which it is.
+bool AppCore::in_known_room(double now_s) {
+    if (!rooms_known()) return false;
+    notice_room(now_s, true);
+    return room_ != kNothing;
+}
+
+// Why there is nothing to be told of the room one stands in.
+std::string AppCore::no_room_words() const {
+    if (!rooms_ || !rooms_->done()) return phrase("rooms.not_yet");
+    return rooms_->found() ? phrase("rooms.nowhere") : rooms_->problem();
 }
 
 std::string AppCore::progress_words(double now_s) {
-    const Progress progress = progress_of(place_here(), learning_.notes, *scene_);
+    if (!in_known_room(now_s)) return no_room_words();
+    const Progress progress = progress_of(learnt_of(room_));
     std::string named;
     for (const WallProgress& wall : progress.walls)
         if (wall.touched_m > 0.0) named = joined(named, name_of(wall.feature));
-    const std::string time = time_words(now_s - learning_.since_s);
+    const std::string time = time_words(learning_.rooms[room_].spent_s);
     const TextValue of_walls{"walls", percent(progress.perimeter_share())}, of_floor{"floor", percent(progress.floor_share())}, took{"time", time};
-    const std::string text = progress.doors > 0
-                                 ? phrase("learning.progress_and_doors", {of_walls, of_floor, {"found", progress.doors_found}, {"doors", progress.doors}, took})
-                                 : phrase("learning.progress", {of_walls, of_floor, took});
+    const std::string text = progress.exits > 0 ? phrase(progress.doors_only ? "learning.progress_and_doors" : "learning.progress_and_exits",
+                                                         {of_walls, of_floor, {"found", progress.exits_found}, {"exits", progress.exits}, took})
+                                                : phrase("learning.progress", {of_walls, of_floor, took});
     return named.empty() ? text : text + " " + phrase("learning.touched", {{"names", named}});
 }
 
 void AppCore::tell_unexplored(double now_s) {
-    const auto left = nearest_unexplored(place_here(), learning_.notes, feet_m());
+    if (!in_known_room(now_s)) return answer(no_room_words(), now_s);
+    const auto left = nearest_unexplored(learnt_of(room_), feet_m());
     if (!left) return answer(phrase("learning.all_explored"), now_s);
     const double dx = left->point_m.x - feet_m().x, dy = left->point_m.y - feet_m().y;
     const std::string where = where_words(std::hypot(dx, dy), std::atan2(dx, dy));
@@ -130,28 +144,96 @@ void AppCore::tell_unexplored(double now_s) {
            now_s);
 }
 
+// "Walls 40 percent, floor 10 percent".
+std::string AppCore::share_words(const Progress& progress) const {
+    return phrase("learning.share", {{"walls", percent(progress.perimeter_share())}, {"floor", percent(progress.floor_share())}});
+}
+
+// Every room with what is learnt of it, the one that one is in first, then those known best; the way to the chosen one.
+void AppCore::list_learnt_rooms(double now_s) {
+    if (!have_rooms(now_s)) return;
+    const RoomGraph& graph = rooms_->graph();
+    struct Row {
+        std::uint32_t room = 0;
+        bool begun = false;
+        Progress progress;
+    };
+    std::vector<Row> rows(graph.rooms.size());
+    std::size_t done = 0;
+    for (std::uint32_t r = 0; r < rows.size(); ++r) {
+        // A room nobody was in and nobody touched from elsewhere is not even looked at.
+        Aabb box = graph.rooms[r].bounds_m;
+        box.min_m -= Vec3(0.5, 0.5, 0.5);
+        box.max_m += Vec3(0.5, 0.5, 2.5);
+        rows[r].room = r;
+        if (!learning_.notes.any_in(box)) continue;
+        rows[r].progress = progress_of(learnt_of(r));
+        rows[r].begun = rows[r].progress.touched_m > 0.0 || rows[r].progress.walked_m2 > 0.0;
+        done += rows[r].begun && rows[r].progress.done();
+    }
+    const auto known = [](const Row& row) { return row.begun ? row.progress.perimeter_share() + row.progress.floor_share() : -1.0; };
+    std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
+        return std::pair(a.room == room_, known(a)) > std::pair(b.room == room_, known(b));
+    });
+    ListSpec list;
+    list.title = phrase("learning.rooms", {{"done", done}, {"rooms", rows.size()}});
+    std::vector<std::uint32_t> rooms;
+    for (const Row& row : rows) {
+        list.items.push_back({sentence_case(graph.rooms[row.room].name), row.begun ? share_words(row.progress) : phrase("learning.nothing_yet"), false});
+        rooms.push_back(row.room);
+    }
+    list.chosen = [this, rooms](std::size_t at) { way_to_room(rooms[at], last_tick_s_); };
+    open_list(std::move(list), now_s);
+}
+
+// The mode begins in the room one is in, or ends. What is known already stays known.
+void AppCore::learn_place(double now_s) {
+    learning_.on = !learning_.on;
+    learning_.seen_notes = 0;
+    learning_.room = kNothing;
+    if (!learning_.on) return answer(phrase("learning.ended") + " " + progress_words(now_s), now_s);
+    const bool known = in_known_room(now_s);
+    if (known) {
+        learning_.room = room_;
+        learning_.rooms[room_].base_m = feet_m();
+    }
+    answer(phrase("learning.begun", {{"room", known ? sentence_case(rooms_->graph().rooms[room_].name) : phrase("learning.this_place")},
+                                     {"trail", keys_.keys_of(Command::TrailLeft)},
+                                     {"progress", keys_.keys_of(Command::ProgressReport)},
+                                     {"unexplored", keys_.keys_of(Command::Unexplored)}}),
+           now_s);
+}
+
 // In the mode: each wall that is done, then each lane. Nothing is forced, and whoever goes another way is told what that has done.
 void AppCore::guide_learning(double now_s) {
-    const Place& place = place_here();
-    const Progress progress = progress_of(place, learning_.notes, *scene_);
+    if (!in_known_room(now_s)) return;
+    const Learnt& learnt = learnt_of(room_);
+    const Progress progress = progress_of(learnt);
+    RoomLearning& room = learning_.rooms[room_];
+    if (room_ != std::exchange(learning_.room, room_)) {
+        const std::string name = sentence_case(rooms_->graph().rooms[room_].name);
+        // The base is where one came in first.
+        answer(room.base_m ? phrase("learning.goes_on", {{"room", name}, {"share", share_words(progress)}}) : phrase("learning.next_room", {{"room", name}}), now_s);
+        if (!room.base_m) room.base_m = feet_m();
+    }
     int done = 0;
     for (const WallProgress& wall : progress.walls) done += wall.done();
     for (const WallProgress& wall : progress.walls) {
-        if (!wall.done() || wall.length_m < 0.5 || std::find(learning_.done.begin(), learning_.done.end(), wall.feature) != learning_.done.end()) continue;
-        learning_.done.push_back(wall.feature);
+        if (!wall.done() || wall.length_m < 0.5 || std::find(room.done.begin(), room.done.end(), wall.feature) != room.done.end()) continue;
+        room.done.push_back(wall.feature);
         answer(phrase("learning.wall_done", {{"wall", sentence_case(name_of(wall.feature))}, {"done", done}, {"walls", progress.walls.size()}}), now_s);
     }
-    if (!learning_.walls_done && progress.perimeter_share() >= 0.95) {
-        learning_.walls_done = true;
+    if (!room.walls_done && progress.perimeter_share() >= 0.95) {
+        room.walls_done = true;
         play(SoundKind::Arrived, now_s);
-        const Vec3 base = learning_.base_m - feet_m();
+        const Vec3 base = *room.base_m - feet_m();
         const std::string where = where_words(glm::length(base), std::atan2(base.x, base.y));
-        answer(phrase("learning.walls_done", {{"time", time_words(now_s - learning_.since_s)}, {"where", where}}), now_s);
+        answer(phrase("learning.walls_done", {{"time", time_words(room.spent_s)}, {"where", where}}), now_s);
     }
-    const std::vector<Lane> lanes = lanes_of(place, learning_.notes);
+    const std::vector<Lane> lanes = lanes_of(learnt);
     std::size_t walked = 0;
     for (const Lane& lane : lanes) walked += lane.done();
-    if (walked > learning_.lanes_told && learning_.walls_done) {
+    if (walked > room.lanes_told && room.walls_done) {
         std::string next = phrase("learning.lanes_done");
         for (const Lane& lane : lanes)
             if (!lane.done()) {
@@ -163,7 +245,7 @@ void AppCore::guide_learning(double now_s) {
             }
         answer(phrase("learning.lane_done", {{"done", walked}, {"lanes", lanes.size()}}) + " " + next, now_s);
     }
-    learning_.lanes_told = walked;
+    room.lanes_told = walked;
 }
 
 // Hides the clock, or says where to go next.

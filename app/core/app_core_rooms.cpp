@@ -157,12 +157,16 @@ void AppCore::list_routes(double now_s) {
             run_.reset();
             return answer(phrase("lead.stopped"), last_tick_s_);
         }
-        const Room& room = rooms_->graph().rooms[rooms[at]];
-        run_.reset();
-        note_planned(stop_in_room(rooms[at]), feet_m());
-        follow_way(room.middle_m, sentence_case(room.name), {}, last_tick_s_);
+        way_to_room(rooms[at], last_tick_s_);
     };
     open_list(std::move(list), now_s);
+}
+
+void AppCore::way_to_room(std::uint32_t room, double now_s) {
+    const Room& to = rooms_->graph().rooms[room];
+    run_.reset();
+    note_planned(stop_in_room(room), feet_m());
+    follow_way(to.middle_m, sentence_case(to.name), {}, now_s);
 }
 
 // ---- names that the person gives ----

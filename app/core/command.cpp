@@ -94,6 +94,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::Unexplored, "unexplored", "7", false},
     CommandInfo{Command::ProgressReport, "progress", "8", false},
     CommandInfo{Command::LearnPlace, "learn", "9", false},
+    CommandInfo{Command::LearntRooms, "learnt", "Shift+9", false},
     CommandInfo{Command::Hunt, "hunt", "0", false},
     CommandInfo{Command::Calibrate, "calibrate", "F9", false},
     CommandInfo{Command::Leave, "leave", "Escape", false},

@@ -95,6 +95,7 @@ enum class Command : std::uint8_t {
     Unexplored,
     ProgressReport,
     LearnPlace,
+    LearntRooms,  // list of rooms with how much of each is learnt; the way to the chosen one
     Hunt,
     Calibrate,  // the set-up by voice, run by whoever owns the device
     Leave,      // Escape: asks once more at the top

@@ -1,8 +1,10 @@
 // The house and the school as places to learn: every door leads from room to room, every room has a landmark, and nobody gets out of the grounds.
 #include <algorithm>
+#include <set>
 
 #include "app/core/hunt.h"
 #include "app/core/learning.h"
+#include "worlds/navigation/navigation.h"
 #include "worlds/readers/reader.h"
 
 #include <gtest/gtest.h>
@@ -28,8 +30,12 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
     ASSERT_NE(base, shut->starts.end());
     const HuntGround ground(open_world, base->feet_m, body);
 
+    auto space = make_walk_space(*shut, walk_body(*shut, body.radius_m, body.height_m, body.step_up_m));
+    ASSERT_TRUE(space);
+    const RoomGraph graph = make_rooms(*shut, *space);
+
     int doors = 0;
-    std::vector<Place> rooms;
+    std::set<std::uint32_t> beside;  // doors
     for (const Feature& door : shut->features) {
         if (door.kind != FeatureKind::Door) continue;
         ++doors;
@@ -38,10 +44,12 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
         for (const double side : {-0.6, 0.6}) {
             const Vec3 feet = Vec3(middle.x, middle.y, door.bounds_m.min_m.z) + across * side;
             EXPECT_TRUE(ground.way_m(feet)) << door.name << " on side " << side << " cannot be walked to";
-            if (std::none_of(rooms.begin(), rooms.end(), [&](const Place& room) { return room.holds(feet); }))
-                rooms.push_back(place_around(shut_world, feet + Vec3(0, 0, 0.01), body));
+            beside.insert(room_at(graph, *space, feet));
         }
     }
+    EXPECT_FALSE(beside.contains(kNothing));
+    std::vector<Place> rooms;
+    for (const std::uint32_t room : beside) rooms.push_back(place_of_room(shut_world, *space, graph, room));
     std::cout << GetParam() << ": " << doors << " doors, " << rooms.size() << " rooms, " << ground.size() << " places to stand\n";
     EXPECT_GE(doors, 11);
     EXPECT_GE(rooms.size(), 10U);
