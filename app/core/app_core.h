@@ -303,6 +303,7 @@ private:
     void corner_of_hand(double now_s);
     const Learnt& learnt_of(std::uint32_t room);
     bool in_known_room(double now_s);
+    void spend_time();
     std::string no_room_words() const;
     std::string share_words(const Progress& progress) const;
     void list_learnt_rooms(double now_s);

@@ -55,7 +55,7 @@ void AppCore::enter_learning(double now_s) {
 // What hand and body touch, and where the body goes; and in the mode, what is done by now.
 void AppCore::note_learning(double now_s) {
     learning_.unplaced_s += now_s - std::exchange(learning_.last_s, now_s);
-    if (room_ != kNothing) learning_.rooms[room_].spent_s += std::exchange(learning_.unplaced_s, 0.0);
+    spend_time();
     if (walker_->state().on_ground) learning_.notes.walked(feet_m());
     const double radius = walker_->size().radius_m;
     if (walking_.trail.touching() && led())
@@ -98,6 +98,10 @@ void AppCore::corner_of_hand(double now_s) {
     if (corner) learning_.corner_s = now_s;
 }
 
+void AppCore::spend_time() {
+    if (room_ != kNothing) learning_.rooms[room_].spent_s += std::exchange(learning_.unplaced_s, 0.0);
+}
+
 // Of a room, as much as is known of it by now.
 const Learnt& AppCore::learnt_of(std::uint32_t room) {
     std::optional<Learnt>& learnt = learning_.rooms[room].learnt;
@@ -110,6 +114,7 @@ const Learnt& AppCore::learnt_of(std::uint32_t room) {
 bool AppCore::in_known_room(double now_s) {
     if (!rooms_known()) return false;
     notice_room(now_s, true);
+    spend_time();
     return room_ != kNothing;
 }
 

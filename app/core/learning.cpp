@@ -16,6 +16,7 @@ constexpr double kFinest_m = 0.05;  // cells: a wall of 4 m is then as long as i
 constexpr double kLane_m = 1.0, kLaneOff_m = 0.4;
 constexpr double kSameFloor_m = 0.6, kRoomHeight_m = 2.6;
 constexpr double kNormalOff_m = 0.3;  // a hand above a radiator touches the wall behind it
+constexpr double kLeastWall_m = 0.2;  // the jamb of a door is part of the perimeter, but no wall to be told of
 constexpr double kUnknown_m = 0.45;   // of wall, around one sample
 constexpr double kThrough_m = 0.3;    // of a door's middle: gone through; walking along its wall passes farther off
 constexpr std::array kWays{std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)};
@@ -290,6 +291,7 @@ Progress progress_of(const Learnt& learnt) {
         wall->touched_m += length_m;
         progress.touched_m += length_m;
     }
+    std::erase_if(progress.walls, [](const WallProgress& wall) { return wall.length_m < kLeastWall_m; });
     for (const PlaceExit& exit : place.exits) {
         ++progress.exits;
         progress.exits_found += learnt.found(exit);

@@ -97,7 +97,7 @@ struct WallProgress {
 struct Progress {
     double perimeter_m = 0.0, touched_m = 0.0;  // of walls and doors and what stands against them
     double floor_m2 = 0.0, walked_m2 = 0.0;     // walked: within half a metre of where one went
-    std::vector<WallProgress> walls;            // in the order of the boundary's features
+    std::vector<WallProgress> walls;            // of a hand's width and more, in the order of the boundary's features
     int exits = 0, exits_found = 0;
     bool doors_only = true;  // among the exits
     double perimeter_share() const { return perimeter_m > 0.0 ? touched_m / perimeter_m : 1.0; }

@@ -320,6 +320,7 @@ TEST(Learning, a_lap_past_a_door_finds_it) {
     lap.hold(Command::Forward, 1.0);
     EXPECT_NE(lap.ask(Command::ProgressReport).find("0 of 1 door"), std::string::npos) << lap.said.back();
     lap.hold(Command::TrailLeft, 26.0);
+    lap.run(1.0);
     EXPECT_NE(lap.ask(Command::ProgressReport).find("1 of 1 door"), std::string::npos) << lap.said.back();
     EXPECT_TRUE(lap.heard("North wall done"));
 }
