@@ -1115,6 +1115,7 @@ ViewState AppCore::view(const ToolState& tool, const std::string& last_spoken) c
     view.north_up = settings_.workspace.frame == FrameChoice::Map;
     view.last_spoken = last_spoken;
     view.path_m = path_m_;
+    if (plan_view_) view.rooms = drawn_rooms_, view.room = room_;
     view.dialogue = dialogue_.view();
     return view;
 }

@@ -15,6 +15,7 @@ void AppCore::begin_rooms(std::shared_ptr<const Scene> scene) {
     rooms_told_ = false;
     room_ = kNothing;
     visited_rooms_.clear();
+    drawn_rooms_.reset();
     follower_.stop();
     run_.reset();
 }
@@ -77,11 +78,24 @@ void AppCore::notice_room(double now_s, bool quietly) {
         for (const std::string& sentence : rooms_->navigation().said()) say(sentence, SpeechClass::Ambient, now_s);
         quietly = true;
     }
+    if (plan_view_) draw_rooms();
     const std::uint32_t now_in = room_at(graph, rooms_->navigation().space(), feet_m());
     if (now_in == kNothing || now_in == room_) return;
     room_ = now_in;
     visited_rooms_[room_] = true;
     if (!quietly && settings_.speech.rooms) say(sentence_case(graph.rooms[room_].name), SpeechClass::Ambient, now_s);
+}
+
+// For the plan: once, and again where a name has changed.
+void AppCore::draw_rooms() {
+    const RoomGraph& graph = rooms_->graph();
+    if (drawn_rooms_ && drawn_language_ == graph.language) return;
+    drawn_language_ = graph.language;
+    std::vector<RoomOutline> outlines = room_outlines(graph, rooms_->navigation().space());
+    std::vector<DrawnRoom> drawn;
+    for (std::size_t r = 0; r < outlines.size(); ++r)
+        drawn.push_back({sentence_case(graph.rooms[r].name), graph.rooms[r].middle_m, graph.rooms[r].area_m2, std::move(outlines[r])});
+    drawn_rooms_ = std::make_shared<const std::vector<DrawnRoom>>(std::move(drawn));
 }
 
 std::string AppCore::passage_name(PassageKind kind, FeatureId feature, double rise_m) const {
@@ -212,6 +226,7 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
         room_names_.push_back({*name, graph.rooms[room].middle_m, graph.rooms[room].area_m2, side_file_.world_checksum(), true, {}});
     rename_room_in_ways(graph.rooms[room].name, *name);
     graph.rooms[room].name = *name;
+    drawn_rooms_.reset();
     graph.rooms[room].named = *name != own_room_names_[room] || room_named_by_map_[room];
     write_room_names(side_file_, room_names_);
     save_additions(now_s);

@@ -7,9 +7,18 @@
 
 #include "app/core/dialogue.h"
 #include "worlds/base/vec.h"
+#include "worlds/navigation/room_outlines.h"
 #include "worlds/scene/scene.h"
 
 namespace handrail {
+
+// A room as the plan draws it.
+struct DrawnRoom {
+    std::string name;  // as it is spoken
+    Vec3 middle_m{0.0};
+    double area_m2 = 0.0;
+    RoomOutline outline;
+};
 
 struct ViewState {
     std::shared_ptr<const Scene> scene;  // a new pointer when another world was entered
@@ -24,6 +33,8 @@ struct ViewState {
     bool plan_view = false;  // F3
     bool forces_on = true;
     bool north_up = true;      // Map frame
+    std::shared_ptr<const std::vector<DrawnRoom>> rooms;  // of the room graph, in its order; null: not known, or no plan is shown
+    std::uint32_t room = kNothing;                        // among them, where one is
     std::string last_spoken;   // large text
     std::vector<Vec3> path_m;  // walked path, oldest first
     DialogueView dialogue;     // the list or question that is open

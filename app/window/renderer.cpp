@@ -457,6 +457,7 @@ private:
         for (const auto& [a, b] : cut.sheets_m) list.AddLine(im(layout.to_pixels(a)), im(layout.to_pixels(b)), kWallColour, 3.0F);
 
         const float unit_px = static_cast<float>(picture.height) / 100.0F;
+        draw_room_outlines(list, layout, view, unit_px);
         points_.clear();
         for (const Vec3& step : view.path_m) points_.push_back(im(layout.to_pixels(step)));
         if (!points_.empty()) {
@@ -465,6 +466,7 @@ private:
         }
         draw_hand(list, layout, view, unit_px);
         draw_body(list, layout, view, unit_px);
+        draw_room_names(list, layout, view, unit_px);
         draw_scale_and_north(list, layout, unit_px);
         list.PopClipRect();
     }
@@ -515,6 +517,78 @@ private:
             case PlanKind::Low:
                 list.AddPolyline(points_.data(), count, IM_COL32(150, 150, 150, 255), ImDrawFlags_Closed, 2.5F);
                 break;
+        }
+    }
+
+    // Of the storey, the one that one is in last and thrice as thick: white on black, as all that matters here.
+    void draw_room_outlines(ImDrawList& list, const PlanLayout& layout, const ViewState& view, float unit_px) {
+        for (const std::size_t r : rooms_of_storey(view)) {
+            const float thick_px = (r == view.room ? 1.2F : 0.4F) * unit_px;
+            for (const std::vector<Vec2>& loop : (*view.rooms)[r].outline.loops_m) {
+                points_.clear();
+                for (const Vec2& corner : loop) points_.push_back(im(layout.to_pixels(corner)));
+                const int count = static_cast<int>(points_.size());
+                list.AddPolyline(points_.data(), count, IM_COL32(0, 0, 0, 255), ImDrawFlags_Closed, thick_px + 0.6F * unit_px);
+                list.AddPolyline(points_.data(), count, IM_COL32(255, 255, 255, 255), ImDrawFlags_Closed, thick_px);
+            }
+        }
+    }
+
+    // Places in ViewState::rooms, the smallest first and the one that one is in last.
+    static std::vector<std::size_t> rooms_of_storey(const ViewState& view) {
+        std::vector<std::size_t> rooms;
+        if (!view.rooms) return rooms;
+        for (std::size_t r = 0; r < view.rooms->size(); ++r)
+            if (const DrawnRoom& room = (*view.rooms)[r];
+                r == view.room || (room.outline.lowest_m < view.feet_m.z + kPlanCutAboveFeet_m && room.outline.highest_m > view.feet_m.z - kPlanDeep_m))
+                rooms.push_back(r);
+        std::stable_sort(rooms.begin(), rooms.end(), [&](std::size_t a, std::size_t b) {
+            return std::pair(a == view.room, (*view.rooms)[a].area_m2) < std::pair(b == view.room, (*view.rooms)[b].area_m2);
+        });
+        return rooms;
+    }
+
+    // White on black in the middle of each room, of the one that one is in turned round to black on white. Where names would cover each other or the body, a
+    // name moves up or down or gets smaller, and of a small room it is left out at last; the one that one is in always stands.
+    void draw_room_names(ImDrawList& list, const PlanLayout& layout, const ViewState& view, float unit_px) const {
+        const std::vector<std::size_t> rooms = rooms_of_storey(view);
+        const Vec2 feet = layout.to_pixels(view.feet_m);
+        const float body_px = 5.0F * unit_px;
+        std::vector<std::pair<ImVec2, ImVec2>> taken{{{static_cast<float>(feet.x) - body_px, static_cast<float>(feet.y) - body_px},
+                                                      {static_cast<float>(feet.x) + body_px, static_cast<float>(feet.y) + body_px}}};
+        for (auto at = rooms.rbegin(); at != rooms.rend(); ++at) {
+            const DrawnRoom& room = (*view.rooms)[*at];
+            const bool here = *at == view.room;
+            const ImVec2 middle = im(layout.to_pixels(room.middle_m));
+            const auto place = [&](float text_px, float moved, std::vector<std::string_view>& lines, ImVec2& from, ImVec2& to) {
+                lines = wrapped_lines(*font_, text_px, room.name, 6.0F * text_px);
+                float wide = 0.0F;
+                for (const std::string_view line : lines)
+                    wide = std::max(wide, font_->CalcTextSizeA(text_px, 1e9F, 0.0F, line.data(), line.data() + line.size()).x);
+                const float edge = 0.5F * unit_px, high = text_px * static_cast<float>(lines.size());
+                from = {middle.x - 0.5F * wide - edge, middle.y + (moved - 0.5F) * high - edge};
+                to = {middle.x + 0.5F * wide + edge, middle.y + (moved + 0.5F) * high + edge};
+                return std::none_of(taken.begin(), taken.end(),
+                                    [&](const auto& other) { return from.x < other.second.x && other.first.x < to.x && from.y < other.second.y && other.first.y < to.y; });
+            };
+            std::vector<std::string_view> lines;
+            ImVec2 from, to;
+            float text_px = 0.0F;
+            bool free = false;
+            for (const float size : {5.0F, 4.0F, 3.0F}) {
+                text_px = size * unit_px;
+                for (const float moved : {0.0F, 1.0F, -1.0F, 2.0F, -2.0F})
+                    if ((free = place(text_px, moved, lines, from, to))) break;
+                if (free) break;
+            }
+            if (!free && here) place(text_px = 5.0F * unit_px, 1.5F, lines, from, to);
+            else if (!free) continue;
+            taken.emplace_back(from, to);
+            const ImU32 white = IM_COL32(255, 255, 255, 255), black = IM_COL32(0, 0, 0, 255);
+            list.AddRectFilled(from, to, here ? white : black);
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                list.AddText(font_, text_px, {from.x + 0.5F * unit_px, from.y + 0.5F * unit_px + static_cast<float>(i) * text_px}, here ? black : white,
+                             lines[i].data(), lines[i].data() + lines[i].size());
         }
     }
 

@@ -294,6 +294,7 @@ TEST_F(RendererTest, a_window_of_a_few_pixels_is_survived) {
         for (const bool plan : {false, true}) {
             view.plan_view = plan;
             renderer_->draw(view, size);
+            renderer_->draw(two_rooms_on_the_plan(), size);
         }
     view.plan_view = false;
     EXPECT_GT(luminance(at(draw(view), {480.5, 290.5})), 100.0);
@@ -492,6 +493,73 @@ TEST_F(RendererTest, plan_shows_walls_full_doors_open_and_the_walked_path) {
     EXPECT_TRUE(cyan(at(after, px(5.0, 2.0))));
     EXPECT_TRUE(cyan(at(after, px(4.5, 2.75)))) << "from the last step kept to the feet";
     EXPECT_GT(count(before, white).count, 300) << "scale and north";
+}
+
+TEST_F(RendererTest, plan_shows_outlines_and_names_of_rooms_and_which_one_is_in) {
+    ViewState view = two_rooms_on_the_plan();
+    const Picture with = draw(view);
+    // 100 px per metre and the world's middle in the picture's, as above.
+    const auto px = [](double x_m, double y_m) { return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0)); };
+    const auto whites_across = [&](const Picture& picture, double x_m, double y_m) {
+        int whites = 0;
+        const Vec2 line = px(x_m, y_m);
+        for (int x = static_cast<int>(line.x) - 12; x <= static_cast<int>(line.x) + 12; ++x) whites += white(picture.at(x, static_cast<int>(line.y)));
+        return whites;
+    };
+    for (const double y_m : {0.6, 1.2, 2.4, 3.3}) {
+        const int here = whites_across(with, 0.25, y_m), beside = whites_across(with, 5.75, y_m > 2.0 && y_m < 3.0 ? 3.0 : y_m < 2.0 ? 0.6 : y_m);
+        EXPECT_GE(here, 5) << y_m;
+        EXPECT_GE(beside, 1) << y_m;
+        EXPECT_GT(here, 2 * beside) << "the room that one is in stands out";
+        EXPECT_TRUE(black(at(with, px(0.25, y_m) - Vec2(5.0, 0.0))) || black(at(with, px(0.25, y_m) + Vec2(5.0, 0.0)))) << "and is told from a pale floor";
+    }
+    // Names: in black on white where one is, in white on black elsewhere; letters are a twentieth of the picture.
+    const auto colours = [&](const Picture& picture, const Vec2& middle) {
+        int whites = 0, blacks = 0;
+        for (int y = static_cast<int>(middle.y) - 14; y <= static_cast<int>(middle.y) + 14; ++y)
+            for (int x = static_cast<int>(middle.x) - 40; x <= static_cast<int>(middle.x) + 40; ++x) {
+                whites += white(picture.at(x, y));
+                blacks += black(picture.at(x, y));
+            }
+        return std::pair(whites, blacks);
+    };
+    const auto [here_white, here_black] = colours(with, px(1.5, 2.0));
+    const auto [there_white, there_black] = colours(with, px(4.5, 2.0));
+    EXPECT_GT(here_white, here_black);
+    EXPECT_GT(here_black, 150) << "letters";
+    EXPECT_GT(there_black, there_white);
+    EXPECT_GT(there_white, 150) << "letters";
+    // One is in the other room; nothing but that has changed.
+    view.room = 1;
+    const Picture other = draw(view);
+    EXPECT_GT(whites_across(other, 5.75, 0.6), whites_across(other, 0.25, 0.6));
+    const auto [now_white, now_black] = colours(other, px(4.5, 2.0));
+    EXPECT_GT(now_white, now_black);
+    // Another storey's room is not here: without it the picture is the same.
+    std::vector<DrawnRoom> storey{(*view.rooms)[0], (*view.rooms)[1]};
+    view.rooms = std::make_shared<const std::vector<DrawnRoom>>(std::move(storey));
+    EXPECT_EQ(draw(view).rgb, other.rgb);
+    // While no rooms are known the plan is as it was.
+    view.rooms.reset();
+    EXPECT_EQ(whites_across(draw(view), 0.25, 0.6), 0);
+}
+
+TEST_F(RendererTest, plan_keeps_names_of_rooms_apart_and_the_own_one_always) {
+    ViewState view = two_rooms_on_the_plan();
+    std::vector<DrawnRoom> crowd;
+    for (int i = 0; i < 40; ++i) {
+        crowd.push_back((*view.rooms)[0]);
+        crowd.back().area_m2 = 1.0 + i;
+    }
+    view.rooms = std::make_shared<const std::vector<DrawnRoom>>(crowd);
+    view.room = 3;  // among the smallest
+    const Picture many = draw(view);
+    view.rooms = std::make_shared<const std::vector<DrawnRoom>>(1, crowd[3]);
+    view.room = 0;
+    const Picture one = draw(view);
+    // Its name stands at the same place in the same letters.
+    for (int y = 278; y <= 302; ++y)
+        for (int x = 300; x <= 360; ++x) EXPECT_EQ(many.at(x, y), one.at(x, y)) << x << ", " << y;
 }
 
 // The cost is reported, never asserted: it is the machine's.

@@ -71,4 +71,18 @@ ViewState view_in(std::shared_ptr<const Scene> scene, double x_m, double y_m, do
     return view;
 }
 
+ViewState two_rooms_on_the_plan() {
+    ViewState view = view_in(small_room(), 1.0, 3.6, 0.0);
+    view.plan_view = true;
+    const auto room = [](const char* name, double x_m) {
+        return DrawnRoom{name, {x_m + 1.5, 2.0, 0.0}, 12.0, {0.0, 0.0, {{{x_m + 0.25, 0.25}, {x_m + 2.75, 0.25}, {x_m + 2.75, 3.75}, {x_m + 0.25, 3.75}}}}};
+    };
+    std::vector<DrawnRoom> rooms{room("Kitchen", 0.0), room("Hall", 3.0)};
+    rooms.push_back(room("Attic", 3.0));
+    rooms.back().outline.lowest_m = rooms.back().outline.highest_m = 2.7;
+    view.rooms = std::make_shared<const std::vector<DrawnRoom>>(std::move(rooms));
+    view.room = 0;
+    return view;
+}
+
 }  // namespace handrail::test

@@ -19,4 +19,7 @@ std::shared_ptr<const Scene> small_room(const Vec3& at_m = Vec3(0.0));
 // Standing at x, y in the room.
 ViewState view_in(std::shared_ptr<const Scene> scene, double x_m, double y_m, double heading_degrees);
 
+// The plan of the small room as if it were two of three metres side by side, with the feet in the western one, and an attic above the eastern one.
+ViewState two_rooms_on_the_plan();
+
 }  // namespace handrail::test

@@ -273,6 +273,9 @@ TEST_F(WindowTest, shows_on_the_screen_what_it_drew_and_follows_its_size) {
     EXPECT_NE(desktop.what_stands_on_the_screen().rgb, first.rgb);
     view.plan_view = true;
     EXPECT_TRUE(shown(view));
+    const Picture plan = desktop.what_stands_on_the_screen();
+    EXPECT_TRUE(shown(two_rooms_on_the_plan()));
+    EXPECT_NE(desktop.what_stands_on_the_screen().rgb, plan.rgb);
     desktop.resize(600, 500);
     EXPECT_TRUE(shown(view));
     EXPECT_EQ(desktop.what_stands_on_the_screen().width, 600);

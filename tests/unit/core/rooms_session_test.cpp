@@ -139,5 +139,29 @@ TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
     EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
 }
 
+TEST(RoomsInASession, are_drawn_on_the_plan_by_the_names_they_go_by_and_cost_nothing_without_it) {
+    Session s;
+    s.app.enter_world(house(), 0.0);
+    s.ask(Command::Exits);
+    s.run(0.1);
+    EXPECT_FALSE(s.app.view({}, "").rooms);
+    s.ask(Command::PlanView);
+    s.run(0.1);
+    const ViewState plan = s.app.view({}, "");
+    ASSERT_TRUE(plan.rooms);
+    ASSERT_LT(plan.room, plan.rooms->size());
+    EXPECT_EQ((*plan.rooms)[plan.room].name, "Hall");
+    EXPECT_FALSE((*plan.rooms)[plan.room].outline.loops_m.empty());
+    s.run(0.5);
+    EXPECT_EQ(s.app.view({}, "").rooms, plan.rooms) << "made once";
+    s.ask(Command::NameRoom);
+    s.app.take_line("Vestibule", s.now);
+    s.run(0.1);
+    EXPECT_EQ((*s.app.view({}, "").rooms)[plan.room].name, "Vestibule");
+    s.ask(Command::PlanView);
+    s.run(0.1);
+    EXPECT_FALSE(s.app.view({}, "").rooms);
+}
+
 }  // namespace
 }  // namespace handrail

@@ -1,0 +1,67 @@
+#include "worlds/navigation/room_outlines.h"
+
+#include <algorithm>
+
+namespace handrail {
+namespace {
+
+constexpr double kLeastLoop_m2 = 0.05;
+
+double area_m2(const std::vector<Vec2>& loop) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+        twice += a.x * b.y - b.x * a.y;
+    }
+    return 0.5 * twice;
+}
+
+}  // namespace
+
+std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& space) {
+    std::vector<RoomOutline> outlines(graph.rooms.size());
+    std::vector<bool> met(graph.rooms.size(), false);
+    // The span beside, where one walks there and back and stays in the room; ways as WalkSpan::next: east, north, west, south.
+    const auto beside = [&](std::uint32_t span, std::size_t way) {
+        const std::uint32_t n = space.spans[span].next[way];
+        return n != kNothing && space.spans[n].next[(way + 2) % 4] == span && graph.room_of_span[n] == graph.room_of_span[span] ? n : kNothing;
+    };
+    std::vector<bool> done(4 * space.spans.size(), false);
+    for (std::uint32_t start = 0; start < space.spans.size(); ++start) {
+        const std::uint32_t room = graph.room_of_span[start];
+        if (room == kNothing) continue;
+        RoomOutline& outline = outlines[room];
+        const double floor_m = space.place_m(start).z;
+        outline.lowest_m = met[room] ? std::min(outline.lowest_m, floor_m) : floor_m;
+        outline.highest_m = met[room] ? std::max(outline.highest_m, floor_m) : floor_m;
+        met[room] = true;
+        for (std::size_t first = 0; first < 4; ++first) {
+            if (done[4 * start + first] || beside(start, first) != kNothing) continue;
+            // Along the border with the room on the left hand; `side` is the side of the span that is border.
+            std::vector<Vec2> loop;
+            std::uint32_t span = start;
+            std::size_t side = first;
+            do {
+                done[4 * span + side] = true;
+                const std::size_t ahead = (side + 1) % 4;
+                const std::uint32_t next = beside(span, ahead), across = next == kNothing ? kNothing : beside(next, side);
+                if (next != kNothing && across == kNothing) {
+                    span = next;
+                    continue;
+                }
+                // A corner, where the border turns: to the left round this span, or to the right before the next but one.
+                const Vec3 middle = space.place_m(span);
+                const double half_m = 0.5 * space.cell_m;
+                const auto part = [&](std::size_t way) { return way == 0 ? Vec2(half_m, 0.0) : way == 1 ? Vec2(0.0, half_m) : way == 2 ? Vec2(-half_m, 0.0) : Vec2(0.0, -half_m); };
+                loop.push_back(Vec2(middle.x, middle.y) + part(side) + part(ahead));
+                if (next == kNothing) side = ahead;
+                else span = across, side = (side + 3) % 4;
+            } while (span != start || side != first);
+            // Clockwise: what stands in the room.
+            if (area_m2(loop) >= kLeastLoop_m2) outline.loops_m.push_back(std::move(loop));
+        }
+    }
+    return outlines;
+}
+
+}  // namespace handrail
