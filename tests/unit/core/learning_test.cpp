@@ -9,6 +9,7 @@
 #include "app/core/session_log.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
+#include "tests/unit/core/app_session.h"
 #include "worlds/navigation/navigation.h"
 
 namespace handrail {
@@ -250,34 +251,24 @@ TEST_P(Outlines, are_as_long_and_as_large_as_they_are_within_two_percent) {
     }
 }
 
-// A person by virtual time who presses keys.
-struct Lap {
-    explicit Lap(std::shared_ptr<const Scene> scene) : app(Settings{}, HandFacts{}) { app.enter_world(std::move(scene), 0.0); }
-    void run(double for_s) {
-        for (const double until = now + for_s; now < until - 1e-9;) {
-            now += 1.0 / 60.0;
-            app.tick(now, ToolState{});
+// A person who presses keys, and where the feet were.
+struct Lap : test::AppSession {
+    explicit Lap(std::shared_ptr<const Scene> scene) { app.enter_world(std::move(scene), 0.0); }
+    void walk(double seconds) {
+        for (const double until = now + seconds; now < until - 1e-9;) {
+            run(1.0 / 60.0);
             feet.push_back(app.feet_m());
-            for (const CueRequest& cue : app.take_cues())
-                if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
         }
     }
-    void hold(Command command, double for_s) {
+    void walk(Command command, double seconds) {
         app.press(command, now);
-        run(for_s);
+        walk(seconds);
         app.release(command);
     }
-    std::string ask(Command command) {
-        hold(command, 0.1);
-        return said.back();
-    }
-    bool heard(const char* words) const {
+    bool told(const char* words) const {
         return std::any_of(said.begin(), said.end(), [&](const std::string& line) { return words_in_order(words, line); });
     }
-    AppCore app;
-    double now = 0.0;
     std::vector<Vec3> feet;
-    std::vector<std::string> said;
 };
 
 // A lap by the keys: what the session says equals what its way on the floor makes true.
@@ -286,9 +277,9 @@ TEST_P(Outlines, a_lap_by_keys_is_told_as_it_was_within_two_percent_at_every_par
     const std::shared_ptr<const Scene> scene = outline.build().share();
     for (const double share : {0.2, 0.35, 0.55, 1.0}) {
         Lap lap(scene);
-        lap.hold(Command::LearnPlace, 0.1);
-        lap.hold(Command::TrailLeft, share * outline.lap_s);
-        lap.run(0.5);
+        lap.ask(Command::LearnPlace);
+        lap.walk(Command::TrailLeft, share * outline.lap_s);
+        lap.walk(0.5);
         const std::string report = lap.ask(Command::ProgressReport);
         int all = 0, touched = 0, floor = 0, walked = 0;
         outline.along_walls([&](const Vec3& wall, const Vec3& normal) {
@@ -308,21 +299,21 @@ TEST_P(Outlines, a_lap_by_keys_is_told_as_it_was_within_two_percent_at_every_par
         EXPECT_NEAR(std::stod(report.substr(report.find("floor ") + 6)), 100.0 * walked / floor, 2.0) << report << " of " << share;
         if (share < 1.0) continue;
         EXPECT_GT(100.0 * touched / all, 95.0);
-        EXPECT_TRUE(lap.heard("Wall 1 done"));
-        EXPECT_TRUE(lap.heard("All walls done"));
+        EXPECT_TRUE(lap.told("Wall 1 done"));
+        EXPECT_TRUE(lap.told("All walls done"));
     }
 }
 
 TEST(Learning, a_lap_past_a_door_finds_it) {
     const DoorRoom room(Vec3(0.0), 6.0, 4.0);
     Lap lap(room.scene);
-    lap.hold(Command::LearnPlace, 0.1);
-    lap.hold(Command::Forward, 1.0);
+    lap.ask(Command::LearnPlace);
+    lap.walk(Command::Forward, 1.0);
     EXPECT_NE(lap.ask(Command::ProgressReport).find("0 of 1 door"), std::string::npos) << lap.said.back();
-    lap.hold(Command::TrailLeft, 26.0);
+    lap.walk(Command::TrailLeft, 26.0);
     lap.run(1.0);
     EXPECT_NE(lap.ask(Command::ProgressReport).find("1 of 1 door"), std::string::npos) << lap.said.back();
-    EXPECT_TRUE(lap.heard("North wall done"));
+    EXPECT_TRUE(lap.told("North wall done"));
 }
 
 // Two rooms and the gap of a metre between them, which nothing closes.
@@ -365,15 +356,15 @@ TEST(Learning, the_place_is_the_room_of_the_graph_and_its_portals_are_the_exits)
 TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_rooms_can_be_asked_for) {
     Lap lap(two_rooms().share());
     EXPECT_TRUE(words_in_order("Learning Study Base here", lap.ask(Command::LearnPlace)));
-    lap.hold(Command::TrailLeft, 4.0);
+    lap.walk(Command::TrailLeft, 4.0);
     const std::string before = lap.ask(Command::ProgressReport);
     const auto percents = [](const std::string& report) { return report.substr(0, report.find(" percent, floor")); };
     // To the other room, by a leap, so that nothing more is touched on the way.
     lap.app.place({8, 2, 0}, 0.0, lap.now);
     lap.run(1.5);
-    EXPECT_TRUE(lap.heard("Next to learn Kitchen Base here")) << lap.said.back();
+    EXPECT_TRUE(lap.told("Next to learn Kitchen Base here")) << lap.said.back();
     EXPECT_TRUE(words_in_order("Walls 0 percent", lap.ask(Command::ProgressReport))) << lap.said.back();
-    lap.hold(Command::TrailLeft, 2.0);
+    lap.walk(Command::TrailLeft, 2.0);
     lap.app.press(Command::LearntRooms, lap.now);
     lap.run(0.1);
     const DialogueView list = lap.app.dialogue().view();
@@ -385,7 +376,7 @@ TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_ro
     lap.app.take_key("Escape", lap.now);
     lap.app.place({2, 1, 0}, 0.0, lap.now);
     lap.run(1.5);
-    EXPECT_TRUE(lap.heard("Learning goes on Study")) << lap.said.back();
+    EXPECT_TRUE(lap.told("Learning goes on Study")) << lap.said.back();
     EXPECT_EQ(percents(lap.ask(Command::ProgressReport)), percents(before));
 }
 

@@ -27,13 +27,15 @@ struct Floor {
     std::vector<RoomOutline> outlines;
 };
 
+// By trapezoids below each side.
 double area_m2(const std::vector<Vec2>& loop) {
-    double twice = 0.0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
-        twice += a.x * b.y - b.x * a.y;
+    double sum_m2 = 0.0;
+    Vec2 from = loop.back();
+    for (const Vec2& to : loop) {
+        sum_m2 += (from.x - to.x) * 0.5 * (from.y + to.y);
+        from = to;
     }
-    return 0.5 * twice;
+    return sum_m2;
 }
 
 // How many loops go round a point.
