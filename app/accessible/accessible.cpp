@@ -33,7 +33,8 @@ struct HandrailNode {
     std::vector<HandrailNode*>* children;  // owned references
     AtkStateSet* states;
     int actions;        // of an item: 0 none, 1 pressed, 3 also more and less
-    std::string* text;  // of an entry: what is typed
+    std::string* text;  // of an entry: what is typed; of a quantity: its value in words
+    handrail::ItemNumber number;  // of a quantity
 };
 struct HandrailNodeClass {
     AtkObjectClass parent;
@@ -49,6 +50,13 @@ struct HandrailItem {
 };
 struct HandrailItemClass {
     HandrailNodeClass parent;
+};
+// An item that is a quantity as well.
+struct HandrailQuantity {
+    HandrailItem parent;
+};
+struct HandrailQuantityClass {
+    HandrailItemClass parent;
 };
 struct HandrailEntry {
     HandrailNode parent;
@@ -90,6 +98,26 @@ void item_action_init(gpointer interface, gpointer) {
     actions->get_name = item_action_name;
 }
 
+// A number that a reader sets is the program's to judge: the nearest value that the item takes. Accessibility thread.
+std::function<void(std::size_t item, double number)> the_put;
+void quantity_now(AtkValue* object, gdouble* now, gchar** words) {
+    if (now) *now = node_of(object)->number.now;
+    if (words) *words = g_strdup(node_of(object)->text->c_str());
+}
+AtkRange* quantity_range(AtkValue* object) { return atk_range_new(node_of(object)->number.least, node_of(object)->number.most, nullptr); }
+gdouble quantity_step(AtkValue* object) { return node_of(object)->number.step; }
+void quantity_put(AtkValue* object, gdouble number) {
+    if (const gint index = node_index(static_cast<AtkObject*>(static_cast<gpointer>(object))); index >= 0 && the_put)
+        the_put(static_cast<std::size_t>(index), number);
+}
+void quantity_value_init(gpointer interface, gpointer) {
+    auto* value = static_cast<AtkValueIface*>(interface);
+    value->get_value_and_text = quantity_now;
+    value->get_range = quantity_range;
+    value->get_increment = quantity_step;
+    value->set_value = quantity_put;
+}
+
 // Read only: what is typed goes through the program's own keys, and is echoed by it.
 gchar* entry_text(AtkText* object, gint begin, gint end) {
     const gchar* text = node_of(object)->text->c_str();
@@ -110,6 +138,7 @@ void entry_text_init(gpointer interface, gpointer) {
 G_DEFINE_TYPE_WITH_CODE(HandrailNode, handrail_node, ATK_TYPE_OBJECT, G_IMPLEMENT_INTERFACE(ATK_TYPE_COMPONENT, node_component_init))
 G_DEFINE_TYPE_WITH_CODE(HandrailFrame, handrail_frame, handrail_node_get_type(), G_IMPLEMENT_INTERFACE(ATK_TYPE_WINDOW, frame_window_init))
 G_DEFINE_TYPE_WITH_CODE(HandrailItem, handrail_item, handrail_node_get_type(), G_IMPLEMENT_INTERFACE(ATK_TYPE_ACTION, item_action_init))
+G_DEFINE_TYPE_WITH_CODE(HandrailQuantity, handrail_quantity, handrail_item_get_type(), G_IMPLEMENT_INTERFACE(ATK_TYPE_VALUE, quantity_value_init))
 G_DEFINE_TYPE_WITH_CODE(HandrailEntry, handrail_entry, handrail_node_get_type(), G_IMPLEMENT_INTERFACE(ATK_TYPE_TEXT, entry_text_init))
 #pragma GCC diagnostic pop
 
@@ -118,6 +147,7 @@ void handrail_node_init(HandrailNode* node) {
     node->states = atk_state_set_new();
     node->actions = 0;
     node->text = new std::string;
+    node->number = {};
 }
 void node_finalize(GObject* object) {
     HandrailNode* node = node_of(object);
@@ -157,6 +187,8 @@ void handrail_frame_class_init(HandrailFrameClass*) {}
 void handrail_frame_init(HandrailFrame*) {}
 void handrail_item_class_init(HandrailItemClass*) {}
 void handrail_item_init(HandrailItem*) {}
+void handrail_quantity_class_init(HandrailQuantityClass*) {}
+void handrail_quantity_init(HandrailQuantity*) {}
 void handrail_entry_class_init(HandrailEntryClass*) {}
 void handrail_entry_init(HandrailEntry*) {}
 
@@ -389,6 +421,7 @@ private:
         }
         if (built_) atk_bridge_adaptor_cleanup();
         the_act = {};
+        the_put = {};
     }
 
     // Until something is to be done or the next thing is due.
@@ -433,6 +466,11 @@ private:
             constexpr std::array kActs{ItemAct::Kind::Choose, ItemAct::Kind::More, ItemAct::Kind::Less};  // as kActionNames
             const std::lock_guard lock(acts_mutex_);
             acts_.push_back({kActs[static_cast<std::size_t>(action)], item, shown_.items[item].name});
+        };
+        the_put = [this](std::size_t item, double number) {
+            if (item >= shown_.items.size()) return;
+            const std::lock_guard lock(acts_mutex_);
+            acts_.push_back({ItemAct::Kind::Put, item, shown_.items[item].name, number});
         };
         focus_ = view_;
         built_ = true;
@@ -523,7 +561,16 @@ private:
 
     static bool is_same(const DialogueView& a, const DialogueView& b) {
         if (a.kind != b.kind || a.title != b.title || a.items.size() != b.items.size()) return false;
-        return std::equal(a.items.begin(), a.items.end(), b.items.begin(), [](const ListItem& one, const ListItem& other) { return one.name == other.name; });
+        return std::equal(a.items.begin(), a.items.end(), b.items.begin(), [](const ListItem& one, const ListItem& other) {
+            return one.name == other.name && one.number.has_value() == other.number.has_value();
+        });
+    }
+
+    // A change of the number is told by that of the name; Orca 43 would say the value twice if it heard of both.
+    static void fill_item(HandrailNode& node, const ListItem& item) {
+        node.actions = item.adjustable ? 3 : 1;
+        node.number = item.number.value_or(ItemNumber{});
+        *node.text = item.value;
     }
 
     void change_dialogue(const DialogueView& next) {
@@ -531,7 +578,7 @@ private:
         for (std::size_t i = 0; i < next.items.size(); ++i) {
             if (next.items[i] == shown_.items[i]) continue;
             HandrailNode* item = (*dialogue_->children)[i];
-            item->actions = next.items[i].adjustable ? 3 : 1;
+            fill_item(*item, next.items[i]);
             atk_object_set_name(&item->parent, item_name(next.items[i]).c_str());
         }
         if (shown_.at == next.at || next.at >= next.items.size()) return;
@@ -547,9 +594,9 @@ private:
                               {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
         *dialogue_->text = view.text;
         for (const ListItem& item : view.items)
-            make_node(handrail_item_get_type(), ATK_ROLE_LIST_ITEM, item_name(item).c_str(), dialogue_,
-                      {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_SELECTABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE})
-                ->actions = item.adjustable ? 3 : 1;
+            fill_item(*make_node(item.number ? handrail_quantity_get_type() : handrail_item_get_type(), ATK_ROLE_LIST_ITEM, item_name(item).c_str(), dialogue_,
+                                 {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_SELECTABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE}),
+                      item);
         if (view.at < view.items.size()) atk_state_set_add_state((*dialogue_->children)[view.at]->states, ATK_STATE_SELECTED);
         g_signal_emit_by_name(frame_, "children-changed::add", static_cast<guint>(frame_->children->size() - 1), dialogue_, nullptr);
         if (list && view.at < view.items.size()) {

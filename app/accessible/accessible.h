@@ -33,7 +33,7 @@ public:
     void set_focus(bool focused);
     // What is open now, before the words about it are spoken; costs a comparison where nothing changed.
     void show(const DialogueView& dialogue);
-    // What a reader did with items since it was asked last: "press" chooses, "increase" and "decrease" change a value.
+    // What a reader did with items since it was asked last: "press" chooses, "increase" and "decrease" change a value, and that of a quantity is set outright.
     std::vector<ItemAct> take_acts();
     // A key for the reader, see KeyReader; 0 where none listens, or it has left an earlier key without an answer.
     std::uint64_t offer(const KeyStroke& stroke);

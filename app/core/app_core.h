@@ -142,6 +142,7 @@ public:
     // they are called likewise.
     std::string step_control(std::size_t control, int by) { return after_desk_change(desk_.step(control, by)); }
     std::string put_control(std::size_t control, int position) { return after_desk_change(desk_.put(control, position)); }
+    std::string put_control_number(std::size_t control, double number) { return after_desk_change(desk_.put_number(control, number)); }
     std::string press_control(std::size_t control) { return after_desk_change(desk_.press(control)); }
     // A live change of one setting: in force at once, and told by take_setting_changes. Fails as SettingsStore::set does.
     Result<void> change_setting(std::string_view key, const std::string& value, double now_s);

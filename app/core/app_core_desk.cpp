@@ -254,6 +254,7 @@ void AppCore::open_desk_list(double now_s) {
     list.title = phrase("desk.title");
     list.items = desk_items();
     list.adjusted = [this](std::size_t i, int by) { return step_control(i, by); };
+    list.put = [this](std::size_t i, double number) { return put_control_number(i, number); };
     list.chosen = [this](std::size_t i) { answer(press_control(i), last_tick_s_); };
     list.stays_open = true;
     open_list(std::move(list), now_s);
@@ -263,7 +264,7 @@ std::vector<ListItem> AppCore::desk_items() const {
     std::vector<ListItem> items;
     for (std::size_t i = 0; i < desk_.controls().size(); ++i) {
         const DeskControl& control = desk_.controls()[i];
-        items.push_back({control.name, desk_.value(i), control.adjustable()});
+        items.push_back({control.name, desk_.value(i), control.adjustable(), desk_.number(i)});
     }
     return items;
 }

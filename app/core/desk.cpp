@@ -32,6 +32,13 @@ std::vector<std::string> tenths(int from) {
     return values;
 }
 
+int nearest_position(const DeskSetting& row, double wanted) {
+    int best = 0;
+    for (int i = 1; i < static_cast<int>(row.values.size()); ++i)
+        if (std::abs(number(row.values[static_cast<std::size_t>(i)]) - wanted) < std::abs(number(row.values[static_cast<std::size_t>(best)]) - wanted)) best = i;
+    return best;
+}
+
 // Words stand among words, numbers between numbers.
 bool is_word(const DeskSetting& row) { return !row.values.front().empty() && std::isalpha(static_cast<unsigned char>(row.values.front().front())) != 0; }
 
@@ -57,18 +64,15 @@ std::span<const DeskSetting> desk_settings() {
         DeskSetting{"desk.ceiling", DeskKind::Slider, "haptic.ceiling", {"light", "normal", "full"}, ceiling},
         DeskSetting{"desk.pull", DeskKind::List, "guidance.pull", {"false", "true"}, on_off},
         DeskSetting{"desk.strength", DeskKind::Slider, "guidance.strength", tenths(1), percent},
+        DeskSetting{"desk.grooves", DeskKind::List, "guidance.grooves", {"false", "true"}, on_off},
     };
     return rows;
 }
 
 int position_of(const DeskSetting& row, const std::string& value) {
-    int best = 0;
-    for (int i = 0; i < static_cast<int>(row.values.size()); ++i) {
-        const std::string& one = row.values[static_cast<std::size_t>(i)];
-        if (is_word(row) ? one == value : std::abs(number(one) - number(value)) < std::abs(number(row.values[static_cast<std::size_t>(best)]) - number(value)))
-            best = i;
-    }
-    return best;
+    if (!is_word(row)) return nearest_position(row, number(value));
+    const auto same = std::find(row.values.begin(), row.values.end(), value);
+    return same == row.values.end() ? 0 : static_cast<int>(same - row.values.begin());
 }
 
 int beside(const DeskSetting& row, const std::string& value, int step) {
@@ -89,6 +93,19 @@ DeskControl bound(const DeskSetting& row, std::function<std::string()> read, std
     control.position = [&row, read] { return position_of(row, read()); };
     control.beside = [&row, read](int step) { return beside(row, read(), step); };
     control.put = [&row, write](int position) { write(row.values[static_cast<std::size_t>(position)]); };
+    // Quantities as the settings have them; a slider of words by its positions.
+    if (!is_word(row)) {
+        control.number = [&row, read] {
+            double step = number(row.values.back()) - number(row.values.front());
+            for (std::size_t i = 1; i < row.values.size(); ++i) step = std::min(step, number(row.values[i]) - number(row.values[i - 1]));
+            return ItemNumber{number(read()), number(row.values.front()), number(row.values.back()), step};
+        };
+        control.nearest = [&row](double wanted) { return nearest_position(row, wanted); };
+    } else if (row.kind == DeskKind::Slider) {
+        const int last = control.positions - 1;
+        control.number = [&row, read, last] { return ItemNumber{static_cast<double>(position_of(row, read())), 0.0, static_cast<double>(last), 1.0}; };
+        control.nearest = [last](double wanted) { return static_cast<int>(std::lround(std::clamp(wanted, 0.0, static_cast<double>(last)))); };
+    }
     return control;
 }
 
@@ -128,6 +145,16 @@ std::string Desk::step(std::size_t control, int by) {
     const int first = own.beside ? own.beside(one) : own.position() + one;
     if (first < 0 || first >= count) return value(control);  // at the end already
     return put(control, first + by - one);
+}
+
+std::optional<ItemNumber> Desk::number(std::size_t control) const {
+    if (const DeskControl& shown = controls_[target(control)]; shown.number) return shown.number();
+    return controls_[control].kind == DeskKind::Knob ? std::optional<ItemNumber>(ItemNumber{}) : std::nullopt;
+}
+
+std::string Desk::put_number(std::size_t control, double number) {
+    const DeskControl& own = controls_[target(control)];
+    return own.nearest && std::isfinite(number) ? put(control, own.nearest(number)) : value(control);
 }
 
 std::string Desk::press(std::size_t control) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/core/dialogue.h"
 #include "settings/settings.h"
 
 namespace handrail {
@@ -33,6 +34,9 @@ struct DeskControl {
     std::function<int()> position;         // of the value, the nearest one
     std::function<int(int)> beside;        // the position of one step down (-1) or up (+1) from the value; empty: position and step
     std::function<void(int)> put;          // changes the value
+    // Its value as a number, and the position whose number is nearest to one; empty: it is a choice, not a quantity.
+    std::function<ItemNumber()> number;
+    std::function<int(double)> nearest;
     std::function<std::string()> pressed;  // what happens when it is pressed; returns what is to be said
 
     int count() const { return many ? many() : positions; }  // of positions now
@@ -57,6 +61,10 @@ public:
     // value, nothing.
     std::string put(std::size_t control, int position);
     std::string step(std::size_t control, int by);
+    // Of a control that shows a quantity, itself or through the knob, that quantity; a knob with nothing on it has a range of nothing.
+    std::optional<ItemNumber> number(std::size_t control) const;
+    // To the position whose number is nearest. What is no number changes nothing.
+    std::string put_number(std::size_t control, double number);
     // Pressed as a button; what is to be said. Controls with a value say it.
     std::string press(std::size_t control);
 

@@ -35,7 +35,7 @@ std::string spoken_character(const std::string& character) { return character ==
 
 }  // namespace
 
-bool operator==(const ListItem& a, const ListItem& b) { return a.name == b.name && a.value == b.value && a.adjustable == b.adjustable; }
+bool operator==(const ListItem& a, const ListItem& b) { return a.name == b.name && a.value == b.value && a.adjustable == b.adjustable && a.number == b.number; }
 
 std::string Dialogue::open(ListSpec list) {
     if (list.items.empty()) return phrase("dialogue.nothing_there", {{"title", list.title}});
@@ -83,13 +83,9 @@ DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name) {
     const std::size_t last = list.items.size() - 1, was = list.at;
     if (name == "Enter") return choose(list);
     if (name == "Left" || name == "Right") {
-        ListItem& item = list.items[list.at];
-        if (!item.adjustable || !list.adjusted) return {true, true, item_words(list)};
-        const auto adjusted = list.adjusted;  // the caller may open or close lists meanwhile
-        const std::size_t at = list.at;
-        std::string value = adjusted(at, name == "Left" ? -1 : 1);
-        if (is_open() && std::get_if<ListSpec>(stack_.back().get()) == &list && at < list.items.size()) list.items[at].value = value;
-        return {true, false, std::move(value)};
+        if (!list.items[list.at].adjustable || !list.adjusted) return {true, true, item_words(list)};
+        const int by = name == "Left" ? -1 : 1;
+        return change_value(list, [&, adjusted = list.adjusted](std::size_t at) { return adjusted(at, by); });
     }
     if (name == "Down") list.at = std::min(list.at + 1, last);
     else if (name == "Up") list.at -= list.at > 0 ? 1 : 0;
@@ -100,6 +96,15 @@ DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name) {
     else return {true, false, {}};  // letters come as typed characters; nothing else reaches the world
     search_.clear();
     return {true, list.at == was, item_words(list)};
+}
+
+// `change` is a function of its own: the caller may open or close lists meanwhile.
+template <class Change>
+DialogueReply Dialogue::change_value(ListSpec& list, Change change) {
+    const std::size_t at = list.at;
+    std::string value = change(at);
+    if (is_open() && std::get_if<ListSpec>(stack_.back().get()) == &list && at < list.items.size()) list.items[at].value = value;
+    return {true, false, std::move(value)};
 }
 
 DialogueReply Dialogue::choose(ListSpec& list) {
@@ -216,6 +221,9 @@ DialogueReply Dialogue::act(const ItemAct& act, double now_s) {
             return key("Left", now_s);
         case ItemAct::Kind::More:
             return key("Right", now_s);
+        case ItemAct::Kind::Put:
+            if (!list->items[act.item].number || !list->put) return {true, true, item_words(*list)};
+            return change_value(*list, [&, put = list->put](std::size_t at) { return put(at, act.number); });
     }
     return {};
 }

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -12,10 +13,18 @@
 
 namespace handrail {
 
+// A quantity as a screen reader has it; `value` of the item says it in words.
+struct ItemNumber {
+    double now = 0.0, least = 0.0, most = 0.0;
+    double step = 0.0;  // the smallest between two values it takes
+    bool operator==(const ItemNumber&) const = default;
+};
+
 struct ListItem {
     std::string name;
     std::string value;  // said after the name; empty: none
     bool adjustable = false;
+    std::optional<ItemNumber> number{};  // of an adjustable one that is a quantity
 };
 
 struct ListSpec {
@@ -24,6 +33,7 @@ struct ListSpec {
     std::size_t at = 0;                                       // where one begins
     std::function<void(std::size_t)> chosen;                  // Enter
     std::function<std::string(std::size_t, int)> adjusted{};  // Left -1, Right +1 on an adjustable item; returns its value from now on, in words
+    std::function<std::string(std::size_t, double)> put{};    // the quantity of an item, to a number; returns likewise
     std::function<void()> left{};                             // Escape
     bool stays_open = false;                                  // else Enter closes this list and all that it lies on, before `chosen` is called
 };
@@ -60,9 +70,10 @@ struct DialogueReply {
 // What somebody does with an item of the open list without going through it: a screen reader's action. `name` is the item's as it was shown; a list that has
 // changed since does nothing.
 struct ItemAct {
-    enum class Kind { GoTo, Choose, Less, More } kind = Kind::Choose;
+    enum class Kind { GoTo, Choose, Less, More, Put } kind = Kind::Choose;
     std::size_t item = 0;
     std::string name;
+    double number = 0.0;  // for Put
 };
 
 class Dialogue {
@@ -96,6 +107,8 @@ private:
     DialogueReply list_key(ListSpec& list, std::string_view name);
     DialogueReply text_key(TextSpec& question, std::string_view name);
     DialogueReply choose(ListSpec& list);
+    template <class Change>
+    DialogueReply change_value(ListSpec& list, Change change);
     DialogueReply finish(TextSpec& question);
     DialogueReply leave();
     std::string item_words(const ListSpec& list) const;

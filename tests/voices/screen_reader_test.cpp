@@ -208,6 +208,66 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
     EXPECT_TRUE(program->says("say: Going to ")) << everything();
 }
 
+// Each slider, volume and knob of the desk as a value that is set, and the same by the program's own one way: the same words and number in the end.
+TEST_F(ReadByOrca, sets_each_quantity_of_the_desk_as_a_value) {
+    ASSERT_NO_FATAL_FAILURE(begin(false));
+    if (!program) return;
+    ASSERT_TRUE(speaks_of("facing north")) << everything();
+    ASSERT_TRUE(desktop->press("F10"));
+    ASSERT_TRUE(eventually([&] { return desktop->objects().find("list \"Your desk") != std::string::npos; }, 60.0)) << desktop->objects();
+    // For each item that is a value: its place, least, most, step and number; then, set to a third of the way, its name and number. The knob has nothing on it.
+    static constexpr const char* kWork = R"(
+import pyatspi, time
+def find(a):
+    if a.getRoleName() == 'list': return a
+    for i in range(a.childCount):
+        found = find(a.getChildAtIndex(i))
+        if found: return found
+for a in pyatspi.Registry.getDesktop(0):
+    if a and a.name == 'Handrail': desk = find(a)
+for i in range(desk.childCount):
+    item = desk.getChildAtIndex(i)
+    try: value = item.queryValue()
+    except NotImplementedError: continue
+    before = (item.name, value.currentValue)
+    shown = [value.minimumValue, value.maximumValue, value.minimumIncrement, value.currentValue]
+    value.currentValue = value.minimumValue + 0.3 * (value.maximumValue - value.minimumValue)
+    until = time.time() + 2
+    while time.time() < until and (item.name, value.currentValue) == before: time.sleep(0.02)
+    print(i, '|', ' '.join(repr(n) for n in shown), '|', item.name, '|', repr(value.currentValue))
+)";
+    const std::string report = desktop->ask_objects(kWork);
+    AppCore app(Settings{}, HandFacts{});
+    std::istringstream lines(report);
+    std::size_t worked = 0;
+    for (std::string line; std::getline(lines, line); ++worked) {
+        SCOPED_TRACE(line);
+        std::vector<std::string> parts;
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, '|');) parts.push_back(cell);
+        ASSERT_EQ(parts.size(), 4U) << report;
+        const std::size_t i = std::stoul(parts[0]);
+        ASSERT_LT(i, app.desk().controls().size()) << report;
+        const auto number = app.desk().number(i);
+        ASSERT_TRUE(number) << "no quantity";
+        ItemNumber shown;
+        std::istringstream(parts[1]) >> shown.least >> shown.most >> shown.step >> shown.now;
+        EXPECT_NEAR(shown.least, number->least, 1e-9);
+        EXPECT_NEAR(shown.most, number->most, 1e-9);
+        EXPECT_NEAR(shown.step, number->step, 1e-9);
+        EXPECT_NEAR(shown.now, number->now, 1e-9);
+        app.put_control_number(i, number->least + 0.3 * (number->most - number->least));
+        EXPECT_EQ(parts[2], " " + app.desk().words(i) + " ");
+        EXPECT_NEAR(std::stod(parts[3]), app.desk().number(i)->now, 1e-9);
+    }
+    std::size_t quantities = 0;
+    for (std::size_t i = 0; i < app.desk().controls().size(); ++i) quantities += app.desk().number(i).has_value();
+    EXPECT_EQ(worked, quantities) << report;
+    EXPECT_GE(quantities, 12U);
+    ASSERT_TRUE(desktop->press("Escape"));
+    leave();
+}
+
 TEST_F(ReadByOrca, tells_each_item_once_and_messages_about_it_too) {
     ASSERT_NO_FATAL_FAILURE(begin(false));
     if (!program) return;

@@ -355,6 +355,62 @@ TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
     EXPECT_EQ(first.begin().instruction, "Willkommen. Handrail spricht mit Orca. Enter beginnt, Leertaste sagt es noch einmal, Escape verlässt.");
 }
 
+// As a screen reader sets it: to the nearest position, so that hand, keys and tree come to the same values.
+TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
+    AppCore app(Settings{}, HandFacts{});
+    const Desk& desk = app.desk();
+    const auto find = [&](const char* name) { return *desk.find(name); };
+    const std::size_t volume = find("Sound volume"), knob = find("Volume knob"), rate = find("Speech rate"), force = find("Strongest force");
+    EXPECT_EQ(desk.number(knob), ItemNumber{}) << "nothing is on it";
+    EXPECT_EQ(app.put_control_number(knob, 0.5), desk.value(knob));
+    EXPECT_EQ(app.put_control_number(volume, 0.43), "40 percent");
+    ASSERT_TRUE(desk.number(volume));
+    EXPECT_NEAR(desk.number(volume)->now, 0.4, 1e-12);
+    EXPECT_NEAR(desk.number(volume)->step, 0.1, 1e-9);
+    EXPECT_EQ(desk.number(volume)->least, 0.0);
+    EXPECT_EQ(desk.number(volume)->most, 1.0);
+    app.press_control(volume);
+    EXPECT_EQ(desk.number(knob), desk.number(volume));
+    EXPECT_EQ(app.put_control_number(knob, 7.0), "100 percent, Sound volume") << "beyond the end is the end";
+    EXPECT_EQ(desk.value(volume), "100 percent");
+    EXPECT_EQ(app.put_control_number(rate, 262.0), "250 words per minute");
+    EXPECT_EQ(desk.number(rate)->step, 25.0);
+    EXPECT_EQ(app.put_control_number(force, 2.0), "full, all that the device can do") << "a slider of words counts its positions";
+    EXPECT_EQ(desk.number(force)->most, 2.0);
+    for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL}) EXPECT_EQ(app.put_control_number(rate, none), "250 words per minute");
+    // Every slider, volume and knob is one; what is on or off, chosen or pressed is none.
+    for (std::size_t i = 0; i < desk.controls().size(); ++i) {
+        const DeskControl& control = desk.controls()[i];
+        const bool number = desk.number(i).has_value();
+        const bool worked_along = control.kind == DeskKind::Slider || control.kind == DeskKind::Assign || control.kind == DeskKind::Knob;
+        EXPECT_TRUE(number || !worked_along) << control.name;
+        EXPECT_FALSE(number && (control.kind == DeskKind::Button || control.kind == DeskKind::Indicator || control.many)) << control.name;
+        if (!number || control.kind == DeskKind::Knob) continue;
+        // Its ends, and each position by its number, are what steps lead to.
+        app.put_control_number(i, desk.number(i)->least);
+        for (int position = 0; position < control.count(); ++position) {
+            EXPECT_EQ(control.position(), position) << control.name;
+            const ItemNumber there = *desk.number(i);
+            app.step_control(i, 1);
+            app.put_control_number(i, there.now + 0.3 * there.step);
+            EXPECT_EQ(desk.number(i)->now, there.now) << control.name;
+            app.step_control(i, 1);
+        }
+        EXPECT_EQ(desk.number(i)->now, desk.number(i)->most) << control.name;
+    }
+}
+
+TEST(Desk, grooves_are_switched_there_and_felt_in_the_world) {
+    AppCore app(Settings{}, HandFacts{});
+    const std::size_t grooves = *app.desk().find("Grooves in the floor");
+    EXPECT_EQ(app.desk().value(grooves), "off");
+    EXPECT_EQ(app.step_control(grooves, 1), "on");
+    EXPECT_TRUE(app.settings().guidance.grooves);
+    EXPECT_EQ(app.take_setting_changes().back(), (std::pair<std::string, std::string>("guidance.grooves", "true")));
+    EXPECT_EQ(app.step_control(grooves, -1), "off");
+    EXPECT_FALSE(app.settings().guidance.grooves);
+}
+
 TEST(Desk, the_device_button_presses_what_the_hand_touches) {
     DeskSession s("sim-t");
     s.pull_through();

@@ -157,6 +157,26 @@ TEST(Dialogue, works_by_lines) {
     EXPECT_FALSE(f.dialogue.is_open());
 }
 
+TEST(Dialogue, sets_the_quantity_of_an_item_outright_where_it_has_one) {
+    Dialogue dialogue;
+    ListSpec list;
+    list.title = "Desk";
+    list.items = {{"Volume", "80 percent", true, ItemNumber{0.8, 0.0, 1.0, 0.1}}, {"Pull", "off", true}};
+    std::vector<double> put;
+    list.put = [&](std::size_t item, double number) {
+        put.push_back(number);
+        return item == 0 ? std::string("30 percent") : std::string("wrong");
+    };
+    dialogue.open(std::move(list));
+    const DialogueReply done = dialogue.act({ItemAct::Kind::Put, 0, "Volume", 0.3}, 0.0);
+    EXPECT_TRUE(done.taken && !done.denied);
+    EXPECT_EQ(done.words, "30 percent");
+    EXPECT_EQ(dialogue.view().items[0].value, "30 percent");
+    EXPECT_TRUE(dialogue.act({ItemAct::Kind::Put, 1, "Pull", 1.0}, 0.0).denied) << "no quantity";
+    EXPECT_FALSE(dialogue.act({ItemAct::Kind::Put, 0, "Other", 1.0}, 0.0).taken) << "another list by now";
+    EXPECT_EQ(put, std::vector<double>{0.3});
+}
+
 struct Open {
     explicit Open() : app(Settings{}, HandFacts{}) {
         test::SceneBuilder b;
