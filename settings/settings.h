@@ -56,6 +56,7 @@ struct Settings {
         double damping_ns_per_m = 5.0;    // of hand speed, 0 to 20
         double ball_diameter_mm = 4.0;    // felt, at scale 60, 1 to 10
         double edge_rounding_mm = 1.5;    // of convex edges, felt, 0 to 3; finer than scale 30 edges are sharp
+        bool simplify = true;             // narrow doorways are felt wider and things too small to feel are left out
         ForceCeiling ceiling = ForceCeiling::Normal;
         bool button_to_feel = false;       // force only while a button of the device is held
         std::string device = "auto";       // auto, none, or a device name

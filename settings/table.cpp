@@ -40,6 +40,7 @@ const std::array kTable{
     SettingInfo{"haptic.damping_ns_per_m", "ns_per_m", kPersonOnly, NumberField{HANDRAIL_AT(haptic.damping_ns_per_m), 0.0, 20.0}},
     SettingInfo{"haptic.ball_diameter_mm", "hand_mm", kWorldToo, NumberField{HANDRAIL_AT(haptic.ball_diameter_mm), 1.0, 10.0}},
     SettingInfo{"haptic.edge_rounding_mm", "hand_mm", kWorldToo, NumberField{HANDRAIL_AT(haptic.edge_rounding_mm), 0.0, 3.0}},
+    SettingInfo{"haptic.simplify", "", kWorldToo, SwitchField{HANDRAIL_AT(haptic.simplify)}},
     SettingInfo{"haptic.ceiling", "", kPersonOnly,
                 ChoiceField{kCeilingWords, [](const Settings& s) { return static_cast<std::size_t>(s.haptic.ceiling); },
                             [](Settings& s, std::size_t i) { s.haptic.ceiling = static_cast<ForceCeiling>(i); }}},

@@ -103,7 +103,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     begin_rooms(scene);
     retune();
     compile(0);
-    things_.enter(*scene_, *haptic_scene_, now_s);
+    things_.enter(*scene_, *haptic_scene_, compiled_plan_, now_s);
     movers_.enter(scene_->movers);
     hand_shift_m_ = Vec3(0.0);
     walker_.reset();
@@ -130,6 +130,12 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     if (settings_.speech.crowding_hint)
         if (std::string crowded = crowded_view(*scene_); !crowded.empty()) say(std::move(crowded), SpeechClass::Answer, now_s);
     enter_guiding(now_s);
+    if (!guiding_.marks.empty() && !touch_plan_.left_out.empty()) {  // what bears a mark stays
+        retune();
+        adapt_touch(now_s);
+    }
+    simplified_told_.clear();
+    if (std::string news = greeting_waits() ? std::string() : simplified_news(); !news.empty()) say(std::move(news), SpeechClass::Ambient, now_s);
     if (std::exchange(hunt_awaits_, false)) hunt_key(now_s);
 }
 
@@ -138,21 +144,26 @@ double AppCore::rounding_m() const {
     return std::min(edge_rounding_m(settings_.haptic.edge_rounding_mm, tuning_.touch.world_m_per_hand_m), tuning_.touch.radius_m);
 }
 
-// After retune().
-void AppCore::adapt_edges(double now_s) {
-    if (rounding_m() != compiled_rounding_m_) change_world(world_now(), now_s);
+// After retune(). True where the hand feels another scene from now on.
+bool AppCore::adapt_touch(double now_s) {
+    if (rounding_m() == compiled_rounding_m_ && touch_plan_ == compiled_plan_) return false;
+    change_world(world_now(), now_s);
+    return true;
 }
 
 // What of the scene a hand can touch. world: see HapticScene::world.
 void AppCore::compile(std::uint32_t world) {
     compiled_rounding_m_ = rounding_m();
-    haptic_scene_ = compile_haptic(*scene_, exploring(compiled_rounding_m_, world));
+    compiled_plan_ = touch_plan_ = plan_touch();
+    const CompileOptions options = exploring(compiled_rounding_m_, world);
+    haptic_scene_ = compiled_plan_.changes_nothing() ? compile_haptic(*scene_, options) : compile_haptic(simplified(*scene_, compiled_plan_), options);
 }
 
 void AppCore::retune() {
     tuning_.touch = TouchTuning{};
     tuning_.touch.world_m_per_hand_m = scale();
-    tuning_.touch.radius_m = ball_radius_m(*scene_, settings_.haptic.ball_diameter_mm * 1e-3, scale());
+    touch_plan_ = plan_touch();
+    tuning_.touch.radius_m = ball_radius_m(*scene_, settings_.haptic.ball_diameter_mm * 1e-3, scale(), touch_plan_);
     tuning_.touch.default_stiffness_fraction = settings_.haptic.stiffness_fraction;
     tuning_.touch.damping_ns_per_m = settings_.haptic.damping_ns_per_m;
     tuning_.button_to_feel = settings_.haptic.button_to_feel;
@@ -213,7 +224,8 @@ void AppCore::change_settings(const Settings& settings, double now_s) {
     keys_ = KeyMap(settings_.keys, settings_.keyboard.hand);
     if (!scene_) return;
     retune();
-    adapt_edges(now_s);
+    if (adapt_touch(now_s) && tool_.ticks > 0)
+        hand_shift_m_ += out_of_solids_m(frame_of(workspace_origin_m() + hand_shift_m_ + shift_by_hand_m(), workspace_heading_rad()).to_world(tool_.hand_m, scale()));
     publish_pose(now_s, PoseChange::Moved);
 }
 
@@ -396,6 +408,9 @@ void AppCore::act(Command command, double now_s) {
             break;
         case Command::ScaleBar:
             answer(scale_bar(), now_s);
+            break;
+        case Command::Simplified:
+            list_simplified(now_s);
             break;
         case Command::Coordinates:
             answer(coordinates(), now_s);
@@ -668,7 +683,7 @@ double AppCore::farthest_m() const { return 10.0 + (scene_->bounds_m.empty() ? 0
 void AppCore::change_world(Scene scene, double now_s) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
     compile(haptic_scene_->world);
-    things_.enter(*scene_, *haptic_scene_, now_s);
+    things_.enter(*scene_, *haptic_scene_, compiled_plan_, now_s);
     movers_.follow(scene_->movers);
     rebuild_body_world();
 }
@@ -785,6 +800,7 @@ void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_to
     if (rooms_ && rooms_->done() && rooms_->found()) say_room_names(rooms_->graph());
     know_leaves();
     notice_room(now_s, false);
+    notice_openings(now_s);
     follow_on(now_s);
     tone_of_walls(now_s);
     soundscape_.tick(*body_world_, listener().ears_m, now_s, cues_);
@@ -1003,15 +1019,11 @@ void AppCore::change_under_hand(Change change, double now_s) {
     const Vec3 place_m = tool_.proxy_m;
     const bool keeps_place = change() && known;
     retune();
-    adapt_edges(now_s);
+    adapt_touch(now_s);
     const auto hand_m = [&](const Vec3& origin_m) { return frame_of(origin_m, workspace_heading_rad()).to_world(tool_.hand_m, scale()); };
     Vec3 shift{0.0};
     if (keeps_place) shift = place_m - hand_m(workspace_origin_m());
-    const auto poses = std::span(things_.frame().poses).first(things_.frame().count);
-    const double clearance = 1.2 * tuning_.touch.radius_m;
-    const Vec3 hand = hand_m(workspace_origin_m() + shift);
-    if (surrounding_of(*haptic_scene_, poses, hand, clearance).distance_m <= 0.0)
-        if (const auto free = nearest_free_place(*haptic_scene_, poses, hand, clearance, farthest_m())) shift += *free - hand;
+    shift += out_of_solids_m(hand_m(workspace_origin_m() + shift));
     hand_shift_m_ = shift - shift_by_hand_m();
     publish_pose(now_s, PoseChange::Moved);
 }
@@ -1024,7 +1036,8 @@ void AppCore::zoom(NamedScale scale_name, double now_s) {
             return scale_name != NamedScale::Building;  // that has its own place, round the whole building
         },
         now_s);
-    answer(scale_sentence(scale_name, scale(), hand_.spec.workspace_radius_m, distances()), now_s);
+    const std::string words = scale_sentence(scale_name, scale(), hand_.spec.workspace_radius_m, distances()), news = simplified_news();
+    answer(news.empty() ? words : words + ". " + news, now_s);
 }
 
 // Settings with another scale; the place under the hand stays there.
@@ -1036,6 +1049,16 @@ void AppCore::rescale(const Settings& changed, double now_s) {
     };
     if (scene_) change_under_hand(change, now_s);
     else change();
+}
+
+// Settings by which the hand feels the same place otherwise.
+void AppCore::feel_otherwise(const Settings& changed, double now_s) {
+    const auto change = [&] {
+        settings_ = changed;
+        return true;
+    };
+    change_under_hand(change, now_s);
+    if (std::string news = simplified_news(); !news.empty()) say(std::move(news), SpeechClass::Ambient, now_s);
 }
 
 void AppCore::turn_workspace(double by_deg, double now_s) {

@@ -35,6 +35,7 @@
 #include "app/core/world_shelf.h"
 #include "audio-cues/plan/cue_planner.h"
 #include "haptic/compile/compile_haptic.h"
+#include "haptic/compile/simplify_scene.h"
 #include "haptic/servo/servo_tick.h"
 #include "settings/settings.h"
 
@@ -194,7 +195,7 @@ private:
     const DeviceProfile* profile_of(const HandFacts& hand) const;  // of the hand's device; null where it has none
     void retune();
     double rounding_m() const;
-    void adapt_edges(double now_s);
+    bool adapt_touch(double now_s);
     void compile(std::uint32_t world);
     void act(Command command, double now_s);
     void walk(double now_s, double dt_s);
@@ -209,6 +210,13 @@ private:
     Vec3 shift_by_hand_m() const { return shift_of(tool_) + shift_of(left_tool_); }
     WorkspacePose pose_beside(const Vec3& others_shift_m) const;
     double ceiling_n(const HandFacts& hand) const;
+    // What is too small to feel: app_core_simplify.cpp.
+    Simplification plan_touch();
+    Vec3 out_of_solids_m(const Vec3& hand_m) const;
+    void notice_openings(double now_s);
+    std::string simplified_sentence() const;
+    std::string simplified_news();
+    void list_simplified(double now_s);
     std::string touched_words(const ToolState& tool);
     Vec3 workspace_origin_m() const;
     double workspace_heading_rad() const;
@@ -231,6 +239,7 @@ private:
     const Mark* desk_mark() const;  // the one its list is at; null: none
     std::string beacon_of_desk();
     void rescale(const Settings& changed, double now_s);
+    void feel_otherwise(const Settings& changed, double now_s);
     void lay_desk(std::size_t page);
     bool refused_at_desk(Command command, double now_s);
     void leave_desk(double now_s);
@@ -457,6 +466,10 @@ private:
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const HapticScene> haptic_scene_;
     double compiled_rounding_m_ = 0.0;  // of edges in it
+    Simplification touch_plan_, compiled_plan_;  // of the scale, and of haptic_scene_
+    std::vector<std::uint32_t> planned_portals_;  // of SimplifyOptions::openings_m
+    bool openings_awaited_ = false;               // the plan would know more if the rooms were found
+    std::string simplified_told_;
     int worlds_entered_ = 0;
     PlacedThings things_;
     MoverPlay movers_;

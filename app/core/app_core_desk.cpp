@@ -175,6 +175,10 @@ Result<void> AppCore::change_setting(std::string_view key, const std::string& va
         scale_waits_ = value;  // the world is larger or smaller when the hand is back in it
         return {};
     }
+    if (key == "haptic.simplify" && scene_ && !at_desk()) {
+        feel_otherwise(changed, now_s);
+        return {};
+    }
     if (key != "workspace.scale") {
         settings_ = std::move(changed);
         if (scene_) retune();
@@ -218,6 +222,7 @@ void AppCore::tick_desk(double now_s) {
                 Settings changed = settings_;
                 if (handrail::change_setting(changed, "workspace.scale", *waited)) rescale(changed, now_s);
             }
+            if (!(touch_plan_ == compiled_plan_)) feel_otherwise(Settings(settings_), now_s);
             answer(phrase("desk.back", {{"where", where_am_i()}}), now_s);
         }
     }

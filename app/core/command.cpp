@@ -43,6 +43,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::LookNext, "look", "5", false},
     CommandInfo{Command::LookBefore, "look-back", "Shift+5", false},
     CommandInfo{Command::ScaleBar, "scale-bar", "6", false},
+    CommandInfo{Command::Simplified, "simplified", "Shift+6", false},
     CommandInfo{Command::Coordinates, "coordinates", "Shift+C", false},
     CommandInfo{Command::WhatIsThis, "what", "E", false},
     CommandInfo{Command::Repeat, "repeat", "Space Q", false},

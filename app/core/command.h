@@ -42,6 +42,7 @@ enum class Command : std::uint8_t {
     LookNext,   // along the next of 16 directions, or where the hand points
     LookBefore,
     ScaleBar,     // and north
+    Simplified,   // list of what is too small at this scale and felt otherwise
     Coordinates,  // and height above the floor
     WhatIsThis,   // what the hand touches
     Repeat,

@@ -5,9 +5,16 @@
 
 namespace handrail {
 
-void PlacedThings::enter(const Scene& scene, const HapticScene& haptic, double now_s) {
+void PlacedThings::enter(const Scene& scene, const HapticScene& haptic, const Simplification& plan, double now_s) {
     things_.clear();
-    for (std::size_t i = 0; i < haptic.bodies.size() && i < scene.placed.size(); ++i) things_.push_back({scene.placed[i].at, {}, {}, 1.0, 0.0});
+    doorways_.clear();
+    for (std::size_t i = 0; i < haptic.bodies.size() && i < scene.placed.size(); ++i) {
+        things_.push_back({scene.placed[i].at, {}, {}, 1.0, 0.0, -1});
+        if (const NarrowOpening* opening = plan.of_door(scene.placed[i].feature)) {
+            things_.back().doorway = static_cast<int>(doorways_.size());
+            doorways_.push_back(*opening);
+        }
+    }
     frame_.scene = haptic.generation;
     publish(now_s);
 }
@@ -16,7 +23,11 @@ void PlacedThings::publish(double now_s) {
     ++frame_.number;
     frame_.time_s = now_s;
     frame_.count = static_cast<std::uint32_t>(things_.size());
-    for (std::size_t i = 0; i < things_.size(); ++i) frame_.poses[i] = {things_[i].at, true};
+    for (std::size_t i = 0; i < things_.size(); ++i) {
+        frame_.poses[i] = {things_[i].at, true};
+        Vec3& place_m = frame_.poses[i].at.position_m;
+        if (things_[i].doorway >= 0) place_m = doorways_[static_cast<std::size_t>(things_[i].doorway)].drawn_apart(place_m);
+    }
 }
 
 void PlacedThings::send(std::size_t thing, const Placement& to, double speed_m_per_s) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "haptic/compile/simplify_scene.h"
 #include "haptic/servo/body_playback.h"
 #include "worlds/scene/scene.h"
 
@@ -11,8 +12,9 @@ namespace handrail {
 
 class PlacedThings {
 public:
-    // Takes the placed models of a scene as they stand there, and the haptic scene that was compiled from it.
-    void enter(const Scene& scene, const HapticScene& haptic, double now_s);
+    // Takes the placed models of a scene as they stand there, and the haptic scene that was compiled from it by this plan. The servo is told of places as
+    // they are felt, everybody else of the true ones.
+    void enter(const Scene& scene, const HapticScene& haptic, const Simplification& plan, double now_s);
     // Slides and turns a thing evenly to another placement; speed > 0, in world metres per second of its position (a pure turn or change of size takes
     // one second). Index into Scene::placed.
     void send(std::size_t thing, const Placement& to, double speed_m_per_s);
@@ -32,10 +34,12 @@ private:
     struct Thing {
         Placement at, from, to;
         double part = 1.0, parts_per_s = 0.0;  // of the way
+        int doorway = -1;                      // that is widened with it: place in doorways_
     };
     void publish(double now_s);
 
     std::vector<Thing> things_;
+    std::vector<NarrowOpening> doorways_;
     bool put_ = false;  // since the last tick
     BodyFrame frame_;
 };

@@ -54,12 +54,13 @@ std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double r
     return how.in_steps ? joined(text, distance_words(width_m, how)) : text;
 }
 
-double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m) {
+double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m, const Simplification& plan) {
     double radius = 0.5 * std::clamp(felt_diameter_m * 60.0 / world_m_per_hand_m, 0.002, 0.006) * world_m_per_hand_m;
-    for (const Feature& feature : scene.features)
-        if (feature.kind == FeatureKind::Door) {
-            const Vec3 size = feature.bounds_m.size_m();
-            radius = std::min(radius, std::max(size.x, size.y) / 6.0);
+    for (std::uint32_t i = 0; i < scene.features.size(); ++i)
+        if (scene.features[i].kind == FeatureKind::Door) {
+            const Vec3 size = scene.features[i].bounds_m.size_m();
+            const NarrowOpening* widened = plan.of_door(FeatureId{i});
+            radius = std::min(radius, std::max(size.x, size.y) * (widened ? widened->times() : 1.0) / 6.0);
         }
     return radius;
 }

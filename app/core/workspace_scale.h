@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/core/words.h"
+#include "haptic/compile/simplify_scene.h"
 #include "worlds/scene/scene.h"
 
 namespace handrail {
@@ -21,7 +22,8 @@ double world_m_per_hand_m(NamedScale scale, const Aabb& bounds_m, double reach_h
 // "Room, 9 metres wide, 13 steps": the width of all that the hand reaches.
 std::string scale_sentence(NamedScale scale, double world_m_per_hand_m, double reach_hand_m, const DistanceWords& how);
 
-// The ball: felt_diameter_m at scale 60 and the same size in the world at others, but 2 to 6 mm felt, and at most a third of the narrowest door.
-double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m);
+// The ball: felt_diameter_m at scale 60 and the same size in the world at others, but 2 to 6 mm felt, and at most a third of the narrowest door,
+// as wide as it is felt.
+double ball_radius_m(const Scene& scene, double felt_diameter_m, double world_m_per_hand_m, const Simplification& plan = {});
 
 }  // namespace handrail

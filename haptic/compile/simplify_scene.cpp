@@ -1,0 +1,754 @@
+#include "haptic/compile/simplify_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <variant>
+
+#include "worlds/base/contract.h"
+#include "worlds/geometry/box_index.h"
+#include "worlds/geometry/clip.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kDeepest_m = 1.5;      // a wall; what goes deeper into it is a corridor, and stays as it is
+constexpr double kFrame_m = 0.1;        // frames and skirtings beside a doorway, which are cut with the wall
+constexpr double kStrip_m = 0.15;       // before and behind the wall, beyond frames: where walls would be met that stand across
+constexpr double kStep_m = 0.3;         // what is lower is floor, and is neither cut nor in the way
+constexpr double kLeastLeaf_m = 1.0;    // high; lower ones are hatches and flaps
+constexpr double kBesideLeaf_m = 0.5;   // how far beyond a leaf of the same size the opening may still go on
+constexpr double kWidestChord_m = 6.0;  // across an opening without a door
+constexpr double kHighest_m = 4.0;      // above the middle of an opening; a ceiling farther up is none of it
+constexpr double kAtAThing_m = 0.25;    // of a mark or sound to the thing it belongs to
+constexpr double kOfTheWorld = 0.1;     // a thing of this share of the whole world is what the world is about
+constexpr double kLevel = 0.1;          // sine: of a face that counts as upright
+constexpr CutTolerance kTolerance{1e-7, 1e-6};
+
+using Range = std::array<double, 2>;
+constexpr Range kNone{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+void include(Range& range, double value) {
+    range[0] = std::min(range[0], value);
+    range[1] = std::max(range[1], value);
+}
+void include(Range& range, const Range& other) {
+    range[0] = std::min(range[0], other[0]);
+    range[1] = std::max(range[1], other[1]);
+}
+double length(const Range& range) { return range[1] - range[0]; }
+bool overlap(const Range& a, const Range& b) { return a[0] <= b[1] && b[0] <= a[1]; }
+
+Range along(const ConvexSolid& solid, const Vec3& way) {
+    Range range = kNone;
+    for (const Polygon& face : solid.faces)
+        for (const Vec3& p : face.points_m) include(range, glm::dot(way, p));
+    return range;
+}
+
+Vec3 left_of(const Vec3& way) { return {-way.y, way.x, 0.0}; }
+
+// Six planes round what lies in these ranges.
+std::vector<Plane> box_planes(const Vec3& way, const Range& s, const Range& t, const Range& z) {
+    const Vec3 left = left_of(way), up(0.0, 0.0, 1.0);
+    return {{way, s[1]}, {-way, -s[0]}, {up, z[1]}, {-up, -z[0]}, {left, t[1]}, {-left, -t[0]}};
+}
+
+Aabb box_around(const Vec3& way, const Range& s, const Range& t, const Range& z) {
+    Aabb box;
+    for (int corner = 0; corner < 8; ++corner)
+        box.include(way * s[corner & 1 ? 1 : 0] + left_of(way) * t[corner & 2 ? 1 : 0] + Vec3(0.0, 0.0, z[corner & 4 ? 1 : 0]));
+    return box;
+}
+
+BuiltSolid built(std::span<const Plane> planes, const Aabb& around) {
+    BuiltSolid made = solid_from_planes(planes, around.centre_m(), 2.0 * glm::length(around.size_m()) + 1.0, kTolerance);
+    if (made.was_inside_out) made.fault = SolidFault::Empty;
+    return made;
+}
+
+// What of a solid lies behind all these planes; no faces: nothing.
+ConvexSolid common(const ConvexSolid& solid, const std::vector<Plane>& planes) {
+    std::vector<Plane> all = solid.planes;
+    all.insert(all.end(), planes.begin(), planes.end());
+    BuiltSolid made = built(all, solid.bounds_m);
+    return made.fault == SolidFault::None ? std::move(made.solid) : ConvexSolid{};
+}
+
+bool is_kind(const Scene& scene, FeatureId id, FeatureKind kind) {
+    const Feature* feature = scene.find(id);
+    return feature && feature->kind == kind;
+}
+
+bool is_leaf(const Scene& scene, const Solid& solid) { return is_kind(scene, solid.feature, FeatureKind::Door); }
+
+// Stands in the building; the rest is the building. Pieces of a wall that stand alone between two doorways count as things elsewhere, with a made name.
+bool is_thing(const Scene& scene, FeatureId id) {
+    const Feature* feature = scene.find(id);
+    return feature && feature->kind == FeatureKind::Object && !feature->made_name;
+}
+
+// Part of the building, of which a piece can be taken away.
+bool is_wall(const Scene& scene, const Solid& solid) {
+    return solid.role == SolidRole::Solid && !solid.soft && std::holds_alternative<std::monostate>(solid.round) && !is_leaf(scene, solid) &&
+           !is_thing(scene, solid.feature);
+}
+
+// Stands and stops the hand, other than a door's leaf.
+bool is_standing(const Scene& scene, const Solid& solid) {
+    return (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && !is_leaf(scene, solid);
+}
+
+Vec3 pointing_east(const Vec3& way) { return way.x < 0.0 || (way.x == 0.0 && way.y < 0.0) ? -way : way; }
+
+// Upright faces of one leaf, in the doorway.
+struct Leaf {
+    FeatureId feature;
+    std::vector<Vec3> points_m;
+    Vec3 through{0.0};  // out of its largest face
+    double area_m2 = 0.0;
+
+    void add(std::span<const Vec3> face_m, const Vec3& shift_m) {
+        for (const Vec3& p : face_m) points_m.push_back(p + shift_m);
+        const Vec3 area = area_vector_m2(face_m);
+        const double size = glm::length(area);
+        if (!(size > 0.0) || std::abs(area.z) > kLevel * size) return;
+        const double level = std::hypot(area.x, area.y);
+        Vec3 way(area.x / level, area.y / level, 0.0);
+        for (int axis = 0; axis < 2; ++axis)
+            if (std::abs(way[axis]) > 1.0 - 1e-12) way = axis == 0 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+        way = pointing_east(way);
+        const bool first = way.x != through.x ? way.x > through.x : way.y > through.y;
+        if (size < area_m2 * (1.0 - 1e-9) || (size < area_m2 * (1.0 + 1e-9) && !first)) return;
+        area_m2 = size;
+        through = way;
+    }
+    Range range(const Vec3& way) const {
+        Range range = kNone;
+        for (const Vec3& p : points_m) include(range, glm::dot(way, p));
+        return range;
+    }
+};
+
+class Planner {
+public:
+    Planner(const Scene& scene, const SimplifyOptions& options)
+        : scene_(scene), options_(options), gap_m_(kLeastGap_hand_m * options.world_m_per_hand_m), thing_m_(kLeastThing_hand_m * options.world_m_per_hand_m) {}
+
+    Simplification run() {
+        find_doors();
+        for (std::size_t i = 0; i < options_.openings_m.size(); ++i) find_opening(static_cast<int>(i));
+        share_walls();
+        leave_out();
+        std::erase_if(plan_.openings, [](const NarrowOpening& o) { return !o.widened() && !o.stays_narrow(); });
+        return std::move(plan_);
+    }
+
+private:
+    struct Hit {
+        double way_m;
+        std::uint32_t solid;
+        Vec3 normal;
+    };
+    struct Probe {
+        std::optional<Hit> hit;
+        bool from_inside = false;
+    };
+
+    const BoxIndex& index() {
+        if (!index_) {
+            std::vector<Aabb> boxes;
+            for (const Solid& solid : scene_.solids) boxes.push_back(solid.shape.bounds_m);
+            index_.emplace(boxes);
+        }
+        return *index_;
+    }
+
+    // The first of the building that a straight line meets.
+    Probe probe(const Vec3& from, const Vec3& way, double reach_m) {
+        Aabb box{from, from};
+        box.include(from + way * reach_m);
+        index().find(box, found_);
+        Probe result;
+        for (const std::uint32_t i : found_) {
+            if (!is_wall(scene_, scene_.solids[i])) continue;
+            double in = -std::numeric_limits<double>::infinity(), out = reach_m;
+            Vec3 normal(0.0);
+            for (const Plane& plane : scene_.solids[i].shape.planes) {
+                const double off = signed_distance(plane, from), slope = glm::dot(plane.normal, way);
+                if (slope == 0.0) {
+                    if (off >= 0.0) out = -1.0;
+                } else if (slope > 0.0) {
+                    out = std::min(out, -off / slope);
+                } else if (-off / slope > in) {
+                    in = -off / slope;
+                    normal = plane.normal;
+                }
+            }
+            if (in >= out || out <= 0.0) continue;
+            if (in < -kTolerance.merge_m) result.from_inside = true;
+            else if (!result.hit || in < result.hit->way_m) result.hit = Hit{std::max(0.0, in), i, normal};
+        }
+        return result;
+    }
+
+    // ---- doors ----
+
+    void find_doors() {
+        std::map<std::uint32_t, Leaf> leaves;
+        const auto leaf_of = [&](FeatureId id) {
+            Leaf& leaf = leaves[id.value];
+            leaf.feature = id;
+            return &leaf;
+        };
+        const auto add_solid = [](Leaf& leaf, const Solid& solid, const Vec3& shift_m) {
+            for (const Polygon& face : solid.shape.faces) leaf.add(face.points_m, shift_m);
+        };
+        const auto add_triangle = [](Leaf& leaf, const MeshTriangle& t, const Vec3& shift_m) { leaf.add(std::array{t.a_m, t.b_m, t.c_m}, shift_m); };
+        for (const Solid& solid : scene_.solids)
+            if ((solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && is_leaf(scene_, solid)) add_solid(*leaf_of(solid.feature), solid, Vec3(0.0));
+        for (const MeshTriangle& t : scene_.triangles)
+            if (is_kind(scene_, t.feature, FeatureKind::Door)) add_triangle(*leaf_of(t.feature), t, Vec3(0.0));
+        for (const PlacedModel& placed : scene_.placed) {
+            if (!is_kind(scene_, placed.feature, FeatureKind::Door)) continue;
+            const auto mover = std::find_if(scene_.movers.begin(), scene_.movers.end(), [&](const Mover& m) { return m.feature == placed.feature; });
+            if (mover == scene_.movers.end()) continue;
+            // In the doorway, wherever it is now.
+            Leaf& leaf = *leaf_of(placed.feature);
+            for (const Solid& solid : placed.model->solids) add_solid(leaf, solid, mover->pivot_m);
+            for (const MeshTriangle& t : placed.model->triangles) add_triangle(leaf, t, mover->pivot_m);
+        }
+        for (const auto& [id, leaf] : leaves) find_doorway(leaf);
+    }
+
+    void find_doorway(const Leaf& leaf) {
+        if (!(leaf.area_m2 > 0.0)) return;
+        NarrowOpening opening;
+        opening.doors = {leaf.feature};
+        opening.along = pointing_east(left_of(leaf.through));
+        const Range s = leaf.range(opening.along), t = leaf.range(opening.left()), z = leaf.range({0.0, 0.0, 1.0});
+        if (length(s) >= gap_m_ || length(z) < kLeastLeaf_m || length(s) <= length(t)) return;
+        const double middle_s = 0.5 * (s[0] + s[1]), middle_t = 0.5 * (t[0] + t[1]);
+        opening.low_m = s[0];
+        opening.high_m = s[1];
+        std::array<Vec3, 3> places;
+        for (std::size_t i = 0; i < places.size(); ++i)
+            places[i] = opening.along * middle_s + opening.left() * middle_t + Vec3(0.0, 0.0, z[0] + length(z) * (0.2 + 0.3 * static_cast<double>(i)));
+        const double reach_m = 1.5 * length(s) + kBesideLeaf_m;
+        Sides sides = look_aside(opening.along, places, reach_m);
+        // A leaf that is sunk into its frame tells the width itself.
+        if (!sides.inside) {
+            if (sides.low) opening.low_m = middle_s - *sides.low;
+            if (sides.high) opening.high_m = middle_s + *sides.high;
+        }
+        if (opening.width_m() >= gap_m_ || opening.width_m() <= 0.0) return;
+        for (NarrowOpening& known : plan_.openings)
+            if (same_doorway(known, opening, t, z)) {
+                known.doors.push_back(leaf.feature);
+                return;
+            }
+        widen(opening, places, t, z, sides);
+    }
+
+    static bool same_doorway(const NarrowOpening& a, const NarrowOpening& b, const Range& t, const Range& z) {
+        constexpr double kSame_m = 0.05;
+        return a.along == b.along && std::abs(a.low_m - b.low_m) < kSame_m && std::abs(a.high_m - b.high_m) < kSame_m &&
+               overlap({a.front_m, a.back_m}, t) && overlap({a.floor_m, a.top_m}, z);
+    }
+
+    struct Sides {
+        std::optional<double> low, high;  // to the nearest wall; none: there is none
+        std::vector<std::uint32_t> low_solids, high_solids;
+        bool inside = false;
+    };
+    Sides look_aside(const Vec3& way, std::span<const Vec3> places, double reach_m) {
+        Sides sides;
+        const auto look = [&](const Vec3& from, const Vec3& to, std::optional<double>& nearest, std::vector<std::uint32_t>& solids) {
+            const Probe seen = probe(from, to, reach_m);
+            sides.inside = sides.inside || seen.from_inside;
+            if (!seen.hit) return;
+            nearest = std::min(nearest.value_or(seen.hit->way_m), seen.hit->way_m);
+            if (std::find(solids.begin(), solids.end(), seen.hit->solid) == solids.end()) solids.push_back(seen.hit->solid);
+        };
+        for (const Vec3& place : places) {
+            look(place, -way, sides.low, sides.low_solids);
+            look(place, way, sides.high, sides.high_solids);
+        }
+        return sides;
+    }
+
+    // ---- openings without a door ----
+
+    void find_opening(int number) {
+        const Vec3 soles = options_.openings_m[static_cast<std::size_t>(number)];
+        const std::array<Vec3, 3> places{soles + Vec3(0, 0, 0.4), soles + Vec3(0, 0, 0.9), soles + Vec3(0, 0, 1.5)};
+        // The shortest line across that walls bound on both sides, then square to the wall it meets.
+        double shortest_m = kWidestChord_m;
+        Vec3 way(0.0);
+        for (int step = 0; step < 36; ++step) {
+            const Vec3 towards = forward_of_heading(radians_from_degrees(90.0 - 5.0 * step));
+            const Sides sides = look_aside(towards, places, kWidestChord_m);
+            if (sides.inside) return;
+            if (!sides.low || !sides.high || *sides.low + *sides.high > shortest_m - 1e-9) continue;
+            shortest_m = *sides.low + *sides.high;
+            way = towards;
+        }
+        if (way == Vec3(0.0)) return;
+        for (const Vec3& place : places)
+            if (const Probe seen = probe(place, way, kWidestChord_m); seen.hit) {
+                const double level = std::hypot(seen.hit->normal.x, seen.hit->normal.y);
+                if (level < 1.0 - kLevel || std::abs(glm::dot(seen.hit->normal, way)) < 0.7) continue;
+                way = level == 1.0 ? seen.hit->normal : Vec3(seen.hit->normal.x / level, seen.hit->normal.y / level, 0.0);
+                break;
+            }
+        NarrowOpening opening;
+        opening.place = number;
+        opening.along = pointing_east(way);
+        Sides sides = look_aside(opening.along, places, kWidestChord_m);
+        if (!sides.low || !sides.high || sides.inside) return;
+        const double middle_s = glm::dot(opening.along, soles), middle_t = glm::dot(opening.left(), soles);
+        opening.low_m = middle_s - *sides.low;
+        opening.high_m = middle_s + *sides.high;
+        if (opening.width_m() >= gap_m_) return;
+        const Range t{middle_t, middle_t}, z{soles.z, soles.z + 1.9};
+        for (const NarrowOpening& known : plan_.openings)
+            if (known.along == opening.along && overlap({known.low_m, known.high_m}, {opening.low_m, opening.high_m}) &&
+                overlap({known.front_m - kFrame_m, known.back_m + kFrame_m}, t) && overlap({known.floor_m, known.top_m}, z))
+                return;
+        widen(opening, places, t, z, sides);
+    }
+
+    // ---- widening ----
+
+    // places: across which it was looked to both sides; t, z: where the leaf is, or the place on the floor.
+    void widen(NarrowOpening opening, std::span<const Vec3> places, const Range& t, const Range& z, const Sides& sides) {
+        opening.wanted_m = gap_m_;
+        const Vec3 middle = places[places.size() / 2];
+        const Probe below = probe(middle, {0, 0, -1}, kHighest_m), above = probe(middle, {0, 0, 1}, kHighest_m);
+        opening.floor_m = below.hit ? middle.z - below.hit->way_m : z[0];
+        opening.top_m = above.hit ? middle.z + above.hit->way_m : -std::numeric_limits<double>::infinity();
+        Range wall = kNone;
+        double low_room_m = gap_m_, high_room_m = gap_m_;
+        for (const bool high : {false, true}) {
+            const std::vector<std::uint32_t>& solids = high ? sides.high_solids : sides.low_solids;
+            const Range beside = high ? Range{opening.high_m, opening.high_m + 0.2} : Range{opening.low_m - 0.2, opening.low_m};
+            Range depth = kNone;
+            for (const std::uint32_t i : solids) include(depth, depth_of(i, opening, beside, z));
+            if (depth[0] <= depth[1]) depth = with_layers(opening, high, beside, depth, z);
+            if (length(depth) > kDeepest_m) (high ? high_room_m : low_room_m) = 0.0;
+            else include(wall, depth);
+            if (!above.hit)
+                for (const std::uint32_t i : solids) opening.top_m = std::max(opening.top_m, scene_.solids[i].shape.bounds_m.max_m.z);
+        }
+        opening.felt_low_m = opening.low_m;
+        opening.felt_high_m = opening.high_m;
+        opening.front_m = t[0];
+        opening.back_m = t[1];
+        if (opening.top_m < z[1]) opening.top_m = z[1];
+        if (wall[0] > wall[1]) {
+            // No wall on either side: it is no doorway. Walls all along: a corridor, which is told of when it had a door.
+            const bool corridor = low_room_m == 0.0 || high_room_m == 0.0;
+            if (corridor && !opening.doors.empty()) plan_.openings.push_back(std::move(opening));
+            return;
+        }
+        low_room_m = std::min(low_room_m, room_m(opening, false, wall));
+        high_room_m = std::min(high_room_m, room_m(opening, true, wall));
+        rooms_.push_back({plan_.openings.size(), low_room_m, high_room_m});
+        opening.front_m = std::min(t[0], wall[0] - kFrame_m);
+        opening.back_m = std::max(t[1], wall[1] + kFrame_m);
+        plan_.openings.push_back(std::move(opening));
+    }
+
+    // How deep a solid is beside the opening.
+    Range depth_of(std::uint32_t solid, const NarrowOpening& opening, const Range& beside, const Range& z) {
+        const Vec3 up(0.0, 0.0, 1.0);
+        const ConvexSolid part = common(scene_.solids[solid].shape,
+                                        {{opening.along, beside[1]}, {-opening.along, -beside[0]}, {up, z[1]}, {-up, -(z[0] + kStep_m)}});
+        return part.faces.empty() ? kNone : along(part, opening.left());
+    }
+
+    // A wall may be built of layers.
+    Range with_layers(const NarrowOpening& opening, bool high, const Range& beside, Range depth, const Range& z) {
+        constexpr double kFlush_m = 0.05;
+        for (bool grew = true; grew && length(depth) <= kDeepest_m;) {
+            grew = false;
+            const Range near{depth[0] - kFlush_m, depth[1] + kFlush_m}, tall{z[0] + kStep_m, z[1]};
+            index().find(box_around(opening.along, beside, near, tall), found_);
+            for (const std::uint32_t i : std::vector<std::uint32_t>(found_)) {
+                if (!is_wall(scene_, scene_.solids[i])) continue;
+                const Range one = depth_of(i, opening, beside, z);
+                if (one[0] > one[1] || length(one) > kDeepest_m || !overlap(one, near)) continue;
+                const Range s = along(scene_.solids[i].shape, opening.along);
+                if (high ? s[0] > opening.high_m + kFlush_m : s[1] < opening.low_m - kFlush_m) continue;
+                const double was = length(depth);
+                include(depth, one);
+                grew = grew || length(depth) > was + 1e-9;
+            }
+        }
+        return depth;
+    }
+
+    // How far the opening may go on to one side: not past a wall that stands across it on either side, beyond which there may be another room, and not into
+    // what cannot be cut.
+    double room_m(const NarrowOpening& opening, bool high, const Range& wall) {
+        const double edge_m = high ? opening.high_m : opening.low_m;
+        const Range s = high ? Range{edge_m, edge_m + gap_m_} : Range{edge_m - gap_m_, edge_m};
+        const Range z{opening.floor_m + kStep_m, opening.top_m - kFrame_m};
+        double room = gap_m_;
+        const auto look = [&](const Range& t, auto&& counts) {
+            if (!(t[0] < t[1]) || !(z[0] < z[1])) return;
+            index().find(box_around(opening.along, s, t, z), found_);
+            for (const std::uint32_t i : std::vector<std::uint32_t>(found_)) {
+                if (!counts(scene_.solids[i])) continue;
+                const ConvexSolid part = common(scene_.solids[i].shape, box_planes(opening.along, s, t, z));
+                if (part.faces.empty()) continue;
+                const Range met = along(part, opening.along);
+                room = std::min(room, std::max(0.0, high ? met[0] - edge_m : edge_m - met[1]));
+            }
+        };
+        const auto stands_across = [&](const Solid& solid) { return is_standing(scene_, solid) && !is_thing(scene_, solid.feature); };
+        const auto not_to_be_cut = [&](const Solid& solid) {
+            return (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && !is_wall(scene_, solid) && !is_door_of(opening, solid);
+        };
+        look({wall[0] - kFrame_m - kStrip_m, wall[0] - kFrame_m}, stands_across);
+        look({wall[1] + kFrame_m, wall[1] + kFrame_m + kStrip_m}, stands_across);
+        const double inside_m = std::min(0.01, 0.1 * length(wall));
+        look({wall[0] + inside_m, wall[1] - inside_m}, not_to_be_cut);
+        return room;
+    }
+
+    static bool is_door_of(const NarrowOpening& opening, const Solid& solid) {
+        return std::find(opening.doors.begin(), opening.doors.end(), solid.feature) != opening.doors.end();
+    }
+
+    // Between two openings in one wall a piece of it stays that can be felt. Then each grows to both sides alike, or more to the one that has room.
+    void share_walls() {
+        for (Room& of_a : rooms_)
+            for (Room& of_b : rooms_) {
+                const NarrowOpening &a = plan_.openings[of_a.opening], &b = plan_.openings[of_b.opening];
+                if (&a == &b || glm::dot(a.along, b.along) < 1.0 - 1e-9 || a.high_m > b.low_m || !overlap({a.front_m, a.back_m}, {b.front_m, b.back_m}) ||
+                    !overlap({a.floor_m, a.top_m}, {b.floor_m, b.top_m}))
+                    continue;
+                const double each_m = std::max(0.0, 0.5 * (b.low_m - a.high_m - thing_m_));
+                of_a.high_m = std::min(of_a.high_m, each_m);
+                of_b.low_m = std::min(of_b.low_m, each_m);
+            }
+        for (const Room& room : rooms_) {
+            NarrowOpening& opening = plan_.openings[room.opening];
+            const double more_m = gap_m_ - opening.width_m();
+            const double high = std::min(std::max(0.5 * more_m, more_m - room.low_m), room.high_m), low = std::min(more_m - high, room.low_m);
+            opening.felt_low_m -= low;
+            opening.felt_high_m += high;
+        }
+    }
+
+    // ---- small things ----
+
+    void leave_out() {
+        Aabb world = scene_.bounds_m;
+        for (const PlacedModel& placed : scene_.placed)
+            if (const Feature* feature = scene_.find(placed.feature); feature && !feature->bounds_m.empty()) world.include(feature->bounds_m);
+        const double widest_m = world.empty() ? 0.0 : std::max(world.size_m().x, world.size_m().y);
+        std::vector<bool> small(scene_.features.size(), false);
+        bool any = false;
+        for (std::size_t i = 0; i < small.size(); ++i) {
+            const Feature& feature = scene_.features[i];
+            if (feature.kind != FeatureKind::Object || feature.landmark || feature.clue || feature.base || feature.bounds_m.empty()) continue;
+            const Vec3 size = feature.bounds_m.size_m();
+            const double wide_m = std::max(size.x, size.y);
+            small[i] = wide_m < thing_m_ && wide_m < kOfTheWorld * widest_m;
+            any = any || small[i];
+        }
+        if (!any) return;
+        const auto keep = [&](FeatureId id) {
+            if (id.value < small.size()) small[id.value] = false;
+        };
+        for (const Mover& mover : scene_.movers) keep(mover.feature);
+        for (const Effect& effect : scene_.effects) keep(effect.belongs_to);
+        for (const MeshTriangle& t : scene_.triangles) keep(t.feature);  // pieces of one surface, as often as not
+        std::vector<Vec3> wanted = options_.kept_m;
+        for (const SoundSource& sound : scene_.sounds) wanted.push_back(sound.position_m);
+        for (std::size_t i = 0; i < small.size(); ++i)
+            if (small[i] && std::any_of(wanted.begin(), wanted.end(), [&](const Vec3& p) { return distance_to(scene_.features[i].bounds_m, p) <= kAtAThing_m; }))
+                small[i] = false;
+        std::vector<bool> stands(small.size(), false);
+        for (const Solid& solid : scene_.solids)
+            if (solid.feature.value < small.size()) {
+                if (solid.role == SolidRole::Solid) stands[solid.feature.value] = true;
+                else small[solid.feature.value] = false;
+            }
+        for (const PlacedModel& placed : scene_.placed)
+            if (placed.feature.value < small.size()) stands[placed.feature.value] = true;
+        for (std::uint32_t i = 0; i < small.size(); ++i)
+            if (small[i] && stands[i] && !closes_a_gap(FeatureId{i})) plan_.left_out.push_back(FeatureId{i});
+    }
+
+    // Without it the wall would have a hole: walls on two sides that face each other, as a window has; or what is a piece of the wall itself.
+    bool closes_a_gap(FeatureId id) {
+        constexpr double kTouch_m = 0.02;
+        const Feature& thing = scene_.features[id.value];
+        const Aabb& box = thing.bounds_m;
+        std::vector<Vec3> ways;
+        index().find(grown(box, kTouch_m), found_);
+        for (const std::uint32_t i : found_) {
+            const Solid& solid = scene_.solids[i];
+            const Aabb& wall = solid.shape.bounds_m;
+            if (solid.feature == id || !is_wall(scene_, solid)) continue;
+            if (std::min(wall.max_m.z, box.max_m.z) - std::max(wall.min_m.z, box.min_m.z) < kFrame_m) continue;  // the floor, the ceiling
+            const Vec3 middle = box.centre_m();
+            Vec3 way = glm::clamp(middle, wall.min_m, wall.max_m) - middle;
+            way.z = 0.0;
+            if (thing.made_name || way == Vec3(0.0)) return true;
+            ways.push_back(glm::normalize(way));
+        }
+        for (const Vec3& a : ways)
+            for (const Vec3& b : ways)
+                if (glm::dot(a, b) < -0.5) return true;
+        return false;
+    }
+
+    static double distance_to(const Aabb& box, const Vec3& p) { return glm::length(glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0))); }
+
+    const Scene& scene_;
+    const SimplifyOptions& options_;
+    double gap_m_, thing_m_;
+    struct Room {
+        std::size_t opening;
+        double low_m, high_m;  // how far it may go on
+    };
+    Simplification plan_;
+    std::vector<Room> rooms_;
+    std::optional<BoxIndex> index_;
+    std::vector<std::uint32_t> found_;
+};
+
+// ---- the scene ----
+
+// Where two pieces of one solid meet, or a face is cut, the new face is called and feels as the one of the solid that looks most that way.
+std::size_t face_towards(const ConvexSolid& solid, const Vec3& way) {
+    std::size_t best = 0;
+    for (std::size_t f = 1; f < solid.planes.size(); ++f)
+        if (glm::dot(solid.planes[f].normal, way) > glm::dot(solid.planes[best].normal, way) + 1e-12) best = f;
+    return best;
+}
+
+struct PlaneFrom {
+    Plane plane;
+    int face = -1;  // of the solid; -1: cut
+    bool covered = false;
+};
+
+// The part of a solid behind the planes; nothing where that is empty.
+std::optional<Solid> piece_of(const Solid& solid, const std::vector<PlaneFrom>& from) {
+    std::vector<Plane> planes;
+    for (const PlaneFrom& one : from) planes.push_back(one.plane);
+    BuiltSolid made = built(planes, solid.shape.bounds_m);
+    if (made.fault != SolidFault::None) return std::nullopt;
+    Solid piece;
+    piece.role = solid.role;
+    piece.feature = solid.feature;
+    piece.source = solid.source;
+    piece.shape = std::move(made.solid);
+    for (const std::uint32_t i : made.plane_index) {
+        const std::size_t label = from[i].face >= 0 ? static_cast<std::size_t>(from[i].face) : face_towards(solid.shape, from[i].plane.normal);
+        piece.face_features.push_back(solid.face_features[label]);
+        piece.face_materials.push_back(solid.face_materials[label]);
+        piece.face_hidden.push_back(from[i].face >= 0 ? solid.face_hidden[label] : from[i].covered);
+    }
+    return piece;
+}
+
+// What is left of a solid without what lies behind all of `box`; itself where that is nothing of it.
+std::vector<Solid> without(const Solid& solid, const std::vector<Plane>& box) {
+    std::vector<PlaneFrom> rest;
+    for (std::size_t f = 0; f < solid.shape.planes.size(); ++f) rest.push_back({solid.shape.planes[f], static_cast<int>(f), false});
+    std::vector<Solid> pieces;
+    for (const Plane& plane : box) {
+        std::vector<PlaneFrom> outside = rest;
+        outside.push_back({{-plane.normal, -plane.offset_m}, -1, false});
+        if (std::optional<Solid> piece = piece_of(solid, outside)) {
+            pieces.push_back(std::move(*piece));
+            rest.push_back({plane, -1, true});  // what is cut off next meets this piece there
+        }
+        if (!piece_of(solid, rest)) return pieces;
+    }
+    return pieces;
+}
+
+template <class Shape>
+Vec3* centre_of_round(Shape& shape) {
+    if constexpr (std::is_same_v<Shape, SphereShape>) return &shape.centre_m;
+    else if constexpr (std::is_same_v<Shape, CapsuleShape>) return &shape.start_m;
+    else if constexpr (std::is_same_v<Shape, CylinderShape>) return &shape.bottom_m;
+    else if constexpr (std::is_same_v<Shape, ConeShape>) return &shape.base_m;
+    else return nullptr;
+}
+
+// Drawn out along `way` by `times`, after which its zero is `plus` along it. Round parts go along and keep their shape.
+void draw_out(Solid& solid, const Vec3& way, double times, double plus_m) {
+    const auto moved = [&](const Vec3& p) { return p + way * ((times - 1.0) * glm::dot(way, p) + plus_m); };
+    if (!std::holds_alternative<std::monostate>(solid.round)) {
+        const Vec3 by = moved(solid.shape.bounds_m.centre_m()) - solid.shape.bounds_m.centre_m();
+        for (Plane& plane : solid.shape.planes) plane.offset_m += glm::dot(plane.normal, by);
+        for (Polygon& face : solid.shape.faces)
+            for (Vec3& p : face.points_m) p += by;
+        std::visit(
+            [&](auto& round) {
+                if (Vec3* centre = centre_of_round(round)) *centre += by;
+            },
+            solid.round);
+        solid.shape.bounds_m = {solid.shape.bounds_m.min_m + by, solid.shape.bounds_m.max_m + by};
+        return;
+    }
+    solid.shape.bounds_m = {};
+    for (std::size_t f = 0; f < solid.shape.planes.size(); ++f) {
+        for (Vec3& p : solid.shape.faces[f].points_m) {
+            p = moved(p);
+            solid.shape.bounds_m.include(p);
+        }
+        Plane& plane = solid.shape.planes[f];
+        const double lean = glm::dot(plane.normal, way);
+        if (std::abs(lean) > 1e-12 && std::abs(lean) < 1.0 - 1e-12) plane.normal = glm::normalize(plane.normal + way * ((1.0 / times - 1.0) * lean));
+        plane.offset_m = glm::dot(plane.normal, solid.shape.faces[f].points_m.front());
+    }
+}
+
+void draw_out(MeshTriangle& t, const Vec3& way, double times, double plus_m) {
+    for (Vec3* p : {&t.a_m, &t.b_m, &t.c_m}) *p += way * ((times - 1.0) * glm::dot(way, *p) + plus_m);
+}
+
+// Faces that only what was taken away covered can be touched.
+void uncover(Solid& solid, const std::vector<Plane>& gone) {
+    std::vector<Vec3> rest, scratch;
+    for (std::size_t f = 0; f < solid.face_hidden.size(); ++f) {
+        if (!solid.face_hidden[f]) continue;
+        rest = solid.shape.faces[f].points_m;
+        for (const Plane& plane : gone) {
+            if (rest.size() < 3) break;
+            keep_back(rest, {plane.normal, plane.offset_m + 1e-5}, kTolerance.cut_m, scratch);
+        }
+        tidy(rest, 1e-3);
+        if (rest.size() >= 3) solid.face_hidden[f] = false;
+    }
+}
+
+}  // namespace
+
+std::vector<Plane> NarrowOpening::cut() const { return box_planes(along, {felt_low_m, felt_high_m}, {front_m, back_m}, {floor_m, top_m}); }
+
+Vec3 NarrowOpening::drawn_apart(const Vec3& p) const {
+    const double s = glm::dot(along, p);
+    return p + along * (felt_low_m + (s - low_m) * times() - s);
+}
+
+bool Simplification::changes_nothing() const { return left_out.empty() && widened() == 0; }
+
+std::size_t Simplification::widened() const {
+    return static_cast<std::size_t>(std::count_if(openings.begin(), openings.end(), [](const NarrowOpening& o) { return o.widened(); }));
+}
+
+std::size_t Simplification::staying_narrow() const {
+    return static_cast<std::size_t>(std::count_if(openings.begin(), openings.end(), [](const NarrowOpening& o) { return o.stays_narrow(); }));
+}
+
+const NarrowOpening* Simplification::of_door(FeatureId door) const {
+    for (const NarrowOpening& opening : openings)
+        if (opening.widened() && std::find(opening.doors.begin(), opening.doors.end(), door) != opening.doors.end()) return &opening;
+    return nullptr;
+}
+
+Simplification plan_simplification(const Scene& scene, const SimplifyOptions& options) {
+    if (!(options.world_m_per_hand_m > 0.0) || !std::isfinite(options.world_m_per_hand_m)) return {};
+    return Planner(scene, options).run();
+}
+
+Placement felt_placement(const Simplification& plan, FeatureId thing, const Placement& at) {
+    Placement felt = at;
+    if (const NarrowOpening* opening = plan.of_door(thing)) felt.position_m = opening->drawn_apart(at.position_m);
+    return felt;
+}
+
+Scene simplified(const Scene& scene, const Simplification& plan) {
+    contract_pre(!plan.changes_nothing());
+    Scene felt;
+    felt.name = scene.name;
+    felt.metres_per_unit = scene.metres_per_unit;
+    felt.bounds_m = scene.bounds_m;
+    felt.materials = scene.materials;
+    felt.features = scene.features;
+    felt.effects = scene.effects;
+    felt.movers = scene.movers;
+    const auto is_out = [&](FeatureId id) { return std::binary_search(plan.left_out.begin(), plan.left_out.end(), id, [](FeatureId a, FeatureId b) { return a.value < b.value; }); };
+
+    struct Gone {
+        std::vector<Plane> planes;
+        Aabb box;
+    };
+    std::vector<Gone> gone;
+    std::vector<std::pair<std::vector<Plane>, Aabb>> cuts;
+    for (const NarrowOpening& opening : plan.openings)
+        if (opening.widened()) {
+            cuts.emplace_back(opening.cut(), box_around(opening.along, {opening.felt_low_m, opening.felt_high_m}, {opening.front_m, opening.back_m},
+                                                        {opening.floor_m, opening.top_m}));
+            gone.push_back({cuts.back().first, cuts.back().second});
+        }
+
+    for (const Solid& solid : scene.solids) {
+        if (is_out(solid.feature)) {
+            gone.push_back({solid.shape.planes, solid.shape.bounds_m});
+            continue;
+        }
+        if (const NarrowOpening* opening = plan.of_door(solid.feature)) {
+            felt.solids.push_back(solid);
+            draw_out(felt.solids.back(), opening->along, opening->times(), opening->felt_low_m - opening->low_m * opening->times());
+            continue;
+        }
+        std::vector<Solid> pieces{solid};
+        if (is_wall(scene, solid))
+            for (std::size_t c = 0; c < cuts.size(); ++c) {
+                const double floor_m = -cuts[c].first[3].offset_m;
+                if (!overlap(cuts[c].second, solid.shape.bounds_m) || solid.shape.bounds_m.max_m.z < floor_m + kStep_m) continue;
+                std::vector<Solid> next;
+                for (const Solid& piece : pieces) {
+                    if (common(piece.shape, cuts[c].first).faces.empty()) next.push_back(piece);
+                    else
+                        for (Solid& part : without(piece, cuts[c].first)) next.push_back(std::move(part));
+                }
+                pieces = std::move(next);
+            }
+        for (Solid& piece : pieces) felt.solids.push_back(std::move(piece));
+    }
+    for (Solid& solid : felt.solids)
+        for (const Gone& one : gone)
+            if (overlap(grown(one.box, 1e-4), solid.shape.bounds_m)) uncover(solid, one.planes);
+
+    felt.triangles = scene.triangles;
+    for (MeshTriangle& t : felt.triangles)
+        if (const NarrowOpening* opening = plan.of_door(t.feature))
+            draw_out(t, opening->along, opening->times(), opening->felt_low_m - opening->low_m * opening->times());
+
+    felt.placed = scene.placed;
+    for (PlacedModel& placed : felt.placed) {
+        const NarrowOpening* opening = plan.of_door(placed.feature);
+        if (is_out(placed.feature)) {
+            // Its number stays: the app moves things by it.
+            auto nothing = std::make_shared<Scene>();
+            nothing->materials = placed.model->materials;
+            placed.model = std::move(nothing);
+        } else if (opening) {
+            auto model = std::make_shared<Scene>(*placed.model);
+            for (Solid& solid : model->solids) draw_out(solid, opening->along, opening->times(), 0.0);
+            for (MeshTriangle& t : model->triangles) draw_out(t, opening->along, opening->times(), 0.0);
+            placed.model = std::move(model);
+            placed.at = felt_placement(plan, placed.feature, placed.at);
+        }
+    }
+    return felt;
+}
+
+}  // namespace handrail

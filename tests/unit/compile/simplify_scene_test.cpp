@@ -1,0 +1,314 @@
+#include "haptic/compile/simplify_scene.h"
+
+#include <algorithm>
+#include <random>
+
+#include "haptic/compile/compile_haptic.h"
+#include "tests/support/box_scene.h"
+#include "worlds/geometry/clip.h"
+#include "worlds/readers/reader.h"
+#include "worlds/scene/models.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kBuilding = 254.0;  // a gap is felt from 1.6256 m on, a thing from 0.8128 m
+
+SimplifyOptions at_scale(double scale) { return {scale, {}, {}}; }
+
+// Two rooms of 8 by 6 metres, one south and one north of a wall of 0.2 m, with a doorway of 0.9 m and a door in it. Lintel at 2.1 m, ceiling at 2.6 m.
+struct TwoRooms {
+    explicit TwoRooms(double door_low_m = 3.5, const Vec3& at_m = Vec3(0.0), bool with_door = true) : low_m(door_low_m), zero_m(at_m) {
+        wall({0, 0, -0.3}, {8, 12.2, 0}, FeatureKind::Floor);
+        wall({0, 0, 2.6}, {8, 12.2, 2.8}, FeatureKind::Ceiling);
+        wall({-0.2, 0, 0}, {0, 12.2, 2.6});
+        wall({8, 0, 0}, {8.2, 12.2, 2.6});
+        wall({0, -0.2, 0}, {8, 0, 2.6});
+        wall({0, 12.2, 0}, {8, 12.4, 2.6});
+        wall({0, 6, 0}, {low_m, 6.2, 2.6});
+        wall({low_m + 0.9, 6, 0}, {8, 6.2, 2.6});
+        wall({low_m, 6, 2.1}, {low_m + 0.9, 6.2, 2.6});
+        if (with_door) door = builder.box(Vec3(low_m, 6.0, 0) + zero_m, Vec3(low_m + 0.9, 6.05, 2.08) + zero_m, "Door", SolidRole::Mover, "wood", FeatureKind::Door);
+    }
+    FeatureId wall(const Vec3& low, const Vec3& high, FeatureKind kind = FeatureKind::Wall) {
+        return builder.box(low + zero_m, high + zero_m, "wall", SolidRole::Solid, "plaster", kind);
+    }
+    FeatureId thing(const Vec3& low, const Vec3& high, const std::string& name) { return builder.box(low + zero_m, high + zero_m, name); }
+    Scene& scene() {
+        Scene& made = builder.scene();
+        made.bounds_m = {};
+        for (const Solid& solid : made.solids) made.bounds_m.include(solid.shape.bounds_m);
+        return made;
+    }
+
+    double low_m;
+    Vec3 zero_m;
+    test::SceneBuilder builder;
+    FeatureId door = kNoFeature;
+};
+
+bool is_solid(const Scene& scene, const Vec3& p, bool with_leaves = true) {
+    return std::any_of(scene.solids.begin(), scene.solids.end(), [&](const Solid& solid) {
+        const Feature* feature = scene.find(solid.feature);
+        return (with_leaves || !feature || feature->kind != FeatureKind::Door) && contains(solid.shape, p);
+    });
+}
+
+TEST(SimplifyScene, widens_a_doorway_to_both_sides_and_its_leaf_with_it) {
+    TwoRooms rooms;
+    const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
+    ASSERT_EQ(plan.openings.size(), 1U);
+    const NarrowOpening& opening = plan.openings[0];
+    EXPECT_EQ(opening.doors, std::vector<FeatureId>{rooms.door});
+    EXPECT_TRUE(opening.widened());
+    EXPECT_FALSE(opening.stays_narrow());
+    EXPECT_NEAR(opening.width_m(), 0.9, 1e-9);
+    EXPECT_NEAR(opening.felt_width_m(), 0.0064 * kBuilding, 1e-9);
+    EXPECT_NEAR(opening.felt_low_m + opening.felt_high_m, 2.0 * 3.95, 1e-9);
+    const Scene felt = simplified(rooms.scene(), plan);
+    EXPECT_TRUE(is_solid(rooms.scene(), {3.3, 6.1, 1.0}));
+    EXPECT_FALSE(is_solid(felt, {3.3, 6.1, 1.0})) << "beside the true doorway";
+    EXPECT_FALSE(is_solid(felt, {4.6, 6.1, 2.05}));
+    EXPECT_TRUE(is_solid(felt, {3.3, 6.1, 2.15})) << "the wall above goes on";
+    EXPECT_TRUE(is_solid(felt, {3.3, 6.1, -0.1})) << "and the floor";
+    EXPECT_TRUE(is_solid(felt, {3.3, 6.02, 1.0})) << "the leaf closes it";
+    EXPECT_TRUE(is_solid(felt, {4.7, 6.02, 1.0}));
+    EXPECT_TRUE(is_solid(felt, {3.1, 6.1, 1.0})) << "3.1372 is where it ends";
+}
+
+TEST(SimplifyScene, does_nothing_where_everything_can_be_felt) {
+    TwoRooms rooms;
+    rooms.thing({1, 1, 0}, {1.3, 1.2, 0.5}, "stool");
+    for (const double scale : {15.0, 60.0, 90.0, 0.0, -1.0, std::numeric_limits<double>::infinity()}) {
+        const Simplification plan = plan_simplification(rooms.scene(), at_scale(scale));
+        EXPECT_TRUE(plan.changes_nothing()) << scale;
+        EXPECT_TRUE(plan.openings.empty()) << scale;
+    }
+    EXPECT_TRUE(plan_simplification(Scene{}, at_scale(500.0)).changes_nothing());
+}
+
+TEST(SimplifyScene, leaves_out_what_is_under_an_eighth_of_an_inch_and_not_wanted) {
+    TwoRooms rooms;
+    const FeatureId stool = rooms.thing({1, 1, 0}, {1.3, 1.2, 0.5}, "stool"), pole = rooms.thing({2, 1, 0}, {2.1, 1.1, 2.5}, "pole");
+    const FeatureId shelf = rooms.thing({3, 0, 0}, {5, 0.3, 1}, "shelf"), fountain = rooms.thing({5, 3, 0}, {5.4, 3.4, 1}, "fountain");
+    const FeatureId clue = rooms.thing({6, 3, 0}, {6.4, 3.4, 1}, "clue"), marked = rooms.thing({7, 3, 0}, {7.4, 3.4, 1}, "marked");
+    const FeatureId ticks = rooms.thing({7, 5, 0}, {7.4, 5.4, 1}, "clock");
+    const FeatureId button = rooms.builder.box({1, 3, 0}, {1.1, 3.1, 1}, "button", SolidRole::Solid, "", FeatureKind::Button);
+    rooms.scene().features[fountain.value].landmark = true;
+    rooms.scene().features[clue.value].clue = true;
+    rooms.scene().sounds.push_back({{7.2, 5.2, 1.1}, "tick", "tick", 1.0});
+    SimplifyOptions options = at_scale(kBuilding);
+    options.kept_m = {{7.2, 2.9, 0.5}};
+    const Simplification plan = plan_simplification(rooms.scene(), options);
+    EXPECT_EQ(plan.left_out, (std::vector<FeatureId>{stool, pole}));
+    const Scene felt = simplified(rooms.scene(), plan);
+    for (const FeatureId out : {stool, pole}) EXPECT_FALSE(is_solid(felt, rooms.scene().features[out.value].bounds_m.centre_m()));
+    for (const FeatureId in : {shelf, fountain, clue, marked, ticks, button}) EXPECT_TRUE(is_solid(felt, rooms.scene().features[in.value].bounds_m.centre_m()));
+    // 0.3 m at 1:60 are 5 mm of the hand.
+    EXPECT_EQ(plan_simplification(rooms.scene(), at_scale(60.0)).left_out, std::vector<FeatureId>{pole});
+}
+
+TEST(SimplifyScene, keeps_a_thing_that_is_most_of_the_world) {
+    test::SceneBuilder builder;
+    builder.box({0, 0, 0}, {0.1, 0.1, 0.1}, "figure");
+    builder.scene().bounds_m = {{0, 0, 0}, {0.1, 0.1, 0.1}};
+    EXPECT_TRUE(plan_simplification(builder.scene(), at_scale(60.0)).changes_nothing());
+}
+
+TEST(SimplifyScene, leaves_no_hole_in_a_wall_where_a_window_or_a_piece_of_the_wall_is_small) {
+    TwoRooms rooms;
+    std::erase_if(rooms.scene().solids, [](const Solid& s) { return s.shape.bounds_m.min_m == Vec3(4.4, 6.0, 0.0); });
+    rooms.wall({4.4, 6, 0}, {6, 6.2, 2.6});
+    rooms.wall({6.5, 6, 0}, {8, 6.2, 2.6});
+    rooms.wall({6, 6, 0}, {6.5, 6.2, 1.0});
+    rooms.wall({6, 6, 1.6}, {6.5, 6.2, 2.6});
+    const FeatureId window = rooms.thing({6, 6.05, 1.0}, {6.5, 6.1, 1.6}, "Window");
+    // Beside the east wall, and in a corner.
+    const FeatureId bin = rooms.thing({7.6, 3, 0}, {8, 3.4, 0.5}, "Bin"), stand = rooms.thing({7.6, 0, 0}, {8, 0.4, 0.5}, "Stand");
+    const FeatureId stub = rooms.wall({1.0, 6.2, 0}, {1.4, 6.6, 2.6}, FeatureKind::Object), pillar = rooms.wall({1.0, 9.2, 0}, {1.4, 9.6, 2.6}, FeatureKind::Object);
+    for (const FeatureId made : {stub, pillar}) rooms.scene().features[made.value].made_name = true;
+    EXPECT_EQ(plan_simplification(rooms.scene(), at_scale(kBuilding)).left_out, (std::vector<FeatureId>{bin, stand, pillar})) << window.value << stub.value;
+}
+
+TEST(SimplifyScene, stops_at_a_wall_that_stands_across_and_widens_the_other_way) {
+    // A third room in the north-west: its wall meets the doorway's wall 0.1 m west of the doorway.
+    TwoRooms rooms;
+    rooms.wall({3.2, 6.2, 0}, {3.4, 12.2, 2.6});
+    const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
+    ASSERT_EQ(plan.openings.size(), 1U);
+    EXPECT_NEAR(plan.openings[0].felt_low_m, 3.4, 1e-9);
+    EXPECT_NEAR(plan.openings[0].felt_high_m, 3.4 + 0.0064 * kBuilding, 1e-9);
+    EXPECT_FALSE(plan.openings[0].stays_narrow());
+}
+
+TEST(SimplifyScene, says_what_stays_narrow_between_two_walls_that_stand_across) {
+    TwoRooms rooms;
+    rooms.wall({3.2, 6.2, 0}, {3.4, 12.2, 2.6});
+    rooms.wall({4.5, 0, 0}, {4.7, 6.0, 2.6});
+    const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
+    ASSERT_EQ(plan.openings.size(), 1U);
+    EXPECT_TRUE(plan.openings[0].widened());
+    EXPECT_TRUE(plan.openings[0].stays_narrow());
+    EXPECT_EQ(plan.staying_narrow(), 1U);
+    EXPECT_NEAR(plan.openings[0].felt_width_m(), 1.1, 1e-9);
+}
+
+TEST(SimplifyScene, does_not_cut_into_what_is_a_thing_of_its_own) {
+    TwoRooms rooms;
+    rooms.thing({4.6, 6, 0}, {5.8, 6.2, 2.0}, "Window");  // stands in the wall
+    const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
+    ASSERT_EQ(plan.openings.size(), 1U);
+    EXPECT_NEAR(plan.openings[0].felt_high_m, 4.6, 1e-9);
+    EXPECT_NEAR(plan.openings[0].felt_width_m(), 0.0064 * kBuilding, 1e-9);
+}
+
+TEST(SimplifyScene, keeps_a_piece_of_wall_between_two_doorways) {
+    TwoRooms rooms(3.5);
+    // Another doorway from 5.0 to 5.9 in the same wall.
+    std::erase_if(rooms.scene().solids, [](const Solid& s) { return s.shape.bounds_m.min_m.x == 4.4 && s.shape.bounds_m.min_m.y == 6.0; });
+    rooms.wall({4.4, 6, 0}, {5.4, 6.2, 2.6});
+    rooms.wall({6.3, 6, 0}, {8, 6.2, 2.6});
+    rooms.wall({5.4, 6, 2.1}, {6.3, 6.2, 2.6});
+    rooms.builder.box({5.4, 6, 0}, {6.3, 6.05, 2.08}, "Other door", SolidRole::Mover, "wood", FeatureKind::Door);
+    const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
+    ASSERT_EQ(plan.openings.size(), 2U);
+    const auto [west, east] = std::minmax(plan.openings[0].felt_high_m, plan.openings[1].felt_low_m);
+    EXPECT_NEAR(plan.openings[1].felt_low_m - plan.openings[0].felt_high_m, 0.0032 * kBuilding, 1e-9) << west << east;
+    EXPECT_FALSE(plan.openings[0].stays_narrow()) << "there is room to the west";
+    EXPECT_FALSE(plan.openings[1].stays_narrow()) << "and to the east";
+}
+
+TEST(SimplifyScene, widens_an_opening_that_has_no_door_only_where_it_is_told_of) {
+    TwoRooms rooms(3.5, Vec3(0.0), false);
+    EXPECT_TRUE(plan_simplification(rooms.scene(), at_scale(kBuilding)).openings.empty());
+    SimplifyOptions options = at_scale(kBuilding);
+    options.openings_m = {{4.1, 6.15, 0.0}, {2.0, 3.0, 0.0}};  // the second is in the middle of a room
+    const Simplification plan = plan_simplification(rooms.scene(), options);
+    ASSERT_EQ(plan.openings.size(), 1U);
+    EXPECT_EQ(plan.openings[0].place, 0);
+    EXPECT_NEAR(plan.openings[0].felt_width_m(), 0.0064 * kBuilding, 1e-9);
+    EXPECT_NEAR(plan.openings[0].felt_low_m + plan.openings[0].felt_high_m, 2.0 * 3.95, 1e-9);
+    const Scene felt = simplified(rooms.scene(), plan);
+    EXPECT_FALSE(is_solid(felt, {3.2, 6.1, 1.0}));
+}
+
+TEST(SimplifyScene, stretches_a_leaf_that_slides_and_one_that_swings_so_that_both_ends_of_their_way_are_right) {
+    for (const bool swings : {false, true}) {
+        TwoRooms rooms;
+        Mover mover;
+        mover.feature = rooms.door;
+        mover.pivot_m = swings ? Vec3(3.5, 6.05, 0.0) : Vec3(3.95, 6.025, 1.04);
+        if (swings) mover.swing_rad = 0.5 * kPi;
+        else mover.slide_m = {0.9, 0.0, 0.0};
+        rooms.scene().movers.push_back(mover);
+        std::vector<int> thing;
+        Scene apart = with_movers_apart(rooms.scene(), 8, thing);
+        ASSERT_EQ(thing, std::vector<int>{0});
+        const Simplification plan = plan_simplification(apart, at_scale(kBuilding));
+        ASSERT_EQ(plan.widened(), 1U);
+        for (const double part : {0.0, 0.5, 1.0}) {
+            apart.placed[0].at = mover.at(part);
+            EXPECT_EQ(plan_simplification(apart, at_scale(kBuilding)), plan) << "wherever the leaf is";
+            const Scene felt = simplified(apart, plan);
+            const PlacedModel& leaf = felt.placed[0];
+            EXPECT_EQ(leaf.at, felt_placement(plan, rooms.door, mover.at(part)));
+            const Aabb box = placed_bounds(leaf.model->solids[0].shape.bounds_m, leaf.at);
+            const double low = plan.openings[0].felt_low_m, width = plan.openings[0].felt_width_m();
+            if (part == 0.0 || !swings) {
+                EXPECT_NEAR(box.min_m.x, low + width * part, 1e-9);
+                EXPECT_NEAR(box.max_m.x, low + width * (1.0 + part), 1e-9);
+            } else if (part == 1.0) {
+                EXPECT_NEAR(box.min_m.x, low, 1e-9) << "it hangs at the felt jamb";
+                EXPECT_LT(box.max_m.x, low + 0.06);
+                EXPECT_NEAR(box.size_m().y, width, 1e-9) << "and is as long as the opening is wide";
+            }
+        }
+    }
+}
+
+// Brute force: places at random over the building.
+TEST(SimplifyScene, changes_nothing_but_what_is_in_a_cut_a_leaf_or_left_out) {
+    std::mt19937 random(20261122);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int round = 0; round < 40; ++round) {
+        const Vec3 far = round % 3 == 0 ? Vec3(12000.0, -7000.0, 300.0) : Vec3(0.0);
+        TwoRooms rooms(0.3 + 6.7 * unit(random), far);
+        if (round % 2 == 0) rooms.wall({2.0 + 3.0 * unit(random), 6.2, 0}, {5.2, 12.2, 2.6});
+        for (int i = 0; i < 5; ++i) {
+            const Vec3 low(7.0 * unit(random), 5.0 * unit(random), 0.0);
+            rooms.thing(low, low + Vec3(0.05 + unit(random), 0.05 + unit(random), 0.5), "thing");
+        }
+        const double scale = 100.0 + 400.0 * unit(random);
+        const Scene& whole = rooms.scene();
+        const Simplification plan = plan_simplification(whole, at_scale(scale));
+
+        Scene shuffled = whole;
+        std::shuffle(shuffled.solids.begin(), shuffled.solids.end(), random);
+        EXPECT_EQ(plan_simplification(shuffled, at_scale(scale)), plan) << "round " << round;
+
+        if (plan.changes_nothing()) continue;
+        const Scene felt = simplified(whole, plan), felt_shuffled = simplified(shuffled, plan);
+        std::vector<Plane> cut;
+        if (plan.widened() > 0) cut = plan.openings[0].cut();
+        for (int i = 0; i < 4000; ++i) {
+            const Vec3 p = far + Vec3(-0.5 + 9.0 * unit(random), (i % 2 ? 5.7 + 0.8 * unit(random) : 13.0 * unit(random)), -0.5 + 3.5 * unit(random));
+            const auto left_out = [&](const Solid& s) { return std::find(plan.left_out.begin(), plan.left_out.end(), s.feature) != plan.left_out.end(); };
+            bool near_border = false, wanted = false;
+            const auto in_cut = !cut.empty() && std::all_of(cut.begin(), cut.end(), [&](const Plane& plane) { return signed_distance(plane, p) < 0.0; });
+            for (const Plane& plane : cut) near_border = near_border || std::abs(signed_distance(plane, p)) < 1e-5;
+            for (const Solid& solid : whole.solids) {
+                if (solid.feature == rooms.door || left_out(solid)) continue;
+                for (const Plane& plane : solid.shape.planes) near_border = near_border || std::abs(signed_distance(plane, p)) < 1e-5;
+                const bool wall = whole.features[solid.feature.value].kind == FeatureKind::Wall;
+                wanted = wanted || (contains(solid.shape, p) && !(wall && in_cut));
+            }
+            if (near_border) continue;
+            EXPECT_EQ(is_solid(felt, p, false), wanted) << "round " << round << " at " << p.x - far.x << " " << p.y - far.y << " " << p.z - far.z;
+            EXPECT_EQ(is_solid(felt_shuffled, p, false), wanted);
+            // The leaf closes the opening from jamb to jamb, at its own depth and height.
+            const bool in_leaf = in_cut && p.y > far.y + 6.0 && p.y < far.y + 6.05 && p.z < far.z + 2.08;
+            EXPECT_EQ(is_solid(felt, p), wanted || in_leaf || (!in_cut && is_solid(felt, p)));
+        }
+        for (const Solid& solid : felt.solids) {
+            EXPECT_EQ(solid.face_features.size(), solid.shape.planes.size());
+            EXPECT_EQ(solid.face_materials.size(), solid.shape.planes.size());
+            EXPECT_EQ(solid.face_hidden.size(), solid.shape.planes.size());
+        }
+    }
+}
+
+TEST(SimplifyScene, compiles_with_a_placed_thing_left_out_and_every_other_number_kept) {
+    TwoRooms rooms;
+    Scene world = *with_placed(rooms.scene(), "crumb", *box_model({0.1, 0.1, 0.1}), {{1, 1, 0.05}, {}, 1.0}, "");
+    world = *with_placed(world, "crate", *box_model({1.5, 1.5, 1.0}), {{6, 3, 0.5}, {}, 1.0}, "");
+    const Simplification plan = plan_simplification(world, at_scale(kBuilding));
+    EXPECT_EQ(plan.left_out, std::vector<FeatureId>{world.placed[0].feature});
+    const auto haptic = compile_haptic(simplified(world, plan), exploring(0.0));
+    ASSERT_EQ(haptic->bodies.size(), 2U);
+    EXPECT_EQ(haptic->bodies[0].feature, world.placed[0].feature);
+    EXPECT_TRUE(haptic->bodies[0].shape->obstacles.empty());
+    EXPECT_EQ(haptic->bodies[1].shape->obstacles.size(), 1U);
+}
+
+TEST(SimplifyScene, widens_every_door_of_the_house_at_the_scale_of_the_whole_building) {
+    auto house = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map");
+    ASSERT_TRUE(house);
+    const Simplification plan = plan_simplification(*house, at_scale(kBuilding));
+    EXPECT_EQ(plan.openings.size(), 11U);
+    for (const NarrowOpening& o : plan.openings) {
+        EXPECT_TRUE(o.widened() && !o.stays_narrow()) << house->features[o.doors[0].value].name << " " << o.felt_width_m();
+        EXPECT_NEAR(o.top_m - o.floor_m, 2.1, 0.01);
+        EXPECT_NEAR(o.back_m - o.front_m, o.along.x == 1.0 ? 0.4 : 0.3, 1e-6) << "the wall and its frames";
+    }
+    const auto names_at = [&](double scale) {
+        std::vector<std::string> names;
+        for (const FeatureId id : plan_simplification(*house, at_scale(scale)).left_out) names.push_back(house->features[id.value].name);
+        return names;
+    };
+    EXPECT_EQ(names_at(kBuilding), (std::vector<std::string>{"Coat stand", "Filing cabinet", "Globe's stand", "Toilet", "Upper basin", "Music stand"}));
+    EXPECT_EQ(names_at(60.0), std::vector<std::string>{"Globe's stand"});
+    EXPECT_TRUE(names_at(15.0).empty());
+}
+
+}  // namespace
+}  // namespace handrail
