@@ -87,7 +87,7 @@ void AppCore::list_simplified(double now_s) {
     const auto metres = [](double width_m) { return phrase("words.metres", {{"metres", std::round(width_m * 10.0) / 10.0}}); };
     for (const NarrowOpening& opening : compiled_plan_.openings) {
         const FeatureId door = opening.doors.empty() ? kNoFeature : opening.doors.front();
-        std::string name = sentence_case(door ? name_of(door) : phrase("rooms.opening"));
+        std::string name = sentence_case(door ? spoken_name(scene_->features[door.value]) : phrase("rooms.opening"));
         if (opening.place >= 0 && rooms_known()) {
             const RoomGraph& graph = rooms_->graph();
             const Portal& portal = graph.portals[planned_portals_[static_cast<std::size_t>(opening.place)]];
@@ -99,7 +99,7 @@ void AppCore::list_simplified(double now_s) {
         const Vec3 middle = opening.middle_m();
         add(std::move(name), door ? scene_->features[door.value].bounds_m : Aabb{middle, middle}, door, what);
     }
-    for (const FeatureId id : compiled_plan_.left_out) add(sentence_case(name_of(id)), scene_->features[id.value].bounds_m, id, phrase("simplify.is_left_out"));
+    for (const FeatureId id : compiled_plan_.left_out) add(sentence_case(spoken_name(scene_->features[id.value])), scene_->features[id.value].bounds_m, id, phrase("simplify.is_left_out"));
     if (goals.empty()) return answer(phrase("simplify.nothing"), now_s);
     list.chosen = [this, goals](std::size_t i) { open_tools(goals[i], last_tick_s_); };
     open_list(std::move(list), now_s);

@@ -5,6 +5,7 @@
 
 #include "haptic/compile/compile_haptic.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/random_families.h"
 #include "worlds/geometry/clip.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/models.h"
@@ -228,7 +229,9 @@ TEST(SimplifyScene, stretches_a_leaf_that_slides_and_one_that_swings_so_that_bot
 
 // Brute force: places at random over the building.
 TEST(SimplifyScene, changes_nothing_but_what_is_in_a_cut_a_leaf_or_left_out) {
-    std::mt19937 random(20261122);
+    const std::uint32_t seed = test::seed_of_run();
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     for (int round = 0; round < 40; ++round) {
         const Vec3 far = round % 3 == 0 ? Vec3(12000.0, -7000.0, 300.0) : Vec3(0.0);
