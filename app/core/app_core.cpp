@@ -236,7 +236,7 @@ std::string AppCore::name_of(FeatureId feature) const {
 
 std::string AppCore::entering_text() const {
     const FreeSpace space = free_space(*body_world_, feet_m(), kLookHeight_m, heading_rad_);
-    std::string text = sentence_case(scene_->name) + ".";
+    std::string text = sentence_case(spoken_name(*scene_)) + ".";
     if (space.width_m > 0.0 && space.depth_m > 0.0) text += " " + phrase("session.space", {{"size", size_words(space.width_m, space.depth_m, distances())}});
     const Vec3 size = scene_->bounds_m.empty() ? Vec3(0.0) : scene_->bounds_m.size_m();
     if (size.x > 1.5 * space.width_m + 2.0 || size.y > 1.5 * space.depth_m + 2.0)
@@ -929,7 +929,7 @@ void AppCore::notice_volumes(double now_s) {
             say(sentence_case(name_of(id)), SpeechClass::Contact, now_s);
         } else if (!feature->message.empty() && std::find(told_triggers_.begin(), told_triggers_.end(), id) == told_triggers_.end()) {
             told_triggers_.push_back(id);
-            say(feature->message, SpeechClass::Answer, now_s);
+            say(spoken_message(*feature), SpeechClass::Answer, now_s);
         }
     }
     inside_ = std::move(now);

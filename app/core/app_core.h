@@ -479,10 +479,8 @@ private:
     std::uint32_t room_ = kNothing;    // the last one the body was in
     std::vector<bool> visited_rooms_;  // since this world was entered
     std::vector<RoomNameGiven> room_names_;
-    std::vector<bool> room_named_by_map_;
     std::shared_ptr<const std::vector<DrawnRoom>> drawn_rooms_;  // for the plan; made while it is shown
     std::string drawn_language_;
-    std::vector<std::string> own_room_names_;  // what each room is called where the person has given no name
     std::shared_ptr<const Scene> leaves_of_;    // the world as it was when ways were told where leaves stand
     std::shared_ptr<const Scene> followed_in_;  // likewise when the way that is followed was planned
     RouteFollower follower_;

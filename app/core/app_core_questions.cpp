@@ -56,7 +56,7 @@ std::string AppCore::where_am_i() const {
     const bool home = glm::length(feet_m() - home_feet_m_) < 0.5 * settings_.walk.step_length_m;
     const bool at_door = std::any_of(scene_->features.begin(), scene_->features.end(), [](const Feature& feature) { return feature.base; });
     const std::string compass = compass_word(heading_rad_);
-    std::string text = !home     ? phrase("questions.you_are_in", {{"world", scene_->name}, {"compass", compass}})
+    std::string text = !home     ? phrase("questions.you_are_in", {{"world", spoken_name(*scene_)}, {"compass", compass}})
                        : at_door ? phrase("questions.you_are_at_door", {{"compass", compass}})
                                  : phrase("questions.you_are_at_base", {{"compass", compass}});
     // Two landmarks first, then what a straight look meets on four sides, then what else is near.

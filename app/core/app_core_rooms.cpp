@@ -188,12 +188,6 @@ void AppCore::way_to_room(std::uint32_t room, double now_s) {
 // Once the rooms are known.
 void AppCore::lay_given_names(double now_s) {
     RoomGraph& graph = rooms_->graph();
-    own_room_names_.clear();
-    room_named_by_map_.clear();
-    for (const Room& room : graph.rooms) {
-        own_room_names_.push_back(room.name);
-        room_named_by_map_.push_back(room.named);
-    }
     int unreadable = 0;
     room_names_ = read_room_names(side_file_, unreadable);
     if (unreadable > 0) say(phrase("room_names.unreadable", {{"count", unreadable}}), SpeechClass::Answer, now_s);
@@ -222,12 +216,12 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
     const std::uint32_t known = name_of_room(graph, rooms_->navigation().space(), room_names_, room);
     if (known != kNothing) room_names_.erase(room_names_.begin() + known);
     // Its own name again takes the given one away.
-    if (*name != own_room_names_[room])
+    graph.rooms[room].given = *name != own_name(graph.rooms[room]);
+    if (graph.rooms[room].given)
         room_names_.push_back({*name, graph.rooms[room].middle_m, graph.rooms[room].area_m2, side_file_.world_checksum(), true, {}});
     rename_room_in_ways(graph.rooms[room].name, *name);
     graph.rooms[room].name = *name;
     drawn_rooms_.reset();
-    graph.rooms[room].named = *name != own_room_names_[room] || room_named_by_map_[room];
     write_room_names(side_file_, room_names_);
     save_additions(now_s);
     answer(phrase("room_names.given", {{"name", *name}}), now_s);

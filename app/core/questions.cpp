@@ -51,10 +51,11 @@ std::vector<Sight> in_sight(const Asker& asker, std::size_t most) {
     for (const SoundSource& sound : scene.sounds) {
         const Vec3 way = sound.position_m - eye;
         const double distance_m = glm::length(way);
-        if (sound.name.empty() || distance_m < 1e-6 || distance_m > kSightRange_m) continue;
+        const std::string name = spoken_name(sound);
+        if (name.empty() || distance_m < 1e-6 || distance_m > kSightRange_m) continue;
         const TraceHit hit = asker.world.trace(eye, sound.position_m, BodyShape{}, true);
         if (hit.hit && (1.0 - hit.fraction) * distance_m > kSoundSize_m) continue;
-        all.push_back({{std::atan2(way.x, way.y), std::hypot(way.x, way.y), kNoFeature, sound.position_m}, sound.name, {}, false});
+        all.push_back({{std::atan2(way.x, way.y), std::hypot(way.x, way.y), kNoFeature, sound.position_m}, name, {}, false});
     }
     sort_by_distance(all);
     std::vector<Sight> told;

@@ -101,7 +101,7 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     const ReadReport& report = scene.report;
     const Vec3 size = scene.bounds_m.empty() ? Vec3{0.0} : scene.bounds_m.size_m();
     const auto line = [&out](const std::string& sentence) { out << sentence << '\n'; };
-    line(phrase("info.world", {{"world", scene.name}, {"file", scene.source_file}}));
+    line(phrase("info.world", {{"world", spoken_name(scene)}, {"file", scene.source_file}}));
     line(phrase("info.size", {{"x", size.x}, {"y", size.y}, {"z", size.z}, {"unit", fmt::format("{}", scene.metres_per_unit)}}));
     line(phrase(
         "info.holds",

@@ -55,7 +55,7 @@ std::string describe_feature(const Scene& scene, FeatureId id, int verbosity) {
     if (feature->base) text = phrase("touched.base", {{"name", text}});
     if (verbosity >= 3 && !feature->hinge.empty()) text = phrase("touched.hinge", {{"name", text}, {"side", spoken_side(feature->hinge)}});
     if (verbosity >= 4) text += ". " + size_sentence(*feature);
-    if (verbosity >= 3 && !feature->message.empty()) text += (text.back() == '.' ? " " : ". ") + feature->message;
+    if (verbosity >= 3 && !feature->message.empty()) text += (text.back() == '.' ? " " : ". ") + spoken_message(*feature);
     return sentence_case(text);
 }
 

@@ -38,6 +38,15 @@ std::string phrase(std::string_view key, std::initializer_list<TextValue> values
 // Whether the language spoken, or English, has the key: for keys made of names that come from files ("material.moss").
 bool has_phrase(std::string_view key);
 
+// A text of a world in one more language.
+struct TextIn {
+    std::string language;  // its code: "de"
+    std::string text;
+};
+using OtherLanguages = std::vector<TextIn>;
+// The one in the language spoken, where there is one; else `text`, which the world is known by.
+const std::string& in_spoken_language(const std::string& text, const OtherLanguages& others);
+
 // First letter in upper case, for the start of a sentence, in any script; a text that begins with no letter stays.
 std::string capitalised(std::string_view text);
 

@@ -21,16 +21,17 @@ constexpr double kLong = 6.0;  // a huge place of so many squares as wide as its
 constexpr double kStorey_m = 2.0;
 constexpr double kOnePortal_m = 1.0;  // gaps in a border smaller than that do not make two portals
 
-MadeRoomName by_thing(const std::string& name, bool made) {
+MadeRoomName by_thing(const Feature& feature) {
     MadeRoomName called;
-    called.thing = name;
-    called.thing_made = made;
+    called.thing = feature.name;
+    called.thing_made = feature.made_name;
+    called.thing_in = feature.name_in;
     return called;
 }
 
 std::string made_name(const MadeRoomName& made) {
     constexpr std::array kLooks{"room_name.niche", "room_name.corridor", "room_name.small_room", "room_name.room", "room_name.large_room", "room_name.hall"};
-    const std::string thing = made.thing_made ? spoken_kind(made.thing) : made.thing;
+    const std::string thing = in_spoken_language(made.thing_made ? spoken_kind(made.thing) : made.thing, made.thing_in);
     if (made.with_thing) return phrase(made.look == RoomLook::Niche ? "room_name.niche_with" : "room_name.room_with", {{"thing", thing}});
     if (!thing.empty()) return thing;
     const std::string look = phrase(kLooks[static_cast<std::size_t>(made.look)]);
@@ -40,7 +41,7 @@ std::string made_name(const MadeRoomName& made) {
     return made.levels > 2 ? phrase("room_name.level", {{"room", name}, {"level", made.level + 1}}) : name;
 }
 
-std::string numbered(const Room& room) { return phrase("room_name.another", {{"room", room.name}, {"number", room.same_name}}); }
+std::string unnumbered(const Room& room) { return room.map_name.empty() ? made_name(room.made) : in_spoken_language(room.map_name, room.map_name_in); }
 
 class Builder {
 public:
@@ -334,8 +335,9 @@ private:
                 number[l] = static_cast<std::uint32_t>(graph_.rooms.size());
                 Room room;
                 room.kind = kinds_[l];
-                room.name = names_[l];
-                room.named = !room.name.empty();
+                room.map_name = names_[l];
+                for (const RoomName& given : scene_.room_names)
+                    if (given.name == room.map_name && room.map_name_in.empty()) room.map_name_in = given.name_in;
                 graph_.rooms.push_back(room);
             }
             l = number[l];
@@ -370,7 +372,7 @@ private:
             room.area_m2 = area(cells[r]) + static_cast<double>(rim[r]) * space_.cell_m * space_.body.radius_m;
             room.bounds_m.min_m -= Vec3(space_.body.radius_m, space_.body.radius_m, 0.0);
             room.bounds_m.max_m += Vec3(space_.body.radius_m, space_.body.radius_m, 0.0);
-            if (room.kind == RoomKind::Room && room.area_m2 < kNiche_m2 && !room.named) room.kind = RoomKind::Niche;
+            if (room.kind == RoomKind::Room && room.area_m2 < kNiche_m2 && room.map_name.empty()) room.kind = RoomKind::Niche;
         }
         std::vector<std::size_t> by_height(graph_.rooms.size());
         std::iota(by_height.begin(), by_height.end(), std::size_t{0});
@@ -467,13 +469,13 @@ private:
             if (!feature.landmark || feature.bounds_m.empty() || feature.kind == FeatureKind::Door) continue;
             const Vec3 c = feature.bounds_m.centre_m(), size = feature.bounds_m.size_m();
             const std::uint32_t s = space_.nearest({c.x, c.y, feature.bounds_m.min_m.z}, 0.5 * std::max(size.x, size.y) + 1.0, 0.6, 2.0);
-            if (s != kNothing && content[label_[s]].thing.empty()) content[label_[s]] = by_thing(feature.name, feature.made_name);
+            if (s != kNothing && content[label_[s]].thing.empty()) content[label_[s]] = by_thing(feature);
         }
         std::vector<Aabb> levels(static_cast<std::size_t>(levels_));
         for (const Room& room : graph_.rooms) levels[static_cast<std::size_t>(room.level)].include(room.bounds_m);
         for (std::uint32_t r = 0; r < graph_.rooms.size(); ++r) {
             Room& room = graph_.rooms[r];
-            if (room.named) continue;
+            if (!room.map_name.empty()) continue;
             if (room.kind == RoomKind::Stairs) room.made = ground_name(r);
             else if (room.kind == RoomKind::Liquid) room.made = liquid_name(r);
             else if (content[r].thing.empty()) room.made = by_size(room, levels[static_cast<std::size_t>(room.level)]);
@@ -482,13 +484,12 @@ private:
                 room.made.with_thing = true;
                 if (room.kind == RoomKind::Niche) room.made.look = RoomLook::Niche;
             }
-            room.name = made_name(room.made);
         }
         graph_.language = spoken_language();
         std::map<std::string, int> seen;
         for (Room& room : graph_.rooms) {
-            room.same_name = ++seen[room.name];
-            if (room.same_name > 1) room.name = numbered(room);
+            room.same_name = ++seen[unnumbered(room)];
+            room.name = own_name(room);
         }
     }
 
@@ -497,14 +498,14 @@ private:
             if (label_[s] == room && space_.spans[s].ground < space_.obstacle_features.size())
                 if (const Feature* feature = scene_.find(space_.obstacle_features[space_.spans[s].ground]);
                     feature && feature->kind == FeatureKind::Object && !feature->name.empty())
-                    return by_thing(feature->name, feature->made_name);
-        return by_thing("stairs", true);
+                    return by_thing(*feature);
+        return {.thing = "stairs", .thing_made = true};
     }
     MadeRoomName liquid_name(std::uint32_t room) const {
         for (const Solid& solid : scene_.solids)
             if (solid.role == SolidRole::Liquid && solid.feature && contains(solid.shape, graph_.rooms[room].middle_m + Vec3(0.0, 0.0, 0.3)))
-                return by_thing(scene_.features[solid.feature.value].name, scene_.features[solid.feature.value].made_name);
-        return by_thing("water", true);
+                return by_thing(scene_.features[solid.feature.value]);
+        return {.thing = "water", .thing_made = true};
     }
     MadeRoomName by_size(const Room& room, const Aabb& level) const {
         const Vec3 size = room.bounds_m.size_m(), all = level.size_m(), off = room.middle_m - level.centre_m();
@@ -544,14 +545,16 @@ RoomGraph make_rooms(const Scene& scene, const WalkSpace& space) {
     return Builder(scene, space, walls ? *walls : space).build();
 }
 
+std::string own_name(const Room& room) {
+    std::string name = unnumbered(room);
+    return room.same_name > 1 ? phrase("room_name.another", {{"room", name}, {"number", room.same_name}}) : name;
+}
+
 void say_room_names(RoomGraph& graph) {
     if (std::string spoken = spoken_language(); graph.language != spoken) graph.language = std::move(spoken);
     else return;
-    for (Room& room : graph.rooms) {
-        if (room.named) continue;
-        room.name = made_name(room.made);
-        if (room.same_name > 1) room.name = numbered(room);
-    }
+    for (Room& room : graph.rooms)
+        if (!room.given) room.name = own_name(room);
 }
 
 std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m) {
@@ -571,7 +574,7 @@ std::vector<std::string> give_names(RoomGraph& graph, const WalkSpace& space, co
         }
         taken[room] = true;
         graph.rooms[room].name = given.name;
-        graph.rooms[room].named = true;
+        graph.rooms[room].given = true;
     }
     return homeless;
 }

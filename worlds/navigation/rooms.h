@@ -17,19 +17,22 @@ enum class RoomLook : std::uint8_t { Niche, Corridor, SmallRoom, Room, LargeRoom
 struct MadeRoomName {
     std::string thing;        // by something in it, where there is such a thing: see Feature::name
     bool thing_made = false;  // see Feature::made_name
+    OtherLanguages thing_in = {};
     bool with_thing = false;  // "room with Stove"; else the room is called as the thing is
     RoomLook look = RoomLook::Room;
     int wide_m = 0, deep_m = 0;      // else by size and place
-    std::optional<double> side_rad;  // of its storey it is on; none: in the middle
+    std::optional<double> side_rad = {};  // of its storey it is on; none: in the middle
     int level = 0, levels = 1;
 };
 
 struct Room {
     RoomKind kind = RoomKind::Room;
-    // Lower case unless it is a name: "Kitchen", "large room, 12 by 8 metres, north". A made one is in the language that was spoken when it was made:
-    // see say_room_names. No file knows a room by a made name.
+    // Lower case unless it is a name: "Kitchen", "large room, 12 by 8 metres, north". One that no person gave is in the language that was spoken when the
+    // graph was made: see say_room_names. No file knows a room by it.
     std::string name;
-    bool named = false;  // by the map or a person; else made from what is known of it
+    bool given = false;    // `name` comes from a person
+    std::string map_name;  // empty: the map gives none, and it is called by what is known of it
+    OtherLanguages map_name_in;
     MadeRoomName made;
     int same_name = 1;     // the how manyth of that name it is
     int level = 0;         // 0 is the lowest
@@ -58,14 +61,17 @@ struct RoomGraph {
     std::vector<Room> rooms;
     std::vector<Portal> portals;
     std::vector<std::uint32_t> room_of_span;  // size WalkSpace::spans
-    std::string language;                     // the one that the made names are in
+    std::string language;                     // the one that the names are in
 };
 
 // Rooms are cut at doors, stairs, liquids and where walls come together; furniture makes none. Names of Scene::room_names cut apart what no wall does, at
 // the narrowest place between them.
 RoomGraph make_rooms(const Scene& scene, const WalkSpace& space);
 
-// Makes the made names anew where another language is spoken by now. Costs nothing where not.
+// What a room is called where no person gave it a name, in the language spoken.
+std::string own_name(const Room& room);
+
+// The own names anew where another language is spoken by now. Costs nothing where not.
 void say_room_names(RoomGraph& graph);
 
 // The room somebody stands in; kNothing where that is no walkable place.

@@ -217,7 +217,19 @@ private:
 
     // ---- keys ----
 
-    static std::string text_of(const MapEntity& entity, std::string_view key) { return spoken_text(unquoted(entity.value(key).substr(0, 4096))); }
+    static std::string words_of_value(std::string_view value) { return spoken_text(unquoted(value.substr(0, 4096))); }
+    static std::string text_of(const MapEntity& entity, std::string_view key) { return words_of_value(entity.value(key)); }
+    // The key's texts in other languages: `name_de` and so on for `name`.
+    static OtherLanguages texts_in(const MapEntity& entity, std::string_view key) {
+        OtherLanguages texts;
+        for (const MapKey& other : entity.keys) {
+            const std::string_view all = other.key;
+            if (all.size() <= key.size() + 1 || !all.starts_with(key) || all[key.size()] != '_') continue;
+            const std::string_view code = all.substr(key.size() + 1);
+            if (std::string text = words_of_value(other.value); !text.empty()) texts.push_back({std::string(code), std::move(text)});
+        }
+        return texts;
+    }
 
     std::optional<double> number_of(const MapEntity& entity, std::string_view key, double least, double most, std::string_view range) {
         return keys_.number_of(entity, key, least, most, range);
@@ -283,8 +295,11 @@ private:
         }
         read_sound(entity, class_name);
         if (world) {
-            world_name_ = text_of(entity, "name");
-            if (world_name_.empty()) world_name_ = text_of(entity, "message");
+            for (const std::string_view key : {"name", "message"})
+                if (world_name_.empty()) {
+                    world_name_ = text_of(entity, key);
+                    scene_.name_in = texts_in(entity, key);
+                }
         }
         if (!entity.brushes.empty() || !entity.patches.empty()) read_brushes(entity, class_name, index);
         else if (!world && !class_name.empty() && !class_name.starts_with("info_player_") && class_name.find("light") != 0 &&
@@ -348,7 +363,7 @@ private:
     void read_room_name(const MapEntity& entity) {
         const std::optional<Vec3> origin = vector_of(entity, "origin");
         std::string name = text_of(entity, "name");
-        if (origin && !name.empty()) scene_.room_names.push_back({*origin * units_, std::move(name)});
+        if (origin && !name.empty()) scene_.room_names.push_back({*origin * units_, std::move(name), texts_in(entity, "name")});
         else diagnostics_.warn(entity.place, "map.then_left_out", "map.room_nowhere");
     }
 
@@ -372,8 +387,12 @@ private:
         SoundSource source;
         source.sound = sound.empty() ? class_name : sound;
         source.name = text_of(entity, "name");
+        source.name_in = texts_in(entity, "name");
         for (const SoundRow& row : kSounds)
-            if (source.name.empty() && sound.empty() && fits(row.class_name, class_name)) source.name = phrase(row.name);
+            if (source.name.empty() && sound.empty() && fits(row.class_name, class_name)) {
+                source.name = row.name;
+                source.made_name = true;
+            }
         if (source.name.empty())
             source.name = words_of_name(ambient && sound.empty() ? std::string_view(class_name).substr(8) : std::string_view(source.sound));
         source.loudness = number_of(entity, "volume", 0.0, 1.0, "map.range").value_or(1.0);
@@ -398,7 +417,9 @@ private:
         const bool world = class_name == "worldspawn";
         if (!world) {
             feature.name = text_of(entity, "name");
+            feature.name_in = texts_in(entity, "name");
             feature.message = text_of(entity, "message");
+            feature.message_in = texts_in(entity, "message");
             feature.landmark = yes_no_of(entity, "landmark");
             feature.clue = yes_no_of(entity, "clue");
             feature.hinge = side_of_key(entity, "hinge");
@@ -406,7 +427,10 @@ private:
         }
         if (class_name == "trigger_changelevel") {  // where the map ends: one may look for it, and is told
             feature.landmark = true;
-            if (feature.message.empty()) feature.message = phrase("exit.reached");
+            if (feature.message.empty()) {
+                feature.message = "exit.reached";
+                feature.made_message = true;
+            }
         }
         meaning.structure = world || (is_structure(class_name) && feature.name.empty() && !feature.landmark && !feature.clue);
         if (const ClassRow* row = class_row(class_name)) {

@@ -1,6 +1,5 @@
 #include "worlds/scene/scene.h"
 
-#include "worlds/base/language.h"
 #include "worlds/scene/primitive.h"
 
 namespace handrail {
@@ -19,7 +18,14 @@ std::string said(std::string_view section, std::string_view name) {
 std::string spoken_kind(std::string_view name) { return said("kind.", name); }
 std::string spoken_material(std::string_view name) { return said("material.", name); }
 
-std::string spoken_name(const Feature& feature) { return feature.made_name ? spoken_kind(feature.name) : feature.name; }
+std::string spoken_name(const Feature& feature) {
+    return in_spoken_language(feature.made_name ? spoken_kind(feature.name) : feature.name, feature.name_in);
+}
+std::string spoken_name(const SoundSource& sound) { return in_spoken_language(sound.made_name ? phrase(sound.name) : sound.name, sound.name_in); }
+std::string spoken_name(const Scene& scene) { return in_spoken_language(scene.name, scene.name_in); }
+std::string spoken_message(const Feature& feature) {
+    return in_spoken_language(feature.made_message ? phrase(feature.message) : feature.message, feature.message_in);
+}
 
 std::string spoken_name(const Scene& scene, FeatureId id) {
     const Feature* feature = scene.find(id);

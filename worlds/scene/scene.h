@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "worlds/base/feature_id.h"
+#include "worlds/base/language.h"
 #include "worlds/base/result.h"
 #include "worlds/geometry/convex.h"
 #include "worlds/geometry/placement.h"
@@ -27,6 +28,7 @@ enum class FeatureKind { Wall, Floor, Ceiling, Slope, Object, Door, Button, Lift
 struct Feature {
     FeatureKind kind = FeatureKind::Wall;
     std::string name;        // without the material: "north wall", "Table"; what files and scenarios know it by
+    OtherLanguages name_in;  // what it is called in others than the map's own
     bool made_name = false;  // the map gave none: one of our own English names, said by spoken_name in the person's language
     MaterialId material = kDefaultMaterial;
     Vec3 normal{0.0};  // outward, for walls, floors, ceilings and slopes; zero for objects
@@ -36,6 +38,8 @@ struct Feature {
     bool clue = false;      // helpful, may change
     bool base = false;      // the door at the base, where one is
     std::string message;    // spoken on entering a trigger; for others a longer description
+    OtherLanguages message_in;
+    bool made_message = false;  // the map gave none: `message` is the key of one of our own texts
     std::string hinge;      // side of a door's hinge: "north", "east", ... or empty
     std::string handle;     // side of a door's handle, likewise
     SourcePlace source;
@@ -107,12 +111,15 @@ struct SoundSource {
     std::string name;       // fit to be spoken: "computer hum"
     std::string sound;      // which sound: the class name or the key `sound`
     double loudness = 1.0;  // 0 to 1
+    OtherLanguages name_in = {};
+    bool made_name = false;  // the map gave none: `name` is the key of one of our own texts
 };
 
 // The map's own name for the room around a place.
 struct RoomName {
     Vec3 at_m{0.0};
     std::string name;  // fit to be spoken
+    OtherLanguages name_in;
 };
 
 struct Scene;
@@ -139,6 +146,7 @@ struct ReadReport {
 
 struct Scene {
     std::string name;         // fit to be spoken: the world's message, else the file name in words
+    OtherLanguages name_in;
     std::string source_file;  // as given
     bool game_map = false;    // game sizes for the body: 1.7 m tall, 0.57 m steps
     double metres_per_unit = 1.0;
@@ -162,10 +170,13 @@ struct Scene {
 };
 
 // "north wall, plaster" or "Table": the feature's name with its material where it has one, as it is said in the language spoken. A name that the map
-// gives is said as the map has it. Empty for kNoFeature.
+// gives is said as the map has it, in the language spoken where it has that too. Empty for kNoFeature.
 std::string spoken_name(const Scene& scene, FeatureId id);
 // The same without the material.
 std::string spoken_name(const Feature& feature);
+std::string spoken_name(const SoundSource& sound);
+std::string spoken_name(const Scene& scene);
+std::string spoken_message(const Feature& feature);
 // One of our own names ("north wall", "low block"), or a material's, as it is said; a name that is none of ours stays as it is.
 std::string spoken_kind(std::string_view name);
 std::string spoken_material(std::string_view name);

@@ -1,9 +1,11 @@
 // The house and the school as places to learn: every door leads from room to room, every room has a landmark, and nobody gets out of the grounds.
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "app/core/hunt.h"
 #include "app/core/learning.h"
+#include "tests/support/spoken_language.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/readers/reader.h"
 
@@ -77,6 +79,36 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
         for (const Vec3& outside : {Vec3(along.x, all.min_m.y - 0.9, 0.0), Vec3(along.x, all.max_m.y + 0.9, 0.0), Vec3(all.min_m.x - 0.9, along.y, 0.0),
                                     Vec3(all.max_m.x + 0.9, along.y, 0.0)})
             EXPECT_FALSE(ground.way_m(outside));
+    }
+}
+
+// Texts that the map gives have one in every language that comes with the program; two things called apart in English are called apart there.
+TEST_P(BundledPlaces, names_are_there_in_every_bundled_language) {
+    const auto read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / GetParam());
+    ASSERT_TRUE(read);
+    const auto has_all = [](const std::string& text, const OtherLanguages& others) {
+        for (const LanguageName& language : bundled_languages())
+            EXPECT_TRUE(language.code == "en" || std::any_of(others.begin(), others.end(), [&](const TextIn& o) { return o.language == language.code; }))
+                << text << " lacks " << language.code;
+    };
+    has_all(read->name, read->name_in);
+    int named = 0;
+    for (const Feature& feature : read->features) {
+        if (!feature.made_name) has_all(feature.name, feature.name_in), ++named;
+        if (!feature.message.empty() && !feature.made_message) has_all(feature.message, feature.message_in);
+    }
+    EXPECT_GE(named, 40);
+    EXPECT_GE(read->room_names.size(), 8U);
+    for (const RoomName& room : read->room_names) has_all(room.name, room.name_in);
+    for (const SoundSource& sound : read->sounds)
+        if (!sound.made_name) has_all(sound.name, sound.name_in);
+    for (const LanguageName& language : bundled_languages()) {
+        const test::InLanguage spoken(language.code);
+        std::map<std::string, std::string> of_doors;
+        for (const Feature& feature : read->features) {
+            if (feature.kind != FeatureKind::Door) continue;
+            EXPECT_EQ(of_doors.try_emplace(spoken_name(feature), feature.name).first->second, feature.name) << spoken_name(feature) << " names two doors";
+        }
     }
 }
 

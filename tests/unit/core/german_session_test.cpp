@@ -1,4 +1,4 @@
-// A short session in German: what is said is whole German sentences, with the map's own names as the map has them, and follows a change of the language
+// A short session in German: what is said is whole German sentences, with the names that the map has in German, and follows a change of the language
 // with the next sentence.
 #include "tests/support/box_scene.h"
 #include "tests/support/spoken_language.h"
@@ -34,18 +34,18 @@ TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentenc
     s.app.enter_world(world("worlds/maps/house.map"), 0.0);
     s.run(0.1);
     const std::string here =
-        "An der Tür, am Ausgangspunkt, Blick nach Norden. Front door, 1 Schritt nach hinten. Grandfather clock, 4 Schritte, 20 Grad rechts. "
+        "An der Tür, am Ausgangspunkt, Blick nach Norden. Haustür, 1 Schritt nach hinten. Standuhr, 4 Schritte, 20 Grad rechts. "
         "Vorn: Nordwand, Ziegel, 12 Schritte. Rechts: Ostwand, Putz, 2 Schritte. Links: Westwand, Putz, 2 Schritte. "
-        "Stairs, 6 Schritte, 10 Grad links. Door mat, ganz nah, hinten.";
-    EXPECT_EQ(s.said.front(), "House with a garden. Der freie Raum ringsum misst 2,5 mal 9 Meter, 3 mal 13 Schritte. Das Ganze misst 20 mal 23 Meter. " + here +
+        "Treppe, 6 Schritte, 10 Grad links. Fußmatte, ganz nah, hinten.";
+    EXPECT_EQ(s.said.front(), "Haus mit Garten. Der freie Raum ringsum misst 2,5 mal 9 Meter, 3 mal 13 Schritte. Das Ganze misst 20 mal 23 Meter. " + here +
                                   " Pfeil hoch geht einen Schritt, I und K bewegen die simulierte Hand. F2 sagt den Standort, F1 die Tasten.");
-    EXPECT_EQ(s.ask(Command::WhereAmI), "Hall. " + here);
+    EXPECT_EQ(s.ask(Command::WhereAmI), "Flur. " + here);
     EXPECT_EQ(s.ask(Command::AroundMe),
-              "Vorn: Living room door, 3 Schritte, 45 Grad links. Rechts: Study door, 3 Schritte, 45 Grad rechts. "
-              "Hinten: Door mat, ganz nah, hinten. Links: Coat stand, 1 Schritt, 100 Grad links.");
+              "Vorn: Wohnzimmertür, 3 Schritte, 45 Grad links. Rechts: Tür zum Arbeitszimmer, 3 Schritte, 45 Grad rechts. "
+              "Hinten: Fußmatte, ganz nah, hinten. Links: Garderobenständer, 1 Schritt, 100 Grad links.");
     EXPECT_EQ(s.ask(Command::AheadOfMe),
-              "Living room door, 3 Schritte, 45 Grad links. Grandfather clock, 4 Schritte, 20 Grad rechts. "
-              "Ticking clock, 4 Schritte, 20 Grad rechts. Stair rail, 5 Schritte geradeaus.");
+              "Wohnzimmertür, 3 Schritte, 45 Grad links. Standuhr, 4 Schritte, 20 Grad rechts. "
+              "Tickende Uhr, 4 Schritte, 20 Grad rechts. Handlauf, 5 Schritte geradeaus.");
     EXPECT_EQ(s.ask(Command::Heading), "Blick nach Norden, 0 Grad");
     s.touch("north wall");
     s.run(0.1);
@@ -62,12 +62,12 @@ TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentenc
               "Norden ist für die Hand vom Körper weg, für die Füße vorn.");
     EXPECT_EQ(s.ask(Command::ScaleRoom), "Raum, 9,6 Meter breit, 14 Schritte");
     const std::string exits =
-        "Garden door, 11 Schritte, 5 Grad rechts, führt zu: Garden. Utility room door, 9 Schritte, 10 Grad rechts, führt zu: Utility room. "
-        "Bathroom door, 6 Schritte, 15 Grad rechts, führt zu: Bathroom. Study door, 2 Schritte, 65 Grad rechts, führt zu: Study. "
-        "Front door, 2 Schritte nach hinten, führt zu: Garden. Living room door, 2 Schritte, 65 Grad links, führt zu: Living room. "
-        "Treppe, 2 Schritte, 10 Grad links, führt zu: Stairs.";
-    EXPECT_EQ(s.ask(Command::Exits), "Hall. 7 Ausgänge. " + exits);
-    EXPECT_EQ(s.ask(Command::UnvisitedExits), "Hall. 7 noch unbenutzte Ausgänge. " + exits);
+        "Gartentür, 11 Schritte, 5 Grad rechts, führt zu: Garten. Tür zum Hauswirtschaftsraum, 9 Schritte, 10 Grad rechts, führt zu: Hauswirtschaftsraum. "
+        "Badezimmertür, 6 Schritte, 15 Grad rechts, führt zu: Badezimmer. Tür zum Arbeitszimmer, 2 Schritte, 65 Grad rechts, führt zu: Arbeitszimmer. "
+        "Haustür, 2 Schritte nach hinten, führt zu: Garten. Wohnzimmertür, 2 Schritte, 65 Grad links, führt zu: Wohnzimmer. "
+        "Treppe, 2 Schritte, 10 Grad links.";
+    EXPECT_EQ(s.ask(Command::Exits), "Flur. 7 Ausgänge. " + exits);
+    EXPECT_EQ(s.ask(Command::UnvisitedExits), "Flur. 7 noch unbenutzte Ausgänge. " + exits);
     EXPECT_EQ(s.ask(Command::Home), "Ausgangspunkt. Blick nach Norden.");
     EXPECT_EQ(s.ask(Command::Leave), "Noch einmal Escape drücken, um zu beenden.");
     EXPECT_EQ(s.ask(Command::Leave), "Auf Wiedersehen.");

@@ -231,8 +231,8 @@ TEST(Rooms, are_named_by_the_map_the_person_what_is_in_them_or_size_and_place) {
     EXPECT_EQ(rooms_of(two_rooms(100.0, both)).rooms.size(), 2U);
 }
 
-TEST(Rooms, made_names_follow_the_language_and_given_ones_stay) {
-    const std::string stove = test::entity("thing", test::key("name", "Stove") + test::key("landmark", "1"), test::box_brush(360, 60, 0, 400, 100, 40));
+TEST(Rooms, names_follow_the_language_and_given_ones_stay) {
+    const std::string stove = test::entity("thing", test::key("name", "Stove") + test::key("name_de", "Ofen") + test::key("landmark", "1"), test::box_brush(360, 60, 0, 400, 100, 40));
     Scene scene;
     WalkSpace space;
     RoomGraph graph = rooms_of(two_rooms(32.0, stove), &scene, &space);
@@ -244,12 +244,32 @@ TEST(Rooms, made_names_follow_the_language_and_given_ones_stay) {
         say_room_names(graph);
         EXPECT_TRUE(graph.rooms[west].name.starts_with("Raum, ")) << graph.rooms[west].name;
         EXPECT_TRUE(graph.rooms[west].name.ends_with(" mal 5 Meter, Westen")) << graph.rooms[west].name;
-        EXPECT_EQ(graph.rooms[east].name, "Raum, darin Stove");
+        EXPECT_EQ(graph.rooms[east].name, "Raum, darin Ofen");
         give_names(graph, space, {{{9.0, 2.5, 0.0}, "room"}});
     }
     say_room_names(graph);
     EXPECT_EQ(graph.rooms[west].name, english);
     EXPECT_EQ(graph.rooms[east].name, "room");
+}
+
+TEST(Rooms, names_of_the_map_follow_the_language_too) {
+    const std::string shop =
+        test::entity("info_room", test::key("name", "Workshop") + test::key("name_de", "Werkstatt") + test::key("origin", "60 80 16"));
+    RoomGraph graph = rooms_of(two_rooms(32.0, shop));
+    const auto names = [&] {
+        std::set<std::string> all;
+        for (const Room& room : graph.rooms) all.insert(room.name);
+        return all;
+    };
+    EXPECT_TRUE(names().contains("Workshop"));
+    {
+        const test::InLanguage german("de");
+        say_room_names(graph);
+        EXPECT_TRUE(names().contains("Werkstatt"));
+        EXPECT_FALSE(names().contains("Workshop"));
+    }
+    say_room_names(graph);
+    EXPECT_TRUE(names().contains("Workshop"));
 }
 
 TEST(Rooms, tell_their_exits_clockwise) {

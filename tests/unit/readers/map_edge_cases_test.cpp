@@ -1,5 +1,6 @@
 // Every case that real editors, other games and accidents put into a .map file.
 #include "tests/support/map_text.h"
+#include "tests/support/spoken_language.h"
 #include "tests/unit/readers/reading.h"
 #include "worlds/readers/map_syntax.h"
 #include "worlds/readers/reader.h"
@@ -221,11 +222,45 @@ TEST(MapEdgeCases, liquids_keep_their_viscosity_and_sounds_their_place) {
     EXPECT_EQ(reading.scene.solids.at(1).viscosity_ns_per_m, 2.5);
     EXPECT_EQ(reading.scene.find(reading.scene.solids.at(1).feature)->name, "Basin");
     ASSERT_EQ(reading.scene.sounds.size(), 2U);
-    EXPECT_EQ(reading.scene.sounds[0].name, "computer hum");
+    EXPECT_EQ(spoken_name(reading.scene.sounds[0]), "computer hum");
     EXPECT_EQ(reading.scene.sounds[0].sound, "ambient_comp_hum");
     EXPECT_EQ(reading.scene.sounds[0].position_m, Vec3(1, 2, 3));
-    EXPECT_EQ(reading.scene.sounds[1].name, "Clock");
+    EXPECT_EQ(spoken_name(reading.scene.sounds[1]), "Clock");
     EXPECT_EQ(reading.scene.sounds[1].sound, "clock_tick");
+}
+
+TEST(MapEdgeCases, texts_may_stand_in_several_languages) {
+    const Reading reading = read(
+        entity("worldspawn", key("message", "Barn") + key("message_de", "Scheune"), kCube) +
+        entity("thing", key("name", "Plough") + key("name_de", "Pflug") + key("name_fr", "Charrue") + key("name_", "no language") + key("names_de", "another key"), kCube) +
+        entity("trigger_once", key("message", "Mind the step.") + key("message_de", "Achtung, Stufe."), kCube) + entity("thing", key("name_de", "Kiste"), kCube) +
+        entity("ambient_drip", key("origin", "0 0 0") + key("name", "Tap") + key("name_de", "Hahn")) + entity("ambient_comp_hum", key("origin", "32 64 96")) +
+        entity("trigger_changelevel", {}, kCube));
+    const Scene& scene = reading.scene;
+    const auto feature = [&](const std::string& name) {
+        return std::find_if(scene.features.begin(), scene.features.end(), [&](const Feature& f) { return f.name == name; });
+    };
+    const auto trigger = std::find_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return !f.message.empty(); });
+    const auto exit = std::find_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return f.made_message; });
+    const auto unnamed = std::find_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return f.made_name && !f.name_in.empty(); });
+    ASSERT_NE(feature("Plough"), scene.features.end());
+    ASSERT_NE(trigger, scene.features.end());
+    ASSERT_NE(exit, scene.features.end());
+    ASSERT_NE(unnamed, scene.features.end());
+    ASSERT_EQ(scene.sounds.size(), 2U);
+    const auto all = [&] {
+        return std::vector<std::string>{spoken_name(scene),   spoken_name(*feature("Plough")), spoken_message(*trigger),    spoken_name(*unnamed),
+                                        spoken_message(*exit), spoken_name(scene.sounds[0]),     spoken_name(scene.sounds[1])};
+    };
+    const std::string exit_english = phrase("exit.reached"), box = spoken_kind(unnamed->name);
+    EXPECT_THAT(all(), ElementsAre("Barn", "Plough", "Mind the step.", box, exit_english, "Tap", "computer hum"));
+    EXPECT_EQ(feature("Plough")->name_in.size(), 2U);
+    {
+        const test::InLanguage german("de");
+        EXPECT_THAT(all(), ElementsAre("Scheune", "Pflug", "Achtung, Stufe.", "Kiste", phrase("exit.reached"), "Hahn", phrase("map.sound_computer_hum")));
+        EXPECT_NE(phrase("exit.reached"), exit_english);
+        EXPECT_EQ(stored_name(scene, FeatureId{static_cast<std::uint32_t>(feature("Plough") - scene.features.begin())}), "Plough");
+    }
 }
 
 TEST(MapEdgeCases, particles_and_other_games_sounds_are_heard_at_their_place) {
@@ -234,9 +269,9 @@ TEST(MapEdgeCases, particles_and_other_games_sounds_are_heard_at_their_place) {
                                  entity("ambient_generic", key("origin", "96 0 0") + key("message", "ambience/wind2.wav")) +
                                  entity("target_speaker", key("origin", "128 0 0") + key("noise", "world/clock") + key("volume", "7")));
     ASSERT_EQ(reading.scene.sounds.size(), 4U);
-    EXPECT_EQ(reading.scene.sounds[0].name, "fountain");
+    EXPECT_EQ(spoken_name(reading.scene.sounds[0]), "fountain");
     EXPECT_EQ(reading.scene.sounds[0].loudness, 0.5);
-    EXPECT_EQ(reading.scene.sounds[1].name, "torch");
+    EXPECT_EQ(spoken_name(reading.scene.sounds[1]), "torch");
     EXPECT_EQ(reading.scene.sounds[1].loudness, 1.0);
     EXPECT_EQ(reading.scene.sounds[2].sound, "ambience/wind2.wav");
     EXPECT_EQ(reading.scene.sounds[3].sound, "world/clock");
