@@ -1,6 +1,6 @@
 // A sound card that can be pulled out: loaded before OpenAL, it says that the device is gone, and opens none, while the file $STANDIN_SOUND_PULLED is there.
-// And one that is listened to: $STANDIN_SOUND_VOICE gets a line with the steady clock's seconds, "speak" or "stop", for each time when the program's own voice
-// begins, or is cut: the only source that buffers are queued to.
+// And one that is listened to: $STANDIN_SOUND_VOICE gets a line with the steady clock's seconds, "speak" or "hush", for each time when the program's own voice
+// begins, or its gain is taken to zero while it speaks: the only source that buffers are queued to.
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <dlfcn.h>
@@ -59,10 +59,10 @@ extern "C" void alSourcePlay(ALuint source) {
     if (is_voice(source)) note("speak");
 }
 
-extern "C" void alSourceStop(ALuint source) {
-    static const auto real = reinterpret_cast<decltype(&alSourceStop)>(::dlsym(RTLD_NEXT, "alSourceStop"));
+extern "C" void alSourcef(ALuint source, ALenum what, ALfloat value) {
+    static const auto real = reinterpret_cast<decltype(&alSourcef)>(::dlsym(RTLD_NEXT, "alSourcef"));
     ALint state = 0;
-    alGetSourcei(source, AL_SOURCE_STATE, &state);
-    real(source);
-    if (is_voice(source) && state == AL_PLAYING) note("stop");
+    if (is_voice(source) && what == AL_GAIN && value == 0.0F) alGetSourcei(source, AL_SOURCE_STATE, &state);
+    real(source, what, value);
+    if (state == AL_PLAYING) note("hush");
 }

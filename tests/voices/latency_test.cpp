@@ -92,7 +92,10 @@ TEST(Latency, of_the_speech_server_is_reported) {
     explore_and_measure(false, 3000, "key to the first word, by speech-dispatcher", "key to silence, by speech-dispatcher");
 }
 
-// What the program's own voice did, as the sound library was told: when it began, and when its last sample was taken away.
+// The sound library takes a gain to zero over the period that it mixes next: 256 samples at 48 kHz.
+constexpr double kMixerRamp_s = 256.0 / 48000.0;
+
+// What the program's own voice did, as the sound library was told: when it began, and when it was to be silent.
 std::vector<Recorded> own_voice(const std::filesystem::path& file) {
     std::vector<Recorded> all;
     std::istringstream lines(content_of(file));
@@ -127,12 +130,13 @@ TEST(Latency, of_the_programs_own_voice_is_reported) {
         return took_s;
     };
     std::vector<double> word_s, silence_s;
-    time_to("Control_L", "stop");
+    time_to("Control_L", "hush");
     for (int i = 0; i < kTimes; ++i) {
         word_s.push_back(time_to("c", "speak"));
         ASSERT_GE(word_s.back(), 0.0) << program.said();
-        silence_s.push_back(time_to("Control_L", "stop"));
+        silence_s.push_back(time_to("Control_L", "hush"));
         ASSERT_GE(silence_s.back(), 0.0) << program.said();
+        silence_s.back() += kMixerRamp_s;
     }
     report("key to the first sample of the program's own voice", std::move(word_s));
     report("key to its silence", std::move(silence_s));
