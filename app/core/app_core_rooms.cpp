@@ -215,13 +215,15 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
             return answer(phrase("room_names.taken", {{"name", *name}, {"own", graph.rooms[room].name}}), now_s);
     const std::uint32_t known = name_of_room(graph, rooms_->navigation().space(), room_names_, room);
     if (known != kNothing) room_names_.erase(room_names_.begin() + known);
+    const std::string before = known_as(graph.rooms[room]);
     // Its own name again takes the given one away.
     graph.rooms[room].given = *name != own_name(graph.rooms[room]);
     if (graph.rooms[room].given)
         room_names_.push_back({*name, graph.rooms[room].middle_m, graph.rooms[room].area_m2, side_file_.world_checksum(), true, {}});
-    rename_room_in_ways(graph.rooms[room].name, *name);
+    graph.rooms[room].name = *name;
     graph.rooms[room].name = *name;
     drawn_rooms_.reset();
+    rename_room_in_ways(before, known_as(graph.rooms[room]));
     write_room_names(side_file_, room_names_);
     save_additions(now_s);
     answer(phrase("room_names.given", {{"name", *name}}), now_s);

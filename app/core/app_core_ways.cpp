@@ -53,7 +53,7 @@ void AppCore::enter_ways(double now_s) {
     if (doubtful && !rooms_beside_ && rooms_known()) notice_room(now_s, true);
 }
 
-FoundWay AppCore::found_way(const SavedWay& way) { return look_up(way, *scene_, side_file_, rooms_->navigation(), rooms_->graph(), own_room_names_); }
+FoundWay AppCore::found_way(const SavedWay& way) { return look_up(way, *scene_, side_file_, rooms_->navigation(), rooms_->graph()); }
 
 std::string AppCore::way_faults(const FoundWay& found) const {
     return fault_words(found, [this](double way_m) { return distance_words(way_m, distances()); });
@@ -74,8 +74,9 @@ void AppCore::save_ways(double now_s) {
     save_additions(now_s);
 }
 
-// A room has another name: the stops in it know it by that one from here on.
+// A room has another name: the stops in it know it by that one from here on. Empty: it has none that files know it by.
 void AppCore::rename_room_in_ways(const std::string& before, const std::string& name) {
+    if (before.empty()) return;
     bool changed = false;
     for (SavedWay& way : ways_)
         for (Stop& stop : way.stops)
@@ -96,7 +97,7 @@ Stop AppCore::stop_at_place(const Vec3& place_m, const std::string& otherwise) {
     const RoomGraph& graph = rooms_->graph();
     if (const std::uint32_t room = room_at(graph, rooms_->navigation().space(), place_m); room != kNothing) {
         stop.name = sentence_case(graph.rooms[room].name);
-        if (graph.rooms[room].named) stop.room = graph.rooms[room].name;
+        stop.room = known_as(graph.rooms[room]);
     }
     if (!good_name(stop.name)) stop.name = otherwise;
     return stop;

@@ -67,8 +67,8 @@ constexpr std::array kCommands{
     CommandInfo{Command::UnvisitedExits, "unvisited", "Shift+X", false},
     CommandInfo{Command::Routes, "routes", "Shift+4", false},
     CommandInfo{Command::NameRoom, "name-room", "Control+N", false},
-    CommandInfo{Command::Ways, "ways", "R", false},
-    CommandInfo{Command::KeepWay, "keep-way", "Shift+R", false},
+    CommandInfo{Command::Ways, "ways", "Control+7", false},
+    CommandInfo{Command::KeepWay, "keep-way", "Control+8", false},
     CommandInfo{Command::PlanView, "plan", "F3", false},
     // Help and settings.
     CommandInfo{Command::Menu, "menu", "Tab", false},

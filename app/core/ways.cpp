@@ -103,11 +103,11 @@ void look_for_thing(FoundWay& found, std::size_t i, const Scene& scene, const Na
     if (const auto stand = navigation.nearest_place(beside)) stop.place_m = *stand;
 }
 
-void look_for_room(FoundWay& found, std::size_t i, const Navigation& navigation, const RoomGraph& graph, std::span<const std::string> other_names) {
+void look_for_room(FoundWay& found, std::size_t i, const Navigation& navigation, const RoomGraph& graph) {
     Stop& stop = found.stops[i];
     const std::string wanted = lower_ascii(stop.room);
     const auto is_called = [&](std::uint32_t room) {
-        return lower_ascii(graph.rooms[room].name) == wanted || (room < other_names.size() && lower_ascii(other_names[room]) == wanted);
+        return lower_ascii(known_as(graph.rooms[room])) == wanted || lower_ascii(graph.rooms[room].map_name) == wanted;
     };
     const std::uint32_t here = room_at(graph, navigation.space(), stop.place_m);
     if (here != kNothing && is_called(here)) return;
@@ -133,15 +133,14 @@ std::vector<SavedWay> read_ways(const SideFile& file, std::vector<Error>& faults
 
 void write_ways(SideFile& file, const std::vector<SavedWay>& ways) { write_list(file, kList, ways, entry_of, way_from); }
 
-FoundWay look_up(const SavedWay& way, const Scene& scene, const SideFile& file, const Navigation& navigation, const RoomGraph& graph,
-                 std::span<const std::string> other_names) {
+FoundWay look_up(const SavedWay& way, const Scene& scene, const SideFile& file, const Navigation& navigation, const RoomGraph& graph) {
     FoundWay found{way.stops, {}};
     const bool same_world = !way.world.empty() && way.world == file.world_checksum();
     for (std::size_t i = 0; i < found.stops.size(); ++i) {
         const Stop& stop = found.stops[i];
         if (!same_world) {
             if (!stop.thing.empty()) look_for_thing(found, i, scene, navigation);
-            else if (!stop.room.empty()) look_for_room(found, i, navigation, graph, other_names);
+            else if (!stop.room.empty()) look_for_room(found, i, navigation, graph);
         }
         const auto stand = navigation.nearest_place(stop.place_m);
         if (!stand || glm::length(*stand - stop.place_m) > kStopFloor_m) found.faults.push_back({StopFault::Kind::NoPlace, i, 0.0});

@@ -53,14 +53,13 @@ struct StopFault {
     std::size_t stop = 0;
     double moved_m = 0.0;
 };
-// The stops where they are by now, and what does not fit. In the very world it was kept in things and rooms are where they were. other_names: of each room of
-// the graph another name it goes by; may be empty.
+// The stops where they are by now, and what does not fit. In the very world it was kept in things and rooms are where they were. A
+// room goes by the person's name and by the map's.
 struct FoundWay {
     std::vector<Stop> stops;
     std::vector<StopFault> faults;
 };
-FoundWay look_up(const SavedWay& way, const Scene& scene, const SideFile& file, const Navigation& navigation, const RoomGraph& graph,
-                 std::span<const std::string> other_names);
+FoundWay look_up(const SavedWay& way, const Scene& scene, const SideFile& file, const Navigation& navigation, const RoomGraph& graph);
 // "Desk is gone; no way on foot from Hall to Kitchen". Empty when all fits.
 std::string fault_words(const FoundWay& found, const std::function<std::string(double)>& distance);
 

@@ -550,6 +550,8 @@ std::string own_name(const Room& room) {
     return room.same_name > 1 ? phrase("room_name.another", {{"room", name}, {"number", room.same_name}}) : name;
 }
 
+const std::string& known_as(const Room& room) { return room.given ? room.name : room.map_name; }
+
 void say_room_names(RoomGraph& graph) {
     if (std::string spoken = spoken_language(); graph.language != spoken) graph.language = std::move(spoken);
     else return;

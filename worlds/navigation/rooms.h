@@ -70,6 +70,8 @@ RoomGraph make_rooms(const Scene& scene, const WalkSpace& space);
 
 // What a room is called where no person gave it a name, in the language spoken.
 std::string own_name(const Room& room);
+// The name that files know it by, whatever is spoken: the person's or the map's. Empty for one that neither has named.
+const std::string& known_as(const Room& room);
 
 // The own names anew where another language is spoken by now. Costs nothing where not.
 void say_room_names(RoomGraph& graph);

@@ -62,7 +62,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     const House house;
     {
         Person p(house.path);
-        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("No way is kept here yet. Shift+R keeps the one"));
+        EXPECT_THAT(p.ask(Command::Ways), HasSubstr("No way is kept here yet. Control+8 keeps the one"));
         ASSERT_TRUE(p.go_to("Living room")) << p.app.feet_m().x << " " << p.app.feet_m().y;
         p.ask(Command::Routes);
         p.line("Kitchen");  // planned from where the way before ended: part of the same
@@ -168,7 +168,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.line("Gate");
         p.ask(Command::KeepWay);
         EXPECT_EQ(p.item("All that"), "");  // nothing has been walked yet
-        EXPECT_THAT(p.line("Begin a way here"), HasSubstr("A way begins here. Shift+R keeps what you walk from here on."));
+        EXPECT_THAT(p.line("Begin a way here"), HasSubstr("A way begins here. Control+8 keeps what you walk from here on."));
         walk(p, detour);
         ASSERT_LT(glm::length(p.app.feet_m() - detour.back()), 0.3);
         p.ask(Command::KeepWay);
@@ -428,18 +428,18 @@ TEST(KeptWays, are_kept_told_and_followed_in_german) {
     const test::InLanguage german("de");
     const House house;
     Person p(house.path);
-    EXPECT_EQ(p.ask(Command::Ways), "Hier ist noch kein Weg aufgehoben. Umschalt+R hebt den zuletzt geplanten oder gegangenen auf.");
+    EXPECT_EQ(p.ask(Command::Ways), "Hier ist noch kein Weg aufgehoben. Strg+8 hebt den zuletzt geplanten oder gegangenen auf.");
     p.ask(Command::Routes);
-    p.line("Living room");
+    p.line("Wohnzimmer");
     p.ask(Command::KeepWay);
-    EXPECT_THAT(p.line("Der zuletzt geplante Weg"), HasSubstr("Hall bis Living room. Anderen Namen für diesen Weg tippen oder Enter drücken"));
+    EXPECT_THAT(p.line("Der zuletzt geplante Weg"), HasSubstr("Flur bis Wohnzimmer. Anderen Namen für diesen Weg tippen oder Enter drücken"));
     EXPECT_EQ(p.line("Nach Hause"), "Weg Nach Hause aufgehoben");
     p.ask(Command::Ways);
     p.line("Nach Hause");
-    EXPECT_THAT(p.line("Anhören"), StartsWith("Nach Hause. Anfang: Hall, insgesamt "));
+    EXPECT_THAT(p.line("Anhören"), StartsWith("Nach Hause. Anfang: Flur, insgesamt "));
     p.ask(Command::Ways);
     p.line("Nach Hause");
-    EXPECT_THAT(p.line("Nach Gehör folgen"), StartsWith("Ziel: Living room. "));
+    EXPECT_THAT(p.line("Nach Gehör folgen"), StartsWith("Ziel: Wohnzimmer. "));
     p.ask(Command::Ways);
     p.line("Nach Hause");
     EXPECT_EQ(p.line("Löschen"), "Weg Nach Hause gelöscht");
