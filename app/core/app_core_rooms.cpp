@@ -221,7 +221,6 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
     if (graph.rooms[room].given)
         room_names_.push_back({*name, graph.rooms[room].middle_m, graph.rooms[room].area_m2, side_file_.world_checksum(), true, {}});
     graph.rooms[room].name = *name;
-    graph.rooms[room].name = *name;
     drawn_rooms_.reset();
     rename_room_in_ways(before, known_as(graph.rooms[room]));
     write_room_names(side_file_, room_names_);

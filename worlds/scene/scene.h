@@ -119,7 +119,7 @@ struct SoundSource {
 struct RoomName {
     Vec3 at_m{0.0};
     std::string name;  // fit to be spoken
-    OtherLanguages name_in;
+    OtherLanguages name_in = {};
 };
 
 struct Scene;
