@@ -24,6 +24,7 @@
 #include "app/core/rooms_of_world.h"
 #include "app/core/route_words.h"
 #include "app/core/side_file.h"
+#include "app/core/simplified_words.h"
 #include "app/core/soundscape.h"
 #include "app/core/surroundings.h"
 #include "app/core/view.h"
@@ -214,7 +215,6 @@ private:
     Simplification plan_touch();
     Vec3 out_of_solids_m(const Vec3& hand_m) const;
     void notice_openings(double now_s);
-    std::string simplified_sentence() const;
     std::string simplified_news();
     void list_simplified(double now_s);
     std::string touched_words(const ToolState& tool);
@@ -467,7 +467,7 @@ private:
     std::shared_ptr<const HapticScene> haptic_scene_;
     double compiled_rounding_m_ = 0.0;  // of edges in it
     Simplification touch_plan_, compiled_plan_;  // of the scale, and of haptic_scene_
-    std::vector<std::uint32_t> planned_portals_;  // of SimplifyOptions::openings_m
+    OpenPortals planned_portals_;                 // that touch_plan_ was told of
     bool openings_awaited_ = false;               // the plan would know more if the rooms were found
     std::string simplified_told_;
     int worlds_entered_ = 0;

@@ -80,6 +80,7 @@ struct Grammar {
         info_app = app.add_subcommand("info", phrase("help.info"));
         info_app->add_option("WORLD", info.world, phrase("help.the_world"))->required()->type_name("");
         CLI::Option* json = info_app->add_flag("--json", info.json, phrase("help.json"));
+        info_app->add_option("--scale", info.scale, phrase("help.info_scale"));
         info_app->add_flag("--lint", info.lint, phrase("help.lint"))->excludes(json);
         add_map_scale(*info_app, info.common);
 

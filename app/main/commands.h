@@ -30,6 +30,7 @@ struct InfoArguments {
     std::filesystem::path world;
     bool json = false;
     bool lint = false;                               // --lint: only whether the materials can be told apart
+    std::string scale;                               // --scale: also what is felt otherwise at it, by its name or world metres per hand metre
 };
 int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err);
 

@@ -2,13 +2,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/core/simplified_words.h"
 #include "app/core/walker.h"
+#include "app/core/workspace_scale.h"
 #include "app/main/commands.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/compile/touch_model.h"
 #include "settings/settings.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/rooms.h"
 #include "worlds/readers/reader.h"
@@ -145,13 +148,15 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     line(phrase("info.loaded", {{"seconds", cost.load_s}, {"megabytes", (cost.peak_memory_bytes + (1 << 19)) >> 20}}));
 }
 
-// The rooms that were found where the file states none; nothing where nobody can stand or none were found.
-std::optional<std::string> rooms_sentence(const Scene& scene) {
-    constexpr std::size_t kMostNamed = 20;
+// The rooms that are found where the file states none; none where nobody can stand.
+RoomGraph rooms_of(const Scene& scene) {
     const BodySize size = body_size(scene, Settings{}.walk.body_radius_m);
     const auto space = make_walk_space(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
-    if (!space) return std::nullopt;
-    const RoomGraph graph = make_rooms(scene, *space);
+    return space ? make_rooms(scene, *space) : RoomGraph{};
+}
+
+std::optional<std::string> rooms_sentence(const RoomGraph& graph) {
+    constexpr std::size_t kMostNamed = 20;
     if (graph.rooms.empty()) return std::nullopt;
     std::vector<std::string> names;
     for (const Room& room : graph.rooms)
@@ -160,6 +165,33 @@ std::optional<std::string> rooms_sentence(const Scene& scene) {
     const std::size_t rooms = graph.rooms.size(), ways = graph.portals.size();
     if (rooms > kMostNamed) return phrase("found_rooms.first", {{"rooms", rooms}, {"ways", ways}, {"names", list}, {"more", rooms - kMostNamed}});
     return phrase("found_rooms.all", {{"rooms", rooms}, {"ways", ways}, {"names", list}});
+}
+
+// World metres per hand metre; a name of one of the scales, the whole building in the reach of a Touch, or a number.
+std::optional<double> scale_of(const std::string& wish, const Aabb& bounds_m) {
+    constexpr double kReach_hand_m = 0.075;
+    const std::string word = lower_ascii(wish);
+    const std::array names{"building", "floor", "room", "detail"};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (word == names[i]) return world_m_per_hand_m(static_cast<NamedScale>(i), bounds_m, kReach_hand_m);
+    double number = 0.0;
+    if (!parse_finite(word, number) || number < 1.0 || number > 500.0) return std::nullopt;
+    return number;
+}
+
+// What would be felt otherwise at a scale than it is; each in a sentence.
+std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_hand_m, const RoomGraph& graph) {
+    const OpenPortals portals = open_portals(graph);
+    SimplifyOptions options;
+    options.world_m_per_hand_m = world_m_per_hand_m;
+    if (asks_for_openings(world_m_per_hand_m, Settings{}.walk.body_radius_m)) options.openings_m = portals.places_m;
+    const Simplification plan = plan_simplification(scene, options);
+    std::vector<std::string> sentences;
+    for (const NarrowOpening& opening : plan.openings)
+        sentences.push_back(phrase("simplify.item", {{"name", opening_name(scene, opening, &graph, portals)}, {"what", opening_words(opening)}}));
+    for (const FeatureId id : plan.left_out)
+        sentences.push_back(phrase("simplify.item", {{"name", sentence_case(spoken_name(scene.features[id.value]))}, {"what", phrase("simplify.is_left_out")}}));
+    return sentences;
 }
 
 // Can a hand tell this world's materials apart? 1 when not.
@@ -192,6 +224,11 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
         return 1;
     }
     if (arguments.lint) return tell_lint(*scene, out);
+    std::optional<double> scale;
+    if (!arguments.scale.empty() && !(scale = scale_of(arguments.scale, scene->bounds_m))) {
+        err << phrase("program.info_scale", {{"scale", arguments.scale}}) << '\n';
+        return 2;
+    }
     // What exploring makes of it.
     CompileReport compiled;
     const Settings defaults;
@@ -199,7 +236,10 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     const TouchModel touch = touch_model(*compile_haptic(*scene, exploring(rounding_m), &compiled));
     for (std::string& sentence : compiled.mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
     for (std::string& sentence : compiled.rounding.sentences()) scene->report.simplified.push_back(std::move(sentence));
-    if (auto rooms = rooms_sentence(*scene)) scene->report.guessed.push_back(std::move(*rooms));
+    const RoomGraph graph = rooms_of(*scene);
+    if (scale)
+        for (std::string& sentence : simplified_at(*scene, *scale, graph)) scene->report.simplified.push_back(std::move(sentence));
+    if (auto rooms = rooms_sentence(graph)) scene->report.guessed.push_back(std::move(*rooms));
     if (arguments.json) out << json_of(*scene, touch, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else tell(*scene, touch, cost, out);
     return 0;

@@ -24,6 +24,8 @@ constexpr double kStep_m = 0.3;         // what is lower is floor, and is neithe
 constexpr double kLeastLeaf_m = 1.0;    // high; lower ones are hatches and flaps
 constexpr double kBesideLeaf_m = 0.5;   // how far beyond a leaf of the same size the opening may still go on
 constexpr double kWidestChord_m = 6.0;  // across an opening without a door
+constexpr int kPlacesBeside = 4;        // at which it is looked for, to eight sides of where the rooms meet
+constexpr double kBeside_m = 0.15;      // between them
 constexpr double kHighest_m = 4.0;      // above the middle of an opening; a ceiling farther up is none of it
 constexpr double kAtAThing_m = 0.25;    // of a mark or sound to the thing it belongs to
 constexpr double kOfTheWorld = 0.1;     // a thing of this share of the whole world is what the world is about
@@ -284,21 +286,28 @@ private:
 
     // ---- openings without a door ----
 
+    static std::array<Vec3, 3> heights(const Vec3& soles) { return {soles + Vec3(0, 0, 0.4), soles + Vec3(0, 0, 0.9), soles + Vec3(0, 0, 1.5)}; }
+
     void find_opening(int number) {
-        const Vec3 soles = options_.openings_m[static_cast<std::size_t>(number)];
-        const std::array<Vec3, 3> places{soles + Vec3(0, 0, 0.4), soles + Vec3(0, 0, 0.9), soles + Vec3(0, 0, 1.5)};
-        // The shortest line across that walls bound on both sides, then square to the wall it meets.
+        // Rooms meet before or behind the wall as often as in it. The shortest line across that walls bound on both sides, then square to the wall it meets.
+        const Vec3 told = options_.openings_m[static_cast<std::size_t>(number)];
+        Vec3 soles = told, way(0.0);
         double shortest_m = kWidestChord_m;
-        Vec3 way(0.0);
-        for (int step = 0; step < 36; ++step) {
-            const Vec3 towards = forward_of_heading(radians_from_degrees(90.0 - 5.0 * step));
-            const Sides sides = look_aside(towards, places, kWidestChord_m);
-            if (sides.inside) return;
-            if (!sides.low || !sides.high || *sides.low + *sides.high > shortest_m - 1e-9) continue;
-            shortest_m = *sides.low + *sides.high;
-            way = towards;
+        for (int at = 0; at <= 8 * kPlacesBeside; ++at) {
+            const double aside_m = kBeside_m * ((at + 7) / 8);
+            const Vec3 place = told + forward_of_heading(radians_from_degrees(45.0 * at)) * aside_m;
+            const int step_deg = at == 0 ? 5 : 15;
+            for (int degrees = 90; degrees > -90; degrees -= step_deg) {
+                const Vec3 towards = forward_of_heading(radians_from_degrees(degrees));
+                const Sides sides = look_aside(towards, heights(place), kWidestChord_m);
+                if (sides.inside || !sides.low || !sides.high || *sides.low + *sides.high > shortest_m - 1e-6) continue;
+                shortest_m = *sides.low + *sides.high;
+                way = towards;
+                soles = place;
+            }
         }
         if (way == Vec3(0.0)) return;
+        const std::array<Vec3, 3> places = heights(soles);
         for (const Vec3& place : places)
             if (const Probe seen = probe(place, way, kWidestChord_m); seen.hit) {
                 const double level = std::hypot(seen.hit->normal.x, seen.hit->normal.y);

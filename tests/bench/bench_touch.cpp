@@ -1,7 +1,11 @@
 // Google Benchmark of one touch tick on small worlds and, where it is present, in a real map. Times are reported, never asserted.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cmath>
 
 #include "haptic/compile/compile_haptic.h"
+#include "haptic/compile/simplify_scene.h"
 #include "tests/bench/walk.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/touch_worlds.h"
@@ -49,8 +53,45 @@ void register_closest_points() {
         });
 }
 
+// A world as it is compiled when somebody changes to a scale: truly, and with what is too small to feel simplified; and the looking alone.
+void register_simplifying() {
+    constexpr double kReach_m = 0.075, kRim = 0.8, kRounding_hand_m = 1.5e-3, kBall_hand_m = 1e-3;
+    for (const char* name : {"house.map", "school.map", "quake-e1m1.map"}) {
+        const auto file = std::string_view(name).starts_with("quake") ? real_world(name) : std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name;
+        if (!file) continue;
+        const Result<Scene> read = read_world(*file);
+        if (!read) continue;
+        const auto scene = std::make_shared<const Scene>(*read);
+        const Vec3 size = scene->bounds_m.size_m();
+        for (const double scale : {60.0, std::min(500.0, 0.5 * std::hypot(size.x, size.y) / (kRim * kReach_m))}) {
+            const SimplifyOptions options{scale, {}, {}};
+            const double rounding_m = std::min(kRounding_hand_m, kBall_hand_m) * scale;
+            const std::string at = fmt::format("{} at {:.0f}", name, scale);
+            benchmark::RegisterBenchmark(("compile/" + at).c_str(), [=](benchmark::State& bench) {
+                for (auto _ : bench) benchmark::DoNotOptimize(compile_haptic(*scene, exploring(rounding_m)));
+            });
+            benchmark::RegisterBenchmark(("plan/" + at).c_str(), [=](benchmark::State& bench) {
+                for (auto _ : bench) benchmark::DoNotOptimize(plan_simplification(*scene, options));
+            });
+            benchmark::RegisterBenchmark(("simplify/" + at).c_str(), [=](benchmark::State& bench) {
+                const Simplification plan = plan_simplification(*scene, options);
+                for (auto _ : bench)
+                    if (!plan.changes_nothing()) benchmark::DoNotOptimize(simplified(*scene, plan));
+            });
+            benchmark::RegisterBenchmark(("compile simplified/" + at).c_str(), [=](benchmark::State& bench) {
+                const Simplification plan = plan_simplification(*scene, options);
+                const Scene felt = plan.changes_nothing() ? *scene : simplified(*scene, plan);
+                for (auto _ : bench) benchmark::DoNotOptimize(compile_haptic(felt, exploring(rounding_m)));
+                bench.counters["widened"] = static_cast<double>(plan.widened());
+                bench.counters["left out"] = static_cast<double>(plan.left_out.size());
+            });
+        }
+    }
+}
+
 void register_all() {
     register_closest_points();
+    register_simplifying();
     for (const TouchCase& c : hard_cases())
         benchmark::RegisterBenchmark(("tick/" + c.name).c_str(),
                                      [c](benchmark::State& bench) { replay_ticks(bench, *c.world.scene(), c.goals_m, c.radius_m); });

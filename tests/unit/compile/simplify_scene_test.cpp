@@ -227,6 +227,80 @@ TEST(SimplifyScene, stretches_a_leaf_that_slides_and_one_that_swings_so_that_bot
     }
 }
 
+// The same building turned about the upright.
+Scene turned(Scene scene, double angle_rad) {
+    const double c = std::cos(angle_rad), k = std::sin(angle_rad);
+    const auto turn = [&](const Vec3& p) { return Vec3(c * p.x - k * p.y, k * p.x + c * p.y, p.z); };
+    scene.bounds_m = {};
+    for (Solid& solid : scene.solids) {
+        solid.shape.bounds_m = {};
+        for (Plane& plane : solid.shape.planes) plane.normal = turn(plane.normal);
+        for (Polygon& face : solid.shape.faces)
+            for (Vec3& p : face.points_m) {
+                p = turn(p);
+                solid.shape.bounds_m.include(p);
+            }
+        scene.features[solid.feature.value].bounds_m = solid.shape.bounds_m;
+        scene.bounds_m.include(solid.shape.bounds_m);
+    }
+    return scene;
+}
+
+TEST(SimplifyScene, widens_doorways_that_stand_aslant_as_those_that_do_not) {
+    for (const double degrees : {7.0, 45.0, 90.0, 133.0, 200.0}) {
+        TwoRooms rooms;
+        rooms.wall({3.2, 6.2, 0}, {3.4, 12.2, 2.6});
+        const double angle = radians_from_degrees(degrees);
+        const Scene scene = turned(rooms.scene(), angle);
+        const Simplification plan = plan_simplification(scene, at_scale(kBuilding));
+        ASSERT_EQ(plan.openings.size(), 1U) << degrees;
+        EXPECT_NEAR(plan.openings[0].width_m(), 0.9, 1e-6) << degrees;
+        EXPECT_NEAR(plan.openings[0].felt_width_m(), 0.0064 * kBuilding, 1e-6) << degrees;
+        const Scene felt = simplified(scene, plan);
+        const auto at = [&](double x, double y) { return Vec3(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, 1.0); };
+        EXPECT_TRUE(is_solid(scene, at(4.8, 6.1))) << degrees;
+        EXPECT_FALSE(is_solid(felt, at(4.8, 6.1))) << degrees;
+        EXPECT_TRUE(is_solid(felt, at(4.8, 6.02))) << "the leaf, " << degrees;
+        EXPECT_TRUE(is_solid(felt, at(3.35, 6.1))) << "before the wall across, " << degrees;
+    }
+}
+
+TEST(SimplifyScene, leaves_doors_alone_that_are_no_doorways) {
+    test::SceneBuilder builder;
+    builder.box({0, 0, -0.3}, {20, 20, 0}, "floor", SolidRole::Solid, "", FeatureKind::Floor);
+    builder.box({2, 2, 0}, {2.9, 2.05, 2}, "in the open", SolidRole::Mover, "", FeatureKind::Door);
+    builder.box({5, 4, 0}, {9, 4.4, 3}, "wall", SolidRole::Solid, "", FeatureKind::Wall);
+    builder.box({6, 4.1, 0}, {6.9, 4.2, 2}, "wholly in a wall", SolidRole::Mover, "", FeatureKind::Door);
+    builder.box({12, 4, 0}, {12.9, 4.9, 0.1}, "hatch", SolidRole::Mover, "", FeatureKind::Door);
+    builder.box({14, 4, 0}, {14.9, 4.0, 2}, "of no thickness", SolidRole::Mover, "", FeatureKind::Door);
+    builder.box({16, 4, 0}, {16, 4, 0}, "nothing", SolidRole::Mover, "", FeatureKind::Door);
+    // A corridor 0.9 m wide and 6 m long, with a door in its middle.
+    builder.box({4, 10, 0}, {8, 16, 3}, "rock", SolidRole::Solid, "", FeatureKind::Wall);
+    builder.box({8.9, 10, 0}, {13, 16, 3}, "rock", SolidRole::Solid, "", FeatureKind::Wall);
+    const FeatureId deep = builder.box({8, 13, 0}, {8.9, 13.05, 2}, "in a corridor", SolidRole::Mover, "", FeatureKind::Door);
+    const Simplification plan = plan_simplification(builder.scene(), at_scale(kBuilding));
+    EXPECT_EQ(plan.widened(), 0U);
+    EXPECT_EQ(plan.staying_narrow(), 1U) << "it is told of";
+    ASSERT_EQ(plan.openings.size(), 1U);
+    EXPECT_EQ(plan.openings[0].doors, std::vector<FeatureId>{deep});
+}
+
+TEST(SimplifyScene, takes_two_leaves_in_one_doorway_for_one) {
+    TwoRooms rooms(3.5, Vec3(0.0), false);
+    const FeatureId west = rooms.builder.box({3.5, 6.0, 0}, {3.95, 6.05, 2.08}, "West leaf", SolidRole::Mover, "wood", FeatureKind::Door);
+    const FeatureId east = rooms.builder.box({3.95, 6.0, 0}, {4.4, 6.05, 2.08}, "East leaf", SolidRole::Mover, "wood", FeatureKind::Door);
+    const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
+    ASSERT_EQ(plan.openings.size(), 1U);
+    EXPECT_EQ(plan.openings[0].doors, (std::vector<FeatureId>{west, east}));
+    EXPECT_NEAR(plan.openings[0].width_m(), 0.9, 1e-9);
+    const Scene felt = simplified(rooms.scene(), plan);
+    const auto leaf = [&](FeatureId id) {
+        return std::find_if(felt.solids.begin(), felt.solids.end(), [&](const Solid& s) { return s.feature == id; })->shape.bounds_m;
+    };
+    EXPECT_NEAR(leaf(west).max_m.x, leaf(east).min_m.x, 1e-9) << "they still meet";
+    EXPECT_NEAR(leaf(east).max_m.x - leaf(west).min_m.x, 0.0064 * kBuilding, 1e-9);
+}
+
 // Brute force: places at random over the building.
 TEST(SimplifyScene, changes_nothing_but_what_is_in_a_cut_a_leaf_or_left_out) {
     const std::uint32_t seed = test::seed_of_run();

@@ -1,13 +1,17 @@
 // What is too small to feel at a scale: changed for the hand, told, listed, and nothing else changes.
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <random>
+#include <thread>
 
 #include "haptic/render/free_place.h"
+#include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/explorer.h"
+#include "worlds/navigation/rooms.h"
 
 namespace handrail {
 namespace {
@@ -139,18 +143,87 @@ TEST(Simplified, is_said_in_whole_german_sentences) {
     EXPECT_TRUE(p.heard("Nichts ist vereinfacht.", from)) << p.all_heard(from);
 }
 
+// Two rooms with an opening of 0.9 m between them that has no door, and a partition of 0.05 m at x 6.
+std::shared_ptr<const Scene> open_rooms() {
+    test::SceneBuilder builder;
+    const auto wall = [&](const Vec3& low, const Vec3& high, FeatureKind kind = FeatureKind::Wall) {
+        builder.box(low, high, "wall", SolidRole::Solid, "plaster", kind);
+    };
+    wall({0, 0, -0.3}, {20, 12.2, 0}, FeatureKind::Floor);
+    wall({-0.2, 0, 0}, {0, 12.2, 2.6});
+    wall({20, 0, 0}, {20.2, 12.2, 2.6});
+    wall({0, -0.2, 0}, {20, 0, 2.6});
+    wall({0, 12.2, 0}, {20, 12.4, 2.6});
+    wall({0, 6, 0}, {3, 6.2, 2.6});
+    wall({3.9, 6, 0}, {20, 6.2, 2.6});
+    wall({3, 6, 2.1}, {3.9, 6.2, 2.6});
+    wall({6, 0, 0}, {6.05, 6, 2.6});
+    builder.start({3.4, 3, 0}, 0.0);
+    Scene& scene = builder.scene();
+    for (const Solid& solid : scene.solids) scene.bounds_m.include(solid.shape.bounds_m);
+    return builder.share();
+}
+
+TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) {
+    AppCore app({}, Explorer::facts("sim-t"));
+    app.find_rooms_beside();
+    app.enter_world(open_rooms(), 0.0);
+    app.press(Command::ScaleBuilding, 0.0);
+    std::string said;
+    double now = 0.0;
+    // The thread that looks for rooms takes real time; sessions go on meanwhile.
+    for (int frame = 0; frame < 6000 && said.find("doorway") == std::string::npos; ++frame) {
+        app.tick(now += 1.0 / 60.0, {});
+        for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    EXPECT_THAT(said, HasSubstr("Simplified: 1 doorway widened.")) << said;
+    EXPECT_GT(room_round(app, {2.85, 6.1, 1.0}), 0.0);
+    app.press(Command::Simplified, now);
+    ASSERT_EQ(app.dialogue().view().items.size(), 1U);
+    EXPECT_THAT(app.dialogue().view().items[0].name, HasSubstr("Opening between "));
+}
+
+// Walls are not made thicker: none is too thin to hold.
+TEST(Simplified, holds_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
+    Settings settings;
+    settings.desk.use = false;
+    settings.workspace.rim = false;
+    for (const char* device : {"sim-t", "sim-f"}) {
+        Explorer p(open_rooms(), device, settings);
+        const double scale = world_m_per_hand_m(NamedScale::Building, p.app().scene()->bounds_m, find_device_spec(device)->workspace_radius_m);
+        EXPECT_LT(0.05 / scale, 0.3e-3);
+        const Vec3 middle = p.app().scene()->bounds_m.centre_m();
+        const auto there = [&](const Vec3& world_m) { return (world_m - Vec3(middle.x, middle.y, 1.0)) / scale; };
+        p.hold(there({4.5, 3.0, 1.0}), 0.05);
+        p.tap(Command::ScaleBuilding, 0.2);
+        p.hold(there({4.5, 3.2, 1.0}), 0.05);
+        p.run(1.2);
+        ASSERT_NEAR(p.tool().proxy_m.x, 4.5, 0.01) << device;
+        for (const double speed_m_per_s : {0.05, 0.5, 2.0}) {
+            p.hold(there({9.0, 3.0, 1.0}), speed_m_per_s);
+            EXPECT_LT(p.tool().proxy_m.x, 6.0 - 0.9 * p.tool().ball_radius_m) << device << " at " << speed_m_per_s;
+            p.hold(there({4.5, 3.0, 1.0}), speed_m_per_s);
+        }
+    }
+}
+
 // Whatever the hand is doing, in or outside walls and doorways, another scale leaves the ball outside of everything and is not felt.
 TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) {
+    const auto house = test::our_world("house.map");
+    const BodySize size = body_size(*house, Settings{}.walk.body_radius_m);
+    const std::vector<Room> rooms = make_rooms(*house, *make_walk_space(*house, walk_body(*house, size.radius_m, size.height_m, size.step_up_m))).rooms;
     for (const char* device : {"sim-t", "sim-f"}) {
         std::mt19937 random(test::seed_of_run());
         std::uniform_real_distribution<double> unit(-1.0, 1.0);
         Settings settings;
         settings.desk.use = false;  // where scales wait
-        Explorer p(test::our_world("house.map"), device, settings);
+        settings.workspace.rim = false;
+        Explorer p(house, device, settings);
         const double reach_m = find_device_spec(device)->workspace_radius_m;
         std::size_t widened = 0;
         for (int round = 0; round < test::scaled(60); ++round) {
-            if (round % 5 == 0) p.app().place({6.0 + 5.0 * unit(random), 4.5 + 4.0 * unit(random), round % 2 ? 0.0 : 2.9}, unit(random) * kPi, p.now_s());
+            if (round % 5 == 0) p.app().place(rooms[random() % rooms.size()].middle_m, unit(random) * kPi, p.now_s());
             const Vec3 goal = Vec3(unit(random), unit(random), unit(random)) * (0.55 * reach_m);
             p.hold(goal, 0.1);
             p.run(1.1);

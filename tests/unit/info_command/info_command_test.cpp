@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "app/main/commands.h"
 #include "tests/support/map_text.h"
@@ -121,6 +122,30 @@ TEST(InfoCommand, says_which_edges_are_rounded_and_which_stay_sharp_and_why) {
     EXPECT_EQ(json["simplified"],
               nlohmann::json({"Edges of 1 solid are felt rounded by 0.09 metres of the world.", "1 solid keeps sharp edges: too thin to be rounded (Plate).",
                               "2 solids keep sharp edges: a groove would open where they join others (Left, Right)."}));
+}
+
+TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
+    const auto at = [](const std::string& scale) {
+        InfoArguments arguments;
+        arguments.world = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map";
+        arguments.json = true;
+        arguments.scale = scale;
+        std::ostringstream out, err;
+        const int status = run_info(arguments, out, err);
+        return std::tuple(status, status == 0 ? nlohmann::json::parse(out.str())["simplified"] : nlohmann::json(), err.str());
+    };
+    const auto [status, truly, nothing] = at("");
+    EXPECT_EQ(status, 0);
+    const nlohmann::json building = std::get<1>(at("Building"));
+    EXPECT_THAT(building, testing::Contains("Front door: felt 1.7 metres wide, truly 1 metre."));
+    EXPECT_THAT(building, testing::Contains("Coat stand: left out."));
+    EXPECT_EQ(building.size(), truly.size() + 17) << "11 doorways and 6 things";
+    EXPECT_EQ(std::get<1>(at("60")).back(), "Globe's stand: left out.");
+    EXPECT_EQ(std::get<1>(at("detail")), truly);
+    for (const char* wrong : {"large", "0", "-3", "1e9", "nan", "60 m"}) {
+        EXPECT_EQ(std::get<0>(at(wrong)), 2) << wrong;
+        EXPECT_THAT(std::get<2>(at(wrong)), testing::HasSubstr(wrong));
+    }
 }
 
 TEST(InfoCommand, fails_with_one_sentence_and_nothing_on_stdout) {
