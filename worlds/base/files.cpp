@@ -34,6 +34,7 @@ std::string reason_of(int error) {
             return std::generic_category().message(error);
     }
 }
+
 Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes) {
     const std::string name = path.filename().string();
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));

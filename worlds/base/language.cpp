@@ -7,7 +7,6 @@
 #include <unicode/uchar.h>
 #include <unicode/unistr.h>
 
-#include <toml++/toml.h>
 #include <algorithm>
 #include <atomic>
 #include <cctype>
@@ -16,6 +15,8 @@
 #include <map>
 #include <mutex>
 #include <set>
+#include <toml++/toml.h>
+#include <unordered_map>
 
 #include "worlds/base/bundled_languages.h"
 #include "worlds/base/files.h"
@@ -111,10 +112,21 @@ bool may_be_code(std::string_view code) {
 // Whether a pattern says what it means as it stands.
 bool is_plain(std::string_view pattern) { return pattern.find_first_of("{}'") == std::string_view::npos; }
 
+// Patterns that were said before, ready to be filled: making one takes longer than all the rest. Formats make some of their parts when first used, even
+// where they are const, so one thread at a time fills them.
+struct Compiled {
+    std::mutex guard;
+    std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>> formats;  // by the text of a kept language, which never moves
+};
+Compiled& compiled() {
+    static auto& all = *new Compiled;  // as long as the languages
+    return all;
+}
+
+// The pattern is a text of `language`, which is kept.
 std::string fill(const Language& language, const std::string& pattern, std::initializer_list<TextValue> values) {
     if (is_plain(pattern)) return pattern;
     UErrorCode status = U_ZERO_ERROR;
-    const icu::MessageFormat format(wide(pattern), language.locale, status);
     std::vector<icu::UnicodeString> names;
     std::vector<icu::Formattable> given;
     for (const TextValue& value : values) {
@@ -124,7 +136,14 @@ std::string fill(const Language& language, const std::string& pattern, std::init
         else given.emplace_back(wide(std::get<std::string_view>(value.value)));
     }
     icu::UnicodeString made;
-    if (U_SUCCESS(status)) format.format(names.data(), given.data(), static_cast<int32_t>(names.size()), made, status);
+    const std::scoped_lock lock(compiled().guard);
+    auto& format = compiled().formats[&pattern];
+    if (!format) {
+        auto fresh = std::make_unique<const icu::MessageFormat>(wide(pattern), language.locale, status);
+        if (U_FAILURE(status)) return pattern;
+        format = std::move(fresh);
+    }
+    format->format(names.data(), given.data(), static_cast<int32_t>(names.size()), made, status);
     return U_SUCCESS(status) ? narrow(made) : pattern;
 }
 
@@ -189,8 +208,10 @@ std::string language_of_environment(const std::filesystem::path& folder) {
         const char* locale = std::getenv(name);
         if (!locale || !*locale) continue;
         const std::string code = std::string(locale).substr(0, std::string_view(locale).find_first_of("_.@"));
-        for (const LanguageName& language : languages_to_choose(folder))
-            if (language.code == code) return code;
+        if (!may_be_code(code)) break;
+        const bool comes_along = std::any_of(kBundledLanguages.begin(), kBundledLanguages.end(), [&](const auto& source) { return source.code == code; });
+        std::error_code ec;
+        if (comes_along || (!folder.empty() && std::filesystem::exists(folder / (code + ".toml"), ec))) return code;
         break;
     }
     return std::string(kEnglish);

@@ -33,7 +33,7 @@ struct TextValue {
 };
 
 // The text under `key` ("rooms.too_far") in the language spoken, with its values put in; English where that language lacks it, the key
-// itself where English lacks it too. About 20 microseconds where there are values.
+// itself where English lacks it too. What a text with values costs stands in docs/results.md; the first time it is said, up to ten times that.
 std::string phrase(std::string_view key, std::initializer_list<TextValue> values = {});
 // Whether the language spoken, or English, has the key: for keys made of names that come from files ("material.moss").
 bool has_phrase(std::string_view key);
@@ -62,7 +62,8 @@ std::vector<LanguageName> bundled_languages();
 std::vector<LanguageName> languages_to_choose(const std::filesystem::path& folder);
 // The code of the language spoken: "en".
 std::string spoken_language();
-// The code of the language that the environment asks for (LC_ALL, LC_MESSAGES, LANG, the first that is set) if it can be chosen, else "en".
+// The code of the language that the environment asks for (LC_ALL, LC_MESSAGES, LANG, the first that is set) if it comes with the program or has a file in
+// `folder`, which is not opened; else "en".
 std::string language_of_environment(const std::filesystem::path& folder);
 // Where its own file was read from, for a process that is to speak the same; empty where there was none.
 std::filesystem::path spoken_language_folder();

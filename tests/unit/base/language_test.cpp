@@ -118,6 +118,47 @@ TEST(SpeakLanguage, may_be_called_while_others_speak) {
     EXPECT_EQ(spoken_language(), "en");
 }
 
+TEST(Phrase, said_again_with_other_values_is_as_if_it_were_said_first_on_every_thread) {
+    const test::TemporaryFolder folder;
+    write(folder.path() / "nl.toml", "[learning]\nseconds = \"{seconds, plural, one {# tel} other {# tellen}}\"\n");
+    ASSERT_TRUE(speak_language("nl", folder.path()));
+    for (const int seconds : {1, 2, 1, 1000}) EXPECT_EQ(phrase("learning.seconds", {{"seconds", seconds}}), seconds == 1 ? "1 tel" : seconds == 2 ? "2 tellen" : "1.000 tellen");
+    write(folder.path() / "nl.toml", "[learning]\nseconds = \"{seconds} s\"\n");
+    ASSERT_TRUE(speak_language("nl", folder.path()));
+    EXPECT_EQ(phrase("learning.seconds", {{"seconds", 2}}), "2 s") << "the file is another one by now";
+    ASSERT_TRUE(speak_language("en"));
+    std::vector<std::thread> threads;
+    std::atomic<int> wrong = 0;
+    for (int t = 0; t < 4; ++t)
+        threads.emplace_back([&, t] {
+            for (int i = 0; i < 300; ++i) wrong += phrase("learning.seconds", {{"seconds", 2 + t}}) != std::to_string(2 + t) + " seconds";
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(wrong, 0);
+}
+
+TEST(LanguageOfEnvironment, is_a_bundled_one_or_one_with_a_file_of_its_own_and_opens_no_file) {
+    const test::TemporaryFolder folder;
+    write(folder.path() / "nl.toml", "damaged = \"");  // told of when it is spoken
+    write(folder.path() / "xx.toml", "");
+    const char* before = std::getenv("LC_ALL");
+    const std::string kept = before ? before : "";
+    const auto asked = [&](const char* locale) {
+        ::setenv("LC_ALL", locale, 1);
+        return language_of_environment(folder.path());
+    };
+    EXPECT_EQ(asked("de_DE.UTF-8"), "de");
+    EXPECT_EQ(asked("de@euro"), "de");
+    EXPECT_EQ(asked("nl_NL"), "nl");
+    EXPECT_EQ(asked("pt_BR.UTF-8"), "en");
+    EXPECT_EQ(asked("C.UTF-8"), "en");
+    EXPECT_EQ(asked("../xx"), "en");
+    ::setenv("LC_ALL", "nl", 1);
+    EXPECT_EQ(language_of_environment({}), "en");
+    if (before) ::setenv("LC_ALL", kept.c_str(), 1);
+    else ::unsetenv("LC_ALL");
+}
+
 TEST(PatternFault, finds_what_a_pattern_asks_for_and_what_is_wrong_with_it) {
     std::vector<std::string> names;
     EXPECT_EQ(pattern_fault("{n, plural, one {# step of {who}} other {# steps}}", &names), "");
