@@ -452,7 +452,8 @@ private:
         if (!the_root) the_root = make_node(handrail_node_get_type(), ATK_ROLE_APPLICATION, "Handrail", nullptr, {ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
         frame_ = make_node(handrail_frame_get_type(), ATK_ROLE_FRAME, "Handrail", the_root,
                            {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
-        view_ = make_node(handrail_node_get_type(), ATK_ROLE_DRAWING_AREA, phrase("window.building").c_str(), frame_,
+        // Of a drawing area Orca 43 says the role after the name whenever the focus comes back to it, and each message is its name.
+        view_ = make_node(handrail_node_get_type(), ATK_ROLE_UNKNOWN, phrase("window.building").c_str(), frame_,
                           {ATK_STATE_SHOWING, ATK_STATE_VISIBLE, ATK_STATE_FOCUSABLE, ATK_STATE_ENABLED, ATK_STATE_SENSITIVE});
         // The bridge reads no arguments of ours.
         if (atk_bridge_adaptor_init(nullptr, nullptr) != 0) return;

@@ -1,4 +1,4 @@
-// The window as screen readers see it: a frame with one focused drawing area whose name is the message of the moment. Says what ReaderChannel brings,
+// The window as screen readers see it: a frame with one focused area whose name is the message of the moment. Says what ReaderChannel brings,
 // and gives the reader each key first. A list or question that is open stands beside it as objects of its own and has the keyboard: the item one is at is
 // focused, so the reader tells it as it tells every list, and what else is to be said is that item's description, of which Orca 43 reads each change. On a
 // thread of its own with GLib's default context, which nobody else in the program uses: what a screen reader or the bus is slow with holds up neither window
