@@ -139,7 +139,8 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
     const nlohmann::json building = std::get<1>(at("Building"));
     EXPECT_THAT(building, testing::Contains("Front door: felt 1.7 metres wide, truly 1 metre."));
     EXPECT_THAT(building, testing::Contains("Coat stand: left out."));
-    EXPECT_EQ(building.size(), truly.size() + 17) << "11 doorways and 6 things";
+    EXPECT_THAT(building, testing::Contains("Opening between Living room and Kitchen: felt 1.7 metres wide, truly 1.6 metres."));
+    EXPECT_EQ(building.size(), truly.size() + 18) << "11 doors, an opening and 6 things";
     EXPECT_EQ(std::get<1>(at("60")).back(), "Globe's stand: left out.");
     EXPECT_EQ(std::get<1>(at("detail")), truly);
     for (const char* wrong : {"large", "0", "-3", "1e9", "nan", "60 m"}) {
