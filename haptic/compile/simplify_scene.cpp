@@ -339,7 +339,9 @@ private:
         opening.wanted_m = gap_m_;
         const Vec3 middle = places[places.size() / 2];
         const Probe below = probe(middle, {0, 0, -1}, kHighest_m), above = probe(middle, {0, 0, 1}, kHighest_m);
+        // A hole under the door, as where floors end at the wall, is none of the doorway.
         opening.floor_m = below.hit ? middle.z - below.hit->way_m : z[0];
+        if (opening.floor_m < z[0] - kFrame_m) opening.floor_m = z[0];
         opening.top_m = above.hit ? middle.z + above.hit->way_m : -std::numeric_limits<double>::infinity();
         Range wall = kNone;
         double low_room_m = gap_m_, high_room_m = gap_m_;

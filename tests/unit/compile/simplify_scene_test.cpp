@@ -227,6 +227,18 @@ TEST(SimplifyScene, stretches_a_leaf_that_slides_and_one_that_swings_so_that_bot
     }
 }
 
+TEST(SimplifyScene, widens_a_doorway_under_which_the_floor_has_a_hole) {
+    TwoRooms rooms;
+    std::erase_if(rooms.scene().solids, [](const Solid& s) { return s.shape.bounds_m.max_m.z == 0.0; });
+    rooms.wall({0, 0, -0.4}, {8, 6, 0}, FeatureKind::Floor);
+    rooms.wall({0, 6.2, -0.4}, {8, 12.2, 0}, FeatureKind::Floor);
+    rooms.wall({0, 6, -3}, {8, 6.2, -0.4});  // the wall of the storey below
+    const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
+    ASSERT_EQ(plan.openings.size(), 1U);
+    EXPECT_NEAR(plan.openings[0].felt_width_m(), 0.0064 * kBuilding, 1e-9);
+    EXPECT_EQ(plan.openings[0].floor_m, 0.0);
+}
+
 // The same building turned about the upright.
 Scene turned(Scene scene, double angle_rad) {
     const double c = std::cos(angle_rad), k = std::sin(angle_rad);
