@@ -112,6 +112,57 @@ TEST_P(BundledPlaces, names_are_there_in_every_bundled_language) {
     }
 }
 
+// Wherever somebody gets from the base, on foot, by stairs or over an edge, the base can be walked to again: no pond or pit holds anybody.
+TEST_P(BundledPlaces, the_base_is_reached_again_from_wherever_one_gets_to) {
+    const auto read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / GetParam());
+    ASSERT_TRUE(read);
+    const BodySize body = body_size(*read, 0.25);
+    const auto space = make_walk_space(*read, walk_body(*read, body.radius_m, body.height_m, body.step_up_m));
+    ASSERT_TRUE(space);
+    const auto base = std::find_if(read->starts.begin(), read->starts.end(), [](const Start& s) { return s.base; });
+    ASSERT_NE(base, read->starts.end());
+    const std::uint32_t start = space->at(base->feet_m);
+    ASSERT_NE(start, kNothing);
+    std::vector<std::vector<std::uint32_t>> leads(space->spans.size()), comes(space->spans.size());
+    const auto join = [&](std::uint32_t from, std::uint32_t to) {
+        leads[from].push_back(to);
+        comes[to].push_back(from);
+    };
+    for (std::uint32_t s = 0; s < space->spans.size(); ++s)
+        for (const std::uint32_t next : space->spans[s].next)
+            if (next != kNothing) join(s, next);
+    for (const WalkLink& link : space->links) {
+        join(link.from, link.to);
+        if (link.both_ways) join(link.to, link.from);
+    }
+    const auto flood = [&](const std::vector<std::vector<std::uint32_t>>& onward) {
+        std::vector<bool> reached(onward.size(), false);
+        std::vector<std::uint32_t> open{start};
+        reached[start] = true;
+        while (!open.empty()) {
+            const std::uint32_t here = open.back();
+            open.pop_back();
+            for (const std::uint32_t next : onward[here])
+                if (!reached[next]) {
+                    reached[next] = true;
+                    open.push_back(next);
+                }
+        }
+        return reached;
+    };
+    const std::vector<bool> there = flood(leads), back = flood(comes);
+    std::size_t places = 0, lost = 0;
+    for (std::uint32_t s = 0; s < space->spans.size(); ++s) {
+        places += there[s];
+        if (!there[s] || back[s] || ++lost > 5) continue;
+        const Vec3 at = space->place_m(s);
+        ADD_FAILURE() << "no way back from " << at.x << ", " << at.y << ", " << at.z;
+    }
+    EXPECT_EQ(lost, 0U);
+    EXPECT_GT(places, 10000U);
+    std::cout << GetParam() << ": " << places << " places, from each of which the base can be walked to\n";
+}
+
 INSTANTIATE_TEST_SUITE_P(Maps, BundledPlaces, testing::Values("house.map", "school.map"), [](const auto& test) {
     return std::string(test.param).substr(0, std::string(test.param).find('.'));
 });

@@ -16,7 +16,7 @@ struct HouseWalker : test::AppSession {
         run(0.1);
         ask(Command::Routes);
         for (const ListItem& item : app.dialogue().view().items)
-            if (item.name != "Pond" && item.name != "Stairs") rooms.push_back(item.name);  // at its edge one is asked; it is no place to stay
+            if (item.name != "Pond" && item.name != "Pond steps" && item.name != "Stairs") rooms.push_back(item.name);  // at their edge one is asked; no places to stay
         app.take_key("Escape", now);
     }
     // True when it gets there; `bumped` holds what it met on the way.
