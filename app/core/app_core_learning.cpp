@@ -4,6 +4,7 @@
 
 #include "app/core/app_core.h"
 #include "app/core/side_file.h"
+#include "audio-cues/plan/sound_table.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -271,7 +272,7 @@ void AppCore::hunt_key(double now_s) {
     const Vec3 clock = ground.hiding_place(static_cast<std::uint64_t>(now_s * 1e3) + 7919U * ++hunts_, kHide_m);
     ground.aim(clock);
     hunt_.emplace(ClockHunt{std::move(ground), std::move(world), clock, now_s, 0});
-    soundscape_.add({SoundSource{clock + Vec3(0.0, 0.0, 1.0), {}, "clock", 1.0}});
+    soundscape_.add({SoundSource{clock + Vec3(0.0, 0.0, 1.0), {}, std::string(info(SoundKind::HiddenClock).name), 1.0}});
     play(SoundKind::Arrived, now_s);
     answer(phrase("hunt.begun", {{"key", keys_.keys_of(Command::Hunt)}}), now_s);
 }

@@ -83,6 +83,7 @@ enum class SoundKind : std::uint8_t {
     Birds,
     Tolling,
     Music,
+    HiddenClock,  // of the hunt, like no clock of a world
     Shimmer,  // anything else
     // Earcons: heard in the middle of the head, wherever their position is.
     Denied,

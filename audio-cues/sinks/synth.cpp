@@ -480,6 +480,17 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
                 for (int h = 1; h <= 4; ++h) add_ring(out, 0.5 * k, kTune[static_cast<std::size_t>(k)] * h, 0.9 / h, 0.8 / (h * h));
             }
             break;
+        case SoundKind::HiddenClock:
+            // Ticks five times a second, a little bell of brass, and twice in its four seconds a cuckoo: a world's clock ticks once a second and calls nothing.
+            for (int k = 0; k < 20; ++k) {
+                add_ring(out, 0.2 * k, 4100.0, 0.03, k % 5 == 0 ? 1.0 : 0.7);
+                add_ring(out, 0.2 * k, 1.41 * 4100.0, 0.02, 0.4);
+            }
+            for (const double at_s : {0.9, 2.9}) {
+                add_ring(out, at_s, 740.0, 0.16, 1.0);
+                add_ring(out, at_s + 0.3, 587.0, 0.24, 1.0);
+            }
+            break;
         default:  // Shimmer
             for (int k = 0; k < 40; ++k) {
                 const double at_s = between(0.0, length_s), hz = 1200.0 * std::pow(2.0, std::floor(between(0.0, 8.0)) / 4.0);

@@ -115,7 +115,7 @@ TEST_F(FirstMinutes, run_with_a_simulated_touch_through_the_set_up_to_the_first_
 TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
     const char* const kToChoice = "\nleft\n\nforward 6\nleft 4\nforward 3\nright 8\nforward 7\nhome\n";
     const ProgramRun here = run({"--device", "none"}, std::string(kToChoice) + "find\nwhere\nquit\n");
-    expect_in_order(here.out, {"What next.", "Saved.", "A clock is hidden and ticks.", "Room with Radiator", "facing north"});
+    expect_in_order(here.out, {"What next.", "Saved.", "A clock is hidden and ticks fast, with a cuckoo's call.", "Room with Radiator", "facing north"});
     const TemporaryFolder other;
     ProgramCall call;
     call.program = HANDRAIL_PROGRAM;
@@ -125,7 +125,7 @@ TEST_F(FirstMinutes, end_in_a_hunt_where_it_is_chosen) {
     call.allowed_s = 280.0;
     call.environment["XDG_CONFIG_HOME"] = other.path().string();
     const ProgramRun house = run_program(call);
-    expect_in_order(house.out, {"What next.", "Saved.", "Going to House.", "say: House", "A clock is hidden and ticks."});
+    expect_in_order(house.out, {"What next.", "Saved.", "Going to House.", "say: House", "A clock is hidden and ticks fast, with a cuckoo's call."});
 }
 
 TEST_F(FirstMinutes, go_on_at_the_next_start_where_they_were_left) {

@@ -105,7 +105,7 @@ TEST(GermanSession, tells_what_of_a_place_was_learnt_and_what_is_left_in_german)
     EXPECT_EQ(s.ask(Command::ProgressReport),
               "Wände 23 Prozent, Boden 23 Prozent, 0 von 1 Tür. 6 Sekunden. Berührt: Westwand, Putz, Südwand, Putz, Bookcase, Holz.");
     EXPECT_EQ(s.ask(Command::Unexplored), "Noch nicht erkundet: Boden, 1 Schritt, 170 Grad rechts");
-    EXPECT_EQ(s.ask(Command::Hunt), "Eine Uhr ist versteckt und tickt. Jetzt suchen: hingehen oder nach ihr greifen. 0 gibt einen Tipp.");
+    EXPECT_EQ(s.ask(Command::Hunt), "Eine Uhr ist versteckt und tickt schnell, mit Kuckucksruf. Jetzt suchen: hingehen oder nach ihr greifen. 0 gibt einen Tipp.");
     EXPECT_EQ(s.ask(Command::Hunt), "Weiter: 3 Schritte, 125 Grad rechts. Zu Fuß bis zur Uhr: 9 Schritte.");
     EXPECT_EQ(s.ask(Command::SquareUp), "Gerade ausgerichtet. Blick nach Westen. Bookcase, Holz, 1 Schritt geradeaus");
     EXPECT_EQ(s.ask(Command::LearnPlace),

@@ -79,7 +79,7 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
          {"moving platform", "turning part", "secret place", "marked place", "sliding floor", "curved surface"}},
         {"audio-cues/plan/sound_table.cpp",  // names that scenario files know sounds by; told as phrase("sound." + name)
          {"wall tone", "door moves", "door shuts", "stairs up", "stairs down", "door near", "beacon ahead", "beacon behind", "forces on", "forces off",
-          "frame switch", "rim back", "let go", "guide start", "guide stop"}},
+          "frame switch", "hidden clock", "rim back", "let go", "guide start", "guide stop"}},
         {"worlds/readers/reader.cpp", {"version https://git-lfs"}},                                             // how such a file begins
         {"worlds/readers/height_picture.cpp", {"cut short"}},                                                   // said to libpng, which is kept quiet
         {"haptic/compile/touch_model.cpp", {"sheets of one side", "liquid surfaces", "textures and shading"}},  // of info --json
