@@ -44,18 +44,23 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
             do {
                 done[4 * span + side] = true;
                 const std::size_t ahead = (side + 1) % 4;
-                const std::uint32_t next = beside(span, ahead), across = next == kNothing ? kNothing : beside(next, side);
-                if (next != kNothing && across == kNothing) {
-                    span = next;
+                std::uint32_t to = beside(span, ahead);
+                std::size_t to_side = side;
+                if (to != kNothing && beside(to, side) == kNothing) {
+                    span = to;
                     continue;
                 }
-                // A corner, where the border turns: to the left round this span, or to the right before the next but one.
+                // A corner: from place to place round it, to the next side that is border. Where the floor is stepped that may be the other side of the very step
+                // one came along. No side is come to from two, and so the way ends where it began.
+                if (to == kNothing) to = span, to_side = ahead;
+                else
+                    for (std::uint32_t on = beside(to, to_side); on != kNothing; on = beside(to, to_side)) to = on, to_side = (to_side + 3) % 4;
                 const Vec3 middle = space.place_m(span);
                 const double half_m = 0.5 * space.cell_m;
                 const auto part = [&](std::size_t way) { return way == 0 ? Vec2(half_m, 0.0) : way == 1 ? Vec2(0.0, half_m) : way == 2 ? Vec2(-half_m, 0.0) : Vec2(0.0, -half_m); };
                 loop.push_back(Vec2(middle.x, middle.y) + part(side) + part(ahead));
-                if (next == kNothing) side = ahead;
-                else span = across, side = (side + 3) % 4;
+                span = to;
+                side = to_side;
             } while (span != start || side != first);
             // Clockwise: what stands in the room.
             if (area_m2(loop) >= kLeastLoop_m2) outline.loops_m.push_back(std::move(loop));
