@@ -227,7 +227,7 @@ TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) 
             const Vec3 goal = Vec3(unit(random), unit(random), unit(random)) * (0.55 * reach_m);
             p.hold(goal, 0.1);
             p.run(1.1);
-            const Command next = kScales[static_cast<std::size_t>(random() % kScales.size())];
+            const Command next = round == 0 ? Command::ScaleBuilding : kScales[static_cast<std::size_t>(random() % kScales.size())];
             p.tap(next, 0.0);
             double strongest_n = 0.0;
             for (int ms = 0; ms < 300; ++ms) {
