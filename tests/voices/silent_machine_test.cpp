@@ -87,9 +87,9 @@ TEST_F(SilentMachineNever, speaks_with_its_own_voice_where_there_is_nothing_else
     // A key stops the welcome.
     const double pressed_s = now_s();
     ASSERT_TRUE(display->xdotool("key Control_L"));
-    ASSERT_TRUE(eventually([&] { return own_voice().find("stop") != std::string::npos; }, 60.0)) << own_voice() << said();
+    ASSERT_TRUE(eventually([&] { return own_voice().find("hush") != std::string::npos; }, 60.0)) << own_voice() << said();
     const std::string log = own_voice();
-    const std::size_t stop = log.find("stop"), begin = log.rfind('\n', stop) + 1;
+    const std::size_t hush = log.find("hush"), begin = log.rfind('\n', hush) + 1;
     report("from the key to silence, the key's own way from xdotool in it", std::strtod(log.c_str() + begin, nullptr) - pressed_s);
     ASSERT_NO_FATAL_FAILURE(go_on(*display, said()));
 }
