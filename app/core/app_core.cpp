@@ -101,6 +101,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     mark_base_door(entered, feet_m);
     scene_ = std::make_shared<const Scene>(std::move(entered));
     begin_rooms(scene);
+    const int unreadable_marks = take_additions();  // before the hand's scene is made: what bears a mark is not simplified
     retune();
     compile(0);
     things_.enter(*scene_, *haptic_scene_, compiled_plan_, now_s);
@@ -129,11 +130,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     if (!greeting_waits()) say(entering_text(), SpeechClass::Answer, now_s);
     if (settings_.speech.crowding_hint)
         if (std::string crowded = crowded_view(*scene_); !crowded.empty()) say(std::move(crowded), SpeechClass::Answer, now_s);
-    enter_guiding(now_s);
-    if (!guiding_.marks.empty() && !touch_plan_.left_out.empty()) {  // what bears a mark stays
-        retune();
-        adapt_touch(now_s);
-    }
+    tell_additions(unreadable_marks, now_s);
     simplified_told_.clear();
     if (std::string news = greeting_waits() ? std::string() : simplified_news(); !news.empty()) say(std::move(news), SpeechClass::Ambient, now_s);
     if (std::exchange(hunt_awaits_, false)) hunt_key(now_s);
@@ -147,14 +144,15 @@ double AppCore::rounding_m() const {
 // After retune(). True where the hand feels another scene from now on.
 bool AppCore::adapt_touch(double now_s) {
     if (rounding_m() == compiled_rounding_m_ && touch_plan_ == compiled_plan_) return false;
-    change_world(world_now(), now_s);
+    scene_ = std::make_shared<const Scene>(world_now());
+    feel_scene(now_s);
     return true;
 }
 
-// What of the scene a hand can touch. world: see HapticScene::world.
+// What of the scene a hand can touch, by the plan of retune(). world: see HapticScene::world.
 void AppCore::compile(std::uint32_t world) {
     compiled_rounding_m_ = rounding_m();
-    compiled_plan_ = touch_plan_ = plan_touch();
+    compiled_plan_ = touch_plan_;
     const CompileOptions options = exploring(compiled_rounding_m_, world);
     haptic_scene_ = compiled_plan_.changes_nothing() ? compile_haptic(*scene_, options) : compile_haptic(simplified(*scene_, compiled_plan_), options);
 }
@@ -682,6 +680,12 @@ double AppCore::farthest_m() const { return 10.0 + (scene_->bounds_m.empty() ? 0
 // The same world with something added or removed: everything else goes on.
 void AppCore::change_world(Scene scene, double now_s) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
+    retune();
+    feel_scene(now_s);
+}
+
+// Makes anew what is felt and walked of the scene.
+void AppCore::feel_scene(double now_s) {
     compile(haptic_scene_->world);
     things_.enter(*scene_, *haptic_scene_, compiled_plan_, now_s);
     movers_.follow(scene_->movers);

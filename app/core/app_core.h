@@ -391,10 +391,12 @@ private:
     bool usable(std::size_t mover) const;
     void press_mover(std::uint32_t mover, bool back_again, double now_s);
     void change_world(Scene scene, double now_s);
+    void feel_scene(double now_s);
     void rebuild_body_world();
     Scene world_now() const;
     // Marks, landmarks, beacon and being led: app_core_guide.cpp.
-    void enter_guiding(double now_s);
+    int take_additions();
+    void tell_additions(int unreadable_marks, double now_s);
     void tick_guiding(double now_s);
     void act_guiding(Command command, double now_s);
     void save_additions(double now_s);
@@ -466,7 +468,7 @@ private:
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const HapticScene> haptic_scene_;
     double compiled_rounding_m_ = 0.0;  // of edges in it
-    Simplification touch_plan_, compiled_plan_;  // of the scale, and of haptic_scene_
+    Simplification touch_plan_, compiled_plan_;   // of the scale, and of haptic_scene_; they differ while the hand is at the desk
     OpenPortals planned_portals_;                 // that touch_plan_ was told of
     bool openings_awaited_ = false;               // the plan would know more if the rooms were found
     std::string simplified_told_;

@@ -127,6 +127,31 @@ TEST(Simplified, needs_a_hand_and_keeps_what_bears_a_mark) {
     EXPECT_TRUE(is_felt(*p.app().haptic_scene(), feature_named(*p.app().scene(), "Coat stand")));
 }
 
+TEST(Simplified, knows_the_marks_of_a_world_and_no_others_before_it_is_compiled_once) {
+    const auto house = test::our_world("house.map");
+    AppCore app({}, Explorer::facts("sim-t"));
+    app.enter_world(house, 0.0);
+    const FeatureId stand = feature_named(*app.scene(), "Globe's stand");
+    EXPECT_FALSE(is_felt(*app.haptic_scene(), stand));
+    std::uint64_t before = app.haptic_scene()->generation;
+    app.enter_world(house, 0.0);
+    const std::uint64_t each = app.haptic_scene()->generation - before;
+
+    SideFile additions;
+    Mark mark;
+    mark.name = "Globe";
+    mark.place_m = app.scene()->features[stand.value].bounds_m.centre_m();
+    write_marks(additions, {mark});
+    app.use_side_file(std::move(additions));
+    before = app.haptic_scene()->generation;
+    app.enter_world(house, 0.0);
+    ASSERT_EQ(app.guiding().marks.size(), 1U);
+    EXPECT_TRUE(is_felt(*app.haptic_scene(), stand));
+    EXPECT_EQ(app.haptic_scene()->generation - before, each);
+    app.enter_world(house, 0.0);
+    EXPECT_FALSE(is_felt(*app.haptic_scene(), stand)) << "the mark was in the other world";
+}
+
 TEST(Simplified, is_said_in_whole_german_sentences) {
     const test::InLanguage german("de");
     Explorer p(test::our_world("house.map"), "sim-t");
