@@ -18,7 +18,8 @@ Simplification AppCore::plan_touch() {
     for (const Mark& mark : guiding_.marks) options.kept_m.push_back(mark.place_m);
     if (asks_for_openings(scale(), settings_.walk.body_radius_m)) {
         openings_awaited_ = rooms_beside_ && rooms_ && !rooms_->done();
-        if (!openings_awaited_ && rooms_known()) planned_portals_ = open_portals(rooms_->graph());
+        // Not rooms_known(): on entering a world its movers are not known yet, nor where their leaves stand.
+        if (!openings_awaited_ && rooms_ && rooms_->ready() && rooms_->found()) planned_portals_ = open_portals(rooms_->graph());
         options.openings_m = planned_portals_.places_m;
     }
     return plan_simplification(*scene_, options);

@@ -209,6 +209,15 @@ TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) 
     EXPECT_THAT(app.dialogue().view().items[0].name, HasSubstr("Opening between "));
 }
 
+TEST(Simplified, looks_for_openings_on_entering_a_world_with_nothing_of_the_one_before) {
+    Explorer p(test::our_world("house.map"), "sim-t");
+    p.tap(Command::ScaleBuilding, 0.2);
+    const std::size_t from = p.lines();
+    p.app().enter_world(open_rooms(), p.now_s());  // no door moves here; the house's have moved out
+    p.run(0.2);
+    EXPECT_TRUE(p.heard("Simplified: 1 doorway widened.", from)) << p.all_heard(from);
+}
+
 // Walls are not made thicker: none is too thin to hold.
 TEST(Simplified, holds_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
     Settings settings;
