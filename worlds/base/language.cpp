@@ -217,7 +217,7 @@ std::string language_of_environment(const std::filesystem::path& folder) {
     return std::string(kEnglish);
 }
 
-const std::string& in_spoken_language(const std::string& text, const OtherLanguages& others) {
+std::string in_spoken_language(const std::string& text, const OtherLanguages& others) {
     if (others.empty()) return text;
     const std::string& code = language_spoken().code;
     const auto spoken = std::find_if(others.begin(), others.end(), [&](const TextIn& other) { return other.language == code; });

@@ -45,7 +45,7 @@ struct TextIn {
 };
 using OtherLanguages = std::vector<TextIn>;
 // The one in the language spoken, where there is one; else `text`, which the world is known by.
-const std::string& in_spoken_language(const std::string& text, const OtherLanguages& others);
+std::string in_spoken_language(const std::string& text, const OtherLanguages& others);
 
 // First letter in upper case, for the start of a sentence, in any script; a text that begins with no letter stays.
 std::string capitalised(std::string_view text);

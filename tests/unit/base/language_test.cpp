@@ -26,6 +26,12 @@ TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
     EXPECT_EQ(phrase("language.unknown_key", {{"key", "it's {odd} '{'"}}), "\"it's {odd} '{'\" is no text of Handrail; it is left out.");
 }
 
+TEST(InSpokenLanguage, gives_a_text_that_outlives_what_it_was_made_of) {
+    const std::string& told = in_spoken_language(std::string(100, 'x'), {});
+    const std::string other(100, 'y');  // where the first may have been
+    EXPECT_EQ(told, std::string(100, 'x'));
+}
+
 TEST(BundledLanguages, are_english_first_and_name_themselves) {
     const auto names = bundled_languages();
     ASSERT_GE(names.size(), 2U);
