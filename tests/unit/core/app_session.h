@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/core/app_core.h"
@@ -33,7 +34,8 @@ struct AppSession {
     }
     void listen() {
         for (CueRequest& cue : app.take_cues()) {
-            if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
+            if (cue.kind == CueRequestKind::Say || cue.kind == CueRequestKind::Demonstrate) said.push_back(cue.text);
+            if (cue.kind == CueRequestKind::Play) sounds.push_back(cue.sound);
             if (cue.kind == CueRequestKind::Bump) bumped.push_back(cue.feature);
         }
     }
@@ -55,13 +57,20 @@ struct AppSession {
         listen();
         return said.empty() ? std::string() : said.back();
     }
+    // All that was said since this was last asked, on one line.
+    std::string news() {
+        listen();
+        return fmt::format("{}", fmt::join(std::exchange(said, {}), " | "));
+    }
     bool heard(const std::string& part) const {
         return std::any_of(said.begin(), said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
     }
+    int count(SoundKind kind) const { return static_cast<int>(std::count(sounds.begin(), sounds.end(), kind)); }
     AppCore app;
     ToolState tool;
     double now = 0.0;
     std::vector<std::string> said;
+    std::vector<SoundKind> sounds;
     std::vector<FeatureId> bumped;  // into
 };
 

@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
-#include "app/core/app_core.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/core/app_session.h"
 
 namespace handrail {
 namespace {
@@ -34,8 +34,8 @@ std::shared_ptr<const Scene> room(double table_x = 1.0, bool landmarks = false) 
     return b.share();
 }
 
-struct Person {
-    explicit Person(bool device = false, Settings settings = {}) : app(settings, facts(device)) {}
+struct Person : test::AppSession {
+    explicit Person(bool device = false, const Settings& settings = {}) : AppSession(settings, facts(device)) {}
     static HandFacts facts(bool device) {
         HandFacts f;
         f.present = f.simulated = device;
@@ -46,16 +46,6 @@ struct Person {
         if (!world.empty()) app.use_side_file(SideFile::of_world(world, {}));
         app.enter_world(std::move(scene), now);
         run(0.1);
-    }
-    void run(double seconds) {
-        for (const double until = now + seconds; now < until - 1e-9;) {
-            now += 1.0 / 60.0;
-            app.tick(now, tool);
-            for (CueRequest& cue : app.take_cues()) {
-                if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
-                if (cue.kind == CueRequestKind::Play) sounds.push_back(cue);
-            }
-        }
     }
     void tap(Command command) {
         said.clear();
@@ -81,17 +71,6 @@ struct Person {
         app.place(feet_m, heading_rad, now);
         run(0.05);
     }
-    bool heard(const std::string& part) const {
-        return std::any_of(said.begin(), said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
-    }
-    int count(SoundKind kind) const {
-        return static_cast<int>(std::count_if(sounds.begin(), sounds.end(), [&](const CueRequest& s) { return s.sound == kind; }));
-    }
-    AppCore app;
-    ToolState tool;
-    double now = 0.0;
-    std::vector<std::string> said;
-    std::vector<CueRequest> sounds;
 };
 
 TEST(Marks, are_set_named_kept_found_again_and_deleted) {

@@ -1,46 +1,36 @@
 // The language, chosen in a session and by settings.
 #include <fstream>
 
-#include "app/core/app_core.h"
 #include "app/core/spoken_language.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/core/app_session.h"
 
 namespace handrail {
 namespace {
 
 using testing::HasSubstr;
 
-struct Person {
-    Person() : app(Settings{}, HandFacts{}) {
+struct Person : test::AppSession {
+    Person() {
         test::SceneBuilder b;
         b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
         b.start({3, 0.5, 0}, 0.0);
-        app.enter_world(b.share(), 0.0);
-        app.tick(0.01, ToolState{});
-        app.take_cues();
+        app.enter_world(b.share(), now);
+        run(0.1);
     }
     ~Person() { (void)speak_language("en"); }
-    std::string said() {
-        std::string text;
-        for (const CueRequest& cue : app.take_cues())
-            if (cue.kind == CueRequestKind::Say) text += (text.empty() ? "" : " | ") + cue.text;
-        return text;
-    }
     std::string line(const std::string& text) {
-        now += 0.5;
-        app.tick(now, ToolState{});
-        app.take_cues();
+        run(0.5);
+        said.clear();
         if (!app.take_line(text, now))
             if (const CommandInfo* row = find_command(text)) {
                 app.press(row->command, now);
                 app.release(row->command);
             }
-        return said();
+        return news();
     }
-    AppCore app;
-    double now = 0.1;
 };
 
 TEST(Language, is_chosen_from_a_list_of_their_own_names_and_kept) {
@@ -74,8 +64,9 @@ TEST(Language, that_there_is_not_is_told_and_changes_nothing) {
     Person p;
     Settings wanted = p.app.settings();
     wanted.speech.language = "xx";
-    p.app.change_settings(wanted, 1.0);
-    EXPECT_THAT(p.said(), HasSubstr("There is no language \"xx\"; there are: "));
+    p.said.clear();
+    p.app.change_settings(wanted, p.now);
+    EXPECT_THAT(p.news(), HasSubstr("There is no language \"xx\"; there are: "));
     EXPECT_EQ(spoken_language(), "en");
 }
 

@@ -2,10 +2,10 @@
 #include <fstream>
 #include <set>
 
-#include "app/core/app_core.h"
 #include "settings/adjust.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/core/app_session.h"
 
 namespace handrail {
 namespace {
@@ -23,42 +23,32 @@ std::shared_ptr<const Scene> room() {
     return b.share();
 }
 
-struct Person {
-    explicit Person(const Settings& settings = {}) : app(settings, HandFacts{}) {
-        app.enter_world(room(), 0.0);
-        app.tick(0.01, ToolState{});
-        app.take_cues();
+struct Person : test::AppSession {
+    explicit Person(const Settings& settings = {}) : AppSession(settings) {
+        app.enter_world(room(), now);
+        run(0.1);
     }
-    // As a window does it.
+    // As a window does it; what is said to it.
     std::string key(const std::string& name) {
-        now += 0.5;
-        app.tick(now, ToolState{});
-        app.take_cues();
+        run(0.5);
+        said.clear();
         if (!app.take_key(name, now))
             if (const auto command = app.keys().find(name)) {
                 app.press(*command, now);
                 app.release(*command);
             }
-        return said();
+        return news();
     }
     std::string line(const std::string& text) {
-        now += 0.5;
-        app.take_cues();
-        return app.take_line(text, now) ? said() : "not taken";
-    }
-    std::string said() {
-        std::string text;
-        for (const CueRequest& cue : app.take_cues())
-            if (cue.kind == CueRequestKind::Say || cue.kind == CueRequestKind::Demonstrate) text += (text.empty() ? "" : " | ") + cue.text;
-        return text;
+        run(0.5);
+        said.clear();
+        return app.take_line(text, now) ? news() : "not taken";
     }
     std::map<std::string, std::string> saved() {
         std::map<std::string, std::string> all;
         for (const auto& [key, value] : app.take_setting_changes()) all[key] = value;
         return all;
     }
-    AppCore app;
-    double now = 0.1;
 };
 
 TEST(Menu, leads_to_every_command_by_topic_each_with_its_key) {

@@ -1,9 +1,6 @@
 // Doors, lifts, buttons and teleporters: what a map makes of them, how they move, and what the session does with them.
-#include <filesystem>
-
-#include "app/core/app_core.h"
 #include "tests/support/map_text.h"
-#include "worlds/readers/reader.h"
+#include "tests/unit/core/app_session.h"
 #include "worlds/scene/models.h"
 
 namespace handrail {
@@ -27,17 +24,8 @@ const std::string kWall = entity("func_wall", key("name", "cross wall"),
                                  box_brush(0, 96, 0, 144, 104, 128) + box_brush(176, 96, 0, 320, 104, 128) + box_brush(144, 96, 72, 176, 104, 128));
 std::string door(const std::string& keys) { return entity("func_door", keys, box_brush(144, 98, 0, 176, 102, 72)); }
 
-struct Walk {
-    explicit Walk(std::shared_ptr<const Scene> scene) : app(Settings{}, HandFacts{}) { app.enter_world(std::move(scene), 0.0); }
-    void run(double seconds) {
-        for (const double until = now + seconds; now < until - 1e-9;) {
-            now += 1.0 / 60.0;
-            app.tick(now, tool);
-            for (CueRequest& cue : app.take_cues())
-                if (cue.kind == CueRequestKind::Say) said.push_back(cue.text);
-                else if (cue.kind == CueRequestKind::Play) sounds.push_back(cue.sound);
-        }
-    }
+struct Walk : test::AppSession {
+    explicit Walk(std::shared_ptr<const Scene> scene) { app.enter_world(std::move(scene), 0.0); }
     void tap(Command command, double then_s = 0.1) {
         app.press(command, now);
         run(0.05);
@@ -50,14 +38,6 @@ struct Walk {
         app.release(Command::Forward);
         run(0.2);
     }
-    bool heard(const std::string& part) const {
-        return std::any_of(said.begin(), said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
-    }
-    AppCore app;
-    ToolState tool;
-    double now = 0.0;
-    std::vector<std::string> said;
-    std::vector<SoundKind> sounds;
 };
 
 TEST(Movers, a_hinged_door_of_a_building_swings_out_of_its_opening) {
@@ -106,8 +86,8 @@ TEST(Movers, the_door_is_in_the_way_until_it_is_used_and_again_after_it_is_used_
     EXPECT_TRUE(walk.heard("Oak door is shut"));
     walk.walk(3.0);
     EXPECT_LT(walk.app.feet_m().y, 3.0);
-    EXPECT_EQ(std::count(walk.sounds.begin(), walk.sounds.end(), SoundKind::DoorMoves), 1);
-    EXPECT_EQ(std::count(walk.sounds.begin(), walk.sounds.end(), SoundKind::DoorShuts), 1);
+    EXPECT_EQ(walk.count(SoundKind::DoorMoves), 1);
+    EXPECT_EQ(walk.count(SoundKind::DoorShuts), 1);
 }
 
 TEST(Movers, a_door_that_would_shut_on_somebody_opens_again) {

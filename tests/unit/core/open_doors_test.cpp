@@ -20,15 +20,7 @@ struct HouseWalker : test::AppSession {
         app.take_key("Escape", now);
     }
     // True when it gets there; `bumped` holds what it met on the way.
-    bool go_to(const std::string& room) {
-        ask(Command::Routes);
-        line(room);
-        said.clear();
-        bumped.clear();
-        const std::string there = room + ". You are there.";
-        return test::walk_along(
-            *this, [&] { return heard(there); }, 60.0);
-    }
+    bool go_to(const std::string& room) { return test::go_to_room(*this, room, 60.0); }
     // Opens a door from the side it does not swing to.
     void open(const Mover& door) {
         const Aabb leaf = app.scene()->features[door.feature.value].bounds_m;

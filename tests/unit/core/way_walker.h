@@ -47,4 +47,30 @@ inline bool walk_along(AppSession& person, const std::function<bool()>& there, d
     return there();
 }
 
+// Chooses a room in the list of ways and walks there; true when it got there.
+inline bool go_to_room(AppSession& person, const std::string& room, double seconds) {
+    person.ask(Command::Routes);
+    person.line(room);
+    person.said.clear();
+    person.bumped.clear();
+    const std::string there = room + ". You are there.";
+    return walk_along(
+        person, [&] { return person.heard(there); }, seconds);
+}
+
+// Walks straight from place to place, whatever may be planned. `run(seconds)` lets time pass.
+template <class Run>
+void steer_along(AppCore& app, const std::vector<Vec3>& places, Run run) {
+    for (const Vec3& place : places)
+        for (int frame = 0; frame < 600; ++frame) {
+            const Vec3 off = place - app.feet_m();
+            const double way_m = std::hypot(off.x, off.y);
+            if (way_m < 0.1) break;
+            app.steer({off.y / way_m, off.x / way_m, 0.0});
+            run(1.0 / 60.0);
+        }
+    app.steer({});
+    run(0.3);
+}
+
 }  // namespace handrail::test

@@ -36,14 +36,15 @@ struct Person : test::AppSession {
         app.enter_world(test::world_in(world), now);
         run(0.1);
     }
-    // Chooses a room in the list of ways and walks there.
-    bool go_to(const std::string& room) {
-        ask(Command::Routes);
-        line(room);
-        const std::string there = room + ". You are there.";
-        said.clear();
-        return test::walk_along(
-            *this, [&] { return heard(there); }, 90.0);
+    bool go_to(const std::string& room) { return test::go_to_room(*this, room, 90.0); }
+    // Chooses a kept way, and what is to be done with it.
+    std::string way(const std::string& name) {
+        ask(Command::Ways);
+        return line(name);
+    }
+    std::string way(const std::string& name, const std::string& act) {
+        way(name);
+        return line(act);
     }
     // The text of an entry of the list that is open, with its value; empty: none.
     std::string item(const std::string& begin) const {
@@ -88,9 +89,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     EXPECT_THAT(words, HasSubstr(" To Kitchen. "));
     EXPECT_THAT(words, HasSubstr(" to Kitchen."));
 
-    p.ask(Command::Ways);
-    p.line("To the stove");
-    EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));  // one stands at its first stop
+    EXPECT_THAT(p.way("To the stove", "Follow it by ear"), StartsWith("To Living room. "));  // one stands at its first stop
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Kitchen. You are there."); }, 120.0))
@@ -101,9 +100,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
     EXPECT_EQ(p.item("Stop following"), "");  // it is over
 
     // Backwards, from where it ends.
-    p.ask(Command::Ways);
-    p.line("To the stove");
-    EXPECT_THAT(p.line("Backwards"), HasSubstr("To the stove, backwards"));
+    EXPECT_THAT(p.way("To the stove", "Backwards"), HasSubstr("To the stove, backwards"));
     EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Living room. "));
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
@@ -117,16 +114,12 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
     p.ask(Command::Routes);
     p.line("Living room");
     p.keep("The way you planned last", "There");
-    p.ask(Command::Ways);
-    p.line("There");
-    p.line("Add a stop");
+    p.way("There", "Add a stop");
     EXPECT_EQ(p.line("Kitchen"), "There now goes on to Kitchen.");
     // From the study one is led to its first stop first.
     p.app.place({9.5, 3.0, 0.0}, 0.0, p.now);
     p.run(0.1);
-    p.ask(Command::Ways);
-    p.line("There");
-    EXPECT_THAT(p.line("Follow it by ear"), StartsWith("To Hall. "));
+    EXPECT_THAT(p.way("There", "Follow it by ear"), StartsWith("To Hall. "));
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Hall. You are there. To Living room."); }, 60.0));
@@ -147,17 +140,6 @@ TEST(KeptWays, are_left_and_found_again_go_on_from_where_one_is_and_stop_when_as
 
 TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
     const House house;
-    const auto walk = [](Person& p, const std::vector<Vec3>& places) {
-        for (const Vec3& place : places)
-            for (int i = 0; i < 600; ++i) {
-                const Vec3 off = place - p.app.feet_m();
-                if (std::hypot(off.x, off.y) < 0.1) break;
-                p.app.steer({std::cos(std::atan2(off.x, off.y)), std::sin(std::atan2(off.x, off.y)), 0.0});
-                p.run(1.0 / 60.0);
-            }
-        p.app.steer({});
-        p.run(0.3);
-    };
     // In the garden round the pond's other side: south of the house to the west and back up, which no plan would do.
     const std::vector<Vec3> detour{{6.0, -2.0, 0.0}, {1.0, -2.0, 0.0}, {1.0, -4.0, 0.0}, {8.0, -4.0, 0.0}};
     {
@@ -169,7 +151,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
         p.ask(Command::KeepWay);
         EXPECT_EQ(p.item("All that"), "");  // nothing has been walked yet
         EXPECT_THAT(p.line("Begin a way here"), HasSubstr("A way begins here. Control+8 keeps what you walk from here on."));
-        walk(p, detour);
+        test::steer_along(p.app, detour, [&](double seconds) { p.run(seconds); });
         ASSERT_LT(glm::length(p.app.feet_m() - detour.back()), 0.3);
         p.ask(Command::KeepWay);
         EXPECT_NE(p.item("All that you walked here"), "");
@@ -189,9 +171,7 @@ TEST(KeptWays, from_the_trail_keep_its_corners_and_lead_along_them) {
     }
     p.app.place(detour[0], 0.0, p.now);
     p.run(0.1);
-    p.ask(Command::Ways);
-    p.line("Round");
-    p.line("Follow it by ear");
+    p.way("Round", "Follow it by ear");
     // The whole detour is the way: both corners on it.
     const std::vector<Vec3> way = p.app.guiding().way_m;
     for (const Vec3& corner : detour) EXPECT_LT(nearest_on_way(way, corner).distance_m, 0.6);
@@ -216,17 +196,11 @@ TEST(KeptWays, are_renamed_and_deleted_and_the_file_follows) {
         p.line("Kitchen");
         p.keep("The way you planned last", "One");
         p.keep("The way you planned last", "Two");
-        p.ask(Command::Ways);
-        p.line("One");
-        p.line("Another name");
+        p.way("One", "Another name");
         EXPECT_EQ(p.line("TWO"), "Another way is called TWO.");
-        p.ask(Command::Ways);
-        p.line("One");
-        p.line("Another name");
+        p.way("One", "Another name");
         EXPECT_EQ(p.line("Three"), "Three");
-        p.ask(Command::Ways);
-        p.line("Two");
-        EXPECT_EQ(p.line("Delete it"), "Way Two deleted");
+        EXPECT_EQ(p.way("Two", "Delete it"), "Way Two deleted");
         p.ask(Command::KeepWay);
         p.line("The way you planned last");
         p.app.take_key("Escape", p.now);
@@ -325,15 +299,11 @@ TEST(KeptWays, tell_by_name_what_no_longer_fits_an_edited_world_on_entering_and_
     write(two_rooms(36.0, 206.0));
     {
         Person p(path);
-        p.ask(Command::Ways);
-        p.line("To lunch");
-        EXPECT_EQ(p.line("Keep it as it is found here"), "Way To lunch kept");
+        EXPECT_EQ(p.way("To lunch", "Keep it as it is found here"), "Way To lunch kept");
     }
     Person p(path);
     EXPECT_FALSE(p.heard("fit"));
-    p.ask(Command::Ways);
-    p.line("To lunch");
-    p.line("Follow it by ear");
+    p.way("To lunch", "Follow it by ear");
     p.said.clear();
     ASSERT_TRUE(test::walk_along(
         p, [&] { return p.heard("Table. You are there."); }, 60.0));
@@ -401,15 +371,7 @@ TEST(KeptWays, lead_the_hand_along_the_corners_of_a_trail) {
     test::Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::Exits);
     // Round by the east of the hall, and back to its west: 3 m from where one began.
-    for (const Vec3& place : {Vec3(6.9, 1.2, 0.0), Vec3(6.9, 3.2, 0.0), Vec3(5.1, 3.2, 0.0)})
-        for (int i = 0; i < 300; ++i) {
-            const Vec3 off = place - p.app().feet_m();
-            if (std::hypot(off.x, off.y) < 0.1) break;
-            p.app().steer({std::cos(std::atan2(off.x, off.y)), std::sin(std::atan2(off.x, off.y)), 0.0});
-            p.run(1.0 / 60.0);
-        }
-    p.app().steer({});
-    p.run(0.2);
+    test::steer_along(p.app(), {{6.9, 1.2, 0.0}, {6.9, 3.2, 0.0}, {5.1, 3.2, 0.0}}, [&](double seconds) { p.run(seconds); });
     ASSERT_LT(glm::length(p.app().feet_m() - Vec3(5.1, 3.2, 0.0)), 0.4);
     const std::size_t before = kept_and_led(p, "All that you walked here");
     double east_m = 0.0;
@@ -434,15 +396,9 @@ TEST(KeptWays, are_kept_told_and_followed_in_german) {
     p.ask(Command::KeepWay);
     EXPECT_THAT(p.line("Der zuletzt geplante Weg"), HasSubstr("Flur bis Wohnzimmer. Anderen Namen für diesen Weg tippen oder Enter drücken"));
     EXPECT_EQ(p.line("Nach Hause"), "Weg Nach Hause aufgehoben");
-    p.ask(Command::Ways);
-    p.line("Nach Hause");
-    EXPECT_THAT(p.line("Anhören"), StartsWith("Nach Hause. Anfang: Flur, insgesamt "));
-    p.ask(Command::Ways);
-    p.line("Nach Hause");
-    EXPECT_THAT(p.line("Nach Gehör folgen"), StartsWith("Ziel: Wohnzimmer. "));
-    p.ask(Command::Ways);
-    p.line("Nach Hause");
-    EXPECT_EQ(p.line("Löschen"), "Weg Nach Hause gelöscht");
+    EXPECT_THAT(p.way("Nach Hause", "Anhören"), StartsWith("Nach Hause. Anfang: Flur, insgesamt "));
+    EXPECT_THAT(p.way("Nach Hause", "Nach Gehör folgen"), StartsWith("Ziel: Wohnzimmer. "));
+    EXPECT_EQ(p.way("Nach Hause", "Löschen"), "Weg Nach Hause gelöscht");
 }
 
 }  // namespace
