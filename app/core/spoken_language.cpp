@@ -4,9 +4,12 @@
 
 namespace handrail {
 
+std::string language_as_set(const Settings::Speech& settings, const std::filesystem::path& folder) {
+    return settings.language == "auto" ? language_of_environment(folder) : settings.language;
+}
+
 std::vector<Diagnostic> speak_as_set(const Settings::Speech& settings, const std::filesystem::path& folder) {
-    const std::string code = settings.language == "auto" ? language_of_environment(folder) : settings.language;
-    const Result<std::vector<Diagnostic>> spoken = speak_language(code, folder);
+    const Result<std::vector<Diagnostic>> spoken = speak_language(language_as_set(settings, folder), folder);
     if (spoken) return *spoken;
     const Error& error = spoken.error();
     return {{Severity::Warning, error.file, error.line, error.column, error.message, {}}};

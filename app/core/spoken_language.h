@@ -9,6 +9,8 @@
 
 namespace handrail {
 
+// The code of the language that the settings name, resolved as below; no file is opened.
+std::string language_as_set(const Settings::Speech& settings, const std::filesystem::path& folder);
 // Speaks the language that the settings name ("auto": the environment's, else English), with the files of `folder`. Returns what is wrong, to be
 // said; where there is no such language, the one spoken before stays.
 std::vector<Diagnostic> speak_as_set(const Settings::Speech& settings, const std::filesystem::path& folder);

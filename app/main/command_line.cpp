@@ -225,8 +225,18 @@ std::optional<UsageError> check_touch(TouchArguments& touch) {
     return std::nullopt;
 }
 
+// What is spoken until settings are read, and what is wrong with its file: to be told then, where it is still the one that is spoken.
+struct FirstLanguage {
+    std::string code;
+    std::vector<Diagnostic> faults;
+};
+FirstLanguage speak_first() {
+    const fs::path folder = user_languages_folder();
+    return {language_as_set({}, folder), speak_as_set({}, folder)};
+}
+
 // The person's settings with what the command line changes. Nothing, and a sentence on `err`, for wrong usage.
-std::optional<SettingsStore> load_settings(const SettingsOptions& options, std::vector<Diagnostic>& problems, std::ostream& err) {
+std::optional<SettingsStore> load_settings(const SettingsOptions& options, FirstLanguage first, std::vector<Diagnostic>& problems, std::ostream& err) {
     std::vector<std::string> words;
     for (const CommandInfo& command : command_table()) words.emplace_back(command.word);
     SettingsStore settings(std::move(words));
@@ -236,13 +246,16 @@ std::optional<SettingsStore> load_settings(const SettingsOptions& options, std::
             err << set.error().sentence() << "\n";
             return std::nullopt;
         }
-    for (Diagnostic& problem : speak_as_set(settings.values().speech, user_languages_folder())) problems.push_back(std::move(problem));
+    const Settings::Speech& speech = settings.values().speech;
+    const fs::path folder = user_languages_folder();
+    std::vector<Diagnostic> faults = language_as_set(speech, folder) == first.code ? std::move(first.faults) : speak_as_set(speech, folder);
+    for (Diagnostic& fault : faults) problems.push_back(std::move(fault));
     return settings;
 }
 
-int explore(ExploreCall& call, std::ostream& out, std::ostream& err) {
+int explore(ExploreCall& call, FirstLanguage first, std::ostream& out, std::ostream& err) {
     std::vector<Diagnostic>& problems = call.arguments.settings_problems;
-    std::optional<SettingsStore> settings = load_settings(call.settings, problems, err);
+    std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
     if (!settings) return 2;
     if (call.arguments.world)  // house.settings.toml beside house.map
         for (Diagnostic& problem : settings->load_file(fs::path(*call.arguments.world).replace_extension(".settings.toml"), SettingSource::World))
@@ -290,15 +303,16 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
 
 int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
     std::vector<Diagnostic> problems;
-    (void)speak_as_set({}, user_languages_folder());  // until settings are read; what is wrong is told then
+    FirstLanguage first = speak_first();
     ParsedCommandLine parsed = parse_command_line(words);
     return std::visit(
-        Overloaded{[&](ExploreCall& call) { return explore(call, out, err); }, [&](const InfoArguments& arguments) { return run_info(arguments, out, err); },
+        Overloaded{[&](ExploreCall& call) { return explore(call, std::move(first), out, err); },
+                   [&](const InfoArguments& arguments) { return run_info(arguments, out, err); },
                    [&](const TouchArguments& arguments) { return run_touch(arguments, out, err); },
                    [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err); },
                    [&](const BenchArguments& arguments) { return run_bench_command(arguments, out, err); },
                    [&](const SettingsCall& call) {
-                       std::optional<SettingsStore> settings = load_settings(call.settings, problems, err);
+                       std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
                        if (!settings) return 2;
                        for (const Diagnostic& problem : problems) err << problem.sentence() << "\n";
                        return run_settings(call.arguments, *settings, out, err);

@@ -240,7 +240,10 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
         try {
             const toml::table table = toml::parse(*content);
             Language own{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
-            if (language) own.texts = language->texts;
+            if (language) {
+                own.texts = language->texts;
+                spoken.store(language, std::memory_order_release);  // what is wrong with the person's own texts is told in it
+            }
             gather(table, "", path.filename().string(), misfit, own, faults);
             language = &kept(std::move(own));
         } catch (const toml::parse_error& error) {

@@ -69,8 +69,8 @@ std::string language_of_environment(const std::filesystem::path& folder);
 std::filesystem::path spoken_language_folder();
 
 // Speaks `code` from now on. A file CODE.toml in `folder` (which may be empty or absent) adds a language or replaces single texts of a bundled
-// one. Returns what is wrong with that file, text by text, each of which is then said as before (bundled, else English). Fails, and
-// changes nothing, if there is no such language or its file is damaged. App thread.
+// one. Returns what is wrong with that file, text by text, each of which is then said as before (bundled, else English); a bundled language tells it itself.
+// Fails, and changes nothing, if there is no such language or its file is damaged. App thread.
 Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std::filesystem::path& folder = {});
 
 // A pattern's fault in ICU's words, or nothing. `names` receives the values that it asks for, sorted.

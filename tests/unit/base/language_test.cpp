@@ -1,6 +1,7 @@
 #include <fstream>
 #include <thread>
 
+#include "tests/support/environment.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 
@@ -77,6 +78,17 @@ TEST(SpeakLanguage, names_every_text_that_does_not_fit_and_uses_the_bundled_one_
     ASSERT_TRUE(speak_language("en"));
 }
 
+TEST(SpeakLanguage, tells_what_is_wrong_with_ones_own_texts_of_a_bundled_language_in_that_language) {
+    const test::TemporaryFolder folder;
+    write(folder.path() / "de.toml", "error.nothing = \"nichts\"\n");
+    const auto spoken = speak_language("de", folder.path());
+    ASSERT_TRUE(spoken) << spoken.error().sentence();
+    ASSERT_EQ(spoken->size(), 1U);
+    EXPECT_EQ(spoken->front().message, phrase("language.unknown_key", {{"key", "error.nothing"}}));
+    EXPECT_EQ(spoken_language(), "de");
+    ASSERT_TRUE(speak_language("en"));
+}
+
 TEST(SpeakLanguage, changes_nothing_for_a_damaged_file_and_says_where_it_is_damaged) {
     const test::TemporaryFolder folder;
     write(folder.path() / "de.toml", "[error]\nline = \"Zeile\n");
@@ -147,10 +159,9 @@ TEST(LanguageOfEnvironment, is_a_bundled_one_or_one_with_a_file_of_its_own_and_o
     const test::TemporaryFolder folder;
     write(folder.path() / "nl.toml", "damaged = \"");  // told of when it is spoken
     write(folder.path() / "xx.toml", "");
-    const char* before = std::getenv("LC_ALL");
-    const std::string kept = before ? before : "";
+    test::WithEnvironment environment("LC_ALL", nullptr);
     const auto asked = [&](const char* locale) {
-        ::setenv("LC_ALL", locale, 1);
+        environment.put(locale);
         return language_of_environment(folder.path());
     };
     EXPECT_EQ(asked("de_DE.UTF-8"), "de");
@@ -159,10 +170,8 @@ TEST(LanguageOfEnvironment, is_a_bundled_one_or_one_with_a_file_of_its_own_and_o
     EXPECT_EQ(asked("pt_BR.UTF-8"), "en");
     EXPECT_EQ(asked("C.UTF-8"), "en");
     EXPECT_EQ(asked("../xx"), "en");
-    ::setenv("LC_ALL", "nl", 1);
+    environment.put("nl");
     EXPECT_EQ(language_of_environment({}), "en");
-    if (before) ::setenv("LC_ALL", kept.c_str(), 1);
-    else ::unsetenv("LC_ALL");
 }
 
 TEST(PatternFault, finds_what_a_pattern_asks_for_and_what_is_wrong_with_it) {

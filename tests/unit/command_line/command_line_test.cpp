@@ -1,10 +1,15 @@
 #include "app/main/command_line.h"
 
+#include <sys/inotify.h>
+
+#include <array>
 #include <clocale>
 #include <sstream>
 
+#include "tests/support/environment.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
+#include "worlds/base/descriptor.h"
 
 namespace handrail {
 namespace {
@@ -179,6 +184,24 @@ TEST(CommandLine, helps_and_refuses_in_german_while_its_words_stay) {
     EXPECT_EQ(refusal({"bench", "--map"}), "--map: FILE fehlt. Mehr sagt --help dieses Befehls.");
     EXPECT_EQ(refusal({"info", "a.map", "--lint", "--json"}), "--json und --lint schließen einander aus. Mehr sagt --help dieses Befehls.");
     EXPECT_EQ(refusal({"info", "x.map", "--jsno"}), "Die Option --jsno gibt es nicht; am nächsten kommt --json.");
+}
+
+TEST(CommandLine, opens_a_language_file_of_ones_own_once_and_tells_once_what_is_wrong_with_it) {
+    const test::TemporaryFolder data;
+    std::filesystem::create_directories(data.path() / "handrail/languages");
+    data.write("handrail/languages/de.toml", "error.nothing = \"nichts\"\n");
+    const std::string settings = data.write("mine.toml", "").string();
+    const test::WithEnvironment folder("XDG_DATA_HOME", data.path().c_str()), locale("LC_ALL", "de_DE.UTF-8");
+    for (const char* language : {"auto", "de"}) {
+        const Descriptor watch(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
+        ASSERT_GE(::inotify_add_watch(watch.get(), (data.path() / "handrail/languages/de.toml").c_str(), IN_OPEN | IN_CLOSE_NOWRITE), 0);
+        std::ostringstream out, err;
+        EXPECT_EQ(run_command_line({"settings", "--settings", settings, "--set", std::string("speech.language=") + language}, out, err), 0);
+        alignas(inotify_event) std::array<char, 4096> opened{};
+        EXPECT_EQ(::read(watch.get(), opened.data(), opened.size()), static_cast<ssize_t>(2 * sizeof(inotify_event))) << "once, by speech.language=" << language;
+        EXPECT_EQ(err.str(), "de.toml, Zeile 1: Warnung: " + phrase("language.unknown_key", {{"key", "error.nothing"}}) + "\n");
+    }
+    ASSERT_TRUE(speak_language("en"));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "app/core/spoken_language.h"
 #include "tests/support/box_scene.h"
+#include "tests/support/environment.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
@@ -71,14 +72,12 @@ TEST(Language, that_there_is_not_is_told_and_changes_nothing) {
 }
 
 TEST(Language, is_the_environments_where_the_settings_name_none) {
-    const auto before = std::getenv("LC_ALL") ? std::optional<std::string>(std::getenv("LC_ALL")) : std::nullopt;
+    test::WithEnvironment environment("LC_ALL", nullptr);
     for (const auto& [locale, code] : {std::pair{"de_AT.UTF-8", "de"}, std::pair{"en_GB", "en"}, std::pair{"xx_XX", "en"}, std::pair{"C", "en"}}) {
-        ::setenv("LC_ALL", locale, 1);
+        environment.put(locale);
         EXPECT_TRUE(speak_as_set({}, {}).empty());
         EXPECT_EQ(spoken_language(), code) << locale;
     }
-    if (before) ::setenv("LC_ALL", before->c_str(), 1);
-    else ::unsetenv("LC_ALL");
     ASSERT_TRUE(speak_language("en"));
 }
 

@@ -1,0 +1,32 @@
+// A variable of the environment for as long as a test needs it.
+#pragma once
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace handrail::test {
+
+class WithEnvironment {
+public:
+    // null: unset.
+    WithEnvironment(std::string name, const char* value) : name_(std::move(name)) {
+        if (const char* was = std::getenv(name_.c_str())) was_ = was;
+        put(value);
+    }
+    ~WithEnvironment() { put(was_ ? was_->c_str() : nullptr); }
+    WithEnvironment(const WithEnvironment&) = delete;
+    WithEnvironment& operator=(const WithEnvironment&) = delete;
+
+    void put(const char* value) {
+        if (value) ::setenv(name_.c_str(), value, 1);
+        else ::unsetenv(name_.c_str());
+    }
+
+private:
+    std::string name_;
+    std::optional<std::string> was_;
+};
+
+}  // namespace handrail::test
