@@ -101,7 +101,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     mark_base_door(entered, feet_m);
     scene_ = std::make_shared<const Scene>(std::move(entered));
     begin_rooms(scene);
-    const int unreadable_marks = take_additions();  // before the hand's scene is made: what bears a mark is not simplified
+    const std::vector<Error> mark_faults = take_additions();  // before the hand's scene is made: what bears a mark is not simplified
     retune();
     compile(0);
     things_.enter(*scene_, *haptic_scene_, compiled_plan_, now_s);
@@ -130,7 +130,7 @@ void AppCore::enter_world_at(std::shared_ptr<const Scene> scene, const Vec3& fee
     if (!greeting_waits()) say(entering_text(), SpeechClass::Answer, now_s);
     if (settings_.speech.crowding_hint)
         if (std::string crowded = crowded_view(*scene_); !crowded.empty()) say(std::move(crowded), SpeechClass::Answer, now_s);
-    tell_additions(unreadable_marks, now_s);
+    tell_additions(mark_faults, now_s);
     simplified_told_.clear();
     if (std::string news = greeting_waits() ? std::string() : simplified_news(); !news.empty()) say(std::move(news), SpeechClass::Ambient, now_s);
     if (std::exchange(hunt_awaits_, false)) hunt_key(now_s);

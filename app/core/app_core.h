@@ -395,8 +395,8 @@ private:
     void rebuild_body_world();
     Scene world_now() const;
     // Marks, landmarks, beacon and being led: app_core_guide.cpp.
-    int take_additions();
-    void tell_additions(int unreadable_marks, double now_s);
+    std::vector<Error> take_additions();
+    void tell_additions(const std::vector<Error>& mark_faults, double now_s);
     void tick_guiding(double now_s);
     void act_guiding(Command command, double now_s);
     void save_additions(double now_s);

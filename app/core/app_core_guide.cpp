@@ -27,8 +27,8 @@ bool is_surface(FeatureKind kind) {
 
 // ---- what there is ----
 
-// What was added to the world that is entered; returns how many marks cannot be read.
-int AppCore::take_additions() {
+// What was added to the world that is entered; returns what is wrong with marks.
+std::vector<Error> AppCore::take_additions() {
     if (side_file_next_) side_file_ = std::move(*std::exchange(side_file_next_, std::nullopt));
     else side_file_ = SideFile();
     const std::uint32_t number = guiding_.last_number;
@@ -36,15 +36,15 @@ int AppCore::take_additions() {
     guiding_ = {};
     guiding_.last_number = number;  // the servo knows the old ones
     guiding_.buttons = buttons;
-    int unreadable = 0;
-    guiding_.marks = read_marks(side_file_, unreadable);
+    std::vector<Error> faults;
+    guiding_.marks = read_marks(side_file_, faults);
     check_marks(*scene_, side_file_, guiding_.marks);
-    return unreadable;
+    return faults;
 }
 
-void AppCore::tell_additions(int unreadable_marks, double now_s) {
+void AppCore::tell_additions(const std::vector<Error>& mark_faults, double now_s) {
     for (const std::string& news : side_file_.news()) say(news, SpeechClass::Answer, now_s);
-    if (unreadable_marks > 0) say(phrase("marks.unreadable", {{"count", unreadable_marks}}), SpeechClass::Answer, now_s);
+    if (!mark_faults.empty()) say(unreadable_words("marks.unreadable", mark_faults), SpeechClass::Answer, now_s);
     if (std::string unfit = unfit_sentence(guiding_.marks); !unfit.empty()) say(std::move(unfit), SpeechClass::Answer, now_s);
     enter_ways(now_s);
 }

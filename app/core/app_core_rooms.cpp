@@ -188,9 +188,9 @@ void AppCore::way_to_room(std::uint32_t room, double now_s) {
 // Once the rooms are known.
 void AppCore::lay_given_names(double now_s) {
     RoomGraph& graph = rooms_->graph();
-    int unreadable = 0;
-    room_names_ = read_room_names(side_file_, unreadable);
-    if (unreadable > 0) say(phrase("room_names.unreadable", {{"count", unreadable}}), SpeechClass::Answer, now_s);
+    std::vector<Error> faults;
+    room_names_ = read_room_names(side_file_, faults);
+    if (!faults.empty()) say(unreadable_words("room_names.unreadable", faults), SpeechClass::Answer, now_s);
     lay_room_names(graph, rooms_->navigation().space(), side_file_, room_names_);
     if (std::string unfit = unfit_sentence(room_names_); !unfit.empty()) say(std::move(unfit), SpeechClass::Answer, now_s);
     tell_unfit_ways(now_s);

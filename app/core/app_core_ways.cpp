@@ -47,7 +47,7 @@ void AppCore::enter_ways(double now_s) {
     way_begins_m_.reset();
     std::vector<Error> faults;
     ways_ = read_ways(side_file_, faults);
-    if (!faults.empty()) say(phrase("ways.unreadable", {{"fault", faults.front().sentence()}, {"more", faults.size() - 1}}), SpeechClass::Answer, now_s);
+    if (!faults.empty()) say(unreadable_words("ways.unreadable", faults), SpeechClass::Answer, now_s);
     // Where nobody looks for the rooms beside, a way that may not fit is the reason to look now.
     const bool doubtful = std::any_of(ways_.begin(), ways_.end(), [&](const SavedWay& way) { return way.world != side_file_.world_checksum(); });
     if (doubtful && !rooms_beside_ && rooms_known()) notice_room(now_s, true);

@@ -12,10 +12,11 @@ namespace {
 
 constexpr const char* kList = "mark";
 
-std::optional<Mark> mark_from(const SideEntry& entry) {
+Result<Mark> mark_from(const SideEntry& entry) {
     const auto name = good_name(text_of(entry, "name"));
+    if (!name) return fail(phrase("marks.entry_name"));
     const auto place = place_of(entry);
-    if (!name || !place) return std::nullopt;
+    if (!place) return fail(phrase("marks.entry_place", {{"name", *name}}));
     return Mark{.name = *name,
                 .place_m = *place,
                 .near = text_of(entry, "near"),
@@ -61,12 +62,7 @@ bool is_thing(const Feature& feature) {
     }
 }
 
-std::vector<Mark> read_marks(const SideFile& file, int& unreadable) {
-    std::vector<std::size_t> unread;
-    std::vector<Mark> marks = read_list(file, kList, mark_from, unread);
-    unreadable = static_cast<int>(unread.size());
-    return marks;
-}
+std::vector<Mark> read_marks(const SideFile& file, std::vector<Error>& faults) { return read_list(file, kList, mark_from, faults); }
 
 void write_marks(SideFile& file, const std::vector<Mark>& marks) { write_list(file, kList, marks, entry_of, mark_from); }
 

@@ -26,8 +26,8 @@ inline constexpr double kMarkMoved_m = 0.5;  // how much nearer or farther its t
 // What a person may look for by name: things, and whatever the map calls a landmark or a clue; not plain walls and floors.
 bool is_thing(const Feature& feature);
 
-// In the order of the file. Entries without a name or a place are left out and counted in `unreadable`; they stay in the file.
-std::vector<Mark> read_marks(const SideFile& file, int& unreadable);
+// In the order of the file. Entries without a name or a place are left out and stay in the file; `faults` tells of each.
+std::vector<Mark> read_marks(const SideFile& file, std::vector<Error>& faults);
 void write_marks(SideFile& file, const std::vector<Mark>& marks);
 
 // What is nearest to a place and has a name: things, doors, landmarks; where there is none within reach, a wall.

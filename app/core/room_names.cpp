@@ -9,10 +9,11 @@ namespace {
 
 constexpr const char* kList = "room_name";
 
-std::optional<RoomNameGiven> name_from(const SideEntry& entry) {
+Result<RoomNameGiven> name_from(const SideEntry& entry) {
     const auto name = good_name(text_of(entry, "name"));
+    if (!name) return fail(phrase("room_names.entry_name"));
     const auto at = place_of(entry);
-    if (!name || !at) return std::nullopt;
+    if (!at) return fail(phrase("room_names.entry_place", {{"name", *name}}));
     return RoomNameGiven{*name, *at, std::max(0.0, number_of(entry, "area_m2", 0.0)), text_of(entry, "world"), true,
                          without(entry, {"name", "place_m", "area_m2", "world"})};
 }
@@ -28,12 +29,7 @@ SideEntry entry_of(const RoomNameGiven& given) {
 
 }  // namespace
 
-std::vector<RoomNameGiven> read_room_names(const SideFile& file, int& unreadable) {
-    std::vector<std::size_t> unread;
-    std::vector<RoomNameGiven> names = read_list(file, kList, name_from, unread);
-    unreadable = static_cast<int>(unread.size());
-    return names;
-}
+std::vector<RoomNameGiven> read_room_names(const SideFile& file, std::vector<Error>& faults) { return read_list(file, kList, name_from, faults); }
 
 void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names) { write_list(file, kList, names, entry_of, name_from); }
 

@@ -22,8 +22,8 @@ struct RoomNameGiven {
 // In a world that was edited, a room of that place counts as the same one up to so many times the area, or that part of it.
 inline constexpr double kSameRoomArea = 1.5;
 
-// In the order of the file. Entries without a good name or a place are left out and counted in `unreadable`; they stay in the file.
-std::vector<RoomNameGiven> read_room_names(const SideFile& file, int& unreadable);
+// In the order of the file. Entries without a good name or a place are left out and stay in the file; `faults` tells of each.
+std::vector<RoomNameGiven> read_room_names(const SideFile& file, std::vector<Error>& faults);
 void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names);
 
 // Gives each name that still fits to the room around its place. Those of this very world always fit; of an edited one those whose room is there, is about as

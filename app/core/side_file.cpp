@@ -183,11 +183,19 @@ Result<std::string> good_name(std::string_view typed) {
 
 struct SideFile::Content {
     fs::path path, other_path;  // where it is saved, and where when that folder refuses
-    std::string read_name;      // of the file that was read
+    fs::path read_from;         // the file that was read
     std::string checksum;
     toml::table root;
     std::vector<std::string> news;
-    bool changed = false;
+    bool changed = false, overwrites = false;  // overwrites: what no entry stands for
+
+    // The whole file that was read, under another name.
+    Result<void> keep_aside() const {
+        const fs::path kept = kept_name(read_from);
+        std::error_code ec;
+        if (kept.empty() || !fs::copy_file(read_from, kept, ec)) return fail(phrase("side_file.not_kept_aside", {{"file", read_from.filename().string()}}));
+        return {};
+    }
 
     void read(const fs::path& from) {
         const std::string name = from.filename().string();
@@ -195,7 +203,7 @@ struct SideFile::Content {
         if (const auto text = read_whole_file(from, kLongestFile_bytes); text) {
             try {
                 root = toml::parse(*text, from.string());
-                read_name = name;
+                read_from = from;
                 return;
             } catch (const toml::parse_error& error) {
                 damaged_line = error.source().begin.line;
@@ -253,6 +261,7 @@ std::vector<SideEntry> SideFile::entries(const std::string& name) const {
 }
 
 void SideFile::set_entries(const std::string& name, const std::vector<SideEntry>& entries) {
+    if (fault_of_list(name) && !content_->read_from.empty()) content_->overwrites = true;
     toml::array list;
     for (const SideEntry& entry : entries) list.push_back(table_from(entry));
     if (list.empty()) content_->root.erase(name);
@@ -260,8 +269,17 @@ void SideFile::set_entries(const std::string& name, const std::vector<SideEntry>
     content_->changed = true;
 }
 
+std::optional<Error> SideFile::fault_of_list(const std::string& name) const {
+    const toml::node* node = content_->root.get(name);
+    const toml::array* list = node ? node->as_array() : nullptr;
+    const bool fits = !node || (list && std::all_of(list->begin(), list->end(), [](const toml::node& one) { return one.is_table(); }));
+    if (fits) return std::nullopt;
+    return Error{content_->read_from.filename().string(), static_cast<int>(node->source().begin.line), 0,
+                 phrase("side_file.no_list", {{"list", name}, {"file", kept_name(content_->read_from).filename().string()}})};
+}
+
 Error SideFile::fault_in(const std::string& name, std::size_t entry, std::string message) const {
-    Error fault{content_->read_name, 0, 0, std::move(message)};
+    Error fault{content_->read_from.filename().string(), 0, 0, std::move(message)};
     if (const toml::array* list = content_->root[name].as_array())
         for (const toml::node& node : *list)
             if (node.is_table() && entry-- == 0) fault.line = static_cast<int>(node.source().begin.line);
@@ -274,6 +292,7 @@ SideEntry SideFile::table(const std::string& name) const {
 }
 
 void SideFile::set_table(const std::string& name, const SideEntry& table) {
+    if (const toml::node* node = content_->root.get(name); node && !node->is_table() && !content_->read_from.empty()) content_->overwrites = true;
     if (table.empty()) content_->root.erase(name);
     else content_->root.insert_or_assign(name, table_from(table));
     content_->changed = true;
@@ -284,7 +303,9 @@ Result<void> SideFile::save() {
     if (!content.changed || content.path.empty()) return {};
     std::ostringstream out;
     out << "# What was added to this world in Handrail. Lengths are world metres.\n" << toml::toml_formatter{content.root, toml::format_flags::none} << "\n";
-    auto written = write_file_atomically(content.path, out.str());
+    Result<void> written;
+    if (content.overwrites && content.path == content.read_from) written = content.keep_aside();
+    if (written) written = write_file_atomically(content.path, out.str());
     if (!written && !content.other_path.empty() && !is_there(content.other_path)) {
         if (const auto elsewhere = write_file_atomically(content.other_path, out.str())) {
             std::swap(content.path, content.other_path);
@@ -292,8 +313,12 @@ Result<void> SideFile::save() {
         }
     }
     if (!written) return tl::unexpected(written.error());
-    content.changed = false;
+    content.changed = content.overwrites = false;
     return {};
+}
+
+std::string unreadable_words(std::string_view key, const std::vector<Error>& faults) {
+    return faults.empty() ? std::string() : phrase(key, {{"fault", faults.front().sentence()}, {"more", faults.size() - 1}});
 }
 
 std::string unfit_words(std::string_view key, const std::vector<std::string>& unfit, std::size_t all) {

@@ -69,6 +69,8 @@ public:
     // [[name]] tables, in their order; none: empty. Keys that the caller does not know come along and are to be handed back.
     std::vector<SideEntry> entries(const std::string& name) const;
     void set_entries(const std::string& name, const std::vector<SideEntry>& entries);
+    // What stands under the name where that is no list of tables, with file and line; saving other entries in its place keeps the whole file aside first.
+    std::optional<Error> fault_of_list(const std::string& name) const;
     // What is wrong with one of entries(), with the file and the line where it begins; no line where it was not read from a file.
     Error fault_in(const std::string& name, std::size_t entry, std::string message) const;
     // The table [name]; none: empty.
@@ -84,19 +86,22 @@ private:
     std::unique_ptr<Content> content_;
 };
 
-// The entries of a list as `from` reads them (an optional or a Result), in the order of the file. Those it makes nothing of are left out and stay in the
-// file; `unread` gets their places among entries().
+// The entries of a list as `from` reads them (a Result), in the order of the file. Those it makes nothing of are left out and stay in the file; `faults` gets
+// each with file and line.
 template <class From>
-auto read_list(const SideFile& file, const std::string& name, From from, std::vector<std::size_t>& unread) {
+auto read_list(const SideFile& file, const std::string& name, From from, std::vector<Error>& faults) {
     std::vector<typename decltype(from(SideEntry{}))::value_type> all;
     const std::vector<SideEntry> entries = file.entries(name);
-    unread.clear();
+    faults.clear();
+    if (auto fault = file.fault_of_list(name)) faults.push_back(std::move(*fault));
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (auto one = from(entries[i])) all.push_back(std::move(*one));
-        else unread.push_back(i);
+        else faults.push_back(file.fault_in(name, i, one.error().message));
     }
     return all;
 }
+// What could not be read, as the text `key` says it: the first with {fault}, and how many {more}; empty where there is none.
+std::string unreadable_words(std::string_view key, const std::vector<Error>& faults);
 // Writes them as `to` makes entries of them, and after them what `from` could not read.
 template <class T, class To, class From>
 void write_list(SideFile& file, const std::string& name, const std::vector<T>& all, To to, From from) {

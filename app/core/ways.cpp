@@ -122,14 +122,7 @@ void look_for_room(FoundWay& found, std::size_t i, const Navigation& navigation,
 
 }  // namespace
 
-std::vector<SavedWay> read_ways(const SideFile& file, std::vector<Error>& faults) {
-    std::vector<std::size_t> unread;
-    std::vector<SavedWay> ways = read_list(file, kList, way_from, unread);
-    const std::vector<SideEntry> entries = unread.empty() ? std::vector<SideEntry>{} : file.entries(kList);
-    faults.clear();
-    for (const std::size_t i : unread) faults.push_back(file.fault_in(kList, i, way_from(entries[i]).error().message));
-    return ways;
-}
+std::vector<SavedWay> read_ways(const SideFile& file, std::vector<Error>& faults) { return read_list(file, kList, way_from, faults); }
 
 void write_ways(SideFile& file, const std::vector<SavedWay>& ways) { write_list(file, kList, ways, entry_of, way_from); }
 

@@ -177,7 +177,10 @@ TEST(Marks, that_are_damaged_are_put_aside_and_told) {
     folder.write("room.map.handrail.toml", "[[mark]]\nname = \"a\"\n[[mark]]\nname = \"b\"\nplace_m = [1.0, 1.0, 0.0]\n");
     Person q;
     q.enter(world);
-    EXPECT_TRUE(q.heard("1 of your marks here could not be read."));
+    EXPECT_TRUE(
+        q.heard("room.map.handrail.toml, line 1: the mark a needs place_m with three decimal numbers, such as [1.0, 2.5, 0.0]. Write them, or "
+                "delete the entry. The rest of your additions is there."))
+        << testing::PrintToString(q.said);
     ASSERT_EQ(q.app.guiding().marks.size(), 1U);
     q.tap(Command::DropMark);
     EXPECT_THAT(test::content_of(folder.path() / "room.map.handrail.toml"), HasSubstr("name = \"a\"")) << "what could not be read stays in the file";

@@ -148,11 +148,15 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
         EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, 7 by 5 metres, west. "));
         EXPECT_EQ(p.name("Shop"), "This room is now called Shop.");
     }
-    // One entry without a place, in a file that can be read: counted, told, and still there after something was saved.
-    ASSERT_TRUE(
-        write_file_atomically(world.beside(), "[[room_name]]\nname = \"Attic\"\nplace_m = [1.0]\n[[room_name]]\nname = \"Shop\"\nplace_m = [1.0, 2.5, 0.0]\n"));
+    // Two entries that cannot be used, in a file that can be read: told, and still there after something was saved.
+    ASSERT_TRUE(write_file_atomically(world.beside(),
+                                      "[[room_name]]\nname = \"Shop\"\nplace_m = [1.0, 2.5, 0.0]\n[[room_name]]\nname = \"Attic\"\nplace_m = [1.0]\n"
+                                      "[[room_name]]\nplace_m = [1.0, 2.5, 0.0]\n"));
     Person p(world.path);
-    EXPECT_TRUE(p.heard("1 of your names of rooms could not be read."));
+    EXPECT_TRUE(
+        p.heard("flat.map.handrail.toml, line 4: the name of a room Attic needs place_m with three decimal numbers, such as [1.0, 2.5, 0.0]. Write them, or "
+                "delete the entry. 1 more name of a room cannot be read."))
+        << testing::PrintToString(p.said);
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Shop. "));
     p.name("Store");
     const auto kept = read_whole_file(world.beside());

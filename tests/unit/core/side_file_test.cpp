@@ -147,6 +147,44 @@ TEST(SideFile, in_memory_takes_and_gives_and_writes_nothing) {
     EXPECT_TRUE(file.path().empty());
 }
 
+TEST(SideFile, keeps_the_file_aside_before_it_writes_over_what_is_no_list_of_entries) {
+    const auto own_name = [](const SideEntry& entry) -> Result<std::string> { return text_of(entry, "name"); };
+    for (const std::string& odd : {std::string("mark = 3\n"), std::string("mark = [{ name = \"a\" }, 3]\n"), std::string("[mark]\nname = \"a\"\n")}) {
+        const TemporaryFolder folder;
+        const fs::path world = folder.write("a.map", "x"), kept = folder.path() / "a.map.handrail.toml.damaged";
+        const std::string text = "# mine\n" + odd + "[[way]]\nname = \"w\"\n";
+        folder.write("a.map.handrail.toml", text);
+        SideFile file = SideFile::of_world(world, {});
+        std::vector<Error> faults;
+        read_list(file, "way", own_name, faults);
+        EXPECT_TRUE(faults.empty());
+        read_list(file, "mark", own_name, faults);
+        ASSERT_EQ(faults.size(), 1U) << odd;
+        EXPECT_EQ(
+            faults[0].sentence(),
+            "a.map.handrail.toml, line 2: mark is no list of entries, each under [[mark]]. Mend it; before something else is kept there, the whole file is "
+            "kept aside as a.map.handrail.toml.damaged.");
+        file.set_entries("way", file.entries("way"));
+        ASSERT_TRUE(file.save());
+        EXPECT_FALSE(fs::exists(kept)) << "it is still there";
+        folder.write("a.map.handrail.toml", text);
+        file.set_entries("mark", {mark("new", 1.0)});
+        ASSERT_TRUE(file.save());
+        EXPECT_EQ(test::content_of(kept), text);
+        EXPECT_EQ(SideFile::of_world(world, {}).entries("mark").size(), 1U);
+        EXPECT_FALSE(SideFile::of_world(world, {}).fault_of_list("mark"));
+        file.set_entries("mark", {mark("newer", 1.0)});
+        ASSERT_TRUE(file.save());
+        EXPECT_FALSE(fs::exists(kept.string() + "-2")) << "once";
+        // Where it cannot be copied, it is not written over.
+        folder.write("a.map.handrail.toml", text);
+        SideFile again = SideFile::of_world(world, {});
+        fs::remove(folder.path() / "a.map.handrail.toml");
+        again.set_entries("mark", {mark("new", 1.0)});
+        EXPECT_FALSE(again.save());
+    }
+}
+
 TEST(SideFile, reads_wrong_kinds_as_missing) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
