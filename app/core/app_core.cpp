@@ -222,8 +222,7 @@ void AppCore::change_settings(const Settings& settings, double now_s) {
     keys_ = KeyMap(settings_.keys, settings_.keyboard.hand);
     if (!scene_) return;
     retune();
-    if (adapt_touch(now_s) && tool_.ticks > 0)
-        hand_shift_m_ += out_of_solids_m(frame_of(workspace_origin_m() + hand_shift_m_ + shift_by_hand_m(), workspace_heading_rad()).to_world(tool_.hand_m, scale()));
+    if (adapt_touch(now_s) && tool_.ticks > 0) hand_shift_m_ += hands_out_of_solids_m(workspace_origin_m() + hand_shift_m_ + shift_by_hand_m());
     publish_pose(now_s, PoseChange::Moved);
 }
 
@@ -1027,7 +1026,7 @@ void AppCore::change_under_hand(Change change, double now_s) {
     const auto hand_m = [&](const Vec3& origin_m) { return frame_of(origin_m, workspace_heading_rad()).to_world(tool_.hand_m, scale()); };
     Vec3 shift{0.0};
     if (keeps_place) shift = place_m - hand_m(workspace_origin_m());
-    shift += out_of_solids_m(hand_m(workspace_origin_m() + shift));
+    shift += hands_out_of_solids_m(workspace_origin_m() + shift);
     hand_shift_m_ = shift - shift_by_hand_m();
     publish_pose(now_s, PoseChange::Moved);
 }

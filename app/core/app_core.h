@@ -214,6 +214,8 @@ private:
     // What is too small to feel: app_core_simplify.cpp.
     Simplification plan_touch();
     Vec3 out_of_solids_m(const Vec3& hand_m) const;
+    Vec3 out_of_solids_m(const Vec3& right_m, const Vec3& left_m) const;
+    Vec3 hands_out_of_solids_m(const Vec3& origin_m) const;
     void notice_openings(double now_s);
     std::string simplified_news();
     void list_simplified(double now_s);

@@ -30,7 +30,7 @@ void AppCore::notice_openings(double now_s) {
     if (!openings_awaited_ || !rooms_->done()) return;
     retune();
     if (!adapt_touch(now_s)) return;
-    if (const Vec3 out = tool_.ticks > 0 ? out_of_solids_m(tool_.proxy_m) : Vec3(0.0); out != Vec3(0.0)) {
+    if (const Vec3 out = tool_.ticks > 0 ? out_of_solids_m(tool_.proxy_m, left_tool_.proxy_m) : Vec3(0.0); out != Vec3(0.0)) {
         hand_shift_m_ += out;
         publish_pose(now_s, PoseChange::Moved);
     }
@@ -46,6 +46,27 @@ Vec3 AppCore::out_of_solids_m(const Vec3& hand_m) const {
     if (room_m >= kTouching * radius_m) return Vec3(0.0);
     const auto free = nearest_free_place(*haptic_scene_, poses, hand_m, (room_m > 0.0 ? 1.0 : 1.2) * radius_m, farthest_m());
     return free ? *free - hand_m : Vec3(0.0);
+}
+
+// Likewise for each hand that is there. Both are in the one workspace, so what frees one may press the other: they take turns, and where that leads to no
+// place for both, the right hand's counts and the left one goes through what it is in until it is out.
+Vec3 AppCore::out_of_solids_m(const Vec3& right_m, const Vec3& left_m) const {
+    constexpr int kTurns = 6;
+    const Vec3 alone_m = out_of_solids_m(right_m);
+    if (!two_hands() || left_tool_.ticks == 0) return alone_m;
+    Vec3 both_m = alone_m;
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const Vec3 more_m = out_of_solids_m((turn % 2 == 0 ? left_m : right_m) + both_m);
+        if (more_m == Vec3(0.0)) return both_m;
+        both_m += more_m;
+    }
+    return alone_m;
+}
+
+// Likewise for the hands where they are in a workspace with this middle.
+Vec3 AppCore::hands_out_of_solids_m(const Vec3& origin_m) const {
+    const WorkspaceFrame frame = frame_of(origin_m, workspace_heading_rad());
+    return out_of_solids_m(frame.to_world(tool_.hand_m, scale()), frame.to_world(left_tool_.hand_m, scale()));
 }
 
 // The sentence where it is not the one that was said last; empty else.

@@ -277,6 +277,41 @@ TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) 
     }
 }
 
+// Hands held still anywhere in their reach: another scale puts each ball outside of everything wherever the one workspace has room for both.
+TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
+    Settings settings;
+    settings.desk.use = false;
+    AppCore app(settings, Explorer::facts("sim-t"));
+    app.set_left_hand(Explorer::facts("sim-t"), 0.0);
+    app.enter_world(open_rooms(), 0.0);
+    std::mt19937 random(test::seed_of_run());
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const double reach_m = 0.55 * find_device_spec("sim-t")->workspace_radius_m;
+    ToolState right, left;
+    const auto at_m = [&](const ToolState& tool, const WorkspacePose& pose) {
+        return frame_of(pose.origin_m, pose.heading_rad).to_world(tool.hand_m, app.tuning().touch.world_m_per_hand_m);
+    };
+    const auto fits = [&](const Vec3& place_m) { return room_round(app, place_m) >= 0.998 * app.tuning().touch.radius_m; };
+    int left_free = 0;
+    const int rounds = 200;
+    double now_s = 0.0;
+    for (int round = 0; round < rounds; ++round) {
+        app.place({10.0 + 9.0 * unit(random), 3.0 + 2.5 * unit(random), 0.0}, 0.0, now_s);
+        for (ToolState* tool : {&right, &left}) {
+            tool->ticks = 1;
+            tool->hand_m = Vec3(unit(random), unit(random), unit(random)) * reach_m;
+            tool->workspace_jump = app.pose().jump;
+            tool->proxy_m = at_m(*tool, app.pose());
+        }
+        app.tick(now_s += 1.0 / 60.0, right, left);
+        app.press(kScales[random() % kScales.size()], now_s);
+        EXPECT_TRUE(fits(at_m(right, app.pose()))) << "round " << round;
+        left_free += fits(at_m(left, app.left_pose()));
+    }
+    EXPECT_GE(left_free, rounds * 97 / 100);
+    std::cout << left_free << " of " << rounds << " left hands are free\n";
+}
+
 // The rule of thirds holds for doorways as they are felt, so the ball of each scale goes through every one of them.
 TEST(Simplified, leaves_a_ball_that_goes_through_every_doorway_at_each_scale) {
     for (const char* device : {"sim-t", "sim-f"})
