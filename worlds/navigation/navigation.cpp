@@ -87,7 +87,7 @@ std::uint32_t Navigation::span_to(const Vec3& at_m) const {
 std::optional<Vec3> Navigation::nearest_place(const Vec3& at_m) const {
     const std::uint32_t span = span_to(at_m);
     if (span == kNothing) return std::nullopt;
-    return space_.place_m(span);
+    return space_.place_m(out_of_leaf(span));
 }
 
 std::vector<bool> Navigation::pieces_from(std::uint32_t span) const {

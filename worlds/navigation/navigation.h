@@ -32,7 +32,7 @@ public:
     // From where a body stands to a place, or to the nearest one to stand at beside it. Doors count as open. A route that does not reach its goal ends at
     // the nearest place that can be reached. No points: there is no floor at `from_m`.
     Route plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish = RouteWish::Safest);
-    // Where one can stand nearest to a place, within 3 m.
+    // Where one can stand nearest to a place, within 3 m; where the leaf of an open door is, beside it: it is where a route to there ends.
     std::optional<Vec3> nearest_place(const Vec3& at_m) const;
     // True when one comes from one place to the other, doors open; drops, lifts and teleporters count as ways.
     bool reachable(const Vec3& from_m, const Vec3& to_m) const;

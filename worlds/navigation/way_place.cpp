@@ -1,25 +1,76 @@
 #include "worlds/navigation/way_place.h"
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "worlds/base/contract.h"
 
 namespace handrail {
 
-WayPlace nearest_on_way(std::span<const Vec3> points_m, const Vec3& from_m) {
-    contract_pre(!points_m.empty());
-    WayPlace nearest{points_m[0], glm::length(from_m - points_m[0]), 0.0, 0};
+namespace {
+
+// The nearest place of each leg, in order.
+template <class Visit>
+void visit_legs(std::span<const Vec3> points_m, const Vec3& from_m, Visit visit) {
     double before_m = 0.0;
     for (std::size_t leg = 0; leg + 1 < points_m.size(); ++leg) {
         const Vec3 way = points_m[leg + 1] - points_m[leg];
         const double length2 = glm::dot(way, way);
         const double part = length2 > 0.0 ? std::clamp(glm::dot(from_m - points_m[leg], way) / length2, 0.0, 1.0) : 0.0;
         const Vec3 place = points_m[leg] + way * part;
-        const double length_m = std::sqrt(length2), distance_m = glm::length(from_m - place);
-        if (distance_m < nearest.distance_m) nearest = {place, distance_m, before_m + part * length_m, leg};
+        const double length_m = std::sqrt(length2);
+        visit(WayPlace{place, glm::length(from_m - place), before_m + part * length_m, leg});
         before_m += length_m;
     }
+}
+
+}  // namespace
+
+WayPlace nearest_on_way(std::span<const Vec3> points_m, const Vec3& from_m) {
+    contract_pre(!points_m.empty());
+    WayPlace nearest{points_m[0], glm::length(from_m - points_m[0]), 0.0, 0};
+    visit_legs(points_m, from_m, [&](const WayPlace& place) {
+        if (place.distance_m < nearest.distance_m) nearest = place;
+    });
     return nearest;
+}
+
+WayPlace near_on_way(std::span<const Vec3> points_m, const Vec3& from_m, double along_m, double height_counts, const std::function<bool(const Vec3&)>& sees) {
+    contract_pre(!points_m.empty());
+    const auto off = [&](Vec3 way) {
+        way.z *= height_counts;
+        return glm::length(way);
+    };
+    struct Offer {
+        double counts;
+        WayPlace place;
+    };
+    std::vector<Offer> offers;
+    offers.reserve(points_m.size());
+    visit_legs(points_m, from_m, [&](WayPlace place) {
+        place.distance_m = off(from_m - place.place_m);
+        offers.push_back({place.distance_m + kFartherForEachMetreAlong_m * std::abs(place.along_m - along_m), place});
+    });
+    std::stable_sort(offers.begin(), offers.end(), [](const Offer& a, const Offer& b) { return a.counts < b.counts; });
+    for (const Offer& offer : offers) {
+        if (offer.counts > offers.front().counts + kRoundCorner_m) break;
+        if (!sees || sees(offer.place.place_m)) return offer.place;
+    }
+    // Where one was.
+    WayPlace stays{points_m[0], 0.0, 0.0, 0};
+    for (std::size_t leg = 0; leg + 1 < points_m.size(); ++leg) {
+        const double length_m = glm::length(points_m[leg + 1] - points_m[leg]);
+        stays.leg = leg;
+        if (stays.along_m + length_m >= along_m || leg + 2 == points_m.size()) {
+            stays.along_m = std::clamp(along_m, stays.along_m, stays.along_m + length_m);
+            break;
+        }
+        stays.along_m += length_m;
+    }
+    stays.place_m = place_along(points_m, stays.along_m);
+    stays.distance_m = off(from_m - stays.place_m);
+    return stays;
 }
 
 Vec3 place_along(std::span<const Vec3> points_m, double along_m) {

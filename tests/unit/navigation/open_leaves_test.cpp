@@ -108,6 +108,7 @@ TEST(OpenLeaves, are_gone_round_where_there_is_room_and_through_where_there_is_n
             EXPECT_TRUE(over.reaches);
             EXPECT_FALSE(wide->meets_leaf(over.points_m));
             EXPECT_LT(glm::length(over.points_m.back() - (at + Vec3(6, 0.6, 0))), 0.6);
+            EXPECT_EQ(*wide->nearest_place(at + Vec3(6, 0.6, 0)), over.points_m.back()) << "which is where one can stand";
             // Shut again, all is as it was.
             wide->know_leaves({});
             EXPECT_FALSE(wide->meets_leaf(plain.points_m));

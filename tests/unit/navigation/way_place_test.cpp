@@ -58,5 +58,32 @@ TEST(NearestOnWay, takes_the_first_of_places_as_near_and_a_way_of_one_point) {
     EXPECT_EQ(place_along(there_and_back, 99.0), Vec3(0, 0, 0));
 }
 
+TEST(NearOnWay, stays_where_one_was_on_a_way_that_passes_near_itself) {
+    const std::vector<Vec3> way{{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {0, 1, 0}};
+    EXPECT_NEAR(near_on_way(way, {2, 0.5, 0}, 2.0).along_m, 2.0, 1e-12);
+    EXPECT_NEAR(near_on_way(way, {2, 0.5, 0}, 18.0).along_m, 19.0, 1e-12);
+    EXPECT_NEAR(near_on_way(way, {2, 0, 3}, 2.0).distance_m, 1.5, 1e-12) << "height counts half for who walks";
+    EXPECT_NEAR(near_on_way(way, {2, 0, 3}, 2.0, 1.0).distance_m, 3.0, 1e-12) << "and whole for a hand";
+    EXPECT_NEAR(near_on_way(std::vector<Vec3>{{1, 1, 1}}, {1, 1, 3}, 0.0).distance_m, 1.0, 1e-12);
+}
+
+// A wall between the two long legs: the nearer one is no short cut to who does not see it.
+TEST(NearOnWay, takes_no_short_cut_through_what_one_does_not_see_through) {
+    const std::vector<Vec3> way{{0, 0, 0}, {10, 0, 0}, {10, 2, 0}, {0, 2, 0}};
+    const Vec3 at(4, 0.9, 0);
+    const auto before_wall = [&](const Vec3& place) { return place.y < 1.0; };
+    EXPECT_NEAR(near_on_way(way, at, 18.0).along_m, 18.0, 1e-12);
+    EXPECT_NEAR(near_on_way(way, at, 18.0, 1.0, before_wall).along_m, 4.0, 1e-12);
+    // Nothing is seen: one stays where one was, and is as far off as that is.
+    const WayPlace stays = near_on_way(way, at, 5.0, 1.0, [](const Vec3&) { return false; });
+    EXPECT_NEAR(stays.along_m, 5.0, 1e-12);
+    EXPECT_EQ(stays.leg, 0U);
+    EXPECT_NEAR(stays.distance_m, glm::length(Vec3(5, 0, 0) - at), 1e-12);
+    EXPECT_NEAR(near_on_way(way, at, 11.0, 1.0, [](const Vec3&) { return false; }).place_m.y, 1.0, 1e-12) << "on the short leg between";
+    // What is seen only much farther off is not where one is: something thin hides the nearest place.
+    const auto far_end = [&](const Vec3& place) { return place.x > 9.0; };
+    EXPECT_NEAR(near_on_way(way, at, 5.0, 1.0, far_end).along_m, 5.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace handrail
