@@ -113,6 +113,12 @@ Vec3 nearest_in_trench(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
     return {a.x + x * (s / length), a.y + y * (s / length), z};
 }
 
+Vec3 nearest_on_leg(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
+    const Vec3 way = b - a;
+    const double length2 = glm::dot(way, way);
+    return length2 > 1e-18 ? a + way * std::clamp(glm::dot(p - a, way) / length2, 0.0, 1.0) : a;
+}
+
 }  // namespace
 
 // The potential is A times the product, over all legs, of 1 - f with f = (1 - (d/w)^2)^3 of a leg nearer than w: nothing on every leg, A away from all, and
@@ -123,13 +129,14 @@ Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scal
     std::array<double, GuidancePath::kMostPoints / 2> left;
     std::size_t near = 0;
     const double width_m = scale * kGrooveHalfWidth_m;
+    const bool lines = path.kind == GuidanceKind::WayLines;
     for (std::uint32_t i = 0; i + 1 < path.count; i += 2) {
         const Vec3 &a = path.points_m[i], &b = path.points_m[i + 1];
         // Most legs are far, which their box tells for a tenth of the work.
         if (hand_m.x < std::min(a.x, b.x) - width_m || hand_m.x > std::max(a.x, b.x) + width_m || hand_m.y < std::min(a.y, b.y) - width_m ||
             hand_m.y > std::max(a.y, b.y) + width_m || hand_m.z > std::max(a.z, b.z) + width_m)
             continue;
-        const Vec3 off = (hand_m - nearest_in_trench(a, b, hand_m)) / width_m;
+        const Vec3 off = (hand_m - (lines ? nearest_on_leg(a, b, hand_m) : nearest_in_trench(a, b, hand_m))) / width_m;
         const double rest = 1.0 - glm::dot(off, off);
         if (!(rest > 0.0)) continue;
         slopes[near] = off * (-6.0 * rest * rest);
@@ -167,9 +174,9 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
     acted_s_ += dt_s;
     const double most_n = path.strength * std::min(kMostForce_n, kMostShare * peak_force_n);
     const double ramp = std::min(1.0, acted_s_ / kRamp_s);
-    const Vec3 full_n = path.kind == GuidanceKind::Pull      ? pull(path, hand_m, scale, most_n, dt_s)
-                        : path.kind == GuidanceKind::Grooves ? grooves(path, hand_m, scale, most_n)
-                                                             : lines(path, hand_m, scale, most_n);
+    const Vec3 full_n = path.kind == GuidanceKind::Pull         ? pull(path, hand_m, scale, most_n, dt_s)
+                        : path.kind == GuidanceKind::CrossLines ? lines(path, hand_m, scale, most_n)
+                                                                : grooves(path, hand_m, scale, most_n);
     state_.force_n = at_most(full_n * ramp, most_n);
     hand_before_m_ = hand_m;
     // 4. What ends it.

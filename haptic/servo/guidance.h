@@ -2,7 +2,7 @@
 // GuidancePath with a number is published; then one pull or one set of lines, never both. What the person does wins: a hand that holds against the
 // pull is let go. The pull is a spring between the hand and a point that goes along the way, clamped, and weaker the faster it moves the hand, so that
 // it never carries it along at more than kFastest. Lines and grooves are bounded potentials, so they give no energy. Plain state, servo thread only; real-time
-// safe; hand metres and newtons, world axes. About 100 flops a tick while it acts, 20 for each leg of a groove, one comparison otherwise.
+// safe; hand metres and newtons, world axes. About 100 flops a tick while it acts, 20 for each leg of a groove or line, one comparison otherwise.
 #pragma once
 
 #include <array>
@@ -16,6 +16,7 @@ enum class GuidanceKind : std::uint8_t {
     Pull,        // along points_m, to the last one
     CrossLines,  // the three level and upright planes through points_m[0], each felt from kLineHalfWidth on
     Grooves,     // hollows along the legs from each even point to the next: upright trenches that end at the height of the leg and hold the hand aside
+    WayLines,    // the same legs as lines, which hold the hand from all sides: a way that a hand can follow
 };
 
 // What the app wants. Published as a whole; about 1.6 kB.

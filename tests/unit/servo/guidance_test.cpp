@@ -228,7 +228,8 @@ GuidancePath grooves() {
 struct Felt {
     Guidance guidance;
     GuidancePath path = grooves();
-    Felt() {
+    explicit Felt(GuidanceKind kind = GuidanceKind::Grooves) {
+        path.kind = kind;
         for (int i = 0; i < 600; ++i) at(Vec3(1.0));
     }
     Vec3 at(const Vec3& p) { return guidance.tick(path, p, 1.0, kPeak_n, true, kTick_s); }
@@ -242,7 +243,7 @@ double potential_by_looking(const GuidancePath& path, const Vec3& p) {
         double nearest = 1e300;
         for (int k = 0; k <= 4000; ++k) {
             Vec3 place = path.points_m[i] + (path.points_m[i + 1] - path.points_m[i]) * (k / 4000.0);
-            place.z = std::min(place.z, p.z);
+            if (path.kind == GuidanceKind::Grooves) place.z = std::min(place.z, p.z);
             nearest = std::min(nearest, glm::length(p - place));
         }
         const double rest = std::max(0.0, 1.0 - nearest * nearest / (w * w));
@@ -251,10 +252,10 @@ double potential_by_looking(const GuidancePath& path, const Vec3& p) {
     return Guidance::kGroove_n * w / 1.7173003580037202 * left;
 }
 
-TEST(Grooves, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) {
+void expect_the_slope_of_the_potential(GuidanceKind kind) {
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> place(-0.025, 0.025);
-    Felt felt;
+    Felt felt(kind);
     int inside = 0;
     for (int i = 0; i < 300; ++i) {
         const Vec3 p(place(random), place(random), 0.5 * place(random));
@@ -267,7 +268,33 @@ TEST(Grooves, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everyw
             EXPECT_NEAR(force[axis], slope, 4e-3) << i << " axis " << axis;
         }
     }
-    EXPECT_GT(inside, 60);
+    EXPECT_GT(inside, 40);
+}
+
+TEST(Grooves, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) { expect_the_slope_of_the_potential(GuidanceKind::Grooves); }
+TEST(WayLines, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) { expect_the_slope_of_the_potential(GuidanceKind::WayLines); }
+
+TEST(WayLines, hold_a_hand_from_all_sides_let_it_go_along_and_are_never_more_than_their_limit) {
+    std::mt19937 random(test::seed_of_run());
+    std::uniform_real_distribution<double> place(-0.025, 0.025);
+    Felt felt(GuidanceKind::WayLines);
+    for (double x = -0.018; x < -0.008; x += 1e-3) {
+        EXPECT_LT(glm::length(felt.at({x, 0.0, 0.0})), 1e-12) << "on the way nothing is felt";
+        EXPECT_GT(felt.at({x, 0.0, -0.003}).z, 0.2) << "from below as from above";
+        EXPECT_LT(felt.at({x, 0.0, 0.003}).z, -0.2);
+        EXPECT_EQ(felt.at({x, 0.0, -0.0061}), Vec3(0.0));
+    }
+    EXPECT_GT(felt.at({-0.023, 0.0, 0.0}).x, 0.2) << "behind its beginning it holds back";
+    double most_n = 0.0;
+    for (int i = 0; i < 20000; ++i) most_n = std::max(most_n, glm::length(felt.at({place(random), place(random), 0.3 * place(random)})));
+    EXPECT_LE(most_n, Guidance::kMostForce_n);
+    EXPECT_GT(most_n, 0.3);
+    for (const double peak_n : {1.0, 3.3, 8.0}) {
+        Felt other(GuidanceKind::WayLines);
+        for (int i = 0; i < 2000; ++i)
+            EXPECT_LE(glm::length(other.guidance.tick(other.path, {place(random), place(random), 0.0}, 1.0, peak_n, true, kTick_s)),
+                      std::min(Guidance::kMostForce_n, Guidance::kMostShare * peak_n) + 1e-12);
+    }
 }
 
 TEST(Grooves, hold_a_hand_on_the_way_let_it_go_along_and_are_never_more_than_their_limit) {
