@@ -128,6 +128,7 @@ struct Settings {
         double strength = 1.0;  // of its limits, 0.1 to 1
         bool fades = true;      // less help lap by lap as errors fall
         bool grooves = false;   // the floor has grooves along the planned way and through doorways
+        bool along_way = true;  // beacon, warmer and lines lead along the way on foot; else straight to the thing
     } guidance;
     struct Keyboard {
         KeyboardHand hand = KeyboardHand::Both;

@@ -115,6 +115,7 @@ const std::array kTable{
     SettingInfo{"guidance.strength", "", kPersonOnly, NumberField{HANDRAIL_AT(guidance.strength), 0.1, 1.0}},
     SettingInfo{"guidance.fades", "", kPersonOnly, SwitchField{HANDRAIL_AT(guidance.fades)}},
     SettingInfo{"guidance.grooves", "", kPersonOnly, SwitchField{HANDRAIL_AT(guidance.grooves)}},
+    SettingInfo{"guidance.along_way", "", kPersonOnly, SwitchField{HANDRAIL_AT(guidance.along_way)}},
     SettingInfo{"keyboard.hand", "", kPersonOnly,
                 ChoiceField{kKeyboardWords, [](const Settings& s) { return static_cast<std::size_t>(s.keyboard.hand); },
                             [](Settings& s, std::size_t i) { s.keyboard.hand = static_cast<KeyboardHand>(i); }}},

@@ -414,9 +414,19 @@ private:
     void beacon_here(double now_s);
     void mute_beacon(double now_s);
     void seek_warmer(const Goal& goal, double now_s);
+    void start_beacon(const Goal& goal);
+    void play_beacon(double now_s);
+    void play_warmer(double now_s);
+    void plan_sought(SoughtWay& way, const Sought& sought, bool hand, double now_s);
+    bool keep_way(SoughtWay& way, const Sought& sought, bool hand, double now_s);
+    bool straight_before(const SoughtWay& way, const Sought& sought, bool hand) const;
+    bool body_gets_to(const Sought& sought) const;
+    std::string sought_words(SoughtWay& way, const Sought& sought, bool hand, double now_s);
+    std::optional<Vec3> beacon_turning(double now_s);
+    bool hand_seeks() const { return hand_.present && tool_.ticks > 0; }
     // Being led: app_core_lead.cpp.
     struct HandLead {
-        std::optional<GuidancePath> path;  // none: `problem` says why
+        std::vector<Vec3> points_m;  // from the hand to the thing; none: `problem` says why
         std::string problem;
         bool reaches = true;
         double short_of_m = 0.0;
@@ -424,10 +434,14 @@ private:
     };
     void take_me(double now_s);
     bool hand_may_be_led() const;
-    HandLead hand_lead(const Goal& goal);
+    HandLead hand_lead(const Goal& goal, std::size_t most_points);
+    std::string why_no_way() const;
     void lead_to(const Goal& goal, const std::string& first, double now_s);
     void lead_by_ear(const Goal& goal, const std::string& first, double now_s);
-    void tell_shut_door(double now_s);
+    std::string shut_door_words(std::uint32_t mover) const;
+    void tell_shut_doors(double now_s);
+    void tell_shut_door(FeatureId feature, double now_s);
+    void tell_shut_doors_ahead(const SoughtWay& way, double now_s);
     bool hand_at_goal() const;
     void notice_left_way(double now_s);
     void watch_way(double now_s);
@@ -436,6 +450,9 @@ private:
     void know_way(std::vector<Vec3> soles_m);
     Vec3 carry_workspace();
     void cross_lines(const Goal& goal, double now_s);
+    bool lines_wished() const;
+    void lay_lines(double now_s);
+    void watch_lines(double now_s);
     void toggle_lines(double now_s);
     void announce(GuidancePath path, std::string words, double now_s);
     void end_guidance();

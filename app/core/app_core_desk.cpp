@@ -155,7 +155,7 @@ std::string AppCore::beacon_of_desk() {
     if (!mark) return phrase("desk.no_marks", {{"key", keys_.keys_of(Command::DropMark)}});
     const Aabb place{mark->place_m, mark->place_m};
     guiding_.goal = Goal{mark->name, place, kNoFeature};
-    guiding_.beacon.set(mark->name, place);
+    start_beacon({mark->name, place, kNoFeature});
     return phrase("desk.beacon_on", {{"mark", mark->name}, {"where", where_words(place)}});
 }
 

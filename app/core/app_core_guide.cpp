@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "app/core/app_core.h"
+#include "app/core/hand_way.h"
 #include "audio-cues/plan/speakable.h"
 #include "worlds/base/language.h"
+#include "worlds/navigation/way_place.h"
 
 namespace handrail {
 namespace {
@@ -16,6 +18,13 @@ constexpr double kFarther = 1.5;         // what was near is far again from so m
 constexpr double kStorey_m = 1.5;
 constexpr double kWaist_m = 1.0;
 constexpr double kLookRange_m = 30.0;
+constexpr double kLookEvery_s = 0.1;                                           // along a way, for what stands between and shut doors
+constexpr double kOverSteps_m = 0.35, kNarrow_m = 0.2, kNarrowHeight_m = 1.2;  // of a body that is looked ahead with along a way, stairs too
+constexpr double kBackOnWay_m = 1.0;                                           // ahead, for one who is off it
+constexpr double kHardlyLonger = 1.25, kAllowance_m = 1.0;                     // a way beside the straight line: the thing itself leads there
+constexpr double kPast = 0.1;                                                  // as little nearer or farther is neither
+constexpr double kPitch = 0.5;                                                 // a fifth higher straight to it
+constexpr double kBody_m_per_hand_m = 60.0;                                    // a body is as near as a hand would be at the scale of a room
 
 Aabb point_box(const Vec3& p) { return {p, p}; }
 
@@ -194,10 +203,18 @@ void AppCore::open_tools(const Goal& goal, double now_s) {
     open_list(std::move(list), now_s);
 }
 
+void AppCore::start_beacon(const Goal& goal) {
+    guiding_.beacon.set(goal.name, goal.box_m, goal.feature);
+    guiding_.beacon_way.clear();
+    guiding_.looked_s = -1e9;
+    guiding_.doors_told.clear();
+}
+
 void AppCore::set_beacon(const Goal& goal, double now_s) {
     guiding_.goal = goal;
-    guiding_.beacon.set(goal.name, goal.box_m);
-    answer(phrase("guide.beacon_on", {{"name", goal.name}, {"where", where_words(goal.box_m)}}), now_s);
+    start_beacon(goal);
+    const std::string how = sought_words(guiding_.beacon_way, guiding_.beacon, false, now_s);
+    answer(phrase("guide.beacon_on", {{"name", goal.name}, {"where", where_words(goal.box_m)}}) + (how.empty() ? how : ". " + how), now_s);
 }
 
 // What the hand touches, else what is straight ahead, else to be chosen.
@@ -233,8 +250,132 @@ void AppCore::seek_warmer(const Goal& goal, double now_s) {
         guiding_.warmer.clear();
         return answer(phrase("guide.warmer_off"), now_s);
     }
-    guiding_.warmer.set(goal.name, goal.box_m);
-    answer(phrase("guide.warmer_on", {{"name", goal.name}}), now_s);
+    guiding_.warmer.set(goal.name, goal.box_m, goal.feature);
+    guiding_.warmer_way.clear();
+    guiding_.doors_told.clear();
+    const std::string how = sought_words(guiding_.warmer_way, guiding_.warmer, hand_seeks(), now_s);
+    answer(phrase("guide.warmer_on", {{"name", goal.name}}) + (how.empty() ? how : ". " + how), now_s);
+}
+
+// ---- along the way ----
+
+// From where one is; again to the same place beside the thing, which is a tenth of the work of looking for one.
+void AppCore::plan_sought(SoughtWay& way, const Sought& sought, bool hand, double now_s) {
+    guiding_.ways_planned_in = scene_;
+    guiding_.ways_jump = pose_.jump;
+    if (hand) {
+        const HandLead lead = hand_lead({sought.name(), sought.thing_m(), sought.feature()}, GuidancePath::kMostPoints);
+        if (!lead.reaches || lead.points_m.size() < 2) return way.no_way(now_s);
+        return way.plan(lead.points_m, {}, 0.0, finding_place_m(), now_s);
+    }
+    Navigation& navigation = rooms_->navigation();
+    Route route;
+    if (way.known()) route = navigation.plan(feet_m(), way.points_m().back());
+    if (!route.reaches) route = walk_to_thing(navigation, *body_world_, feet_m(), sought.thing_m(), sought.feature());
+    if (!route.reaches) return way.no_way(now_s);
+    const Vec3 end = route.points_m.back();
+    way.plan(route.points_m, route.passages, glm::length(nearest_place(sought.thing_m(), end + Vec3(0.0, 0.0, kWaist_m)) - end - Vec3(0.0, 0.0, kWaist_m)),
+             feet_m(), now_s);
+}
+
+// Follows it, and plans it where that is due. True: it is known and wished for.
+bool AppCore::keep_way(SoughtWay& way, const Sought& sought, bool hand, double now_s) {
+    if (!settings_.guidance.along_way) return false;
+    const Vec3 at = hand ? finding_place_m() : feet_m(), up(0.0, 0.0, hand ? 0.0 : kWaist_m);
+    way.follow(at, hand ? 1.0 : kHeightCountsForWalkers, [&](const Vec3& place) { return free_line(*body_world_, at + up, place + up, sought.feature()); });
+    const bool changed = guiding_.ways_planned_in != scene_ || (hand && guiding_.ways_jump != pose_.jump);
+    if (way.wants_plan(changed, now_s) && rooms_known()) plan_sought(way, sought, hand, now_s);
+    return way.known();
+}
+
+// Nothing stands between, and the way is hardly longer than the straight line: not one to the floor above that is seen over the banister.
+bool AppCore::straight_before(const SoughtWay& way, const Sought& sought, bool hand) const {
+    const Vec3 from = hand ? finding_place_m() : feet_m() + Vec3(0.0, 0.0, kWaist_m), place = place_on(sought.thing_m(), from);
+    return way.left_m() <= kHardlyLonger * glm::length(place - from) + kAllowance_m && free_line(*body_world_, from, place, sought.feature()) &&
+           (hand || body_gets_to(sought));
+}
+
+// Whether it leads along the way or straight, and why; nothing where both are the same.
+std::string AppCore::sought_words(SoughtWay& way, const Sought& sought, bool hand, double now_s) {
+    const Vec3 from = hand ? finding_place_m() : feet_m() + Vec3(0.0, 0.0, kWaist_m);
+    const bool free = free_line(*body_world_, from, place_on(sought.thing_m(), from), sought.feature());
+    if (keep_way(way, sought, hand, now_s))
+        return straight_before(way, sought, hand) ? std::string() : phrase("lead.along_way", {{"distance", distance_words(way.left_m(), distances())}});
+    if (free) return {};
+    if (!settings_.guidance.along_way) return phrase("lead.straight");
+    return way.tried() ? phrase("lead.no_way") : why_no_way() + " " + phrase("lead.straight");
+}
+
+// Who walks straight to its middle comes to it, and not against the side of a doorway through which it is seen.
+bool AppCore::body_gets_to(const Sought& sought) const {
+    const Vec3 over(0.0, 0.0, kOverSteps_m), middle = sought.thing_m().centre_m();
+    const TraceHit met = body_world_->trace(feet_m() + over, Vec3(middle.x, middle.y, feet_m().z) + over, BodyShape{kNarrow_m, kNarrowHeight_m});
+    if (!met.hit || met.feature == sought.feature()) return true;
+    return glm::length(nearest_place(sought.thing_m(), met.end_m) - met.end_m) <= Beacon::kArrived_m;
+}
+
+// Where the beacon calls from as long as one has to go there first; none: from the thing.
+std::optional<Vec3> AppCore::beacon_turning(double now_s) {
+    Guiding& g = guiding_;
+    const bool tried = g.beacon_way.tried();
+    if (!keep_way(g.beacon_way, g.beacon, false, now_s)) return std::nullopt;
+    if (!tried && !straight_before(g.beacon_way, g.beacon, false))
+        say(phrase("lead.along_way", {{"distance", distance_words(g.beacon_way.left_m(), distances())}}), SpeechClass::Answer, now_s);
+    const Vec3 up(0.0, 0.0, kWaist_m);
+    if (now_s - g.looked_s >= kLookEvery_s) {
+        g.looked_s = now_s;
+        tell_shut_doors_ahead(g.beacon_way, now_s);
+        g.turning_first = g.beacon_way.left_m() > Beacon::kArrived_m && !straight_before(g.beacon_way, g.beacon, false);
+        // Whoever has come off the way a little is led back onto it, round what stands between.
+        const Vec3 turning = g.beacon_way.next_turning_m(), over(0.0, 0.0, kOverSteps_m);
+        const TraceHit met = body_world_->trace(feet_m() + over, turning + over, BodyShape{kNarrow_m, kNarrowHeight_m});
+        const Feature* thing = met.hit ? scene_->find(met.feature) : nullptr;
+        g.turning_m = met.hit && !(thing && thing->kind == FeatureKind::Door) ? g.beacon_way.ahead_m(kBackOnWay_m) : turning;
+    }
+    if (!g.turning_first) return std::nullopt;
+    return g.turning_m + up;
+}
+
+void AppCore::play_beacon(double now_s) {
+    Guiding& g = guiding_;
+    const Listener ears = listener();
+    const auto way_db = [&](const Vec3& place) { return muffling_db(*body_world_, ears.ears_m, place); };
+    Beacon::Beat beat = g.beacon.tick(feet_m(), ears, way_db, !tuning_.panic, now_s, beacon_turning(now_s));
+    if (beat.sound) cue(std::move(*beat.sound));
+    if (!beat.arrived) return;
+    if (follow_name_ == g.beacon.name() && !run_) follower_.stop();  // told once
+    play(SoundKind::Arrived, now_s);
+    say(phrase("lead.here", {{"goal", g.beacon.name()}}), SpeechClass::Answer, now_s);
+}
+
+void AppCore::play_warmer(double now_s) {
+    Guiding& g = guiding_;
+    const bool hand = hand_seeks(), tried = g.warmer_way.tried();
+    const Vec3 place = finding_place_m(), thing = nearest_place(g.warmer.thing_m(), place);
+    const bool known = keep_way(g.warmer_way, g.warmer, hand, now_s);
+    if (known && !tried) say(phrase("lead.along_way", {{"distance", distance_words(g.warmer_way.left_m(), distances())}}), SpeechClass::Answer, now_s);
+    const double straight_m = glm::length(thing - place), per_m = hand ? scale() : kBody_m_per_hand_m;
+    // What is beyond a wall is not found by coming near.
+    bool found = straight_m <= (hand ? Warmer::kFound_hand_m * per_m : Beacon::kArrived_m) &&
+                 (!known || (!hand && g.warmer_way.left_m() <= Beacon::kArrived_m) ||
+                  free_line(*body_world_, place, place_on(g.warmer.thing_m(), place), g.warmer.feature()));
+    if (hand && tool_.contacts.count > 0 && g.warmer.feature())
+        found = found || tool_.contacts.contacts[tool_.contacts.strongest].feature == g.warmer.feature();
+    if (known && hand) tell_shut_doors(now_s);
+    if (known && !hand && now_s - g.looked_s >= kLookEvery_s) {
+        g.looked_s = now_s;
+        tell_shut_doors_ahead(g.warmer_way, now_s);
+    }
+    const double left_m = known ? std::max(straight_m, g.warmer_way.told_m()) : straight_m;
+    const Warmer::Beat beat = g.warmer.tick(left_m / per_m, place / per_m, found, !tuning_.panic, now_s);
+    if (beat.sound) {
+        CueRequest tick = sound_at(beat.nearer < -kPast ? SoundKind::Colder : SoundKind::Warmer, listener().ears_m, now_s);
+        tick.pitch = 1.0 + kPitch * beat.nearer;
+        cue(std::move(tick));
+    }
+    if (!beat.found) return;
+    play(SoundKind::Arrived, now_s);
+    say(phrase("lead.here", {{"goal", g.warmer.name()}}), SpeechClass::Answer, now_s);
 }
 
 // ---- every tick ----
@@ -295,32 +436,8 @@ void AppCore::tick_guiding(double now_s) {
         drop_mark(true, now_s);
     follow_guidance(now_s);
     notice_marks(now_s);
-    if (g.beacon.on()) {
-        const Listener ears = listener();
-        const auto way_db = [&](const Vec3& place) { return muffling_db(*body_world_, ears.ears_m, place); };
-        Beacon::Beat beat = g.beacon.tick(feet_m(), ears, way_db, !tuning_.panic, now_s);
-        if (beat.sound) cue(std::move(*beat.sound));
-        if (beat.arrived) {
-            if (follow_name_ == g.beacon.name() && !run_) follower_.stop();  // told once
-            play(SoundKind::Arrived, now_s);
-            say(phrase("lead.here", {{"goal", g.beacon.name()}}), SpeechClass::Answer, now_s);
-        }
-    }
-    if (g.warmer.on()) {
-        const Vec3 place = finding_place_m();
-        const double way_m = glm::length(nearest_place(g.warmer.thing_m(), place) - place);
-        // The body is as near as a hand would be at the scale of a room.
-        const double per_m = hand_.present ? scale() : 60.0;
-        const bool touches = hand_.present && guiding_.goal && guiding_.goal->feature && tool_.contacts.count > 0 &&
-                             tool_.contacts.contacts[tool_.contacts.strongest].feature == guiding_.goal->feature;
-        const Warmer::Beat beat =
-            g.warmer.tick(touches ? 0.0 : way_m / per_m, hand_.present ? Warmer::kFound_hand_m : Beacon::kArrived_m / per_m, !tuning_.panic, now_s);
-        if (beat.sound) play(SoundKind::Warmer, now_s);
-        if (beat.found) {
-            play(SoundKind::Arrived, now_s);
-            say(phrase("lead.here", {{"goal", g.warmer.name()}}), SpeechClass::Answer, now_s);
-        }
-    }
+    if (g.beacon.on()) play_beacon(now_s);
+    if (g.warmer.on()) play_warmer(now_s);
 }
 
 void AppCore::act_guiding(Command command, double now_s) {

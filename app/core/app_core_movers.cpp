@@ -10,8 +10,9 @@
 namespace handrail {
 namespace {
 
-constexpr double kReach_m = 1.2;         // from the middle of the body to what it uses
-constexpr double kCloseToLift_m = 0.05;  // soles above the lift that carries them
+constexpr double kReach_m = 1.2;           // from the middle of the body to what it uses
+constexpr double kBounced_hand_m = 0.015;  // off a door that it has just met, while one hears which it is
+constexpr double kCloseToLift_m = 0.05;    // soles above the lift that carries them
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
 
@@ -46,10 +47,20 @@ int AppCore::mover_of(FeatureId feature) const {
     return -1;
 }
 
-// What the hand touches counts first, then what stands straight ahead, then the nearest.
+// What the hand touches counts first, then a shut door that was told on a way that is gone and from which the hand has hardly come away, then what stands
+// straight ahead, then the nearest.
 void AppCore::use(double now_s) {
     int chosen = -1;
     if (tool_.contacts.count > 0) chosen = mover_of(tool_.contacts.contacts[tool_.contacts.strongest].feature);
+    if (chosen < 0 && !guiding_.doors_told.empty()) {
+        const FeatureId told = guiding_.doors_told.back();
+        const Aabb door = box_of(*scene_, told);
+        const double hand_reach_m = kBounced_hand_m * scale();
+        if (distance_squared(door, feet_m() + Vec3(0.0, 0.0, kLookHeight_m)) < kReach_m * kReach_m ||
+            (hand_seeks() && distance_squared(door, tool_.proxy_m) < hand_reach_m * hand_reach_m))
+            chosen = mover_of(told);
+        if (chosen >= 0 && movers_.away(static_cast<std::uint32_t>(chosen)) > 0.0) chosen = -1;
+    }
     if (chosen < 0)
         if (const auto seen = look(*body_world_, feet_m(), kLookHeight_m, heading_rad_, kReach_m)) chosen = mover_of(seen->feature);
     if (chosen < 0) {
@@ -66,10 +77,28 @@ void AppCore::use(double now_s) {
     }
     if (chosen < 0) return answer(phrase("movers.none_in_reach"), now_s);
     const auto mover = static_cast<std::uint32_t>(chosen);
-    if (!scene_->movers[mover].by_hand)
-        return answer(phrase("movers.opened_from_elsewhere", {{"name", sentence_case(spoken_name(scene_->features[scene_->movers[mover].feature.value]))}}),
-                      now_s);
+    if (!scene_->movers[mover].by_hand) return answer(shut_door_words(mover), now_s);
     press_mover(mover, true, now_s);
+}
+
+// What opens it: the key, or the button that is nearest to the body, with where that is.
+std::string AppCore::shut_door_words(std::uint32_t mover) const {
+    const Mover& door = scene_->movers[mover];
+    const std::string name = sentence_case(name_of(door.feature));
+    if (door.by_hand) return phrase("lead.door_shut", {{"door", name}, {"key", keys_.keys_of(Command::Use)}});
+    if (!door.approach_m.empty()) return phrase("movers.opens_by_itself", {{"name", name}});
+    std::optional<FeatureId> button;
+    double nearest_m = 1e9;
+    for (const Mover& other : scene_->movers) {
+        const auto opens = [&](std::uint32_t set_going) { return scene_->movers[set_going].group == door.group; };
+        if (!other.by_hand || std::none_of(other.sets_going.begin(), other.sets_going.end(), opens)) continue;
+        const double distance_m = std::sqrt(distance_squared(box_of(*scene_, other.feature), feet_m() + Vec3(0.0, 0.0, kLookHeight_m)));
+        if (distance_m >= nearest_m) continue;
+        nearest_m = distance_m;
+        button = other.feature;
+    }
+    if (!button) return phrase("movers.opened_from_elsewhere", {{"name", name}});
+    return phrase("movers.opened_by_button", {{"name", name}, {"button", name_of(*button)}, {"where", where_words(box_of(*scene_, *button))}});
 }
 
 void AppCore::meet_switch(FeatureId volume, double now_s) {

@@ -16,16 +16,18 @@ namespace handrail {
 // What is sought by a rhythm, and when it sounded last.
 class Sought {
 public:
-    void set(std::string name, const Aabb& thing_m);
+    void set(std::string name, const Aabb& thing_m, FeatureId feature);
     void clear() { on_ = false; }
     bool on() const { return on_; }
     const std::string& name() const { return name_; }
     const Aabb& thing_m() const { return thing_m_; }
+    FeatureId feature() const { return feature_; }
 
 protected:
     bool on_ = false;
     std::string name_;
     Aabb thing_m_;
+    FeatureId feature_ = kNoFeature;
     double last_s_ = -1e9;
 };
 
@@ -42,26 +44,42 @@ public:
         std::optional<CueRequest> sound;  // to be played now
         bool arrived = false;             // it has just ended
     };
-    // muffled_db: what lies between ears and a place; asked only for a beat. `heard`: false while sounds are stopped.
-    Beat tick(const Vec3& feet_m, const Listener& listener, const std::function<double(const Vec3&)>& muffled_db, bool heard, double now_s);
+    // muffled_db: what lies between ears and a place; asked only for a beat. `heard`: false while sounds are stopped. turning_m: it calls from there as long as
+    // one has to go there first, and nobody arrives; none: from the thing.
+    Beat tick(const Vec3& feet_m, const Listener& listener, const std::function<double(const Vec3&)>& muffled_db, bool heard, double now_s,
+              const std::optional<Vec3>& turning_m = {});
     static double interval_s(double distance_m);
 };
 
 // The nearest place of a box to another place.
 Vec3 nearest_place(const Aabb& box, const Vec3& to_m);
 
-// A tick in the middle of the head that comes the faster the nearer the hand is: by felt distance, or the body's where there is no device.
+// A tick in the middle of the head that comes the faster the nearer the hand is: by felt distance, or the body's where there is no device. Its pitch tells how
+// directly one came nearer since the tick before, and where one went away from it another sound does.
 class Warmer : public Sought {
 public:
     static constexpr double kFound_hand_m = 0.004;
+    static constexpr double kRests_hand_m = 0.0003;  // from one tick to the next: no going
 
     struct Beat {
         bool sound = false;
-        bool found = false;  // it has just ended
+        double nearer = 0.0;  // since the tick before, as a part of the way one went: 1 straight to it, -1 straight away, 0 who rests or goes past
+        bool found = false;   // it has just ended
     };
-    // felt_m: hand metres from the ball to the thing; found_m: how near counts as found.
-    Beat tick(double felt_m, double found_m, bool heard, double now_s);
+    void set(std::string name, const Aabb& thing_m, FeatureId feature) {
+        Sought::set(std::move(name), thing_m, feature);
+        before_.reset();
+    }
+    // felt_m: hand metres from the ball to the thing, along the way where one is known; place_m: where the ball is, hand metres; found: it is reached.
+    Beat tick(double felt_m, const Vec3& place_m, bool found, bool heard, double now_s);
     static double interval_s(double felt_m);
+
+private:
+    struct Before {
+        double felt_m = 0.0;
+        Vec3 place_m{0.0};
+    };
+    std::optional<Before> before_;  // at the last tick
 };
 
 // How strongly one is led, lap by lap to the same goal: 100, 60, 30, 0 % as errors fall. It never grows by itself.

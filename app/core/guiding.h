@@ -9,6 +9,7 @@
 #include "app/core/finding.h"
 #include "app/core/grooves.h"
 #include "app/core/marks.h"
+#include "app/core/sought_way.h"
 #include "haptic/servo/guidance.h"
 
 namespace handrail {
@@ -25,6 +26,13 @@ struct Guiding {
     Beacon beacon;
     Warmer warmer;
     Laps laps;
+    SoughtWay beacon_way, warmer_way;  // of the body; of the hand where there is one
+    // Of the way that is gone by ear.
+    bool turning_first = false;                    // the beacon calls from a turning
+    Vec3 turning_m{0.0};                           // which one, soles
+    double looked_s = -1e9;                        // when that was last looked at
+    std::shared_ptr<const Scene> ways_planned_in;  // as the world was then
+    std::uint32_t ways_jump = 0;                   // of the workspace, then
     std::optional<Goal> goal;  // what "take me there" goes to
 
     // Being led: first told, then felt.
@@ -46,6 +54,7 @@ struct Guiding {
     bool carries = false;                     // the workspace goes along with the hand now
     bool carried = false;                     // and has, since that was last looked at
     std::vector<FeatureId> doors_told;        // shut ones across the way
+    double lines_laid_s = -1e9;               // along the way
 
     // Grooves on the floor, while nothing else acts.
     std::vector<Vec3> way_m;          // soles, of the way planned last; empty: none

@@ -20,14 +20,6 @@ constexpr BodyShape kBall{0.13, 0.26};  // of 4 mm at scale 60
 
 Vec3 nearest_in(const Aabb& box, const Vec3& to_m) { return glm::clamp(to_m, box.min_m, box.max_m); }
 
-// A ball gets from one place to the other, or to the thing before it.
-bool ball_passes(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
-    const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
-    if (world.blocked(from_m - half, kBall)) return false;
-    const TraceHit met = world.trace(from_m - half, to_m - half, kBall, true);
-    return !met.hit || (thing && met.feature == thing);
-}
-
 // The last of a hand's way: straight to the thing, or from before one of its sides or over it; first where a ball passes, then where a line does. Empty where
 // there is none.
 std::vector<Vec3> last_points(const BodyWorld& world, const Vec3& from_m, const Aabb& thing_m, FeatureId thing) {
@@ -50,15 +42,39 @@ bool within_reach(const BodyWorld& world, const Vec3& stand_m, const Aabb& thing
                        [&](double height_m) { return !last_points(world, stand_m + Vec3(0.0, 0.0, height_m), thing_m, thing).empty(); });
 }
 
-// A walk leads round the leaves of open doors where that is not far; through one else, and a hand may meet one that a body at the side of it would not. Round
-// its end then, where there is a free way.
+// A walk leads round the leaves of open doors where that is not far; through one else, and a hand may meet one, or be caught by it, that a body at the side of
+// it would not. Round its end then, where there is a way that is free for a ball; or at least for a line, where not even that goes straight.
 std::vector<Vec3> round_leaves(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m) {
-    const auto free = [&](const Vec3& a, const Vec3& b) { return free_line(world, a, b, kNoFeature); };
+    const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
+    const auto door = [&](FeatureId feature) {
+        const Feature* leaf = world.scene().find(feature);
+        return leaf && leaf->kind == FeatureKind::Door ? leaf : nullptr;
+    };
+    const Feature* leaf = nullptr;
+    Vec3 met_m(0.0);
     for (const Crossing& crossing : world.crossings(from_m, to_m)) {
-        const Feature* leaf = world.scene().find(crossing.feature);
-        if (!leaf || leaf->kind != FeatureKind::Door) continue;
-        const Vec3 met = from_m + (to_m - from_m) * (0.5 * (crossing.enter_m + crossing.leave_m) / glm::length(to_m - from_m));
-        const Aabb& stands = leaf->bounds_m;
+        if (leaf || !(leaf = door(crossing.feature))) continue;
+        met_m = from_m + (to_m - from_m) * (0.5 * (crossing.enter_m + crossing.leave_m) / glm::length(to_m - from_m));
+    }
+    const bool across = leaf != nullptr;
+    if (!across)
+        if (const TraceHit met = world.trace(from_m - half, to_m - half, kBall, true); met.hit) {
+            leaf = door(met.feature);
+            met_m = met.end_m + half;
+        }
+    if (!leaf) return {};
+    const Aabb& stands = leaf->bounds_m;
+    // Beside its corners, and beside the place where it was met: its bounds hold more than the leaf where a frame belongs to it.
+    std::vector<Vec3> beside;
+    for (int i = 0; i < 4; ++i)
+        beside.emplace_back((i & 1) ? stands.max_m.x + kBallRoom_m : stands.min_m.x - kBallRoom_m,
+                            (i & 2) ? stands.max_m.y + kBallRoom_m : stands.min_m.y - kBallRoom_m, met_m.z);
+    const Vec3 leg(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
+    if (const double length_m = glm::length(leg); length_m > 1e-6)
+        for (const double side_m : {-kBallRoom_m, kBallRoom_m, -2.0 * kBallRoom_m, 2.0 * kBallRoom_m})
+            beside.push_back(met_m + Vec3(-leg.y, leg.x, 0.0) * (side_m / length_m));
+    for (const bool whole : {true, false}) {
+        if (!across && !whole) break;
         std::vector<Vec3> best;
         double shortest_m = std::numeric_limits<double>::infinity();
         const auto offer = [&](std::vector<Vec3> way) {
@@ -66,7 +82,8 @@ std::vector<Vec3> round_leaves(const BodyWorld& world, const Vec3& from_m, const
             Vec3 at = from_m;
             way.push_back(to_m);
             for (const Vec3& next : way) {
-                if (!free(at, next) || world.blocked(next - Vec3(0.0, 0.0, 0.5 * kBall.height_m), kBall)) return;
+                if (whole ? !ball_passes(world, at, next, kNoFeature) : !free_line(world, at, next, kNoFeature)) return;
+                if (world.blocked(next - half, kBall)) return;
                 length_m += glm::length(next - at);
                 at = next;
             }
@@ -76,21 +93,24 @@ std::vector<Vec3> round_leaves(const BodyWorld& world, const Vec3& from_m, const
                 best = std::move(way);
             }
         };
-        std::array<Vec3, 4> corners;
-        for (int i = 0; i < 4; ++i)
-            corners[static_cast<std::size_t>(i)] = Vec3((i & 1) ? stands.max_m.x + kBallRoom_m : stands.min_m.x - kBallRoom_m,
-                                                        (i & 2) ? stands.max_m.y + kBallRoom_m : stands.min_m.y - kBallRoom_m, met.z);
-        for (const Vec3& corner : corners) offer({corner});
+        for (const Vec3& one : beside) offer({one});
         if (best.empty())
-            for (const Vec3& one : corners)
-                for (const Vec3& other : corners)
+            for (const Vec3& one : beside)
+                for (const Vec3& other : beside)
                     if (one != other) offer({one, other});
-        return best;
+        if (!best.empty()) return best;
     }
     return {};
 }
 
 }  // namespace
+
+bool ball_passes(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
+    const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
+    if (world.blocked(from_m - half, kBall)) return false;
+    const TraceHit met = world.trace(from_m - half, to_m - half, kBall, true);
+    return !met.hit || (thing && met.feature == thing);
+}
 
 Vec3 place_on(const Aabb& thing_m, const Vec3& from_m) {
     const Vec3 in = glm::min(Vec3(kInside_m), 0.5 * thing_m.size_m());

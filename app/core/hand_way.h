@@ -12,6 +12,9 @@ namespace handrail {
 // Nothing solid but the thing itself stands between; thing: kNoFeature for a mere place.
 bool free_line(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing);
 
+// A ball of the hand's gets from one place to the other, or to the thing before it. A ball that touches something at the start does not.
+bool ball_passes(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing);
+
 // The place of a thing nearest to another place, a little inside it: what it stands on or hangs at holds its faces.
 Vec3 place_on(const Aabb& thing_m, const Vec3& from_m);
 

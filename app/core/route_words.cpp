@@ -86,23 +86,9 @@ std::vector<Vec3> RouteFollower::ahead_m() const {
 RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords& how) {
     Said said;
     if (!following()) return said;
-    // The nearest place on the way, not far from where one was on it: a way may pass near itself.
-    double nearest = 1e300, along = along_m_, at = 0.0;
-    for (std::size_t i = 1; i < route_.points_m.size(); ++i) {
-        const Vec3 a = route_.points_m[i - 1], leg = route_.points_m[i] - a;
-        const double length = glm::length(leg);
-        const double part = length > 0.0 ? std::clamp(glm::dot(feet_m - a, leg) / (length * length), 0.0, 1.0) : 0.0;
-        const double here = at + part * length;
-        Vec3 off = feet_m - (a + leg * part);
-        off.z *= 0.5;  // between the steps of a stair the way is a straight line
-        const double far = glm::length(off) + 0.05 * std::abs(here - along_m_);
-        if (far < nearest) {
-            nearest = far;
-            along = here;
-        }
-        at += length;
-    }
-    along_m_ = along;
+    const WayPlace place = near_on_way(route_.points_m, feet_m, along_m_);
+    const double nearest = place.distance_m + kFartherForEachMetreAlong_m * std::abs(place.along_m - along_m_);
+    along_m_ = place.along_m;
     if (glm::length(feet_m - goal_m()) < kThere_m || (left_m() < kThere_m && nearest < kThere_m)) {
         const bool named = !nodes_.empty() && !nodes_.back().what.empty();
         said.text = named ? phrase("route.arrived", {{"goal", sentence_case(nodes_.back().what)}}) : phrase("route.arrived_at_end");

@@ -304,6 +304,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             return;
         case CueRequestKind::Play:
             cue.kind = request.sound;
+            cue.pitch = request.pitch;
             play(cue, audio);
             return;
         case CueRequestKind::Demonstrate:

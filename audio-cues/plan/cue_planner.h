@@ -45,7 +45,7 @@ struct CueRequest {
     FeatureId feature = kNoFeature;
     Vec3 position_m{0.0};
     double loudness = 1.0;
-    double pitch = 1.0;        // factor: Footstep
+    double pitch = 1.0;        // factor: Footstep, Play
     double muffled_db = 0.0;   // as SoundCue
     std::uint32_t source = 0;  // as SoundCue
 };

@@ -99,7 +99,8 @@ enum class SoundKind : std::uint8_t {
     Click,  // the wall of the desk gave way, a control was pressed
     GuideStart,  // the hand will be led
     GuideStop,   // it is not led any more
-    Warmer,      // the faster, the nearer the hand is to what it looks for
+    Warmer,      // the faster, the nearer one is to what one looks for
+    Colder,      // instead, when one has come farther from it
     Alarm,
     Beep,
 };

@@ -69,6 +69,7 @@ constexpr std::array kTable{
     SoundInfo{SoundKind::GuideStart, "guide start", &Sound::earcon_volume, &Sound::guide},
     SoundInfo{SoundKind::GuideStop, "guide stop", &Sound::earcon_volume, &Sound::guide},
     SoundInfo{SoundKind::Warmer, "warmer", &Sound::beacon_volume, &Sound::beacon},
+    SoundInfo{SoundKind::Colder, "colder", &Sound::beacon_volume, &Sound::beacon},
     SoundInfo{SoundKind::Alarm, "alarm", &Sound::earcon_volume, nullptr},
     SoundInfo{SoundKind::Beep, "beep", &Sound::earcon_volume, nullptr},
 };

@@ -533,6 +533,8 @@ std::vector<float> earcon(SoundKind kind) {
             return synthesise_notes(std::array{Note{0.0, 0.09, 587.0, 1.0}, Note{0.1, 0.2, 392.0, 0.9}});
         case SoundKind::Warmer:
             return synthesise_notes(std::array{Note{0.0, 0.035, 880.0, 0.9}});
+        case SoundKind::Colder:
+            return synthesise_notes(std::array{Note{0.0, 0.07, 311.0, 0.9}});
         // Marks, landmarks and clues differ in the number of their notes; a beacon in how bright it is.
         case SoundKind::Mark:
             return synthesise_notes(std::array{Note{0.0, 0.14, 740.0, 0.9}});

@@ -7,6 +7,7 @@
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
+#include "worlds/navigation/way_place.h"
 
 namespace handrail {
 namespace {
@@ -246,7 +247,7 @@ TEST(BeaconTest, beats_faster_the_nearer_and_tells_ahead_side_and_behind) {
         last_s = Beacon::interval_s(10.0 - y);
     }
     const auto sound = [&](double heading_deg, double muffled_db = 0.0) {
-        beacon.set("thing", thing);
+        beacon.set("thing", thing, kNoFeature);
         const Listener ears{{0.0, 0.0, 1.6}, radians_from_degrees(heading_deg), 0.0};
         return *beacon
                     .tick(
@@ -269,9 +270,8 @@ TEST(BeaconTest, beats_faster_the_nearer_and_tells_ahead_side_and_behind) {
 TEST(BeaconTest, is_set_on_what_is_ahead_muted_and_brought_back) {
     Person p;
     p.enter();
-    p.stand_at({1.5, 1.0, 0.0});
+    p.stand_at({2.6, 1.0, 0.0});
     p.run(0.2);
-    // A ray at the waist passes over the table, so the wall behind is ahead; a lower table would not be found this way, and is in the list.
     p.tap(Command::SetBeacon);
     EXPECT_TRUE(p.heard("Beacon on North wall")) << testing::PrintToString(p.said);
     p.run(3.0);
@@ -302,22 +302,36 @@ void seek(Person& p, const std::string& thing, const std::string& way) {
     p.run(0.05);
 }
 
+// A ray at the waist passes over the table, so the wall behind it is ahead; but nobody walks through a table.
+TEST(BeaconTest, calls_from_the_way_round_what_one_sees_over_and_cannot_walk_through) {
+    Person p;
+    p.enter();
+    p.stand_at({1.5, 1.0, 0.0});
+    p.run(0.2);
+    p.tap(Command::SetBeacon);
+    EXPECT_TRUE(p.heard("Beacon on North wall")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.heard("Along the way")) << testing::PrintToString(p.said);
+    p.run(3.0);
+    EXPECT_EQ(p.count(SoundKind::BeaconAhead), 0);
+    EXPECT_GE(p.count(SoundKind::Beacon), 5);
+}
+
 TEST(WarmerTest, ticks_the_faster_the_nearer_is_silent_while_stopped_and_ends_on_the_thing) {
     for (double felt_m = 0.0; felt_m < 0.3; felt_m += 0.001) EXPECT_LE(Warmer::interval_s(felt_m), Warmer::interval_s(felt_m + 0.001)) << felt_m;
-    for (double felt_m = 0.0; felt_m < 0.135; felt_m += 0.005)
-        EXPECT_GT(Warmer::interval_s(felt_m + 0.005), Warmer::interval_s(felt_m) + 0.04) << "each step of 5 mm in the reach of a hand is heard";
-    EXPECT_GE(Warmer::interval_s(0.0), 0.08) << "single ticks, no buzz";
-    EXPECT_LE(Warmer::interval_s(9.0), 1.6) << "never lost";
+    for (double felt_m = 0.005; felt_m < 0.3; felt_m += 0.005)
+        EXPECT_GT(Warmer::interval_s(2.0 * felt_m), 1.09 * Warmer::interval_s(felt_m)) << "twice as far is heard, " << felt_m;
+    EXPECT_GE(Warmer::interval_s(0.0), 0.06) << "single ticks, no buzz";
+    EXPECT_LE(Warmer::interval_s(9.0), 0.5) << "never lost";
 
     Warmer warmer;
     double now_s = 0.0;
     const auto ticks_in_10_s = [&](double felt_m, bool heard) {
         int ticks = 0;
-        for (int i = 0; i < 10000; ++i, now_s += 0.001) ticks += warmer.tick(felt_m, Warmer::kFound_hand_m, heard, now_s).sound;
+        for (int i = 0; i < 10000; ++i, now_s += 0.001) ticks += warmer.tick(felt_m, Vec3(0.0), false, heard, now_s).sound;
         return ticks;
     };
     EXPECT_EQ(ticks_in_10_s(0.02, true), 0) << "nothing is sought";
-    warmer.set("cup", {{0, 0, 0}, {1, 1, 1}});
+    warmer.set("cup", {{0, 0, 0}, {1, 1, 1}}, kNoFeature);
     int before = 0;
     for (const double felt_m : {0.2, 0.1, 0.05, 0.02, 0.01, 0.005}) {
         const int ticks = ticks_in_10_s(felt_m, true);
@@ -327,11 +341,11 @@ TEST(WarmerTest, ticks_the_faster_the_nearer_is_silent_while_stopped_and_ends_on
     }
     EXPECT_EQ(ticks_in_10_s(0.02, false), 0) << "stopped";
     EXPECT_TRUE(warmer.on()) << "and still sought";
-    const Warmer::Beat last = warmer.tick(Warmer::kFound_hand_m, Warmer::kFound_hand_m, true, now_s);
+    const Warmer::Beat last = warmer.tick(Warmer::kFound_hand_m, Vec3(0.0), true, true, now_s);
     EXPECT_TRUE(last.found);
     EXPECT_FALSE(last.sound);
     EXPECT_FALSE(warmer.on());
-    EXPECT_FALSE(warmer.tick(0.0, Warmer::kFound_hand_m, true, now_s + 9.0).found) << "told once";
+    EXPECT_FALSE(warmer.tick(0.0, Vec3(0.0), true, true, now_s + 9.0).found) << "told once";
 }
 
 TEST(WarmerTest, is_told_ticks_for_hand_or_body_and_is_off_when_asked_again) {
@@ -380,6 +394,75 @@ TEST(WarmerTest, is_told_ticks_for_hand_or_body_and_is_off_when_asked_again) {
         p.tap(Command::StopEverything);
         EXPECT_EQ(ticks(), 0) << "all sound is stopped";
     }
+}
+
+TEST(WarmerTest, tells_by_its_pitch_how_directly_one_came_nearer_or_went_away) {
+    Warmer warmer;
+    warmer.set("cup", {{0, 0, 0}, {0, 0, 0}}, kNoFeature);
+    double now_s = 0.0;
+    const auto goes_to = [&](const Vec3& hand_m) {
+        now_s += 1.0;
+        const Warmer::Beat beat = warmer.tick(glm::length(hand_m), hand_m, false, true, now_s);
+        EXPECT_TRUE(beat.sound);
+        return beat.nearer;
+    };
+    EXPECT_EQ(goes_to({0.1, 0, 0}), 0.0) << "the first";
+    EXPECT_NEAR(goes_to({0.08, 0, 0}), 1.0, 1e-9);
+    EXPECT_EQ(goes_to({0.08, 0, 0}), 0.0) << "at rest";
+    EXPECT_NEAR(goes_to({0.09, 0, 0}), -1.0, 1e-9);
+    EXPECT_NEAR(goes_to({0.09, 0.005, 0}), 0.0, 0.05) << "past it";
+    EXPECT_NEAR(goes_to({0.085, 0.0, 0}), 0.73, 0.05) << "half round to it";
+}
+
+// An L of two legs; whoever goes round its corner hears the distance of the walk, and where the way is planned anew nothing jumps.
+TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuous_where_it_is_planned_anew) {
+    SoughtWay way;
+    const auto follow = [&](const Vec3& at_m) { way.follow(at_m, kHeightCountsForWalkers, {}); };
+    EXPECT_TRUE(way.wants_plan(false, 0.0));
+    way.plan({{0, 0, 0}, {0, 10, 0}, {10, 10, 0}}, {}, 0.5, {0, 0, 0}, 0.0);
+    EXPECT_TRUE(way.known());
+    EXPECT_FALSE(way.wants_plan(false, 5.0));
+    EXPECT_TRUE(way.wants_plan(true, 5.0)) << "something stands elsewhere";
+    EXPECT_FALSE(way.wants_plan(true, 0.5)) << "no sooner than after a second";
+    EXPECT_NEAR(way.left_m(), 20.5, 1e-9);
+    EXPECT_EQ(way.next_turning_m(), Vec3(0, 10, 0));
+    double before_m = way.told_m();
+    for (double y = 0.1; y < 9.55; y += 0.1) {
+        follow({0, y, 0});
+        EXPECT_NEAR(before_m - way.told_m(), 0.1, 1e-9);
+        before_m = way.told_m();
+    }
+    EXPECT_EQ(way.next_turning_m(), Vec3(0, 10, 0));
+    follow({0, 9.7, 0});
+    EXPECT_EQ(way.next_turning_m(), Vec3(10, 10, 0)) << "at the turning the next is called from";
+    // Beside it: little at first, then as far as one is off, and then it is to be planned anew.
+    follow({3, 10.3, 0});
+    EXPECT_NEAR(way.left_m(), 7.5 + SoughtWay::kSlope * 0.3 * 0.3 / 1.2, 1e-9);
+    way.follow({3, 11.5, 0}, kHeightCountsForWalkers, [](const Vec3&) { return false; });
+    EXPECT_TRUE(way.wants_plan(false, 5.0));
+    // The new way is 4 m longer. Told is what was told, and comes nearer to it only by going, so that nearer is never told as farther.
+    before_m = way.told_m();
+    way.plan({{3, 11.5, 0}, {3, 16, 0}, {10, 16, 0}}, {}, 1.0, {3, 11.5, 0}, 6.0);
+    EXPECT_NEAR(way.told_m(), before_m, 1e-9);
+    Vec3 at(3, 11.5, 0);
+    for (int i = 0; i < 38; ++i) {
+        at.y += 0.1;
+        follow(at);
+        EXPECT_LT(way.told_m(), before_m);
+        EXPECT_GT(way.told_m(), before_m - 0.16);
+        before_m = way.told_m();
+    }
+    follow(at);
+    EXPECT_NEAR(way.told_m(), before_m, 1e-9) << "who rests hears no change";
+    // Seen from afar it is where one goes back to; hidden it is to be planned anew.
+    for (const bool seen : {true, false}) {
+        way.follow(Vec3(5, 14, 0), kHeightCountsForWalkers, [&](const Vec3&) { return seen; });
+        EXPECT_EQ(way.wants_plan(false, 8.0), !seen);
+    }
+    way.follow(Vec3(5, 9, 0), kHeightCountsForWalkers, {});
+    EXPECT_TRUE(way.wants_plan(false, 8.0)) << "seen, but far";
+    way.no_way(9.0);
+    EXPECT_FALSE(way.known());
 }
 
 TEST(LapsTest, help_falls_as_errors_do_and_never_grows_by_itself) {
