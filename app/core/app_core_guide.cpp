@@ -259,7 +259,7 @@ void AppCore::seek_warmer(const Goal& goal, double now_s) {
 
 // ---- along the way ----
 
-// From where one is; again to the same place beside the thing, which is a tenth of the work of looking for one.
+// From where one is; again to the same place beside the thing, which saves looking for one.
 void AppCore::plan_sought(SoughtWay& way, const Sought& sought, bool hand, double now_s) {
     guiding_.ways_planned_in = scene_;
     guiding_.ways_jump = pose_.jump;

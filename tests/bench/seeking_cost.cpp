@@ -1,0 +1,85 @@
+// What the tools that lead along the way cost in our house: to plan a way when one is wished for, and to look at each frame where on it one is.
+// By hand: build/release/bin/seeking_cost.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+
+#include "app/core/hand_way.h"
+#include "app/core/sought_way.h"
+#include "worlds/navigation/way_place.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::size_t kMostPoints = 64;
+constexpr double kHand_m = 1.0;
+
+// From the front door to a thing: near by, across a room, and on the other floor.
+constexpr const char* kThings[] = {"Coat stand", "Dining table", "Piano"};
+
+struct House {
+    House()
+        : scene(std::make_shared<const Scene>(*read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map"))),
+          world(scene),
+          navigation(*Navigation::make(*scene, walk_body(*scene, 0.25, 1.7, 0.2))),
+          feet_m(scene->starts.front().feet_m) {}
+    FeatureId thing(const char* name) const {
+        const auto& all = scene->features;
+        const auto found = std::find_if(all.begin(), all.end(), [&](const Feature& feature) { return feature.name == name; });
+        return FeatureId{static_cast<std::uint32_t>(found - all.begin())};
+    }
+    Route walk(FeatureId id) const { return walk_to_thing(*navigation, world, feet_m, scene->find(id)->bounds_m, id); }
+    std::vector<Vec3> by_hand(FeatureId id) const {
+        return hand_way(walk(id), feet_m + Vec3(0.0, 0.0, kHand_m), kHand_m, world, scene->find(id)->bounds_m, id, kMostPoints);
+    }
+    std::shared_ptr<const Scene> scene;
+    BodyWorld world;
+    std::shared_ptr<Navigation> navigation;
+    Vec3 feet_m;
+};
+
+const House& house() {
+    static const House the_house;
+    return the_house;
+}
+
+void plan_walk(benchmark::State& state) {
+    const char* name = kThings[state.range(0)];
+    state.SetLabel(name);
+    const FeatureId id = house().thing(name);
+    for (auto _ : state) benchmark::DoNotOptimize(house().walk(id));
+}
+BENCHMARK(plan_walk)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+
+void plan_for_a_hand(benchmark::State& state) {
+    const char* name = kThings[state.range(0)];
+    state.SetLabel(name);
+    const FeatureId id = house().thing(name);
+    for (auto _ : state) benchmark::DoNotOptimize(house().by_hand(id));
+}
+BENCHMARK(plan_for_a_hand)->DenseRange(0, 2)->Unit(benchmark::kMillisecond);
+
+// Somebody who goes along it, half a metre beside it, and sees it or not.
+void look_where_on_it(benchmark::State& state) {
+    const char* name = kThings[state.range(0)];
+    state.SetLabel(name);
+    const FeatureId id = house().thing(name);
+    const std::vector<Vec3> points = house().by_hand(id);
+    SoughtWay way;
+    way.plan(points, {}, 0.0, points.front(), 0.0);
+    double along_m = 0.0;
+    const double length_m = way.left_m();
+    for (auto _ : state) {
+        along_m = along_m + 0.01 < length_m ? along_m + 0.01 : 0.0;
+        const Vec3 at = place_along(points, along_m) + Vec3(0.3, 0.4, 0.0);
+        way.follow(at, 1.0, [&](const Vec3& place) { return free_line(house().world, at, place, id); });
+        benchmark::DoNotOptimize(way.told_m());
+    }
+}
+BENCHMARK(look_where_on_it)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace handrail
+
+BENCHMARK_MAIN();
