@@ -17,7 +17,7 @@ constexpr double kLeastTravel_s = 0.1, kMostTravel_s = 60.0;
 // Doors of a building.
 constexpr double kLeafTravel_s = 1.2;
 constexpr double kQuarterTurn_rad = kPi / 2.0;
-constexpr int kStartsOpen = 1, kDoNotLink = 4;  // bits of a door's spawnflags
+constexpr int kStartsOpen = 1, kDoNotLink = 4, kStays = 32;  // bits of a door's spawnflags
 
 std::string name_of_key(const MapEntity& entity, std::string_view key) { return lower_ascii(trimmed(entity.value(key)).substr(0, 256)); }
 
@@ -102,6 +102,7 @@ void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view cla
     const std::optional<double> wait_s = keys.number_of(entity, "wait", -1.0, 3600.0, "map.range_wait");
     read.has_wait = wait_s.has_value();
     read.mover.wait_s = wait_s.value_or(lift ? kLiftWait_s : button ? kButtonWait_s : kDoorWait_s);
+    if (door && (flags_of(entity) & kStays) != 0) read.mover.wait_s = -1.0;
     read.mover.rests_far = door && (flags_of(entity) & kStartsOpen) != 0;
     found.movers.push_back(std::move(read));
 }
