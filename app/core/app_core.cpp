@@ -902,6 +902,7 @@ void AppCore::walk(double now_s, double dt_s) {
             cue(std::move(bump));
             if (const int met = mover_of(walked.bump->feature); met >= 0 && scene_->features[walked.bump->feature.value].kind == FeatureKind::Button)
                 press_mover(static_cast<std::uint32_t>(met), false, now_s);  // in games a button is walked against
+            if (!lock_words(walked.bump->feature).empty()) tell_shut_door(walked.bump->feature, now_s);
         }
         blocked_ = true;
     } else if (way != 0.0 && walked.walked_m > 0.9 * std::abs(way)) {

@@ -333,6 +333,7 @@ private:
     void notice_room(double now_s, bool quietly);
     void draw_rooms();
     std::string passage_name(PassageKind kind, FeatureId feature, double rise_m) const;
+    std::string passage_now(PassageKind kind, FeatureId feature, double rise_m) const;
     void tell_exits(bool unvisited_only, double now_s);
     void list_routes(double now_s);
     void way_to_room(std::uint32_t room, double now_s);
@@ -391,6 +392,10 @@ private:
     void meet_switch(FeatureId volume, double now_s);
     int mover_of(FeatureId feature) const;
     bool usable(std::size_t mover) const;
+    bool locked(std::uint32_t mover) const;
+    bool shut(std::uint32_t mover) const;
+    std::optional<FeatureId> button_of(std::uint32_t mover) const;
+    std::string lock_words(FeatureId door) const;
     void press_mover(std::uint32_t mover, bool back_again, double now_s);
     void change_world(Scene scene, double now_s);
     void feel_scene(double now_s);

@@ -20,7 +20,6 @@ constexpr double kRests_s = 0.3;         // afterwards a new way is planned
 constexpr double kWaist_m = 1.0;
 constexpr double kLowest_m = 0.3, kHighest_m = 1.6;  // of a led hand over the floor: over door sills, under lintels
 constexpr double kGroovesAgain_s = 1.0;              // grooves that ended are laid again no sooner
-constexpr double kShut = 0.5;                        // a door that has come less of its way is shut
 constexpr double kDoorAhead_m = 1.0;                 // along the way, to a door that is told: within reach
 // Where the way leads out of reach the workspace goes on along it: from so much of the reach on, back to so much of it, and so fast.
 constexpr double kCarryFrom = 0.55, kCarryTo = 0.45;
@@ -233,7 +232,7 @@ void AppCore::tell_shut_door(FeatureId feature, double now_s) {
     if (mover < 0 || scene_->features[feature.value].kind != FeatureKind::Door) return;
     std::vector<FeatureId>& told = guiding_.doors_told;
     const auto before = std::find(told.begin(), told.end(), feature);
-    if (movers_.away(static_cast<std::uint32_t>(mover)) >= kShut) {
+    if (!shut(static_cast<std::uint32_t>(mover))) {
         if (before != told.end()) told.erase(before);
         return;
     }

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kReach_m = 1.2;           // from the middle of the body to what it uses
 constexpr double kBounced_hand_m = 0.015;  // off a door that it has just met, while one hears which it is
+constexpr double kShut = 0.5;              // a door that has come less of its way is shut
 constexpr double kCloseToLift_m = 0.05;    // soles above the lift that carries them
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
@@ -25,6 +26,22 @@ bool overlap(const Aabb& a, const Aabb& b) {
 
 // What moves, or at least sets others going: a button may be too flat to be pressed in.
 bool AppCore::usable(std::size_t mover) const { return thing_of_mover_[mover] >= 0 || !scene_->movers[mover].sets_going.empty(); }
+
+// A door that neither a hand nor coming near opens: its button does, or some place that one walks into.
+bool AppCore::locked(std::uint32_t mover) const {
+    const Mover& door = scene_->movers[mover];
+    return scene_->features[door.feature.value].kind == FeatureKind::Door && !door.by_hand && door.approach_m.empty();
+}
+
+bool AppCore::shut(std::uint32_t mover) const { return movers_.away(mover) < kShut; }
+
+// "locked"; empty where nothing keeps it shut, or it stands open by now.
+std::string AppCore::lock_words(FeatureId door) const {
+    const int found = mover_of(door);
+    const auto mover = static_cast<std::uint32_t>(found);
+    if (found < 0 || !locked(mover) || !shut(mover)) return {};
+    return phrase(button_of(mover) ? "rooms.locked" : "questions.opened_from_elsewhere");
+}
 
 // By hand or by walking against it.
 void AppCore::press_mover(std::uint32_t mover, bool back_again, double now_s) {
@@ -81,24 +98,30 @@ void AppCore::use(double now_s) {
     press_mover(mover, true, now_s);
 }
 
-// What opens it: the key, or the button that is nearest to the body, with where that is.
-std::string AppCore::shut_door_words(std::uint32_t mover) const {
-    const Mover& door = scene_->movers[mover];
-    const std::string name = sentence_case(name_of(door.feature));
-    if (door.by_hand) return phrase("lead.door_shut", {{"door", name}, {"key", keys_.keys_of(Command::Use)}});
-    if (!door.approach_m.empty()) return phrase("movers.opens_by_itself", {{"name", name}});
+// What opens it and is pressed by hand: the one nearest to the body.
+std::optional<FeatureId> AppCore::button_of(std::uint32_t mover) const {
     std::optional<FeatureId> button;
     double nearest_m = 1e9;
     for (const Mover& other : scene_->movers) {
-        const auto opens = [&](std::uint32_t set_going) { return scene_->movers[set_going].group == door.group; };
+        const auto opens = [&](std::uint32_t set_going) { return scene_->movers[set_going].group == scene_->movers[mover].group; };
         if (!other.by_hand || std::none_of(other.sets_going.begin(), other.sets_going.end(), opens)) continue;
         const double distance_m = std::sqrt(distance_squared(box_of(*scene_, other.feature), feet_m() + Vec3(0.0, 0.0, kLookHeight_m)));
         if (distance_m >= nearest_m) continue;
         nearest_m = distance_m;
         button = other.feature;
     }
+    return button;
+}
+
+// What opens it: the key, or the button that is nearest to the body, with where that is.
+std::string AppCore::shut_door_words(std::uint32_t mover) const {
+    const Mover& door = scene_->movers[mover];
+    const std::string name = sentence_case(name_of(door.feature));
+    if (door.by_hand) return phrase("lead.door_shut", {{"door", name}, {"key", keys_.keys_of(Command::Use)}});
+    if (!door.approach_m.empty()) return phrase("movers.opens_by_itself", {{"name", name}});
+    const std::optional<FeatureId> button = button_of(mover);
     if (!button) return phrase("movers.opened_from_elsewhere", {{"name", name}});
-    return phrase("movers.opened_by_button", {{"name", name}, {"button", name_of(*button)}, {"where", where_words(box_of(*scene_, *button))}});
+    return phrase("movers.opened_by_button", {{"name", name}, {"button", sentence_case(name_of(*button))}, {"where", where_words(box_of(*scene_, *button))}});
 }
 
 void AppCore::meet_switch(FeatureId volume, double now_s) {
@@ -151,7 +174,7 @@ void AppCore::play_movers(double now_s, double dt_s) {
         if (event.kind == MoverEvent::Kind::Arrives) movers_arrived_ = true;
         const Vec3 middle = feature.bounds_m.centre_m();
         const double distance_m = glm::length(middle - feet_m());
-        // One leaf speaks for a group, and only what is near or in the same room is told in words.
+        // One leaf speaks for a group, and only what is near is told in words; a locked door, which waited for its button, from anywhere.
         const bool first =
             std::none_of(scene_->movers.begin(), scene_->movers.begin() + event.mover, [&](const Mover& other) { return other.group == mover.group; });
         if (!first) continue;
@@ -162,14 +185,16 @@ void AppCore::play_movers(double now_s, double dt_s) {
         sound.position_m = middle;
         sound.material = scene_->material(feature.material).sound;
         if (event.kind == MoverEvent::Kind::Leaves || (event.kind == MoverEvent::Kind::Arrives && event.at_rest)) {
-            const bool speaks = distance_m < 10.0;
+            const bool speaks = distance_m < 10.0 || locked(event.mover);
             if (event.kind == MoverEvent::Kind::Leaves && event.at_rest) continue;  // it shuts: heard when it is shut
             cue(std::move(sound));
             if (!speaks) continue;
             const std::string name = sentence_case(spoken_name(feature));
             const bool opens = feature.kind == FeatureKind::Door, button = feature.kind == FeatureKind::Button;
+            // What a button has brought about is an answer: as the name of what is met it would replace "button pressed", or be replaced by it.
+            const SpeechClass as = locked(event.mover) ? SpeechClass::Answer : SpeechClass::Contact;
             if (event.kind == MoverEvent::Kind::Leaves)
-                say(phrase(opens ? "movers.opens" : button ? "movers.pressed" : "movers.moves", {{"name", name}}), SpeechClass::Contact, now_s);
+                say(phrase(opens ? "movers.opens" : button ? "movers.pressed" : "movers.moves", {{"name", name}}), as, now_s);
             else say(phrase(opens ? "movers.is_shut" : button ? "movers.is_out_again" : "movers.is_back", {{"name", name}}), SpeechClass::Ambient, now_s);
         } else if (event.kind == MoverEvent::Kind::TurnsBack) {
             say(phrase("movers.met_you", {{"name", sentence_case(spoken_name(feature))}}), SpeechClass::Contact, now_s);

@@ -32,7 +32,7 @@ std::string AppCore::state_of(const Sight& sight) const {
         const double away = movers_.away(i);
         if (feature->kind == FeatureKind::Door) {
             text = phrase(away > kOpen ? "questions.open" : away < kShut ? "questions.shut" : "questions.half_open");
-            if (away < kShut && !mover.by_hand && mover.approach_m.empty()) text = joined(text, phrase("questions.opened_from_elsewhere"));
+            if (away < kShut && locked(i)) text = joined(text, phrase("questions.opened_from_elsewhere"));
         } else if (away > kShut) {
             text = phrase("questions.moved");
         }

@@ -122,6 +122,11 @@ std::string AppCore::passage_name(PassageKind kind, FeatureId feature, double ri
     return phrase("rooms.opening");
 }
 
+// With what is in the way there by now: "Door, locked".
+std::string AppCore::passage_now(PassageKind kind, FeatureId feature, double rise_m) const {
+    return joined(passage_name(kind, feature, rise_m), lock_words(feature));
+}
+
 void AppCore::tell_exits(bool unvisited_only, double now_s) {
     if (!have_rooms(now_s)) return;
     if (room_ == kNothing) return answer(phrase("rooms.nowhere"), now_s);
@@ -135,7 +140,8 @@ void AppCore::tell_exits(bool unvisited_only, double now_s) {
         ++count;
         const Vec3 off = portal.place_m - feet_m();
         const std::string what = passage_name(portal.kind, portal.feature, 0.0), to = graph.rooms[other].name;
-        const std::string where = where_words(std::hypot(off.x, off.y), std::atan2(off.x, off.y)), exit = sentence_case(what);
+        const std::string exit = sentence_case(what);
+        const std::string where = joined(where_words(std::hypot(off.x, off.y), std::atan2(off.x, off.y)), lock_words(portal.feature));
         told += " " + (to == what ? phrase("rooms.exit", {{"exit", exit}, {"where", where}})
                                   : phrase("rooms.exit_to", {{"exit", exit}, {"room", to}, {"where", where}}));
     }
@@ -229,7 +235,7 @@ void AppCore::name_room(std::uint32_t room, const std::string& typed, double now
 }
 
 std::vector<RouteNode> AppCore::nodes_to(const Route& route, const std::string& goal) const {
-    return nodes_of(route, goal, [this](const RoutePassage& passage) { return passage_name(passage.kind, passage.feature, passage.rise_m); });
+    return nodes_of(route, goal, [this](const RoutePassage& passage) { return passage_now(passage.kind, passage.feature, passage.rise_m); });
 }
 
 void AppCore::follow_way(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s) {
@@ -292,7 +298,7 @@ void AppCore::tell_way_on(double now_s) {
     const std::string where = where_words(std::hypot(off.x, off.y), std::atan2(off.x, off.y)), all = sentence_case(distance_words(route.length_m, distances()));
     for (const RoutePassage& passage : route.passages)
         if (passage.at_m < leg->along_m + 1.0) {
-            const std::string what = passage_name(passage.kind, passage.feature, passage.rise_m);
+            const std::string what = passage_now(passage.kind, passage.feature, passage.rise_m);
             return answer(phrase("way.next_passage", {{"goal", follow_name_}, {"where", where}, {"passage", what}, {"all", all}}), now_s);
         }
     answer(phrase("way.next", {{"goal", follow_name_}, {"where", where}, {"all", all}}), now_s);

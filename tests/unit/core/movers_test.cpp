@@ -138,6 +138,25 @@ TEST(Movers, a_button_opens_the_door_that_has_its_name_and_nothing_else_does) {
     EXPECT_GT(walk.app.feet_m().y, 4.5);
 }
 
+TEST(Movers, a_locked_door_tells_of_its_button_once_it_is_walked_into_and_that_it_opens_from_anywhere) {
+    const std::string button =
+        entity("func_button", key("target", "gate") + key("angle", "90") + key("name", "Red button"), box_brush(150, 600, 0, 170, 604, 48));
+    // Bit 32 and no `wait`: it stays open.
+    const std::string gate = door(key("angle", "-1") + key("targetname", "gate") + key("spawnflags", "32") + key("name", "Gate"));
+    Walk walk(world(kWall + gate + button, true));
+    walk.walk(4.0);
+    EXPECT_TRUE(walk.heard("is locked. Red button"));
+    walk.app.place({5.0, 18.2, 0.0}, 0.0, walk.now);  // 15 m beyond
+    walk.tap(Command::Use, 4.0);
+    EXPECT_TRUE(walk.heard("Red button pressed"));
+    EXPECT_TRUE(walk.heard("Gate opens"));
+    walk.run(10.0);
+    EXPECT_FALSE(walk.heard("Gate is shut"));
+    walk.app.place({5.0, 2.4, 0.0}, 0.0, walk.now);
+    walk.walk(3.0);
+    EXPECT_GT(walk.app.feet_m().y, 4.5);
+}
+
 TEST(Movers, a_lift_waits_below_and_carries_whoever_steps_on) {
     const std::string lift = entity("func_plat", key("name", "Lift"), box_brush(96, 64, 0, 224, 192, 96));
     Walk walk(world(lift, true));
