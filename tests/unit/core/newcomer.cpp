@@ -121,14 +121,29 @@ bool Newcomer::walk(int steps) {
             continue;
         }
         if (!bumped_since(sounds)) continue;
+        if (told_of_lock(said)) return true;
         const std::string ahead = ask("3");
         if (heard("door", said) || ahead.find("oor") != std::string::npos) {
             const std::string answer = ask("Enter", 3.0);
+            if (told_of_lock(said)) return true;
             if (answer.find("opens") != std::string::npos || answer.find("Left") != std::string::npos) {
                 tap("Up", 0.9);
                 continue;
             }
         }
+        return true;
+    }
+    return false;
+}
+
+// "Door is locked. Button, metal opens it, 70 steps, behind, above."
+bool Newcomer::told_of_lock(std::size_t since) {
+    static const std::regex told("(\\S.*) is locked\\. (.+) opens it, (.+)\\.");
+    std::smatch found;
+    for (std::size_t i = since; i < lines(); ++i) {
+        const std::string text = line(i);
+        if (!std::regex_search(text, found, told)) continue;
+        locked_ = Locked{found[1], found[2], found[3]};
         return true;
     }
     return false;
@@ -146,7 +161,7 @@ bool Newcomer::obey(const std::string& text) {
     if (!direction) return false;
     turn(direction->right_deg);
     over_edges_ = text.find("edge") != std::string::npos;  // the way leads down there
-    if (walk(std::clamp(direction->steps, 1, 8))) get_round();
+    if (walk(std::clamp(direction->steps, 1, 8)) && !locked_) get_round();
     return true;
 }
 
@@ -184,10 +199,24 @@ bool Newcomer::go_to_room(const std::string& room) {
     const std::size_t since = lines();
     const std::string way = choose("Shift+4", room);
     if (way.empty() || way.find("No walking way") != std::string::npos) return false;
-    for (int asked = 0; asked < 120; ++asked) {
-        if (heard(room + " You are there", since)) return true;
+    return follow_words_to(room, since);
+}
+
+bool Newcomer::go_by_words_to_thing(const std::string& thing) {
+    const std::size_t since = lines();
+    if (choose("Shift+H", thing).empty()) return false;
+    tap("Down");
+    const std::string way = ask("Enter", 0.8);
+    if (way.empty() || way.find("No walking way") != std::string::npos) return false;
+    return follow_words_to(thing, since);
+}
+
+bool Newcomer::follow_words_to(const std::string& goal, std::size_t since) {
+    locked_.reset();
+    for (int asked = 0; asked < 120 && !locked_; ++asked) {
+        if (heard(goal + " You are there", since)) return true;
         const std::string on = choose("Shift+4", "Where the way goes on");
-        if (heard(room + " You are there", since)) return true;
+        if (heard(goal + " You are there", since)) return true;
         if (!obey(on)) return false;
     }
     return false;

@@ -40,10 +40,19 @@ public:
     // Opens the list and chooses the first entry that begins so. What is said then; empty: there is none.
     std::string choose(const std::string& key, const std::string& begin);
 
-    // To a room by its name: chosen from the list of ways, then asked again and again where the way goes on. True when it is told that one is there.
+    // To a room by its name: chosen from the list of ways, then asked again and again where the way goes on. True when it is told that one is there;
+    // false before a locked door too, which `locked` then tells of.
     bool go_to_room(const std::string& room);
+    // To a thing by its name, in words as to a room: the second of the ways to find it.
+    bool go_by_words_to_thing(const std::string& thing);
     // To a thing by its name: the beacon is set on it and followed by ear until it is told that one is there.
     bool go_to_thing(const std::string& thing);
+
+    // What was told of the locked door that ended the last way, and of its button; none: no such door did.
+    struct Locked {
+        std::string door, button, where;
+    };
+    const std::optional<Locked>& locked() const { return locked_; }
 
     // How the world's own sounds of a kind come to the ears: which of them, degrees to the right, and decibels lost on the way through walls.
     struct Heard {
@@ -54,9 +63,14 @@ public:
     // Turns to where something is heard and goes two steps.
     void obey_ears(double right_deg);
 
+    // For whoever judges the newcomer, who does not know it.
+    Vec3 feet_m() const { return session_->app().feet_m(); }
+
 private:
     bool bumped_since(std::size_t sounds) const;
     void get_round();
+    bool told_of_lock(std::size_t since);
+    bool follow_words_to(const std::string& goal, std::size_t since);
     double right_of_ears_deg(const Vec3& place_m) const;
     double heading_deg();
 
@@ -65,6 +79,7 @@ private:
     std::unique_ptr<HeadlessSession> session_;
     int met_ = 0;
     bool over_edges_ = false;
+    std::optional<Locked> locked_;
 };
 
 // "5 steps, 30 degrees right", "12 steps to the left", "close by, ahead": the first that stands in a text.

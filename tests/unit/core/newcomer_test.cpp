@@ -3,12 +3,14 @@
 
 #include <set>
 
+#include "app/core/session_log.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace {
 
+using test::direction_in;
 using test::Newcomer;
 
 std::shared_ptr<const Scene> real(const std::string& name) {
@@ -22,19 +24,62 @@ std::shared_ptr<const Scene> real(const std::string& name) {
 // "Corridor, 6 by 26 metres, south" of "Corridor, 6 by 26 metres, south, 35 steps".
 std::string name_of(const std::string& entry) { return entry.substr(0, entry.rfind(", ")); }
 
+// Where the way to a room is told to lead: chosen by a word in its name.
+std::string room_with(Newcomer& n, const std::string& word) {
+    for (const std::string& room : n.entries("Shift+4"))
+        if (room.find(word) != std::string::npos) return name_of(room);
+    return {};
+}
+
 TEST(ANewcomer, walks_the_first_tutorial_map_from_its_start_to_its_exit_through_its_door) {
     const auto world = real("agtut01.map");
     if (!world) GTEST_SKIP() << "agtut01.map is not here";
     Newcomer n(world);
-    std::string exit_room;
-    for (const std::string& room : n.entries("Shift+4"))
-        if (room.find("exit") != std::string::npos) exit_room = name_of(room);
+    const std::string exit_room = room_with(n, "exit");
     ASSERT_FALSE(exit_room.empty()) << n.last_lines(5);
     EXPECT_TRUE(n.go_to_room(exit_room)) << n.last_lines(20);
     EXPECT_TRUE(n.heard("Door opens")) << n.last_lines(20);
     if (!n.heard("You have reached the exit")) {
         EXPECT_TRUE(n.go_to_thing("Exit")) << n.last_lines(20);
     }
+    for (int steps = 0; steps < 6 && !n.heard("You have reached the exit"); ++steps) n.walk(1);
+    EXPECT_TRUE(n.heard("You have reached the exit")) << n.last_lines(20);
+    std::cout << "the exit after " << n.now_s() << " s\n";
+}
+
+// The door before the exit waits for its button, which is two rooms away and higher up.
+TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button_presses_it_and_goes_through_the_door) {
+    const auto world = real("agtut05.map");
+    if (!world) GTEST_SKIP() << "agtut05.map is not here";
+    const auto door = std::find_if(world->movers.begin(), world->movers.end(), [](const Mover& mover) { return !mover.by_hand; });
+    ASSERT_NE(door, world->movers.end());
+    const Aabb leaf = world->features[door->feature.value].bounds_m;
+    Newcomer n(world);
+    const std::string exit_room = room_with(n, "exit");
+    ASSERT_FALSE(exit_room.empty()) << n.last_lines(5);
+    EXPECT_FALSE(n.go_to_room(exit_room)) << n.last_lines(20);
+    EXPECT_TRUE(n.heard("steps to door, locked")) << "before one has gone a step";
+    ASSERT_TRUE(n.locked()) << n.last_lines(20);
+    EXPECT_EQ(n.locked()->door, "Door");
+    EXPECT_EQ(n.locked()->button.rfind("Button", 0), 0U) << n.locked()->button;
+    EXPECT_TRUE(direction_in(n.locked()->where)) << n.locked()->where;
+    EXPECT_LT(n.feet_m().x, leaf.min_m.x) << "the start is west of the door, the exit east of it";
+    std::cout << n.locked()->door << " locked, " << n.locked()->button << " " << n.locked()->where << ": after " << n.now_s() << " s\n";
+    const std::string exits = n.ask("X", 1.0);
+    EXPECT_TRUE(words_in_order("Door to " + exit_room + " locked", exits)) << exits;
+    // By the name that was told, as the list of things has it.
+    const std::string button = n.locked()->button.substr(0, n.locked()->button.find(", "));
+    ASSERT_TRUE(n.go_by_words_to_thing(button)) << n.last_lines(20);
+    const std::size_t before = n.lines();
+    EXPECT_FALSE(n.heard(button + " pressed")) << "it is pressed by its key, not by walking against it";
+    n.tap("Enter", 3.0);
+    EXPECT_TRUE(n.heard(button + " pressed", before)) << n.last_lines(5);
+    EXPECT_TRUE(n.heard("Door opens", before)) << n.last_lines(5);
+    std::cout << "pressed after " << n.now_s() << " s\n";
+    EXPECT_TRUE(n.go_to_room(exit_room)) << n.last_lines(20);
+    EXPECT_FALSE(n.heard("locked", before)) << "nobody says so any longer";
+    EXPECT_GT(n.feet_m().x, leaf.max_m.x + 0.25) << "through the door";
+    EXPECT_TRUE(n.go_to_thing("Exit")) << n.last_lines(20);
     for (int steps = 0; steps < 6 && !n.heard("You have reached the exit"); ++steps) n.walk(1);
     EXPECT_TRUE(n.heard("You have reached the exit")) << n.last_lines(20);
     std::cout << "the exit after " << n.now_s() << " s\n";
