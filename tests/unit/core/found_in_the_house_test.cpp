@@ -4,9 +4,10 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "app/core/hand_way.h"
 #include "app/core/words.h"
@@ -345,12 +346,10 @@ public:
         before_m_ = proxy();
         Vec3 way = next_way();
         int held = 0;
-        double went_m = 0.0;
         while (!search_.over()) {
             const Vec3 from = proxy();
             const double speed_m_per_s = speed();
             step(0.01 * speed_m_per_s * way, speed_m_per_s);
-            went_m += 0.01 * speed_m_per_s;
             held = glm::dot(proxy() - from, way) < 0.003 * speed_m_per_s ? held + 1 : 0;
             if (const auto tick = nearer_heard()) {
                 sense_.hear(glm::normalize(tick->went_m), tick->nearer);
@@ -366,6 +365,7 @@ public:
 
 private:
     static constexpr double kFeel_m = 0.002, kPress_m = 0.0006;
+    static constexpr double kFast = 0.9;  // hand metres a second for each second between ticks
     struct HeardNearer {
         Vec3 went_m{0.0};  // hand metres
         double nearer = 0.0;
@@ -374,13 +374,11 @@ private:
     Vec3 proxy() const { return p_.tool().proxy_m / p_.app().tuning().touch.world_m_per_hand_m; }
     // The faster it ticks, the slower: it is near.
     double speed() const { return std::clamp(kFast * (interval_s_ - 0.05), 0.02, 0.10); }
-    static constexpr double kFast = 0.9;
     Vec3 next_way() {
         const Vec3 doubt = (weave_ = -weave_) * sense_.doubt();
-        const Vec3 way = sense_.way() + kWeave * doubt;
+        const Vec3 way = sense_.way() + doubt;
         return glm::length(way) > 0.05 ? glm::normalize(way) : glm::normalize(doubt);
     }
-    static constexpr double kWeave = 1.0;
     void step(const Vec3& by_m, double speed_m_per_s) {
         if (hand_.have_room(glm::length(by_m))) {
             nearer_heard();
