@@ -422,11 +422,11 @@ private:
     void start_beacon(const Goal& goal);
     void play_beacon(double now_s);
     void play_warmer(double now_s);
-    void plan_sought(SoughtWay& way, const Sought& sought, bool hand, double now_s);
-    bool keep_way(SoughtWay& way, const Sought& sought, bool hand, double now_s);
+    void plan_sought(AlongWay& along, const Sought& sought, bool hand, double now_s);
+    bool keep_way(AlongWay& along, const Sought& sought, bool hand, double now_s);
     bool straight_before(const SoughtWay& way, const Sought& sought, bool hand) const;
     bool body_gets_to(const Sought& sought) const;
-    std::string sought_words(SoughtWay& way, const Sought& sought, bool hand, double now_s);
+    std::string sought_words(AlongWay& along, const Sought& sought, bool hand, double now_s);
     std::optional<Vec3> beacon_turning(double now_s);
     bool hand_seeks() const { return hand_.present && tool_.ticks > 0; }
     // Being led: app_core_lead.cpp.

@@ -205,15 +205,14 @@ void AppCore::open_tools(const Goal& goal, double now_s) {
 
 void AppCore::start_beacon(const Goal& goal) {
     guiding_.beacon.set(goal.name, goal.box_m, goal.feature);
-    guiding_.beacon_way.clear();
-    guiding_.looked_s = -1e9;
+    guiding_.beacon_along = {};
     guiding_.doors_told.clear();
 }
 
 void AppCore::set_beacon(const Goal& goal, double now_s) {
     guiding_.goal = goal;
     start_beacon(goal);
-    const std::string how = sought_words(guiding_.beacon_way, guiding_.beacon, false, now_s);
+    const std::string how = sought_words(guiding_.beacon_along, guiding_.beacon, false, now_s);
     answer(phrase("guide.beacon_on", {{"name", goal.name}, {"where", where_words(goal.box_m)}}) + (how.empty() ? how : ". " + how), now_s);
 }
 
@@ -251,18 +250,19 @@ void AppCore::seek_warmer(const Goal& goal, double now_s) {
         return answer(phrase("guide.warmer_off"), now_s);
     }
     guiding_.warmer.set(goal.name, goal.box_m, goal.feature);
-    guiding_.warmer_way.clear();
+    guiding_.warmer_along = {};
     guiding_.doors_told.clear();
-    const std::string how = sought_words(guiding_.warmer_way, guiding_.warmer, hand_seeks(), now_s);
+    const std::string how = sought_words(guiding_.warmer_along, guiding_.warmer, hand_seeks(), now_s);
     answer(phrase("guide.warmer_on", {{"name", goal.name}}) + (how.empty() ? how : ". " + how), now_s);
 }
 
 // ---- along the way ----
 
 // From where one is; again to the same place beside the thing, which saves looking for one.
-void AppCore::plan_sought(SoughtWay& way, const Sought& sought, bool hand, double now_s) {
-    guiding_.ways_planned_in = scene_;
-    guiding_.ways_jump = pose_.jump;
+void AppCore::plan_sought(AlongWay& along, const Sought& sought, bool hand, double now_s) {
+    SoughtWay& way = along.way;
+    along.planned_in = scene_;
+    along.jump = pose_.jump;
     if (hand) {
         const HandLead lead = hand_lead({sought.name(), sought.thing_m(), sought.feature()}, GuidancePath::kMostPoints);
         if (!lead.reaches || lead.points_m.size() < 2) return way.no_way(now_s);
@@ -279,12 +279,13 @@ void AppCore::plan_sought(SoughtWay& way, const Sought& sought, bool hand, doubl
 }
 
 // Follows it, and plans it where that is due. True: it is known and wished for.
-bool AppCore::keep_way(SoughtWay& way, const Sought& sought, bool hand, double now_s) {
+bool AppCore::keep_way(AlongWay& along, const Sought& sought, bool hand, double now_s) {
     if (!settings_.guidance.along_way) return false;
+    SoughtWay& way = along.way;
     const Vec3 at = hand ? finding_place_m() : feet_m(), up(0.0, 0.0, hand ? 0.0 : kWaist_m);
     way.follow(at, hand ? 1.0 : kHeightCountsForWalkers, [&](const Vec3& place) { return free_line(*body_world_, at + up, place + up, sought.feature()); });
-    const bool changed = guiding_.ways_planned_in != scene_ || (hand && guiding_.ways_jump != pose_.jump);
-    if (way.wants_plan(changed, now_s) && rooms_known()) plan_sought(way, sought, hand, now_s);
+    const bool changed = along.planned_in != scene_ || (hand && along.jump != pose_.jump);
+    if (way.wants_plan(changed, now_s) && rooms_known()) plan_sought(along, sought, hand, now_s);
     return way.known();
 }
 
@@ -296,10 +297,11 @@ bool AppCore::straight_before(const SoughtWay& way, const Sought& sought, bool h
 }
 
 // Whether it leads along the way or straight, and why; nothing where both are the same.
-std::string AppCore::sought_words(SoughtWay& way, const Sought& sought, bool hand, double now_s) {
+std::string AppCore::sought_words(AlongWay& along, const Sought& sought, bool hand, double now_s) {
+    const SoughtWay& way = along.way;
     const Vec3 from = hand ? finding_place_m() : feet_m() + Vec3(0.0, 0.0, kWaist_m);
     const bool free = free_line(*body_world_, from, place_on(sought.thing_m(), from), sought.feature());
-    if (keep_way(way, sought, hand, now_s))
+    if (keep_way(along, sought, hand, now_s))
         return straight_before(way, sought, hand) ? std::string() : phrase("lead.along_way", {{"distance", distance_words(way.left_m(), distances())}});
     if (free) return {};
     if (!settings_.guidance.along_way) return phrase("lead.straight");
@@ -317,20 +319,20 @@ bool AppCore::body_gets_to(const Sought& sought) const {
 // Where the beacon calls from as long as one has to go there first; none: from the thing.
 std::optional<Vec3> AppCore::beacon_turning(double now_s) {
     Guiding& g = guiding_;
-    const bool tried = g.beacon_way.tried();
-    if (!keep_way(g.beacon_way, g.beacon, false, now_s)) return std::nullopt;
-    if (!tried && !straight_before(g.beacon_way, g.beacon, false))
-        say(phrase("lead.along_way", {{"distance", distance_words(g.beacon_way.left_m(), distances())}}), SpeechClass::Answer, now_s);
+    const bool tried = g.beacon_along.way.tried();
+    if (!keep_way(g.beacon_along, g.beacon, false, now_s)) return std::nullopt;
+    if (!tried && !straight_before(g.beacon_along.way, g.beacon, false))
+        say(phrase("lead.along_way", {{"distance", distance_words(g.beacon_along.way.left_m(), distances())}}), SpeechClass::Answer, now_s);
     const Vec3 up(0.0, 0.0, kWaist_m);
-    if (now_s - g.looked_s >= kLookEvery_s) {
-        g.looked_s = now_s;
-        tell_shut_doors_ahead(g.beacon_way, now_s);
-        g.turning_first = g.beacon_way.left_m() > Beacon::kArrived_m && !straight_before(g.beacon_way, g.beacon, false);
+    if (now_s - g.beacon_along.looked_s >= kLookEvery_s) {
+        g.beacon_along.looked_s = now_s;
+        tell_shut_doors_ahead(g.beacon_along.way, now_s);
+        g.turning_first = g.beacon_along.way.left_m() > Beacon::kArrived_m && !straight_before(g.beacon_along.way, g.beacon, false);
         // Whoever has come off the way a little is led back onto it, round what stands between.
-        const Vec3 turning = g.beacon_way.next_turning_m(), over(0.0, 0.0, kOverSteps_m);
+        const Vec3 turning = g.beacon_along.way.next_turning_m(), over(0.0, 0.0, kOverSteps_m);
         const TraceHit met = body_world_->trace(feet_m() + over, turning + over, BodyShape{kNarrow_m, kNarrowHeight_m});
         const Feature* thing = met.hit ? scene_->find(met.feature) : nullptr;
-        g.turning_m = met.hit && !(thing && thing->kind == FeatureKind::Door) ? g.beacon_way.ahead_m(kBackOnWay_m) : turning;
+        g.turning_m = met.hit && !(thing && thing->kind == FeatureKind::Door) ? g.beacon_along.way.ahead_m(kBackOnWay_m) : turning;
     }
     if (!g.turning_first) return std::nullopt;
     return g.turning_m + up;
@@ -350,23 +352,23 @@ void AppCore::play_beacon(double now_s) {
 
 void AppCore::play_warmer(double now_s) {
     Guiding& g = guiding_;
-    const bool hand = hand_seeks(), tried = g.warmer_way.tried();
+    const bool hand = hand_seeks(), tried = g.warmer_along.way.tried();
     const Vec3 place = finding_place_m(), thing = nearest_place(g.warmer.thing_m(), place);
-    const bool known = keep_way(g.warmer_way, g.warmer, hand, now_s);
-    if (known && !tried) say(phrase("lead.along_way", {{"distance", distance_words(g.warmer_way.left_m(), distances())}}), SpeechClass::Answer, now_s);
+    const bool known = keep_way(g.warmer_along, g.warmer, hand, now_s);
+    if (known && !tried) say(phrase("lead.along_way", {{"distance", distance_words(g.warmer_along.way.left_m(), distances())}}), SpeechClass::Answer, now_s);
     const double straight_m = glm::length(thing - place), per_m = hand ? scale() : kBody_m_per_hand_m;
     // What is beyond a wall is not found by coming near.
     bool found = straight_m <= (hand ? Warmer::kFound_hand_m * per_m : Beacon::kArrived_m) &&
-                 (!known || (!hand && g.warmer_way.left_m() <= Beacon::kArrived_m) ||
+                 (!known || (!hand && g.warmer_along.way.left_m() <= Beacon::kArrived_m) ||
                   free_line(*body_world_, place, place_on(g.warmer.thing_m(), place), g.warmer.feature()));
     if (hand && tool_.contacts.count > 0 && g.warmer.feature())
         found = found || tool_.contacts.contacts[tool_.contacts.strongest].feature == g.warmer.feature();
     if (known && hand) tell_shut_doors(now_s);
-    if (known && !hand && now_s - g.looked_s >= kLookEvery_s) {
-        g.looked_s = now_s;
-        tell_shut_doors_ahead(g.warmer_way, now_s);
+    if (known && !hand && now_s - g.warmer_along.looked_s >= kLookEvery_s) {
+        g.warmer_along.looked_s = now_s;
+        tell_shut_doors_ahead(g.warmer_along.way, now_s);
     }
-    const double left_m = known ? std::max(straight_m, g.warmer_way.told_m()) : straight_m;
+    const double left_m = known ? std::max(straight_m, g.warmer_along.way.told_m()) : straight_m;
     const Warmer::Beat beat = g.warmer.tick(left_m / per_m, place / per_m, found, !tuning_.panic, now_s);
     if (beat.sound) {
         CueRequest tick = sound_at(beat.nearer < -kPast ? SoundKind::Colder : SoundKind::Warmer, listener().ears_m, now_s);

@@ -21,18 +21,23 @@ struct Goal {
     FeatureId feature = kNoFeature;
 };
 
+// The way along which a tool leads.
+struct AlongWay {
+    SoughtWay way;
+    std::shared_ptr<const Scene> planned_in;  // as the world was then
+    std::uint32_t jump = 0;                   // of the workspace, then
+    double looked_s = -1e9;                   // when it was last looked at what stands between, and for shut doors
+};
+
 struct Guiding {
     std::vector<Mark> marks;
     Beacon beacon;
     Warmer warmer;
     Laps laps;
-    SoughtWay beacon_way, warmer_way;  // of the body; of the hand where there is one
+    AlongWay beacon_along, warmer_along;  // of the body; of the hand where there is one
     // Of the way that is gone by ear.
     bool turning_first = false;                    // the beacon calls from a turning
     Vec3 turning_m{0.0};                           // which one, soles
-    double looked_s = -1e9;                        // when that was last looked at
-    std::shared_ptr<const Scene> ways_planned_in;  // as the world was then
-    std::uint32_t ways_jump = 0;                   // of the workspace, then
     std::optional<Goal> goal;  // what "take me there" goes to
 
     // Being led: first told, then felt.

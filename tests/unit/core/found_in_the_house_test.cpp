@@ -547,6 +547,25 @@ TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_
     }
 }
 
+// A door that opens changes the world for both.
+TEST(TakenAlongAWay, beacon_and_warmer_are_each_planned_anew_when_something_stands_elsewhere) {
+    Explorer p(test::our_world("house.map"), nullptr);
+    const auto& features = p.app().scene()->features;
+    for (const auto& [name, tool] : {std::pair{"Piano", "Beacon"}, std::pair{"Desk", "Warmer and colder"}}) {
+        const auto thing = std::find_if(features.begin(), features.end(), [&](const Feature& feature) { return feature.name == name; });
+        ASSERT_TRUE(p.ask(name, FeatureId{static_cast<std::uint32_t>(thing - features.begin())}, tool));
+    }
+    p.run(1.5);
+    const Guiding& guiding = p.app().guiding();
+    const auto before = guiding.beacon_along.planned_in;
+    ASSERT_TRUE(before);
+    p.tap(Command::Use, 4.0);
+    EXPECT_TRUE(p.heard("Front door opens")) << p.all_heard();
+    EXPECT_NE(guiding.beacon_along.planned_in, before);
+    EXPECT_EQ(guiding.beacon_along.planned_in, p.app().scene());
+    EXPECT_EQ(guiding.warmer_along.planned_in, p.app().scene());
+}
+
 // It has come off the door while one hears which it is; nearer to the body stands another.
 TEST(TakenAlongAWay, a_hand_opens_the_door_that_it_was_told_of_a_moment_ago) {
     Explorer p(test::our_world("house.map"), "sim-t");
