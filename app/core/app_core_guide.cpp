@@ -28,6 +28,10 @@ constexpr double kBody_m_per_hand_m = 60.0;                                    /
 
 Aabb point_box(const Vec3& p) { return {p, p}; }
 
+std::string along_way_words(const SoughtWay& way, const DistanceWords& how) {
+    return phrase("lead.along_way", {{"distance", distance_words(way.left_m(), how)}});
+}
+
 bool is_surface(FeatureKind kind) {
     return kind == FeatureKind::Wall || kind == FeatureKind::Floor || kind == FeatureKind::Ceiling || kind == FeatureKind::Slope;
 }
@@ -299,11 +303,9 @@ bool AppCore::straight_before(const SoughtWay& way, const Sought& sought, bool h
 // Whether it leads along the way or straight, and why; nothing where both are the same.
 std::string AppCore::sought_words(AlongWay& along, const Sought& sought, bool hand, double now_s) {
     const SoughtWay& way = along.way;
+    if (keep_way(along, sought, hand, now_s)) return straight_before(way, sought, hand) ? std::string() : along_way_words(way, distances());
     const Vec3 from = hand ? finding_place_m() : feet_m() + Vec3(0.0, 0.0, kWaist_m);
-    const bool free = free_line(*body_world_, from, place_on(sought.thing_m(), from), sought.feature());
-    if (keep_way(along, sought, hand, now_s))
-        return straight_before(way, sought, hand) ? std::string() : phrase("lead.along_way", {{"distance", distance_words(way.left_m(), distances())}});
-    if (free) return {};
+    if (free_line(*body_world_, from, place_on(sought.thing_m(), from), sought.feature())) return {};
     if (!settings_.guidance.along_way) return phrase("lead.straight");
     return way.tried() ? phrase("lead.no_way") : why_no_way() + " " + phrase("lead.straight");
 }
@@ -321,8 +323,7 @@ std::optional<Vec3> AppCore::beacon_turning(double now_s) {
     Guiding& g = guiding_;
     const bool tried = g.beacon_along.way.tried();
     if (!keep_way(g.beacon_along, g.beacon, false, now_s)) return std::nullopt;
-    if (!tried && !straight_before(g.beacon_along.way, g.beacon, false))
-        say(phrase("lead.along_way", {{"distance", distance_words(g.beacon_along.way.left_m(), distances())}}), SpeechClass::Answer, now_s);
+    if (!tried && !straight_before(g.beacon_along.way, g.beacon, false)) say(along_way_words(g.beacon_along.way, distances()), SpeechClass::Answer, now_s);
     const Vec3 up(0.0, 0.0, kWaist_m);
     if (now_s - g.beacon_along.looked_s >= kLookEvery_s) {
         g.beacon_along.looked_s = now_s;
@@ -355,7 +356,7 @@ void AppCore::play_warmer(double now_s) {
     const bool hand = hand_seeks(), tried = g.warmer_along.way.tried();
     const Vec3 place = finding_place_m(), thing = nearest_place(g.warmer.thing_m(), place);
     const bool known = keep_way(g.warmer_along, g.warmer, hand, now_s);
-    if (known && !tried) say(phrase("lead.along_way", {{"distance", distance_words(g.warmer_along.way.left_m(), distances())}}), SpeechClass::Answer, now_s);
+    if (known && !tried) say(along_way_words(g.warmer_along.way, distances()), SpeechClass::Answer, now_s);
     const double straight_m = glm::length(thing - place), per_m = hand ? scale() : kBody_m_per_hand_m;
     // What is beyond a wall is not found by coming near.
     bool found = straight_m <= (hand ? Warmer::kFound_hand_m * per_m : Beacon::kArrived_m) &&
