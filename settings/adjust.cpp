@@ -13,7 +13,8 @@ namespace handrail {
 namespace {
 
 constexpr double kSteps = 20.0;
-constexpr std::array<std::string_view, 5> kShortUnits{"deg", "hand_m", "m", "n", "world_m"};  // said with every value, the others with the meaning alone
+constexpr std::array<std::string_view, 5> kShortUnits{
+    "deg", "hand_m", "m", "n", "world_m"};  // said with every value, the others with the meaning alone
 
 // 1, 2 or 5 times a power of ten, next below.
 double round_step(double step) {
@@ -26,13 +27,16 @@ double round_step(double step) {
 std::string in_words(const SettingInfo& info, const Settings& settings) {
     const SettingValue value = current_value(info, settings);
     const bool choice = std::holds_alternative<ChoiceField>(info.field);
-    std::string text = std::visit(
-        Overloaded{[](bool v) { return v ? phrase("setting_value.on") : phrase("setting_value.off"); }, [](std::int64_t v) { return fmt::format("{}", v); },
-                   [](double v) {
-                       return phrase("setting_value.number", {{"value", v}});
-                   },
-                   [&](const std::string& v) { return choice ? phrase(fmt::format("setting_choice.{}.{}", info.key, v)) : v; }},
-        value);
+    std::string text =
+        std::visit(Overloaded{[](bool v) { return v ? phrase("setting_value.on") : phrase("setting_value.off"); },
+                              [](std::int64_t v) { return fmt::format("{}", v); },
+                              [](double v) {
+                                  return phrase("setting_value.number", {{"value", v}});
+                              },
+                              [&](const std::string& v) {
+                                  return choice ? phrase(fmt::format("setting_choice.{}.{}", info.key, v)) : v;
+                              }},
+                   value);
     if (std::find(kShortUnits.begin(), kShortUnits.end(), info.unit) == kShortUnits.end()) return text;
     return phrase("setting_value.with_unit", {{"value", text}, {"unit", spoken_unit(info.unit)}});
 }
@@ -55,7 +59,8 @@ SettingLine line_of(const SettingInfo& info, const Settings& settings) {
 std::vector<std::string_view> setting_topics() {
     std::vector<std::string_view> topics;
     for (const SettingInfo& info : settings_table())
-        if (std::find(topics.begin(), topics.end(), topic_of(info.key)) == topics.end()) topics.push_back(topic_of(info.key));
+        if (std::find(topics.begin(), topics.end(), topic_of(info.key)) == topics.end())
+            topics.push_back(topic_of(info.key));
     return topics;
 }
 
@@ -71,27 +76,31 @@ std::vector<SettingLine> setting_lines(std::string_view topic, const Settings& s
 SettingLine setting_line(std::string_view key, const Settings& settings) { return line_of(row(key), settings); }
 
 std::string stepped(std::string_view key, const Settings& settings, int by) {
+    contract_pre(by != 0);
     const SettingInfo& info = row(key);
     Settings& s = const_cast<Settings&>(settings);  // as in current_value: only read here
-    return std::visit(Overloaded{[&](const NumberField& f) {
-                                     const double step = round_step((f.most - f.least) / kSteps);
-                                     const double here = f.at(s) / step;
-                                     // To the next round number that way, from wherever it is.
-                                     const double next = by > 0 ? std::floor(here + 1e-6) + 1.0 : std::ceil(here - 1e-6) - 1.0;
-                                     const double value = std::clamp(next * step, f.least, f.most);
-                                     return fmt::format("{}", std::round(value * 1e9) / 1e9);
-                                 },
-                                 [&](const WholeField& f) {
-                                     const int step = std::max(1, static_cast<int>(round_step(std::max(1.0, (f.most - f.least) / kSteps))));
-                                     return fmt::format("{}", std::clamp(f.at(s) + by * step, f.least, f.most));
-                                 },
-                                 [&](const SwitchField& f) { return std::string(f.at(s) ? "false" : "true"); },
-                                 [&](const ChoiceField& f) {
-                                     const auto count = static_cast<int>(f.words.size());
-                                     return std::string(f.words[static_cast<std::size_t>((static_cast<int>(f.get(s)) + by + count) % count)]);
-                                 },
-                                 [&](const TextField& f) { return f.at(s); }},
-                      info.field);
+    return std::visit(
+        Overloaded{[&](const NumberField& f) {
+                       const double step = round_step((f.most - f.least) / kSteps);
+                       const double here = f.at(s) / step;
+                       // To the next round number that way, from wherever it is.
+                       const double next = by > 0 ? std::floor(here + 1e-6) + 1.0 : std::ceil(here - 1e-6) - 1.0;
+                       const double value = std::clamp(next * step, f.least, f.most);
+                       return fmt::format("{}", std::round(value * 1e9) / 1e9);
+                   },
+                   [&](const WholeField& f) {
+                       const int step =
+                           std::max(1, static_cast<int>(round_step(std::max(1.0, (f.most - f.least) / kSteps))));
+                       return fmt::format("{}", std::clamp(f.at(s) + by * step, f.least, f.most));
+                   },
+                   [&](const SwitchField& f) { return std::string(f.at(s) ? "false" : "true"); },
+                   [&](const ChoiceField& f) {
+                       const auto count = static_cast<int>(f.words.size());
+                       return std::string(
+                           f.words[static_cast<std::size_t>((static_cast<int>(f.get(s)) + by + count) % count)]);
+                   },
+                   [&](const TextField& f) { return f.at(s); }},
+        info.field);
 }
 
 Result<void> set_in(Settings& settings, std::string_view key, std::string_view value) {

@@ -1,4 +1,5 @@
-// Settings as a person changes them in a list, one step or one value at a time. Plain functions over Settings and the one table; app thread.
+// Settings as a person changes them in a list, one step or one value at a time. Plain functions over Settings and the
+// one table; app thread.
 #pragma once
 
 #include <string>
@@ -25,8 +26,8 @@ struct SettingLine {
 std::vector<SettingLine> setting_lines(std::string_view topic, const Settings& settings);
 SettingLine setting_line(std::string_view key, const Settings& settings);
 
-// The value one step up or down as SettingsStore::set takes it: a switch turns, a choice goes on (round), a number goes by a twentieth of its range in
-// round numbers and stops at the ends. `key` must be one of the table that steps.
+// The value one step up or down as SettingsStore::set takes it: a switch turns, a choice goes on (round), a number goes
+// by a twentieth of its range in round numbers and stops at the ends. `key` must be one of the table that steps.
 std::string stepped(std::string_view key, const Settings& settings, int by);
 // Writes a value as typed; fails in one sentence with the legal range and changes nothing.
 Result<void> set_in(Settings& settings, std::string_view key, std::string_view value);

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "settings/parse_toml.h"
 #include "settings/table.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/files.h"
@@ -37,26 +38,34 @@ struct MemberKey {
 };
 
 template <class Field>
-std::optional<MemberKey<Field>> split_member_key(std::string_view key, std::string_view prefix, std::span<const Field> fields) {
+std::optional<MemberKey<Field>> split_member_key(std::string_view key, std::string_view prefix,
+                                                 std::span<const Field> fields) {
     if (!key.starts_with(prefix)) return std::nullopt;
     key.remove_prefix(prefix.size());
     const std::size_t dot = key.rfind('.');
     if (dot == std::string_view::npos || dot == 0) return std::nullopt;
     std::string_view device = key.substr(0, dot);
-    if (device.size() > 2 && device.front() == '"' && device.back() == '"') device = device.substr(1, device.size() - 2);
+    if (device.size() > 2 && device.front() == '"' && device.back() == '"')
+        device = device.substr(1, device.size() - 2);
     if (device.find('"') != std::string_view::npos || !is_short_text(device)) return std::nullopt;
     for (const Field& info : fields)
         if (info.field == key.substr(dot + 1)) return MemberKey<Field>{lower_ascii(device), &info};
     return std::nullopt;
 }
 
-std::optional<MemberKey<OverrideInfo>> split_device_key(std::string_view key) { return split_member_key(key, kDevicePrefix, override_table()); }
-std::optional<MemberKey<ProfileInfo>> split_profile_key(std::string_view key) { return split_member_key(key, kProfilePrefix, profile_table()); }
+std::optional<MemberKey<OverrideInfo>> split_device_key(std::string_view key) {
+    return split_member_key(key, kDevicePrefix, override_table());
+}
+std::optional<MemberKey<ProfileInfo>> split_profile_key(std::string_view key) {
+    return split_member_key(key, kProfilePrefix, profile_table());
+}
 
 // One spelling for each key: device names in lower case.
 std::string canonical_key(std::string_view key) {
-    if (const auto device = split_device_key(key)) return fmt::format("{}{}.{}", kDevicePrefix, device->device, device->field->field);
-    if (const auto profile = split_profile_key(key)) return fmt::format("{}{}.{}", kProfilePrefix, profile->device, profile->field->field);
+    if (const auto device = split_device_key(key))
+        return fmt::format("{}{}.{}", kDevicePrefix, device->device, device->field->field);
+    if (const auto profile = split_profile_key(key))
+        return fmt::format("{}{}.{}", kProfilePrefix, profile->device, profile->field->field);
     return std::string(key);
 }
 
@@ -79,12 +88,13 @@ Error unknown_setting(std::string_view key) {
     std::vector<std::string> names;
     for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
     Error error;
-    error.message = phrase("settings_file.unknown", {{"key", key}, {"nearest", nearest_name(key, names)}});
+    error.message = phrase("settings_file.unknown", {{"key", key}, {"nearest", nearest_key(key, names)}});
     return error;
 }
 
 std::string toml_text(const SettingValue& value) {
-    return std::visit(Overloaded{[](bool v) { return std::string(v ? "true" : "false"); }, [](std::int64_t v) { return fmt::format("{}", v); },
+    return std::visit(Overloaded{[](bool v) { return std::string(v ? "true" : "false"); },
+                                 [](std::int64_t v) { return fmt::format("{}", v); },
                                  [](double v) {
                                      const std::string digits = fmt::format("{}", v);
                                      return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
@@ -102,17 +112,17 @@ std::string toml_text(const SettingValue& value) {
 
 Result<toml::table> parse(const std::string& content, const fs::path& path) {
     try {
-        return toml::parse(content, path.string());
+        return parse_toml(content);
     } catch (const toml::parse_error& error) {
-        return fail(phrase("settings_file.damaged", {{"reason", error.description()}}), path.filename().string(), static_cast<int>(error.source().begin.line),
-                    static_cast<int>(error.source().begin.column));
+        return fail(phrase("settings_file.damaged", {{"reason", error.description()}}), path.filename().string(),
+                    static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column));
     }
 }
 
 // A guard against losing what a person wrote: true if `text` reads back as exactly this table.
 bool says_the_same(const std::string& text, const toml::table& table) {
     try {
-        return toml::parse(text) == table;
+        return parse_toml(text) == table;
     } catch (const toml::parse_error&) {
         return false;
     }
@@ -135,7 +145,8 @@ void put(toml::table& root, std::span<const std::string> path, const SettingValu
 // Where the `column`th character (from 1) of the `line`th line (from 1) starts in `text`.
 std::size_t offset_of(const std::string& text, const toml::source_position& place) {
     std::size_t at = 0;
-    for (toml::source_index line = 1; line < place.line && at < text.size(); ++line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
+    for (toml::source_index line = 1; line < place.line && at < text.size(); ++line)
+        at = std::min(text.find('\n', at), text.size() - 1) + 1;
     for (toml::source_index column = 1; column < place.column && at < text.size(); ++column) {
         do ++at;
         while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80);
@@ -143,11 +154,11 @@ std::size_t offset_of(const std::string& text, const toml::source_position& plac
     return at;
 }
 
-// The file's text with one value changed or added and everything else, comments too, as it was. Right for files written in the usual
-// way, with [tables]; the caller checks the outcome by reading it back.
+// The file's text with one value changed or added and everything else, comments too, as it was. Right for files written
+// in the usual way, with [tables]; the caller checks the outcome by reading it back.
 std::string with_value(std::string text, std::span<const std::string> path, const SettingValue& value) {
     try {
-        const toml::table table = toml::parse(text);
+        const toml::table table = parse_toml(text);
         const toml::node* node = &table;
         for (const std::string& name : path) node = node && node->as_table() ? node->as_table()->get(name) : nullptr;
         if (node) {
@@ -175,8 +186,10 @@ std::string with_value(std::string text, std::span<const std::string> path, cons
 }
 
 std::vector<std::string> path_of(std::string_view key) {
-    if (const auto device = split_device_key(key)) return {"workspace", "device", device->device, std::string(device->field->field)};
-    if (const auto profile = split_profile_key(key)) return {"profile", profile->device, std::string(profile->field->field)};
+    if (const auto device = split_device_key(key))
+        return {"workspace", "device", device->device, std::string(device->field->field)};
+    if (const auto profile = split_profile_key(key))
+        return {"profile", profile->device, std::string(profile->field->field)};
     const std::size_t dot = key.find('.');
     return {std::string(key.substr(0, dot)), std::string(key.substr(dot + 1))};
 }
@@ -194,14 +207,16 @@ struct SettingsStore::Impl {
     std::string nearest_key(std::string_view key) const {
         std::vector<std::string> names;
         if (key.starts_with(kDevicePrefix) && key.rfind('.') >= kDevicePrefix.size()) {
-            for (const OverrideInfo& info : override_table()) names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
+            for (const OverrideInfo& info : override_table())
+                names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
         } else if (key.starts_with(kProfilePrefix) && key.rfind('.') >= kProfilePrefix.size()) {
-            for (const ProfileInfo& info : profile_table()) names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
+            for (const ProfileInfo& info : profile_table())
+                names.push_back(fmt::format("{}.{}", key.substr(0, key.rfind('.')), info.field));
         } else {
             for (const SettingInfo& info : settings_table()) names.emplace_back(info.key);
             for (const std::string& word : command_words) names.push_back(fmt::format("{}{}", kKeysPrefix, word));
         }
-        return nearest_name(key, names);
+        return handrail::nearest_key(key, names);
     }
 
     // Tries one entry on `target`; fails in one sentence.
@@ -227,7 +242,8 @@ struct SettingsStore::Impl {
     Result<void> check(const std::string& key, const SettingValue& value, SettingSource source) const {
         Settings scratch;
         if (const Result<void> applied = apply_to(scratch, key, value); !applied) return applied;
-        if (source == SettingSource::World && !world_may_set(key)) return fail(phrase("settings_file.not_for_worlds", {{"key", key}}));
+        if (source == SettingSource::World && !world_may_set(key))
+            return fail(phrase("settings_file.not_for_worlds", {{"key", key}}));
         return {};
     }
 
@@ -240,17 +256,20 @@ struct SettingsStore::Impl {
             }
         // Measured anew, it is whole again.
         for (const std::string& damaged : damaged_profiles)
-            if (const auto profile = values.profiles.find(damaged); profile == values.profiles.end() || !profile->second.ceiling_n)
+            if (const auto profile = values.profiles.find(damaged);
+                profile == values.profiles.end() || !profile->second.ceiling_n)
                 values.damaged_profiles.insert(damaged);
     }
 
-    void collect(const toml::table& table, const std::string& prefix, const fs::path& path, SettingSource source, Layer& layer, std::set<std::string>& damaged,
-                 std::vector<Diagnostic>& problems) const {
+    void collect(const toml::table& table, const std::string& prefix, const fs::path& path, SettingSource source,
+                 Layer& layer, std::set<std::string>& damaged, std::vector<Diagnostic>& problems) const {
         for (const auto& [name, node] : table) {
             // A dot inside a quoted name does not make a path; only devices may have one in their name.
             const std::string_view plain = name.str();
-            const bool quoted = plain.find('.') != std::string_view::npos && prefix != kDevicePrefix && prefix != kProfilePrefix;
-            const std::string key = canonical_key(quoted ? fmt::format("{}\"{}\"", prefix, plain) : fmt::format("{}{}", prefix, plain));
+            const bool quoted =
+                plain.find('.') != std::string_view::npos && prefix != kDevicePrefix && prefix != kProfilePrefix;
+            const std::string key =
+                canonical_key(quoted ? fmt::format("{}\"{}\"", prefix, plain) : fmt::format("{}{}", prefix, plain));
             if (const toml::table* inner = node.as_table()) {
                 collect(*inner, key + ".", path, source, layer, damaged, problems);
                 continue;
@@ -264,13 +283,15 @@ struct SettingsStore::Impl {
             if (checked) {
                 layer[key] = {*value, fmt::format("{}:{}", path.string(), line)};
             } else if (!profile || damaged.insert(profile->device).second) {
-                problems.push_back({Severity::Error, path.filename().string(), line, static_cast<int>(node.source().begin.column), checked.error().message,
+                problems.push_back({Severity::Error, path.filename().string(), line,
+                                    static_cast<int>(node.source().begin.column), checked.error().message,
                                     phrase(profile ? "settings_file.profile_set_aside" : "settings_file.not_used")});
             }
         }
     }
 
-    // A profile with a value that cannot be is of no use as a whole: a force that was right with that value may be wrong without it.
+    // A profile with a value that cannot be is of no use as a whole: a force that was right with that value may be
+    // wrong without it.
     static void set_aside(const std::set<std::string>& damaged, Layer& layer) {
         std::erase_if(layer, [&](const auto& entry) {
             const auto profile = split_profile_key(entry.first);
@@ -281,12 +302,15 @@ struct SettingsStore::Impl {
     // The strongest source that says something about this key.
     std::pair<SettingSource, std::string> provenance(const std::string& key) const {
         for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer)
-            if (const auto entry = layer->second.find(key); entry != layer->second.end()) return {layer->first, entry->second.origin};
+            if (const auto entry = layer->second.find(key); entry != layer->second.end())
+                return {layer->first, entry->second.origin};
         return {SettingSource::Default, {}};
     }
 };
 
-SettingsStore::SettingsStore(std::vector<std::string> command_words) : impl_(std::make_unique<Impl>()) { impl_->command_words = std::move(command_words); }
+SettingsStore::SettingsStore(std::vector<std::string> command_words) : impl_(std::make_unique<Impl>()) {
+    impl_->command_words = std::move(command_words);
+}
 SettingsStore::~SettingsStore() = default;
 SettingsStore::SettingsStore(SettingsStore&&) noexcept = default;
 SettingsStore& SettingsStore::operator=(SettingsStore&&) noexcept = default;
@@ -301,7 +325,10 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
         clear(source);
         return {};
     }
-    const Result<toml::table> table = read_whole_file(path, kLongestFileBytes).and_then([&](const std::string& content) { return parse(content, path); });
+    const Result<toml::table> table =
+        read_whole_file(path, kLongestFileBytes).and_then([&](const std::string& content) {
+            return parse(content, path);
+        });
     if (!table) {
         const Error& e = table.error();
         return {{Severity::Error, e.file, e.line, e.column, e.message, phrase("settings_file.none_used")}};
@@ -313,7 +340,8 @@ std::vector<Diagnostic> SettingsStore::load_file(const fs::path& path, SettingSo
     Impl::set_aside(damaged, layer);
     if (source == SettingSource::UserFile) impl_->damaged_profiles = std::move(damaged);
     // A TOML table is sorted by name; people read their file from the top.
-    std::stable_sort(problems.begin(), problems.end(), [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
+    std::stable_sort(problems.begin(), problems.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
     impl_->layers[source] = std::move(layer);
     impl_->rebuild();
     return problems;
@@ -348,7 +376,8 @@ Result<void> SettingsStore::set(std::string_view key, std::string_view value, Se
 
 Result<void> SettingsStore::set_assignment(std::string_view assignment, SettingSource source) {
     const std::size_t equals = assignment.find('=');
-    if (equals == std::string_view::npos || equals == 0) return fail(phrase("settings_file.no_assignment", {{"text", assignment}}));
+    if (equals == std::string_view::npos || equals == 0)
+        return fail(phrase("settings_file.no_assignment", {{"text", assignment}}));
     return set(assignment.substr(0, equals), assignment.substr(equals + 1), source);
 }
 
@@ -360,9 +389,11 @@ void SettingsStore::clear(SettingSource source) {
 
 std::vector<SettingRow> SettingsStore::explain() const {
     std::vector<SettingRow> rows;
-    const auto add = [&](const std::string& key, const SettingValue& value, std::string_view unit, std::string range, std::string meaning) {
+    const auto add = [&](const std::string& key, const SettingValue& value, std::string_view unit, std::string range,
+                         std::string meaning) {
         const auto [source, origin] = impl_->provenance(key);
-        rows.push_back({key, toml_text(value), spoken_unit(unit), std::move(range), std::move(meaning), source, origin});
+        rows.push_back(
+            {key, toml_text(value), spoken_unit(unit), std::move(range), std::move(meaning), source, origin});
     };
     for (const SettingInfo& info : settings_table())
         add(std::string(info.key), current_value(info, impl_->values), info.unit, range_of(info), meaning_of(info));
@@ -372,16 +403,24 @@ std::vector<SettingRow> SettingsStore::explain() const {
             if (!find_setting(key)) family[key] = entry.value;
     for (const auto& [key, value] : family) {
         if (const auto device = split_device_key(key))
-            add(key, value, device->field->plain->unit, range_of(*device->field->plain), meaning_of(*device->field->plain));
-        else if (const auto profile = split_profile_key(key)) add(key, value, profile->field->unit, range_of(*profile->field), meaning_of(*profile->field));
+            add(key, value, device->field->plain->unit, range_of(*device->field->plain),
+                meaning_of(*device->field->plain));
+        else if (const auto profile = split_profile_key(key))
+            add(key, value, profile->field->unit, range_of(*profile->field), meaning_of(*profile->field));
         else add(key, value, "", phrase("setting_range.key"), phrase("setting.keys"));
     }
     return rows;
 }
 
 Result<void> SettingsStore::save_user_file() {
+    const auto wanted = to_save();
+    if (!wanted) return tl::unexpected(wanted.error());
+    return *wanted ? write_file_atomically((*wanted)->file, (*wanted)->text) : Result<void>{};
+}
+
+Result<std::optional<SettingsStore::ToSave>> SettingsStore::to_save() const {
     const auto live = impl_->layers.find(SettingSource::Live);
-    if (live == impl_->layers.end() || live->second.empty()) return {};
+    if (live == impl_->layers.end() || live->second.empty()) return std::nullopt;
     const fs::path& path = impl_->user_file;
     if (path.empty()) return fail(phrase("settings_file.no_folder"));
     // What the file holds now, not at the start: another editor may have changed it since.
@@ -405,11 +444,14 @@ Result<void> SettingsStore::save_user_file() {
     }
     if (!says_the_same(text, *table)) {  // a file written in an unusual way: its comments go, its meaning stays
         std::ostringstream out;
+        out.exceptions(std::ios::badbit);  // or a want of memory would cut the text short
         out << toml::toml_formatter{*table, toml::format_flags::none} << "\n";
         text = out.str();
-        if (!says_the_same(text, *table)) return not_saved({path.filename().string(), 0, 0, phrase("settings_file.unwritable")});
+        if (!says_the_same(text, *table))
+            return not_saved({path.filename().string(), 0, 0, phrase("settings_file.unwritable")});
     }
-    return write_file_atomically(path, text);
+    if (text == held) return std::nullopt;
+    return ToSave{path, std::move(text)};
 }
 
 std::string profile_key(std::string_view device_name, std::string_view serial) {

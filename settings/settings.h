@@ -1,5 +1,6 @@
-// Every setting as a typed value with unit, range and default. Plain data, app thread; other threads get what they need by value.
-// Names, ranges and sentences of each field stand in one table (settings.cpp); files and the command line go through it.
+// Every setting as a typed value with unit, range and default. Plain data, app thread; other threads get what they need
+// by value. Names, ranges and sentences of each field stand in one table (settings.cpp); files and the command line go
+// through it.
 #pragma once
 
 #include <filesystem>
@@ -20,12 +21,14 @@ inline constexpr double kLightCeiling_n = 1.2, kNormalCeiling_n = 2.5;
 enum class FrameChoice { Map, Walk };  // north up, or turning with the body
 enum class SpeechThrough { Auto, ScreenReader, SpeechDispatcher, Embedded, Text };
 enum class HoldingHand { Right, Left };
-enum class KeyboardHand { Both, Left, Right };  // which hand has the keyboard while the other holds the grip
+enum class KeyboardHand { Both, Left, Right };         // which hand has the keyboard while the other holds the grip
 enum class DirectionChoice { Sides, Clock, Compass };  // "30 degrees left", "at 11 o'clock", "north"
 
-// What `handrail calibrate` found out about one device and the person who holds it, as [profile."falcon a9001"] in the file. Empty: not measured.
+// What `handrail calibrate` found out about one device and the person who holds it, as [profile."falcon a9001"] in the
+// file. Empty: not measured.
 struct DeviceProfile {
-    std::optional<double> ceiling_n;                    // strongest comfortable force, 0.5 to 40; the smaller of this and haptic.ceiling counts
+    std::optional<double>
+        ceiling_n;  // strongest comfortable force, 0.5 to 40; the smaller of this and haptic.ceiling counts
     std::optional<double> gentlest_n;                   // the least that was noticed, 0.02 to 2
     std::optional<HoldingHand> hand;                    // that holds it
     std::optional<double> scale;                        // as workspace.scale
@@ -36,14 +39,15 @@ struct DeviceProfile {
 struct Settings {
     struct Workspace {
         double scale = 60.0;           // world metres per hand metre, 1 to 500
-        double offset_ahead_m = 0.01;  // hand metres the workspace's middle lies ahead of the body, -0.1 to 0.1: further in front than behind
+        double offset_ahead_m = 0.01;  // hand metres the workspace's middle lies ahead of the body, -0.1 to 0.1:
+                                       // further in front than behind
         double offset_up_m = 0.0;      // hand metres, -0.1 to 0.1
         double hand_height_m = 1.0;    // world metres of the workspace's middle above the soles, 0 to 2
         FrameChoice frame = FrameChoice::Map;
         double turn_deg = 0.0;     // of the workspace against its frame, clockwise, -180 to 180
         bool follows_walk = true;  // the workspace goes where the body walks
         bool rim = true;           // pressing past the rim of the reach scrolls it
-        int grab_button = 1;       // of the device: the world goes along with the hand while it is held; 0 to 8, 0 is none
+        int grab_button = 1;  // of the device: the world goes along with the hand while it is held; 0 to 8, 0 is none
         // Overrides by device name, as [workspace.device."falcon"] in the file; empty fields keep the values above.
         struct Override {
             std::optional<double> scale, offset_ahead_m, offset_up_m, hand_height_m;
@@ -71,17 +75,18 @@ struct Settings {
         bool stop_at_drops = true;    // the body stops at an edge until the key is pressed again
     } walk;
     struct Speech {
-        SpeechThrough through = SpeechThrough::Auto;  // who speaks; where that one is missing, the next in this order does
-        int rate_wpm = 175;                           // 80 to 450
-        int verbosity = 2;                            // 0 to 4
-        std::string language = "auto";                // what is said; "auto": the environment's, else English
-        std::string voice = "auto";                   // espeak-ng voice name or language; "auto": that of what is said
-        bool distances_in_steps = true;               // else metres
+        SpeechThrough through =
+            SpeechThrough::Auto;         // who speaks; where that one is missing, the next in this order does
+        int rate_wpm = 175;              // 80 to 450
+        int verbosity = 2;               // 0 to 4
+        std::string language = "auto";   // what is said; "auto": the environment's, else English
+        std::string voice = "auto";      // espeak-ng voice name or language; "auto": that of what is said
+        bool distances_in_steps = true;  // else metres
         DirectionChoice directions = DirectionChoice::Sides;
         bool rounded = true;         // distances and directions; else as exact as they are known
-        bool rooms = true;                            // the name of a room one comes into is told
-        bool braille = true;                          // what is said goes to a braille display too
-        bool crowding_hint = false;                   // told on entering where many materials lie close together
+        bool rooms = true;           // the name of a room one comes into is told
+        bool braille = true;         // what is said goes to a braille display too
+        bool crowding_hint = false;  // told on entering where many materials lie close together
     } speech;
     struct Sound {
         double volume = 1.0;  // 0 to 1, everything but alarms below 0.2
@@ -92,15 +97,16 @@ struct Settings {
         double world_volume = 0.7;
         double earcon_volume = 1.0;
         double beacon_volume = 0.8;
-        double reverberation = 0.15;        // of rooms, 0 to 1
-        int periods = 2;                    // of 256 samples that the sound device holds, 2 to 8; takes effect at the next start
-        bool headphones = true;             // filtered for the ears; else plain stereo, from the next start on
-        bool mono = false;                  // everything from the middle, for one loudspeaker or one ear
+        double reverberation = 0.15;  // of rooms, 0 to 1
+        int periods = 2;         // of 256 samples that the sound device holds, 2 to 8; takes effect at the next start
+        bool headphones = true;  // filtered for the ears; else plain stereo, from the next start on
+        bool mono = false;       // everything from the middle, for one loudspeaker or one ear
         bool behind = true, height = true;  // second cues for what is behind, above and below
         // Every cue on or off; alarms and what is asked for by name (the sound dictionary) always sound.
-        bool wall_tone = true, contact = true, slide = true, splash = true, door = true, footstep = true, bump = true, world = true, denied = true, forces = true,
-             turn = true, frame = true, arrived = true;
-        bool corner = true, drop = true, ways = true;  // cues as those above: corners and openings; edges; doors and stairs ahead
+        bool wall_tone = true, contact = true, slide = true, splash = true, door = true, footstep = true, bump = true,
+             world = true, denied = true, forces = true, turn = true, frame = true, arrived = true;
+        bool corner = true, drop = true,
+             ways = true;         // cues as those above: corners and openings; edges; doors and stairs ahead
         bool swap_sides = false;  // left and right ear are exchanged, for headphones worn or wired the other way round
         bool workspace = true;    // a cue as those above: rim and grip
         bool desk = true;         // likewise: what clicks at the desk
@@ -138,8 +144,10 @@ struct Settings {
         int step = 0;       // where they go on, 0 to 20
     } welcome;
     std::map<std::string, DeviceProfile> profiles;  // by profile_key()
-    std::set<std::string> damaged_profiles;         // found in the person's file and set aside; their devices get the light ceiling
-    std::map<std::string, std::string> keys;        // command name -> key name, only where they differ from the built-in table
+    std::set<std::string>
+        damaged_profiles;  // found in the person's file and set aside; their devices get the light ceiling
+    std::map<std::string, std::string>
+        keys;  // command name -> key name, only where they differ from the built-in table
 };
 
 // Where a value came from, weakest first.
@@ -155,8 +163,9 @@ struct SettingRow {
     std::string origin;  // file and line, "--set", or empty
 };
 
-// Settings with their provenance. Every source keeps its own layer and the strongest one wins, whatever the order of loading; so
-// leaving a world gives back what it had changed. App thread only. Costs: reading a file is a few hundred microseconds; values() is free.
+// Settings with their provenance. Every source keeps its own layer and the strongest one wins, whatever the order of
+// loading; so leaving a world gives back what it had changed. App thread only. Costs: reading a file is a few hundred
+// microseconds; values() is free.
 class SettingsStore {
 public:
     // command_words: what [keys] may name; any name is taken when there are none.
@@ -166,12 +175,13 @@ public:
     SettingsStore& operator=(SettingsStore&&) noexcept;
 
     const Settings& values() const;
-    // Reads a TOML file as the layer `source`, in place of what that layer held. A damaged or unreadable file changes nothing; an unknown
-    // key, a wrong type or a value out of range is a diagnostic naming the nearest key or legal range, and the rest applies. A missing
-    // file is no problem. A profile with a value that cannot be is set aside as a whole, with one sentence. A world may set only what world_may_set() allows:
-    // never a force or a speech setting.
+    // Reads a TOML file as the layer `source`, in place of what that layer held. A damaged or unreadable file changes
+    // nothing; an unknown key, a wrong type or a value out of range is a diagnostic naming the nearest key or legal
+    // range, and the rest applies. A missing file is no problem. A profile with a value that cannot be is set aside as
+    // a whole, with one sentence. A world may set only what world_may_set() allows: never a force or a speech setting.
     std::vector<Diagnostic> load_file(const std::filesystem::path& path, SettingSource source);
-    // One setting, from the command line, a world's own key, or a live change. Fails naming the nearest key or the legal range.
+    // One setting, from the command line, a world's own key, or a live change. Fails naming the nearest key or the
+    // legal range.
     Result<void> set(std::string_view key, std::string_view value, SettingSource source);
     // "workspace.scale=40", as --set takes it.
     Result<void> set_assignment(std::string_view assignment, SettingSource source);
@@ -179,17 +189,25 @@ public:
     void clear(SettingSource source);
     // Every setting in table order, then the entries of [workspace.device], [profile] and [keys].
     std::vector<SettingRow> explain() const;
-    // Saves live changes into the person's file, which keeps everything else it holds, unknown keys and comments too. Does nothing
-    // when there were no live changes. A file that cannot be read or understood is never replaced.
+    // Saves live changes into the person's file, which keeps everything else it holds, unknown keys and comments too.
+    // Does nothing when there were no live changes. A file that cannot be read or understood is never replaced.
     Result<void> save_user_file();
+    // The same in two steps, for who writes on another thread: what save_user_file() would write now; nothing where the
+    // file says it already.
+    struct ToSave {
+        std::filesystem::path file;
+        std::string text;
+    };
+    Result<std::optional<ToSave>> to_save() const;
 
 private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
 
-// One setting of plain Settings: its value as TOML writes it, and a change like SettingsStore::set. Both fail naming the nearest key, a change also the legal range.
-// For rows of the table only, not for [workspace.device], [profile] and [keys].
+// One setting of plain Settings: its value as TOML writes it, and a change like SettingsStore::set. Both fail naming
+// the nearest key, a change also the legal range. For rows of the table only, not for [workspace.device], [profile] and
+// [keys].
 Result<std::string> setting_text(const Settings& settings, std::string_view key);
 Result<void> change_setting(Settings& settings, std::string_view key, std::string_view value);
 

@@ -12,7 +12,8 @@ constexpr std::array<std::string_view, 2> kFrameWords{"map", "walk"};
 constexpr std::array<std::string_view, 2> kHandWords{"right", "left"};
 constexpr std::array<std::string_view, 3> kKeyboardWords{"both", "left", "right"};
 constexpr std::array<std::string_view, 3> kDirectionWords{"sides", "clock", "compass"};
-constexpr std::array<std::string_view, 5> kThroughWords{"auto", "screen-reader", "speech-dispatcher", "embedded", "text"};
+constexpr std::array<std::string_view, 5> kThroughWords{"auto", "screen-reader", "speech-dispatcher", "embedded",
+                                                        "text"};
 constexpr std::size_t kLongestText = 64;
 
 // The accessor of a field that lies in Settings, as a plain function pointer.
@@ -25,9 +26,12 @@ constexpr bool kPersonOnly = false;
 // A world may shape scale, ball, body and frame. Forces, speech, sound volumes and keys belong to the person alone.
 const std::array kTable{
     SettingInfo{"workspace.scale", "scale", kWorldToo, NumberField{HANDRAIL_AT(workspace.scale), 1.0, 500.0}},
-    SettingInfo{"workspace.offset_ahead_m", "hand_m", kWorldToo, NumberField{HANDRAIL_AT(workspace.offset_ahead_m), -0.1, 0.1}},
-    SettingInfo{"workspace.offset_up_m", "hand_m", kWorldToo, NumberField{HANDRAIL_AT(workspace.offset_up_m), -0.1, 0.1}},
-    SettingInfo{"workspace.hand_height_m", "world_m", kWorldToo, NumberField{HANDRAIL_AT(workspace.hand_height_m), 0.0, 2.0}},
+    SettingInfo{"workspace.offset_ahead_m", "hand_m", kWorldToo,
+                NumberField{HANDRAIL_AT(workspace.offset_ahead_m), -0.1, 0.1}},
+    SettingInfo{"workspace.offset_up_m", "hand_m", kWorldToo,
+                NumberField{HANDRAIL_AT(workspace.offset_up_m), -0.1, 0.1}},
+    SettingInfo{"workspace.hand_height_m", "world_m", kWorldToo,
+                NumberField{HANDRAIL_AT(workspace.hand_height_m), 0.0, 2.0}},
     SettingInfo{"workspace.frame", "", kWorldToo,
                 ChoiceField{kFrameWords, [](const Settings& s) { return static_cast<std::size_t>(s.workspace.frame); },
                             [](Settings& s, std::size_t i) { s.workspace.frame = static_cast<FrameChoice>(i); }}},
@@ -35,11 +39,15 @@ const std::array kTable{
     SettingInfo{"workspace.follows_walk", "", kPersonOnly, SwitchField{HANDRAIL_AT(workspace.follows_walk)}},
     SettingInfo{"workspace.rim", "", kPersonOnly, SwitchField{HANDRAIL_AT(workspace.rim)}},
     SettingInfo{"workspace.grab_button", "", kPersonOnly, WholeField{HANDRAIL_AT(workspace.grab_button), 0, 8}},
-    SettingInfo{"haptic.stiffness_fraction", "fraction_of_rating", kPersonOnly, NumberField{HANDRAIL_AT(haptic.stiffness_fraction), 0.0, 1.0}},
+    SettingInfo{"haptic.stiffness_fraction", "fraction_of_rating", kPersonOnly,
+                NumberField{HANDRAIL_AT(haptic.stiffness_fraction), 0.0, 1.0}},
     SettingInfo{"haptic.friction_mu", "", kWorldToo, NumberField{HANDRAIL_AT(haptic.friction_mu), 0.0, 2.0}},
-    SettingInfo{"haptic.damping_ns_per_m", "ns_per_m", kPersonOnly, NumberField{HANDRAIL_AT(haptic.damping_ns_per_m), 0.0, 20.0}},
-    SettingInfo{"haptic.ball_diameter_mm", "hand_mm", kWorldToo, NumberField{HANDRAIL_AT(haptic.ball_diameter_mm), 1.0, 10.0}},
-    SettingInfo{"haptic.edge_rounding_mm", "hand_mm", kWorldToo, NumberField{HANDRAIL_AT(haptic.edge_rounding_mm), 0.0, 3.0}},
+    SettingInfo{"haptic.damping_ns_per_m", "ns_per_m", kPersonOnly,
+                NumberField{HANDRAIL_AT(haptic.damping_ns_per_m), 0.0, 20.0}},
+    SettingInfo{"haptic.ball_diameter_mm", "hand_mm", kWorldToo,
+                NumberField{HANDRAIL_AT(haptic.ball_diameter_mm), 1.0, 10.0}},
+    SettingInfo{"haptic.edge_rounding_mm", "hand_mm", kWorldToo,
+                NumberField{HANDRAIL_AT(haptic.edge_rounding_mm), 0.0, 3.0}},
     SettingInfo{"haptic.simplify", "", kWorldToo, SwitchField{HANDRAIL_AT(haptic.simplify)}},
     SettingInfo{"haptic.ceiling", "", kPersonOnly,
                 ChoiceField{kCeilingWords, [](const Settings& s) { return static_cast<std::size_t>(s.haptic.ceiling); },
@@ -61,9 +69,10 @@ const std::array kTable{
     SettingInfo{"speech.language", "", kPersonOnly, TextField{HANDRAIL_AT(speech.language)}},
     SettingInfo{"speech.voice", "", kPersonOnly, TextField{HANDRAIL_AT(speech.voice)}},
     SettingInfo{"speech.distances_in_steps", "", kPersonOnly, SwitchField{HANDRAIL_AT(speech.distances_in_steps)}},
-    SettingInfo{"speech.directions", "", kPersonOnly,
-                ChoiceField{kDirectionWords, [](const Settings& s) { return static_cast<std::size_t>(s.speech.directions); },
-                            [](Settings& s, std::size_t i) { s.speech.directions = static_cast<DirectionChoice>(i); }}},
+    SettingInfo{
+        "speech.directions", "", kPersonOnly,
+        ChoiceField{kDirectionWords, [](const Settings& s) { return static_cast<std::size_t>(s.speech.directions); },
+                    [](Settings& s, std::size_t i) { s.speech.directions = static_cast<DirectionChoice>(i); }}},
     SettingInfo{"speech.rounded", "", kPersonOnly, SwitchField{HANDRAIL_AT(speech.rounded)}},
     SettingInfo{"speech.rooms", "", kPersonOnly, SwitchField{HANDRAIL_AT(speech.rooms)}},
     SettingInfo{"speech.braille", "", kPersonOnly, SwitchField{HANDRAIL_AT(speech.braille)}},
@@ -147,17 +156,21 @@ constexpr std::array kProfile{
 
 std::string what_it_is(const SettingValue& value) {
     return std::visit(
-        Overloaded{[](bool v) { return std::string(v ? "true" : "false"); }, [](std::int64_t v) { return fmt::format("{}", v); },
-                   [](double v) { return fmt::format("{}", v); }, [](const std::string& v) { return fmt::format("\"{}\"", v.substr(0, kLongestText)); }},
+        Overloaded{[](bool v) { return std::string(v ? "true" : "false"); },
+                   [](std::int64_t v) { return fmt::format("{}", v); }, [](double v) { return fmt::format("{}", v); },
+                   [](const std::string& v) { return fmt::format("\"{}\"", v.substr(0, kLongestText)); }},
         value);
 }
 
 // "workspace.scale is 900, but must be 1 to 500 world metres per hand metre."
 template <class Info>
 tl::unexpected<Error> refuse(std::string_view key, const Info& info, const SettingValue& value) {
-    if (info.unit.empty()) return fail(phrase("setting_error.refused", {{"key", key}, {"value", what_it_is(value)}, {"range", range_of(info)}}));
-    return fail(
-        phrase("setting_error.refused_unit", {{"key", key}, {"value", what_it_is(value)}, {"range", range_of(info)}, {"unit", spoken_unit(info.unit)}}));
+    if (info.unit.empty())
+        return fail(
+            phrase("setting_error.refused", {{"key", key}, {"value", what_it_is(value)}, {"range", range_of(info)}}));
+    return fail(phrase(
+        "setting_error.refused_unit",
+        {{"key", key}, {"value", what_it_is(value)}, {"range", range_of(info)}, {"unit", spoken_unit(info.unit)}}));
 }
 
 // As they are typed, with a point in every language.
@@ -167,7 +180,8 @@ std::string number_range(double least, double most) {
 
 // "light, normal or full".
 std::string any_of_words(std::span<const std::string_view> words) {
-    return phrase("setting_range.words", {{"words", fmt::format("{}", fmt::join(words.first(words.size() - 1), ", "))}, {"last", words.back()}});
+    return phrase("setting_range.words", {{"words", fmt::format("{}", fmt::join(words.first(words.size() - 1), ", "))},
+                                          {"last", words.back()}});
 }
 
 // Which of the words a value is, whatever its case; none: nothing.
@@ -191,7 +205,8 @@ std::span<const OverrideInfo> override_table() { return kOverrides; }
 std::span<const ProfileInfo> profile_table() { return kProfile; }
 
 const SettingInfo* find_setting(std::string_view key) {
-    const auto found = std::find_if(kTable.begin(), kTable.end(), [&](const SettingInfo& info) { return info.key == key; });
+    const auto found =
+        std::find_if(kTable.begin(), kTable.end(), [&](const SettingInfo& info) { return info.key == key; });
     return found == kTable.end() ? nullptr : &*found;
 }
 
@@ -205,16 +220,21 @@ std::string range_of(const SettingInfo& info) {
                                  [](const WholeField& f) {
                                      return phrase("setting_range.whole", {{"least", f.least}, {"most", f.most}});
                                  },
-                                 [](const SwitchField&) { return phrase("setting_range.switch"); }, [](const ChoiceField& f) { return any_of_words(f.words); },
+                                 [](const SwitchField&) { return phrase("setting_range.switch"); },
+                                 [](const ChoiceField& f) { return any_of_words(f.words); },
                                  [&](const TextField&) { return phrase("setting_range." + std::string(info.key)); }},
                       info.field);
 }
 
-std::string range_of(const ProfileInfo& info) { return info.number ? number_range(info.least, info.most) : any_of_words(info.words); }
+std::string range_of(const ProfileInfo& info) {
+    return info.number ? number_range(info.least, info.most) : any_of_words(info.words);
+}
 
 std::string meaning_of(const SettingInfo& info) { return phrase("setting." + std::string(info.key)); }
 std::string meaning_of(const ProfileInfo& info) { return phrase("setting.profile." + std::string(info.field)); }
-std::string spoken_unit(std::string_view unit) { return unit.empty() ? std::string() : phrase("unit." + std::string(unit)); }
+std::string spoken_unit(std::string_view unit) {
+    return unit.empty() ? std::string() : phrase("unit." + std::string(unit));
+}
 
 Result<void> apply(std::string_view key, const ProfileInfo& info, const SettingValue& value, DeviceProfile& profile) {
     if (info.number) {
@@ -244,59 +264,70 @@ Result<double> number_in_range(std::string_view key, const SettingInfo& plain, c
 
 bool is_short_text(std::string_view text) {
     const auto unprintable = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-    return !text.empty() && text.size() <= kLongestText && std::none_of(text.begin(), text.end(), unprintable) && is_utf8(text);
+    return !text.empty() && text.size() <= kLongestText && std::none_of(text.begin(), text.end(), unprintable) &&
+           is_utf8(text);
 }
 
 Result<std::string> short_text(std::string_view key, const SettingValue& value) {
     const auto* text = std::get_if<std::string>(&value);
-    if (!text || !is_short_text(*text)) return fail(phrase("setting_error.not_short_text", {{"key", key}, {"most", kLongestText}}));
+    if (!text || !is_short_text(*text))
+        return fail(phrase("setting_error.not_short_text", {{"key", key}, {"most", kLongestText}}));
     return *text;
 }
 
 Result<void> apply(const SettingInfo& info, const SettingValue& value, Settings& settings) {
     return std::visit(
-        Overloaded{
-            [&](const NumberField& f) -> Result<void> { return number_in_range(info.key, info, value).map([&](double number) { f.at(settings) = number; }); },
-            [&](const WholeField& f) -> Result<void> {
-                const auto* whole = std::get_if<std::int64_t>(&value);
-                if (!whole || *whole < f.least || *whole > f.most) return refuse(info.key, info, value);
-                f.at(settings) = static_cast<int>(*whole);
-                return {};
-            },
-            [&](const SwitchField& f) -> Result<void> {
-                const auto* on = std::get_if<bool>(&value);
-                if (!on) return refuse(info.key, info, value);
-                f.at(settings) = *on;
-                return {};
-            },
-            [&](const ChoiceField& f) -> Result<void> {
-                const std::optional<std::size_t> word = index_of_word(f.words, value);
-                if (!word) return refuse(info.key, info, value);
-                f.set(settings, *word);
-                return {};
-            },
-            [&](const TextField& f) -> Result<void> { return short_text(info.key, value).map([&](const std::string& text) { f.at(settings) = text; }); }},
+        Overloaded{[&](const NumberField& f) -> Result<void> {
+                       return number_in_range(info.key, info, value).map([&](double number) {
+                           f.at(settings) = number;
+                       });
+                   },
+                   [&](const WholeField& f) -> Result<void> {
+                       const auto* whole = std::get_if<std::int64_t>(&value);
+                       if (!whole || *whole < f.least || *whole > f.most) return refuse(info.key, info, value);
+                       f.at(settings) = static_cast<int>(*whole);
+                       return {};
+                   },
+                   [&](const SwitchField& f) -> Result<void> {
+                       const auto* on = std::get_if<bool>(&value);
+                       if (!on) return refuse(info.key, info, value);
+                       f.at(settings) = *on;
+                       return {};
+                   },
+                   [&](const ChoiceField& f) -> Result<void> {
+                       const std::optional<std::size_t> word = index_of_word(f.words, value);
+                       if (!word) return refuse(info.key, info, value);
+                       f.set(settings, *word);
+                       return {};
+                   },
+                   [&](const TextField& f) -> Result<void> {
+                       return short_text(info.key, value).map([&](const std::string& text) { f.at(settings) = text; });
+                   }},
         info.field);
 }
 
 SettingValue current_value(const SettingInfo& info, const Settings& settings) {
-    Settings& s = const_cast<Settings&>(settings);  // the accessors give references; nothing is written through them here
-    return std::visit(
-        Overloaded{[&](const NumberField& f) -> SettingValue { return f.at(s); }, [&](const WholeField& f) -> SettingValue { return std::int64_t{f.at(s)}; },
-                   [&](const SwitchField& f) -> SettingValue { return f.at(s); },
-                   [&](const ChoiceField& f) -> SettingValue { return std::string(f.words[f.get(s)]); },
-                   [&](const TextField& f) -> SettingValue { return f.at(s); }},
-        info.field);
+    Settings& s =
+        const_cast<Settings&>(settings);  // the accessors give references; nothing is written through them here
+    return std::visit(Overloaded{[&](const NumberField& f) -> SettingValue { return f.at(s); },
+                                 [&](const WholeField& f) -> SettingValue { return std::int64_t{f.at(s)}; },
+                                 [&](const SwitchField& f) -> SettingValue { return f.at(s); },
+                                 [&](const ChoiceField& f) -> SettingValue { return std::string(f.words[f.get(s)]); },
+                                 [&](const TextField& f) -> SettingValue { return f.at(s); }},
+                      info.field);
 }
 
 SettingValue value_from_word(const SettingInfo& info, std::string_view word) {
-    if (word.size() >= 2 && word.front() == '"' && word.back() == '"') return std::string(word.substr(1, word.size() - 2));
-    if (std::holds_alternative<ChoiceField>(info.field) || std::holds_alternative<TextField>(info.field)) return std::string(word);
+    if (word.size() >= 2 && word.front() == '"' && word.back() == '"')
+        return std::string(word.substr(1, word.size() - 2));
+    if (std::holds_alternative<ChoiceField>(info.field) || std::holds_alternative<TextField>(info.field))
+        return std::string(word);
     if (word == "true" || word == "on") return true;
     if (word == "false" || word == "off") return false;
     double number = 0.0;
     if (!parse_finite(word, number)) return std::string(word);
-    if (std::holds_alternative<WholeField>(info.field) && number == std::floor(number) && std::abs(number) < 1e9) return static_cast<std::int64_t>(number);
+    if (std::holds_alternative<WholeField>(info.field) && number == std::floor(number) && std::abs(number) < 1e9)
+        return static_cast<std::int64_t>(number);
     return number;
 }
 

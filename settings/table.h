@@ -1,5 +1,6 @@
-// The one table of settings: key, unit, range, default and where the value lives; what is said of them stands in settings/languages. Files, the command line, `handrail settings`
-// and its documentation all go through it. Private to this folder; app thread.
+// The one table of settings: key, unit, range, default and where the value lives; what is said of them stands in
+// settings/languages. Files, the command line, `handrail settings` and its documentation all go through it. Private to
+// this folder; app thread.
 #pragma once
 
 #include <cstdint>
@@ -85,7 +86,8 @@ bool is_short_text(std::string_view text);
 Result<std::string> short_text(std::string_view key, const SettingValue& value);
 // The value as it now is.
 SettingValue current_value(const SettingInfo& info, const Settings& settings);
-// A word from a command line as the kind of value this setting takes; what does not fit comes back as text and is refused by apply.
+// A word from a command line as the kind of value this setting takes; what does not fit comes back as text and is
+// refused by apply.
 SettingValue value_from_word(const SettingInfo& info, std::string_view word);
 
 }  // namespace handrail

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/core/words.h"
+#include "app/core/dialogue/words.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -92,11 +92,14 @@ void CompanionDevices::run() {
 void CompanionDevices::look_around(double now_s) {
     looked_s_ = now_s;
     std::vector<FoundCompanion> found = find_companions();
-    std::erase_if(refused_, [&](const std::string& path) { return std::none_of(found.begin(), found.end(), [&](const auto& f) { return f.path == path; }); });
+    std::erase_if(refused_, [&](const std::string& path) {
+        return std::none_of(found.begin(), found.end(), [&](const auto& f) { return f.path == path; });
+    });
     std::vector<std::string> news;
     for (FoundCompanion& one : found) {
         const bool known =
-            refused_.contains(one.path) || std::any_of(plugged_.begin(), plugged_.end(), [&](const Plugged& p) { return p.found.path == one.path; });
+            refused_.contains(one.path) ||
+            std::any_of(plugged_.begin(), plugged_.end(), [&](const Plugged& p) { return p.found.path == one.path; });
         if (known) continue;
         auto opened = open_companion(one);
         if (!opened) {
@@ -118,13 +121,15 @@ void CompanionDevices::look_around(double now_s) {
 bool CompanionDevices::serve(Plugged& plugged, const FingerCue& cue, double now_s, Steering& sum) {
     const std::uint32_t was = plugged.state.buttons;
     if (!plugged.device->read(plugged.state, now_s)) return false;
-    sum = {together(sum.ahead, plugged.state.ahead), together(sum.right, plugged.state.right), together(sum.turn_right, plugged.state.turn_right)};
+    sum = {together(sum.ahead, plugged.state.ahead), together(sum.right, plugged.state.right),
+           together(sum.turn_right, plugged.state.turn_right)};
     for (unsigned i = 0; i < kButtons; ++i) {
         if (!((plugged.state.buttons & ~was) >> i & 1U)) continue;
         const std::lock_guard guard(mutex_);
         if (const auto command = command_of(static_cast<CompanionButton>(i))) commands_.push_back(*command);
     }
-    const bool due = cue != plugged.told ? now_s - plugged.told_s >= kCueEvery_s : now_s - plugged.told_s >= kCueAgain_s;
+    const bool due =
+        cue != plugged.told ? now_s - plugged.told_s >= kCueEvery_s : now_s - plugged.told_s >= kCueAgain_s;
     if (!due) return true;
     plugged.told = cue;
     plugged.told_s = now_s;

@@ -1,7 +1,8 @@
-// Game pads, SpaceMouse and rumble pads in a session: finds them, plugged in before or later, turns their sticks and buttons into steering and
-// commands, and gives them cues. Has a thread of its own, which alone touches the devices: a slow one holds up neither app nor servo. The app thread
-// calls everything marked so, which takes a mutex for microseconds. step() is the whole body of the loop, so the owner of virtual time needs no
-// thread. Where nothing is plugged in the thread looks around every two seconds and does nothing else.
+// Game pads, SpaceMouse and rumble pads in a session: finds them, plugged in before or later, turns their sticks and
+// buttons into steering and commands, and gives them cues. Has a thread of its own, which alone touches the devices: a
+// slow one holds up neither app nor servo. The app thread calls everything marked so, which takes a mutex for
+// microseconds. step() is the whole body of the loop, so the owner of virtual time needs no thread. Where nothing is
+// plugged in the thread looks around every two seconds and does nothing else.
 #pragma once
 
 #include <atomic>
@@ -12,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/core/app_core.h"
+#include "app/core/session/app_core.h"
 #include "haptic/drivers/companion.h"
 #include "worlds/base/clock.h"
 

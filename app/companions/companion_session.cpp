@@ -13,17 +13,18 @@ CompanionSession::CompanionSession(Clock& clock, bool run_thread) : devices_(clo
 
 std::vector<std::string> CompanionSession::guide(AppCore& app, double now_s, bool busy_elsewhere) {
     const Steering steering = busy_elsewhere ? Steering{} : devices_.steering();
-    if (steering != steering_) app.steer(steering);
+    if (steering != steering_) app.apply(Steered{steering}, now_s);
     steering_ = steering;
     for (const Command command : devices_.take_commands()) {
         if (busy_elsewhere) continue;  // done with: it must not come later
-        app.press(command, now_s);
-        app.release(command);
+        app.apply(CommandDown{command}, now_s);
+        app.apply(CommandUp{command}, now_s);
     }
     return devices_.take_news();
 }
 
-void CompanionSession::follow(const AppCore& app, std::span<const CueRequest> requests, const ToolState* tool, double now_s) {
+void CompanionSession::follow(const AppCore& app, std::span<const CueRequest> requests, const ToolState* tool,
+                              double now_s) {
     if (!devices_.any() || !app.scene()) return;
     if (app.worlds_entered() != worlds_entered_) {
         worlds_entered_ = app.worlds_entered();
@@ -33,7 +34,8 @@ void CompanionSession::follow(const AppCore& app, std::span<const CueRequest> re
     }
     scene_ = app.scene();
     planner_.set_settings(app.settings().pads);
-    devices_.give(planner_.tick({.now_s = now_s, .requests = requests, .tool = tool, .passage_width_m = app.passage_width_m()}));
+    devices_.give(
+        planner_.tick({.now_s = now_s, .requests = requests, .tool = tool, .passage_width_m = app.passage_width_m()}));
 }
 
 bool is_companion(std::string_view name) {
@@ -41,8 +43,12 @@ bool is_companion(std::string_view name) {
     return std::find(names.begin(), names.end(), lower_ascii(name)) != names.end();
 }
 
-std::string cues_and_walking_sentence(std::string_view model) { return phrase("companion.cues_and_walking", {{"device", model}}); }
+std::string cues_and_walking_sentence(std::string_view model) {
+    return phrase("companion.cues_and_walking", {{"device", model}});
+}
 
-std::string no_companion_sentence(std::string_view name) { return phrase("companion.none", {{"device", companion_model(lower_ascii(name))}}); }
+std::string no_companion_sentence(std::string_view name) {
+    return phrase("companion.none", {{"device", companion_model(lower_ascii(name))}});
+}
 
 }  // namespace handrail

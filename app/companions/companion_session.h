@@ -1,4 +1,5 @@
-// What pads and pucks do to a session and what it does to them, in two calls a frame. App thread; where none is plugged in both are one comparison.
+// What pads and pucks do to a session and what it does to them, in two calls a frame. App thread; where none is plugged
+// in both are one comparison.
 #pragma once
 
 #include <span>
@@ -13,13 +14,15 @@ namespace handrail {
 
 class CompanionSession {
 public:
-    // Looks for devices from now on, on a thread of its own. `run_thread` false: the owner of virtual time calls devices().step().
+    // Looks for devices from now on, on a thread of its own. `run_thread` false: the owner of virtual time calls
+    // devices().step().
     explicit CompanionSession(Clock& clock, bool run_thread = true);
 
-    // Before the app's tick: steers it and presses what was pressed, unless the person is busy elsewhere. Gives the sentences that are due: what was
-    // found, what is gone.
+    // Before the app's tick: steers it and presses what was pressed, unless the person is busy elsewhere. Gives the
+    // sentences that are due: what was found, what is gone.
     std::vector<std::string> guide(AppCore& app, double now_s, bool busy_elsewhere = false);
-    // After it: cues from what the app asks to be heard and what the hand touches; `tool` is nullptr where there is no hand.
+    // After it: cues from what the app asks to be heard and what the hand touches; `tool` is nullptr where there is no
+    // hand.
     void follow(const AppCore& app, std::span<const CueRequest> requests, const ToolState* tool, double now_s);
 
     CompanionDevices& devices() { return devices_; }

@@ -69,12 +69,12 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
     }
     std::string counted;
     if (arguments.instructions) {
-        std::ifstream in(*arguments.instructions, std::ios::binary);
-        counted.assign(std::istreambuf_iterator<char>(in), {});
-        if (!in && counted.empty()) {
-            err << phrase("program.not_read", {{"file", arguments.instructions->string()}}) << '\n';
+        auto read = read_whole_file(*arguments.instructions);
+        if (!read) {
+            err << read.error().sentence() << '\n';
             return 1;
         }
+        counted = std::move(*read);
     }
     options.progress = [&err](const std::string& sentence) { err << sentence << '\n'; };
     bench::BenchReport report = bench::run_bench(options);
@@ -84,7 +84,8 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
     if (arguments.svg_folder) {
         std::error_code ec;
         fs::create_directories(*arguments.svg_folder, ec);
-        for (const auto& [name, content] : bench::plots_of(report)) written = written && write(*arguments.svg_folder / name, content, err);
+        for (const auto& [name, content] : bench::plots_of(report))
+            written = written && write(*arguments.svg_folder / name, content, err);
     }
     if (arguments.markdown) written = written && write(*arguments.markdown, bench::markdown_of(report), err);
     return written ? 0 : 1;

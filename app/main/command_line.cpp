@@ -2,24 +2,27 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/core/command.h"
-#include "app/core/spoken_language.h"
+#include "app/core/dialogue/command.h"
+#include "app/core/kept/spoken_language.h"
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
+#include "worlds/readers/units.h"
 
 namespace handrail {
 namespace fs = std::filesystem;
 namespace {
 
 // A number option, read without regard to the locale. CLI11's own conversion would follow LC_NUMERIC.
-CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& unit, std::function<void(double)> take, bool zero_allowed,
-                        const std::string& help) {
+CLI::Option* add_number(CLI::App& app, const std::string& name, const std::string& unit,
+                        std::function<void(double)> take, bool zero_allowed, const std::string& help) {
     const auto read = [name, take = std::move(take), zero_allowed](const std::string& word) {
         double value = 0.0;
-        if (!parse_finite(word, value)) throw CLI::ValidationError(phrase("help.needs_number", {{"option", name}, {"word", word}}));
+        if (!parse_finite(word, value))
+            throw CLI::ValidationError(phrase("help.needs_number", {{"option", name}, {"word", word}}));
         if (value < 0.0 || (value == 0.0 && !zero_allowed))
-            throw CLI::ValidationError(phrase(zero_allowed ? "help.not_below_0" : "help.above_0", {{"option", name}, {"word", word}}));
+            throw CLI::ValidationError(
+                phrase(zero_allowed ? "help.not_below_0" : "help.above_0", {{"option", name}, {"word", word}}));
         take(value);
     };
     return app.add_option_function<std::string>(name, read, help)->type_name(unit)->type_size(1);
@@ -27,17 +30,29 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, const std::strin
 
 void add_map_scale(CLI::App& app, CommonArguments& common) {
     add_number(
-        app, "--map-scale", "M", [&common](double v) { common.map_scale_m_per_unit = v; }, false, phrase("help.map_scale"));
+        app, "--map-scale", "M", [&common](double v) { common.map_scale_m_per_unit = v; }, false,
+        phrase("help.map_scale"));
+    const auto take_unit = [&common](const std::string& word) {
+        common.unit_m = unit_named(word);
+        if (!common.unit_m) throw CLI::ValidationError(phrase("help.no_unit", {{"word", word}}));
+    };
+    app.add_option_function<std::string>("--unit", take_unit, phrase("help.unit"))->type_name("UNIT")->type_size(1);
 }
 
 void add_settings_options(CLI::App& app, SettingsOptions& options) {
     app.add_option("--settings", options.file, phrase("help.settings_file"))->type_name("FILE");
-    app.add_option("--set", options.assignments, phrase("help.set"))->type_name("KEY=VALUE")->type_size(1)->expected(1)->allow_extra_args(false)->take_all();
+    app.add_option("--set", options.assignments, phrase("help.set"))
+        ->type_name("KEY=VALUE")
+        ->type_size(1)
+        ->expected(1)
+        ->allow_extra_args(false)
+        ->take_all();
 }
 
 std::string part_words() {
     std::string words;
-    for (const WizardPartInfo& part : wizard_parts()) words += fmt::format("{}{}", words.empty() ? "" : ", ", part.word);
+    for (const WizardPartInfo& part : wizard_parts())
+        words += fmt::format("{}{}", words.empty() ? "" : ", ", part.word);
     return words;
 }
 
@@ -59,8 +74,9 @@ struct Grammar {
         app.name("handrail");
         app.option_defaults()->group(phrase("help.group_options"));
         for (const auto& [label, key] :
-             {std::pair{"Usage", "help.usage"}, std::pair{"OPTIONS", "help.options"}, std::pair{"SUBCOMMAND", "help.subcommand"},
-              std::pair{"Positionals", "help.positionals"}, std::pair{"REQUIRED", "help.mandatory"}, std::pair{"Excludes", "help.label_excludes"}})
+             {std::pair{"Usage", "help.usage"}, std::pair{"OPTIONS", "help.options"},
+              std::pair{"SUBCOMMAND", "help.subcommand"}, std::pair{"Positionals", "help.positionals"},
+              std::pair{"REQUIRED", "help.mandatory"}, std::pair{"Excludes", "help.label_excludes"}})
             app.get_formatter()->label(label, phrase(key));
         app.require_subcommand(0, 1);
         app.set_version_flag("--version", "handrail " HANDRAIL_VERSION, phrase("help.version"));
@@ -91,21 +107,28 @@ struct Grammar {
         add_number(
             *touch_app, "--radius", "M", [this](double v) { touch.radius_m = v; }, true, phrase("help.radius"));
         add_number(
-            *touch_app, "--stiffness", "N_PER_M", [this](double v) { touch.stiffness_n_per_m = v; }, true, phrase("help.stiffness"));
+            *touch_app, "--stiffness", "N_PER_M", [this](double v) { touch.stiffness_n_per_m = v; }, true,
+            phrase("help.stiffness"));
         add_number(
-            *touch_app, "--damping", "NS_PER_M", [this](double v) { touch.damping_ns_per_m = v; }, true, phrase("help.damping"));
+            *touch_app, "--damping", "NS_PER_M", [this](double v) { touch.damping_ns_per_m = v; }, true,
+            phrase("help.damping"));
         add_number(
-            *touch_app, "--friction-static", "MU", [this](double v) { touch.friction_static = v; }, true, phrase("help.friction_static"));
+            *touch_app, "--friction-static", "MU", [this](double v) { touch.friction_static = v; }, true,
+            phrase("help.friction_static"));
         add_number(
-            *touch_app, "--friction-kinetic", "MU", [this](double v) { touch.friction_kinetic = v; }, true, phrase("help.friction_kinetic"));
+            *touch_app, "--friction-kinetic", "MU", [this](double v) { touch.friction_kinetic = v; }, true,
+            phrase("help.friction_kinetic"));
         add_number(
-            *touch_app, "--scale", "S", [this](double v) { touch.scale_world_m_per_hand_m = v; }, false, phrase("help.scale"));
+            *touch_app, "--scale", "S", [this](double v) { touch.scale_world_m_per_hand_m = v; }, false,
+            phrase("help.scale"));
         touch_app->add_option("--device", touch.device, phrase("help.limits"))->type_name("NAME");
         add_map_scale(*touch_app, touch.common);
 
         scenario_app = app.add_subcommand("scenario", phrase("help.scenario"));
         scenario_app->add_option("PATH", scenario.paths, phrase("help.paths"))->required()->type_name("");
         scenario_app->add_option("--junit", scenario.junit, phrase("help.junit"))->type_name("FILE");
+        scenario_app->add_option("--transcripts", scenario.transcripts, phrase("help.transcripts"))
+            ->type_name("FOLDER");
         add_map_scale(*scenario_app, scenario.common);
 
         bench_app = app.add_subcommand("bench", phrase("help.bench"));
@@ -113,7 +136,12 @@ struct Grammar {
         bench_app->add_flag("--json", bench.json, phrase("help.json"));
         bench_app->add_option("--scene", bench.scene, phrase("help.scene"))->type_name("NAME");
         bench_app->add_flag("--list", bench.list, phrase("help.list"));
-        bench_app->add_option("--map", bench.maps, phrase("help.map"))->type_name("FILE")->type_size(1)->expected(1)->allow_extra_args(false)->take_all();
+        bench_app->add_option("--map", bench.maps, phrase("help.map"))
+            ->type_name("FILE")
+            ->type_size(1)
+            ->expected(1)
+            ->allow_extra_args(false)
+            ->take_all();
         bench_app->add_option("--svg", bench.svg_folder, phrase("help.svg"))->type_name("FOLDER");
         bench_app->add_option("--markdown", bench.markdown, phrase("help.markdown"))->type_name("FILE");
         bench_app->add_option("--instructions", bench.instructions, phrase("help.instructions"))->type_name("FILE");
@@ -132,7 +160,9 @@ struct Grammar {
             if (!parts) throw CLI::ValidationError(parts.error().sentence());
             calibrate.arguments.calibrate = std::move(*parts);
         };
-        calibrate_app->add_option_function<std::string>("--only", take_parts, phrase("help.only", {{"parts", part_words()}}))->type_name("PARTS");
+        calibrate_app
+            ->add_option_function<std::string>("--only", take_parts, phrase("help.only", {{"parts", part_words()}}))
+            ->type_name("PARTS");
         calibrate_app->add_flag("--no-window", calibrate.arguments.no_window, phrase("help.no_window"));
         calibrate_app->add_option("--device", calibrate.arguments.device, phrase("help.device"))->type_name("NAME");
         add_settings_options(*calibrate_app, calibrate.settings);
@@ -161,7 +191,8 @@ UsageError with_hint(const CLI::App& app, const std::string& sentence) {
     return {phrase(app.get_parent() ? "help.see_command" : "help.see", {{"sentence", sentence}})};
 }
 
-// "handrail inof" reads as a world named inof. Where there is no such file and it is no path either, a command was meant.
+// "handrail inof" reads as a world named inof. Where there is no such file and it is no path either, a command was
+// meant.
 bool is_misspelt_command(const fs::path& world) {
     std::error_code ec;
     return world.string().find_first_of("./") == std::string::npos && !fs::exists(world, ec);
@@ -178,9 +209,11 @@ UsageError leftover_word(Grammar& grammar, const std::string& word) {
         std::vector<std::string> names;
         for (const CLI::Option* option : app.get_options())
             for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-        return {phrase("help.no_such_option", {{"option", word}, {"nearest", nearest_name(word.substr(0, word.find('=')), names)}})};
+        return {phrase("help.no_such_option",
+                       {{"option", word}, {"nearest", nearest_name(word.substr(0, word.find('=')), names)}})};
     }
-    if (&app == &grammar.app && grammar.explore.arguments.world && is_misspelt_command(*grammar.explore.arguments.world))
+    if (&app == &grammar.app && grammar.explore.arguments.world &&
+        is_misspelt_command(*grammar.explore.arguments.world))
         return no_such_command(grammar, grammar.explore.arguments.world->string());
     return with_hint(app, phrase("help.one_too_many", {{"word", word}}));
 }
@@ -189,7 +222,8 @@ UsageError leftover_word(Grammar& grammar, const std::string& word) {
 std::optional<UsageError> options_before_command(Grammar& grammar) {
     for (const CLI::Option* option : grammar.app.get_options())
         if (option->count() > 0) {
-            return UsageError{phrase("help.before_command", {{"option", option->get_name()}, {"command", grammar.chosen().get_name()}})};
+            return UsageError{phrase("help.before_command",
+                                     {{"option", option->get_name()}, {"command", grammar.chosen().get_name()}})};
         }
     return std::nullopt;
 }
@@ -205,12 +239,14 @@ std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error) {
     const std::string message = error.what();
     for (const CLI::Option* option : app.get_options()) {
         const std::string name = option->get_name();
-        if (dynamic_cast<const CLI::RequiredError*>(&error) && option->get_required() && option->count() == 0) return phrase("help.required", {{"name", name}});
+        if (dynamic_cast<const CLI::RequiredError*>(&error) && option->get_required() && option->count() == 0)
+            return phrase("help.required", {{"name", name}});
         if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && message.starts_with(name + ": "))
             return phrase("help.value_missing", {{"option", name}, {"value", option->get_type_name()}});
         if (dynamic_cast<const CLI::ExcludesError*>(&error) && option->count() > 0)
             for (const CLI::Option* other : option->get_excludes())
-                if (other->count() > 0) return phrase("help.excludes", {{"option", name}, {"other", other->get_name()}});
+                if (other->count() > 0)
+                    return phrase("help.excludes", {{"option", name}, {"other", other->get_name()}});
     }
     return first_line_as_sentence(message);
 }
@@ -220,12 +256,13 @@ std::optional<UsageError> check_touch(TouchArguments& touch) {
     if (!touch.friction_static) touch.friction_static = touch.friction_kinetic;
     if (!touch.friction_kinetic) touch.friction_kinetic = touch.friction_static;
     if (touch.friction_static && *touch.friction_static < *touch.friction_kinetic)
-        return UsageError{
-            phrase("help.friction", {{"static", fmt::format("{}", *touch.friction_static)}, {"kinetic", fmt::format("{}", *touch.friction_kinetic)}})};
+        return UsageError{phrase("help.friction", {{"static", fmt::format("{}", *touch.friction_static)},
+                                                   {"kinetic", fmt::format("{}", *touch.friction_kinetic)}})};
     return std::nullopt;
 }
 
-// What is spoken until settings are read, and what is wrong with its file: to be told then, where it is still the one that is spoken.
+// What is spoken until settings are read, and what is wrong with its file: to be told then, where it is still the one
+// that is spoken.
 struct FirstLanguage {
     std::string code;
     std::vector<Diagnostic> faults;
@@ -236,7 +273,8 @@ FirstLanguage speak_first() {
 }
 
 // The person's settings with what the command line changes. Nothing, and a sentence on `err`, for wrong usage.
-std::optional<SettingsStore> load_settings(const SettingsOptions& options, FirstLanguage first, std::vector<Diagnostic>& problems, std::ostream& err) {
+std::optional<SettingsStore> load_settings(const SettingsOptions& options, FirstLanguage first,
+                                           std::vector<Diagnostic>& problems, std::ostream& err) {
     std::vector<std::string> words;
     for (const CommandInfo& command : command_table()) words.emplace_back(command.word);
     SettingsStore settings(std::move(words));
@@ -248,7 +286,8 @@ std::optional<SettingsStore> load_settings(const SettingsOptions& options, First
         }
     const Settings::Speech& speech = settings.values().speech;
     const fs::path folder = user_languages_folder();
-    std::vector<Diagnostic> faults = language_as_set(speech, folder) == first.code ? std::move(first.faults) : speak_as_set(speech, folder);
+    std::vector<Diagnostic> faults =
+        language_as_set(speech, folder) == first.code ? std::move(first.faults) : speak_as_set(speech, folder);
     for (Diagnostic& fault : faults) problems.push_back(std::move(fault));
     return settings;
 }
@@ -258,7 +297,8 @@ int explore(ExploreCall& call, FirstLanguage first, std::ostream& out, std::ostr
     std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
     if (!settings) return 2;
     if (call.arguments.world)  // house.settings.toml beside house.map
-        for (Diagnostic& problem : settings->load_file(fs::path(*call.arguments.world).replace_extension(".settings.toml"), SettingSource::World))
+        for (Diagnostic& problem : settings->load_file(
+                 fs::path(*call.arguments.world).replace_extension(".settings.toml"), SettingSource::World))
             problems.push_back(std::move(problem));
     return run_explore(call.arguments, *settings, out, err);
 }
@@ -312,7 +352,8 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& out, s
                    [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err); },
                    [&](const BenchArguments& arguments) { return run_bench_command(arguments, out, err); },
                    [&](const SettingsCall& call) {
-                       std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
+                       std::optional<SettingsStore> settings =
+                           load_settings(call.settings, std::move(first), problems, err);
                        if (!settings) return 2;
                        for (const Diagnostic& problem : problems) err << problem.sentence() << "\n";
                        return run_settings(call.arguments, *settings, out, err);

@@ -1,4 +1,5 @@
-// The command line, from words to one of the commands in commands.h. Numbers are read the same way in every language setting. App thread.
+// The command line, from words to one of the commands in commands.h. Numbers are read the same way in every language
+// setting. App thread.
 #pragma once
 
 #include <filesystem>
@@ -34,8 +35,8 @@ struct UsageError {
     std::string sentence;
 };
 
-using ParsedCommandLine =
-    std::variant<ExploreCall, InfoArguments, TouchArguments, ScenarioArguments, BenchArguments, SettingsCall, DevicesArguments, PrintedText, UsageError>;
+using ParsedCommandLine = std::variant<ExploreCall, InfoArguments, TouchArguments, ScenarioArguments, BenchArguments,
+                                       SettingsCall, DevicesArguments, PrintedText, UsageError>;
 
 // `words` are the arguments after the program's name. Touches no file but to ask whether a WORLD exists.
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words);

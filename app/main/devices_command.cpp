@@ -57,7 +57,10 @@ Json json_of(const FoundDevice& device) {
 }
 
 void tell(const FoundDevice& device, std::ostream& out) {
-    out << phrase("program.device", {{"model", device.model}, {"name", device.name}, {"connection", device.connection}, {"kind", kind_sentence(device.kind)}})
+    out << phrase("program.device", {{"model", device.model},
+                                     {"name", device.name},
+                                     {"connection", device.connection},
+                                     {"kind", kind_sentence(device.kind)}})
         << '\n';
     const auto line = [&out](const std::string& sentence) { out << "  " << sentence << '\n'; };
     if (!device.serial.empty()) line(phrase("program.device_serial", {{"serial", device.serial}}));
@@ -65,11 +68,12 @@ void tell(const FoundDevice& device, std::ostream& out) {
     if (!device.firmware.empty()) line(phrase("program.device_firmware", {{"firmware", device.firmware}}));
     if (!device.calibration.empty()) line(phrase("program.device_calibration", {{"calibration", device.calibration}}));
     if (device.spec)
-        line(phrase(
-            "program.device_reach",
-            {{"reach", device.spec->workspace_radius_m * 100.0}, {"force", device.spec->peak_force_n}, {"stiffness", device.spec->rated_stiffness_n_per_m}}));
+        line(phrase("program.device_reach", {{"reach", device.spec->workspace_radius_m * 100.0},
+                                             {"force", device.spec->peak_force_n},
+                                             {"stiffness", device.spec->rated_stiffness_n_per_m}}));
     if (device.rate_hz > 0.0) line(phrase("program.device_rate", {{"rate", device.rate_hz}}));
-    line(device.usable ? phrase("program.device_state", {{"state", spoken_device_state(device)}}) : phrase("program.device_problem", {{"problem", device.problem}}));
+    line(device.usable ? phrase("program.device_state", {{"state", spoken_device_state(device)}})
+                       : phrase("program.device_problem", {{"problem", device.problem}}));
 }
 
 }  // namespace
@@ -81,8 +85,8 @@ int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostre
         for (const FoundDevice& device : found) devices.push_back(json_of(device));
         for (const DeviceSpec& spec : device_specs())
             if (spec.name.starts_with("sim-")) simulated.push_back(spec.name);
-        out << Json{{"devices", std::move(devices)}, {"simulated", std::move(simulated)}, {"udev_rule", kUdevRule}}.dump(2, ' ', false,
-                                                                                                                         Json::error_handler_t::replace)
+        out << Json{{"devices", std::move(devices)}, {"simulated", std::move(simulated)}, {"udev_rule", kUdevRule}}
+                   .dump(2, ' ', false, Json::error_handler_t::replace)
             << '\n';
         return 0;
     }

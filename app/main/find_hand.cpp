@@ -4,7 +4,7 @@
 #include <chrono>
 
 #include "app/companions/companion_session.h"
-#include "app/core/words.h"
+#include "app/core/dialogue/words.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -50,7 +50,8 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
             news.push_back(cues_and_walking_sentence(device.model));
             return std::nullopt;
         }
-        if (!device.usable) return fail(phrase("program.not_usable_yet", {{"device", device.model}, {"problem", device.problem}}));
+        if (!device.usable)
+            return fail(phrase("program.not_usable_yet", {{"device", device.model}, {"problem", device.problem}}));
         return real_hand(device);
     }
     if (is_companion(wanted)) {
@@ -64,12 +65,14 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
         return fail(phrase("program.no_such_device", {{"device", wanted}, {"nearest", nearest_name(wanted, names)}}));
     }
     const std::vector<std::string> drivable = openable_device_names();
-    if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end()) return fail(phrase("program.not_driven", {{"device", spec->spoken_name()}}));
+    if (std::find(drivable.begin(), drivable.end(), spec->name) == drivable.end())
+        return fail(phrase("program.not_driven", {{"device", spec->spoken_name()}}));
     if (is_found_only_by_opening(spec->name)) return Hand{HandFacts{true, false, *spec, {}}, {std::string(spec->name)}};
     return fail(phrase("program.not_plugged", {{"device", spec->spoken_name()}}));
 }
 
-HandSearch::HandSearch(std::string wanted) : found_(std::async(std::launch::async, [this, wanted = std::move(wanted)] { return search(wanted); })) {}
+HandSearch::HandSearch(std::string wanted)
+    : found_(std::async(std::launch::async, [this, wanted = std::move(wanted)] { return search(wanted); })) {}
 
 HandSearch::~HandSearch() {
     if (!found_.valid()) return;
@@ -121,7 +124,8 @@ Result<HandSearch::Found> HandSearch::search(const std::string& wanted) {
     return Found{(*hand)->facts, std::move(device), std::move(plugged)};
 }
 
-PlugWatch::PlugWatch(std::optional<std::vector<PluggedHand>> known) : known_(std::move(known)), thread_([this] { run(); }) {}
+PlugWatch::PlugWatch(std::optional<std::vector<PluggedHand>> known)
+    : known_(std::move(known)), thread_([this] { run(); }) {}
 
 PlugWatch::~PlugWatch() {
     {

@@ -1,5 +1,6 @@
-// Which hand there is. Devices are looked for and opened on a thread of their own, for both can take seconds, while the program is used by keyboard;
-// what goes on is told in sentences. App thread; the search's own thread touches nothing but what its mutex guards.
+// Which hand there is. Devices are looked for and opened on a thread of their own, for both can take seconds, while the
+// program is used by keyboard; what goes on is told in sentences. App thread; the search's own thread touches nothing
+// but what its mutex guards.
 #pragma once
 
 #include <atomic>
@@ -12,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/core/app_core.h"
+#include "app/core/session/app_core.h"
 #include "haptic/drivers/found_device.h"
 #include "haptic/drivers/guarded_device.h"
 
@@ -29,11 +30,12 @@ Hand simulated_hand(std::string_view name);
 // What can be said of `wanted` without looking at any device: none and the simulated ones.
 std::optional<Hand> hand_without_looking(const std::string& wanted);
 
-// By name or serial number, or auto: what is plugged in. Takes up to a second. No hand and no failure: auto found nothing that can be
-// used, or what is wanted has no hand.
+// By name or serial number, or auto: what is plugged in. Takes up to a second. No hand and no failure: auto found
+// nothing that can be used, or what is wanted has no hand.
 Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<std::string>& news);
 
-// A search under way, from its construction on. Destruction gives it up and waits for its thread, at most about a second.
+// A search under way, from its construction on. Destruction gives it up and waits for its thread, at most about a
+// second.
 class HandSearch {
 public:
     struct Found {
@@ -64,7 +66,8 @@ private:
     std::future<Result<Found>> found_;  // last: its thread starts when all else stands
 };
 
-// Looks every two seconds for devices that can push a hand and were not there before. Asks them nothing but their names, on a thread of its own.
+// Looks every two seconds for devices that can push a hand and were not there before. Asks them nothing but their
+// names, on a thread of its own.
 class PlugWatch {
 public:
     // known: what is not new; none: whatever the first look finds.

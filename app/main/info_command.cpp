@@ -2,9 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/core/simplified_words.h"
-#include "app/core/walker.h"
-#include "app/core/workspace_scale.h"
+#include "app/core/context/workspace_scale.h"
+#include "app/core/hand/felt_world.h"
+#include "app/core/hand/simplified_words.h"
+#include "app/core/whereabouts/rooms_of_world.h"
+#include "app/core/world/entering.h"
+#include "app/core/world/walker.h"
 #include "app/main/commands.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/compile/touch_model.h"
@@ -13,9 +16,11 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/navigation/navigation.h"
+#include "worlds/navigation/reach.h"
 #include "worlds/navigation/rooms.h"
 #include "worlds/readers/reader.h"
 #include "worlds/scene/lint.h"
+#include "worlds/scene/stated_building.h"
 
 namespace handrail {
 namespace {
@@ -23,8 +28,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Cost {
-    double load_s = 0.0;
-    std::int64_t peak_memory_bytes = 0;  // of the whole process
+    double load_s = 0.0;                 // reading the file
+    double all_s = 0.0;                  // that, and making all that a session has
+    std::int64_t peak_memory_bytes = 0;  // of the whole process, by the end of it
 };
 
 std::int64_t peak_memory_bytes() {
@@ -38,19 +44,27 @@ Json vector_of(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 std::vector<std::string> material_names(const Scene& scene) {
     std::vector<std::string> names;
     for (const Material& material : scene.materials)
-        if (!material.name.empty() && std::find(names.begin(), names.end(), material.name) == names.end()) names.push_back(material.name);
+        if (!material.name.empty() && std::find(names.begin(), names.end(), material.name) == names.end())
+            names.push_back(material.name);
     return names;
+}
+
+// Only what can go somewhere: a door of a map that has no way to open stands as a wall does.
+std::ptrdiff_t moving_parts(const Scene& scene) {
+    return std::count_if(scene.movers.begin(), scene.movers.end(), [](const Mover& mover) { return mover.moves(); });
 }
 
 Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
     const ReadReport& report = scene.report;
+    const StatedBuilding stated = scene.stated ? *scene.stated : StatedBuilding{};
     const Aabb bounds = scene.bounds_m.empty() ? Aabb{Vec3{0.0}, Vec3{0.0}} : scene.bounds_m;
     Json warnings = Json::array();
     for (const Diagnostic& warning : report.warnings)
-        warnings.push_back({{"file", warning.file},
-                            {"line", warning.line},
-                            {"column", warning.column},
-                            {"message", warning.action.empty() ? warning.message : warning.message + " " + warning.action}});
+        warnings.push_back(
+            {{"file", warning.file},
+             {"line", warning.line},
+             {"column", warning.column},
+             {"message", warning.action.empty() ? warning.message : warning.message + " " + warning.action}});
     Json modelled = Json::object();
     for (const TouchModel::Part& part : touch.parts) modelled[std::string(part.key)] = part.count;
     return {{"name", scene.name},
@@ -62,21 +76,21 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
             {"triangles", report.triangles},
             {"liquids", report.liquids},
             {"effects", scene.effects.size()},
-            {"movers", report.movers},
+            {"movers", moving_parts(scene)},
             {"patches", report.patches},
             {"starts", report.starts},
-            {"spaces", 0},
+            {"spaces", stated.rooms.size()},
             {"doors", report.doors},
-            {"windows", 0},
-            {"stairs", 0},
-            {"storeys", 0},
-            {"furnishings", 0},
-            {"portals", 0},
-            {"largest_connected_spaces", 0},
+            {"windows", stated.windows},
+            {"stairs", stated.stairs},
+            {"storeys", stated.storeys.size()},
+            {"furnishings", stated.furnishings},
+            {"portals", stated.portals.size()},
+            {"largest_connected_spaces", largest_connected(stated)},
             {"features", scene.features.size()},
             {"materials", material_names(scene)},
-            {"openings", 0},
-            {"openings_cut", 0},
+            {"openings", stated.openings},
+            {"openings_cut", stated.openings_cut},
             {"guessed", report.guessed},
             {"simplified", report.simplified},
             {"left_out", report.left_out},
@@ -90,6 +104,7 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
             {"touch_stages_on", touch.stages_on},
             {"touch_stages_off", touch.stages_off},
             {"load_s", cost.load_s},
+            {"all_s", cost.all_s},
             {"peak_memory_bytes", cost.peak_memory_bytes}};
 }
 
@@ -99,35 +114,73 @@ std::string spoken_stages(const std::vector<std::string_view>& stages) {
     return text;
 }
 
+// What the file itself says of storeys, rooms and doors, in sentences.
+void tell_stated(const StatedBuilding& stated, std::ostream& out) {
+    const auto doors = [&](std::size_t rooms) {
+        return std::count_if(stated.portals.begin(), stated.portals.end(), [&](const StatedPortal& p) {
+            return p.kind == StatedPortalKind::Door && std::min<std::size_t>(p.rooms.size(), 2) == rooms;
+        });
+    };
+    const auto freed = std::count_if(stated.portals.begin(), stated.portals.end(),
+                                     [](const StatedPortal& p) { return p.opened_by_box; });
+    const auto shut =
+        std::count_if(stated.portals.begin(), stated.portals.end(), [](const StatedPortal& p) { return !p.passable; });
+    out << phrase("info.stated", {{"schema", stated.schema},
+                                  {"storeys", stated.storeys.size()},
+                                  {"rooms", stated.rooms.size()},
+                                  {"windows", stated.windows},
+                                  {"stairs", stated.stairs},
+                                  {"ramps", stated.ramps},
+                                  {"lifts", stated.lifts},
+                                  {"furnishings", stated.furnishings}})
+        << '\n';
+    out << phrase("info.stated_doors",
+                  {{"two", doors(2)}, {"one", doors(1)}, {"none", doors(0)}, {"freed", freed}, {"shut", shut}})
+        << '\n';
+    out << phrase("info.stated_openings", {{"openings", stated.openings}, {"cut", stated.openings_cut}}) << '\n';
+    for (const StatedStorey& storey : stated.storeys)
+        out << "  "
+            << phrase("info.stated_storey",
+                      {{"storey", storey.name}, {"height", storey.floor_m}, {"rooms", storey.rooms}})
+            << '\n';
+}
+
 // Sentences to be heard one after another, the important first.
 void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::ostream& out) {
     const ReadReport& report = scene.report;
     const Vec3 size = scene.bounds_m.empty() ? Vec3{0.0} : scene.bounds_m.size_m();
     const auto line = [&out](const std::string& sentence) { out << sentence << '\n'; };
     line(phrase("info.world", {{"world", spoken_name(scene)}, {"file", scene.source_file}}));
-    line(phrase("info.size", {{"x", size.x}, {"y", size.y}, {"z", size.z}, {"unit", fmt::format("{}", scene.metres_per_unit)}}));
-    line(phrase(
-        "info.holds",
-        {{"things", scene.features.size()}, {"doors", report.doors}, {"movers", report.movers}, {"liquids", report.liquids}, {"starts", report.starts}}));
+    line(phrase("info.size",
+                {{"x", size.x}, {"y", size.y}, {"z", size.z}, {"unit", fmt::format("{}", scene.metres_per_unit)}}));
+    line(phrase("info.holds", {{"things", scene.features.size()},
+                               {"doors", report.doors},
+                               {"movers", moving_parts(scene)},
+                               {"liquids", report.liquids},
+                               {"starts", report.starts}}));
     line(phrase("info.file_holds", {{"brushes", report.brushes},
                                     {"faces", report.polygons},
                                     {"triangles", report.triangles},
                                     {"hidden", report.polygons_hidden},
                                     {"kept", report.polygons_kept}}));
+    if (scene.stated) tell_stated(*scene.stated, out);
     if (!scene.effects.empty()) {
         std::vector<std::string> kinds;
         for (const EffectSpec& row : effect_table()) {
-            const auto many = std::count_if(scene.effects.begin(), scene.effects.end(), [&](const Effect& effect) { return effect.kind == row.kind; });
+            const auto many = std::count_if(scene.effects.begin(), scene.effects.end(),
+                                            [&](const Effect& effect) { return effect.kind == row.kind; });
             if (many > 0) kinds.push_back(fmt::format("{} {}", phrase("effect_name." + std::string(row.name)), many));
         }
         line(phrase("info.forces", {{"kinds", fmt::format("{}", fmt::join(kinds, ", "))}}));
     }
     const std::vector<std::string> materials = material_names(scene);
-    line(materials.empty() ? phrase("info.no_materials") : phrase("info.materials", {{"names", fmt::format("{}", fmt::join(materials, ", "))}}));
+    line(materials.empty() ? phrase("info.no_materials")
+                           : phrase("info.materials", {{"names", fmt::format("{}", fmt::join(materials, ", "))}}));
     std::vector<std::string> parts;
     for (const TouchModel::Part& part : touch.parts)
         if (part.count > 0) parts.push_back(spoken_part(part));
-    line(parts.empty() ? phrase("info.meets_nothing") : phrase("info.meets", {{"parts", fmt::format("{}", fmt::join(parts, ", "))}}));
+    line(parts.empty() ? phrase("info.meets_nothing")
+                       : phrase("info.meets", {{"parts", fmt::format("{}", fmt::join(parts, ", "))}}));
     if (!touch.stages_on.empty()) line(phrase("info.stages", {{"stages", spoken_stages(touch.stages_on)}}));
     if (!touch.stages_off.empty()) line(phrase("info.not_modelled", {{"stages", spoken_stages(touch.stages_off)}}));
     const auto list = [&](const std::string& title, const std::vector<std::string>& sentences) {
@@ -143,16 +196,26 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     } else {
         line(phrase("info.problems", {{"count", report.warnings_in_all}}));
         for (const Diagnostic& warning : report.warnings) out << "  " << warning.sentence() << '\n';
-        if (const auto more = report.warnings_in_all - static_cast<int>(report.warnings.size()); more > 0) line("  " + phrase("info.more", {{"count", more}}));
+        if (const auto more = report.warnings_in_all - static_cast<int>(report.warnings.size()); more > 0)
+            line("  " + phrase("info.more", {{"count", more}}));
     }
-    line(phrase("info.loaded", {{"seconds", cost.load_s}, {"megabytes", (cost.peak_memory_bytes + (1 << 19)) >> 20}}));
+    line(phrase("info.loaded", {{"seconds", cost.all_s},
+                                {"reading", cost.load_s},
+                                {"megabytes", (cost.peak_memory_bytes + (1 << 19)) >> 20}}));
 }
 
-// The rooms that are found where the file states none; none where nobody can stand.
-RoomGraph rooms_of(const Scene& scene) {
-    const BodySize size = body_size(scene, Settings{}.walk.body_radius_m);
-    const auto space = make_walk_space(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
-    return space ? make_rooms(scene, *space) : RoomGraph{};
+// The rooms that are found where the file states none, as a session finds them; why not, where it finds none.
+// `unreachable`: a sentence about those one cannot walk to, or empty.
+RoomGraph rooms_of(const std::shared_ptr<const Scene>& scene, std::string& unreachable,
+                   std::vector<std::string>& left_out) {
+    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true);
+    if (!rooms.ready() || !rooms.found()) {
+        if (!rooms.problem().empty()) left_out.push_back(rooms.problem());
+        return {};
+    }
+    unreachable = unreachable_words(rooms.out_of_reach());
+    return std::move(rooms.graph());
 }
 
 std::optional<std::string> rooms_sentence(const RoomGraph& graph) {
@@ -163,7 +226,9 @@ std::optional<std::string> rooms_sentence(const RoomGraph& graph) {
         if (names.size() < kMostNamed) names.push_back(room.name);
     const std::string list = fmt::format("{}", fmt::join(names, "; "));
     const std::size_t rooms = graph.rooms.size(), ways = graph.portals.size();
-    if (rooms > kMostNamed) return phrase("found_rooms.first", {{"rooms", rooms}, {"ways", ways}, {"names", list}, {"more", rooms - kMostNamed}});
+    if (rooms > kMostNamed)
+        return phrase("found_rooms.first",
+                      {{"rooms", rooms}, {"ways", ways}, {"names", list}, {"more", rooms - kMostNamed}});
     return phrase("found_rooms.all", {{"rooms", rooms}, {"ways", ways}, {"names", list}});
 }
 
@@ -188,9 +253,11 @@ std::vector<std::string> simplified_at(const Scene& scene, double world_m_per_ha
     const Simplification plan = plan_simplification(scene, options);
     std::vector<std::string> sentences;
     for (const NarrowOpening& opening : plan.openings)
-        sentences.push_back(phrase("simplify.item", {{"name", opening_name(scene, opening, &graph, portals)}, {"what", opening_words(opening)}}));
+        sentences.push_back(phrase("simplify.item", {{"name", opening_name(scene, opening, &graph, portals)},
+                                                     {"what", opening_words(opening)}}));
     for (const FeatureId id : plan.left_out)
-        sentences.push_back(phrase("simplify.item", {{"name", sentence_case(spoken_name(scene.features[id.value]))}, {"what", phrase("simplify.is_left_out")}}));
+        sentences.push_back(phrase("simplify.item", {{"name", sentence_case(spoken_name(scene.features[id.value]))},
+                                                     {"what", phrase("simplify.is_left_out")}}));
     return sentences;
 }
 
@@ -206,40 +273,49 @@ int tell_lint(const Scene& scene, std::ostream& out) {
 }  // namespace
 
 int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err) {
-    const ReadOptions options = arguments.common.read_options();
+    const ReadOptions options = arguments.common.read_options(arguments.world);
     if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0) {
         err << phrase("program.map_scale") << '\n';
         return 2;
     }
     const SteadyClock clock;
     const double begun_s = clock.now_s();
-    Result<Scene> scene = read_world(arguments.world, options);
-    const Cost cost{clock.now_s() - begun_s, peak_memory_bytes()};
-    if (!scene) {
-        err << scene.error().sentence() << '\n';
+    Result<Scene> read = read_world(arguments.world, options);
+    Cost cost{clock.now_s() - begun_s, 0.0, 0};
+    if (!read) {
+        err << read.error().sentence() << '\n';
         return 1;
     }
-    if (const Result<void> valid = validate(*scene); !valid) {
+    if (const Result<void> valid = validate(*read); !valid) {
         err << valid.error().sentence() << '\n';
         return 1;
     }
-    if (arguments.lint) return tell_lint(*scene, out);
+    if (arguments.lint) return tell_lint(*read, out);
     std::optional<double> scale;
-    if (!arguments.scale.empty() && !(scale = scale_of(arguments.scale, scene->bounds_m))) {
+    if (!arguments.scale.empty() && !(scale = scale_of(arguments.scale, read->bounds_m))) {
         err << phrase("program.info_scale", {{"scale", arguments.scale}}) << '\n';
         return 2;
     }
+    const auto scene = std::make_shared<Scene>(std::move(*read));
     // What exploring makes of it.
     CompileReport compiled;
     const Settings defaults;
-    const double rounding_m = edge_rounding_m(defaults.haptic.edge_rounding_mm, defaults.workspace.scale);
-    const TouchModel touch = touch_model(*compile_haptic(*scene, exploring(rounding_m), &compiled));
+    const EnteringWorld entered = make_ready(scene);
+    const double ball_m =
+        ball_radius_m(*entered.scene, defaults.haptic.ball_diameter_mm * 1e-3, defaults.workspace.scale);
+    const double rounding_m = felt_rounding_m(defaults.haptic.edge_rounding_mm, defaults.workspace.scale, ball_m);
+    const TouchModel touch = touch_model(*compile_haptic(*entered.scene, exploring(rounding_m), &compiled));
     for (std::string& sentence : compiled.mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
     for (std::string& sentence : compiled.rounding.sentences()) scene->report.simplified.push_back(std::move(sentence));
-    const RoomGraph graph = rooms_of(*scene);
+    std::string unreachable;
+    const RoomGraph graph = rooms_of(scene, unreachable, scene->report.left_out);
     if (scale)
-        for (std::string& sentence : simplified_at(*scene, *scale, graph)) scene->report.simplified.push_back(std::move(sentence));
+        for (std::string& sentence : simplified_at(*entered.scene, *scale, graph))
+            scene->report.simplified.push_back(std::move(sentence));
     if (auto rooms = rooms_sentence(graph)) scene->report.guessed.push_back(std::move(*rooms));
+    if (!unreachable.empty()) scene->report.guessed.push_back(std::move(unreachable));
+    cost.all_s = clock.now_s() - begun_s;
+    cost.peak_memory_bytes = peak_memory_bytes();
     if (arguments.json) out << json_of(*scene, touch, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else tell(*scene, touch, cost, out);
     return 0;

@@ -65,7 +65,7 @@ void LeftHand::hand_over(const AppCore& app) {
     }
     servo_->set_tuning(app.left_tuning());
     servo_->set_pose(app.left_pose());
-    if (std::exchange(handed_bodies_, app.bodies().number) != app.bodies().number) servo_->set_bodies(app.bodies());
+    if (std::exchange(handed_bodies_, app.bodies().number()) != app.bodies().number()) servo_->set_bodies(app.bodies());
 }
 
 const ToolState& LeftHand::tool() { return servo_ ? servo_->tool() : none_; }

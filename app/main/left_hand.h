@@ -1,4 +1,5 @@
-// A second force device in the left hand, beside the one the session is about: found, driven and let go here. App thread.
+// A second force device in the left hand, beside the one the session is about: found, driven and let go here. App
+// thread.
 #pragma once
 
 #include <memory>
@@ -6,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/app_core.h"
+#include "app/core/session/app_core.h"
 #include "app/main/find_hand.h"
 #include "haptic/servo/servo_loop.h"
 

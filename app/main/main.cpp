@@ -1,5 +1,24 @@
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <iostream>
 
 #include "app/main/command_line.h"
 
-int main(int argc, char** argv) { return handrail::run_command_line({argv + 1, argv + argc}, std::cout, std::cerr); }
+namespace {
+
+// Whoever starts us may have closed one of the first three. The next file we open would get its number, and what we
+// print would be written into it.
+void open_standard_descriptors() {
+    for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(number, F_GETFD) < 0 && errno == EBADF && ::open("/dev/null", O_RDWR) != number)
+            ::_exit(1);  // the lowest free number is this one
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    open_standard_descriptors();
+    return handrail::run_command_line({argv + 1, argv + argc}, std::cout, std::cerr);
+}

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
-#include "app/core/headless_session.h"
+#include "app/core/scenario/scenario_run.h"
+#include "app/core/session/headless_session.h"
 #include "app/main/commands.h"
+#include "app/main/transcript.h"
 #include "app/main/world_files.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "worlds/base/files.h"
@@ -47,13 +49,21 @@ Result<std::vector<fs::path>> scenario_files(const std::vector<fs::path>& paths)
 void note_heard(const RecordingAudio& audio, const RecordingSpeech& speech, SessionLog& log) {
     for (const HeardSound& sound : audio.sounds()) log.sounds.push_back({sound.time_s, sound.cue, false});
     for (const HeardSound& change : audio.loop_changes()) log.sounds.push_back({change.time_s, change.cue, true});
-    std::stable_sort(log.sounds.begin(), log.sounds.end(), [](const LoggedSound& a, const LoggedSound& b) { return a.time_s < b.time_s; });
+    std::stable_sort(log.sounds.begin(), log.sounds.end(),
+                     [](const LoggedSound& a, const LoggedSound& b) { return a.time_s < b.time_s; });
     for (const HeardSpeech& line : speech.lines()) log.lines.push_back({line.time_s, line.utterance.text});
 }
 
-Outcome run_one(const Scenario& scenario, const ReadOptions& options) {
+// Into FOLDER/NAME.txt, NAME being the scenario file's.
+Result<void> write_transcript(const fs::path& folder, const Scenario& scenario, const SessionLog& log) {
+    std::error_code ec;
+    fs::create_directories(folder, ec);  // what keeps it from being there is told by the write
+    return write_file_atomically(folder / scenario.file.filename().replace_extension(".txt"), transcript(log));
+}
+
+Outcome run_one(const Scenario& scenario, const ScenarioArguments& arguments) {
     Outcome outcome{scenario.file.filename().string(), scenario.title, {}, 0.0};
-    auto scene = read_world(scenario.world, options);
+    auto scene = read_world(scenario.world, arguments.common.read_options());
     if (!scene) {
         outcome.failures.push_back(scene.error().sentence());
         return outcome;
@@ -69,6 +79,10 @@ Outcome run_one(const Scenario& scenario, const ReadOptions& options) {
     note_heard(audio, speech, *log);
     outcome.virtual_s = log->end_s;
     outcome.failures = failures(scenario, *log, *log->scene);
+    if (arguments.transcripts) {
+        if (const auto written = write_transcript(*arguments.transcripts, scenario, *log); !written)
+            outcome.failures.push_back(written.error().sentence());
+    }
     return outcome;
 }
 
@@ -94,17 +108,22 @@ std::string xml_text(const std::string& text) {
 }
 
 std::string junit_xml(const std::vector<Outcome>& outcomes) {
-    const auto failed = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return !o.failures.empty(); });
-    std::string xml = fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"handrail scenarios\" tests=\"{}\" failures=\"{}\">\n",
-                                  outcomes.size(), failed);
+    const auto failed =
+        std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return !o.failures.empty(); });
+    std::string xml = fmt::format(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"handrail scenarios\" tests=\"{}\" "
+        "failures=\"{}\">\n",
+        outcomes.size(), failed);
     for (const Outcome& o : outcomes) {
-        xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(o.name), xml_text(o.title), o.virtual_s);
+        xml += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", xml_text(o.name),
+                           xml_text(o.title), o.virtual_s);
         if (o.failures.empty()) {
             xml += "/>\n";
             continue;
         }
         xml += ">\n";
-        for (const std::string& failure : o.failures) xml += fmt::format("    <failure message=\"{}\"/>\n", xml_text(failure));
+        for (const std::string& failure : o.failures)
+            xml += fmt::format("    <failure message=\"{}\"/>\n", xml_text(failure));
         xml += "  </testcase>\n";
     }
     return xml + "</testsuite>\n";
@@ -130,16 +149,19 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
     }
     std::vector<Outcome> outcomes;
     for (const Scenario& scenario : scenarios) {
-        outcomes.push_back(run_one(scenario, arguments.common.read_options()));
+        outcomes.push_back(run_one(scenario, arguments));
         const Outcome& o = outcomes.back();
-        fmt::print(
-            out, "{}\n",
-            phrase(o.failures.empty() ? "program.scenario_holds" : "program.scenario_fails", {{"title", o.title}, {"file", o.name}, {"seconds", o.virtual_s}}));
+        fmt::print(out, "{}\n",
+                   phrase(o.failures.empty() ? "program.scenario_holds" : "program.scenario_fails",
+                          {{"title", o.title}, {"file", o.name}, {"seconds", o.virtual_s}}));
         for (const std::string& failure : o.failures) fmt::print(out, "  {}\n", failure);
         out.flush();
     }
-    const auto failed = std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return !o.failures.empty(); });
-    fmt::print(out, "{}\n", phrase("program.scenarios_hold", {{"hold", outcomes.size() - static_cast<std::size_t>(failed)}, {"all", outcomes.size()}}));
+    const auto failed =
+        std::count_if(outcomes.begin(), outcomes.end(), [](const Outcome& o) { return !o.failures.empty(); });
+    fmt::print(out, "{}\n",
+               phrase("program.scenarios_hold",
+                      {{"hold", outcomes.size() - static_cast<std::size_t>(failed)}, {"all", outcomes.size()}}));
     if (arguments.junit) {
         if (const auto written = write_file_atomically(*arguments.junit, junit_xml(outcomes)); !written) {
             fmt::print(err, "{}\n", written.error().sentence());

@@ -3,7 +3,8 @@
 
 namespace handrail {
 
-// One setting a line; --explain adds unit, range, meaning and source in whole phrases, so that a line read aloud makes sense by itself.
+// One setting a line; --explain adds unit, range, meaning and source in whole phrases, so that a line read aloud makes
+// sense by itself.
 int run_settings(const SettingsArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err) {
     for (const SettingRow& row : settings.explain()) {
         if (!arguments.explain) {
@@ -12,8 +13,12 @@ int run_settings(const SettingsArguments& arguments, SettingsStore& settings, st
         }
         std::string source(source_name(row.source));
         if (!row.origin.empty()) source = phrase("program.source", {{"source", source}, {"origin", row.origin}});
-        out << phrase(row.unit.empty() ? "program.setting" : "program.setting_unit",
-                      {{"key", row.key}, {"value", row.value}, {"unit", row.unit}, {"range", row.range}, {"source", source}, {"meaning", row.meaning}})
+        out << phrase(row.unit.empty() ? "program.setting" : "program.setting_unit", {{"key", row.key},
+                                                                                      {"value", row.value},
+                                                                                      {"unit", row.unit},
+                                                                                      {"range", row.range},
+                                                                                      {"source", source},
+                                                                                      {"meaning", row.meaning}})
             << "\n";
     }
     out.flush();

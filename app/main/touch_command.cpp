@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "app/main/commands.h"
+#include "app/main/path_csv.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/device/device_spec.h"
 #include "haptic/render/touch.h"
@@ -18,71 +19,6 @@ namespace {
 constexpr double kFarthest_m = 1e6;
 constexpr double kFirstTick_s = 1e-3;
 constexpr double kJump_hand_m = 0.020;  // farthest hand travel between two rows that a device is believed
-
-struct PathRow {
-    double t_s = 0.0;
-    Vec3 position_m{0.0};
-};
-
-std::string_view trimmed(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
-    return text;
-}
-
-// A number, `nan` or `inf` as a device fault may have left it. Numbers too large for a double stay out of range, too small ones are 0.
-bool parse_cell(std::string_view cell, double& value) {
-    cell = trimmed(cell);
-    if (cell.starts_with('+')) {
-        cell.remove_prefix(1);
-        if (cell.starts_with('-')) return false;
-    }
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
-    if (cell.empty() || end != cell.data() + cell.size()) return false;
-    if (error == std::errc::result_out_of_range) {
-        const bool tiny = cell.find("e-") != std::string_view::npos || cell.find("E-") != std::string_view::npos;
-        value = tiny ? 0.0 : std::copysign(std::numeric_limits<double>::max(), cell.front() == '-' ? -1.0 : 1.0);
-        return true;
-    }
-    return error == std::errc{};
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-    std::vector<std::string_view> cells;
-    for (;;) {
-        const std::size_t comma = line.find(',');
-        cells.push_back(trimmed(line.substr(0, comma)));
-        if (comma == std::string_view::npos) return cells;
-        line.remove_prefix(comma + 1);
-    }
-}
-
-Result<std::vector<PathRow>> parse_path(std::string_view text, const std::string& file) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    std::vector<PathRow> rows;
-    bool has_header = false;
-    for (int line_number = 1; !text.empty(); ++line_number) {
-        const std::size_t end = text.find('\n');
-        const std::string_view line = trimmed(text.substr(0, end));
-        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-        if (line.empty()) continue;
-        const std::vector<std::string_view> cells = cells_of(line);
-        if (!has_header) {
-            if (cells != std::vector<std::string_view>{"t", "x", "y", "z"}) return fail(phrase("program.path_no_head"), file, line_number);
-            has_header = true;
-            continue;
-        }
-        if (cells.size() != 4) return fail(phrase("program.path_cells", {{"count", cells.size()}}), file, line_number);
-        std::array<double, 4> numbers{};
-        for (std::size_t i = 0; i < 4; ++i)
-            if (!parse_cell(cells[i], numbers[i])) return fail(phrase("program.path_no_number", {{"text", cells[i]}}), file, line_number);
-        if (!std::isfinite(numbers[0])) return fail(phrase("program.path_not_finite"), file, line_number);
-        if (!rows.empty() && !(numbers[0] > rows.back().t_s)) return fail(phrase("program.path_time"), file, line_number);
-        rows.push_back({numbers[0], {numbers[1], numbers[2], numbers[3]}});
-    }
-    if (!has_header) return fail(phrase("program.path_empty"), file, 1);
-    return rows;
-}
 
 // The shortest decimal that reads back as the same double; zero never has a sign.
 void append_number(std::string& out, double value) {
@@ -115,7 +51,8 @@ public:
     // jump_m: infinity when no device's limits apply.
     explicit RowChecks(double jump_m) : jump_m_(jump_m) {}
 
-    // Fault name, or empty. A row is believed when it lies near the last good row (after a spike) or near the row before (after a real jump).
+    // Fault name, or empty. A row is believed when it lies near the last good row (after a spike) or near the row
+    // before (after a real jump).
     const char* judge(const Vec3& p) {
         if (!is_finite(p)) return "not_finite";
         if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kFarthest_m) return "out_of_range";
@@ -142,12 +79,15 @@ TouchTuning tuning_of(const TouchArguments& arguments, const DeviceSpec& device)
     tuning.override_stiffness_n_per_m = arguments.stiffness_n_per_m.value_or(kNotGiven);
     tuning.override_damping_ns_per_m = arguments.damping_ns_per_m.value_or(kNotGiven);
     // One friction option sets both.
-    tuning.override_friction_static = arguments.friction_static.value_or(arguments.friction_kinetic.value_or(kNotGiven));
-    tuning.override_friction_kinetic = arguments.friction_kinetic.value_or(arguments.friction_static.value_or(kNotGiven));
+    tuning.override_friction_static =
+        arguments.friction_static.value_or(arguments.friction_kinetic.value_or(kNotGiven));
+    tuning.override_friction_kinetic =
+        arguments.friction_kinetic.value_or(arguments.friction_static.value_or(kNotGiven));
     return tuning;
 }
 
-std::string replay(const Scene& scene, const std::vector<PathRow>& rows, const TouchTuning& tuning, const DeviceSpec* limits) {
+std::string replay(const Scene& scene, const std::vector<PathRow>& rows, const TouchTuning& tuning,
+                   const DeviceSpec* limits) {
     const std::shared_ptr<const HapticScene> haptic = compile_haptic(scene, MaterialSource::KeysOnly);
     TouchState state;
     RowChecks checks(limits ? kJump_hand_m * tuning.world_m_per_hand_m : std::numeric_limits<double>::infinity());
@@ -166,7 +106,8 @@ std::string replay(const Scene& scene, const std::vector<PathRow>& rows, const T
             const double dt_s = i > 0 ? row.t_s - rows[i - 1].t_s : kFirstTick_s;
             const auto start = std::chrono::steady_clock::now();
             const TouchResult result = touch_tick(state, *haptic, tuning, row.position_m, dt_s);
-            tick_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - start).count();
+            tick_ns =
+                std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - start).count();
             proxy_m = result.proxy_m;
             force_n = result.force_n;
             const double length = glm::length(force_n);
@@ -194,7 +135,9 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err)
     if (arguments.device) {
         limits = find_device_spec(*arguments.device);
         if (!limits) {
-            err << phrase("program.no_model", {{"name", *arguments.device}, {"known", fmt::format("{}", fmt::join(device_names(), ", "))}}) << '\n';
+            err << phrase("program.no_model",
+                          {{"name", *arguments.device}, {"known", fmt::format("{}", fmt::join(device_names(), ", "))}})
+                << '\n';
             return 2;
         }
         if (limits->name == ideal_device_spec().name) limits = nullptr;  // it has none
@@ -203,7 +146,7 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err)
         err << error.sentence() << '\n';
         return 1;
     };
-    ReadOptions options = arguments.common.read_options();
+    ReadOptions options = arguments.common.read_options(arguments.world);
     options.guess_materials = false;
     const Result<Scene> scene = read_world(arguments.world, options);
     if (!scene) return refuse(scene.error());
@@ -211,7 +154,8 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err)
     if (!text) return refuse(text.error());
     const Result<std::vector<PathRow>> rows = parse_path(*text, arguments.path_csv.filename().string());
     if (!rows) return refuse(rows.error());
-    const std::string result = replay(*scene, *rows, tuning_of(arguments, limits ? *limits : ideal_device_spec()), limits);
+    const std::string result =
+        replay(*scene, *rows, tuning_of(arguments, limits ? *limits : ideal_device_spec()), limits);
     const Result<void> written = write_file_atomically(arguments.out_csv, result);
     return written ? 0 : refuse(written.error());
 }

@@ -2,6 +2,9 @@
 
 #include <cstdlib>
 
+#include "app/core/kept/kept_unit.h"
+#include "app/main/commands.h"
+
 namespace handrail {
 
 namespace fs = std::filesystem;
@@ -11,7 +14,7 @@ fs::path world_folder() {
     std::error_code ec;
     const fs::path program = fs::read_symlink("/proc/self/exe", ec);
     if (!ec) {
-        const fs::path installed = program.parent_path().parent_path() / "share" / "handrail" / "worlds";
+        fs::path installed = program.parent_path().parent_path() / "share" / "handrail" / "worlds";
         if (fs::is_directory(installed, ec)) return installed;
     }
     return HANDRAIL_WORLD_FOLDER;
@@ -23,5 +26,11 @@ bool is_shipped(const fs::path& world) {
 }
 
 fs::path first_world() { return world_folder() / "first_room.map"; }
+
+ReadOptions CommonArguments::read_options(const fs::path& world) const {
+    CommonArguments said = *this;
+    if (!unit_m && !map_scale_m_per_unit) said.unit_m = kept_unit(world, user_data_folder(), is_shipped(world));
+    return said.read_options();
+}
 
 }  // namespace handrail

@@ -4,11 +4,14 @@
 #include <poll.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
+#include <algorithm>
+#include <iterator>
 
 #include <array>
 #include <cerrno>
 #include <charconv>
 
+#include "app/core/dialogue/command_words.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -34,14 +37,10 @@ Result<TerminalLine> parse_terminal_line(std::string_view line) {
     const std::string word = lower_ascii(line.substr(0, blank));
     const std::string_view rest = blank == std::string_view::npos ? std::string_view{} : trimmed(line.substr(blank));
     TerminalLine parsed;
-    if (word == "quit" || word == "exit") {
+    if (is_quit_word(word)) {
         parsed.leave = true;
-    } else if (const CommandInfo* row = find_command(word)) {
-        parsed.command = row->command;
-    } else {
-        std::vector<std::string> known{"quit"};
-        for (const CommandInfo& candidate : command_table()) known.emplace_back(candidate.word);
-        return fail(phrase("terminal.no_command", {{"word", word}, {"nearest", nearest_name(word, known)}}));
+    } else if (parsed.command = command_of_word(word); !parsed.command) {
+        return fail(phrase("terminal.no_command", {{"word", word}, {"nearest", nearest_name(word, spoken_words())}}));
     }
     if (!rest.empty()) {
         const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), parsed.times);
@@ -53,13 +52,14 @@ Result<TerminalLine> parse_terminal_line(std::string_view line) {
 
 std::string terminal_help() {
     std::string commands;
-    for (const CommandInfo& row : command_table()) commands += fmt::format("{}{}: {}", commands.empty() ? "" : " ", row.word, row.help());
+    for (const CommandInfo& row : command_table())
+        commands += fmt::format("{}{}: {}", commands.empty() ? "" : " ", spoken_word(row.command), row.help());
     return phrase("terminal.help", {{"commands", commands}});
 }
 
 std::vector<std::string> LineInput::take() {
     std::vector<std::string> lines;
-    while (!ended_) {
+    for (std::size_t bytes = 0; !ended_ && bytes < kBytesAtOnce;) {
         pollfd wait{descriptor_, POLLIN, 0};
         const int ready = ::poll(&wait, 1, 0);
         if (ready == 0 || (ready < 0 && errno == EINTR)) break;
@@ -71,6 +71,7 @@ std::vector<std::string> LineInput::take() {
             if (!partial_.empty()) lines.push_back(std::exchange(partial_, {}));
             break;
         }
+        bytes += static_cast<std::size_t>(got);
         for (ssize_t i = 0; i < got; ++i) {
             if (block[i] == '\n') lines.push_back(std::exchange(partial_, {}));
             else if (partial_.size() < kLongestLine) partial_ += block[i];
@@ -79,33 +80,64 @@ std::vector<std::string> LineInput::take() {
     return lines;
 }
 
-LineWatch::LineWatch(int descriptor, std::function<bool(std::string_view)> at_once)
-    : input_(descriptor), descriptor_(descriptor), at_once_(std::move(at_once)), wake_(::eventfd(0, EFD_CLOEXEC)), thread_([this] { run(); }) {}
+LineWatch::LineWatch(int descriptor, WhenFull when_full, std::function<bool(std::string_view)> at_once)
+    : input_(descriptor),
+      descriptor_(descriptor),
+      when_full_(when_full),
+      at_once_(std::move(at_once)),
+      wake_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)),
+      thread_([this] { run(); }) {}
 
 LineWatch::~LineWatch() {
-    const std::uint64_t one = 1;
-    [[maybe_unused]] const ssize_t written = ::write(wake_.get(), &one, sizeof one);
+    leaving_ = true;
+    wake();
     thread_.join();
 }
 
-std::vector<std::string> LineWatch::take(bool& emptied) {
+void LineWatch::wake() {
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const ssize_t written = ::write(wake_.get(), &one, sizeof one);
+}
+
+std::vector<std::string> LineWatch::take(bool& emptied, std::size_t most) {
+    std::vector<std::string> taken;
+    bool made_room = false;
+    {
+        const std::lock_guard guard(mutex_);
+        emptied = std::exchange(emptied_, false);
+        const bool was_full = lines_.size() >= kMostWaiting;
+        const auto end = lines_.begin() + static_cast<std::ptrdiff_t>(std::min(most, lines_.size()));
+        taken.assign(std::make_move_iterator(lines_.begin()), std::make_move_iterator(end));
+        lines_.erase(lines_.begin(), end);
+        made_room = was_full && lines_.size() < kMostWaiting;
+    }
+    if (made_room) wake();
+    return taken;
+}
+
+bool LineWatch::is_full() {
     const std::lock_guard guard(mutex_);
-    emptied = std::exchange(emptied_, false);
-    return std::exchange(lines_, {});
+    return lines_.size() >= kMostWaiting;
 }
 
 void LineWatch::run() {
     while (!input_.ended()) {
-        std::array<pollfd, 2> watched{pollfd{descriptor_, POLLIN, 0}, pollfd{wake_.get(), POLLIN, 0}};
+        const bool waits = when_full_ == WhenFull::Waits && is_full();
+        std::array<pollfd, 2> watched{pollfd{waits ? -1 : descriptor_, POLLIN, 0}, pollfd{wake_.get(), POLLIN, 0}};
         if (::poll(watched.data(), watched.size(), -1) < 0 && errno != EINTR) break;
-        if (watched[1].revents != 0) return;
+        if (leaving_) return;
+        if (watched[1].revents != 0) {
+            std::uint64_t count = 0;
+            [[maybe_unused]] const ssize_t got = ::read(wake_.get(), &count, sizeof count);
+        }
+        if (waits) continue;
         for (std::string& line : input_.take()) {
             // Held while the line acts too: whoever takes lines after it was seen finds none from before it.
             const std::lock_guard guard(mutex_);
             if (at_once_(line)) {
                 lines_.clear();
                 emptied_ = true;
-            } else {
+            } else if (when_full_ == WhenFull::Waits || lines_.size() < kMostWaiting) {
                 lines_.push_back(std::move(line));
             }
         }

@@ -24,7 +24,8 @@ PlaneAxes axes_of(const Vec3& normal) {
     return {u, glm::cross(normal, u)};
 }
 
-// An edge of a polygon as a piece of a line in its plane. The line's direction has an angle in [0, pi); t runs along it.
+// An edge of a polygon as a piece of a line in its plane. The line's direction has an angle in [0, pi); t runs along
+// it.
 struct PlaneEdge {
     Vec3 a_m, b_m;
     double angle_rad = 0.0;
@@ -63,13 +64,15 @@ public:
 
     void append_open_edges(std::vector<DrawEdge>& out) const {
         std::unordered_map<std::int64_t, std::vector<std::uint32_t>> cells;
-        for (std::uint32_t i = 0; i < edges_.size(); ++i) cells[cell(edges_[i].angle_rad, edges_[i].offset_m, 0, 0)].push_back(i);
+        for (std::uint32_t i = 0; i < edges_.size(); ++i)
+            cells[cell(edges_[i].angle_rad, edges_[i].offset_m, 0, 0)].push_back(i);
         std::vector<std::pair<double, double>> covered;
         for (const PlaneEdge& edge : edges_) {
             covered.clear();
             for (int da = -1; da <= 1; ++da)
                 for (int d_offset = -1; d_offset <= 1; ++d_offset)
-                    if (const auto found = cells.find(cell(edge.angle_rad, edge.offset_m, da, d_offset)); found != cells.end())
+                    if (const auto found = cells.find(cell(edge.angle_rad, edge.offset_m, da, d_offset));
+                        found != cells.end())
                         for (const std::uint32_t i : found->second) cover(edge, edges_[i], covered);
             append_rest(edge, covered, out);
         }
@@ -99,7 +102,8 @@ private:
         covered.emplace_back(std::min(from, to), std::max(from, to));
     }
 
-    static void append_rest(const PlaneEdge& edge, std::vector<std::pair<double, double>>& covered, std::vector<DrawEdge>& out) {
+    static void append_rest(const PlaneEdge& edge, std::vector<std::pair<double, double>>& covered,
+                            std::vector<DrawEdge>& out) {
         std::sort(covered.begin(), covered.end());
         const double length = glm::distance(edge.a_m, edge.b_m);
         const Vec3 along = (edge.b_m - edge.a_m) / length;
@@ -133,10 +137,11 @@ public:
         for (const Vec3& point : points) {
             const Vec3 p = point - mesh_.origin_m;
             bounds.include(p);
-            mesh_.vertices.push_back({{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
-                                      {static_cast<float>(glm::dot(p, axes.u)), static_cast<float>(glm::dot(p, axes.v))},
-                                      look.rgb,
-                                      look.pattern});
+            mesh_.vertices.push_back(
+                {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
+                 {static_cast<float>(glm::dot(p, axes.u)), static_cast<float>(glm::dot(p, axes.v))},
+                 look.rgb,
+                 look.pattern});
         }
         Part& part = part_at(bounds.centre_m());
         if (!look.translucent) part.bounds_m.include(bounds);
@@ -146,10 +151,12 @@ public:
             if (both_sides) indices.insert(indices.end(), {first, first + i + 1, first + i});
         }
 
-        // Rounding can put two coplanar pieces under different keys; then a line is drawn between them, which does no harm.
+        // Rounding can put two coplanar pieces under different keys; then a line is drawn between them, which does no
+        // harm.
         const Vec3 local = points.front() - mesh_.origin_m;
         const auto rounded = [](double value) { return std::llround(value * 1000.0); };
-        const auto key = std::tuple(feature.value, rounded(normal.x), rounded(normal.y), rounded(normal.z), rounded(glm::dot(normal, local)));
+        const auto key = std::tuple(feature.value, rounded(normal.x), rounded(normal.y), rounded(normal.z),
+                                    rounded(glm::dot(normal, local)));
         outlines_[key].add(polygon, axes, mesh_.origin_m);
     }
 
@@ -165,8 +172,10 @@ public:
         }
         for (const auto& [cell, part] : parts_) {
             if (part.bounds_m.empty()) continue;
-            mesh_.chunks.push_back({part.bounds_m, static_cast<std::uint32_t>(mesh_.opaque.size()), static_cast<std::uint32_t>(part.opaque.size()),
-                                    static_cast<std::uint32_t>(mesh_.edges.size()), static_cast<std::uint32_t>(part.edges.size())});
+            mesh_.chunks.push_back({part.bounds_m, static_cast<std::uint32_t>(mesh_.opaque.size()),
+                                    static_cast<std::uint32_t>(part.opaque.size()),
+                                    static_cast<std::uint32_t>(mesh_.edges.size()),
+                                    static_cast<std::uint32_t>(part.edges.size())});
             mesh_.opaque.insert(mesh_.opaque.end(), part.opaque.begin(), part.opaque.end());
             mesh_.edges.insert(mesh_.edges.end(), part.edges.begin(), part.edges.end());
         }
@@ -212,13 +221,17 @@ DrawLook look_of(FeatureKind kind, SolidRole role, const Vec3& normal) {
     }
     if (role == SolidRole::Mover) return {{190, 230, 255}, DrawPattern::LevelStripes, false};
     const bool object = kind == FeatureKind::Object;
-    if (normal.z > 0.9) return {object ? std::array<std::uint8_t, 3>{150, 110, 70} : std::array<std::uint8_t, 3>{34, 42, 66}, DrawPattern::Plain, false};
+    if (normal.z > 0.9)
+        return {object ? std::array<std::uint8_t, 3>{150, 110, 70} : std::array<std::uint8_t, 3>{34, 42, 66},
+                DrawPattern::Plain, false};
     if (normal.z < -0.9) return {grey(object ? 0.30 : 0.36), DrawPattern::Plain, false};
     if (normal.z > 0.2) return {{56, 66, 90}, DrawPattern::Plain, false};
-    // Walls that face east and west are lighter than those that face north and south, so that a corner shows without its outline.
+    // Walls that face east and west are lighter than those that face north and south, so that a corner shows without
+    // its outline.
     const double level = 0.64 + 0.14 * std::abs(normal.x);
     if (!object) return {grey(level), DrawPattern::Plain, false};
-    return {{static_cast<std::uint8_t>(std::lround(255.0 * (level + 0.15))), static_cast<std::uint8_t>(std::lround(255.0 * (level - 0.08))),
+    return {{static_cast<std::uint8_t>(std::lround(255.0 * (level + 0.15))),
+             static_cast<std::uint8_t>(std::lround(255.0 * (level - 0.08))),
              static_cast<std::uint8_t>(std::lround(255.0 * (level - 0.30)))},
             DrawPattern::Plain,
             false};
@@ -240,14 +253,16 @@ DrawMesh build_draw_mesh(const Scene& scene) {
     MeshBuilder builder(bounds.empty() ? Vec3(0.0) : bounds.centre_m());
     for (const SurfacePolygon& surface : scene.surfaces) {
         if (surface.role == SolidRole::Trigger || surface.role == SolidRole::BodyClip) continue;
-        builder.add(surface.polygon, surface.normal, surface.feature, look_of(kind_of(surface.feature), surface.role, surface.normal), false);
+        builder.add(surface.polygon, surface.normal, surface.feature,
+                    look_of(kind_of(surface.feature), surface.role, surface.normal), false);
     }
     for (const MeshTriangle& triangle : scene.triangles) {
         const Vec3 across = glm::cross(triangle.b_m - triangle.a_m, triangle.c_m - triangle.a_m);
         const double twice_area_m2 = glm::length(across);
         if (twice_area_m2 < 1e-12) continue;  // a needle has nothing to see
         const Vec3 normal = across / twice_area_m2;
-        builder.add({{triangle.a_m, triangle.b_m, triangle.c_m}}, normal, triangle.feature, look_of(kind_of(triangle.feature), SolidRole::Solid, normal), true);
+        builder.add({{triangle.a_m, triangle.b_m, triangle.c_m}}, normal, triangle.feature,
+                    look_of(kind_of(triangle.feature), SolidRole::Solid, normal), true);
     }
     return builder.finish();
 }

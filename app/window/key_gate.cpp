@@ -2,7 +2,9 @@
 
 namespace handrail {
 
-void KeyGate::take(const Key& key, const KeyStroke& stroke, double now_s) { waiting_.push_back({key, reader_.offer ? reader_.offer(stroke) : 0, now_s, {}}); }
+void KeyGate::take(const Key& key, const KeyStroke& stroke, double now_s) {
+    waiting_.push_back({key, reader_.offer ? reader_.offer(stroke) : 0, now_s, {}});
+}
 
 bool KeyGate::take_text(const std::string& utf8) {
     if (waiting_.empty()) return false;

@@ -1,5 +1,6 @@
-// Lets a screen reader have each key before we act on it. The question goes out at once and the answer is fetched later, so the app's loop never waits
-// for another program; keys stay in order meanwhile. A reader that does not answer in time has lost its say. App thread.
+// Lets a screen reader have each key before we act on it. The question goes out at once and the answer is fetched
+// later, so the app's loop never waits for another program; keys stay in order meanwhile. A reader that does not answer
+// in time has lost its say. App thread.
 #pragma once
 
 #include <cstdint>

@@ -21,7 +21,8 @@ namespace {
 
 constexpr std::size_t kKeyCodes = 256;  // of the X protocol
 
-// X key code -> GLFW's key token, 0 where GLFW has none. Modifiers are left out: alone they mean something only when they come up again.
+// X key code -> GLFW's key token, 0 where GLFW has none. Modifiers are left out: alone they mean something only when
+// they come up again.
 std::array<int, kKeyCodes> glfw_keys() {
     std::array<int, kKeyCodes> keys{};
     for (int key = GLFW_KEY_SPACE; key < GLFW_KEY_LEFT_SHIFT; ++key) {
@@ -32,7 +33,8 @@ std::array<int, kKeyCodes> glfw_keys() {
 }
 
 int glfw_modifiers(unsigned state) {
-    return ((state & ShiftMask) ? GLFW_MOD_SHIFT : 0) | ((state & ControlMask) ? GLFW_MOD_CONTROL : 0) | ((state & Mod1Mask) ? GLFW_MOD_ALT : 0);
+    return ((state & ShiftMask) ? GLFW_MOD_SHIFT : 0) | ((state & ControlMask) ? GLFW_MOD_CONTROL : 0) |
+           ((state & Mod1Mask) ? GLFW_MOD_ALT : 0);
 }
 
 }  // namespace
@@ -83,7 +85,8 @@ private:
             const int key = keys_[event.xkey.keycode % kKeyCodes];
             const auto name = key != 0 ? key_name(key, glfw_modifiers(event.xkey.state)) : std::nullopt;
             if (name && calls_.is_wanted(*name)) calls_.pressed();
-        } else if ((event.type == FocusIn || event.type == FocusOut) && event.xfocus.mode != NotifyGrab && event.xfocus.mode != NotifyUngrab) {
+        } else if ((event.type == FocusIn || event.type == FocusOut) && event.xfocus.mode != NotifyGrab &&
+                   event.xfocus.mode != NotifyUngrab) {
             calls_.focused(event.type == FocusIn);
         }
     }

@@ -137,7 +137,9 @@ int without_side(int glfw_key) {
     }
 }
 
-bool is_modifier(int glfw_key) { return glfw_key == GLFW_KEY_LEFT_CONTROL || glfw_key == GLFW_KEY_LEFT_SHIFT || glfw_key == GLFW_KEY_LEFT_ALT; }
+bool is_modifier(int glfw_key) {
+    return glfw_key == GLFW_KEY_LEFT_CONTROL || glfw_key == GLFW_KEY_LEFT_SHIFT || glfw_key == GLFW_KEY_LEFT_ALT;
+}
 
 }  // namespace
 
@@ -145,7 +147,8 @@ std::span<const std::string_view> key_names() { return kNames; }
 
 std::optional<std::string> key_name(int glfw_key, int glfw_modifiers) {
     const int key = without_side(glfw_key);
-    const auto row = std::find_if(kKeys.begin(), kKeys.end(), [&](const NamedKey& named) { return named.glfw_key == key; });
+    const auto row =
+        std::find_if(kKeys.begin(), kKeys.end(), [&](const NamedKey& named) { return named.glfw_key == key; });
     if (row == kKeys.end()) return std::nullopt;
     if (is_modifier(key)) return std::string(row->name);
     std::string name;

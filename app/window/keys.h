@@ -1,5 +1,5 @@
-// Keys by name. A key is bound by its place on the keyboard (GLFW's key token comes from the scancode), so a layout with other letters keeps
-// the same fingers. Names are those a settings file takes. Pure values; app thread.
+// Keys by name. A key is bound by its place on the keyboard (GLFW's key token comes from the scancode), so a layout
+// with other letters keeps the same fingers. Names are those a settings file takes. Pure values; app thread.
 #pragma once
 
 #include <optional>
@@ -23,12 +23,14 @@ struct KeyEvent {
 // Every name without modifiers, in a fixed order: "A", "1", "F1", "Up", "PageUp", "Grave", "Control" ...
 std::span<const std::string_view> key_names();
 
-// The name of a GLFW key token with GLFW's modifier bits, or nothing for keys we have no name for. Lock keys do not count as modifiers.
+// The name of a GLFW key token with GLFW's modifier bits, or nothing for keys we have no name for. Lock keys do not
+// count as modifiers.
 std::optional<std::string> key_name(int glfw_key, int glfw_modifiers);
 
-// Turns the stream of raw keys into events. A release carries the name its press had, whatever happened to the modifiers since.
-// Control, Shift and Alt say nothing when pressed: when they come up again and no other key or mouse button went down meanwhile, they are one
-// press followed at once by a release. So Control+C never means silence, and Control does while a walking key is held.
+// Turns the stream of raw keys into events. A release carries the name its press had, whatever happened to the
+// modifiers since. Control, Shift and Alt say nothing when pressed: when they come up again and no other key or mouse
+// button went down meanwhile, they are one press followed at once by a release. So Control+C never means silence, and
+// Control does while a walking key is held.
 class KeyTracker {
 public:
     std::vector<KeyEvent> take(int glfw_key, int glfw_action, int glfw_modifiers);

@@ -26,13 +26,19 @@ std::string cut_short(const ImFont& font, float line_px, const std::string& text
     return std::string(lines.front()) + " ...";
 }
 
-std::string words_of(const ListItem& item) { return item.value.empty() ? item.name : fmt::format("{}, {}", item.name, item.value); }
+std::string words_of(const ListItem& item) {
+    return item.value.empty() ? item.name : fmt::format("{}, {}", item.name, item.value);
+}
 
 void draw_arrow(ImDrawList& list, ImVec2 middle, float half_px, bool up) {
     const float tip = up ? -half_px : half_px;
     // Corners clockwise as seen, as ImGui's smooth borders want them.
-    if (up) list.AddTriangleFilled({middle.x, middle.y + tip}, {middle.x + half_px, middle.y - tip}, {middle.x - half_px, middle.y - tip}, kWhite);
-    else list.AddTriangleFilled({middle.x, middle.y + tip}, {middle.x - half_px, middle.y - tip}, {middle.x + half_px, middle.y - tip}, kWhite);
+    if (up)
+        list.AddTriangleFilled({middle.x, middle.y + tip}, {middle.x + half_px, middle.y - tip},
+                               {middle.x - half_px, middle.y - tip}, kWhite);
+    else
+        list.AddTriangleFilled({middle.x, middle.y + tip}, {middle.x - half_px, middle.y - tip},
+                               {middle.x + half_px, middle.y - tip}, kWhite);
 }
 
 }  // namespace
@@ -59,7 +65,8 @@ ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::
     // Neighbours by turns, the next one first, until neither side has one that fits.
     for (bool more = true; more;) {
         more = false;
-        if (const std::size_t after = window.first + window.count; after < lines.size() && used + lines[after] <= room_lines) {
+        if (const std::size_t after = window.first + window.count;
+            after < lines.size() && used + lines[after] <= room_lines) {
             used += lines[after];
             ++window.count;
             more = true;
@@ -73,21 +80,28 @@ ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::
     return window;
 }
 
-void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue, ImVec2 min_px, ImVec2 max_px, float line_px) {
-    if (dialogue.kind == DialogueView::Kind::None || max_px.x - min_px.x < 3.0F * line_px || max_px.y - min_px.y < 2.0F * line_px) return;
+void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue, ImVec2 min_px, ImVec2 max_px,
+                   float line_px) {
+    if (dialogue.kind == DialogueView::Kind::None || max_px.x - min_px.x < 3.0F * line_px ||
+        max_px.y - min_px.y < 2.0F * line_px)
+        return;
     const bool is_list = dialogue.kind == DialogueView::Kind::List;
     list.AddRectFilled(min_px, max_px, kBlack);
     const float margin = line_px / 6.0F, pointer_px = 0.8F * line_px;
     const float left = min_px.x + margin, right = max_px.x - margin;
-    const std::string place = is_list && !dialogue.items.empty() ? fmt::format("{}/{}", dialogue.at + 1, dialogue.items.size()) : std::string();
+    const std::string place = is_list && !dialogue.items.empty()
+                                  ? fmt::format("{}/{}", dialogue.at + 1, dialogue.items.size())
+                                  : std::string();
     const float place_px = place.empty() ? 0.0F : width_of(font, line_px, place) + line_px;
 
     // The title: of a question as much as leaves room for the answer.
     float y = min_px.y + margin;
-    const std::size_t most_title = is_list ? kMostTitleLines : static_cast<std::size_t>(std::max(1.0F, (max_px.y - y) / line_px - 2.0F));
+    const std::size_t most_title =
+        is_list ? kMostTitleLines : static_cast<std::size_t>(std::max(1.0F, (max_px.y - y) / line_px - 2.0F));
     const auto title = wrapped_lines(font, line_px, dialogue.title, std::max(line_px, right - left - place_px));
     for (std::size_t i = 0; i < std::min(title.size(), most_title); ++i, y += line_px)
-        put(list, font, line_px, {left, y}, kWhite, i + 1 == most_title && i + 1 < title.size() ? std::string(title[i]) + " ..." : std::string(title[i]));
+        put(list, font, line_px, {left, y}, kWhite,
+            i + 1 == most_title && i + 1 < title.size() ? std::string(title[i]) + " ..." : std::string(title[i]));
     if (!place.empty()) put(list, font, line_px, {right - place_px + line_px, min_px.y + margin}, kWhite, place);
     y += margin;
     list.AddRectFilled({left, y}, {right, y + std::max(2.0F, line_px / 16.0F)}, kWhite);
@@ -126,16 +140,18 @@ void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue,
         if (i == dialogue.at) {
             list.AddRectFilled({left, y}, {right - 1.5F * pointer_px, y + high}, kWhite);
             const float middle = y + 0.5F * line_px, half = 0.28F * line_px;
-            list.AddTriangleFilled({left + 0.2F * pointer_px, middle - half}, {left + 0.85F * pointer_px, middle}, {left + 0.2F * pointer_px, middle + half},
-                                   kBlack);
+            list.AddTriangleFilled({left + 0.2F * pointer_px, middle - half}, {left + 0.85F * pointer_px, middle},
+                                   {left + 0.2F * pointer_px, middle + half}, kBlack);
             for (std::size_t n = 0; n < chosen.size(); ++n)
                 put(list, font, line_px, {left + pointer_px, y + static_cast<float>(n) * line_px}, kBlack, chosen[n]);
         } else {
-            put(list, font, line_px, {left + pointer_px, y}, kWhite, cut_short(font, line_px, words_of(dialogue.items[i]), wrap_px));
+            put(list, font, line_px, {left + pointer_px, y}, kWhite,
+                cut_short(font, line_px, words_of(dialogue.items[i]), wrap_px));
         }
         y += high;
     }
-    if (window.first + window.count < dialogue.items.size()) draw_arrow(list, {right - 0.5F * pointer_px, y - 0.5F * line_px}, 0.3F * line_px, false);
+    if (window.first + window.count < dialogue.items.size())
+        draw_arrow(list, {right - 0.5F * pointer_px, y - 0.5F * line_px}, 0.3F * line_px, false);
 }
 
 }  // namespace handrail

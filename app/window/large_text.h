@@ -1,5 +1,6 @@
-// Text in large letters for people with low vision: lines that fit a width, and the list or question that is open, as white on black with the chosen item
-// turned round to black on white behind a pointer, so that it is told by more than its colour. Draws into a list of ImGui's; no state. App thread.
+// Text in large letters for people with low vision: lines that fit a width, and the list or question that is open, as
+// white on black with the chosen item turned round to black on white behind a pointer, so that it is told by more than
+// its colour. Draws into a list of ImGui's; no state. App thread.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/core/dialogue.h"
+#include "app/core/dialogue/dialogue.h"
 
 struct ImDrawList;
 struct ImFont;
@@ -23,12 +24,13 @@ std::vector<std::string_view> wrapped_lines(const ImFont& font, float line_px, c
 struct ListWindow {
     std::size_t first = 0, count = 0;
 };
-// lines: of each item, at least 1. The item `at` is always in sight, and its neighbours where there is room; a list that fits begins at its first item.
-// Pure; for every item the window is the same wherever one came from.
+// lines: of each item, at least 1. The item `at` is always in sight, and its neighbours where there is room; a list
+// that fits begins at its first item. Pure; for every item the window is the same wherever one came from.
 ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::size_t room_lines);
 
-// Covers the box. The title and the place ("2/7") stand above, arrows tell that more lies beyond either end. A question shows what is typed, and its end where
-// that is long.
-void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue, ImVec2 min_px, ImVec2 max_px, float line_px);
+// Covers the box. The title and the place ("2/7") stand above, arrows tell that more lies beyond either end. A question
+// shows what is typed, and its end where that is long.
+void draw_dialogue(ImDrawList& list, ImFont& font, const DialogueView& dialogue, ImVec2 min_px, ImVec2 max_px,
+                   float line_px);
 
 }  // namespace handrail

@@ -10,15 +10,20 @@ PlanKind kind_of(const Scene& scene, const Solid& solid) {
     const Feature* feature = scene.find(solid.feature);
     const FeatureKind kind = feature ? feature->kind : FeatureKind::Wall;
     if (kind == FeatureKind::Door) return PlanKind::Door;
-    if (solid.role == SolidRole::Mover || kind == FeatureKind::Lift || kind == FeatureKind::Mover || kind == FeatureKind::Button) return PlanKind::Mover;
+    if (solid.role == SolidRole::Mover || kind == FeatureKind::Lift || kind == FeatureKind::Mover ||
+        kind == FeatureKind::Button)
+        return PlanKind::Mover;
     return kind == FeatureKind::Object ? PlanKind::Object : PlanKind::Wall;
 }
 
 // Convex hull, counter-clockwise: A. M. Andrew, Another efficient algorithm for convex hulls in two dimensions, 1979.
 std::vector<Vec2> convex_hull(std::vector<Vec2> points) {
-    std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::sort(points.begin(), points.end(),
+              [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     std::vector<Vec2> hull;
-    const auto left_turn = [](const Vec2& a, const Vec2& b, const Vec2& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 1e-9; };
+    const auto left_turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 1e-9;
+    };
     for (int pass = 0; pass < 2; ++pass) {
         const std::size_t start = hull.size();
         for (const Vec2& p : points) {
@@ -69,7 +74,8 @@ PlanCut cut_plan(const Scene& scene, double feet_height_m) {
         else if (solid.role == SolidRole::Liquid) add(PlanKind::Liquid, solid, below_top_m);
         else add(top_m > low_m ? PlanKind::Low : PlanKind::Floor, solid, below_top_m);
     }
-    std::stable_sort(cut.shapes.begin(), cut.shapes.end(), [](const PlanShape& a, const PlanShape& b) { return a.kind < b.kind; });
+    std::stable_sort(cut.shapes.begin(), cut.shapes.end(),
+                     [](const PlanShape& a, const PlanShape& b) { return a.kind < b.kind; });
 
     std::vector<Vec2> points;
     for (const MeshTriangle& triangle : scene.triangles) {
@@ -89,7 +95,8 @@ Vec2 PlanLayout::to_pixels(const Vec2& world_m) const {
     return {middle.x + x * pixels_per_m, middle.y - y * pixels_per_m};
 }
 
-PlanLayout lay_out_plan(const Aabb& bounds_m, const Vec3& feet_m, double heading_rad, bool north_up, const PixelBox& box) {
+PlanLayout lay_out_plan(const Aabb& bounds_m, const Vec3& feet_m, double heading_rad, bool north_up,
+                        const PixelBox& box) {
     PlanLayout layout;
     layout.box = box;
     layout.centre_m = Vec2(feet_m.x, feet_m.y);

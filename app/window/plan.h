@@ -1,4 +1,5 @@
-// The plan: the storey around the body seen from above, as plain values. Pure functions; the renderer turns them into lines and fills.
+// The plan: the storey around the body seen from above, as plain values. Pure functions; the renderer turns them into
+// lines and fills.
 #pragma once
 
 #include <array>
@@ -50,13 +51,15 @@ struct PlanLayout {
     Vec2 to_pixels(const Vec3& world_m) const { return to_pixels(Vec2(world_m.x, world_m.y)); }
 };
 
-// North up: the whole world when at least kPlanFinest_px_per_m remain, else the part around the feet, kept within the world's bounds.
-// Heading up: the feet in the middle.
+// North up: the whole world when at least kPlanFinest_px_per_m remain, else the part around the feet, kept within the
+// world's bounds. Heading up: the feet in the middle.
 inline constexpr double kPlanFinest_px_per_m = 16.0;    // a wall of 0.2 m is 3 pixels wide
 inline constexpr double kPlanClosest_px_per_m = 100.0;  // a small room does not fill a large window with one wall
-PlanLayout lay_out_plan(const Aabb& bounds_m, const Vec3& feet_m, double heading_rad, bool north_up, const PixelBox& box);
+PlanLayout lay_out_plan(const Aabb& bounds_m, const Vec3& feet_m, double heading_rad, bool north_up,
+                        const PixelBox& box);
 
-// A length of 1, 2 or 5 times a power of ten that takes at most `widest_px`, and its words: "5 metres", "50 centimetres".
+// A length of 1, 2 or 5 times a power of ten that takes at most `widest_px`, and its words: "5 metres", "50
+// centimetres".
 struct ScaleBar {
     double length_m = 1.0;
     std::string words;

@@ -1,10 +1,11 @@
-// Draws a ViewState with OpenGL 3.3 core into whatever is the current framebuffer: first person or plan, or the list or question
-// that is open, and the last spoken line in large letters on a black band. Knows nothing of windows and takes no input. App thread, the one whose context is current.
+// Draws a ViewState with OpenGL 3.3 core into whatever is the current framebuffer: first person or plan, or the list or
+// question that is open, and the last spoken line in large letters on a black band. Knows nothing of windows and takes
+// no input. App thread, the one whose context is current.
 #pragma once
 
 #include <memory>
 
-#include "app/core/view.h"
+#include "app/core/context/view.h"
 #include "app/window/picture.h"
 #include "worlds/base/result.h"
 
@@ -19,7 +20,8 @@ struct PixelSize {
 
 // The height of a letter's line as a part of the picture's height, for people with low vision.
 inline constexpr double kTextLinePart = 1.0 / 12.0;
-// The band takes at least two lines, so that the picture stays in place from one sentence to the next, and at most this part.
+// The band takes at least two lines, so that the picture stays in place from one sentence to the next, and at most this
+// part.
 inline constexpr double kLargestBandPart = 0.75;
 
 class Renderer {

@@ -25,7 +25,9 @@ std::string utf8_of(unsigned int c) {
     if (c < 0x80) return {byte(c)};
     if (c < 0x800) return {byte(0xC0 | c >> 6), byte(0x80 | (c & 0x3F))};
     if (c < 0x10000) return {byte(0xE0 | c >> 12), byte(0x80 | (c >> 6 & 0x3F)), byte(0x80 | (c & 0x3F))};
-    if (c < 0x110000) return {byte(0xF0 | c >> 18), byte(0x80 | (c >> 12 & 0x3F)), byte(0x80 | (c >> 6 & 0x3F)), byte(0x80 | (c & 0x3F))};
+    if (c < 0x110000)
+        return {byte(0xF0 | c >> 18), byte(0x80 | (c >> 12 & 0x3F)), byte(0x80 | (c >> 6 & 0x3F)),
+                byte(0x80 | (c & 0x3F))};
     return {};
 }
 
@@ -40,10 +42,10 @@ std::string glfw_problem() {
 class Window::Impl {
 public:
     Result<void> open(const WindowOptions& options) {
-        if (glfwInit() != GLFW_TRUE)
-            return fail(phrase("window.no_display", {{"reason", glfw_problem()}}));
+        if (glfwInit() != GLFW_TRUE) return fail(phrase("window.no_display", {{"reason", glfw_problem()}}));
         initialised_ = true;
-        // Left alone, Xlib ends the whole program when the display goes away, and the hand would be let go of without a ramp.
+        // Left alone, Xlib ends the whole program when the display goes away, and the hand would be let go of without a
+        // ramp.
         XSetIOErrorHandler([](Display*) { return 0; });
         XSetIOErrorExitHandler(glfwGetX11Display(), &Impl::display_lost, this);
 
@@ -65,9 +67,13 @@ public:
         renderer_ = std::move(*renderer);
 
         glfwSetWindowUserPointer(window_, this);
-        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int action, int mods) { self(w).take_key(key, code, action, mods); });
-        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int character) { self(w).take_text(utf8_of(character)); });
-        glfwSetWindowFocusCallback(window_, [](GLFWwindow* w, int focused) { self(w).take_focus(focused == GLFW_TRUE); });
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int code, int action, int mods) {
+            self(w).take_key(key, code, action, mods);
+        });
+        glfwSetCharCallback(window_,
+                            [](GLFWwindow* w, unsigned int character) { self(w).take_text(utf8_of(character)); });
+        glfwSetWindowFocusCallback(window_,
+                                   [](GLFWwindow* w, int focused) { self(w).take_focus(focused == GLFW_TRUE); });
         glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) { self(w).events_.emplace_back(CloseRequest{}); });
         glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w).shown_.reset(); });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int, int, int) { self(w).keys_.other_input(); });
@@ -146,11 +152,13 @@ private:
     void take_key(int key, int code, int action, int mods) {
         if (!never_waits_) return act_on_key(key, action, mods);
         if (const auto name = key_name(key, mods); name && never_waits_(*name)) return act_on_key(key, action, mods);
-        const KeySym symbol = XkbKeycodeToKeysym(glfwGetX11Display(), static_cast<KeyCode>(code), 0, (mods & GLFW_MOD_SHIFT) ? 1 : 0);
+        const KeySym symbol =
+            XkbKeycodeToKeysym(glfwGetX11Display(), static_cast<KeyCode>(code), 0, (mods & GLFW_MOD_SHIFT) ? 1 : 0);
         const char* symbol_name = XKeysymToString(symbol);
         KeyStroke stroke;
         stroke.press = action != GLFW_RELEASE;
-        stroke.state = ((mods & GLFW_MOD_SHIFT) ? ShiftMask : 0U) | ((mods & GLFW_MOD_CONTROL) ? ControlMask : 0U) | ((mods & GLFW_MOD_ALT) ? Mod1Mask : 0U);
+        stroke.state = ((mods & GLFW_MOD_SHIFT) ? ShiftMask : 0U) | ((mods & GLFW_MOD_CONTROL) ? ControlMask : 0U) |
+                       ((mods & GLFW_MOD_ALT) ? Mod1Mask : 0U);
         stroke.keycode = static_cast<unsigned>(code);
         stroke.keysym = static_cast<unsigned>(symbol);
         stroke.name = symbol_name ? symbol_name : "";
@@ -236,7 +244,9 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
 std::vector<WindowEvent> Window::poll() { return impl_->poll(); }
 unsigned Window::number() const { return impl_->number(); }
 bool Window::watch_keys(KeyWatchCalls calls) { return impl_->watch_keys(std::move(calls)); }
-void Window::offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits) { impl_->offer_keys(std::move(reader), std::move(never_waits)); }
+void Window::offer_keys(KeyReader reader, std::function<bool(const std::string&)> never_waits) {
+    impl_->offer_keys(std::move(reader), std::move(never_waits));
+}
 void Window::draw(const ViewState& view) { impl_->draw(view); }
 Picture Window::picture(const ViewState& view) { return impl_->picture(view); }
 

@@ -1,9 +1,10 @@
-// The voice-led set-up of headphones, device, workspace and force, as a state machine: it is told what time it is, what the hand does and what the
-// person answers, and says what is to be heard, felt and stored. No thread, clock, device or sound of its own, so that the same machine runs in
-// the program and in tests. App thread, about 60 times a second.
-// Every question waits as long as it takes. Enter accepts what stands, Space says the question again word for word, Backspace (and Up where it
-// changes no value) goes back one, Escape explains, takes the force away and at the second press leaves; what was found until then is kept.
-// Force leaves through the servo's ForceLimiter as ever; here only its ceiling rises, in steps of a few hundredths of a newton.
+// The voice-led set-up of headphones, device, workspace and force, as a state machine: it is told what time it is, what
+// the hand does and what the person answers, and says what is to be heard, felt and stored. No thread, clock, device or
+// sound of its own, so that the same machine runs in the program and in tests. App thread, about 60 times a second.
+// Every question waits as long as it takes. Enter accepts what stands, Space says the question again word for word,
+// Backspace (and Up where it changes no value) goes back one, Escape explains, takes the force away and at the second
+// press leaves; what was found until then is kept. Force leaves through the servo's ForceLimiter as ever; here only its
+// ceiling rises, in steps of a few hundredths of a newton.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/core/app_core.h"
+#include "app/core/session/app_core.h"
 #include "audio-cues/plan/cue_planner.h"
 #include "haptic/servo/servo_tick.h"
 #include "settings/settings.h"
@@ -54,7 +55,8 @@ struct WizardSense {
 
 class Wizard {
 public:
-    static constexpr double kGentlestMost_n = 1.0;  // what presses while the least noticed force is sought; below every ceiling
+    static constexpr double kGentlestMost_n =
+        1.0;  // what presses while the least noticed force is sought; below every ceiling
     static constexpr double kGentlestRise_n_per_s = 0.2;
     static constexpr double kCeilingRise_n_per_s = 1.0;  // of the wall's force when another ceiling is chosen
 
@@ -76,18 +78,49 @@ public:
     std::string_view question() const { return question_; }  // as Space says it
 
 private:
-    enum class Step : std::uint8_t { BellLeft, BellRight, Search, Pull, Push, WhichHand, Press, Wall, Sweep, Scale, Beyond, StepLength, Done };
-    static constexpr std::uint32_t kFirstJump = 0x40000000;  // so that coming from a world and going back to one is a jump for the servo
+    enum class Step : std::uint8_t {
+        BellLeft,
+        BellRight,
+        Search,
+        Pull,
+        Push,
+        WhichHand,
+        Press,
+        Wall,
+        Sweep,
+        Scale,
+        Beyond,
+        StepLength,
+        Done
+    };
+    static constexpr std::uint32_t kFirstJump =
+        0x40000000;  // so that coming from a world and going back to one is a jump for the servo
+    static constexpr double kMovedShare = 0.4;  // of the device's radius, that counts as pulled, pushed or moved aside
+    // What one question does. Null: nothing beyond what all do.
+    struct Row {
+        WizardPart part;
+        void (Wizard::*begin)();  // when it is come to, before it is asked
+        std::string (Wizard::*question)() const;
+        void (Wizard::*accept)();               // Enter; null: goes on
+        bool (Wizard::*adjust)(WizardKey key);  // an arrow; false: it means nothing here, so up goes back
+        void (Wizard::*frame)();                // on every tick, where no hand is needed
+        bool (Wizard::*watch)(
+            double dt_s);  // on every tick in which the hand is there; true: its button means nothing now
+    };
+    static const Row& row(Step step);
     static const WizardPartInfo& part_of(Step step);
+    static std::vector<Step> plan_of(std::span<const WizardPart> parts);
+    static bool is_across(WizardKey key) { return key == WizardKey::Left || key == WizardKey::Right; }
+    static bool is_upward(WizardKey key) { return key == WizardKey::Up || key == WizardKey::Right; }
+    static std::string newtons(double force_n);
 
     bool is_skipped(Step step) const;
     void enter(std::size_t index);
     void go_on() { enter(index_ + 1); }
     void go_back();
+    void finish();
     void ask();
-    std::string question_now() const;
-    std::string ceiling_words() const;
-    std::string span_words() const;
+    void repeat_question() { say(question_); }
     void say(std::string text);
     void play(SoundKind kind, const Vec3& position_m);
     void click();
@@ -98,18 +131,61 @@ private:
     void adjust(WizardKey key);
     void pause(std::string words);
     void resume();
-    void keep_hand(HoldingHand hand);
-    void keep_gentlest(double felt_n);
-    void keep_ceiling();
-    void keep_reach();
-    void keep_step_length();
-
-    void hear_bell();
-    void watch_search();
     void watch_hand(double dt_s);
-    void watch_homing();
-    void watch_sweep();
     void begin_force(std::shared_ptr<const HapticScene> scene);
+
+    // Each in the file of its part; the table says which question they belong to.
+    void begin_bell();
+    std::string ask_bell_left() const;
+    std::string ask_bell_right() const;
+    bool adjust_bell_left(WizardKey key);
+    bool adjust_bell_right(WizardKey key);
+    void hear_bell();
+
+    void begin_search();
+    std::string ask_search() const;
+    void watch_search();
+
+    std::string ask_pull() const;
+    std::string ask_push() const;
+    void accept_homing();
+    bool watch_homing(double dt_s);
+
+    std::string ask_hand() const;
+    void accept_hand();
+    bool adjust_hand(WizardKey key);
+    bool watch_aside(double dt_s);
+    void keep_hand(HoldingHand hand);
+
+    void begin_press();
+    std::string ask_press() const;
+    void accept_press();
+    bool watch_press(double dt_s);
+    void keep_gentlest(double felt_n);
+
+    void begin_wall();
+    std::string ask_wall() const;
+    std::string ceiling_words() const;
+    bool adjust_wall(WizardKey key);
+    bool watch_wall(double dt_s);
+    void keep_ceiling();
+
+    void begin_sweep();
+    std::string ask_sweep() const;
+    bool watch_sweep(double dt_s);
+    void keep_reach();
+    void begin_scale();
+    std::string ask_scale() const;
+    std::string span_words() const;
+    bool adjust_scale(WizardKey key);
+    void keep_scale();
+    std::string ask_beyond() const;
+    bool adjust_beyond(WizardKey key);
+    void keep_beyond();
+
+    std::string ask_step_length() const;
+    bool adjust_step_length(WizardKey key);
+    void keep_step_length();
 
     bool homed() const;
     double radius_m() const;
@@ -129,20 +205,28 @@ private:
     bool begun_ = false, finished_ = false, paused_ = false, wants_search_ = false, lost_device_ = false;
     std::string question_;
 
+    struct Homing {
+        std::uint8_t legs_seen = 0, legs_at_start = 0;
+        bool was_homed = true, newly_homed = false;
+    };
+    struct Reach {
+        Vec3 least_m{0.0}, most_m{0.0};  // of this question, device frame
+        Vec3 measured_m{0.0};            // size of the reach; zero: not measured
+        std::uint8_t sides_seen = 0;     // bit 2i: low side of axis i; 2i + 1: its high side
+        double scale = 60.0;
+    };
+
     double bell_due_s_ = 0.0;
     double search_begun_s_ = -1.0;  // when the device was ready
     bool button_was_down_ = false;
-    std::uint8_t legs_seen_ = 0, legs_at_start_ = 0;
-    bool was_homed_ = true, newly_homed_ = false;
-    Vec3 hand_at_start_m_{0.0}, least_m_{0.0}, most_m_{0.0};  // of this question, device frame
-    Vec3 measured_m_{0.0};                                    // size of the reach; zero: not measured
-    std::uint8_t sides_seen_ = 0;                             // bit 2i: low side of axis i; 2i + 1: its high side
-    double asked_s_ = 0.0;                                    // when the question was last begun
-    double held_top_s_ = 0.0;                                 // how long the gentlest part has pressed with its most
+    Homing homing_;
+    Reach reach_;
+    Vec3 hand_at_start_m_{0.0};  // of this question, device frame
+    double asked_s_ = 0.0;       // when the question was last begun
+    double held_top_s_ = 0.0;    // how long the gentlest part has pressed with its most
     double gentlest_n_ = 0.3;
     double wanted_ceiling_n_ = kLightCeiling_n;
     double step_length_m_ = 0.7;
-    double scale_ = 60.0;
     std::string typed_;
 
     ServoTuning tuning_;

@@ -36,8 +36,9 @@ struct HandWord {
     Vec3 direction;
 };
 constexpr std::array kHandWords{
-    HandWord{"hand-forward", "I", {0.0, 1.0, 0.0}}, HandWord{"hand-back", "K", {0.0, -1.0, 0.0}}, HandWord{"hand-left", "J", {-1.0, 0.0, 0.0}},
-    HandWord{"hand-right", "L", {1.0, 0.0, 0.0}},   HandWord{"hand-up", "U", {0.0, 0.0, 1.0}},    HandWord{"hand-down", "O", {0.0, 0.0, -1.0}},
+    HandWord{"hand-forward", "I", {0.0, 1.0, 0.0}}, HandWord{"hand-back", "K", {0.0, -1.0, 0.0}},
+    HandWord{"hand-left", "J", {-1.0, 0.0, 0.0}},   HandWord{"hand-right", "L", {1.0, 0.0, 0.0}},
+    HandWord{"hand-up", "U", {0.0, 0.0, 1.0}},      HandWord{"hand-down", "O", {0.0, 0.0, -1.0}},
 };
 
 }  // namespace
@@ -76,14 +77,13 @@ Result<WizardLine> parse_wizard_line(std::string_view line) {
     parsed.button = word == "button";
     parsed.help = word == "help";
     if (word == "wait") parsed.wait_s = std::min(number, kLongestWait_s);
-    if (parsed.events.empty() && parsed.hand_by_m == Vec3(0.0) && !parsed.button && !parsed.help && parsed.wait_s == 0.0)
+    if (parsed.events.empty() && parsed.hand_by_m == Vec3(0.0) && !parsed.button && !parsed.help &&
+        parsed.wait_s == 0.0)
         return fail(phrase("wizard.no_answer", {{"word", word}, {"nearest", nearest_name(word, known)}}));
     return parsed;
 }
 
-std::string wizard_help() {
-    return phrase("wizard.help");
-}
+std::string wizard_help() { return phrase("wizard.help"); }
 
 void WizardSession::move_hand(const Vec3& by_m) {
     hand_.target_m += by_m;
@@ -94,8 +94,10 @@ void WizardSession::move_hand(const Vec3& by_m) {
 void WizardSession::press(std::string_view key_name, double now_s) {
     if (key_name == "F1") return type("help");
     if (key_name.starts_with("Keypad") && key_name.size() == 7) key_name.remove_prefix(6);  // its figures
-    if (key_name.size() == 1 && key_name[0] >= '0' && key_name[0] <= '9') return wizard_.answer(std::string(key_name), now_s);
-    if (key_name == "Period" || key_name == "Comma" || key_name == "KeypadDecimal") return wizard_.answer(std::string("."), now_s);
+    if (key_name.size() == 1 && key_name[0] >= '0' && key_name[0] <= '9')
+        return wizard_.answer(std::string(key_name), now_s);
+    if (key_name == "Period" || key_name == "Comma" || key_name == "KeypadDecimal")
+        return wizard_.answer(std::string("."), now_s);
     const std::string wanted = fmt::format(" {} ", key_name);
     for (const WordKey& row : kWordKeys)
         if (row.keys.find(wanted) != std::string_view::npos) return wizard_.answer(row.key, now_s);

@@ -1,5 +1,5 @@
-// The wizard with its ways in: keys of a window by name, lines of text one after the other, and with them the simulated hand where there is no real
-// one. The same for the program and for tests. App thread.
+// The wizard with its ways in: keys of a window by name, lines of text one after the other, and with them the simulated
+// hand where there is no real one. The same for the program and for tests. App thread.
 #pragma once
 
 #include <deque>
@@ -11,8 +11,9 @@
 
 namespace handrail {
 
-// One line understood. "" is Enter; repeat, back, left, right, up, down, stop, leave; a number is typed and accepted; button presses the simulated
-// hand's button; hand-left 6 and so on move it by so many taps; wait 2 waits so many seconds.
+// One line understood. "" is Enter; repeat, back, left, right, up, down, stop, leave; a number is typed and accepted;
+// button presses the simulated hand's button; hand-left 6 and so on move it by so many taps; wait 2 waits so many
+// seconds.
 struct WizardLine {
     std::vector<WizardEvent> events;
     Vec3 hand_by_m{0.0};
@@ -37,7 +38,9 @@ public:
 
     void tick(const WizardSense& sense);
     // All lines so far are done, and an answer is waited for.
-    bool wants_line(double now_s) const { return lines_.empty() && wizard_.waits_for_person() && now_s >= settle_until_s_; }
+    bool wants_line(double now_s) const {
+        return lines_.empty() && wizard_.waits_for_person() && now_s >= settle_until_s_;
+    }
 
     Wizard& wizard() { return wizard_; }
     const Wizard& wizard() const { return wizard_; }

@@ -8,13 +8,15 @@
 
 #include "audio-cues/plan/sound_table.h"
 #include "audio-cues/plan/speakable.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kSayAgain_s = 5.0;              // decisions: nothing spoken twice in 5 s
-constexpr double kSettle_s = 0.040;              // a corner's second surface arrives within a few ticks; the first word is due after 120 ms
+constexpr double kSayAgain_s = 5.0;  // decisions: nothing spoken twice in 5 s
+constexpr double kSettle_s =
+    0.040;  // a corner's second surface arrives within a few ticks; the first word is due after 120 ms
 constexpr double kChatter_s = 0.050;             // the same feature again within this is one contact to the ear
 constexpr double kKeepName_s = 0.5;              // a tap is still named when the voice is free this soon
 constexpr double kKeepBump_s = 2.0;              // longer for a bump: the body does not leave by itself
@@ -39,8 +41,10 @@ std::string spoken_side(const std::string& side) {
 std::string size_sentence(const Feature& feature) {
     const Vec3 size = feature.bounds_m.max_m - feature.bounds_m.min_m;
     const double x = to_decimetre(size.x), y = to_decimetre(size.y), height = to_decimetre(size.z);
-    if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling) return phrase("touched.flat", {{"width", x}, {"depth", y}});
-    if (feature.kind == FeatureKind::Object) return phrase("touched.object", {{"width", std::max(x, y)}, {"depth", std::min(x, y)}, {"height", height}});
+    if (feature.kind == FeatureKind::Floor || feature.kind == FeatureKind::Ceiling)
+        return phrase("touched.flat", {{"width", x}, {"depth", y}});
+    if (feature.kind == FeatureKind::Object)
+        return phrase("touched.object", {{"width", std::max(x, y)}, {"depth", std::min(x, y)}, {"height", height}});
     return phrase("touched.upright", {{"width", std::max(x, y)}, {"height", height}});
 }
 
@@ -51,11 +55,14 @@ std::string describe_feature(const Scene& scene, FeatureId id, int verbosity) {
     if (feature == nullptr || verbosity <= 0) return {};
     std::string text = verbosity == 1 ? spoken_name(*feature) : spoken_name(scene, id);
     if (text.empty() || verbosity == 1) return sentence_case(text);
-    if (!feature->handle.empty()) text = phrase("touched.handle", {{"name", text}, {"side", spoken_side(feature->handle)}});
+    if (!feature->handle.empty())
+        text = phrase("touched.handle", {{"name", text}, {"side", spoken_side(feature->handle)}});
     if (feature->base) text = phrase("touched.base", {{"name", text}});
-    if (verbosity >= 3 && !feature->hinge.empty()) text = phrase("touched.hinge", {{"name", text}, {"side", spoken_side(feature->hinge)}});
+    if (verbosity >= 3 && !feature->hinge.empty())
+        text = phrase("touched.hinge", {{"name", text}, {"side", spoken_side(feature->hinge)}});
     if (verbosity >= 4) text += ". " + size_sentence(*feature);
-    if (verbosity >= 3 && !feature->message.empty()) text += (text.back() == '.' ? " " : ". ") + spoken_message(*feature);
+    if (verbosity >= 3 && !feature->message.empty())
+        text += (text.back() == '.' ? " " : ". ") + spoken_message(*feature);
     return sentence_case(text);
 }
 
@@ -72,9 +79,13 @@ void CuePlanner::enter_world(std::shared_ptr<const Scene> scene) {
     }
 }
 
-void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) { scene_ = std::move(scene); }
+void CuePlanner::follow_edit(std::shared_ptr<const Scene> scene) {
+    contract_pre(scene != nullptr);
+    scene_ = std::move(scene);
+}
 
 void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech) {
+    contract_pre(std::isfinite(inputs.now_s));
     // 1. The sinks take the time first, so that what is played below carries it.
     audio.set_listener(inputs.listener);
     audio.set_speaking(speech.speaking());
@@ -121,7 +132,9 @@ void CuePlanner::play(SoundCue cue, AudioSink& audio) const {
     if (cue.loudness > 0.0) audio.play(cue);
 }
 
-bool CuePlanner::is_touched(const Hand& hand, FeatureId feature) { return std::find(hand.touched.begin(), hand.touched.end(), feature) != hand.touched.end(); }
+bool CuePlanner::is_touched(const Hand& hand, FeatureId feature) {
+    return std::find(hand.touched.begin(), hand.touched.end(), feature) != hand.touched.end();
+}
 
 void CuePlanner::stop_slide(Hand& hand, AudioSink& audio) {
     if (hand.sliding) audio.set_loop({.kind = SoundKind::Slide, .loudness = 0.0, .source = hand.number});
@@ -134,7 +147,8 @@ void CuePlanner::touch(Hand& hand, const ContactEvent& event) {
     name_touched(hand, true, event.feature, event.time_s, kSettle_s, kKeepName_s);
 }
 
-// They stay where they are, so what the sink is told follows from what was asked for and what the person wants to hear now.
+// They stay where they are, so what the sink is told follows from what was asked for and what the person wants to hear
+// now.
 void CuePlanner::keep_world_sounds(AudioSink& audio) {
     for (const SoundCue& asked : world_sounds_) {
         SoundCue cue = asked;
@@ -149,12 +163,14 @@ std::string CuePlanner::whose(std::size_t hand, std::string text) const {
     return hand == 0 ? phrase("voice.right_hand", {{"text", text}}) : phrase("voice.left_hand", {{"text", text}});
 }
 
-void CuePlanner::name_touched(Hand& hand, bool by_hand, FeatureId feature, double time_s, double settle_s, double keep_s) {
+void CuePlanner::name_touched(Hand& hand, bool by_hand, FeatureId feature, double time_s, double settle_s,
+                              double keep_s) {
     if (!scene_) return;
     std::string text = describe_feature(*scene_, feature, settings_.speech.verbosity);
     if (text.empty()) return;
     if (by_hand) text = whose(hand.number, std::move(text));
-    // A hand that trembles between two surfaces must not put the name off for ever: the first touch sets the time, the last one the name.
+    // A hand that trembles between two surfaces must not put the name off for ever: the first touch sets the time, the
+    // last one the name.
     const double due_s = hand.name ? std::min(hand.name->due_s, time_s + settle_s) : time_s + settle_s;
     hand.name = Waiting{.utterance = {.text = std::move(text), .speech_class = SpeechClass::Contact},
                         .due_s = due_s,
@@ -169,11 +185,13 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
         case ContactEventKind::Begin: {
             hushed_ = false;
             std::erase_if(hand.recent, [&](const RecentContact& r) { return event.time_s - r.time_s >= kChatter_s; });
-            const bool chatter = std::any_of(hand.recent.begin(), hand.recent.end(), [&](const RecentContact& r) { return r.feature == event.feature; });
+            const bool chatter = std::any_of(hand.recent.begin(), hand.recent.end(),
+                                             [&](const RecentContact& r) { return r.feature == event.feature; });
             if (!chatter) {
                 hand.recent.push_back({event.feature, event.time_s});
                 // Loudness follows the square root of speed: a slow touch of 1 cm/s is still heard over the room.
-                const double force_of_blow = std::sqrt(std::min(1.0, std::max(0.0, event.speed_m_per_s) / kFastTouch_m_per_s));
+                const double force_of_blow =
+                    std::sqrt(std::min(1.0, std::max(0.0, event.speed_m_per_s) / kFastTouch_m_per_s));
                 play({.kind = SoundKind::Contact,
                       .material = sound_of(event.material),
                       .position_m = event.position_m,
@@ -185,9 +203,11 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
             return;
         }
         case ContactEventKind::Slide: {
-            if (event.feature && !is_touched(hand, event.feature)) touch(hand, event);  // slid onto something else without leaving the surface
+            if (event.feature && !is_touched(hand, event.feature))
+                touch(hand, event);  // slid onto something else without leaving the surface
             // In a corner two surfaces are slid along at once; one of them is heard until it stops, not both in turn.
-            if (hand.sliding && event.feature != hand.slide_feature && event.time_s - hand.slide_s < kSlideOwner_s) return;
+            if (hand.sliding && event.feature != hand.slide_feature && event.time_s - hand.slide_s < kSlideOwner_s)
+                return;
             hand.slide_s = event.time_s;
             hand.slide_feature = event.feature;
             if (hushed_ || event.speed_m_per_s < kSlideSlowest_m_per_s) return stop_slide(hand, audio);
@@ -223,9 +243,14 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
         }
         case ContactEventKind::FaultRaised:
             stop_slide(hand, audio);
-            play({.kind = is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm, .event_time_s = event.time_s}, audio);
-            // What waits for a confirmation is told again when it comes again at once: the person has just asked for the force.
-            ask(whose(event.hand, fault_sentence(event.fault)), SpeechClass::Alarm, event.time_s, !passes_by_itself(event.fault));
+            play(
+                {.kind = is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm, .event_time_s = event.time_s},
+                audio);
+            // What waits for a confirmation is told again when it comes again at once: the person has just asked for
+            // the force.
+            ask(whose(event.hand, fault_sentence(event.fault)), SpeechClass::Alarm, event.time_s,
+                !passes_by_itself(event.fault));
+            alarms_.back().cuts = is_gone(event.fault);
             return;
         case ContactEventKind::RimPassed:
             play({.kind = SoundKind::Rim, .event_time_s = event.time_s}, audio);
@@ -260,14 +285,16 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
     switch (request.kind) {
         case CueRequestKind::Say:
             if (request.speech_class == SpeechClass::Answer)
-                answer({.utterance = {.text = request.text}, .asked_s = asked_s, .repeatable = request.repeatable}, now_s, speech);
+                answer({.utterance = {.text = request.text}, .asked_s = asked_s, .repeatable = request.repeatable},
+                       now_s, speech);
             else ask(request.text, request.speech_class, asked_s, request.repeatable);
             return;
         case CueRequestKind::Footstep:
             hushed_ = false;
             left_foot_ = !left_foot_;
             cue.kind = SoundKind::Footstep;
-            cue.pitch = request.pitch * (left_foot_ ? 0.97 : 1.03);  // two feet are never quite alike; equal steps sound like a machine
+            cue.pitch = request.pitch *
+                        (left_foot_ ? 0.97 : 1.03);  // two feet are never quite alike; equal steps sound like a machine
             play(cue, audio);
             return;
         case CueRequestKind::Bump: {
@@ -283,7 +310,8 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             cue.kind = SoundKind::WallTone;
             cue.loudness = hushed_ ? 0.0 : std::clamp(request.loudness, 0.0, 1.0) * volume_of(SoundKind::WallTone);
             // Rhythm tells the distance where loudness and side cannot, as through one loudspeaker.
-            cue.pulses_per_s = kSlowestPulse_hz + (kFastestPulse_hz - kSlowestPulse_hz) * std::clamp(request.loudness, 0.0, 1.0);
+            cue.pulses_per_s =
+                kSlowestPulse_hz + (kFastestPulse_hz - kSlowestPulse_hz) * std::clamp(request.loudness, 0.0, 1.0);
             const bool on = cue.loudness > 0.0;
             if (on || wall_tone_on_) audio.set_loop(cue);
             wall_tone_on_ = on;
@@ -318,8 +346,9 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         case CueRequestKind::WorldSound: {
             cue.kind = request.sound;
             cue.loudness = std::clamp(request.loudness, 0.0, 1.0);
-            const auto same = std::find_if(world_sounds_.begin(), world_sounds_.end(),
-                                           [&](const SoundCue& known) { return known.kind == cue.kind && known.source == cue.source; });
+            const auto same = std::find_if(world_sounds_.begin(), world_sounds_.end(), [&](const SoundCue& known) {
+                return known.kind == cue.kind && known.source == cue.source;
+            });
             if (same != world_sounds_.end()) *same = cue;
             else world_sounds_.push_back(cue);
             return;
@@ -337,7 +366,9 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
 }
 
 void CuePlanner::ask(const std::string& text, SpeechClass speech_class, double asked_s, bool repeatable) {
-    Waiting waiting{.utterance = {.text = speakable(text), .speech_class = speech_class}, .asked_s = asked_s, .repeatable = repeatable};
+    Waiting waiting{.utterance = {.text = speakable(text), .speech_class = speech_class},
+                    .asked_s = asked_s,
+                    .repeatable = repeatable};
     if (waiting.utterance.text.empty()) return;
     if (speech_class == SpeechClass::Alarm) {
         if (alarms_.size() == kMostAlarmsWaiting) alarms_.pop_front();
@@ -362,9 +393,14 @@ void CuePlanner::write_waiting(std::deque<Waiting>& queue, double now_s, SpeechS
 }
 
 void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
-    // The class that is speaking now, if any; a sink without duration is never busy, so everything is said in this very tick.
+    // The class that is speaking now, if any; a sink without duration is never busy, so everything is said in this very
+    // tick.
     const auto busy_with = [&](SpeechClass c) { return speech.speaking() && speaking_class_ == c; };
-    while (!alarms_.empty() && !busy_with(SpeechClass::Alarm)) {
+    // Whether a device may push does not wait behind what was said of it before that was known.
+    const auto cut = [&] {
+        return std::any_of(alarms_.begin(), alarms_.end(), [](const Waiting& alarm) { return alarm.cuts; });
+    };
+    while (!alarms_.empty() && (cut() || !busy_with(SpeechClass::Alarm))) {
         say_now(alarms_.front(), now_s, speech);
         alarms_.pop_front();
     }
@@ -381,7 +417,8 @@ void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
         speak_name(hand, now_s, engaged || others, speech);
     }
     // A hint is never kept for later: by then it is about something else.
-    const bool naming = std::any_of(hands_.begin(), hands_.end(), [](const Hand& hand) { return hand.name.has_value(); });
+    const bool naming =
+        std::any_of(hands_.begin(), hands_.end(), [](const Hand& hand) { return hand.name.has_value(); });
     if (hint_ && !waiting() && !naming && !speech.speaking()) say_now(*hint_, now_s, speech);
     hint_.reset();
 }
@@ -414,7 +451,8 @@ void CuePlanner::step_history(bool back, double asked_s, double now_s, SpeechSin
         back_ = wanted;
         text = phrase("voice.history", {{"text", lines[wanted - 1]->text}, {"number", wanted}, {"all", lines.size()}});
     }
-    answer({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true, .again = true}, now_s, speech);
+    answer({.utterance = {.text = std::move(text)}, .asked_s = asked_s, .repeatable = true, .again = true}, now_s,
+           speech);
 }
 
 bool CuePlanner::keep_line(const Waiting& waiting, double now_s) {
@@ -453,7 +491,8 @@ void CuePlanner::demonstrate(double now_s, AudioSink& audio, const SpeechSink& s
     shown.cue.event_time_s = now_s;
     shown.playing = true;
     shown.ends_s = now_s + kDemonstrates_s;
-    const bool loop = is_world_sound(shown.cue.kind) || shown.cue.kind == SoundKind::Slide || shown.cue.kind == SoundKind::WallTone;
+    const bool loop =
+        is_world_sound(shown.cue.kind) || shown.cue.kind == SoundKind::Slide || shown.cue.kind == SoundKind::WallTone;
     if (loop) return audio.set_loop(shown.cue);
     audio.play(shown.cue);
     demonstration_.reset();

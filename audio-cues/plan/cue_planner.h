@@ -1,5 +1,5 @@
-// Decides what is heard: debounces names, picks sounds by material and force, keeps one voice. Pure logic over its inputs and a
-// time, so scenarios replay it exactly. One thread (the audio thread; in scenarios the only one).
+// Decides what is heard: debounces names, picks sounds by material and force, keeps one voice. Pure logic over its
+// inputs and a time, so scenarios replay it exactly. One thread (the audio thread; in scenarios the only one).
 #pragma once
 
 #include <array>
@@ -30,7 +30,8 @@ enum class CueRequestKind : std::uint8_t {
     HistoryBack,  // the last utterance, then the one before it and so on, at most kMostHistory; with its number
     HistoryForward,
     Demonstrate,  // says `text`, then plays `sound` of `material`, switched off or not; a loop for 2.5 s
-    WorldSound,   // loop `sound` of `source` at `position`, as loud as its map says, `muffled_db` by what is in between; loudness 0: not heard
+    WorldSound,  // loop `sound` of `source` at `position`, as loud as its map says, `muffled_db` by what is in between;
+                 // loudness 0: not heard
 };
 
 // What the app asks to be heard; sent through a queue to the audio thread.
@@ -66,26 +67,30 @@ struct CueInputs {
 };
 
 // What is said of a thing that is touched or met, by Settings::Speech::verbosity:
-//   0 ""   1 "North wall"   2 "North wall, plaster", a door with the side of its handle   3 also hinge and description   4 also size.
+//   0 ""   1 "North wall"   2 "North wall, plaster", a door with the side of its handle   3 also hinge and description
+//   4 also size.
 // Empty when the feature has no name. Two levels up is what a second press of the same question wants.
 std::string describe_feature(const Scene& scene, FeatureId id, int verbosity);
 
-// Speech. Names and hints are silent, in every sink, at verbosity 0 ("sounds only"); alarms and answers are said at every level, since
-// a person who asks is owed an answer. A text is not said twice within 5 s unless its request is `repeatable`. A name is said 40 ms
-// after the touch, the newest one only, so that a corner gives one name and not two halves; while an answer or alarm is speaking, it
-// waits and is dropped when the hand has left meanwhile.
-// Sounds. Loudness is the product of Settings::Sound; alarms never fall below 0.2. Contact sounds do not follow the 5 s rule; only the
-// same feature within 50 ms is chatter and is heard once.
+// Speech. Names and hints are silent, in every sink, at verbosity 0 ("sounds only"); alarms and answers are said at
+// every level, since a person who asks is owed an answer. A text is not said twice within 5 s unless its request is
+// `repeatable`. A name is said 40 ms after the touch, the newest one only, so that a corner gives one name and not two
+// halves; while an answer or alarm is speaking, it waits and is dropped when the hand has left meanwhile. Sounds.
+// Loudness is the product of Settings::Sound; alarms never fall below 0.2. Contact sounds do not follow the 5 s rule;
+// only the same feature within 50 ms is chatter and is heard once.
 class CuePlanner {
 public:
     explicit CuePlanner(Settings settings);
     void set_settings(const Settings& settings);
-    void enter_world(std::shared_ptr<const Scene> scene);  // names and materials to speak of; forgets what the hand touched
-    // The same world with something added, moved or removed: names are looked up here from now on, and nothing is said again.
+    void enter_world(
+        std::shared_ptr<const Scene> scene);  // names and materials to speak of; forgets what the hand touched
+    // The same world with something added, moved or removed: names are looked up here from now on, and nothing is said
+    // again.
     void follow_edit(std::shared_ptr<const Scene> scene);
     // With two hands it is said which one touches: "Left hand: door".
     void set_two_hands(bool two) { two_hands_ = two; }
-    // Handles all inputs in order, contacts first, and drives the sinks, their tick() included. `now_s` never goes back.
+    // Handles all inputs in order, contacts first, and drives the sinks, their tick() included. `now_s` never goes
+    // back.
     void tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech);
     // At the end: what still waits is written, so that text sinks hold every answer.
     void flush(double now_s, SpeechSink& speech);
@@ -103,6 +108,7 @@ private:
         double asked_s = 0.0;  // time of the request or event
         bool repeatable = false;
         bool again = false;
+        bool cuts = false;               // an alarm that does not wait for another one
         FeatureId touched = kNoFeature;  // a name: dropped when this is no longer touched
         double expires_s = 0.0;          // names only: kept that long even when the hand has left
     };

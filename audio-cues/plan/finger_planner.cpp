@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/contract.h"
+
 namespace handrail {
 namespace {
 
@@ -67,7 +69,8 @@ FingerPlanner::Surface FingerPlanner::surface_of(MaterialId material) const {
     surface.hardness = given.stiffness_fraction.value_or(spec ? spec->stiffness_fraction : kDefaultHardness);
     surface.sound = given.sound;
     const TextureWave* wave = given.wave ? &*given.wave : spec ? &spec->wave : nullptr;
-    if (wave && wave->shape != WaveShape::Level && wave->depth_hand_m > 0.0) surface.period_hand_m = wave->period_hand_m;
+    if (wave && wave->shape != WaveShape::Level && wave->depth_hand_m > 0.0)
+        surface.period_hand_m = wave->period_hand_m;
     return surface;
 }
 
@@ -142,6 +145,7 @@ void FingerPlanner::on_hand(const FingerInputs& inputs, FingerCue& cue) {
 }
 
 FingerCue FingerPlanner::tick(const FingerInputs& inputs) {
+    contract_pre(std::isfinite(inputs.now_s));
     for (const CueRequest& request : inputs.requests) on_request(request);
     on_passage(inputs.passage_width_m, inputs.now_s);
     FingerCue cue;

@@ -1,5 +1,6 @@
-// Decides what fingers on a pad are told, as CuePlanner decides what ears are told: pure logic over what the hand touches, what the app asks to be
-// heard and a time, so that tests replay it exactly. App thread; a few comparisons a frame, and nobody calls it where no pad is.
+// Decides what fingers on a pad are told, as CuePlanner decides what ears are told: pure logic over what the hand
+// touches, what the app asks to be heard and a time, so that tests replay it exactly. App thread; a few comparisons a
+// frame, and nobody calls it where no pad is.
 #pragma once
 
 #include <memory>
@@ -18,12 +19,14 @@ struct FingerInputs {
     double passage_width_m = 0.0;          // free space across the way; 0: open
 };
 
-// Hardness is the surface's stiffness. A bump knocks, with the right trigger stiff until one is away from the wall; the wall ahead is near as the
-// wall tone is loud; the hand on a surface is near by its force. A door that is met, and a passage no wider than a door that is entered from a wider
-// place, click. Steps and slides give the grain of their material; stairs and slopes resist on the left.
+// Hardness is the surface's stiffness. A bump knocks, with the right trigger stiff until one is away from the wall; the
+// wall ahead is near as the wall tone is loud; the hand on a surface is near by its force. A door that is met, and a
+// passage no wider than a door that is entered from a wider place, click. Steps and slides give the grain of their
+// material; stairs and slopes resist on the left.
 class FingerPlanner {
 public:
-    static constexpr double kKnock_s = 0.12, kBumpHolds_s = 0.6, kClick_s = 0.4, kStepGrain_s = 0.06, kSlopeHolds_s = 2.0;
+    static constexpr double kKnock_s = 0.12, kBumpHolds_s = 0.6, kClick_s = 0.4, kStepGrain_s = 0.06,
+                            kSlopeHolds_s = 2.0;
     static constexpr double kDoorWidth_m = 1.4, kWide_m = 1.8;
 
     void set_settings(const Settings::Pads& settings) { settings_ = settings; }

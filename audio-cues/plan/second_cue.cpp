@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/contract.h"
+
 namespace handrail {
 
 SecondCue second_cue(const Vec3& head_m, double time_s, bool behind, bool height) {
+    contract_pre(is_finite(head_m) && std::isfinite(time_s));
     const double level_m = std::hypot(head_m.x, head_m.y), distance_m = glm::length(head_m);
     SecondCue cue;
     if (distance_m < 1e-6) return cue;
@@ -16,8 +19,9 @@ SecondCue second_cue(const Vec3& head_m, double time_s, bool behind, bool height
     }
     if (height) {
         const double elevation_rad = std::atan2(head_m.z, level_m);
-        const double how_high =
-            std::copysign(std::clamp((std::abs(elevation_rad) - kLevelWithin_rad) / (kHigh_rad - kLevelWithin_rad), 0.0, 1.0), elevation_rad);
+        const double how_high = std::copysign(
+            std::clamp((std::abs(elevation_rad) - kLevelWithin_rad) / (kHigh_rad - kLevelWithin_rad), 0.0, 1.0),
+            elevation_rad);
         // Glides for nine tenths of the time and swings back in the rest.
         const double phase = time_s / kGlide_s - std::floor(time_s / kGlide_s);
         const double glide = phase < 0.9 ? phase / 0.9 : (1.0 - phase) / 0.1;

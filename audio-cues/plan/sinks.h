@@ -13,8 +13,9 @@
 
 namespace handrail {
 
-// Who may interrupt whom: a class cuts itself short and everything after it in this list, never anything before it. Alarms alone wait
-// for each other, so that none is lost. CuePlanner keeps these rules; a sink that is told to say something always says it at once.
+// Who may interrupt whom: a class cuts itself short and everything after it in this list, never anything before it.
+// Alarms alone wait for each other, so that none is lost. CuePlanner keeps these rules; a sink that is told to say
+// something always says it at once.
 enum class SpeechClass : std::uint8_t {
     Alarm,    // safety: cuts all
     Answer,   // reply to a key
@@ -31,10 +32,11 @@ struct Utterance {
 class SpeechSink {
 public:
     virtual ~SpeechSink() = default;
-    virtual void say(const Utterance& utterance) = 0;                 // returns at once; starts after interrupting what is running
-    virtual void write(const Utterance& /*utterance*/) {}             // text that is not voiced any more (its turn passed); for sinks that keep text
-    virtual void stop() = 0;                                          // silence at once
-    virtual bool speaking() const = 0;                                // from the moment of say() until the last sample; text alone takes no time
+    virtual void say(const Utterance& utterance) = 0;  // returns at once; starts after interrupting what is running
+    virtual void write(const Utterance& /*utterance*/) {
+    }                                   // text that is not voiced any more (its turn passed); for sinks that keep text
+    virtual void stop() = 0;            // silence at once
+    virtual bool speaking() const = 0;  // from the moment of say() until the last sample; text alone takes no time
     virtual void tick(double /*now_s*/) {}                            // housekeeping, about every 5 ms
     virtual void set_speech(const Settings::Speech& /*settings*/) {}  // rate and voice, from the next utterance on
     // A sentence about the sink itself, fit to be spoken ("There is no voice ..."); each is given once.
@@ -55,17 +57,17 @@ enum class SoundKind : std::uint8_t {
     Bell,  // at one side, to find out which ear is which
     // Where the way leads, at the places they tell of.
     Corner,
-    Opening,     // the wall that is trailed is interrupted
-    DropNear,    // one beat of the warning before an edge
+    Opening,   // the wall that is trailed is interrupted
+    DropNear,  // one beat of the warning before an edge
     StairsUp,
     StairsDown,
-    DoorNear,    // a door is before you
+    DoorNear,  // a door is before you
     // What helps to find things, at their places, one sound a time.
     Mark,
     Landmark,
     Clue,
-    Beacon,        // to the side
-    BeaconAhead,   // straight ahead
+    Beacon,       // to the side
+    BeaconAhead,  // straight ahead
     BeaconBehind,
     // Sounds of the world, loops that stay at their places: what a map's sounds and particles are heard as.
     Hum,
@@ -84,7 +86,7 @@ enum class SoundKind : std::uint8_t {
     Tolling,
     Music,
     HiddenClock,  // of the hunt, like no clock of a world
-    Shimmer,  // anything else
+    Shimmer,      // anything else
     // Earcons: heard in the middle of the head, wherever their position is.
     Denied,
     ForcesOn,
@@ -96,7 +98,7 @@ enum class SoundKind : std::uint8_t {
     RimBack,  // and has ended
     Grab,
     LetGo,
-    Click,  // the wall of the desk gave way, a control was pressed
+    Click,       // the wall of the desk gave way, a control was pressed
     GuideStart,  // the hand will be led
     GuideStop,   // it is not led any more
     Warmer,      // the faster, the nearer one is to what one looks for
@@ -134,11 +136,13 @@ public:
     virtual void play(const SoundCue& cue) = 0;
     virtual void set_loop(const SoundCue& cue) = 0;  // one loop per kind and source; loudness 0 fades it out
     virtual void set_listener(const Listener& listener) = 0;
-    virtual void set_sound(const Settings::Sound& /*settings*/) {}  // sides, mono, reverberation and second cues, from now on; volumes are CuePlanner's
-    virtual void set_speaking(bool /*speaking*/) {}                 // a voice speaks that is not the sink's own: sounds step back for it too
-    virtual void stop_all() = 0;                                    // every sound but speech, at once, click-free
-    virtual void tick(double now_s) = 0;                            // housekeeping, about every 5 ms
-    virtual bool drops_out() const { return false; }                // the device runs dry again and again: it wants more periods
+    virtual void set_sound(const Settings::Sound& /*settings*/) {
+    }  // sides, mono, reverberation and second cues, from now on; volumes are CuePlanner's
+    virtual void set_speaking(bool /*speaking*/) {
+    }                                     // a voice speaks that is not the sink's own: sounds step back for it too
+    virtual void stop_all() = 0;          // every sound but speech, at once, click-free
+    virtual void tick(double now_s) = 0;  // housekeeping, about every 5 ms
+    virtual bool drops_out() const { return false; }  // the device runs dry again and again: it wants more periods
     // A sentence about the sink itself, fit to be spoken ("The sound device was lost ..."); each is given once.
     virtual std::optional<std::string> news() { return std::nullopt; }
 };

@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -14,7 +15,9 @@ namespace {
 
 using Sound = Settings::Sound;
 
-constexpr SoundInfo world(SoundKind kind, std::string_view name) { return {kind, name, &Sound::world_volume, &Sound::world}; }
+constexpr SoundInfo world(SoundKind kind, std::string_view name) {
+    return {kind, name, &Sound::world_volume, &Sound::world};
+}
 
 constexpr std::array kTable{
     SoundInfo{SoundKind::Contact, "contact", &Sound::contact_volume, &Sound::contact},
@@ -91,26 +94,35 @@ struct WordRow {
     SoundKind kind;
 };
 constexpr std::array kWords{
-    WordRow{"thunder", SoundKind::Thunder},  WordRow{"storm", SoundKind::Thunder},   WordRow{"explo", SoundKind::Thunder},
-    WordRow{"drip", SoundKind::Drip},        WordRow{"drop", SoundKind::Drip},       WordRow{"leak", SoundKind::Drip},
-    WordRow{"waterfall", SoundKind::Stream}, WordRow{"fountain", SoundKind::Stream}, WordRow{"stream", SoundKind::Stream},
-    WordRow{"river", SoundKind::Stream},     WordRow{"water", SoundKind::Stream},    WordRow{"splash", SoundKind::Stream},
-    WordRow{"fire", SoundKind::Fire},        WordRow{"flame", SoundKind::Fire},      WordRow{"torch", SoundKind::Fire},
-    WordRow{"lava", SoundKind::Fire},        WordRow{"candle", SoundKind::Fire},     WordRow{"hiddenclock", SoundKind::HiddenClock},
-    WordRow{"clock", SoundKind::Clock},
-    WordRow{"tick", SoundKind::Clock},       WordRow{"watch", SoundKind::Clock},     WordRow{"swamp", SoundKind::Swamp},
-    WordRow{"frog", SoundKind::Swamp},       WordRow{"cricket", SoundKind::Swamp},   WordRow{"wind", SoundKind::Wind},
-    WordRow{"draught", SoundKind::Wind},     WordRow{"suck", SoundKind::Wind},       WordRow{"breeze", SoundKind::Wind},
-    WordRow{"rain", SoundKind::Rain},        WordRow{"snow", SoundKind::Wind},       WordRow{"bird", SoundKind::Birds},
-    WordRow{"bell", SoundKind::Tolling},     WordRow{"chime", SoundKind::Tolling},   WordRow{"toll", SoundKind::Tolling},
-    WordRow{"music", SoundKind::Music},      WordRow{"radio", SoundKind::Music},     WordRow{"song", SoundKind::Music},
-    WordRow{"speaker", SoundKind::Music},    WordRow{"piano", SoundKind::Music},     WordRow{"steam", SoundKind::Fan},
-    WordRow{"smoke", SoundKind::Fan},        WordRow{"vent", SoundKind::Fan},        WordRow{"fan", SoundKind::Fan},
-    WordRow{"buzz", SoundKind::Buzz},        WordRow{"flour", SoundKind::Buzz},      WordRow{"fluor", SoundKind::Buzz},
-    WordRow{"spark", SoundKind::Buzz},       WordRow{"lamp", SoundKind::Buzz},       WordRow{"electric", SoundKind::Buzz},
-    WordRow{"drone", SoundKind::Drone},      WordRow{"machine", SoundKind::Drone},   WordRow{"engine", SoundKind::Drone},
-    WordRow{"motor", SoundKind::Drone},      WordRow{"generator", SoundKind::Drone}, WordRow{"hum", SoundKind::Hum},
-    WordRow{"comp", SoundKind::Hum},         WordRow{"fridge", SoundKind::Hum},
+    WordRow{"thunder", SoundKind::Thunder},  WordRow{"storm", SoundKind::Thunder},
+    WordRow{"explo", SoundKind::Thunder},    WordRow{"drip", SoundKind::Drip},
+    WordRow{"drop", SoundKind::Drip},        WordRow{"leak", SoundKind::Drip},
+    WordRow{"waterfall", SoundKind::Stream}, WordRow{"fountain", SoundKind::Stream},
+    WordRow{"stream", SoundKind::Stream},    WordRow{"river", SoundKind::Stream},
+    WordRow{"water", SoundKind::Stream},     WordRow{"splash", SoundKind::Stream},
+    WordRow{"fire", SoundKind::Fire},        WordRow{"flame", SoundKind::Fire},
+    WordRow{"torch", SoundKind::Fire},       WordRow{"lava", SoundKind::Fire},
+    WordRow{"candle", SoundKind::Fire},      WordRow{"hiddenclock", SoundKind::HiddenClock},
+    WordRow{"clock", SoundKind::Clock},      WordRow{"tick", SoundKind::Clock},
+    WordRow{"watch", SoundKind::Clock},      WordRow{"swamp", SoundKind::Swamp},
+    WordRow{"frog", SoundKind::Swamp},       WordRow{"cricket", SoundKind::Swamp},
+    WordRow{"wind", SoundKind::Wind},        WordRow{"draught", SoundKind::Wind},
+    WordRow{"suck", SoundKind::Wind},        WordRow{"breeze", SoundKind::Wind},
+    WordRow{"rain", SoundKind::Rain},        WordRow{"snow", SoundKind::Wind},
+    WordRow{"bird", SoundKind::Birds},       WordRow{"bell", SoundKind::Tolling},
+    WordRow{"chime", SoundKind::Tolling},    WordRow{"toll", SoundKind::Tolling},
+    WordRow{"music", SoundKind::Music},      WordRow{"radio", SoundKind::Music},
+    WordRow{"song", SoundKind::Music},       WordRow{"speaker", SoundKind::Music},
+    WordRow{"piano", SoundKind::Music},      WordRow{"steam", SoundKind::Fan},
+    WordRow{"smoke", SoundKind::Fan},        WordRow{"vent", SoundKind::Fan},
+    WordRow{"fan", SoundKind::Fan},          WordRow{"buzz", SoundKind::Buzz},
+    WordRow{"flour", SoundKind::Buzz},       WordRow{"fluor", SoundKind::Buzz},
+    WordRow{"spark", SoundKind::Buzz},       WordRow{"lamp", SoundKind::Buzz},
+    WordRow{"electric", SoundKind::Buzz},    WordRow{"drone", SoundKind::Drone},
+    WordRow{"machine", SoundKind::Drone},    WordRow{"engine", SoundKind::Drone},
+    WordRow{"motor", SoundKind::Drone},      WordRow{"generator", SoundKind::Drone},
+    WordRow{"hum", SoundKind::Hum},          WordRow{"comp", SoundKind::Hum},
+    WordRow{"fridge", SoundKind::Hum},
 };
 
 }  // namespace
@@ -131,7 +143,8 @@ std::vector<DictionaryEntry> sound_dictionary() {
         }
     for (int m = 0; m < static_cast<int>(SoundClass::Generic); ++m) {
         const auto material = static_cast<SoundClass>(m);
-        all.push_back({SoundKind::Contact, material, phrase(fmt::format("sound_contact.{}", material_sound_name(material)))});
+        all.push_back(
+            {SoundKind::Contact, material, phrase(fmt::format("sound_contact.{}", material_sound_name(material)))});
     }
     return all;
 }
@@ -147,6 +160,7 @@ SoundKind world_sound_of(std::string_view word) {
 }
 
 double distance_gain(SoundKind kind, double distance_m) {
+    contract_pre(distance_m >= 0.0);
     if (is_earcon(kind)) return 1.0;
     if (is_world_sound(kind)) {
         constexpr double kFades_m = 10.0;  // the last part of the range, so that nothing begins at a step

@@ -5,9 +5,13 @@
 
 namespace handrail {
 
-AudioThread::AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock, ContactRing* contacts, const Settings& settings,
-                         ContactRing* left_contacts)
-    : clock_(clock), contacts_{contacts, left_contacts}, audio_(std::move(audio)), speech_(std::move(speech)), planner_(settings) {}
+AudioThread::AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock,
+                         ContactRing* contacts, const Settings& settings, ContactRing* left_contacts)
+    : clock_(clock),
+      contacts_{contacts, left_contacts},
+      audio_(std::move(audio)),
+      speech_(std::move(speech)),
+      planner_(settings) {}
 
 AudioThread::~AudioThread() { stop(); }
 
@@ -85,14 +89,17 @@ void AudioThread::step() {
         });
     }
     listener_.refresh();
-    planner_.tick({.now_s = clock_.now_s(), .contacts = events_, .requests = inbox.requests, .listener = listener_.read()}, *audio_, *speech_);
+    planner_.tick(
+        {.now_s = clock_.now_s(), .contacts = events_, .requests = inbox.requests, .listener = listener_.read()},
+        *audio_, *speech_);
     speaking_.store(speech_->speaking() || planner_.waiting(), std::memory_order_relaxed);
     publish();
 }
 
 void AudioThread::publish() {
     const std::vector<SpokenLine>& spoken = planner_.spoken();
-    const auto fresh = static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(planner_.spoken_in_all() - published_, spoken.size()));
+    const auto fresh =
+        static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(planner_.spoken_in_all() - published_, spoken.size()));
     published_ = planner_.spoken_in_all();
     const std::string who = speech_->who();
     if (fresh == 0 && who == told_who_) return;

@@ -1,6 +1,6 @@
-// The loop of the ears: 200 times a second it takes what the hand met and what the app asks for, and lets CuePlanner drive the sinks.
-// It owns the planner and both sinks from start() to stop(); the app thread owns this object and everything marked so below.
-// step() is the whole body of the loop, so the owner of virtual time needs no thread.
+// The loop of the ears: 200 times a second it takes what the hand met and what the app asks for, and lets CuePlanner
+// drive the sinks. It owns the planner and both sinks from start() to stop(); the app thread owns this object and
+// everything marked so below. step() is the whole body of the loop, so the owner of virtual time needs no thread.
 #pragma once
 
 #include <array>
@@ -26,16 +26,16 @@ public:
     static constexpr double kPeriod_s = 0.005;
     static constexpr double kFade_s = 0.030;  // ticks on for this long at the end, so that nothing clicks
 
-    // Clock and rings outlive this object; a ring may be null where there is no hand, the second is the left hand's where there are two. The clock is the
-    // one that times contact events.
-    AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock, ContactRing* contacts, const Settings& settings,
-                ContactRing* left_contacts = nullptr);
+    // Clock and rings outlive this object; a ring may be null where there is no hand, the second is the left hand's
+    // where there are two. The clock is the one that times contact events.
+    AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock,
+                ContactRing* contacts, const Settings& settings, ContactRing* left_contacts = nullptr);
     ~AudioThread();
     AudioThread(const AudioThread&) = delete;
     AudioThread& operator=(const AudioThread&) = delete;
 
-    // App thread. stop() takes everything posted before it, waits at most that long for the voice to finish, writes what it could not
-    // say, fades and joins; more often does no harm, and the destructor does it too.
+    // App thread. stop() takes everything posted before it, waits at most that long for the voice to finish, writes
+    // what it could not say, fades and joins; more often does no harm, and the destructor does it too.
     void start();
     void stop(double finish_speech_s = 0.0);
     // As AudioSink::drops_out, at the last tick. App thread.

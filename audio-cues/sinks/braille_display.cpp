@@ -42,7 +42,8 @@ struct BrailleDisplay::Shared : ServerClient {
 
 // What runs on the thread.
 struct BrailleDisplay::Worker {
-    explicit Worker(Shared& s) : shared(s), handle(static_cast<brlapi_handle_t*>(std::malloc(brlapi_getHandleSize()))) {}
+    explicit Worker(Shared& s)
+        : shared(s), handle(static_cast<brlapi_handle_t*>(std::malloc(brlapi_getHandleSize()))) {}
 
     Shared& shared;
     std::unique_ptr<brlapi_handle_t, FreeHandle> handle;
@@ -101,7 +102,8 @@ struct BrailleDisplay::Worker {
         if (socket < 0) return false;
         connected = true;
         // What the library does otherwise is to end the program.
-        brlapi__setExceptionHandler(handle.get(), [](brlapi_handle_t*, int, brlapi_packetType_t, const void*, std::size_t) {});
+        brlapi__setExceptionHandler(handle.get(),
+                                    [](brlapi_handle_t*, int, brlapi_packetType_t, const void*, std::size_t) {});
         const std::lock_guard lock(shared.mutex);
         shared.socket = socket;
         return true;
@@ -110,9 +112,10 @@ struct BrailleDisplay::Worker {
     void take_tty(unsigned our_window) {
         const int path = static_cast<int>(our_window);  // below WINDOWPATH, which the library puts before it
         if (brlapi__enterTtyModeWithPath(handle.get(), &path, 1, nullptr) < 0) return;
-        static constexpr std::array<brlapi_keyCode_t, 6> kOurs{BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINLT, BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINRT,
-                                                               BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_LNUP,   BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_LNDN,
-                                                               BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_HOME,   BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_ROUTE};
+        static constexpr std::array<brlapi_keyCode_t, 6> kOurs{
+            BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINLT, BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_FWINRT,
+            BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_LNUP,   BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_LNDN,
+            BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_HOME,   BRLAPI_KEY_TYPE_CMD | BRLAPI_KEY_CMD_ROUTE};
         brlapi__ignoreAllKeys(handle.get());
         brlapi__acceptKeys(handle.get(), brlapi_rangeType_command, kOurs.data(), static_cast<unsigned>(kOurs.size()));
         holds_tty = true;
@@ -195,7 +198,8 @@ struct BrailleDisplay::Worker {
     }
 
     void wait(bool wanted) {
-        pollfd events[2] = {{shared.wake, POLLIN, 0}, {connected ? brlapi__getFileDescriptor(handle.get()) : -1, POLLIN, 0}};
+        pollfd events[2] = {{shared.wake, POLLIN, 0},
+                            {connected ? brlapi__getFileDescriptor(handle.get()) : -1, POLLIN, 0}};
         const int wait_ms = wanted ? std::clamp(static_cast<int>(1000.0 * (look_again_s - now_s())) + 1, 1, 5000) : -1;
         ::poll(events, 2, wait_ms);
         if (events[0].revents != 0) shared.take_wake();
@@ -206,7 +210,8 @@ struct BrailleDisplay::Worker {
     }
 };
 
-BrailleDisplay::BrailleDisplay(std::shared_ptr<BrailleLink> link, const Settings::Speech& settings) : shared_(std::make_shared<Shared>(std::move(link))) {
+BrailleDisplay::BrailleDisplay(std::shared_ptr<BrailleLink> link, const Settings::Speech& settings)
+    : shared_(std::make_shared<Shared>(std::move(link))) {
     shared_->allowed = settings.braille;
     thread_ = start_client(shared_, "braille", [shared = shared_.get()] { Worker(*shared).run(); });
 }

@@ -1,5 +1,6 @@
-// A braille display, through BRLTTY's BrlAPI, where no screen reader brailles already: shows every message with the heading before it. On a thread of its
-// own, since the library waits for its server. Nothing is said while none is there; a display that goes is told of once, and looked for again.
+// A braille display, through BRLTTY's BrlAPI, where no screen reader brailles already: shows every message with the
+// heading before it. On a thread of its own, since the library waits for its server. Nothing is said while none is
+// there; a display that goes is told of once, and looked for again.
 #pragma once
 
 #include <atomic>
@@ -33,8 +34,9 @@ struct BrailleLink {
     }
 
     std::atomic<double> heading_rad{0.0};
-    std::atomic<unsigned> window{0};  // X's number of our window: the display shows us while that has the keyboard. 0: not yet
-    std::atomic<int> more_asked{0};   // a routing key was pressed, so often: more about this
+    std::atomic<unsigned> window{
+        0};  // X's number of our window: the display shows us while that has the keyboard. 0: not yet
+    std::atomic<int> more_asked{0};  // a routing key was pressed, so often: more about this
 
 private:
     mutable std::mutex list_mutex_;

@@ -17,7 +17,8 @@ std::u32string code_points(std::string_view utf8) {
         const auto byte = static_cast<unsigned char>(c);
         if (byte < 0x80) text += static_cast<char32_t>(byte);
         else if (byte < 0xC0 && !text.empty()) text.back() = (text.back() << 6) | (byte & 0x3FU);
-        else if (byte >= 0xC0) text += static_cast<char32_t>(byte < 0xE0 ? byte & 0x1FU : byte < 0xF0 ? byte & 0x0FU : byte & 0x07U);
+        else if (byte >= 0xC0)
+            text += static_cast<char32_t>(byte < 0xE0 ? byte & 0x1FU : byte < 0xF0 ? byte & 0x0FU : byte & 0x07U);
     }
     return text;
 }
@@ -25,7 +26,8 @@ std::u32string code_points(std::string_view utf8) {
 }  // namespace
 
 std::string heading_cells(double heading_rad) {
-    constexpr std::array<const char*, 8> kNames{"braille.n", "braille.ne", "braille.e", "braille.se", "braille.s", "braille.sw", "braille.w", "braille.nw"};
+    constexpr std::array<const char*, 8> kNames{"braille.n", "braille.ne", "braille.e", "braille.se",
+                                                "braille.s", "braille.sw", "braille.w", "braille.nw"};
     const double turned = std::fmod(heading_rad * 180.0 / std::numbers::pi, 360.0);
     const int degrees = static_cast<int>(std::lround(turned < 0.0 ? turned + 360.0 : turned)) % 360;
     if (degrees % 45 == 0) return phrase(kNames[static_cast<std::size_t>(degrees / 45)]);
@@ -42,8 +44,8 @@ void BrailleLine::show_list(std::string_view before, const std::vector<std::stri
     show(before);
     if (at >= items.size()) return;
     for (std::size_t i = 0; i < items.size(); ++i)
-        items_.push_back(
-            code_points((i == at ? std::string(before) : std::string()) + items[i] + " " + std::to_string(i + 1) + "/" + std::to_string(items.size())));
+        items_.push_back(code_points((i == at ? std::string(before) : std::string()) + items[i] + " " +
+                                     std::to_string(i + 1) + "/" + std::to_string(items.size())));
     at_ = at;
     show_item(at);
 }

@@ -18,12 +18,13 @@ public:
 
     // A new message begins at its first word; the heading changes in place.
     void show(std::string_view utf8);
-    // The item of a list one is at, with its place: "Worlds 2/7". Panning past its ends shows the items round it, each with its place, without going there.
-    // before: what was said before the item, as the list's title when it opens.
+    // The item of a list one is at, with its place: "Worlds 2/7". Panning past its ends shows the items round it, each
+    // with its place, without going there. before: what was said before the item, as the list's title when it opens.
     void show_list(std::string_view before, const std::vector<std::string>& items, std::size_t at);
     void set_heading(std::string cells) { heading_ = std::move(cells); }
     void set_width(std::size_t cells);
-    // By a display's width, never past either end; words stay whole where they fit. False where there is nothing more that way.
+    // By a display's width, never past either end; words stay whole where they fit. False where there is nothing more
+    // that way.
     bool pan_right();
     bool pan_left();
     void pan_home();

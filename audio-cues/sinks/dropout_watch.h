@@ -1,5 +1,5 @@
-// Notices that a sound device drops out, from its own clock: a device that has to start again after it ran dry stays behind for good, by at
-// least a period. Plain state; one thread.
+// Notices that a sound device drops out, from its own clock: a device that has to start again after it ran dry stays
+// behind for good, by at least a period. Plain state; one thread.
 #pragma once
 
 #include <array>
@@ -9,20 +9,24 @@ namespace handrail {
 
 class DropoutWatch {
 public:
-    static constexpr double kWindow_s = 1.0;  // in each, the least delay counts: single ticks come late without any harm
-    static constexpr double kLate_s = 0.004;  // less than a period of 256 samples, far more than clocks drift apart in a window
-    static constexpr std::size_t kMost = 3;   // so many windows with a drop-out within kWithin_s are too many
+    static constexpr double kWindow_s =
+        1.0;  // in each, the least delay counts: single ticks come late without any harm
+    static constexpr double kLate_s =
+        0.004;  // less than a period of 256 samples, far more than clocks drift apart in a window
+    static constexpr std::size_t kMost = 3;  // so many windows with a drop-out within kWithin_s are too many
     static constexpr double kWithin_s = 60.0;
 
-    // `device_s`: how much the device has played, by its own clock. True from the tick on which there were too many, until reset().
+    // `device_s`: how much the device has played, by its own clock. True from the tick on which there were too many,
+    // until reset().
     bool tick(double now_s, double device_s);
     void reset() { *this = DropoutWatch{}; }
 
 private:
     bool started_ = false, had_window_ = false, too_many_ = false;
     double window_ends_s_ = 0.0;
-    double least_s_ = 0.0, last_least_s_ = 0.0;  // delay of the device against the clock, of this window and the one before
-    std::array<double, kMost> dropped_s_{};      // when, newest first
+    double least_s_ = 0.0,
+           last_least_s_ = 0.0;              // delay of the device against the clock, of this window and the one before
+    std::array<double, kMost> dropped_s_{};  // when, newest first
     std::size_t dropped_ = 0;
 };
 

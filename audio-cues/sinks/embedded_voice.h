@@ -1,4 +1,5 @@
-// The built-in voice as one of those VoiceRouter chooses from: espeak-ng, or beeps where its data is missing. Owned by the audio thread.
+// The built-in voice as one of those VoiceRouter chooses from: espeak-ng, or beeps where its data is missing. Owned by
+// the audio thread.
 #pragma once
 
 #include <functional>
@@ -11,8 +12,10 @@ namespace handrail {
 
 class EmbeddedVoice final : public Voice {
 public:
-    // `audible` tells whether what goes into the channel is heard; while it is not, the voice counts as gone. Called on the audio thread.
-    EmbeddedVoice(std::shared_ptr<VoiceChannel> channel, std::function<bool()> audible, const Settings::Speech& settings)
+    // `audible` tells whether what goes into the channel is heard; while it is not, the voice counts as gone. Called on
+    // the audio thread.
+    EmbeddedVoice(std::shared_ptr<VoiceChannel> channel, std::function<bool()> audible,
+                  const Settings::Speech& settings)
         : channel_(std::move(channel)), audible_(std::move(audible)), settings_(settings) {}
 
     SpeechThrough through() const override { return SpeechThrough::Embedded; }

@@ -20,10 +20,12 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kPiece = 4096;  // samples sent on at once: 0.19 s, made in about 1 ms; the sink plays pieces without a gap
+constexpr std::size_t kPiece =
+    4096;  // samples sent on at once: 0.19 s, made in about 1 ms; the sink plays pieces without a gap
 
-// The library has one state per process; these mirror it. Whoever has set `library_taken` may use the other and the library.
-// It is never terminated: espeak_Terminate can wait for ever for a thread that has not yet begun to listen (seen with 1.51).
+// The library has one state per process; these mirror it. Whoever has set `library_taken` may use the other and the
+// library. It is never terminated: espeak_Terminate can wait for ever for a thread that has not yet begun to listen
+// (seen with 1.51).
 std::atomic<bool> library_taken{false};
 bool library_ready = false;
 
@@ -100,7 +102,8 @@ struct EspeakSpeech::Impl {
         return {};
     }
 
-    // A language ("en", "pt-br"), that of what is said ("auto"), or one of the library's own names; English where it knows neither.
+    // A language ("en", "pt-br"), that of what is said ("auto"), or one of the library's own names; English where it
+    // knows neither.
     void apply(const Settings::Speech& wanted) {
         const std::string voice = wanted.voice == "auto" ? spoken_language() : wanted.voice;
         if (!choose(voice)) {
@@ -119,7 +122,8 @@ struct EspeakSpeech::Impl {
         if (espeak_ng_SetVoiceByProperties(&properties) != ENS_OK) return false;
         const espeak_VOICE* chosen = espeak_GetCurrentVoice();
         const std::string language = voice.substr(0, voice.find('-'));
-        return chosen != nullptr && chosen->languages != nullptr && std::string_view(chosen->languages).substr(1).starts_with(language);  // [0] is a priority
+        return chosen != nullptr && chosen->languages != nullptr &&
+               std::string_view(chosen->languages).substr(1).starts_with(language);  // [0] is a priority
     }
 
     void speak_jobs() {
@@ -137,7 +141,8 @@ struct EspeakSpeech::Impl {
             if (changed_settings) apply(*changed_settings);
             synthesis.ticket = next.ticket;
             synthesis.piece.clear();
-            espeak_ng_Synthesize(next.text.c_str(), next.text.size() + 1, 0, POS_CHARACTER, 0, espeakCHARS_UTF8, nullptr, &synthesis);
+            espeak_ng_Synthesize(next.text.c_str(), next.text.size() + 1, 0, POS_CHARACTER, 0, espeakCHARS_UTF8,
+                                 nullptr, &synthesis);
             synthesis.send();
             channel->end(next.ticket);
         }
@@ -146,14 +151,16 @@ struct EspeakSpeech::Impl {
 
 EspeakSpeech::EspeakSpeech(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
-Result<std::unique_ptr<EspeakSpeech>> EspeakSpeech::open(std::shared_ptr<VoiceChannel> channel, const Settings::Speech& settings) {
+Result<std::unique_ptr<EspeakSpeech>> EspeakSpeech::open(std::shared_ptr<VoiceChannel> channel,
+                                                         const Settings::Speech& settings) {
     if (library_taken.exchange(true)) return fail(phrase("voice.in_use"));
     auto impl = std::make_unique<Impl>();
     impl->channel = std::move(channel);
     impl->settings = settings;
     std::promise<Result<void>> ready;
     std::future<Result<void>> started = ready.get_future();
-    impl->thread = std::thread([state = impl.get(), promise = std::move(ready)]() mutable { state->run(std::move(promise)); });
+    impl->thread =
+        std::thread([state = impl.get(), promise = std::move(ready)]() mutable { state->run(std::move(promise)); });
     if (auto result = started.get(); !result) {
         impl->thread.join();
         library_taken = false;
@@ -205,7 +212,8 @@ void EspeakSpeech::set_speech(const Settings::Speech& settings) {
 }
 
 std::span<const Note> BeepSpeech::pattern(SpeechClass speech_class) {
-    static constexpr std::array<Note, 4> kAlarm{{{0.0, 0.07, 1200.0, 1.0}, {0.1, 0.07, 1200.0, 1.0}, {0.2, 0.07, 1200.0, 1.0}, {0.3, 0.14, 1200.0, 1.0}}};
+    static constexpr std::array<Note, 4> kAlarm{
+        {{0.0, 0.07, 1200.0, 1.0}, {0.1, 0.07, 1200.0, 1.0}, {0.2, 0.07, 1200.0, 1.0}, {0.3, 0.14, 1200.0, 1.0}}};
     static constexpr std::array<Note, 2> kAnswer{{{0.0, 0.06, 880.0, 0.8}, {0.1, 0.06, 1100.0, 0.8}}};
     static constexpr std::array<Note, 1> kContact{{{0.0, 0.05, 700.0, 0.7}}};
     static constexpr std::array<Note, 1> kAmbient{{{0.0, 0.12, 350.0, 0.5}}};
@@ -224,7 +232,8 @@ std::span<const Note> BeepSpeech::pattern(SpeechClass speech_class) {
 
 void BeepSpeech::say(const Utterance& utterance) {
     std::vector<std::int16_t> samples;
-    for (const float s : synthesise_notes(pattern(utterance.speech_class))) samples.push_back(static_cast<std::int16_t>(std::lround(32767.0F * s)));
+    for (const float s : synthesise_notes(pattern(utterance.speech_class)))
+        samples.push_back(static_cast<std::int16_t>(std::lround(32767.0F * s)));
     const VoiceChannel::Ticket ticket = channel_->begin(kSampleRate_hz, utterance.loudness);
     channel_->append(ticket, samples);
     channel_->end(ticket);

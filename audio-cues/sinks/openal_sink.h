@@ -1,8 +1,9 @@
-// Sounds at their places and a voice in the middle, through OpenAL Soft at 48 kHz, with head-related filtering for headphones where
-// the device allows it. One owner: the thread that ticks it (the audio thread); only VoiceChannel is shared.
-// With no sound card it plays into OpenAL's loopback device and throws the samples away at the pace of time, so that nothing else
-// changes; description() and news() say so. A device that is lost while playing is replaced by the default one, or by loopback until
-// one is back. Cost: about 1 % of a core; opening synthesises the sound bank (synth.h).
+// Sounds at their places and a voice in the middle, through OpenAL Soft at 48 kHz, with head-related filtering for
+// headphones where the device allows it. One owner: the thread that ticks it (the audio thread); only VoiceChannel is
+// shared. With no sound card it plays into OpenAL's loopback device and throws the samples away at the pace of time, so
+// that nothing else changes; description() and news() say so. A device that is lost while playing is replaced by the
+// default one, or by loopback until one is back. Cost: about 1 % of a core; opening synthesises the sound bank
+// (synth.h).
 #pragma once
 
 #include <functional>
@@ -25,17 +26,21 @@ public:
     };
     struct Options {
         Output output = Output::Device;
-        std::string device = {};                     // OpenAL's name of a playback device; empty: the default one
-        int periods = 2;                             // of 256 samples; the first sink of a process decides for all
-        bool hrtf = true;                            // false: plain stereo, for loudspeakers
-        std::function<bool()> still_connected = {};  // stands in for the device's own report, so that a test can pull the plug
+        std::string device = {};  // OpenAL's name of a playback device; empty: the default one
+        int periods = 2;          // of 256 samples; the first sink of a process decides for all
+        bool hrtf = true;         // false: plain stereo, for loudspeakers
+        std::function<bool()> still_connected =
+            {};  // stands in for the device's own report, so that a test can pull the plug
+        std::function<void(int)> on_render =
+            {};  // told of each count of frames that the loopback device is asked for, so that a test can see them
     };
-    // At most this many sounds besides the voice; the least important gives way, of equals the oldest, and of the world's own the quietest.
+    // At most this many sounds besides the voice; the least important gives way, of equals the oldest, and of the
+    // world's own the quietest.
     static constexpr int kMostSounds = 3;
     static constexpr double kDuckingDb = -9.0;  // sounds but alarms, while the voice speaks
 
-    // Sets ALSOFT_CONF for the moment of opening (256 samples x 2 periods) unless the person has set it: call before other threads read
-    // the environment. Fails only where OpenAL has no loopback device.
+    // Sets ALSOFT_CONF for the moment of opening (256 samples x 2 periods) unless the person has set it: call before
+    // other threads read the environment. Fails only where OpenAL has no loopback device.
     static Result<std::unique_ptr<OpenALSink>> open(std::shared_ptr<VoiceChannel> voice, const Options& options);
     ~OpenALSink() override;
 

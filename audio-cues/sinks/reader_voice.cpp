@@ -27,7 +27,8 @@ void ReaderChannel::say(const Utterance& utterance) {
     {
         const std::lock_guard lock(mutex_);
         if (state_ != VoiceState::Ready) return;
-        if (waiting_ && waiting_->speech_class == SpeechClass::Alarm && utterance.speech_class != SpeechClass::Alarm) return;
+        if (waiting_ && waiting_->speech_class == SpeechClass::Alarm && utterance.speech_class != SpeechClass::Alarm)
+            return;
         waiting_ = utterance;
     }
     changed();

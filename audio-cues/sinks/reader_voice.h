@@ -1,5 +1,6 @@
-// The person's own screen reader as a voice. It reads what it finds in the accessible objects of the window, so the words only pass through here:
-// ReaderVoice puts them into a ReaderChannel on the audio thread, and whoever owns the objects takes them out on a thread of its own.
+// The person's own screen reader as a voice. It reads what it finds in the accessible objects of the window, so the
+// words only pass through here: ReaderVoice puts them into a ReaderChannel on the audio thread, and whoever owns the
+// objects takes them out on a thread of its own.
 #pragma once
 
 #include <functional>
@@ -12,8 +13,8 @@
 
 namespace handrail {
 
-// Holds one message, the newest: what was not taken before the next came is not read. An alarm is replaced by an alarm only. Any thread; each call holds
-// a mutex for microseconds.
+// Holds one message, the newest: what was not taken before the next came is not read. An alarm is replaced by an alarm
+// only. Any thread; each call holds a mutex for microseconds.
 class ReaderChannel {
 public:
     // The voice's side.
@@ -26,7 +27,8 @@ public:
     bool wanted() const;
     void set_state(VoiceState state);
     std::optional<std::string> take();
-    // Called on the thread that changes something, with no lock held but this object's own; an empty function ends that.
+    // Called on the thread that changes something, with no lock held but this object's own; an empty function ends
+    // that.
     void on_change(std::function<void()> call);
 
 private:
@@ -43,8 +45,10 @@ private:
 // Owned and called by the audio thread.
 class ReaderVoice final : public Voice {
 public:
-    static constexpr double kPatience_s = 3.0;  // the window must have the keyboard for a moment before the reader hears of it
-    // A screen reader does not tell when it has ended, so that is guessed: letters at a brisk rate. Too short would only let it keep a queue of its own.
+    static constexpr double kPatience_s =
+        3.0;  // the window must have the keyboard for a moment before the reader hears of it
+    // A screen reader does not tell when it has ended, so that is guessed: letters at a brisk rate. Too short would
+    // only let it keep a queue of its own.
     static constexpr double kStart_s = 0.3;
     static constexpr double kLetter_s = 0.045;
 
@@ -59,7 +63,8 @@ public:
     double patience_s() const override { return kPatience_s; }
 
     void say(const Utterance& utterance) override;
-    // Takes back what has not been read yet. What is being read stops by the key that asked for silence: the reader hears of every key first.
+    // Takes back what has not been read yet. What is being read stops by the key that asked for silence: the reader
+    // hears of every key first.
     void stop() override;
     bool speaking() const override { return now_s_ < speaks_until_s_; }
     void tick(double now_s) override { now_s_ = now_s; }

@@ -18,7 +18,8 @@ void RecordingAudio::set_loop(const SoundCue& cue) {
     const auto loop = loops_.find(key);
     const bool was_on = loop != loops_.end(), is_on = cue.loudness > 0.0;
     const auto alike = [](const SoundCue& a, const SoundCue& b) {
-        return a.loudness == b.loudness && a.pitch == b.pitch && a.position_m == b.position_m && a.material == b.material && a.muffled_db == b.muffled_db;
+        return a.loudness == b.loudness && a.pitch == b.pitch && a.position_m == b.position_m &&
+               a.material == b.material && a.muffled_db == b.muffled_db;
     };
     if (was_on != is_on || (is_on && !alike(loop->second, cue))) changes_.push_back(heard(cue));
     if (is_on) loops_.insert_or_assign(key, cue);
@@ -59,7 +60,9 @@ void RecordingSpeech::say(const Utterance& utterance) {
     lines_.push_back({.utterance = utterance, .time_s = now_s_, .end_s = now_s_ + length_s});
 }
 
-void RecordingSpeech::write(const Utterance& utterance) { lines_.push_back({.utterance = utterance, .time_s = now_s_, .end_s = now_s_, .voiced = false}); }
+void RecordingSpeech::write(const Utterance& utterance) {
+    lines_.push_back({.utterance = utterance, .time_s = now_s_, .end_s = now_s_, .voiced = false});
+}
 
 void RecordingSpeech::stop() {
     cut();

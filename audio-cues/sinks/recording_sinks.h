@@ -1,5 +1,6 @@
 // Sinks that keep what they are given instead of sounding: for scenarios and tests, on virtual time. One thread.
-// What they hold is what a person would have heard, as far as it can be told without samples; OpenALSink's tests measure those.
+// What they hold is what a person would have heard, as far as it can be told without samples; OpenALSink's tests
+// measure those.
 #pragma once
 
 #include <map>
@@ -19,7 +20,8 @@ struct HeardSound {
     double latency_s = 0.0;  // time_s - cue.event_time_s
 };
 
-// The first sample of a sound stands at the start of the mixing period after play(): 256 samples at 48 kHz, as OpenALSink mixes.
+// The first sample of a sound stands at the start of the mixing period after play(): 256 samples at 48 kHz, as
+// OpenALSink mixes.
 class RecordingAudio final : public AudioSink {
 public:
     static constexpr double kPeriod_s = 256.0 / 48000.0;
@@ -30,11 +32,14 @@ public:
     void stop_all() override;
     void tick(double now_s) override { now_s_ = now_s; }
 
-    const std::vector<HeardSound>& sounds() const { return sounds_; }              // one-shots in order
-    const std::vector<HeardSound>& loop_changes() const { return changes_; }       // each call that changed a loop's loudness, pitch, place or material
-    std::optional<SoundCue> loop(SoundKind kind, std::uint32_t source = 0) const;  // what sounds now under this kind and source
-    std::vector<SoundCue> world_sounds() const;                                    // the world's loops that sound now
-    const std::vector<double>& silences_s() const { return silences_s_; }          // when stop_all was called
+    const std::vector<HeardSound>& sounds() const { return sounds_; }  // one-shots in order
+    const std::vector<HeardSound>& loop_changes() const {
+        return changes_;
+    }  // each call that changed a loop's loudness, pitch, place or material
+    std::optional<SoundCue> loop(SoundKind kind,
+                                 std::uint32_t source = 0) const;          // what sounds now under this kind and source
+    std::vector<SoundCue> world_sounds() const;                            // the world's loops that sound now
+    const std::vector<double>& silences_s() const { return silences_s_; }  // when stop_all was called
     const Listener& listener() const { return listener_; }
 
 private:
@@ -56,7 +61,8 @@ struct HeardSpeech {
     bool voiced = true;  // false: only written (its turn had passed)
 };
 
-// Speaks in no time by default; with a rate, each utterance lasts as long as a voice at that rate would take (0.1 s and its words).
+// Speaks in no time by default; with a rate, each utterance lasts as long as a voice at that rate would take (0.1 s and
+// its words).
 class RecordingSpeech final : public SpeechSink {
 public:
     explicit RecordingSpeech(double words_per_minute = 0.0) : words_per_minute_(words_per_minute) {}

@@ -1,5 +1,5 @@
-// What a client of a server that may hang shares with the thread that speaks to it: how that thread is woken, told to end and cut loose. Held by a shared_ptr
-// of both sides, since a thread whose server never answers outlives its owner.
+// What a client of a server that may hang shares with the thread that speaks to it: how that thread is woken, told to
+// end and cut loose. Held by a shared_ptr of both sides, since a thread whose server never answers outlives its owner.
 #pragma once
 
 #include <condition_variable>
@@ -30,9 +30,11 @@ struct ServerClient {
     void take_wake() const;
 };
 
-// `work` runs on a thread of that name, on which a server that has gone is an error code and no signal, until `quit` is set.
+// `work` runs on a thread of that name, on which a server that has gone is an error code and no signal, until `quit` is
+// set.
 std::thread start_client(std::shared_ptr<ServerClient> shared, const char* name, std::function<void()> work);
-// Tells it to quit and waits twice kPatienceAtTheEnd_s at most, the second time with its connection shut down; what then still waits ends by itself.
+// Tells it to quit and waits twice kPatienceAtTheEnd_s at most, the second time with its connection shut down; what
+// then still waits ends by itself.
 void end_client(ServerClient& shared, std::thread& thread);
 
 }  // namespace handrail

@@ -34,14 +34,17 @@ private:
 
 }  // namespace
 
-SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shared_ptr<ReaderChannel> reader, std::shared_ptr<BrailleLink> braille) {
+SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shared_ptr<ReaderChannel> reader,
+                                std::shared_ptr<BrailleLink> braille) {
     SoundOutputs outputs;
     std::vector<std::unique_ptr<Voice>> voices;
     if (reader) voices.push_back(std::make_unique<ReaderVoice>(std::move(reader)));
     voices.push_back(std::make_unique<SpeechdSpeech>(settings.speech));
     const auto channel = std::make_shared<VoiceChannel>();
-    if (auto opened = OpenALSink::open(channel, {.periods = settings.sound.periods, .hrtf = settings.sound.headphones}); !opened) {
-        outputs.audio = std::make_unique<SilentAudio>(phrase("sound_output.no_sound", {{"problem", opened.error().sentence()}}));
+    if (auto opened = OpenALSink::open(channel, {.periods = settings.sound.periods, .hrtf = settings.sound.headphones});
+        !opened) {
+        outputs.audio =
+            std::make_unique<SilentAudio>(phrase("sound_output.no_sound", {{"problem", opened.error().sentence()}}));
     } else {
         // The sinks have one owner, who lets go of the voice first.
         voices.push_back(std::make_unique<EmbeddedVoice>(
@@ -50,8 +53,9 @@ SoundOutputs open_sound_outputs(const Settings& settings, int text_fd, std::shar
         outputs.audio = std::move(*opened);
         outputs.audio->set_sound(settings.sound);
     }
-    outputs.speech = std::make_unique<VoiceRouter>(std::move(voices), std::make_unique<TextSpeech>(text_fd),
-                                                   braille ? std::make_unique<BrailleDisplay>(std::move(braille), settings.speech) : nullptr, settings.speech);
+    outputs.speech = std::make_unique<VoiceRouter>(
+        std::move(voices), std::make_unique<TextSpeech>(text_fd),
+        braille ? std::make_unique<BrailleDisplay>(std::move(braille), settings.speech) : nullptr, settings.speech);
     return outputs;
 }
 

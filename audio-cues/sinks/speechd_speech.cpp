@@ -54,8 +54,8 @@ struct SpeechdSpeech::Shared : ServerClient {
 
 namespace {
 
-// The callbacks of libspeechd come on its own thread and carry no pointer of ours; this leads back to the one instance that is connected.
-// Never destroyed, since that thread may outlive everything.
+// The callbacks of libspeechd come on its own thread and carry no pointer of ours; this leads back to the one instance
+// that is connected. Never destroyed, since that thread may outlive everything.
 struct EndListener {
     std::mutex mutex;
     std::weak_ptr<void> of;
@@ -95,7 +95,10 @@ struct SpeechdSpeech::Worker {
 
     bool open(const std::string& wanted_language) {
         char* error = nullptr;
-        connection.reset(call([&] { return spd_open2("handrail", "explore", nullptr, SPD_MODE_THREADED, nullptr, shared.start_server ? 1 : 0, &error); }));
+        connection.reset(call([&] {
+            return spd_open2("handrail", "explore", nullptr, SPD_MODE_THREADED, nullptr, shared.start_server ? 1 : 0,
+                             &error);
+        }));
         std::free(error);
         if (!connection) return false;
         {
@@ -112,7 +115,8 @@ struct SpeechdSpeech::Worker {
         }
         const bool told = call([&] { return spd_set_notification_on(connection.get(), SPD_END); }) == 0 &&
                           call([&] { return spd_set_notification_on(connection.get(), SPD_CANCEL); }) == 0;
-        // The words are in this language, whatever the person's default voice speaks; which voice that is they have set up.
+        // The words are in this language, whatever the person's default voice speaks; which voice that is they have set
+        // up.
         return told && speak(wanted_language);
     }
 
@@ -134,7 +138,8 @@ struct SpeechdSpeech::Worker {
     bool say(const Utterance& utterance, std::uint64_t number) {
         if (call([&] { return spd_cancel(connection.get()); }) != 0) return false;
         const int percent = static_cast<int>(std::lround(100.0 * utterance.loudness));
-        if (percent != volume_percent && call([&] { return spd_set_volume(connection.get(), 2 * percent - 100); }) != 0) return false;
+        if (percent != volume_percent && call([&] { return spd_set_volume(connection.get(), 2 * percent - 100); }) != 0)
+            return false;
         volume_percent = percent;
         const SPDPriority priority = utterance.speech_class == SpeechClass::Alarm ? SPD_IMPORTANT : SPD_MESSAGE;
         const int message = call([&] { return spd_say(connection.get(), priority, utterance.text.c_str()); });
@@ -142,7 +147,8 @@ struct SpeechdSpeech::Worker {
         const std::lock_guard lock(shared.mutex);
         shared.message = static_cast<std::size_t>(message);
         shared.said_as_message = number;
-        if (shared.message_ended >= shared.message) shared.finished = std::max(shared.finished, number);  // the report came before the number
+        if (shared.message_ended >= shared.message)
+            shared.finished = std::max(shared.finished, number);  // the report came before the number
         return true;
     }
 
@@ -219,7 +225,9 @@ void SpeechdSpeech::work(const std::shared_ptr<Shared>& shared) {
         EndListener& way_back = end_listener();
         const std::lock_guard lock(way_back.mutex);
         way_back.of = shared;
-        way_back.on_end = [](void* of, std::size_t message, std::size_t client) { static_cast<Shared*>(of)->on_end(message, client); };
+        way_back.on_end = [](void* of, std::size_t message, std::size_t client) {
+            static_cast<Shared*>(of)->on_end(message, client);
+        };
     }
     Worker{.shared = *shared, .connection = nullptr}.run();
 }

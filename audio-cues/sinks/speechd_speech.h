@@ -1,6 +1,7 @@
-// The voice the person has set up for their desktop: speech-dispatcher, with its own voice, rate and pitch. It plays the sound itself.
-// libspeechd waits for answers of the server, and with a bad sound set-up for ever; so it is called on a thread of its own only, and a
-// watchdog in tick() cuts a connection that does not answer. Everything here returns at once.
+// The voice the person has set up for their desktop: speech-dispatcher, with its own voice, rate and pitch. It plays
+// the sound itself. libspeechd waits for answers of the server, and with a bad sound set-up for ever; so it is called
+// on a thread of its own only, and a watchdog in tick() cuts a connection that does not answer. Everything here returns
+// at once.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +19,8 @@ public:
     static constexpr double kFirstRetry_s = 1.0;  // after a loss; doubled with every failure
     static constexpr double kSlowestRetry_s = 30.0;
 
-    // Where the person names a server (SPEECHD_ADDRESS) only that one is used; else the default one, which is started where it does not
-    // run. Reads the environment: before other threads change it.
+    // Where the person names a server (SPEECHD_ADDRESS) only that one is used; else the default one, which is started
+    // where it does not run. Reads the environment: before other threads change it.
     explicit SpeechdSpeech(const Settings::Speech& settings);
     // Waits at most half a second for the server; a thread that is still waiting then is left to end by itself.
     ~SpeechdSpeech() override;

@@ -18,13 +18,14 @@ std::size_t samples_of(double seconds) { return static_cast<std::size_t>(std::lr
 // How the modes of a thing lie above its lowest one.
 enum class Body { Bar, Plate, Block };
 constexpr std::array<std::array<double, 6>, 3> kModeRatios{{
-    {1.0, 2.756, 5.404, 8.933, 13.34, 18.64},  // free bar (Fletcher & Rossing, The physics of musical instruments, 1998)
+    {1.0, 2.756, 5.404, 8.933, 13.34,
+     18.64},  // free bar (Fletcher & Rossing, The physics of musical instruments, 1998)
     {1.0, 1.594, 2.136, 2.296, 2.653, 2.918},  // plate, near those of a round membrane: dense and inharmonic
     {1.0, 1.38, 1.71, 2.03, 2.44, 2.87},       // compact solid, modes close together
 }};
 
-// What a material sounds like. Chosen by ear of the literature and then spread so that every two differ in brightness or ring by a
-// third or more (test: every_two_materials_differ_when_struck); people have yet to judge them.
+// What a material sounds like. Chosen by ear of the literature and then spread so that every two differ in brightness
+// or ring by a third or more (test: every_two_materials_differ_when_struck); people have yet to judge them.
 struct Timbre {
     Body body;
     double lowest_hz;     // of the struck thing's modes
@@ -66,18 +67,25 @@ class Noise {
 public:
     explicit Noise(unsigned seed) : engine_(seed + 1U) {}
     double operator()() { return 2.0 * uniform() - 1.0; }
-    double uniform() { return static_cast<double>(engine_() - std::minstd_rand::min()) / static_cast<double>(std::minstd_rand::max() - 1U); }
+    double uniform() {
+        return static_cast<double>(engine_() - std::minstd_rand::min()) /
+               static_cast<double>(std::minstd_rand::max() - 1U);
+    }
 
 private:
     std::minstd_rand engine_;
 };
 
-unsigned seed_of(SoundKind kind, SoundClass material) { return static_cast<unsigned>(kind) * 64U + static_cast<unsigned>(material); }
+unsigned seed_of(SoundKind kind, SoundClass material) {
+    return static_cast<unsigned>(kind) * 64U + static_cast<unsigned>(material);
+}
 
-// Two-pole band pass with its peak at 1 (state variable filter, Chamberlin 1985). Stable for centre below a sixth of the rate.
+// Two-pole band pass with its peak at 1 (state variable filter, Chamberlin 1985). Stable for centre below a sixth of
+// the rate.
 class BandPass {
 public:
-    BandPass(double centre_hz, double q) : f_(2.0 * std::sin(kPi * std::min(centre_hz, kRate / 7.0) / kRate)), damping_(1.0 / q) {}
+    BandPass(double centre_hz, double q)
+        : f_(2.0 * std::sin(kPi * std::min(centre_hz, kRate / 7.0) / kRate)), damping_(1.0 / q) {}
     double operator()(double in) {
         low_ += f_ * band_;
         const double high = in - low_ - damping_ * band_;
@@ -118,22 +126,26 @@ void add_mode(std::vector<float>& out, std::size_t from, double hz, double ring_
     }
 }
 
-void add_noise_burst(std::vector<float>& out, std::size_t from, double edge_hz, double ring_s, double level, Noise& noise) {
+void add_noise_burst(std::vector<float>& out, std::size_t from, double edge_hz, double ring_s, double level,
+                     Noise& noise) {
     LowPass soft(edge_hz), softer(edge_hz);
     const double decay = decay_per_sample(ring_s);
     // A low edge lets little of white noise through; this keeps bursts of all edges about equally strong.
     const double evened = level * std::sqrt(0.5 * kRate / edge_hz);
     double envelope = evened;
     const std::size_t end = std::min(out.size(), from + samples_of(ring_s));
-    for (std::size_t i = from; i < end; ++i, envelope *= decay) out[i] += static_cast<float>(envelope * softer(soft(noise())));
+    for (std::size_t i = from; i < end; ++i, envelope *= decay)
+        out[i] += static_cast<float>(envelope * softer(soft(noise())));
 }
 
 // A blow on a thing: `deeper` scales its pitch down and its ring up, as for a larger part of it.
-void add_impact(std::vector<float>& out, std::size_t from, const Timbre& timbre, double deeper, double level, Noise& noise) {
+void add_impact(std::vector<float>& out, std::size_t from, const Timbre& timbre, double deeper, double level,
+                Noise& noise) {
     const auto& ratios = kModeRatios[static_cast<std::size_t>(timbre.body)];
     for (std::size_t k = 0; k < ratios.size(); ++k) {
         const double rank = static_cast<double>(k);
-        add_mode(out, from, timbre.lowest_hz * ratios[k] / deeper, timbre.ring_s * deeper / (1.0 + timbre.damping * rank),
+        add_mode(out, from, timbre.lowest_hz * ratios[k] / deeper,
+                 timbre.ring_s * deeper / (1.0 + timbre.damping * rank),
                  level * (1.0 - timbre.noise) / (1.0 + 0.7 * rank));
     }
     add_noise_burst(out, from, timbre.noise_hz / deeper, timbre.noise_s * deeper, level * timbre.noise, noise);
@@ -144,7 +156,8 @@ void finish(std::vector<float>& out, double peak) {
     float highest = 1e-9F;
     for (const float s : out) highest = std::max(highest, std::abs(s));
     const double gain = peak / static_cast<double>(highest);
-    const std::size_t attack = std::min(out.size(), samples_of(0.0005)), release = std::min(out.size(), samples_of(0.01));
+    const std::size_t attack = std::min(out.size(), samples_of(0.0005)),
+                      release = std::min(out.size(), samples_of(0.01));
     for (std::size_t i = 0; i < out.size(); ++i) {
         double g = gain;
         if (i < attack) g *= static_cast<double>(i + 1) / static_cast<double>(attack);
@@ -187,12 +200,14 @@ std::vector<float> bump(SoundClass material, Noise& noise) {
     return out;
 }
 
-// Makes `length` samples of a longer signal repeat without a seam: its surplus is cross-faded into the start at equal power.
+// Makes `length` samples of a longer signal repeat without a seam: its surplus is cross-faded into the start at equal
+// power.
 void close_loop(std::vector<float>& out, std::size_t length) {
     const std::size_t surplus = out.size() - length;
     for (std::size_t i = 0; i < surplus; ++i) {
         const double t = (static_cast<double>(i) + 0.5) / static_cast<double>(surplus) * 0.5 * kPi;
-        out[i] = static_cast<float>(std::sin(t) * static_cast<double>(out[i]) + std::cos(t) * static_cast<double>(out[length + i]));
+        out[i] = static_cast<float>(std::sin(t) * static_cast<double>(out[i]) +
+                                    std::cos(t) * static_cast<double>(out[length + i]));
     }
     out.resize(length);
 }
@@ -220,7 +235,8 @@ std::vector<float> slide(SoundClass material, Noise& noise) {
     return out;
 }
 
-// A soft hum with breath in it: the hum is heard as one thing, the breath tells where it is (both ears need energy above 1.5 kHz).
+// A soft hum with breath in it: the hum is heard as one thing, the breath tells where it is (both ears need energy
+// above 1.5 kHz).
 std::vector<float> wall_tone(Noise& noise) {
     const std::size_t length = samples_of(1.0);
     std::vector<float> out(length + samples_of(0.1));
@@ -229,14 +245,15 @@ std::vector<float> wall_tone(Noise& noise) {
     close_loop(out, length);
     for (int harmonic = 1; harmonic <= 6; ++harmonic) {  // whole periods in one second, so the hum has no seam
         const double w = 2.0 * kPi * 180.0 * harmonic / kRate;
-        for (std::size_t i = 0; i < length; ++i) out[i] += static_cast<float>(0.5 / harmonic * std::sin(w * static_cast<double>(i)));
+        for (std::size_t i = 0; i < length; ++i)
+            out[i] += static_cast<float>(0.5 / harmonic * std::sin(w * static_cast<double>(i)));
     }
     scale_to_peak(out, 0.6 * kPeak);
     return out;
 }
 
-// A bubble rings and rises (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4), 2005). Past the end it goes on at the start,
-// as a loop wants it.
+// A bubble rings and rises (van den Doel, Physically based models for liquid sounds, ACM TAP 2(4), 2005). Past the end
+// it goes on at the start, as a loop wants it.
 void add_bubble(std::vector<float>& out, std::size_t from, double hz, double ring_s, double level) {
     double phase = 0.0, envelope = level;
     const double decay = decay_per_sample(ring_s);
@@ -296,7 +313,8 @@ std::vector<float> bell() {
     return out;
 }
 
-// What the way leads to: rhythm first, then pitch, as earcons; they sound at a place, so each has breath in it that tells the ears where.
+// What the way leads to: rhythm first, then pitch, as earcons; they sound at a place, so each has breath in it that
+// tells the ears where.
 std::vector<float> waymark(SoundKind kind, Noise& noise) {
     struct Strike {
         double at_s, hz, ring_s;
@@ -334,7 +352,8 @@ std::vector<float> waymark(SoundKind kind, Noise& noise) {
 // Steady tones above a lowest one, the k-th at `slope` to the power of k.
 void add_harmonics(std::vector<float>& out, double hz, int count, double level, double slope) {
     for (int k = 1; k <= count; ++k, level *= slope) {
-        // The sine by its recursion, of two multiplications a sample; over four seconds it drifts by less than a float can tell.
+        // The sine by its recursion, of two multiplications a sample; over four seconds it drifts by less than a float
+        // can tell.
         const double w = 2.0 * kPi * hz * k / kRate, twice_cos = 2.0 * std::cos(w);
         double y = 0.0, before = -level * std::sin(w);
         for (float& s : out) {
@@ -374,7 +393,8 @@ void add_call(std::vector<float>& out, double start_s, double length_s, double f
         const double t = static_cast<double>(i) / static_cast<double>(length);
         phase += 2.0 * kPi * (from_hz + (to_hz - from_hz) * t) / kRate;
         const double swell = std::sin(kPi * t);
-        out[(from + i) % out.size()] += static_cast<float>(level * swell * swell * (std::sin(phase) + 0.3 * std::sin(2.0 * phase)));
+        out[(from + i) % out.size()] +=
+            static_cast<float>(level * swell * swell * (std::sin(phase) + 0.3 * std::sin(2.0 * phase)));
     }
 }
 
@@ -384,7 +404,8 @@ void add_ring(std::vector<float>& out, double start_s, double hz, double ring_s,
     add_mode(ring, 0, hz, ring_s, level);
     const std::size_t attack = samples_of(0.0005), from = samples_of(start_s);
     for (std::size_t i = 0; i < ring.size(); ++i)
-        out[(from + i) % out.size()] += ring[i] * static_cast<float>(std::min(1.0, static_cast<double>(i) / static_cast<double>(attack)));
+        out[(from + i) % out.size()] +=
+            ring[i] * static_cast<float>(std::min(1.0, static_cast<double>(i) / static_cast<double>(attack)));
 }
 
 std::vector<float> world_loop(SoundKind kind, Noise& noise) {
@@ -414,8 +435,10 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
             }
             break;
         case SoundKind::Wind:
-            add_air(out, noise, 3.0,
-                    [](double t) { return std::pair(420.0 + 180.0 * std::sin(2.0 * kPi * t), 0.7 + 0.3 * std::sin(2.0 * kPi * (2.0 * t + 0.3))); });
+            add_air(out, noise, 3.0, [](double t) {
+                return std::pair(420.0 + 180.0 * std::sin(2.0 * kPi * t),
+                                 0.7 + 0.3 * std::sin(2.0 * kPi * (2.0 * t + 0.3)));
+            });
             break;
         case SoundKind::Swamp:
             for (int k = 0; k < 24; ++k) add_call(out, k / 6.0, 0.06, 4300.0, 4400.0, 0.35);
@@ -426,8 +449,11 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
             }
             break;
         case SoundKind::Thunder:
-            add_air(out, noise, 0.7,
-                    [](double t) { return std::pair(90.0, t < 0.5 ? (0.3 + 0.7 * std::sin(40.0 * t) * std::sin(40.0 * t)) * std::sin(2.0 * kPi * t) : 0.0); });
+            add_air(out, noise, 0.7, [](double t) {
+                return std::pair(
+                    90.0,
+                    t < 0.5 ? (0.3 + 0.7 * std::sin(40.0 * t) * std::sin(40.0 * t)) * std::sin(2.0 * kPi * t) : 0.0);
+            });
             break;
         case SoundKind::Stream:
             add_air(out, noise, 0.6, steady(1800.0, 0.25));
@@ -437,9 +463,11 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
             }
             break;
         case SoundKind::Fire:
-            add_air(out, noise, 0.7, [](double t) { return std::pair(260.0, 0.5 + 0.2 * std::sin(2.0 * kPi * 5.0 * t)); });
+            add_air(out, noise, 0.7,
+                    [](double t) { return std::pair(260.0, 0.5 + 0.2 * std::sin(2.0 * kPi * 5.0 * t)); });
             for (int k = 0; k < 70; ++k) {
-                const double at_s = between(0.0, length_s - 0.05), edge_hz = between(2500.0, 8000.0), ring_s = between(0.004, 0.02);
+                const double at_s = between(0.0, length_s - 0.05), edge_hz = between(2500.0, 8000.0),
+                             ring_s = between(0.004, 0.02);
                 add_noise_burst(out, samples_of(at_s), edge_hz, ring_s, between(0.05, 0.5), noise);
             }
             break;
@@ -458,7 +486,8 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
         case SoundKind::Rain:
             add_air(out, noise, 0.5, steady(5200.0, 0.25));
             for (int k = 0; k < 500; ++k) {
-                const double at_s = between(0.0, length_s), hz = between(2500.0, 7000.0), ring_s = between(0.004, 0.012);
+                const double at_s = between(0.0, length_s), hz = between(2500.0, 7000.0),
+                             ring_s = between(0.004, 0.012);
                 add_ring(out, at_s, hz, ring_s, between(0.05, 0.4));
             }
             break;
@@ -471,17 +500,20 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
             break;
         case SoundKind::Tolling:
             // Hum, prime, tierce, quint and nominal (Fletcher & Rossing, chapter 21).
-            for (const auto& [ratio, level] : {std::pair(0.5, 0.5), std::pair(1.0, 0.8), std::pair(1.2, 0.7), std::pair(1.5, 0.4), std::pair(2.0, 1.0)})
+            for (const auto& [ratio, level] : {std::pair(0.5, 0.5), std::pair(1.0, 0.8), std::pair(1.2, 0.7),
+                                               std::pair(1.5, 0.4), std::pair(2.0, 1.0)})
                 add_ring(out, 0.0, 392.0 * ratio, 3.6 / std::sqrt(ratio), level);
             break;
         case SoundKind::Music:
             for (int k = 0; k < 8; ++k) {
                 constexpr std::array kTune{262.0, 330.0, 392.0, 523.0, 392.0, 330.0, 294.0, 392.0};
-                for (int h = 1; h <= 4; ++h) add_ring(out, 0.5 * k, kTune[static_cast<std::size_t>(k)] * h, 0.9 / h, 0.8 / (h * h));
+                for (int h = 1; h <= 4; ++h)
+                    add_ring(out, 0.5 * k, kTune[static_cast<std::size_t>(k)] * h, 0.9 / h, 0.8 / (h * h));
             }
             break;
         case SoundKind::HiddenClock:
-            // Ticks five times a second, a little bell of brass, and twice in its four seconds a cuckoo: a world's clock ticks once a second and calls nothing.
+            // Ticks five times a second, a little bell of brass, and twice in its four seconds a cuckoo: a world's
+            // clock ticks once a second and calls nothing.
             for (int k = 0; k < 20; ++k) {
                 add_ring(out, 0.2 * k, 4100.0, 0.03, k % 5 == 0 ? 1.0 : 0.7);
                 add_ring(out, 0.2 * k, 1.41 * 4100.0, 0.02, 0.4);
@@ -493,7 +525,8 @@ std::vector<float> world_loop(SoundKind kind, Noise& noise) {
             break;
         default:  // Shimmer
             for (int k = 0; k < 40; ++k) {
-                const double at_s = between(0.0, length_s), hz = 1200.0 * std::pow(2.0, std::floor(between(0.0, 8.0)) / 4.0);
+                const double at_s = between(0.0, length_s),
+                             hz = 1200.0 * std::pow(2.0, std::floor(between(0.0, 8.0)) / 4.0);
                 add_ring(out, at_s, hz, 0.35, between(0.2, 0.7));
             }
             break;
@@ -514,11 +547,14 @@ std::vector<float> earcon(SoundKind kind) {
         case SoundKind::TurnTick:
             return synthesise_notes(std::array{Note{0.0, 0.03, 1300.0, 0.7}});
         case SoundKind::FrameSwitch:
-            return synthesise_notes(std::array{Note{0.0, 0.06, 600.0, 0.8}, Note{0.06, 0.06, 900.0, 1.0}, Note{0.12, 0.1, 600.0, 0.8}});
+            return synthesise_notes(
+                std::array{Note{0.0, 0.06, 600.0, 0.8}, Note{0.06, 0.06, 900.0, 1.0}, Note{0.12, 0.1, 600.0, 0.8}});
         case SoundKind::Arrived:
-            return synthesise_notes(std::array{Note{0.0, 0.06, 784.0, 0.8}, Note{0.09, 0.06, 988.0, 0.9}, Note{0.18, 0.2, 1175.0, 1.0}});
+            return synthesise_notes(
+                std::array{Note{0.0, 0.06, 784.0, 0.8}, Note{0.09, 0.06, 988.0, 0.9}, Note{0.18, 0.2, 1175.0, 1.0}});
         case SoundKind::Rim:
-            return synthesise_notes(std::array{Note{0.0, 0.02, 330.0, 1.0}, Note{0.035, 0.02, 440.0, 1.0}, Note{0.07, 0.05, 550.0, 0.9}});
+            return synthesise_notes(
+                std::array{Note{0.0, 0.02, 330.0, 1.0}, Note{0.035, 0.02, 440.0, 1.0}, Note{0.07, 0.05, 550.0, 0.9}});
         case SoundKind::RimBack:
             return synthesise_notes(std::array{Note{0.0, 0.02, 550.0, 0.8}, Note{0.035, 0.04, 330.0, 0.8}});
         case SoundKind::Grab:
@@ -528,7 +564,8 @@ std::vector<float> earcon(SoundKind kind) {
         case SoundKind::Click:
             return synthesise_notes(std::array{Note{0.0, 0.012, 1800.0, 1.0}, Note{0.03, 0.02, 900.0, 0.8}});
         case SoundKind::GuideStart:
-            return synthesise_notes(std::array{Note{0.0, 0.09, 392.0, 0.8}, Note{0.1, 0.09, 494.0, 0.9}, Note{0.2, 0.22, 587.0, 1.0}});
+            return synthesise_notes(
+                std::array{Note{0.0, 0.09, 392.0, 0.8}, Note{0.1, 0.09, 494.0, 0.9}, Note{0.2, 0.22, 587.0, 1.0}});
         case SoundKind::GuideStop:
             return synthesise_notes(std::array{Note{0.0, 0.09, 587.0, 1.0}, Note{0.1, 0.2, 392.0, 0.9}});
         case SoundKind::Warmer:
@@ -539,18 +576,20 @@ std::vector<float> earcon(SoundKind kind) {
         case SoundKind::Mark:
             return synthesise_notes(std::array{Note{0.0, 0.14, 740.0, 0.9}});
         case SoundKind::Landmark:
-            return synthesise_notes(std::array{Note{0.0, 0.07, 494.0, 0.8}, Note{0.09, 0.07, 622.0, 0.9}, Note{0.18, 0.16, 494.0, 0.8}});
+            return synthesise_notes(
+                std::array{Note{0.0, 0.07, 494.0, 0.8}, Note{0.09, 0.07, 622.0, 0.9}, Note{0.18, 0.16, 494.0, 0.8}});
         case SoundKind::Clue:
             return synthesise_notes(std::array{Note{0.0, 0.03, 988.0, 0.7}, Note{0.06, 0.03, 831.0, 0.7}});
         case SoundKind::Beacon:
             return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 1.0}});
         case SoundKind::BeaconAhead:
-            return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 0.54}, Note{0.0, 0.12, 1318.0, 0.54}, Note{0.02, 0.14, 1976.0, 0.36}});
+            return synthesise_notes(std::array{Note{0.0, 0.09, 659.0, 0.54}, Note{0.0, 0.12, 1318.0, 0.54},
+                                               Note{0.02, 0.14, 1976.0, 0.36}});
         case SoundKind::BeaconBehind:
             return synthesise_notes(std::array{Note{0.0, 0.12, 277.0, 1.0}});
         case SoundKind::Alarm:
-            return synthesise_notes(
-                std::array{Note{0.0, 0.11, 1047.0, 1.0}, Note{0.13, 0.11, 740.0, 1.0}, Note{0.26, 0.11, 1047.0, 1.0}, Note{0.39, 0.16, 740.0, 1.0}});
+            return synthesise_notes(std::array{Note{0.0, 0.11, 1047.0, 1.0}, Note{0.13, 0.11, 740.0, 1.0},
+                                               Note{0.26, 0.11, 1047.0, 1.0}, Note{0.39, 0.16, 740.0, 1.0}});
         default:
             return synthesise_notes(std::array{Note{0.0, 0.1, 1000.0, 0.8}});
     }
@@ -559,7 +598,8 @@ std::vector<float> earcon(SoundKind kind) {
 }  // namespace
 
 bool varies_by_material(SoundKind kind) {
-    return kind == SoundKind::Contact || kind == SoundKind::Slide || kind == SoundKind::Footstep || kind == SoundKind::Bump;
+    return kind == SoundKind::Contact || kind == SoundKind::Slide || kind == SoundKind::Footstep ||
+           kind == SoundKind::Bump;
 }
 
 bool is_loop(SoundKind kind) { return kind == SoundKind::Slide || kind == SoundKind::WallTone || is_world_sound(kind); }
@@ -605,9 +645,12 @@ std::vector<float> synthesise_notes(std::span<const Note> notes) {
         const std::size_t from = samples_of(note.start_s), length = samples_of(note.length_s);
         const double edge = std::min(0.25 * note.length_s, 0.006) * kRate;
         for (std::size_t i = 0; i < length && from + i < out.size(); ++i) {
-            const double t = static_cast<double>(i), left = static_cast<double>(length - i), w = 2.0 * kPi * note.pitch_hz / kRate;
+            const double t = static_cast<double>(i), left = static_cast<double>(length - i),
+                         w = 2.0 * kPi * note.pitch_hz / kRate;
             const double envelope = note.level * std::min({1.0, t / edge, left / edge});
-            out[from + i] += static_cast<float>(kPeak * envelope * (0.75 * std::sin(w * t) + 0.2 * std::sin(2.0 * w * t) + 0.05 * std::sin(3.0 * w * t)));
+            out[from + i] += static_cast<float>(
+                kPeak * envelope *
+                (0.75 * std::sin(w * t) + 0.2 * std::sin(2.0 * w * t) + 0.05 * std::sin(3.0 * w * t)));
         }
     }
     return out;

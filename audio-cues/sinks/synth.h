@@ -1,9 +1,9 @@
-// Every sound of the program, computed: what a material sounds like when it is struck, stroked, stepped on or run into, what a world's own
-// sounds are, and the earcons.
-// Pure functions of their arguments, so the same sound is the same samples on every machine and run. Mono, 48 kHz, peak at most 0.5.
-// Cost: all of them together about 150 ms once, 21 MB (see the test's printed figure).
-// Struck things are a few decaying modes and a burst of noise: van den Doel & Pai, The sounds of physical shapes, Presence 7(4), 1998.
-// Stroked things are filtered noise with grains: van den Doel, Kry & Pai, FoleyAutomatic, SIGGRAPH 2001.
+// Every sound of the program, computed: what a material sounds like when it is struck, stroked, stepped on or run into,
+// what a world's own sounds are, and the earcons. Pure functions of their arguments, so the same sound is the same
+// samples on every machine and run. Mono, 48 kHz, peak at most 0.5. Cost: all of them together about 150 ms once, 21 MB
+// (see the test's printed figure). Struck things are a few decaying modes and a burst of noise: van den Doel & Pai, The
+// sounds of physical shapes, Presence 7(4), 1998. Stroked things are filtered noise with grains: van den Doel, Kry &
+// Pai, FoleyAutomatic, SIGGRAPH 2001.
 #pragma once
 
 #include <span>

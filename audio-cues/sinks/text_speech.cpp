@@ -13,7 +13,8 @@
 namespace handrail {
 namespace {
 
-// write(2) that reports a vanished reader as EPIPE and leaves no SIGPIPE behind, whatever the process does with that signal.
+// write(2) that reports a vanished reader as EPIPE and leaves no SIGPIPE behind, whatever the process does with that
+// signal.
 ssize_t write_without_sigpipe(int fd, const char* data, std::size_t size) {
     sigset_t pipe_signal, before, pending;
     sigemptyset(&pipe_signal);
@@ -59,7 +60,8 @@ void TextSpeech::drain(int timeout_ms) {
             break;
         }
         // A pipe that is ready takes PIPE_BUF bytes without waiting; more could block.
-        const ssize_t put = write_without_sigpipe(fd_, backlog_.data(), std::min<std::size_t>(backlog_.size(), PIPE_BUF));
+        const ssize_t put =
+            write_without_sigpipe(fd_, backlog_.data(), std::min<std::size_t>(backlog_.size(), PIPE_BUF));
         if (put < 0 && errno == EAGAIN) return;
         if (put < 0) gone_ = true;
         else backlog_.erase(0, static_cast<std::size_t>(put));

@@ -1,5 +1,5 @@
-// Speech as text, always on: one UTF-8 line per announcement, "say: " or "alert: " before it, no cursor movement, so that screen
-// readers on a console, braille displays, pipes and logs can use it. One thread (the audio thread).
+// Speech as text, always on: one UTF-8 line per announcement, "say: " or "alert: " before it, no cursor movement, so
+// that screen readers on a console, braille displays, pipes and logs can use it. One thread (the audio thread).
 #pragma once
 
 #include <memory>
@@ -10,9 +10,9 @@
 
 namespace handrail {
 
-// Writes each line at once, unbuffered, to a file descriptor that stays the caller's (standard output: 1). Never waits and never raises
-// SIGPIPE: where the reader is slow, up to kMostBacklog bytes are kept for later ticks and lines beyond that are left out; where the
-// reader has gone, the sink goes quiet for good.
+// Writes each line at once, unbuffered, to a file descriptor that stays the caller's (standard output: 1). Never waits
+// and never raises SIGPIPE: where the reader is slow, up to kMostBacklog bytes are kept for later ticks and lines
+// beyond that are left out; where the reader has gone, the sink goes quiet for good.
 class TextSpeech final : public SpeechSink {
 public:
     static constexpr std::size_t kMostBacklog = 64 * 1024;

@@ -1,4 +1,5 @@
-// A voice that may not be there yet, or not any more: what VoiceRouter chooses from. Owned and called by the audio thread.
+// A voice that may not be there yet, or not any more: what VoiceRouter chooses from. Owned and called by the audio
+// thread.
 #pragma once
 
 #include <string_view>

@@ -40,7 +40,8 @@ bool VoiceChannel::playing() const {
 
 VoiceChannel::Update VoiceChannel::take() {
     const std::lock_guard lock(mutex_);
-    Update update{.ticket = now_.ticket, .rate_hz = now_.rate_hz, .gain = now_.gain, .samples = {}, .ended = now_.ended};
+    Update update{
+        .ticket = now_.ticket, .rate_hz = now_.rate_hz, .gain = now_.gain, .samples = {}, .ended = now_.ended};
     update.samples.swap(now_.samples);
     return update;
 }

@@ -1,5 +1,6 @@
-// The way of a voice into the sound sink: whoever synthesises speech puts samples in, OpenALSink takes them out on its own thread.
-// One voice at a time: beginning a new utterance cuts the one before. Any thread; each call holds a mutex for microseconds.
+// The way of a voice into the sound sink: whoever synthesises speech puts samples in, OpenALSink takes them out on its
+// own thread. One voice at a time: beginning a new utterance cuts the one before. Any thread; each call holds a mutex
+// for microseconds.
 #pragma once
 
 #include <cstdint>

@@ -25,8 +25,8 @@ std::string voice_name(SpeechThrough through) {
     return phrase("voice.text");
 }
 
-VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<BrailleSink> braille,
-                         const Settings::Speech& settings)
+VoiceRouter::VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text,
+                         std::unique_ptr<BrailleSink> braille, const Settings::Speech& settings)
     : voices_(std::move(voices)), text_(std::move(text)), braille_(std::move(braille)), through_(settings.through) {
     want_what_is_allowed();
 }
@@ -43,7 +43,8 @@ bool VoiceRouter::waits_for_better(const Voice* best) const {
     const double waited_s = asked_at_s_ ? now_s_ - *asked_at_s_ : 0.0;
     for (const auto& voice : voices_) {
         if (voice.get() == best) return false;
-        if (allowed(voice->through()) && voice->state() == VoiceState::Opening && waited_s < voice->patience_s()) return true;
+        if (allowed(voice->through()) && voice->state() == VoiceState::Opening && waited_s < voice->patience_s())
+            return true;
     }
     return false;
 }
@@ -83,8 +84,9 @@ void VoiceRouter::tick(double now_s) {
     for (const auto& voice : voices_) voice->tick(now_s);
 
     if (current_ && active_ && active_->state() == VoiceState::Ready && !active_->speaking()) current_.reset();
-    const auto first_ready =
-        std::find_if(voices_.begin(), voices_.end(), [&](const auto& voice) { return allowed(voice->through()) && voice->state() == VoiceState::Ready; });
+    const auto first_ready = std::find_if(voices_.begin(), voices_.end(), [&](const auto& voice) {
+        return allowed(voice->through()) && voice->state() == VoiceState::Ready;
+    });
     Voice* best = first_ready == voices_.end() ? nullptr : first_ready->get();
     if (best != active_ && !waits_for_better(best)) hand_over_to(best);
     else if (!chosen_ && !best && !waits_for_better(nullptr)) hand_over_to(nullptr);
@@ -112,10 +114,12 @@ void VoiceRouter::tell_change(const Voice* before, const Voice* after) {
     const bool lost = before && before->state() != VoiceState::Ready && !choosing_again_;
     if (lost) {
         const std::string gone = voice_name(before->through());
-        news_ = sentence_case(after ? phrase("voice.gone", {{"gone", gone}, {"voice", voice}}) : phrase("voice.gone_only_text", {{"gone", gone}}));
+        news_ = sentence_case(after ? phrase("voice.gone", {{"gone", gone}, {"voice", voice}})
+                                    : phrase("voice.gone_only_text", {{"gone", gone}}));
     } else if (chosen_) {
         news_ = after ? sentence_case(phrase("voice.speaks_now", {{"voice", voice}})) : phrase("voice.only_text_now");
-    } else if (through_ != SpeechThrough::Auto && through_ != SpeechThrough::Text && (!after || after->through() != through_)) {
+    } else if (through_ != SpeechThrough::Auto && through_ != SpeechThrough::Text &&
+               (!after || after->through() != through_)) {
         // The person asked for one by name; without a word they would think it broken.
         const std::string wanted = voice_name(through_);
         news_ = sentence_case(after ? phrase("voice.not_reached", {{"wanted", wanted}, {"voice", voice}})

@@ -1,5 +1,5 @@
-// Who speaks: the first of several voices that is there, and never two. Text, and braille where no screen reader shows it, go along always.
-// Owned and called by the audio thread; calls return at once.
+// Who speaks: the first of several voices that is there, and never two. Text, and braille where no screen reader shows
+// it, go along always. Owned and called by the audio thread; calls return at once.
 #pragma once
 
 #include <memory>
@@ -17,14 +17,16 @@ public:
     virtual void want(bool wanted) = 0;
 };
 
-// While a better voice is still opening, the first words wait for it, at most its patience_s(); then the best that is ready has them. A voice
-// that goes in the middle of an utterance leaves it to the next one, after a sentence about the change. Where no voice is left the text is all.
-// With speech.through = X the voices before X are passed over; where X is missing, the next one speaks. Of the screen reader: see ReaderVoice.
+// While a better voice is still opening, the first words wait for it, at most its patience_s(); then the best that is
+// ready has them. A voice that goes in the middle of an utterance leaves it to the next one, after a sentence about the
+// change. Where no voice is left the text is all. With speech.through = X the voices before X are passed over; where X
+// is missing, the next one speaks. Of the screen reader: see ReaderVoice.
 class VoiceRouter final : public SpeechSink {
 public:
-    // `voices`: the best first. `text` is always given everything; `braille` too, unless a screen reader speaks. Either may be null.
-    VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text, std::unique_ptr<BrailleSink> braille,
-                const Settings::Speech& settings);
+    // `voices`: the best first. `text` is always given everything; `braille` too, unless a screen reader speaks. Either
+    // may be null.
+    VoiceRouter(std::vector<std::unique_ptr<Voice>> voices, std::unique_ptr<SpeechSink> text,
+                std::unique_ptr<BrailleSink> braille, const Settings::Speech& settings);
 
     void say(const Utterance& utterance) override;
     void write(const Utterance& utterance) override;

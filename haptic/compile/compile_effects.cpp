@@ -14,26 +14,31 @@ Aabb bounds_of(const Effect& effect) {
                                      return Aabb{ball.centre_m - ball.radius_m, ball.centre_m + ball.radius_m};
                                  },
                                  [](const EffectCapsule& capsule) {
-                                     return Aabb{glm::min(capsule.a_m, capsule.b_m) - capsule.radius_m, glm::max(capsule.a_m, capsule.b_m) + capsule.radius_m};
+                                     return Aabb{glm::min(capsule.a_m, capsule.b_m) - capsule.radius_m,
+                                                 glm::max(capsule.a_m, capsule.b_m) + capsule.radius_m};
                                  }},
                       effect.where);
 }
 
 EffectRegion region_of(const Effect& effect) {
-    return std::visit(Overloaded{[](const ConvexSolid& solid) -> EffectRegion {
-                                     const bool box = solid.planes.size() == 6 && std::all_of(solid.planes.begin(), solid.planes.end(), [](const Plane& p) {
-                                                          return std::max({std::abs(p.normal.x), std::abs(p.normal.y), std::abs(p.normal.z)}) == 1.0;
-                                                      });
-                                     if (box) return solid.bounds_m;
-                                     return ConvexRegion{solid.planes};
-                                 },
-                                 [](const EffectBall& ball) -> EffectRegion {
-                                     return SphereRegion{ball.centre_m, ball.radius_m};
-                                 },
-                                 [](const EffectCapsule& capsule) -> EffectRegion {
-                                     return CapsuleRegion{capsule.a_m, capsule.b_m, capsule.radius_m};
-                                 }},
-                      effect.where);
+    return std::visit(
+        Overloaded{
+            [](const ConvexSolid& solid) -> EffectRegion {
+                const bool box =
+                    solid.planes.size() == 6 &&
+                    std::all_of(solid.planes.begin(), solid.planes.end(), [](const Plane& p) {
+                        return std::max({std::abs(p.normal.x), std::abs(p.normal.y), std::abs(p.normal.z)}) == 1.0;
+                    });
+                if (box) return solid.bounds_m;
+                return ConvexRegion{solid.planes};
+            },
+            [](const EffectBall& ball) -> EffectRegion {
+                return SphereRegion{ball.centre_m, ball.radius_m};
+            },
+            [](const EffectCapsule& capsule) -> EffectRegion {
+                return CapsuleRegion{capsule.a_m, capsule.b_m, capsule.radius_m};
+            }},
+        effect.where);
 }
 
 std::vector<MagnetTarget> targets_of(const Effect& effect, const Scene& scene) {
@@ -56,7 +61,8 @@ std::vector<MagnetTarget> targets_of(const Effect& effect, const Scene& scene) {
         case MagnetPull::Object: {
             std::vector<MagnetTarget> faces;
             for (std::size_t out = 0; out < 3; ++out)
-                for (const double side : {-1.0, 1.0}) faces.push_back({middle + half[out] * side, half[(out + 1) % 3], half[(out + 2) % 3]});
+                for (const double side : {-1.0, 1.0})
+                    faces.push_back({middle + half[out] * side, half[(out + 1) % 3], half[(out + 2) % 3]});
             return faces;
         }
     }
@@ -89,28 +95,31 @@ void bring_into(EffectVolume& effect, const PlacedFrame& frame) {
     const auto plane = [&](const Vec3& normal, double offset_m) {
         return Plane{frame.turned_back(normal), (offset_m - glm::dot(normal, frame.position_m)) / frame.scale};
     };
-    effect.region = std::visit(Overloaded{[&](const Aabb& box) -> EffectRegion {
-                                              ConvexRegion region;
-                                              for (int axis = 0; axis < 3; ++axis) {
-                                                  Vec3 normal(0.0);
-                                                  normal[axis] = 1.0;
-                                                  region.planes.push_back(plane(normal, box.max_m[axis]));
-                                                  region.planes.push_back(plane(-normal, -box.min_m[axis]));
-                                              }
-                                              return region;
-                                          },
-                                          [&](const SphereRegion& ball) -> EffectRegion {
-                                              return SphereRegion{frame.to_own(ball.centre_m), ball.radius_m / frame.scale};
-                                          },
-                                          [&](const CapsuleRegion& capsule) -> EffectRegion {
-                                              return CapsuleRegion{frame.to_own(capsule.a_m), frame.to_own(capsule.b_m), capsule.radius_m / frame.scale};
-                                          },
-                                          [&](const ConvexRegion& convex) -> EffectRegion {
-                                              ConvexRegion region;
-                                              for (const Plane& p : convex.planes) region.planes.push_back(plane(p.normal, p.offset_m));
-                                              return region;
-                                          }},
-                               effect.region);
+    effect.region =
+        std::visit(Overloaded{[&](const Aabb& box) -> EffectRegion {
+                                  ConvexRegion region;
+                                  for (int axis = 0; axis < 3; ++axis) {
+                                      Vec3 normal(0.0);
+                                      normal[axis] = 1.0;
+                                      region.planes.push_back(plane(normal, box.max_m[axis]));
+                                      region.planes.push_back(plane(-normal, -box.min_m[axis]));
+                                  }
+                                  return region;
+                              },
+                              [&](const SphereRegion& ball) -> EffectRegion {
+                                  return SphereRegion{frame.to_own(ball.centre_m), ball.radius_m / frame.scale};
+                              },
+                              [&](const CapsuleRegion& capsule) -> EffectRegion {
+                                  return CapsuleRegion{frame.to_own(capsule.a_m), frame.to_own(capsule.b_m),
+                                                       capsule.radius_m / frame.scale};
+                              },
+                              [&](const ConvexRegion& convex) -> EffectRegion {
+                                  ConvexRegion region;
+                                  for (const Plane& p : convex.planes)
+                                      region.planes.push_back(plane(p.normal, p.offset_m));
+                                  return region;
+                              }},
+                   effect.region);
     std::visit(Overloaded{[&](MagnetLaw& law) {
                               for (MagnetTarget& target : law.targets) {
                                   target.centre_m = frame.to_own(target.centre_m);

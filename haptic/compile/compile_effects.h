@@ -6,7 +6,8 @@
 
 namespace handrail {
 
-// After the bodies: an effect that belongs to one hangs on it, in its frame. What a reader has let through is sound and is taken.
+// After the bodies: an effect that belongs to one hangs on it, in its frame. What a reader has let through is sound and
+// is taken.
 void add_effects(HapticSceneBuilder& builder, const Scene& scene);
 
 }  // namespace handrail

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/overloaded.h"
 
 namespace handrail {
@@ -13,7 +14,9 @@ namespace {
 
 Relief relief_of(const TextureWave& wave) {
     Relief relief;
-    relief.kind = wave.shape == WaveShape::Sine ? ReliefKind::Sine : wave.shape == WaveShape::Square ? ReliefKind::Square : ReliefKind::Level;
+    relief.kind = wave.shape == WaveShape::Sine     ? ReliefKind::Sine
+                  : wave.shape == WaveShape::Square ? ReliefKind::Square
+                                                    : ReliefKind::Level;
     relief.depth_hand_m = wave.depth_hand_m;
     relief.period_hand_m = wave.period_hand_m;
     relief.friction_share = wave.friction_share;
@@ -39,7 +42,9 @@ public:
             relief.high_m = picture->box_m.max_m;
             relief.size_m = picture->size_m;
             std::shared_ptr<const HeightField>& field = fields_[picture->heights.get()];
-            if (!field) field = std::make_shared<const HeightField>(picture->heights->width, picture->heights->height, picture->heights->depths);
+            if (!field)
+                field = std::make_shared<const HeightField>(picture->heights->width, picture->heights->height,
+                                                            picture->heights->depths);
             relief.picture = field;
         }
         list_.push_back(std::move(relief));
@@ -54,7 +59,8 @@ private:
 
 HapticMaterial compile_material(const Material& material, MaterialSource source, Reliefs& reliefs) {
     HapticMaterial compiled;
-    const MaterialSpec* known = source == MaterialSource::Library && !material.name.empty() ? find_material(material.name) : nullptr;
+    const MaterialSpec* known =
+        source == MaterialSource::Library && !material.name.empty() ? find_material(material.name) : nullptr;
     if (known) {
         compiled.stiffness_fraction = known->stiffness_fraction;
         compiled.friction_static = known->friction_static;
@@ -69,8 +75,8 @@ HapticMaterial compile_material(const Material& material, MaterialSource source,
     return compiled;
 }
 
-// Textures lie on a mesh straight along the axis in which its thing is thinnest: continuous over every edge, whatever the facets. On z where two are equal. Of
-// a thing that moves its own axes count, and the texture goes with it.
+// Textures lie on a mesh straight along the axis in which its thing is thinnest: continuous over every edge, whatever
+// the facets. On z where two are equal. Of a thing that moves its own axes count, and the texture goes with it.
 std::vector<std::uint8_t> mesh_axes(const Scene& scene) {
     std::vector<Aabb> boxes(scene.features.size());
     const auto include = [&](FeatureId feature, const MeshTriangle& t) {
@@ -101,9 +107,10 @@ std::vector<SurfaceLabel> labels_of(const Solid& solid) {
     return labels;
 }
 
-// Triangles of one feature and material that are touched from the same side are one surface. label: instead of their own.
-void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, TouchSide side, const SurfaceLabel* label,
-                      const MeshOptions& options, MeshReport& report) {
+// Triangles of one feature and material that are touched from the same side are one surface. label: instead of their
+// own.
+void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, TouchSide side,
+                      const SurfaceLabel* label, const MeshOptions& options, MeshReport& report) {
     std::vector<SurfaceLabel> labels;
     std::map<std::pair<std::uint32_t, MaterialId>, std::uint32_t> known;
     std::vector<Vec3> corners_m;
@@ -114,7 +121,8 @@ void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangl
         if (t.side != side) continue;
         corners_m.insert(corners_m.end(), {t.a_m, t.b_m, t.c_m});
         const SurfaceLabel own = label ? *label : SurfaceLabel{t.feature, t.material, false};
-        const auto [surface, is_new] = known.try_emplace({own.feature.value, own.material}, static_cast<std::uint32_t>(labels.size()));
+        const auto [surface, is_new] =
+            known.try_emplace({own.feature.value, own.material}, static_cast<std::uint32_t>(labels.size()));
         if (is_new) labels.push_back(own);
         surfaces.push_back(surface->second);
     }
@@ -124,19 +132,23 @@ void add_triangles_of(HapticSceneBuilder& builder, const std::vector<MeshTriangl
     of_triangles.reserve(mesh.surfaces.size());
     for (const std::uint32_t surface : mesh.surfaces) of_triangles.push_back(labels[surface]);
     builder.add_mesh(mesh.mesh, of_triangles, side);
-    for (std::size_t i = 0; i < mesh.polygons.size(); ++i) builder.add_polygon(mesh.polygons[i].points_m, labels[mesh.polygon_surfaces[i]], side);
+    for (std::size_t i = 0; i < mesh.polygons.size(); ++i)
+        builder.add_polygon(mesh.polygons[i].points_m, labels[mesh.polygon_surfaces[i]], side);
     report += mesh.report;
 }
 
-void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, const SurfaceLabel* label, const MeshOptions& options,
-                   MeshReport& report) {
-    for (const TouchSide side : {TouchSide::Both, TouchSide::Front, TouchSide::Back}) add_triangles_of(builder, triangles, side, label, options, report);
+void add_triangles(HapticSceneBuilder& builder, const std::vector<MeshTriangle>& triangles, const SurfaceLabel* label,
+                   const MeshOptions& options, MeshReport& report) {
+    for (const TouchSide side : {TouchSide::Both, TouchSide::Front, TouchSide::Back})
+        add_triangles_of(builder, triangles, side, label, options, report);
 }
 
 // A round solid is felt as what it is, under the name of its first face.
-void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<const SurfaceLabel> labels, const RoundedSolid* rounded) {
+void add_touchable(HapticSceneBuilder& builder, const Solid& solid, std::span<const SurfaceLabel> labels,
+                   const RoundedSolid* rounded) {
     std::visit(Overloaded{[&](std::monostate) {
-                              if (rounded) builder.add_solid(rounded->planes, rounded->bounds_m, labels, rounded->rounding_m);
+                              if (rounded)
+                                  builder.add_solid(rounded->planes, rounded->bounds_m, labels, rounded->rounding_m);
                               else builder.add_solid(solid.shape.planes, solid.shape.bounds_m, labels);
                           },
                           [&](const SphereShape& sphere) { builder.add_sphere(sphere, labels[0]); },
@@ -190,20 +202,24 @@ void add_soft_solid(HapticSceneBuilder& builder, const Solid& solid) {
 }
 
 // Nothing when edges stay sharp.
-std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, CompileReport& report) {
+std::vector<RoundedSolid> rounded_solids(const Scene& scene, double radius_m, const std::stop_token& stop,
+                                         CompileReport& report) {
     if (!(radius_m > 0.0)) return {};
     RoundingReport done;
-    std::vector<RoundedSolid> solids = round_edges(scene, radius_m, done);
+    std::vector<RoundedSolid> solids = round_edges(scene, radius_m, done, stop);
     report.rounding += done;
     return solids;
 }
 
-// What of a model can be touched, all under one name and of one material. One that is set down larger is as large to the hand, so its own rounding is less.
-std::shared_ptr<const HapticScene> compile_model(const PlacedModel& placed, const CompileOptions& options, CompileReport& report) {
+// What of a model can be touched, all under one name and of one material. One that is set down larger is as large to
+// the hand, so its own rounding is less.
+std::shared_ptr<const HapticScene> compile_model(const PlacedModel& placed, const CompileOptions& options,
+                                                 CompileReport& report) {
     const Scene& model = *placed.model;
     const SurfaceLabel label{placed.feature, placed.material, false};
     HapticSceneBuilder builder;
-    const std::vector<RoundedSolid> rounded = rounded_solids(model, options.edge_rounding_m / placed.at.scale, report);
+    const std::vector<RoundedSolid> rounded =
+        rounded_solids(model, options.edge_rounding_m / placed.at.scale, options.stop, report);
     for (std::size_t i = 0; i < model.solids.size(); ++i)
         if (model.solids[i].role == SolidRole::Solid || model.solids[i].role == SolidRole::Mover)
             add_touchable(builder, model.solids[i], std::span(&label, 1), rounded.empty() ? nullptr : &rounded[i]);
@@ -214,7 +230,10 @@ std::shared_ptr<const HapticScene> compile_model(const PlacedModel& placed, cons
 
 }  // namespace
 
-CompileOptions exploring(double edge_rounding_m, std::uint32_t world) { return {MaterialSource::Library, world, MeshOptions{}, true, edge_rounding_m}; }
+CompileOptions exploring(double edge_rounding_m, std::uint32_t world) {
+    contract_pre(edge_rounding_m >= 0.0);
+    return {MaterialSource::Library, world, MeshOptions{}, true, edge_rounding_m, {}};
+}
 
 std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials) {
     CompileOptions options;
@@ -223,16 +242,21 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSo
     return compile_haptic(scene, options);
 }
 
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options, CompileReport* report) {
+std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options,
+                                                  CompileReport* report) {
+    contract_pre(options.edge_rounding_m >= 0.0 && std::isfinite(options.edge_rounding_m));
     CompileReport done;
     std::vector<HapticMaterial> compiled;
     compiled.reserve(scene.materials.size());
     Reliefs reliefs;
-    for (const Material& material : scene.materials) compiled.push_back(compile_material(material, options.materials, reliefs));
+    for (const Material& material : scene.materials)
+        compiled.push_back(compile_material(material, options.materials, reliefs));
     HapticSceneBuilder builder(std::move(compiled));
-    if (std::vector<Relief> list = reliefs.take(); !list.empty()) builder.set_reliefs(std::move(list), mesh_axes(scene));
-    const std::vector<RoundedSolid> rounded = rounded_solids(scene, options.edge_rounding_m, done);
+    if (std::vector<Relief> list = reliefs.take(); !list.empty())
+        builder.set_reliefs(std::move(list), mesh_axes(scene));
+    const std::vector<RoundedSolid> rounded = rounded_solids(scene, options.edge_rounding_m, options.stop, done);
     for (std::size_t i = 0; i < scene.solids.size(); ++i) {
+        if (options.stop.stop_requested()) return nullptr;
         const Solid& solid = scene.solids[i];
         if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) {
             if (solid.soft) add_soft_solid(builder, solid);
@@ -251,7 +275,10 @@ std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const Comp
     }
     if (options.shade_meshes) builder.shade_meshes();
     add_triangles(builder, scene.triangles, nullptr, options.mesh, done.mesh);
-    for (const PlacedModel& placed : scene.placed) builder.add_body(placed.feature, compile_model(placed, options, done), placed.at);
+    for (const PlacedModel& placed : scene.placed) {
+        if (options.stop.stop_requested()) return nullptr;
+        builder.add_body(placed.feature, compile_model(placed, options, done), placed.at);
+    }
     add_effects(builder, scene);
     if (report) {
         report->mesh += done.mesh;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "haptic/compile/prepare_mesh.h"
 #include "haptic/compile/round_edges.h"
@@ -18,10 +19,14 @@ enum class MaterialSource {
 
 struct CompileOptions {
     MaterialSource materials = MaterialSource::KeysOnly;
-    std::uint32_t world = 0;        // HapticScene::world of the scene that this one follows with something added or removed; 0: another world
-    MeshOptions mesh = kExactMesh;  // what is done to mesh triangles of one feature and material, of the scene and of each model
-    bool shade_meshes = false;      // let facets be felt as the curve they stand for (mesh_shading.h)
-    double edge_rounding_m = 0.0;   // of convex edges of solids, world metres (round_edges.h); 0: sharp, at no cost
+    std::uint32_t world =
+        0;  // HapticScene::world of the scene that this one follows with something added or removed; 0: another world
+    MeshOptions mesh =
+        kExactMesh;  // what is done to mesh triangles of one feature and material, of the scene and of each model
+    bool shade_meshes = false;     // let facets be felt as the curve they stand for (mesh_shading.h)
+    double edge_rounding_m = 0.0;  // of convex edges of solids, world metres (round_edges.h); 0: sharp, at no cost
+    std::stop_token
+        stop;  // asked from another thread: what is being made is not wanted any more, and null comes back soon
 };
 // As somebody who explores feels a world.
 CompileOptions exploring(double edge_rounding_m, std::uint32_t world = 0);
@@ -31,10 +36,12 @@ struct CompileReport {
     RoundingReport rounding;
 };
 
-// Placed models become bodies, in their order; beyond HapticScene::kMostBodies they are left out. Solids and movers become convex obstacles (boxes recognised
-// as boxes), mesh triangles become sheets, liquids become volumes. The generation is a number that differs for every compiled scene of this process. What was
-// done is added to the report where one is given.
-std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options, CompileReport* report = nullptr);
+// Placed models become bodies, in their order; beyond HapticScene::kMostBodies they are left out. Solids and movers
+// become convex obstacles (boxes recognised as boxes), mesh triangles become sheets, liquids become volumes. The
+// generation is a number that differs for every compiled scene of this process. What was done is added to the report
+// where one is given.
+std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, const CompileOptions& options,
+                                                  CompileReport* report = nullptr);
 // Everything sharp and exact; a library's materials bring shading too.
 std::shared_ptr<const HapticScene> compile_haptic(const Scene& scene, MaterialSource materials);
 

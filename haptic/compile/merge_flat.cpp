@@ -4,11 +4,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "worlds/base/contract.h"
+
 namespace handrail {
 namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
-constexpr double kRim_m = 1e-9;         // what counts as on one line, seen along the normal; where corners may lie off the plane, a thousandth of that
+constexpr double kRim_m = 1e-9;  // what counts as on one line, seen along the normal; where corners may lie off the
+                                 // plane, a thousandth of that
 constexpr double kLowestSeed_m = 1e-7;  // a triangle lower than this has no plane of its own
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
@@ -28,7 +31,8 @@ public:
         std::vector<std::uint32_t> order(count_);
         std::iota(order.begin(), order.end(), 0U);
         for (std::uint32_t t = 0; t < count_; ++t) areas[t] = glm::length(twice_area(t));
-        std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
+        std::stable_sort(order.begin(), order.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return areas[a] > areas[b]; });
         for (const std::uint32_t seed : order) {
             if (patch_of_[seed] != kNone || !(areas[seed] > kLowestSeed_m * longest(seed))) continue;
             find_patch(seed);
@@ -48,10 +52,13 @@ private:
     std::uint32_t origin(std::uint32_t h) const { return mesh_.triangles[h / 3][h % 3]; }
     std::uint32_t target(std::uint32_t h) const { return mesh_.triangles[h / 3][(h % 3 + 1) % 3]; }
     const Vec3& corner(std::uint32_t t, std::size_t k) const { return mesh_.points_m[mesh_.triangles[t][k]]; }
-    Vec3 twice_area(std::uint32_t t) const { return glm::cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0)); }
+    Vec3 twice_area(std::uint32_t t) const {
+        return glm::cross(corner(t, 1) - corner(t, 0), corner(t, 2) - corner(t, 0));
+    }
     double longest(std::uint32_t t) const {
         double length = 0.0;
-        for (std::size_t k = 0; k < 3; ++k) length = std::max(length, glm::length(corner(t, (k + 1) % 3) - corner(t, k)));
+        for (std::size_t k = 0; k < 3; ++k)
+            length = std::max(length, glm::length(corner(t, (k + 1) % 3) - corner(t, k)));
         return length;
     }
 
@@ -81,7 +88,8 @@ private:
         }
     }
 
-    // A small triangle knows the plane of a large patch badly: as long as more is found that way, the patch is sought again with the mean plane of what was.
+    // A small triangle knows the plane of a large patch badly: as long as more is found that way, the patch is sought
+    // again with the mean plane of what was.
     void find_patch(std::uint32_t seed) {
         constexpr int kRounds = 8;
         std::size_t found = 0;
@@ -116,14 +124,16 @@ private:
         return true;
     }
 
-    // All that hangs together with the seed, within the bound of a plane, facing the same way. True when something was left out for lying too far off it.
+    // All that hangs together with the seed, within the bound of a plane, facing the same way. True when something was
+    // left out for lying too far off it.
     bool grow_patch(std::uint32_t seed, const Vec3& normal, const Vec3& base) {
         normal_ = normal;
         base_ = base;
         bool met_more = false;
-        const Vec3 axis = std::abs(normal_.x) <= std::abs(normal_.y) && std::abs(normal_.x) <= std::abs(normal_.z) ? Vec3(1, 0, 0)
-                          : std::abs(normal_.y) <= std::abs(normal_.z)                                             ? Vec3(0, 1, 0)
-                                                                                                                   : Vec3(0, 0, 1);
+        const Vec3 axis = std::abs(normal_.x) <= std::abs(normal_.y) && std::abs(normal_.x) <= std::abs(normal_.z)
+                              ? Vec3(1, 0, 0)
+                          : std::abs(normal_.y) <= std::abs(normal_.z) ? Vec3(0, 1, 0)
+                                                                       : Vec3(0, 0, 1);
         across_ = glm::normalize(glm::cross(axis, normal_));
         along_ = glm::cross(normal_, across_);
         patch_.assign(1, seed);
@@ -157,7 +167,8 @@ private:
     double height(std::uint32_t t, std::size_t k) const { return glm::dot(corner(t, k) - base_, normal_); }
     double flat_area(std::uint32_t t) const { return 0.5 * glm::dot(twice_area(t), normal_); }
 
-    // The convex hull of points (indices of the mesh), counter-clockwise, without points on its edges. Andrew's monotone chain.
+    // The convex hull of points (indices of the mesh), counter-clockwise, without points on its edges. Andrew's
+    // monotone chain.
     std::vector<std::uint32_t> hull_of(std::vector<std::uint32_t> points) const {
         std::sort(points.begin(), points.end(), [&](std::uint32_t a, std::uint32_t b) {
             const Vec2 p = flat_[a], q = flat_[b];
@@ -169,7 +180,8 @@ private:
         const auto half = [&](auto begin, auto end) {
             const std::size_t first = hull.size();
             for (auto it = begin; it != end; ++it) {
-                while (hull.size() >= first + 2 && cross(flat_[hull.back()] - flat_[hull[hull.size() - 2]], flat_[*it] - flat_[hull[hull.size() - 2]]) <= 0.0)
+                while (hull.size() >= first + 2 && cross(flat_[hull.back()] - flat_[hull[hull.size() - 2]],
+                                                         flat_[*it] - flat_[hull[hull.size() - 2]]) <= 0.0)
                     hull.pop_back();
                 hull.push_back(*it);
             }
@@ -182,7 +194,8 @@ private:
 
     double area_of(const std::vector<std::uint32_t>& ring) const {
         double twice = 0.0;
-        for (std::size_t i = 1; i + 1 < ring.size(); ++i) twice += cross(flat_[ring[i]] - flat_[ring[0]], flat_[ring[i + 1]] - flat_[ring[0]]);
+        for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+            twice += cross(flat_[ring[i]] - flat_[ring[0]], flat_[ring[i + 1]] - flat_[ring[0]]);
         return 0.5 * twice;
     }
 
@@ -195,7 +208,8 @@ private:
         return false;
     }
 
-    // Makes a polygon of triangles whose border is given by half-edges, if their union is convex: all of the border on the hull and no area missing.
+    // Makes a polygon of triangles whose border is given by half-edges, if their union is convex: all of the border on
+    // the hull and no area missing.
     bool take(const std::vector<std::uint32_t>& border, const std::vector<std::uint32_t>& triangles, double area) {
         std::vector<std::uint32_t> points;
         points.reserve(border.size());
@@ -203,7 +217,8 @@ private:
         const std::vector<std::uint32_t> hull = hull_of(std::move(points));
         if (hull.size() < 3) return false;
         double around = 0.0;
-        for (std::size_t i = 0; i < hull.size(); ++i) around += glm::length(flat_[hull[(i + 1) % hull.size()]] - flat_[hull[i]]);
+        for (std::size_t i = 0; i < hull.size(); ++i)
+            around += glm::length(flat_[hull[(i + 1) % hull.size()]] - flat_[hull[i]]);
         if (std::abs(area_of(hull) - area) > rim_m_ * around) return false;
         for (const std::uint32_t h : border)
             if (!on_rim(hull, origin(h))) return false;
@@ -213,7 +228,8 @@ private:
             polygon.points_m.push_back(mesh_.points_m[p] - normal_ * off);
         }
         for (const std::uint32_t t : triangles)
-            for (std::size_t k = 0; k < 3; ++k) result_.farthest_m = std::max(result_.farthest_m, std::abs(height(t, k)));
+            for (std::size_t k = 0; k < 3; ++k)
+                result_.farthest_m = std::max(result_.farthest_m, std::abs(height(t, k)));
         polygon.triangles = triangles;
         std::sort(polygon.triangles.begin(), polygon.triangles.end());
         result_.polygons.push_back(std::move(polygon));
@@ -227,7 +243,8 @@ private:
             for (std::uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
                 if (twin_[h] == kNone) continue;
                 const std::uint32_t beside = twin_[h] / 3;
-                if (patch_of_[beside] == patch_of_[t] || groups_[beside] != groups_[t] || fits(beside, normal_, base_)) continue;
+                if (patch_of_[beside] == patch_of_[t] || groups_[beside] != groups_[t] || fits(beside, normal_, base_))
+                    continue;
                 const Vec3 turned = twice_area(beside);
                 if (glm::dot(turned, normal_) > kCreaseCosine * glm::length(turned)) return true;
             }
@@ -252,15 +269,20 @@ private:
         return t;
     }
 
-    // Joins the polygons on both sides of a half-edge, over all the edges in a row that they share, if what comes out is convex.
+    // Joins the polygons on both sides of a half-edge, over all the edges in a row that they share, if what comes out
+    // is convex.
     bool join(std::uint32_t h) {
         const std::uint32_t here = ring_of(h), there = ring_of(twin_[h]);
         if (here == there) return false;
         std::uint32_t first = h, last = h;
-        while (next_[last] != first && twin_[next_[last]] != kNone && twin_[next_[last]] == prev_[twin_[last]]) last = next_[last];
-        while (prev_[first] != last && twin_[prev_[first]] != kNone && twin_[prev_[first]] == next_[twin_[first]]) first = prev_[first];
-        const std::uint32_t before = prev_[first], after = next_[last], there_after = next_[twin_[first]], there_before = prev_[twin_[last]];
-        if (before == last || there_before == twin_[first]) return false;  // one of them has nothing but what they share
+        while (next_[last] != first && twin_[next_[last]] != kNone && twin_[next_[last]] == prev_[twin_[last]])
+            last = next_[last];
+        while (prev_[first] != last && twin_[prev_[first]] != kNone && twin_[prev_[first]] == next_[twin_[first]])
+            first = prev_[first];
+        const std::uint32_t before = prev_[first], after = next_[last], there_after = next_[twin_[first]],
+                            there_before = prev_[twin_[last]];
+        if (before == last || there_before == twin_[first])
+            return false;  // one of them has nothing but what they share
         const auto convex = [&](std::uint32_t in, std::uint32_t out) {
             const Vec2 a = flat_[target(in)] - flat_[origin(in)], b = flat_[target(out)] - flat_[origin(out)];
             const double longer = std::max(glm::length(a), glm::length(b));
@@ -295,7 +317,9 @@ private:
             const Vec2 d = flat_[target(h)] - flat_[origin(h)];
             return d.x * d.x + d.y * d.y;
         };
-        std::sort(inner.begin(), inner.end(), [&](std::uint32_t a, std::uint32_t b) { return length2(a) != length2(b) ? length2(a) > length2(b) : a < b; });
+        std::sort(inner.begin(), inner.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return length2(a) != length2(b) ? length2(a) > length2(b) : a < b;
+        });
         for (bool more = true; more;) {
             more = false;
             for (const std::uint32_t h : inner) more = join(h) || more;
@@ -340,7 +364,10 @@ private:
 
 }  // namespace
 
-FlatMerge merge_flat(const TriangleMesh& mesh, std::span<const std::uint32_t> groups, double bound_m, bool keep_curves) {
+FlatMerge merge_flat(const TriangleMesh& mesh, std::span<const std::uint32_t> groups, double bound_m,
+                     bool keep_curves) {
+    contract_pre(groups.size() == mesh.triangles.size());
+    contract_pre(bound_m >= 0.0);
     return Merger(mesh, groups, bound_m).run(keep_curves);
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "haptic/compile/simplify_mesh.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -90,10 +91,11 @@ void keep(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, const std::v
     surfaces.resize(kept);
 }
 
-// Drops triangles without area whose longest edge is an edge of one with area (a point: a corner), so that nothing of them is missed; and all but the
-// first of those with the same corners and surface.
+// Drops triangles without area whose longest edge is an edge of one with area (a point: a corner), so that nothing of
+// them is missed; and all but the first of those with the same corners and surface.
 void tidy(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, MeshReport& report) {
-    std::vector<bool> dropped(mesh.triangles.size(), false), flat(mesh.triangles.size(), false), used(mesh.points_m.size(), false);
+    std::vector<bool> dropped(mesh.triangles.size(), false), flat(mesh.triangles.size(), false),
+        used(mesh.points_m.size(), false);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     edges.reserve(3 * mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -108,7 +110,8 @@ void tidy(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, MeshReport& 
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (!flat[t]) continue;
         const auto edge = longest_edge(mesh, mesh.triangles[t]);
-        dropped[t] = edge.first == edge.second ? used[edge.first] : std::binary_search(edges.begin(), edges.end(), edge);
+        dropped[t] =
+            edge.first == edge.second ? used[edge.first] : std::binary_search(edges.begin(), edges.end(), edge);
         report.without_area += dropped[t];
     }
     std::vector<std::uint32_t> order(mesh.triangles.size());
@@ -153,6 +156,8 @@ double in_millimetres(double m) {
 }  // namespace
 
 TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, MeshReport& report) {
+    contract_pre(corners_m.size() % 3 == 0);
+    contract_pre(tolerance_m >= 0.0);
     TriangleMesh mesh;
     mesh.triangles.resize(corners_m.size() / 3);
     PointTable table(corners_m.size());
@@ -160,7 +165,9 @@ TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, M
     std::vector<std::uint32_t> stands_for;
     const auto bits = [](double v) { return std::bit_cast<std::int64_t>(v == 0.0 ? 0.0 : v); };
     PointTable cells(tolerance_m > 0.0 ? corners_m.size() : 0);
-    const auto cell = [&](double v) { return static_cast<std::int64_t>(std::floor(std::clamp(v / tolerance_m, -9e17, 9e17))); };
+    const auto cell = [&](double v) {
+        return static_cast<std::int64_t>(std::floor(std::clamp(v / tolerance_m, -9e17, 9e17)));
+    };
     for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) {
         const Vec3& p = corners_m[i];
         const PointTable::Key exact{bits(p.x), bits(p.y), bits(p.z)};
@@ -196,7 +203,9 @@ TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, M
     return mesh;
 }
 
-PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::uint32_t> surfaces, const MeshOptions& options) {
+PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::uint32_t> surfaces,
+                          const MeshOptions& options) {
+    contract_pre(corners_m.size() == 3 * surfaces.size());
     PreparedMesh out;
     MeshReport& report = out.report;
     report.triangles = surfaces.size();
@@ -235,18 +244,21 @@ PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::
 }
 
 MeshReport& MeshReport::operator+=(const MeshReport& other) {
-    for (const auto count : {&MeshReport::triangles, &MeshReport::points_welded, &MeshReport::without_area, &MeshReport::repeated, &MeshReport::simplified,
-                             &MeshReport::merged, &MeshReport::polygons})
+    for (const auto count :
+         {&MeshReport::triangles, &MeshReport::points_welded, &MeshReport::without_area, &MeshReport::repeated,
+          &MeshReport::simplified, &MeshReport::merged, &MeshReport::polygons})
         this->*count += other.*count;
-    for (const auto length : {&MeshReport::farthest_weld_m, &MeshReport::simplify_bound_m, &MeshReport::simplify_measured_m, &MeshReport::simplify_spacing_m,
-                              &MeshReport::flat_bound_m, &MeshReport::flat_measured_m})
+    for (const auto length :
+         {&MeshReport::farthest_weld_m, &MeshReport::simplify_bound_m, &MeshReport::simplify_measured_m,
+          &MeshReport::simplify_spacing_m, &MeshReport::flat_bound_m, &MeshReport::flat_measured_m})
         this->*length = std::max(this->*length, other.*length);
     return *this;
 }
 
 std::vector<std::string> MeshReport::sentences() const {
     std::vector<std::string> said;
-    if (points_welded > 0) said.push_back(phrase("compile.welded", {{"n", points_welded}, {"far", in_millimetres(farthest_weld_m)}}));
+    if (points_welded > 0)
+        said.push_back(phrase("compile.welded", {{"n", points_welded}, {"far", in_millimetres(farthest_weld_m)}}));
     if (without_area > 0) said.push_back(phrase("compile.without_area", {{"n", without_area}}));
     if (repeated > 0) said.push_back(phrase("compile.repeated", {{"n", repeated}}));
     if (simplified > 0)
@@ -255,8 +267,10 @@ std::vector<std::string> MeshReport::sentences() const {
                                                      {"bound", in_millimetres(simplify_bound_m)},
                                                      {"spacing", in_millimetres(simplify_spacing_m)}}));
     if (merged > 0)
-        said.push_back(phrase("compile.merged",
-                              {{"n", merged}, {"polygons", polygons}, {"far", in_millimetres(flat_measured_m)}, {"bound", in_millimetres(flat_bound_m)}}));
+        said.push_back(phrase("compile.merged", {{"n", merged},
+                                                 {"polygons", polygons},
+                                                 {"far", in_millimetres(flat_measured_m)},
+                                                 {"bound", in_millimetres(flat_bound_m)}}));
     return said;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
@@ -38,7 +39,8 @@ struct Part {
 };
 
 bool is_touchable(const Solid& solid) {
-    return (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && std::holds_alternative<std::monostate>(solid.round);
+    return (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) &&
+           std::holds_alternative<std::monostate>(solid.round);
 }
 
 // The least way between a face and the corner farthest behind it.
@@ -55,8 +57,9 @@ double thickness_m(const ConvexSolid& solid) {
 
 class Rounder {
 public:
-    Rounder(const Scene& scene, double radius_m)
+    Rounder(const Scene& scene, double radius_m, const std::stop_token& stop)
         : scene_(scene),
+          stop_(stop),
           radius_m_(radius_m),
           touch_m_(std::clamp(1e-4 * scene.metres_per_unit, 1e-6, 1e-5)),
           parts_(scene.solids.size()),
@@ -64,16 +67,18 @@ public:
 
     std::vector<RoundedSolid> run(RoundingReport& report) {
         find_neighbours();
-        for (std::uint32_t i = 0; i < parts_.size(); ++i) choose_radius(i);
-        for (std::uint32_t i = 0; i < parts_.size(); ++i) extend(i);
+        for (std::uint32_t i = 0; i < parts_.size() && !stopped(); ++i) choose_radius(i);
+        for (std::uint32_t i = 0; i < parts_.size() && !stopped(); ++i) extend(i);
+        if (stopped()) return {};
         find_seams();
         // What turns sharp may open a seam to the next.
-        for (bool changed = true; changed;) {
+        for (bool changed = true; changed && !stopped();) {
             changed = false;
             for (const Seam& seam : seams_)
-                if ((parts_[seam.one].rounded() || parts_[seam.other].rounded()) && is_open(seam)) changed = sharpen(seam.one) | sharpen(seam.other) | changed;
+                if ((parts_[seam.one].rounded() || parts_[seam.other].rounded()) && is_open(seam))
+                    changed = sharpen(seam.one) | sharpen(seam.other) | changed;
             for (std::uint32_t i = 0; i < parts_.size(); ++i)
-                if (parts_[i].rounded()) changed = close_holes(i) || changed;
+                if (parts_[i].rounded() && !stopped()) changed = close_holes(i) || changed;
         }
         return result(report);
     }
@@ -112,7 +117,8 @@ private:
                 Edge edge{a, b, f, f};
                 double nearest = std::numeric_limits<double>::infinity();
                 for (std::uint32_t g = 0; g < s.planes.size(); ++g) {
-                    const double off = std::max(std::abs(signed_distance(s.planes[g], a)), std::abs(signed_distance(s.planes[g], b)));
+                    const double off =
+                        std::max(std::abs(signed_distance(s.planes[g], a)), std::abs(signed_distance(s.planes[g], b)));
                     if (g == f || off >= nearest) continue;
                     nearest = off;
                     edge.beyond = g;
@@ -127,7 +133,8 @@ private:
         Part& part = parts_[i];
         if (!is_touchable(solid(i)) || solid(i).soft) return;
         // What nobody can touch needs no rounding.
-        if (std::find(solid(i).face_hidden.begin(), solid(i).face_hidden.end(), false) == solid(i).face_hidden.end()) return;
+        if (std::find(solid(i).face_hidden.begin(), solid(i).face_hidden.end(), false) == solid(i).face_hidden.end())
+            return;
         part.radius_m = std::min(radius_m_, kOfThickness * thickness_m(shape(i)));
         part.edges = Edges::TooThin;
         // No face may vanish. The faces of a bevel leave less room than the solid's thickness does.
@@ -141,7 +148,8 @@ private:
         }
     }
 
-    // 3. What is wholly covered goes on into what covers it: as far as the neighbours' own rounding reaches and then its own, or at least its own.
+    // 3. What is wholly covered goes on into what covers it: as far as the neighbours' own rounding reaches and then
+    // its own, or at least its own.
     void extend(std::uint32_t i) {
         Part& part = parts_[i];
         if (!part.rounded()) return;
@@ -164,35 +172,44 @@ private:
         part.edges = Edges::AtSeam;
     }
 
-    // How far a neighbour that touches this face is rounded off there: where its own face is covered as wholly as this one, not at all.
+    // How far a neighbour that touches this face is rounded off there: where its own face is covered as wholly as this
+    // one, not at all.
     double rounded_off_beyond_m(std::uint32_t i, std::uint32_t face) const {
         double farthest = 0.0;
         for (const std::uint32_t j : parts_[i].near)
             for (std::uint32_t g = 0; g < shape(j).planes.size(); ++g) {
                 if (solid(j).face_hidden[g] || !face_to_face(shape(i).planes[face], shape(j).planes[g])) continue;
-                if (std::abs(signed_distance(shape(i).planes[face], shape(j).faces[g].points_m.front())) > touch_m_) continue;
+                if (std::abs(signed_distance(shape(i).planes[face], shape(j).faces[g].points_m.front())) > touch_m_)
+                    continue;
                 farthest = std::max({farthest, parts_[i].radius_m, parts_[j].felt_radius_m()});
             }
         return farthest;
     }
 
-    static bool face_to_face(const Plane& one, const Plane& other) { return glm::dot(one.normal, other.normal) < -1.0 + kFlush * kFlush; }
+    static bool face_to_face(const Plane& one, const Plane& other) {
+        return glm::dot(one.normal, other.normal) < -1.0 + kFlush * kFlush;
+    }
 
     // Things that may move away cover only themselves.
-    std::uint32_t group(std::uint32_t i) const { return solid(i).role == SolidRole::Mover ? solid(i).feature.value : kNoFeature.value; }
+    std::uint32_t group(std::uint32_t i) const {
+        return solid(i).role == SolidRole::Mover ? solid(i).feature.value : kNoFeature.value;
+    }
 
     // The solid behind these planes; no faces when there is none.
     ConvexSolid built(const std::vector<Plane>& planes, std::uint32_t near_solid) const {
         const Aabb& around = shape(near_solid).bounds_m;
-        BuiltSolid made = solid_from_planes(planes, around.centre_m(), 2.0 * glm::length(around.size_m()) + 8.0 * radius_m_, {0.01 * touch_m_, 0.1 * touch_m_});
+        BuiltSolid made =
+            solid_from_planes(planes, around.centre_m(), 2.0 * glm::length(around.size_m()) + 8.0 * radius_m_,
+                              {0.01 * touch_m_, 0.1 * touch_m_});
         if (made.fault != SolidFault::None || made.was_inside_out) return {};
         return std::move(made.solid);
     }
 
     template <class Condition>
     static bool all_corners(const ConvexSolid& piece, Condition&& holds) {
-        return std::all_of(piece.faces.begin(), piece.faces.end(),
-                           [&](const Polygon& face) { return std::all_of(face.points_m.begin(), face.points_m.end(), holds); });
+        return std::all_of(piece.faces.begin(), piece.faces.end(), [&](const Polygon& face) {
+            return std::all_of(face.points_m.begin(), face.points_m.end(), holds);
+        });
     }
 
     // Is all of a piece inside these solids together?
@@ -202,8 +219,9 @@ private:
             if (all_corners(piece, [&](const Vec3& p) { return contains(shape(solids[k]), p, touch_m_); })) return true;
         const auto apart = [&](std::uint32_t j) {
             if (!overlap(piece.bounds_m, shape(j).bounds_m)) return true;
-            return std::any_of(shape(j).planes.begin(), shape(j).planes.end(),
-                               [&](const Plane& plane) { return all_corners(piece, [&](const Vec3& p) { return signed_distance(plane, p) >= -touch_m_; }); });
+            return std::any_of(shape(j).planes.begin(), shape(j).planes.end(), [&](const Plane& plane) {
+                return all_corners(piece, [&](const Vec3& p) { return signed_distance(plane, p) >= -touch_m_; });
+            });
         };
         while (next < solids.size() && apart(solids[next])) ++next;
         if (next == solids.size()) return false;
@@ -252,7 +270,9 @@ private:
         }
     }
 
-    bool is_open(const Seam& seam) const { return !seam.of_one || opens_seam(seam.one, *seam.of_one, seam.other, *seam.of_other); }
+    bool is_open(const Seam& seam) const {
+        return !seam.of_one || opens_seam(seam.one, *seam.of_one, seam.other, *seam.of_other);
+    }
 
     // The same line, opposite ways, for more than a point.
     bool run_together(const Edge& a, const Edge& b) const {
@@ -265,7 +285,9 @@ private:
             return glm::dot(side, side);
         };
         if (off2(b.from_m) > touch_m_ * touch_m_ || off2(b.to_m) > touch_m_ * touch_m_) return false;
-        return std::min(length, glm::dot(unit, b.from_m - a.from_m)) - std::max(0.0, glm::dot(unit, b.to_m - a.from_m)) > 10.0 * touch_m_;
+        return std::min(length, glm::dot(unit, b.from_m - a.from_m)) -
+                   std::max(0.0, glm::dot(unit, b.to_m - a.from_m)) >
+               10.0 * touch_m_;
     }
 
     bool opens_seam(std::uint32_t i, const Edge& a, std::uint32_t j, const Edge& b) const {
@@ -273,29 +295,34 @@ private:
         const Plane &end_a = shape(i).planes[a.beyond], &end_b = shape(j).planes[b.beyond];
         if (face_to_face(face_a, face_b)) return false;  // the faces that touch: the seam's other pair of faces tells
         // They meet in this line only: flush with a wedge of air below, or each with an edge of its own.
-        if (!face_to_face(end_a, end_b)) return glm::dot(face_a.normal, face_b.normal) > 1.0 - kFlush * kFlush || !lies_beyond_a_face(i, j);
+        if (!face_to_face(end_a, end_b))
+            return glm::dot(face_a.normal, face_b.normal) > 1.0 - kFlush * kFlush || !lies_beyond_a_face(i, j);
         const Vec3 onwards = end_a.normal - face_b.normal * glm::dot(end_a.normal, face_b.normal);
         const double rises = glm::dot(face_a.normal, onwards);
         if (rises > kFlush) return false;  // an inner corner: the ball closes it
         if (rises < -kFlush) return true;  // an outer edge between two solids
         // Names and materials change at the very border, so neither surface may go on under the other.
-        const auto goes_on = [](const Part& part, const Edge& edge) { return part.rounded() && part.flat_beyond_m(edge.beyond) > 0.0; };
+        const auto goes_on = [](const Part& part, const Edge& edge) {
+            return part.rounded() && part.flat_beyond_m(edge.beyond) > 0.0;
+        };
         if (!same_surface(i, a.face, j, b.face) && (goes_on(parts_[i], a) || goes_on(parts_[j], b))) return true;
         const double lean = glm::dot(face_a.normal, end_a.normal);
-        const double overlap =
-            parts_[i].flat_beyond_m(a.beyond) + parts_[j].flat_beyond_m(b.beyond) + lean * (parts_[i].felt_radius_m() - parts_[j].felt_radius_m());
+        const double overlap = parts_[i].flat_beyond_m(a.beyond) + parts_[j].flat_beyond_m(b.beyond) +
+                               lean * (parts_[i].felt_radius_m() - parts_[j].felt_radius_m());
         return overlap < -touch_m_;
     }
 
     bool same_surface(std::uint32_t i, std::uint32_t f, std::uint32_t j, std::uint32_t g) const {
-        return solid(i).face_materials[f] == solid(j).face_materials[g] && solid(i).face_features[f] == solid(j).face_features[g];
+        return solid(i).face_materials[f] == solid(j).face_materials[g] &&
+               solid(i).face_features[f] == solid(j).face_features[g];
     }
 
     // Is one of two solids wholly in front of a face of the other?
     bool lies_beyond_a_face(std::uint32_t i, std::uint32_t j) const {
         const auto in_front = [this](const ConvexSolid& solid, const ConvexSolid& other) {
-            return std::any_of(solid.planes.begin(), solid.planes.end(),
-                               [&](const Plane& plane) { return all_corners(other, [&](const Vec3& p) { return signed_distance(plane, p) >= -touch_m_; }); });
+            return std::any_of(solid.planes.begin(), solid.planes.end(), [&](const Plane& plane) {
+                return all_corners(other, [&](const Vec3& p) { return signed_distance(plane, p) >= -touch_m_; });
+            });
         };
         return in_front(shape(i), shape(j)) || in_front(shape(j), shape(i));
     }
@@ -320,7 +347,8 @@ private:
                std::abs(signed_distance(a.planes[f], b.faces[g].points_m.front())) <= touch_m_;
     }
 
-    // 5. Where corners of flush solids meet, each seam may be shut and a hole yet be left between them (a windmill of four).
+    // 5. Where corners of flush solids meet, each seam may be shut and a hole yet be left between them (a windmill of
+    // four).
     bool close_holes(std::uint32_t i) {
         const ConvexSolid& s = shape(i);
         std::vector<SolidFace> here;
@@ -348,8 +376,8 @@ private:
         std::uint32_t solid, face;
     };
 
-    // Looks at places about a corner, in its plane: each that is on one of the solids as filed is on the flat of one as felt, unless it lies so near to an
-    // edge of the whole building that it may well be rounded off.
+    // Looks at places about a corner, in its plane: each that is on one of the solids as filed is on the flat of one as
+    // felt, unless it lies so near to an edge of the whole building that it may well be rounded off.
     bool leaves_hole(const Vec3& at, const Vec3& normal, double widest_m, const std::vector<SolidFace>& here) {
         constexpr int kWays = 12;
         const Vec3 u = any_perpendicular(normal), v = glm::cross(normal, u);
@@ -362,10 +390,13 @@ private:
                 const ConvexSolid& s = shape(one.solid);
                 const Vec3 inside = p - s.planes[one.face].normal * part.felt_radius_m();
                 for (std::uint32_t h = 0; h < s.planes.size(); ++h)
-                    if (signed_distance(s.planes[h], inside) > (h == one.face ? -part.felt_radius_m() : part.flat_beyond_m(h)) + touch_m_) return false;
+                    if (signed_distance(s.planes[h], inside) >
+                        (h == one.face ? -part.felt_radius_m() : part.flat_beyond_m(h)) + touch_m_)
+                        return false;
                 return true;
             };
-            if (std::any_of(here.begin(), here.end(), is_filed) && std::none_of(here.begin(), here.end(), is_flat) && ball_reaches(p, normal, 1.3 * widest_m))
+            if (std::any_of(here.begin(), here.end(), is_filed) && std::none_of(here.begin(), here.end(), is_flat) &&
+                ball_reaches(p, normal, 1.3 * widest_m))
                 return true;
         }
         return false;
@@ -379,7 +410,9 @@ private:
         for (int k = 0; k < kPlaces; ++k) {  // a spiral over the sphere
             const double z = 1.0 - 2.0 * (k + 0.5) / kPlaces, angle = 2.399963 * k, out = std::sqrt(1.0 - z * z);
             const Vec3 place = middle + Vec3(out * std::cos(angle), out * std::sin(angle), z) * (0.99 * radius_m);
-            if (std::none_of(around_.begin(), around_.end(), [&](std::uint32_t j) { return is_touchable(solid(j)) && contains(shape(j), place, touch_m_); }))
+            if (std::none_of(around_.begin(), around_.end(), [&](std::uint32_t j) {
+                    return is_touchable(solid(j)) && contains(shape(j), place, touch_m_);
+                }))
                 return false;
         }
         return true;
@@ -400,7 +433,8 @@ private:
             out[i].rounding_m = part.radius_m;
             for (std::size_t f = 0; f < part.out_m.size(); ++f) out[i].planes[f].offset_m += part.out_m[f];
             out[i].bounds_m = grown(out[i].bounds_m, *std::max_element(part.out_m.begin(), part.out_m.end()));
-            if (const ConvexSolid whole = built(out[i].planes, i); !whole.faces.empty()) out[i].bounds_m = whole.bounds_m;
+            if (const ConvexSolid whole = built(out[i].planes, i); !whole.faces.empty())
+                out[i].bounds_m = whole.bounds_m;
         }
         return out;
     }
@@ -410,10 +444,15 @@ private:
         FeatureId id = solid(i).feature;
         for (std::size_t f = 0; !id && f < solid(i).face_features.size(); ++f) id = solid(i).face_features[f];
         const std::string name = spoken_name(scene_, id);
-        if (!name.empty() && names.size() < RoundingReport::kMostNames && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+        if (!name.empty() && names.size() < RoundingReport::kMostNames &&
+            std::find(names.begin(), names.end(), name) == names.end())
+            names.push_back(name);
     }
 
+    bool stopped() const { return stop_.stop_requested(); }
+
     const Scene& scene_;
+    std::stop_token stop_;
     double radius_m_, touch_m_;
     std::vector<Part> parts_;
     std::vector<Seam> seams_;
@@ -430,9 +469,11 @@ RoundingReport& RoundingReport::operator+=(const RoundingReport& other) {
     less += other.less;
     too_thin += other.too_thin;
     at_seams += other.at_seams;
+    too_many = std::max(too_many, other.too_many);
     const auto join = [](std::vector<std::string>& names, const std::vector<std::string>& more) {
         for (const std::string& name : more)
-            if (names.size() < kMostNames && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+            if (names.size() < kMostNames && std::find(names.begin(), names.end(), name) == names.end())
+                names.push_back(name);
     };
     join(thin_names, other.thin_names);
     join(seam_names, other.seam_names);
@@ -445,19 +486,34 @@ std::vector<std::string> RoundingReport::sentences() const {
         if (count == 0) return;
         std::string listed;
         for (const std::string& name : names) listed += (listed.empty() ? "" : ", ") + name;
-        all.push_back(phrase(says, {{"n", count}, {"names", listed}, {"listed", names.empty() ? "none" : count > names.size() ? "some" : "all"}}));
+        all.push_back(phrase(says, {{"n", count},
+                                    {"names", listed},
+                                    {"listed", names.empty()          ? "none"
+                                               : count > names.size() ? "some"
+                                                                      : "all"}}));
     };
     if (rounded > 0) all.push_back(phrase("compile.rounded", {{"n", rounded}, {"radius", radius_m}, {"less", less}}));
+    if (too_many > 0) all.push_back(phrase("compile.too_many", {{"n", too_many}, {"most", kMostRounded}}));
     stay(too_thin, "compile.too_thin", thin_names);
     stay(at_seams, "compile.at_seams", seam_names);
     return all;
 }
 
 double edge_rounding_m(double rounding_hand_mm, double world_m_per_hand_m) {
+    contract_pre(rounding_hand_mm >= 0.0);
+    contract_pre(world_m_per_hand_m > 0.0);
     constexpr double kDetails = 30.0;
     return world_m_per_hand_m < kDetails ? 0.0 : rounding_hand_mm * 1e-3 * world_m_per_hand_m;
 }
 
-std::vector<RoundedSolid> round_edges(const Scene& scene, double radius_m, RoundingReport& report) { return Rounder(scene, radius_m).run(report); }
+std::vector<RoundedSolid> round_edges(const Scene& scene, double radius_m, RoundingReport& report,
+                                      const std::stop_token& stop) {
+    contract_pre(radius_m >= 0.0 && std::isfinite(radius_m));
+    if (scene.solids.size() > RoundingReport::kMostRounded) {
+        report.too_many = scene.solids.size();
+        return {};
+    }
+    return Rounder(scene, radius_m, stop).run(report);
+}
 
 }  // namespace handrail

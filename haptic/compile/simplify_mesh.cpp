@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/contract.h"
 #include "worlds/geometry/bvh.h"
 #include "worlds/geometry/closest_point.h"
 
@@ -49,7 +50,8 @@ SimplifiedMesh collapsed(const TriangleMesh& mesh, std::span<const std::uint32_t
         const auto face = three ? half.add_face(points[c[0]], points[c[1]], points[c[2]]) : HalfEdgeMesh::FaceHandle();
         if (face.is_valid()) half.data(face).surface = surfaces[t];
         for (const std::uint32_t corner : c) {
-            if (!face.is_valid() || (surface_of[corner] != 0xFFFFFFFFU && surface_of[corner] != surfaces[t])) locked[corner] = true;
+            if (!face.is_valid() || (surface_of[corner] != 0xFFFFFFFFU && surface_of[corner] != surfaces[t]))
+                locked[corner] = true;
             surface_of[corner] = surfaces[t];
         }
         if (face.is_valid()) continue;
@@ -87,6 +89,7 @@ SimplifiedMesh collapsed(const TriangleMesh& mesh, std::span<const std::uint32_t
 }  // namespace
 
 double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double spacing_m) {
+    contract_pre(spacing_m > 0.0);
     constexpr double kMostSteps = 2000.0;
     std::vector<TriangleShape> shapes;
     std::vector<Aabb> boxes;
@@ -104,7 +107,8 @@ double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double sp
         const int steps = static_cast<int>(std::clamp(std::ceil(longest / spacing_m), 1.0, kMostSteps));
         for (int i = 0; i <= steps; ++i)
             for (int k = 0; i + k <= steps; ++k) {
-                const Vec3 at = p + (q - p) * (static_cast<double>(i) / steps) + (r - p) * (static_cast<double>(k) / steps);
+                const Vec3 at =
+                    p + (q - p) * (static_cast<double>(i) / steps) + (r - p) * (static_cast<double>(k) / steps);
                 double nearest = closest_point(shapes[last], at).distance_m;
                 if (nearest <= farthest) continue;
                 bvh.within(at, nearest, [&](std::uint32_t item, double& reach) {
@@ -120,20 +124,25 @@ double measured_distance(const TriangleMesh& a, const TriangleMesh& b, double sp
 }
 
 SimplifiedMesh simplify_mesh(const TriangleMesh& mesh, std::span<const std::uint32_t> surfaces, double bound_m) {
+    contract_pre(surfaces.size() == mesh.triangles.size());
+    contract_pre(bound_m >= 0.0);
     SimplifiedMesh as_it_was{mesh, {surfaces.begin(), surfaces.end()}, 0.0, bound_m};
     if (mesh.triangles.empty()) return as_it_was;
     constexpr int kTries = 6;
     constexpr double kMostSamples = 2e6;
     double area = 0.0;
     for (const Corners& t : mesh.triangles)
-        area += 0.5 * glm::length(glm::cross(mesh.points_m[t[1]] - mesh.points_m[t[0]], mesh.points_m[t[2]] - mesh.points_m[t[0]]));
+        area += 0.5 * glm::length(glm::cross(mesh.points_m[t[1]] - mesh.points_m[t[0]],
+                                             mesh.points_m[t[2]] - mesh.points_m[t[0]]));
     const double spacing_m = std::max(bound_m, std::sqrt(area / kMostSamples));
     double allowed = bound_m;
-    for (int i = 0; i < kTries; ++i, allowed *= 0.75) {  // what is checked on the way are corners; faces lie up to a third farther off
+    for (int i = 0; i < kTries;
+         ++i, allowed *= 0.75) {  // what is checked on the way are corners; faces lie up to a third farther off
         SimplifiedMesh coarse = collapsed(mesh, surfaces, allowed);
         if (coarse.mesh.triangles.size() >= mesh.triangles.size() || coarse.mesh.triangles.empty()) return as_it_was;
         coarse.spacing_m = spacing_m;
-        coarse.measured_m = std::max(measured_distance(coarse.mesh, mesh, coarse.spacing_m), measured_distance(mesh, coarse.mesh, coarse.spacing_m));
+        coarse.measured_m = std::max(measured_distance(coarse.mesh, mesh, coarse.spacing_m),
+                                     measured_distance(mesh, coarse.mesh, coarse.spacing_m));
         if (coarse.measured_m <= bound_m) return coarse;
     }
     return as_it_was;

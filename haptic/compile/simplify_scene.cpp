@@ -7,20 +7,17 @@
 #include <map>
 #include <optional>
 #include <span>
-#include <type_traits>
-#include <variant>
 
-#include "worlds/base/contract.h"
+#include "haptic/compile/simplify_shapes.h"
 #include "worlds/geometry/box_index.h"
-#include "worlds/geometry/clip.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kDeepest_m = 1.5;      // a wall; what goes deeper into it is a corridor, and stays as it is
-constexpr double kFrame_m = 0.1;        // frames and skirtings beside a doorway, which are cut with the wall
-constexpr double kStrip_m = 0.15;       // before and behind the wall, beyond frames: where walls would be met that stand across
-constexpr double kStep_m = 0.3;         // what is lower is floor, and is neither cut nor in the way
+constexpr double kDeepest_m = 1.5;  // a wall; what goes deeper into it is a corridor, and stays as it is
+constexpr double kFrame_m = 0.1;    // frames and skirtings beside a doorway, which are cut with the wall
+constexpr double kStrip_m =
+    0.15;  // before and behind the wall, beyond frames: where walls would be met that stand across
 constexpr double kLeastLeaf_m = 1.0;    // high; lower ones are hatches and flaps
 constexpr double kBesideLeaf_m = 0.5;   // how far beyond a leaf of the same size the opening may still go on
 constexpr double kWidestChord_m = 6.0;  // across an opening without a door
@@ -30,83 +27,8 @@ constexpr double kHighest_m = 4.0;      // above the middle of an opening; a cei
 constexpr double kAtAThing_m = 0.25;    // of a mark or sound to the thing it belongs to
 constexpr double kOfTheWorld = 0.1;     // a thing of this share of the whole world is what the world is about
 constexpr double kLevel = 0.1;          // sine: of a face that counts as upright
-constexpr CutTolerance kTolerance{1e-7, 1e-6};
 
-using Range = std::array<double, 2>;
-constexpr Range kNone{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-
-void include(Range& range, double value) {
-    range[0] = std::min(range[0], value);
-    range[1] = std::max(range[1], value);
-}
-void include(Range& range, const Range& other) {
-    range[0] = std::min(range[0], other[0]);
-    range[1] = std::max(range[1], other[1]);
-}
-double length(const Range& range) { return range[1] - range[0]; }
-bool overlap(const Range& a, const Range& b) { return a[0] <= b[1] && b[0] <= a[1]; }
-
-Range along(const ConvexSolid& solid, const Vec3& way) {
-    Range range = kNone;
-    for (const Polygon& face : solid.faces)
-        for (const Vec3& p : face.points_m) include(range, glm::dot(way, p));
-    return range;
-}
-
-Vec3 left_of(const Vec3& way) { return {-way.y, way.x, 0.0}; }
-
-// Six planes round what lies in these ranges.
-std::vector<Plane> box_planes(const Vec3& way, const Range& s, const Range& t, const Range& z) {
-    const Vec3 left = left_of(way), up(0.0, 0.0, 1.0);
-    return {{way, s[1]}, {-way, -s[0]}, {up, z[1]}, {-up, -z[0]}, {left, t[1]}, {-left, -t[0]}};
-}
-
-Aabb box_around(const Vec3& way, const Range& s, const Range& t, const Range& z) {
-    Aabb box;
-    for (int corner = 0; corner < 8; ++corner)
-        box.include(way * s[corner & 1 ? 1 : 0] + left_of(way) * t[corner & 2 ? 1 : 0] + Vec3(0.0, 0.0, z[corner & 4 ? 1 : 0]));
-    return box;
-}
-
-BuiltSolid built(std::span<const Plane> planes, const Aabb& around) {
-    BuiltSolid made = solid_from_planes(planes, around.centre_m(), 2.0 * glm::length(around.size_m()) + 1.0, kTolerance);
-    if (made.was_inside_out) made.fault = SolidFault::Empty;
-    return made;
-}
-
-// What of a solid lies behind all these planes; no faces: nothing.
-ConvexSolid common(const ConvexSolid& solid, const std::vector<Plane>& planes) {
-    std::vector<Plane> all = solid.planes;
-    all.insert(all.end(), planes.begin(), planes.end());
-    BuiltSolid made = built(all, solid.bounds_m);
-    return made.fault == SolidFault::None ? std::move(made.solid) : ConvexSolid{};
-}
-
-bool is_kind(const Scene& scene, FeatureId id, FeatureKind kind) {
-    const Feature* feature = scene.find(id);
-    return feature && feature->kind == kind;
-}
-
-bool is_leaf(const Scene& scene, const Solid& solid) { return is_kind(scene, solid.feature, FeatureKind::Door); }
-
-// Stands in the building; the rest is the building. Pieces of a wall that stand alone between two doorways count as things elsewhere, with a made name.
-bool is_thing(const Scene& scene, FeatureId id) {
-    const Feature* feature = scene.find(id);
-    return feature && feature->kind == FeatureKind::Object && !feature->made_name;
-}
-
-// Part of the building, of which a piece can be taken away.
-bool is_wall(const Scene& scene, const Solid& solid) {
-    return solid.role == SolidRole::Solid && !solid.soft && std::holds_alternative<std::monostate>(solid.round) && !is_leaf(scene, solid) &&
-           !is_thing(scene, solid.feature);
-}
-
-// Stands and stops the hand, other than a door's leaf.
-bool is_standing(const Scene& scene, const Solid& solid) {
-    return (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && !is_leaf(scene, solid);
-}
-
-Vec3 pointing_east(const Vec3& way) { return way.x < 0.0 || (way.x == 0.0 && way.y < 0.0) ? -way : way; }
+using namespace doorway;
 
 // Upright faces of one leaf, in the doorway.
 struct Leaf {
@@ -139,19 +61,33 @@ struct Leaf {
 
 class Planner {
 public:
-    Planner(const Scene& scene, const SimplifyOptions& options)
-        : scene_(scene), options_(options), gap_m_(kLeastGap_hand_m * options.world_m_per_hand_m), thing_m_(kLeastThing_hand_m * options.world_m_per_hand_m) {}
+    Planner(const Scene& scene, const SimplifyOptions& options, const std::stop_token& stop,
+            const std::function<void()>& looks)
+        : scene_(scene),
+          options_(options),
+          stop_(stop),
+          looks_(looks),
+          gap_m_(kLeastGap_hand_m * options.world_m_per_hand_m),
+          thing_m_(kLeastThing_hand_m * options.world_m_per_hand_m) {}
 
     Simplification run() {
         find_doors();
-        for (std::size_t i = 0; i < options_.openings_m.size(); ++i) find_opening(static_cast<int>(i));
+        for (std::size_t i = 0; i < options_.openings_m.size() && goes_on(); ++i) find_opening(static_cast<int>(i));
         share_walls();
         leave_out();
+        if (stop_.stop_requested()) return {};
         std::erase_if(plan_.openings, [](const NarrowOpening& o) { return !o.widened() && !o.stays_narrow(); });
         return std::move(plan_);
     }
 
 private:
+    // Before each piece of work.
+    bool goes_on() {
+        if (stop_.stop_requested()) return false;
+        if (looks_) looks_();
+        return true;
+    }
+
     struct Hit {
         double way_m;
         std::uint32_t solid;
@@ -211,21 +147,33 @@ private:
         const auto add_solid = [](Leaf& leaf, const Solid& solid, const Vec3& shift_m) {
             for (const Polygon& face : solid.shape.faces) leaf.add(face.points_m, shift_m);
         };
-        const auto add_triangle = [](Leaf& leaf, const MeshTriangle& t, const Vec3& shift_m) { leaf.add(std::array{t.a_m, t.b_m, t.c_m}, shift_m); };
-        for (const Solid& solid : scene_.solids)
-            if ((solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && is_leaf(scene_, solid)) add_solid(*leaf_of(solid.feature), solid, Vec3(0.0));
-        for (const MeshTriangle& t : scene_.triangles)
+        const auto add_triangle = [](Leaf& leaf, const MeshTriangle& t, const Vec3& shift_m) {
+            leaf.add(std::array{t.a_m, t.b_m, t.c_m}, shift_m);
+        };
+        for (const Solid& solid : scene_.solids) {
+            if (!goes_on()) return;
+            if ((solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && is_leaf(scene_, solid))
+                add_solid(*leaf_of(solid.feature), solid, Vec3(0.0));
+        }
+        for (const MeshTriangle& t : scene_.triangles) {
+            if (!goes_on()) return;
             if (is_kind(scene_, t.feature, FeatureKind::Door)) add_triangle(*leaf_of(t.feature), t, Vec3(0.0));
+        }
         for (const PlacedModel& placed : scene_.placed) {
+            if (!goes_on()) return;
             if (!is_kind(scene_, placed.feature, FeatureKind::Door)) continue;
-            const auto mover = std::find_if(scene_.movers.begin(), scene_.movers.end(), [&](const Mover& m) { return m.feature == placed.feature; });
+            const auto mover = std::find_if(scene_.movers.begin(), scene_.movers.end(),
+                                            [&](const Mover& m) { return m.feature == placed.feature; });
             if (mover == scene_.movers.end()) continue;
             // In the doorway, wherever it is now.
             Leaf& leaf = *leaf_of(placed.feature);
             for (const Solid& solid : placed.model->solids) add_solid(leaf, solid, mover->pivot_m);
             for (const MeshTriangle& t : placed.model->triangles) add_triangle(leaf, t, mover->pivot_m);
         }
-        for (const auto& [id, leaf] : leaves) find_doorway(leaf);
+        for (const auto& [id, leaf] : leaves) {
+            if (!goes_on()) return;
+            find_doorway(leaf);
+        }
     }
 
     void find_doorway(const Leaf& leaf) {
@@ -240,7 +188,8 @@ private:
         opening.high_m = s[1];
         std::array<Vec3, 3> places;
         for (std::size_t i = 0; i < places.size(); ++i)
-            places[i] = opening.along * middle_s + opening.left() * middle_t + Vec3(0.0, 0.0, z[0] + length(z) * (0.2 + 0.3 * static_cast<double>(i)));
+            places[i] = opening.along * middle_s + opening.left() * middle_t +
+                        Vec3(0.0, 0.0, z[0] + length(z) * (0.2 + 0.3 * static_cast<double>(i)));
         const double reach_m = 1.5 * length(s) + kBesideLeaf_m;
         Sides sides = look_aside(opening.along, places, reach_m);
         // A leaf that is sunk into its frame tells the width itself.
@@ -270,12 +219,14 @@ private:
     };
     Sides look_aside(const Vec3& way, std::span<const Vec3> places, double reach_m) {
         Sides sides;
-        const auto look = [&](const Vec3& from, const Vec3& to, std::optional<double>& nearest, std::vector<std::uint32_t>& solids) {
+        const auto look = [&](const Vec3& from, const Vec3& to, std::optional<double>& nearest,
+                              std::vector<std::uint32_t>& solids) {
             const Probe seen = probe(from, to, reach_m);
             sides.inside = sides.inside || seen.from_inside;
             if (!seen.hit) return;
             nearest = std::min(nearest.value_or(seen.hit->way_m), seen.hit->way_m);
-            if (std::find(solids.begin(), solids.end(), seen.hit->solid) == solids.end()) solids.push_back(seen.hit->solid);
+            if (std::find(solids.begin(), solids.end(), seen.hit->solid) == solids.end())
+                solids.push_back(seen.hit->solid);
         };
         for (const Vec3& place : places) {
             look(place, -way, sides.low, sides.low_solids);
@@ -286,14 +237,17 @@ private:
 
     // ---- openings without a door ----
 
-    static std::array<Vec3, 3> heights(const Vec3& soles) { return {soles + Vec3(0, 0, 0.4), soles + Vec3(0, 0, 0.9), soles + Vec3(0, 0, 1.5)}; }
+    static std::array<Vec3, 3> heights(const Vec3& soles) {
+        return {soles + Vec3(0, 0, 0.4), soles + Vec3(0, 0, 0.9), soles + Vec3(0, 0, 1.5)};
+    }
 
     void find_opening(int number) {
-        // Rooms meet before or behind the wall as often as in it. The shortest line across that walls bound on both sides, then square to the wall it meets.
+        // Rooms meet before or behind the wall as often as in it. The shortest line across that walls bound on both
+        // sides, then square to the wall it meets.
         const Vec3 told = options_.openings_m[static_cast<std::size_t>(number)];
         Vec3 soles = told, way(0.0);
         double shortest_m = kWidestChord_m;
-        for (int at = 0; at <= 8 * kPlacesBeside; ++at) {
+        for (int at = 0; at <= 8 * kPlacesBeside && !stop_.stop_requested(); ++at) {
             const double aside_m = kBeside_m * ((at + 7) / 8);
             const Vec3 place = told + forward_of_heading(radians_from_degrees(45.0 * at)) * aside_m;
             const int step_deg = at == 0 ? 5 : 15;
@@ -312,7 +266,8 @@ private:
             if (const Probe seen = probe(place, way, kWidestChord_m); seen.hit) {
                 const double level = std::hypot(seen.hit->normal.x, seen.hit->normal.y);
                 if (level < 1.0 - kLevel || std::abs(glm::dot(seen.hit->normal, way)) < 0.7) continue;
-                way = level == 1.0 ? seen.hit->normal : Vec3(seen.hit->normal.x / level, seen.hit->normal.y / level, 0.0);
+                way =
+                    level == 1.0 ? seen.hit->normal : Vec3(seen.hit->normal.x / level, seen.hit->normal.y / level, 0.0);
                 break;
             }
         NarrowOpening opening;
@@ -327,7 +282,8 @@ private:
         const Range t{middle_t, middle_t}, z{soles.z, soles.z + 1.9};
         for (const NarrowOpening& known : plan_.openings)
             if (known.along == opening.along && overlap({known.low_m, known.high_m}, {opening.low_m, opening.high_m}) &&
-                overlap({known.front_m - kFrame_m, known.back_m + kFrame_m}, t) && overlap({known.floor_m, known.top_m}, z))
+                overlap({known.front_m - kFrame_m, known.back_m + kFrame_m}, t) &&
+                overlap({known.floor_m, known.top_m}, z))
                 return;
         widen(opening, places, t, z, sides);
     }
@@ -335,7 +291,8 @@ private:
     // ---- widening ----
 
     // places: across which it was looked to both sides; t, z: where the leaf is, or the place on the floor.
-    void widen(NarrowOpening opening, std::span<const Vec3> places, const Range& t, const Range& z, const Sides& sides) {
+    void widen(NarrowOpening opening, std::span<const Vec3> places, const Range& t, const Range& z,
+               const Sides& sides) {
         opening.wanted_m = gap_m_;
         const Vec3 middle = places[places.size() / 2];
         const Probe below = probe(middle, {0, 0, -1}, kHighest_m), above = probe(middle, {0, 0, 1}, kHighest_m);
@@ -347,14 +304,16 @@ private:
         double low_room_m = gap_m_, high_room_m = gap_m_;
         for (const bool high : {false, true}) {
             const std::vector<std::uint32_t>& solids = high ? sides.high_solids : sides.low_solids;
-            const Range beside = high ? Range{opening.high_m, opening.high_m + 0.2} : Range{opening.low_m - 0.2, opening.low_m};
+            const Range beside =
+                high ? Range{opening.high_m, opening.high_m + 0.2} : Range{opening.low_m - 0.2, opening.low_m};
             Range depth = kNone;
             for (const std::uint32_t i : solids) include(depth, depth_of(i, opening, beside, z));
             if (depth[0] <= depth[1]) depth = with_layers(opening, high, beside, depth, z);
             if (length(depth) > kDeepest_m) (high ? high_room_m : low_room_m) = 0.0;
             else include(wall, depth);
             if (!above.hit)
-                for (const std::uint32_t i : solids) opening.top_m = std::max(opening.top_m, scene_.solids[i].shape.bounds_m.max_m.z);
+                for (const std::uint32_t i : solids)
+                    opening.top_m = std::max(opening.top_m, scene_.solids[i].shape.bounds_m.max_m.z);
         }
         opening.felt_low_m = opening.low_m;
         opening.felt_high_m = opening.high_m;
@@ -362,7 +321,8 @@ private:
         opening.back_m = t[1];
         if (opening.top_m < z[1]) opening.top_m = z[1];
         if (wall[0] > wall[1]) {
-            // No wall on either side: it is no doorway. Walls all along: a corridor, which is told of when it had a door.
+            // No wall on either side: it is no doorway. Walls all along: a corridor, which is told of when it had a
+            // door.
             const bool corridor = low_room_m == 0.0 || high_room_m == 0.0;
             if (corridor && !opening.doors.empty()) plan_.openings.push_back(std::move(opening));
             return;
@@ -378,8 +338,9 @@ private:
     // How deep a solid is beside the opening.
     Range depth_of(std::uint32_t solid, const NarrowOpening& opening, const Range& beside, const Range& z) {
         const Vec3 up(0.0, 0.0, 1.0);
-        const ConvexSolid part = common(scene_.solids[solid].shape,
-                                        {{opening.along, beside[1]}, {-opening.along, -beside[0]}, {up, z[1]}, {-up, -(z[0] + kStep_m)}});
+        const ConvexSolid part =
+            common(scene_.solids[solid].shape,
+                   {{opening.along, beside[1]}, {-opening.along, -beside[0]}, {up, z[1]}, {-up, -(z[0] + kStep_m)}});
         return part.faces.empty() ? kNone : along(part, opening.left());
     }
 
@@ -404,8 +365,8 @@ private:
         return depth;
     }
 
-    // How far the opening may go on to one side: not past a wall that stands across it on either side, beyond which there may be another room, and not into
-    // what cannot be cut.
+    // How far the opening may go on to one side: not past a wall that stands across it on either side, beyond which
+    // there may be another room, and not into what cannot be cut.
     double room_m(const NarrowOpening& opening, bool high, const Range& wall) {
         const double edge_m = high ? opening.high_m : opening.low_m;
         const Range s = high ? Range{edge_m, edge_m + gap_m_} : Range{edge_m - gap_m_, edge_m};
@@ -422,9 +383,12 @@ private:
                 room = std::min(room, std::max(0.0, high ? met[0] - edge_m : edge_m - met[1]));
             }
         };
-        const auto stands_across = [&](const Solid& solid) { return is_standing(scene_, solid) && !is_thing(scene_, solid.feature); };
+        const auto stands_across = [&](const Solid& solid) {
+            return is_standing(scene_, solid) && !is_thing(scene_, solid.feature);
+        };
         const auto not_to_be_cut = [&](const Solid& solid) {
-            return (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && !is_wall(scene_, solid) && !is_door_of(opening, solid);
+            return (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover) && !is_wall(scene_, solid) &&
+                   !is_door_of(opening, solid);
         };
         look({wall[0] - kFrame_m - kStrip_m, wall[0] - kFrame_m}, stands_across);
         look({wall[1] + kFrame_m, wall[1] + kFrame_m + kStrip_m}, stands_across);
@@ -437,22 +401,27 @@ private:
         return std::find(opening.doors.begin(), opening.doors.end(), solid.feature) != opening.doors.end();
     }
 
-    // Between two openings in one wall a piece of it stays that can be felt. Then each grows to both sides alike, or more to the one that has room.
+    // Between two openings in one wall a piece of it stays that can be felt. Then each grows to both sides alike, or
+    // more to the one that has room.
     void share_walls() {
-        for (Room& of_a : rooms_)
+        for (Room& of_a : rooms_) {
+            if (!goes_on()) return;
             for (Room& of_b : rooms_) {
                 const NarrowOpening &a = plan_.openings[of_a.opening], &b = plan_.openings[of_b.opening];
-                if (&a == &b || glm::dot(a.along, b.along) < 1.0 - 1e-9 || a.high_m > b.low_m || !overlap({a.front_m, a.back_m}, {b.front_m, b.back_m}) ||
+                if (&a == &b || glm::dot(a.along, b.along) < 1.0 - 1e-9 || a.high_m > b.low_m ||
+                    !overlap({a.front_m, a.back_m}, {b.front_m, b.back_m}) ||
                     !overlap({a.floor_m, a.top_m}, {b.floor_m, b.top_m}))
                     continue;
                 const double each_m = std::max(0.0, 0.5 * (b.low_m - a.high_m - thing_m_));
                 of_a.high_m = std::min(of_a.high_m, each_m);
                 of_b.low_m = std::min(of_b.low_m, each_m);
             }
+        }
         for (const Room& room : rooms_) {
             NarrowOpening& opening = plan_.openings[room.opening];
             const double more_m = gap_m_ - opening.width_m();
-            const double high = std::min(std::max(0.5 * more_m, more_m - room.low_m), room.high_m), low = std::min(more_m - high, room.low_m);
+            const double high = std::min(std::max(0.5 * more_m, more_m - room.low_m), room.high_m),
+                         low = std::min(more_m - high, room.low_m);
             opening.felt_low_m -= low;
             opening.felt_high_m += high;
         }
@@ -463,13 +432,17 @@ private:
     void leave_out() {
         Aabb world = scene_.bounds_m;
         for (const PlacedModel& placed : scene_.placed)
-            if (const Feature* feature = scene_.find(placed.feature); feature && !feature->bounds_m.empty()) world.include(feature->bounds_m);
+            if (const Feature* feature = scene_.find(placed.feature); feature && !feature->bounds_m.empty())
+                world.include(feature->bounds_m);
         const double widest_m = world.empty() ? 0.0 : std::max(world.size_m().x, world.size_m().y);
         std::vector<bool> small(scene_.features.size(), false);
         bool any = false;
         for (std::size_t i = 0; i < small.size(); ++i) {
+            if (!goes_on()) return;
             const Feature& feature = scene_.features[i];
-            if (feature.kind != FeatureKind::Object || feature.landmark || feature.clue || feature.base || feature.bounds_m.empty()) continue;
+            if (feature.kind != FeatureKind::Object || feature.landmark || feature.clue || feature.base ||
+                feature.bounds_m.empty())
+                continue;
             const Vec3 size = feature.bounds_m.size_m();
             const double wide_m = std::max(size.x, size.y);
             small[i] = wide_m < thing_m_ && wide_m < kOfTheWorld * widest_m;
@@ -484,9 +457,13 @@ private:
         for (const MeshTriangle& t : scene_.triangles) keep(t.feature);  // pieces of one surface, as often as not
         std::vector<Vec3> wanted = options_.kept_m;
         for (const SoundSource& sound : scene_.sounds) wanted.push_back(sound.position_m);
-        for (std::size_t i = 0; i < small.size(); ++i)
-            if (small[i] && std::any_of(wanted.begin(), wanted.end(), [&](const Vec3& p) { return distance_to(scene_.features[i].bounds_m, p) <= kAtAThing_m; }))
+        for (std::size_t i = 0; i < small.size(); ++i) {
+            if (!goes_on()) return;
+            if (small[i] && std::any_of(wanted.begin(), wanted.end(), [&](const Vec3& p) {
+                    return distance_to(scene_.features[i].bounds_m, p) <= kAtAThing_m;
+                }))
                 small[i] = false;
+        }
         std::vector<bool> stands(small.size(), false);
         for (const Solid& solid : scene_.solids)
             if (solid.feature.value < small.size()) {
@@ -495,11 +472,14 @@ private:
             }
         for (const PlacedModel& placed : scene_.placed)
             if (placed.feature.value < small.size()) stands[placed.feature.value] = true;
-        for (std::uint32_t i = 0; i < small.size(); ++i)
+        for (std::uint32_t i = 0; i < small.size(); ++i) {
+            if (!goes_on()) return;
             if (small[i] && stands[i] && !closes_a_gap(FeatureId{i})) plan_.left_out.push_back(FeatureId{i});
+        }
     }
 
-    // Without it the wall would have a hole: walls on two sides that face each other, as a window has; or what is a piece of the wall itself.
+    // Without it the wall would have a hole: walls on two sides that face each other, as a window has; or what is a
+    // piece of the wall itself.
     bool closes_a_gap(FeatureId id) {
         constexpr double kTouch_m = 0.02;
         const Feature& thing = scene_.features[id.value];
@@ -510,7 +490,8 @@ private:
             const Solid& solid = scene_.solids[i];
             const Aabb& wall = solid.shape.bounds_m;
             if (solid.feature == id || !is_wall(scene_, solid)) continue;
-            if (std::min(wall.max_m.z, box.max_m.z) - std::max(wall.min_m.z, box.min_m.z) < kFrame_m) continue;  // the floor, the ceiling
+            if (std::min(wall.max_m.z, box.max_m.z) - std::max(wall.min_m.z, box.min_m.z) < kFrame_m)
+                continue;  // the floor, the ceiling
             const Vec3 middle = box.centre_m();
             Vec3 way = glm::clamp(middle, wall.min_m, wall.max_m) - middle;
             way.z = 0.0;
@@ -523,10 +504,14 @@ private:
         return false;
     }
 
-    static double distance_to(const Aabb& box, const Vec3& p) { return glm::length(glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0))); }
+    static double distance_to(const Aabb& box, const Vec3& p) {
+        return glm::length(glm::max(glm::max(box.min_m - p, p - box.max_m), Vec3(0.0)));
+    }
 
     const Scene& scene_;
     const SimplifyOptions& options_;
+    const std::stop_token& stop_;
+    const std::function<void()>& looks_;
     double gap_m_, thing_m_;
     struct Room {
         std::size_t opening;
@@ -538,228 +523,12 @@ private:
     std::vector<std::uint32_t> found_;
 };
 
-// ---- the scene ----
-
-// Where two pieces of one solid meet, or a face is cut, the new face is called and feels as the one of the solid that looks most that way.
-std::size_t face_towards(const ConvexSolid& solid, const Vec3& way) {
-    std::size_t best = 0;
-    for (std::size_t f = 1; f < solid.planes.size(); ++f)
-        if (glm::dot(solid.planes[f].normal, way) > glm::dot(solid.planes[best].normal, way) + 1e-12) best = f;
-    return best;
-}
-
-struct PlaneFrom {
-    Plane plane;
-    int face = -1;  // of the solid; -1: cut
-    bool covered = false;
-};
-
-// The part of a solid behind the planes; nothing where that is empty.
-std::optional<Solid> piece_of(const Solid& solid, const std::vector<PlaneFrom>& from) {
-    std::vector<Plane> planes;
-    for (const PlaneFrom& one : from) planes.push_back(one.plane);
-    BuiltSolid made = built(planes, solid.shape.bounds_m);
-    if (made.fault != SolidFault::None) return std::nullopt;
-    Solid piece;
-    piece.role = solid.role;
-    piece.feature = solid.feature;
-    piece.source = solid.source;
-    piece.shape = std::move(made.solid);
-    for (const std::uint32_t i : made.plane_index) {
-        const std::size_t label = from[i].face >= 0 ? static_cast<std::size_t>(from[i].face) : face_towards(solid.shape, from[i].plane.normal);
-        piece.face_features.push_back(solid.face_features[label]);
-        piece.face_materials.push_back(solid.face_materials[label]);
-        piece.face_hidden.push_back(from[i].face >= 0 ? solid.face_hidden[label] : from[i].covered);
-    }
-    return piece;
-}
-
-// What is left of a solid without what lies behind all of `box`; itself where that is nothing of it.
-std::vector<Solid> without(const Solid& solid, const std::vector<Plane>& box) {
-    std::vector<PlaneFrom> rest;
-    for (std::size_t f = 0; f < solid.shape.planes.size(); ++f) rest.push_back({solid.shape.planes[f], static_cast<int>(f), false});
-    std::vector<Solid> pieces;
-    for (const Plane& plane : box) {
-        std::vector<PlaneFrom> outside = rest;
-        outside.push_back({{-plane.normal, -plane.offset_m}, -1, false});
-        if (std::optional<Solid> piece = piece_of(solid, outside)) {
-            pieces.push_back(std::move(*piece));
-            rest.push_back({plane, -1, true});  // what is cut off next meets this piece there
-        }
-        if (!piece_of(solid, rest)) return pieces;
-    }
-    return pieces;
-}
-
-template <class Shape>
-Vec3* centre_of_round(Shape& shape) {
-    if constexpr (std::is_same_v<Shape, SphereShape>) return &shape.centre_m;
-    else if constexpr (std::is_same_v<Shape, CapsuleShape>) return &shape.start_m;
-    else if constexpr (std::is_same_v<Shape, CylinderShape>) return &shape.bottom_m;
-    else if constexpr (std::is_same_v<Shape, ConeShape>) return &shape.base_m;
-    else return nullptr;
-}
-
-// Drawn out along `way` by `times`, after which its zero is `plus` along it. Round parts go along and keep their shape.
-void draw_out(Solid& solid, const Vec3& way, double times, double plus_m) {
-    const auto moved = [&](const Vec3& p) { return p + way * ((times - 1.0) * glm::dot(way, p) + plus_m); };
-    if (!std::holds_alternative<std::monostate>(solid.round)) {
-        const Vec3 by = moved(solid.shape.bounds_m.centre_m()) - solid.shape.bounds_m.centre_m();
-        for (Plane& plane : solid.shape.planes) plane.offset_m += glm::dot(plane.normal, by);
-        for (Polygon& face : solid.shape.faces)
-            for (Vec3& p : face.points_m) p += by;
-        std::visit(
-            [&](auto& round) {
-                if (Vec3* centre = centre_of_round(round)) *centre += by;
-            },
-            solid.round);
-        solid.shape.bounds_m = {solid.shape.bounds_m.min_m + by, solid.shape.bounds_m.max_m + by};
-        return;
-    }
-    solid.shape.bounds_m = {};
-    for (std::size_t f = 0; f < solid.shape.planes.size(); ++f) {
-        for (Vec3& p : solid.shape.faces[f].points_m) {
-            p = moved(p);
-            solid.shape.bounds_m.include(p);
-        }
-        Plane& plane = solid.shape.planes[f];
-        const double lean = glm::dot(plane.normal, way);
-        if (std::abs(lean) > 1e-12 && std::abs(lean) < 1.0 - 1e-12) plane.normal = glm::normalize(plane.normal + way * ((1.0 / times - 1.0) * lean));
-        plane.offset_m = glm::dot(plane.normal, solid.shape.faces[f].points_m.front());
-    }
-}
-
-void draw_out(MeshTriangle& t, const Vec3& way, double times, double plus_m) {
-    for (Vec3* p : {&t.a_m, &t.b_m, &t.c_m}) *p += way * ((times - 1.0) * glm::dot(way, *p) + plus_m);
-}
-
-// Faces that only what was taken away covered can be touched.
-void uncover(Solid& solid, const std::vector<Plane>& gone) {
-    std::vector<Vec3> rest, scratch;
-    for (std::size_t f = 0; f < solid.face_hidden.size(); ++f) {
-        if (!solid.face_hidden[f]) continue;
-        rest = solid.shape.faces[f].points_m;
-        for (const Plane& plane : gone) {
-            if (rest.size() < 3) break;
-            keep_back(rest, {plane.normal, plane.offset_m + 1e-5}, kTolerance.cut_m, scratch);
-        }
-        tidy(rest, 1e-3);
-        if (rest.size() >= 3) solid.face_hidden[f] = false;
-    }
-}
-
 }  // namespace
 
-std::vector<Plane> NarrowOpening::cut() const { return box_planes(along, {felt_low_m, felt_high_m}, {front_m, back_m}, {floor_m, top_m}); }
-
-Vec3 NarrowOpening::drawn_apart(const Vec3& p) const {
-    const double s = glm::dot(along, p);
-    return p + along * (felt_low_m + (s - low_m) * times() - s);
-}
-
-bool Simplification::changes_nothing() const { return left_out.empty() && widened() == 0; }
-
-std::size_t Simplification::widened() const {
-    return static_cast<std::size_t>(std::count_if(openings.begin(), openings.end(), [](const NarrowOpening& o) { return o.widened(); }));
-}
-
-std::size_t Simplification::staying_narrow() const {
-    return static_cast<std::size_t>(std::count_if(openings.begin(), openings.end(), [](const NarrowOpening& o) { return o.stays_narrow(); }));
-}
-
-const NarrowOpening* Simplification::of_door(FeatureId door) const {
-    for (const NarrowOpening& opening : openings)
-        if (opening.widened() && std::find(opening.doors.begin(), opening.doors.end(), door) != opening.doors.end()) return &opening;
-    return nullptr;
-}
-
-Simplification plan_simplification(const Scene& scene, const SimplifyOptions& options) {
+Simplification plan_simplification(const Scene& scene, const SimplifyOptions& options, const std::stop_token& stop,
+                                   const std::function<void()>& looks) {
     if (!(options.world_m_per_hand_m > 0.0) || !std::isfinite(options.world_m_per_hand_m)) return {};
-    return Planner(scene, options).run();
-}
-
-Placement felt_placement(const Simplification& plan, FeatureId thing, const Placement& at) {
-    Placement felt = at;
-    if (const NarrowOpening* opening = plan.of_door(thing)) felt.position_m = opening->drawn_apart(at.position_m);
-    return felt;
-}
-
-Scene simplified(const Scene& scene, const Simplification& plan) {
-    contract_pre(!plan.changes_nothing());
-    Scene felt;
-    felt.name = scene.name;
-    felt.metres_per_unit = scene.metres_per_unit;
-    felt.bounds_m = scene.bounds_m;
-    felt.materials = scene.materials;
-    felt.features = scene.features;
-    felt.effects = scene.effects;
-    felt.movers = scene.movers;
-    const auto is_out = [&](FeatureId id) { return std::binary_search(plan.left_out.begin(), plan.left_out.end(), id, [](FeatureId a, FeatureId b) { return a.value < b.value; }); };
-
-    struct Gone {
-        std::vector<Plane> planes;
-        Aabb box;
-    };
-    std::vector<Gone> gone;
-    std::vector<std::pair<std::vector<Plane>, Aabb>> cuts;
-    for (const NarrowOpening& opening : plan.openings)
-        if (opening.widened()) {
-            cuts.emplace_back(opening.cut(), box_around(opening.along, {opening.felt_low_m, opening.felt_high_m}, {opening.front_m, opening.back_m},
-                                                        {opening.floor_m, opening.top_m}));
-            gone.push_back({cuts.back().first, cuts.back().second});
-        }
-
-    for (const Solid& solid : scene.solids) {
-        if (is_out(solid.feature)) {
-            gone.push_back({solid.shape.planes, solid.shape.bounds_m});
-            continue;
-        }
-        if (const NarrowOpening* opening = plan.of_door(solid.feature)) {
-            felt.solids.push_back(solid);
-            draw_out(felt.solids.back(), opening->along, opening->times(), opening->felt_low_m - opening->low_m * opening->times());
-            continue;
-        }
-        std::vector<Solid> pieces{solid};
-        if (is_wall(scene, solid))
-            for (std::size_t c = 0; c < cuts.size(); ++c) {
-                const double floor_m = -cuts[c].first[3].offset_m;
-                if (!overlap(cuts[c].second, solid.shape.bounds_m) || solid.shape.bounds_m.max_m.z < floor_m + kStep_m) continue;
-                std::vector<Solid> next;
-                for (const Solid& piece : pieces) {
-                    if (common(piece.shape, cuts[c].first).faces.empty()) next.push_back(piece);
-                    else
-                        for (Solid& part : without(piece, cuts[c].first)) next.push_back(std::move(part));
-                }
-                pieces = std::move(next);
-            }
-        for (Solid& piece : pieces) felt.solids.push_back(std::move(piece));
-    }
-    for (Solid& solid : felt.solids)
-        for (const Gone& one : gone)
-            if (overlap(grown(one.box, 1e-4), solid.shape.bounds_m)) uncover(solid, one.planes);
-
-    felt.triangles = scene.triangles;
-    for (MeshTriangle& t : felt.triangles)
-        if (const NarrowOpening* opening = plan.of_door(t.feature))
-            draw_out(t, opening->along, opening->times(), opening->felt_low_m - opening->low_m * opening->times());
-
-    felt.placed = scene.placed;
-    for (PlacedModel& placed : felt.placed) {
-        const NarrowOpening* opening = plan.of_door(placed.feature);
-        if (is_out(placed.feature)) {
-            // Its number stays: the app moves things by it.
-            auto nothing = std::make_shared<Scene>();
-            nothing->materials = placed.model->materials;
-            placed.model = std::move(nothing);
-        } else if (opening) {
-            auto model = std::make_shared<Scene>(*placed.model);
-            for (Solid& solid : model->solids) draw_out(solid, opening->along, opening->times(), 0.0);
-            for (MeshTriangle& t : model->triangles) draw_out(t, opening->along, opening->times(), 0.0);
-            placed.model = std::move(model);
-            placed.at = felt_placement(plan, placed.feature, placed.at);
-        }
-    }
-    return felt;
+    return Planner(scene, options, stop, looks).run();
 }
 
 }  // namespace handrail

@@ -9,11 +9,11 @@ namespace handrail {
 namespace {
 
 // In the order of ObstacleKind.
-constexpr std::array<std::string_view, kObstacleKinds> kKinds{"triangles", "polygons",           "boxes", "brushes", "spheres", "capsules", "cylinders",
-                                                              "cones",     "shapes_of_their_own"};
+constexpr std::array<std::string_view, kObstacleKinds> kKinds{
+    "triangles", "polygons", "boxes", "brushes", "spheres", "capsules", "cylinders", "cones", "shapes_of_their_own"};
 // In the order of EffectLaw's alternatives.
-constexpr std::array<std::string_view, std::variant_size_v<EffectLaw>> kLaws{"magnets", "detents",       "buttons",    "fly_papers",
-                                                                             "masses",  "steady_forces", "vibrations", "custom_effects"};
+constexpr std::array<std::string_view, std::variant_size_v<EffectLaw>> kLaws{
+    "magnets", "detents", "buttons", "fly_papers", "masses", "steady_forces", "vibrations", "custom_effects"};
 
 }  // namespace
 
@@ -23,8 +23,12 @@ TouchModel touch_model(const HapticScene& scene) {
         model.parts.push_back({key, n});
         return n > 0;
     };
-    const auto stage = [&](std::string_view name, bool on) { (on ? model.stages_on : model.stages_off).push_back(name); };
-    const auto count_if = [](const auto& all, auto&& chosen) { return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), chosen)); };
+    const auto stage = [&](std::string_view name, bool on) {
+        (on ? model.stages_on : model.stages_off).push_back(name);
+    };
+    const auto count_if = [](const auto& all, auto&& chosen) {
+        return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), chosen));
+    };
 
     std::array<std::size_t, kObstacleKinds> obstacles = scene.obstacle_counts();
     bool one_sided = scene.one_sided_sheets;
@@ -36,6 +40,10 @@ TouchModel touch_model(const HapticScene& scene) {
     for (std::size_t kind = 0; kind < kObstacleKinds; ++kind) count(kKinds[kind], obstacles[kind]);
     stage("sheets of one side", one_sided);
     stage("bodies", count("bodies", scene.bodies.size()));
+
+    std::size_t soft_sides = scene.soft_patches.size();
+    for (const HapticBody& body : scene.bodies) soft_sides += body.shape->soft_patches.size();
+    count("soft_sides", soft_sides);
 
     const auto drags = [](const LiquidVolume& l) { return l.viscosity_ns_per_m > 0.0; };
     count("liquids", scene.liquids.size());
@@ -51,8 +59,10 @@ TouchModel touch_model(const HapticScene& scene) {
     stage("textures and shading", scene.fields);
 
     count("touch_materials", scene.materials.size());
-    count("materials_with_stiffness", count_if(scene.materials, [](const HapticMaterial& m) { return m.stiffness_fraction >= 0.0; }));
-    count("materials_with_friction", count_if(scene.materials, [](const HapticMaterial& m) { return m.friction_kinetic >= 0.0; }));
+    count("materials_with_stiffness",
+          count_if(scene.materials, [](const HapticMaterial& m) { return m.stiffness_fraction >= 0.0; }));
+    count("materials_with_friction",
+          count_if(scene.materials, [](const HapticMaterial& m) { return m.friction_kinetic >= 0.0; }));
     const auto is_rounded = [](const Obstacle& o) { return o.rounding != 0; };
     std::size_t rounded = count_if(scene.obstacles, is_rounded);
     for (const HapticBody& body : scene.bodies) rounded += count_if(body.shape->obstacles, is_rounded);
@@ -60,7 +70,9 @@ TouchModel touch_model(const HapticScene& scene) {
     return model;
 }
 
-std::string spoken_part(const TouchModel::Part& part) { return phrase("touch_part." + std::string(part.key), {{"n", part.count}}); }
+std::string spoken_part(const TouchModel::Part& part) {
+    return phrase("touch_part." + std::string(part.key), {{"n", part.count}});
+}
 
 std::string spoken_stage(std::string_view stage) {
     std::string key = "touch_stage." + std::string(stage);

@@ -1,5 +1,6 @@
-// What of a world the hand's tick has to look at, counted: so that one can see that what a world does not contain is not modelled. `handrail info` prints
-// it. Pure function of a compiled scene; looks at everything once; any thread but the servo's.
+// What of a world the hand's tick has to look at, counted: so that one can see that what a world does not contain is
+// not modelled. `handrail info` prints it. Pure function of a compiled scene; looks at everything once; any thread but
+// the servo's.
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@ struct TouchModel {
         std::size_t count = 0;
     };
     std::vector<Part> parts;  // fixed order; also those with count 0
-    // Stages of the tick that only some worlds need, by their names in `info --json`: those this world switches on, and those that cost it nothing.
+    // Stages of the tick that only some worlds need, by their names in `info --json`: those this world switches on, and
+    // those that cost it nothing.
     std::vector<std::string_view> stages_on, stages_off;
 };
 TouchModel touch_model(const HapticScene& scene);

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-// Peak force, rating and radius of real models: the device profiles of CHAI3D 3.x, where nothing else is said. Damping 0.2 Ns/m and a
-// delay of 1 ms stand where nobody has published a measurement. Quanta: 450 dpi of the Touch from its data sheet; the Falcon's from its
-// kinematics, 0.06 mm at the middle. None of these was measured by us.
+// Peak force, rating and radius of real models: the device profiles of CHAI3D 3.x, where nothing else is said. Damping
+// 0.2 Ns/m and a delay of 1 ms stand where nobody has published a measurement. Quanta: 450 dpi of the Touch from its
+// data sheet; the Falcon's from its kinematics, 0.06 mm at the middle. None of these was measured by us.
 constexpr std::array kSpecs{
     // A device of mathematics: what replays use. No limit of force, no rate, reading and force at once.
     DeviceSpec{"ideal", kNoLimit, 1000.0, 0.08, 0.0, 0.0, 0.0, 0.0},
@@ -26,7 +26,8 @@ constexpr std::array kSpecs{
     // Radii of the next two: spheres inside the boxes of their data sheets, 160 x 120 x 120 mm and 381 x 267 x 191 mm.
     DeviceSpec{"phantom-desktop", 7.9, 1000.0, 0.06, 0.2, 1e-3, 600.0},
     DeviceSpec{"phantom-premium", 8.5, 800.0, 0.095, 0.2, 1e-3, 600.0},
-    // Novint. CHAI3D rates it 8 N and 3000 N/m; its gain in newtons per motor count is unpublished, so an uncalibrated one is held at 3 N
+    // Novint. CHAI3D rates it 8 N and 3000 N/m; its gain in newtons per motor count is unpublished, so an uncalibrated
+    // one is held at 3 N
     // and 1000 N/m. Its serial chip answers 300 to 1000 times a second.
     DeviceSpec{"falcon", 3.0, 1000.0, 0.04, 0.2, 1e-3, 300.0, 0.06e-3},
     // Force Dimension. Their class shares one rated stiffness.
@@ -34,9 +35,11 @@ constexpr std::array kSpecs{
     DeviceSpec{"sigma", 12.0, 5000.0, 0.075, 0.2, 1e-3, 600.0},
     DeviceSpec{"lambda", 12.0, 5000.0, 0.112, 0.2, 1e-3, 600.0},
     DeviceSpec{"delta", 20.0, 5000.0, 0.15, 0.2, 1e-3, 600.0},
-    // Haply: about 10 N for moments by its maker, far less for long, and no rating published; held low until one is measured.
+    // Haply: about 10 N for moments by its maker, far less for long, and no rating published; held low until one is
+    // measured.
     DeviceSpec{"inverse3", 3.0, 500.0, 0.1, 0.2, 2e-3, 300.0},
-    // Any joystick with a constant force: 5 to 10 N at the grip are told of, so 3 N is below all of them; the rest is a guess.
+    // Any joystick with a constant force: 5 to 10 N at the grip are told of, so 3 N is below all of them; the rest is a
+    // guess.
     DeviceSpec{"force-stick", 3.0, 150.0, 0.04, 0.2, 5e-3, 100.0},
     // Open hardware: its CHAI3D fork declares 5 N and 0.1 m; the rating is a guess until one is measured.
     DeviceSpec{"wooden-haptics", 5.0, 1000.0, 0.1, 0.2, 1e-3, 600.0},

@@ -32,10 +32,11 @@ std::vector<std::string> device_names();
 const DeviceSpec& ideal_device_spec();
 
 // The stiffness, in N per hand metre, that a fraction of 1 stands for: min(rating, 0.5 b_eff / (T/2 + t_d) / 0.8) with
-// b_eff = b_device + 1 Ns/m of a light grip + 0.7 B. Dividing by 0.8 puts the default wall (fraction 0.8) at half the highest stiffness
-// that stayed stable in simulations of a hand, a held force and a delay; a full wall (fraction 1) is then at five eighths of it.
-// period_s: measured time between device answers, > 0. damping_ns_per_m: B that the renderer adds along the normal, >= 0.
-// Sources: Colgate & Schenkel, Passivity of a class of sampled-data systems, 1997; Diolaiti et al., Stability of haptic rendering, 2006.
+// b_eff = b_device + 1 Ns/m of a light grip + 0.7 B. Dividing by 0.8 puts the default wall (fraction 0.8) at half the
+// highest stiffness that stayed stable in simulations of a hand, a held force and a delay; a full wall (fraction 1) is
+// then at five eighths of it. period_s: measured time between device answers, > 0. damping_ns_per_m: B that the
+// renderer adds along the normal, >= 0. Sources: Colgate & Schenkel, Passivity of a class of sampled-data systems,
+// 1997; Diolaiti et al., Stability of haptic rendering, 2006.
 double effective_stiffness_n_per_m(const DeviceSpec& spec, double period_s, double damping_ns_per_m) noexcept;
 
 }  // namespace handrail

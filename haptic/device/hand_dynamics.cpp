@@ -5,8 +5,10 @@
 
 namespace handrail {
 
-void advance_hand(HandBody& hand, const HandMechanics& mechanics, const Vec3& target_m, const Vec3& force_n, double step_s) noexcept {
-    const Vec3 force = force_n + mechanics.spring_n_per_m * (target_m - hand.position_m) - mechanics.damping_ns_per_m * hand.velocity_m_per_s;
+void advance_hand(HandBody& hand, const HandMechanics& mechanics, const Vec3& target_m, const Vec3& force_n,
+                  double step_s) noexcept {
+    const Vec3 force = force_n + mechanics.spring_n_per_m * (target_m - hand.position_m) -
+                       mechanics.damping_ns_per_m * hand.velocity_m_per_s;
     Vec3 velocity = hand.velocity_m_per_s + force * (step_s / mechanics.mass_kg);
     // Dry friction takes away speed but never turns it round: below its own impulse the device stands.
     const double speed = std::sqrt(glm::dot(velocity, velocity));

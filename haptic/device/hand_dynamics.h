@@ -1,6 +1,7 @@
-// The mechanics of a hand on a force-feedback device: one mass with damping, a spring towards where the hand wants to be, dry friction and end
-// stops; and the force on its way to the motor. Shared by the simulated device and the closed-loop simulation, so that what is studied is
-// what scenarios feel. Plain state, no thread of its own; noexcept, no allocation. Metres, newtons, seconds, kilograms.
+// The mechanics of a hand on a force-feedback device: one mass with damping, a spring towards where the hand wants to
+// be, dry friction and end stops; and the force on its way to the motor. Shared by the simulated device and the
+// closed-loop simulation, so that what is studied is what scenarios feel. Plain state, no thread of its own; noexcept,
+// no allocation. Metres, newtons, seconds, kilograms.
 #pragma once
 
 #include <array>
@@ -24,8 +25,10 @@ struct HandBody {
     Vec3 velocity_m_per_s{0.0};
 };
 
-// One step of semi-implicit Euler; step_s at most 0.1 ms for the masses and stiffnesses of hands. force_n: of motor and arm together.
-void advance_hand(HandBody& hand, const HandMechanics& mechanics, const Vec3& target_m, const Vec3& force_n, double step_s) noexcept;
+// One step of semi-implicit Euler; step_s at most 0.1 ms for the masses and stiffnesses of hands. force_n: of motor and
+// arm together.
+void advance_hand(HandBody& hand, const HandMechanics& mechanics, const Vec3& target_m, const Vec3& force_n,
+                  double step_s) noexcept;
 
 // What an encoder says of a place: the nearest whole step along each axis. quantum_m <= 0: the place itself.
 Vec3 encoded_m(const Vec3& position_m, double quantum_m) noexcept;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "worlds/base/contract.h"
+
 namespace handrail {
 namespace {
 
@@ -28,6 +30,7 @@ bool take_one(int& samples) noexcept {
 
 SimulatedDevice::SimulatedDevice(const DeviceSpec& spec, std::shared_ptr<SimulatedHand> hand, const Vec3& start_m)
     : spec_(spec), hand_(std::move(hand)), body_{start_m, Vec3(0.0)}, last_answer_m_(start_m) {
+    contract_pre(hand_ != nullptr && is_finite(start_m));
     command_.target_m = start_m;
 }
 
@@ -72,7 +75,9 @@ DeviceSample SimulatedDevice::read(double now_s) noexcept {
     return sample;
 }
 
-void SimulatedDevice::write(const ForceCommand& command) noexcept { held_.give(time_s_ + spec_.delay_s, command.force_n); }
+void SimulatedDevice::write(const ForceCommand& command) noexcept {
+    held_.give(time_s_ + spec_.delay_s, command.force_n);
+}
 
 void SimulatedDevice::close() noexcept {
     held_.clear();
@@ -95,7 +100,8 @@ void SimulatedDevice::step(double to_s) noexcept {
         const double distance_m = std::sqrt(glm::dot(way, way));
         const double reach_m = command_.speed_m_per_s * gap_s;
         const Vec3 before = position;
-        position = command_.speed_m_per_s > 0.0 && distance_m > reach_m ? position + way * (reach_m / distance_m) : command_.target_m;
+        position = command_.speed_m_per_s > 0.0 && distance_m > reach_m ? position + way * (reach_m / distance_m)
+                                                                        : command_.target_m;
         body_.velocity_m_per_s = command_.speed_m_per_s > 0.0 ? (position - before) / gap_s : Vec3(0.0);
         motor_force_n(to_s);
         time_s_ = to_s;
@@ -104,15 +110,19 @@ void SimulatedDevice::step(double to_s) noexcept {
 
     HandMechanics mechanics;
     mechanics.mass_kg = kHandMassKg + kDeviceMassKg;
-    mechanics.damping_ns_per_m = (command_.mode == HandMode::Follow ? kFollowDampingNsPerM : kHandDampingNsPerM) + spec_.device_damping_ns_per_m;
-    mechanics.spring_n_per_m = command_.mode == HandMode::Follow ? kHandSpringNPerM : command_.mode == HandMode::Rest ? kRestSpringNPerM : 0.0;
+    mechanics.damping_ns_per_m =
+        (command_.mode == HandMode::Follow ? kFollowDampingNsPerM : kHandDampingNsPerM) + spec_.device_damping_ns_per_m;
+    mechanics.spring_n_per_m = command_.mode == HandMode::Follow ? kHandSpringNPerM
+                               : command_.mode == HandMode::Rest ? kRestSpringNPerM
+                                                                 : 0.0;
     mechanics.dry_friction_n = kDryFrictionN;
     mechanics.reach_m = spec_.workspace_radius_m;
     const Vec3 push_n = command_.mode == HandMode::Follow ? Vec3(0.0) : command_.push_n;
     const int steps = std::max(1, static_cast<int>(std::ceil((to_s - time_s_) / kSubstepS - 1e-6)));
     const double h = (to_s - time_s_) / steps;
     const double start_s = time_s_;
-    for (int i = 0; i < steps; ++i) advance_hand(body_, mechanics, command_.target_m, motor_force_n(start_s + i * h) + push_n, h);
+    for (int i = 0; i < steps; ++i)
+        advance_hand(body_, mechanics, command_.target_m, motor_force_n(start_s + i * h) + push_n, h);
     time_s_ = to_s;
 }
 

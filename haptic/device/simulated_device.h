@@ -1,7 +1,8 @@
-// A force-feedback device made of equations, with the hand that holds it: what Handrail is driven by without hardware, in scenarios, in
-// tests and with mouse and keys. Deterministic: the same commands at the same times give the same samples, bit for bit.
-// Push and Rest use the hand of the closed-loop studies behind the stiffness rule: 0.3 kg and 3 Ns/m, on a device of 0.1 kg, its DeviceSpec's
-// damping and 0.05 N of dry friction. Follow is a hand that knows where it goes: a spring of 300 N/m, damped to a ratio of 0.8.
+// A force-feedback device made of equations, with the hand that holds it: what Handrail is driven by without hardware,
+// in scenarios, in tests and with mouse and keys. Deterministic: the same commands at the same times give the same
+// samples, bit for bit. Push and Rest use the hand of the closed-loop studies behind the stiffness rule: 0.3 kg and 3
+// Ns/m, on a device of 0.1 kg, its DeviceSpec's damping and 0.05 N of dry friction. Follow is a hand that knows where
+// it goes: a spring of 300 N/m, damped to a ratio of 0.8.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,8 @@
 namespace handrail {
 
 enum class HandMode : std::uint8_t {
-    Move,    // the device's point goes to target_m in a straight line at speed_m_per_s, whatever force acts, and stays exactly there
+    Move,    // the device's point goes to target_m in a straight line at speed_m_per_s, whatever force acts, and stays
+             // exactly there
     Follow,  // a hand that wants to be at target_m: spring of 300 N/m; mouse and keys
     Push,    // a hand that presses with push_n and wants no place
     Rest,    // Push, with a spring of 20 N/m towards target_m: an arm that leans
@@ -56,8 +58,8 @@ struct SimulatedHand {
     LatestValue<HandState> state;        // servo -> app
 };
 
-// Steps of at most 0.1 ms between reads, with the last written force held and, in modes other than Move, felt delay_s later.
-// The point never leaves the sphere of workspace_radius_m but by Move. About 0.5 us per 1 ms tick.
+// Steps of at most 0.1 ms between reads, with the last written force held and, in modes other than Move, felt delay_s
+// later. The point never leaves the sphere of workspace_radius_m but by Move. About 0.5 us per 1 ms tick.
 class SimulatedDevice final : public HapticDevice {
 public:
     // The hand starts at rest in `start_m`. `hand` is shared with whoever moves it; never null.

@@ -1,5 +1,5 @@
-// A device that takes and gives bytes in small packets, with a few numbered requests beside them: what a driver needs of USB, and what an
-// emulator can stand in for. One thread at a time. Private to haptic/drivers.
+// A device that takes and gives bytes in small packets, with a few numbered requests beside them: what a driver needs
+// of USB, and what an emulator can stand in for. One thread at a time. Private to haptic/drivers.
 #pragma once
 
 #include <cstddef>

@@ -31,17 +31,19 @@ std::uint32_t translated(std::uint32_t buttons, const std::array<ButtonPlace, N>
 }
 
 // From bit 0: square cross circle triangle L1 R1 L2 R2 create options L3 R3.
-constexpr std::array kPadButtons{ButtonPlace{0, CompanionButton::West},         ButtonPlace{1, CompanionButton::South},
-                                 ButtonPlace{2, CompanionButton::East},         ButtonPlace{3, CompanionButton::North},
-                                 ButtonPlace{4, CompanionButton::LeftShoulder}, ButtonPlace{5, CompanionButton::RightShoulder},
-                                 ButtonPlace{8, CompanionButton::LeftSpecial},  ButtonPlace{9, CompanionButton::RightSpecial},
-                                 ButtonPlace{10, CompanionButton::LeftStick},   ButtonPlace{11, CompanionButton::RightStick}};
+constexpr std::array kPadButtons{
+    ButtonPlace{0, CompanionButton::West},         ButtonPlace{1, CompanionButton::South},
+    ButtonPlace{2, CompanionButton::East},         ButtonPlace{3, CompanionButton::North},
+    ButtonPlace{4, CompanionButton::LeftShoulder}, ButtonPlace{5, CompanionButton::RightShoulder},
+    ButtonPlace{8, CompanionButton::LeftSpecial},  ButtonPlace{9, CompanionButton::RightSpecial},
+    ButtonPlace{10, CompanionButton::LeftStick},   ButtonPlace{11, CompanionButton::RightStick}};
 // The kernel's game pad buttons, counted from its first joystick button.
-constexpr std::array kEventButtons{ButtonPlace{16, CompanionButton::South},        ButtonPlace{17, CompanionButton::East},
-                                   ButtonPlace{19, CompanionButton::North},        ButtonPlace{20, CompanionButton::West},
-                                   ButtonPlace{22, CompanionButton::LeftShoulder}, ButtonPlace{23, CompanionButton::RightShoulder},
-                                   ButtonPlace{26, CompanionButton::LeftSpecial},  ButtonPlace{27, CompanionButton::RightSpecial},
-                                   ButtonPlace{29, CompanionButton::LeftStick},    ButtonPlace{30, CompanionButton::RightStick}};
+constexpr std::array kEventButtons{
+    ButtonPlace{16, CompanionButton::South},        ButtonPlace{17, CompanionButton::East},
+    ButtonPlace{19, CompanionButton::North},        ButtonPlace{20, CompanionButton::West},
+    ButtonPlace{22, CompanionButton::LeftShoulder}, ButtonPlace{23, CompanionButton::RightShoulder},
+    ButtonPlace{26, CompanionButton::LeftSpecial},  ButtonPlace{27, CompanionButton::RightSpecial},
+    ButtonPlace{29, CompanionButton::LeftStick},    ButtonPlace{30, CompanionButton::RightStick}};
 constexpr std::array kPuckButtons{ButtonPlace{0, CompanionButton::South}, ButtonPlace{1, CompanionButton::West}};
 
 // The hat counts eighths of a turn from up; 8 is none.
@@ -118,7 +120,8 @@ Result<std::unique_ptr<Companion>> open_hid_companion(const HidDeviceInfo& hid) 
     if (!link) return tl::unexpected(link.error());
     const auto identity = playstation_pad(hid.vendor, hid.product);
     if (!identity) return std::unique_ptr<Companion>(std::make_unique<PuckCompanion>(std::move(*link)));
-    auto pad = std::make_unique<PlaystationPad>(std::move(*link), identity->model, hid.bluetooth ? PadBus::Bluetooth : PadBus::Usb);
+    auto pad = std::make_unique<PlaystationPad>(std::move(*link), identity->model,
+                                                hid.bluetooth ? PadBus::Bluetooth : PadBus::Usb);
     if (const auto opened = pad->open(); !opened) return tl::unexpected(opened.error());
     return std::unique_ptr<Companion>(std::make_unique<PadCompanion>(std::move(pad)));
 }
@@ -136,22 +139,26 @@ std::vector<FoundCompanion> find_companions() {
     for (const HidDeviceInfo& hid : list_hid_devices()) {
         const auto identity = playstation_pad(hid.vendor, hid.product);
         if (identity) {
-            found.push_back({std::string(identity->name), std::string(identity->spoken), hid.path, hid.permitted, phrase("companion.pad")});
+            found.push_back({std::string(identity->name), std::string(identity->spoken), hid.path, hid.permitted,
+                             phrase("companion.pad")});
             pad_over_hid = pad_over_hid || hid.permitted;
         } else if (is_space_mouse(hid)) {
-            found.push_back({"spacemouse", companion_model("spacemouse"), hid.path, hid.permitted, phrase("companion.puck")});
+            found.push_back(
+                {"spacemouse", companion_model("spacemouse"), hid.path, hid.permitted, phrase("companion.puck")});
         }
     }
     for (const FfDeviceInfo& ff : list_ff_devices()) {
         if (!ff.abilities.rumble || (ff.abilities.constant && ff.abilities.stick)) continue;
         if (pad_over_hid && is_event_node_of_a_playstation_pad(ff.name)) continue;
-        found.push_back({"rumble-pad", ff.name.empty() ? companion_model("rumble-pad") : ff.name, ff.path, true, phrase("companion.rumble")});
+        found.push_back({"rumble-pad", ff.name.empty() ? companion_model("rumble-pad") : ff.name, ff.path, true,
+                         phrase("companion.rumble")});
     }
     return found;
 }
 
 Result<std::unique_ptr<Companion>> open_companion(const FoundCompanion& found) {
-    if (!found.permitted) return fail(phrase("companion.not_permitted", {{"device", found.model}, {"advice", permission_advice()}}));
+    if (!found.permitted)
+        return fail(phrase("companion.not_permitted", {{"device", found.model}, {"advice", permission_advice()}}));
     if (found.name == "rumble-pad") {
         auto link = open_ff_link(found.path);
         if (!link) return tl::unexpected(link.error());

@@ -1,5 +1,6 @@
-// A device beside the hand: sticks, buttons or a puck to walk and turn with, and coils or triggers that give cues to the fingers. It never pushes
-// the hand, so it needs no guard and no servo: one thread of its own owns it. Nothing here waits; a reading or a cue takes a system call or two.
+// A device beside the hand: sticks, buttons or a puck to walk and turn with, and coils or triggers that give cues to
+// the fingers. It never pushes the hand, so it needs no guard and no servo: one thread of its own owns it. Nothing here
+// waits; a reading or a cue takes a system call or two.
 #pragma once
 
 #include <cstdint>

@@ -20,9 +20,10 @@ struct Model {
     int code;
     const char* spec;
 };
-constexpr std::array kModels{Model{33, "omega"},   Model{34, "omega"},   Model{35, "omega"},   Model{36, "omega"},   Model{37, "omega"},
-                             Model{63, "delta"},   Model{104, "sigma"},  Model{105, "sigma"},  Model{206, "sigma"},  Model{108, "lambda"},
-                             Model{109, "lambda"}, Model{131, "lambda"}, Model{132, "lambda"}, Model{203, "lambda"}, Model{60, "falcon"}};
+constexpr std::array kModels{Model{33, "omega"},   Model{34, "omega"},   Model{35, "omega"},   Model{36, "omega"},
+                             Model{37, "omega"},   Model{63, "delta"},   Model{104, "sigma"},  Model{105, "sigma"},
+                             Model{206, "sigma"},  Model{108, "lambda"}, Model{109, "lambda"}, Model{131, "lambda"},
+                             Model{132, "lambda"}, Model{203, "lambda"}, Model{60, "falcon"}};
 
 struct Functions {
     int (*count)();
@@ -55,7 +56,8 @@ public:
         spec_ = *find_device_spec(model->spec);
         call_.max_force(spec_.peak_force_n, kDefaultDevice);
         call_.watchdog(kWatchdogTens, kDefaultDevice);
-        if (call_.enable_force(1, kDefaultDevice) < 0) return fail(phrase("drivers.no_motors", {{"device", spec_.spoken_name()}}));
+        if (call_.enable_force(1, kDefaultDevice) < 0)
+            return fail(phrase("drivers.no_motors", {{"device", spec_.spoken_name()}}));
         return {};
     }
 
@@ -96,7 +98,8 @@ private:
 }  // namespace
 
 Result<std::unique_ptr<HapticDevice>> open_dhd_device(const std::string& path) {
-    auto library = path.empty() ? VendorLibrary::load({"libdhd.so.3", "libdhd.so"}, "Force Dimension") : VendorLibrary::load({path}, "Force Dimension");
+    auto library = path.empty() ? VendorLibrary::load({"libdhd.so.3", "libdhd.so"}, "Force Dimension")
+                                : VendorLibrary::load({path}, "Force Dimension");
     if (!library) return tl::unexpected(library.error());
     Functions call{};
     const auto complete = library->get("dhdGetDeviceCount", call.count)

@@ -1,7 +1,7 @@
-// Force Dimension's omega, sigma, lambda and delta through their maker's library libdhd, loaded when it is installed. The library paces itself
-// and may block, so this lives in the guard process; what stops the force when the guard dies is the library's end and the device's own
-// watchdog. Owner: one thread.
-// Source: the public description of the DHD interface, SDK 3.17. Library axes: x towards the person, y right, z up; metres, newtons.
+// Force Dimension's omega, sigma, lambda and delta through their maker's library libdhd, loaded when it is installed.
+// The library paces itself and may block, so this lives in the guard process; what stops the force when the guard dies
+// is the library's end and the device's own watchdog. Owner: one thread. Source: the public description of the DHD
+// interface, SDK 3.17. Library axes: x towards the person, y right, z up; metres, newtons.
 #pragma once
 
 #include <memory>

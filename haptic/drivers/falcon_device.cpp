@@ -23,19 +23,22 @@ constexpr std::uint16_t kEightBits = 8;
 
 constexpr std::size_t kPacketBytes = 64, kStatusBytes = 2, kPieceBytes = 62;
 constexpr double kWriteDeadlineS = 0.005;
-constexpr double kLoadingDeadlineS = 0.25;  // a piece of 62 bytes takes 4 ms there and back, and the chip holds it for 16
+constexpr double kLoadingDeadlineS =
+    0.25;  // a piece of 62 bytes takes 4 ms there and back, and the chip holds it for 16
 constexpr double kHelloDeadlineS = 0.030;
 constexpr int kHelloTries = 100;
 constexpr int kPokes = 5, kPokesAfterUpload = 25;
 constexpr double kPokeDeadlineS = 0.020;
-// The hand moves on between the place that the torques were computed for and the place where they act: 1 % at 0.2 m/s and 2 ms.
+// The hand moves on between the place that the torques were computed for and the place where they act: 1 % at 0.2 m/s
+// and 2 ms.
 constexpr double kShareOfPeak = 0.95;
 constexpr std::size_t kLargestImage = 1 << 17;  // the processor has no more memory
 
 Result<std::string> read_firmware(const fs::path& file) {
     auto content = read_whole_file(file, kLargestImage);
     if (!content) return content;
-    const auto sound = check_falcon_firmware({reinterpret_cast<const std::uint8_t*>(content->data()), content->size()}, file.string());
+    const auto sound =
+        check_falcon_firmware({reinterpret_cast<const std::uint8_t*>(content->data()), content->size()}, file.string());
     if (!sound) return tl::unexpected(sound.error());
     return content;
 }
@@ -52,7 +55,8 @@ std::vector<fs::path> falcon_firmware_files() {
     std::vector<fs::path> files;
     if (const char* named = std::getenv("HANDRAIL_FALCON_FIRMWARE"); named && *named) files.emplace_back(named);
     for (const fs::path& folder :
-         {falcon_firmware_folder(), fs::path("/usr/local/share/handrail/falcon"), fs::path("/usr/share/handrail/falcon"), fs::path("/lib/firmware/novint"),
+         {falcon_firmware_folder(), fs::path("/usr/local/share/handrail/falcon"),
+          fs::path("/usr/share/handrail/falcon"), fs::path("/lib/firmware/novint"),
           fs::path("/usr/local/share/libnifalcon/firmware"), fs::path("/usr/share/libnifalcon/firmware")}) {
         std::vector<fs::path> here;
         std::error_code ec;
@@ -74,7 +78,8 @@ FalconDevice::~FalconDevice() { FalconDevice::close(); }
 bool FalconDevice::run_mode() noexcept {
     reader_.clear();
     in_flight_ = 0;
-    return link_->control(kLatency, 1) && link_->control(kBaud, kBaudRunning) && link_->control(kReset, kPurgeIn) && link_->control(kReset, kPurgeOut);
+    return link_->control(kLatency, 1) && link_->control(kBaud, kBaudRunning) && link_->control(kReset, kPurgeIn) &&
+           link_->control(kReset, kPurgeOut);
 }
 
 // Payload bytes of one packet, without the chip's own two in front; 0 when none came by the deadline.
@@ -110,8 +115,8 @@ void FalconDevice::send(const std::array<int, 3>& motors) noexcept {
     }
 }
 
-// Reads until every frame in flight is answered or the time is up; the newest answer counts. With more than one in flight an answer was
-// late, and reading on catches up.
+// Reads until every frame in flight is answered or the time is up; the newest answer counts. With more than one in
+// flight an answer was late, and reading on catches up.
 bool FalconDevice::wait_for_answer(double deadline_s) noexcept {
     bool answered = false;
     std::array<std::uint8_t, kPieceBytes> bytes;
@@ -144,8 +149,9 @@ bool FalconDevice::answers() {
 bool FalconDevice::says_hello() noexcept {
     static constexpr std::array<std::uint8_t, 3> kHello{0x0a, 0x43, 0x0d};
     static constexpr std::array<std::uint8_t, 4> kAnswer{0x0a, 0x44, 0x2c, 0x0d};
-    if (!(link_->control(kReset, kPurgeIn) && link_->control(kReset, kPurgeOut) && link_->control(kLatency, 16) && link_->control(kBaud, kBaud9600) &&
-          link_->control(kFormat, kEightBits) && link_->control(kFlow, 0) && link_->control(kModemLines, kRtsLow) && link_->control(kModemLines, kDtrLow) &&
+    if (!(link_->control(kReset, kPurgeIn) && link_->control(kReset, kPurgeOut) && link_->control(kLatency, 16) &&
+          link_->control(kBaud, kBaud9600) && link_->control(kFormat, kEightBits) && link_->control(kFlow, 0) &&
+          link_->control(kModemLines, kRtsLow) && link_->control(kModemLines, kDtrLow) &&
           link_->control(kModemLines, kDtrHigh)))
         return false;
     std::array<std::uint8_t, kPieceBytes> heard{};
@@ -155,8 +161,8 @@ bool FalconDevice::says_hello() noexcept {
         const double deadline_s = clock_.now_s() + kHelloDeadlineS;
         while (const std::size_t got = take(std::span(heard).subspan(size), deadline_s)) {
             size += got;
-            if (std::search(heard.begin(), heard.begin() + static_cast<std::ptrdiff_t>(size), kAnswer.begin(), kAnswer.end()) !=
-                heard.begin() + static_cast<std::ptrdiff_t>(size))
+            if (std::search(heard.begin(), heard.begin() + static_cast<std::ptrdiff_t>(size), kAnswer.begin(),
+                            kAnswer.end()) != heard.begin() + static_cast<std::ptrdiff_t>(size))
                 return true;
             if (size == heard.size()) size = 0;
         }
@@ -170,7 +176,9 @@ bool FalconDevice::echoed(std::span<const std::uint8_t> sent, double deadline_s)
     while (compared < sent.size()) {
         const std::size_t got = take(bytes, deadline_s);
         if (got == 0 || got > sent.size() - compared) return false;
-        if (!std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(got), sent.begin() + static_cast<std::ptrdiff_t>(compared))) return false;
+        if (!std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(got),
+                        sent.begin() + static_cast<std::ptrdiff_t>(compared)))
+            return false;
         compared += got;
     }
     return true;
@@ -179,12 +187,14 @@ bool FalconDevice::echoed(std::span<const std::uint8_t> sent, double deadline_s)
 Result<void> FalconDevice::upload(std::span<const std::uint8_t> image) {
     if (!says_hello()) return fail(phrase("drivers.falcon_silent"));
     static constexpr std::array<std::uint8_t, 1> kMeasureSpeed{0x41};
-    if (!link_->control(kModemLines, kDtrLow) || !link_->control(kBaud, kBaudLoading) || link_->write(kMeasureSpeed, kLoadingDeadlineS) != 1 ||
+    if (!link_->control(kModemLines, kDtrLow) || !link_->control(kBaud, kBaudLoading) ||
+        link_->write(kMeasureSpeed, kLoadingDeadlineS) != 1 ||
         !echoed(kMeasureSpeed, clock_.now_s() + kLoadingDeadlineS))
         return fail(phrase("drivers.falcon_speed"));
     for (std::size_t at = 0; at < image.size(); at += kPieceBytes) {
         const auto piece = image.subspan(at, std::min(kPieceBytes, image.size() - at));
-        if (link_->write(piece, kLoadingDeadlineS) != static_cast<int>(piece.size()) || !echoed(piece, clock_.now_s() + kLoadingDeadlineS))
+        if (link_->write(piece, kLoadingDeadlineS) != static_cast<int>(piece.size()) ||
+            !echoed(piece, clock_.now_s() + kLoadingDeadlineS))
             return fail(phrase("drivers.falcon_upload", {{"byte", at}, {"bytes", image.size()}}));
     }
     if (!run_mode()) return fail(phrase("drivers.falcon_unplugged"));
@@ -216,7 +226,8 @@ Result<void> FalconDevice::open() {
             }
         }
         if (image.empty() && !refused.message.empty()) return tl::unexpected(refused);
-        if (image.empty()) return fail(phrase("drivers.falcon_needs_firmware", {{"folder", falcon_firmware_folder().string()}}));
+        if (image.empty())
+            return fail(phrase("drivers.falcon_needs_firmware", {{"folder", falcon_firmware_folder().string()}}));
         Result<void> done = fail("");
         for (int attempt = 1; attempt <= kUploadTries && !done && !lost_; ++attempt) {
             tell(attempt == 1 ? phrase("drivers.falcon_waking") : phrase("drivers.falcon_try", {{"n", attempt}}));
@@ -246,11 +257,13 @@ bool FalconDevice::is_stuck(const std::array<int, 3>& encoders) noexcept {
         for (std::size_t other = 0; other < 3; ++other) {
             still.others_low[other] = std::min(still.others_low[other], encoders[other]);
             still.others_high[other] = std::max(still.others_high[other], encoders[other]);
-            if (still.answers >= kStuckAnswers) farthest = std::max(farthest, still.others_high[other] - still.others_low[other]);
+            if (still.answers >= kStuckAnswers)
+                farthest = std::max(farthest, still.others_high[other] - still.others_low[other]);
         }
     }
     watches_legs_ = true;
-    const double left = std::clamp(static_cast<double>(kDistrustCounts - farthest) / (kDistrustCounts - kSuspectCounts), 0.0, 1.0);
+    const double left =
+        std::clamp(static_cast<double>(kDistrustCounts - farthest) / (kDistrustCounts - kSuspectCounts), 0.0, 1.0);
     trust_ = std::min(left, trust_ + kTrustPerAnswer);
     return farthest > kStuckCounts;
 }
@@ -276,7 +289,8 @@ DeviceSample FalconDevice::read(double) noexcept {
         sample.position_m = Vec3(0.0);
         return sample;
     }
-    const Vec3 angles{falcon_leg_angle_rad(status_.encoders[0]), falcon_leg_angle_rad(status_.encoders[1]), falcon_leg_angle_rad(status_.encoders[2])};
+    const Vec3 angles{falcon_leg_angle_rad(status_.encoders[0]), falcon_leg_angle_rad(status_.encoders[1]),
+                      falcon_leg_angle_rad(status_.encoders[2])};
     const auto grip = falcon_forward(angles, knows_place_ ? grip_m_ : Vec3(0.0, 0.0, 0.12));
     if (is_stuck(status_.encoders) || !grip) {
         knows_place_ = false;

@@ -1,7 +1,8 @@
-// The Novint Falcon: wakes it (firmware), watches it home, and exchanges one force against one position at a time. Whoever owns it calls from
-// one thread. read() waits for the answer to the force that write() sent, at most kAnswerDeadlineS, and its USB calls allocate; so on a live
-// device it belongs into the guard process (hand_guard.h), never on the servo thread.
-// No force before all three legs are homed, after 20 ms without an answer, or at a place the legs cannot be; never above the spec's peak.
+// The Novint Falcon: wakes it (firmware), watches it home, and exchanges one force against one position at a time.
+// Whoever owns it calls from one thread. read() waits for the answer to the force that write() sent, at most
+// kAnswerDeadlineS, and its USB calls allocate; so on a live device it belongs into the guard process (hand_guard.h),
+// never on the servo thread. No force before all three legs are homed, after 20 ms without an answer, or at a place the
+// legs cannot be; never above the spec's peak.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +24,8 @@ struct FalconOptions {
     std::function<void(const std::string&)> tell;  // what goes on while it is woken, in sentences; may be empty
 };
 
-// What stands where people put it: HANDRAIL_FALCON_FIRMWARE, the person's data folder, the machine's, /lib/firmware/novint, libnifalcon's.
+// What stands where people put it: HANDRAIL_FALCON_FIRMWARE, the person's data folder, the machine's,
+// /lib/firmware/novint, libnifalcon's.
 std::vector<std::filesystem::path> falcon_firmware_files();
 // True for a file that is a whole boot image.
 bool falcon_firmware_is_sound(const std::filesystem::path& file);
@@ -35,13 +37,14 @@ public:
     static constexpr double kAnswerDeadlineS = 0.005;
     static constexpr double kZeroAfterSilenceS = 0.020;
     static constexpr int kUploadTries = 3;
-    // A leg that keeps its very count while another turns by so much (about 5 mm of the grip) is stuck: no hand is that still.
-    // Over a few answers, so that no two of them can agree by chance.
+    // A leg that keeps its very count while another turns by so much (about 5 mm of the grip) is stuck: no hand is that
+    // still. Over a few answers, so that no two of them can agree by chance.
     static constexpr int kStuckCounts = 150;
     static constexpr int kStuckAnswers = 10;
-    // Three encoders for three directions leave nothing to check against, and a hand may well draw a few millimetres of line along which one leg stands
-    // still. So suspicion first costs force and not a fault: from kSuspectCounts (about 2 mm) on it goes down, at kDistrustCounts it is gone, and it is
-    // back over 20 answers once the leg moves by a single count. A movement that would turn the stuck leg alone shows nothing at all.
+    // Three encoders for three directions leave nothing to check against, and a hand may well draw a few millimetres of
+    // line along which one leg stands still. So suspicion first costs force and not a fault: from kSuspectCounts (about
+    // 2 mm) on it goes down, at kDistrustCounts it is gone, and it is back over 20 answers once the leg moves by a
+    // single count. A movement that would turn the stuck leg alone shows nothing at all.
     static constexpr int kSuspectCounts = 50;
     static constexpr int kDistrustCounts = 100;
     static constexpr double kTrustPerAnswer = 0.05;

@@ -24,7 +24,8 @@ const std::array<LegPlane, 3> kLegs{LegPlane{std::cos(105.0 * kPi / 180.0), std:
                                     LegPlane{std::cos(-15.0 * kPi / 180.0), std::sin(-15.0 * kPi / 180.0)},
                                     LegPlane{std::cos(-135.0 * kPi / 180.0), std::sin(-135.0 * kPi / 180.0)}};
 
-// The grip seen from one leg's shoulder: u outwards, v sideways, w along z; reach: how far the knee is from it in the leg's plane.
+// The grip seen from one leg's shoulder: u outwards, v sideways, w along z; reach: how far the knee is from it in the
+// leg's plane.
 struct SeenByLeg {
     double u, v, w;
     double rod_in_plane;
@@ -70,7 +71,8 @@ std::optional<Vec3> newton(const Vec3& angles, Vec3 p) noexcept {
         const Vec3 c0 = glm::cross(legs[1].by_place, legs[2].by_place);
         const double volume = glm::dot(legs[0].by_place, c0);
         if (!(std::abs(volume) > 1e-12)) return std::nullopt;
-        const Vec3 c1 = glm::cross(legs[2].by_place, legs[0].by_place), c2 = glm::cross(legs[0].by_place, legs[1].by_place);
+        const Vec3 c1 = glm::cross(legs[2].by_place, legs[0].by_place),
+                   c2 = glm::cross(legs[0].by_place, legs[1].by_place);
         const Vec3 by = -(c0 * legs[0].value + c1 * legs[1].value + c2 * legs[2].value) / volume;
         p += by;
         if (!is_finite(p)) return std::nullopt;
@@ -82,15 +84,17 @@ std::optional<Vec3> newton(const Vec3& angles, Vec3 p) noexcept {
 // Newton may find the place where the legs meet folded the other way; the inverse knows only the way they are built.
 bool is_built_so(const Vec3& p, const Vec3& angles) noexcept {
     const auto back = falcon_inverse(p);
-    return back && p.z > 0.0 && std::abs(back->x - angles.x) < kSameAngleRad && std::abs(back->y - angles.y) < kSameAngleRad &&
-           std::abs(back->z - angles.z) < kSameAngleRad;
+    return back && p.z > 0.0 && std::abs(back->x - angles.x) < kSameAngleRad &&
+           std::abs(back->y - angles.y) < kSameAngleRad && std::abs(back->z - angles.z) < kSameAngleRad;
 }
 
 }  // namespace
 
 double falcon_leg_angle_rad(int encoder_counts) noexcept { return kRadAtZero + encoder_counts * kRadPerCount; }
 
-int falcon_encoder_counts(double leg_angle_rad) noexcept { return static_cast<int>(std::lround((leg_angle_rad - kRadAtZero) / kRadPerCount)); }
+int falcon_encoder_counts(double leg_angle_rad) noexcept {
+    return static_cast<int>(std::lround((leg_angle_rad - kRadAtZero) / kRadPerCount));
+}
 
 std::optional<Vec3> falcon_inverse(const Vec3& grip_m) noexcept {
     Vec3 angles{0.0};
@@ -98,7 +102,8 @@ std::optional<Vec3> falcon_inverse(const Vec3& grip_m) noexcept {
         const auto seen = seen_by_leg(grip_m, kLegs[static_cast<std::size_t>(i)]);
         if (!seen) return std::nullopt;
         const double square = seen->u * seen->u + seen->w * seen->w;
-        const double cosine = (square + kThighM * kThighM - seen->reach * seen->reach) / (2.0 * kThighM * std::sqrt(square));
+        const double cosine =
+            (square + kThighM * kThighM - seen->reach * seen->reach) / (2.0 * kThighM * std::sqrt(square));
         if (!(std::abs(cosine) <= 1.0)) return std::nullopt;
         angles[i] = std::atan2(seen->w, seen->u) - std::acos(cosine);
     }
@@ -107,8 +112,10 @@ std::optional<Vec3> falcon_inverse(const Vec3& grip_m) noexcept {
 
 std::optional<Vec3> falcon_forward(const Vec3& leg_angles_rad, const Vec3& near_m) noexcept {
     if (is_finite(near_m))
-        if (const auto found = newton(leg_angles_rad, near_m); found && is_built_so(*found, leg_angles_rad)) return found;
-    if (const auto found = newton(leg_angles_rad, {0.0, 0.0, 0.12}); found && is_built_so(*found, leg_angles_rad)) return found;
+        if (const auto found = newton(leg_angles_rad, near_m); found && is_built_so(*found, leg_angles_rad))
+            return found;
+    if (const auto found = newton(leg_angles_rad, {0.0, 0.0, 0.12}); found && is_built_so(*found, leg_angles_rad))
+        return found;
     return std::nullopt;
 }
 
@@ -131,7 +138,9 @@ std::optional<Vec3> falcon_torques(const Vec3& grip_m, const Vec3& leg_angles_ra
     const auto& [a, b, c] = *rows;
     const double volume = glm::dot(a, glm::cross(b, c));
     if (!(std::abs(volume) > 1e-9)) return std::nullopt;
-    return Vec3{glm::dot(force_n, glm::cross(b, c)), glm::dot(force_n, glm::cross(c, a)), glm::dot(force_n, glm::cross(a, b))} / volume;
+    return Vec3{glm::dot(force_n, glm::cross(b, c)), glm::dot(force_n, glm::cross(c, a)),
+                glm::dot(force_n, glm::cross(a, b))} /
+           volume;
 }
 
 }  // namespace handrail

@@ -18,10 +18,13 @@ FalconFrame pack_falcon_command(const FalconCommand& command) noexcept {
     frame.front() = kBegin;
     frame.back() = kEnd;
     for (std::size_t leg = 0; leg < 3; ++leg) {
-        const auto bits = static_cast<std::uint16_t>(std::clamp(command.motors[leg], -kFalconMostCounts, kFalconMostCounts));
-        for (std::size_t nibble = 0; nibble < 4; ++nibble) frame[1 + 4 * leg + nibble] = static_cast<std::uint8_t>(kZero + ((bits >> (4 * nibble)) & 15));
+        const auto bits =
+            static_cast<std::uint16_t>(std::clamp(command.motors[leg], -kFalconMostCounts, kFalconMostCounts));
+        for (std::size_t nibble = 0; nibble < 4; ++nibble)
+            frame[1 + 4 * leg + nibble] = static_cast<std::uint8_t>(kZero + ((bits >> (4 * nibble)) & 15));
     }
-    frame[13] = static_cast<std::uint8_t>(kZero + (command.homing ? 1 : 0) + (command.green ? 2 : 0) + (command.blue ? 4 : 0) + (command.red ? 8 : 0));
+    frame[13] = static_cast<std::uint8_t>(kZero + (command.homing ? 1 : 0) + (command.green ? 2 : 0) +
+                                          (command.blue ? 4 : 0) + (command.red ? 8 : 0));
     frame[14] = kZero;
     return frame;
 }
@@ -32,7 +35,8 @@ std::array<int, 3> falcon_motor_counts(const Vec3& torques_nm, double counts_per
     if (!is_finite(torques_nm) || !std::isfinite(counts_per_nm) || !(highest > 0.0)) return {0, 0, 0};
     const Vec3 direction = torques_nm / highest;
     const double counts = std::min(highest * counts_per_nm, static_cast<double>(kFalconMostCounts));
-    return {static_cast<int>(-direction.x * counts), static_cast<int>(-direction.y * counts), static_cast<int>(-direction.z * counts)};
+    return {static_cast<int>(-direction.x * counts), static_cast<int>(-direction.y * counts),
+            static_cast<int>(-direction.z * counts)};
 }
 
 void FalconFrameReader::push(std::span<const std::uint8_t> bytes) noexcept {
@@ -50,7 +54,8 @@ void FalconFrameReader::push(std::span<const std::uint8_t> bytes) noexcept {
 }
 
 void FalconFrameReader::drop(std::size_t bytes) noexcept {
-    std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(bytes), bytes_.begin() + static_cast<std::ptrdiff_t>(size_), bytes_.begin());
+    std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(bytes), bytes_.begin() + static_cast<std::ptrdiff_t>(size_),
+              bytes_.begin());
     size_ -= bytes;
 }
 

@@ -67,7 +67,9 @@ public:
         return upload_and_play();
     }
     bool stop() noexcept override { return effect_.id < 0 || tell(EV_FF, static_cast<std::uint16_t>(effect_.id), 0); }
-    bool gain(double wanted) noexcept override { return tell(EV_FF, FF_GAIN, static_cast<int>(std::lround(share(wanted) * 0xffff))); }
+    bool gain(double wanted) noexcept override {
+        return tell(EV_FF, FF_GAIN, static_cast<int>(std::lround(share(wanted) * 0xffff)));
+    }
 
     bool poll(Stick& stick) noexcept override {
         std::array<input_event, 32> events;
@@ -88,7 +90,9 @@ public:
     }
 
 private:
-    bool read_axis(int code, input_absinfo& axis) { return ::ioctl(fd_, EVIOCGABS(static_cast<unsigned>(code)), &axis) >= 0 && axis.maximum > axis.minimum; }
+    bool read_axis(int code, input_absinfo& axis) {
+        return ::ioctl(fd_, EVIOCGABS(static_cast<unsigned>(code)), &axis) >= 0 && axis.maximum > axis.minimum;
+    }
 
     void place() noexcept {
         const auto centred = [](const input_absinfo& axis) {
@@ -128,7 +132,8 @@ private:
 std::vector<FfDeviceInfo> list_ff_devices(const std::string& folder) {
     std::vector<FfDeviceInfo> found;
     std::error_code ec;
-    for (auto it = std::filesystem::directory_iterator(folder, ec); !ec && it != std::filesystem::directory_iterator(); it.increment(ec)) {
+    for (auto it = std::filesystem::directory_iterator(folder, ec); !ec && it != std::filesystem::directory_iterator();
+         it.increment(ec)) {
         FfDeviceInfo info;
         info.path = it->path().string();
         if (!it->path().filename().string().starts_with("event")) continue;

@@ -1,5 +1,5 @@
-// A device with Linux force feedback: what a driver needs of an evdev node, and what an emulator can stand in for. One thread at a time; calls
-// take a system call each and do not wait. Private to haptic/drivers.
+// A device with Linux force feedback: what a driver needs of an evdev node, and what an emulator can stand in for. One
+// thread at a time; calls take a system call each and do not wait. Private to haptic/drivers.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,8 @@ public:
     virtual bool stop() noexcept = 0;
     // Share of its strength that the device may use, 0 to 1.
     virtual bool gain(double share) noexcept = 0;
-    // Takes what happened since; false when the device is gone. Axes -1 to 1, right and towards the person positive, as the kernel has them.
+    // Takes what happened since; false when the device is gone. Axes -1 to 1, right and towards the person positive, as
+    // the kernel has them.
     struct Stick {
         double x = 0.0, y = 0.0;
         std::uint32_t buttons = 0;

@@ -1,4 +1,5 @@
-// The last link of every driver: no force leaves for a device that is not a number, or is more than the device may give. Pure; real-time safe.
+// The last link of every driver: no force leaves for a device that is not a number, or is more than the device may
+// give. Pure; real-time safe.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +9,8 @@
 
 namespace handrail {
 
-// The force itself where it is weak enough, else the peak in the same direction, however large it was; nothing where it is no number.
+// The force itself where it is weak enough, else the peak in the same direction, however large it was; nothing where it
+// is no number.
 inline Vec3 held_to(const Vec3& force_n, double peak_n) noexcept {
     if (!is_finite(force_n) || !(peak_n > 0.0)) return Vec3(0.0);
     const double largest = std::max({std::abs(force_n.x), std::abs(force_n.y), std::abs(force_n.z)});

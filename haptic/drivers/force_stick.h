@@ -1,6 +1,6 @@
-// A force-feedback joystick as a hand in a plane: right and forward, no up. Its constant force is renewed each tick and its place is what the
-// kernel tells, so walls are softer and later than on a device built for it. Lives in the guard process. Owner: one thread.
-// Source: the kernel's force feedback interface; USB PID 1.0 behind it.
+// A force-feedback joystick as a hand in a plane: right and forward, no up. Its constant force is renewed each tick and
+// its place is what the kernel tells, so walls are softer and later than on a device built for it. Lives in the guard
+// process. Owner: one thread. Source: the kernel's force feedback interface; USB PID 1.0 behind it.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@ namespace handrail {
 
 class ForceStick final : public HapticDevice {
 public:
-    explicit ForceStick(std::unique_ptr<FfLink> link) : link_(std::move(link)), spec_(*find_device_spec("force-stick")) {}
+    explicit ForceStick(std::unique_ptr<FfLink> link)
+        : link_(std::move(link)), spec_(*find_device_spec("force-stick")) {}
     ~ForceStick() override { ForceStick::close(); }
 
     const DeviceSpec& spec() const override { return spec_; }

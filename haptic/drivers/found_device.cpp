@@ -22,11 +22,17 @@
 namespace handrail {
 namespace {
 
+constexpr int kZeroExchanges = 5;  // until two are answered
+
 constexpr std::array kFalconIds{UsbId{0x0403, 0xcb48}};
 
-std::string why_not(const UsbDeviceInfo& usb) { return usb.permitted ? phrase("device.cannot_open", {{"reason", usb.problem}}) : permission_advice(); }
+std::string why_not(const UsbDeviceInfo& usb) {
+    return usb.permitted ? phrase("device.cannot_open", {{"reason", usb.problem}}) : permission_advice();
+}
 
-std::string place_of(const UsbDeviceInfo& usb) { return phrase("device.usb_place", {{"bus", usb.bus}, {"device", usb.address}}); }
+std::string place_of(const UsbDeviceInfo& usb) {
+    return phrase("device.usb_place", {{"bus", usb.bus}, {"device", usb.address}});
+}
 
 // The first sound file of firmware; empty: there is none.
 std::filesystem::path falcon_firmware_file() {
@@ -48,9 +54,10 @@ void look_at_falcon(const UsbDeviceInfo& usb, FoundDevice& found) {
     const bool running = falcon.answers();
     const std::filesystem::path file = running ? std::filesystem::path() : falcon_firmware_file();
     found.usable = running || !file.empty();
-    found.firmware = running         ? phrase("device.firmware_running")
-                     : !file.empty() ? phrase("device.firmware_not_running", {{"file", file.string()}})
-                                     : phrase("device.firmware_missing", {{"folder", falcon_firmware_folder().string()}});
+    found.firmware = running ? phrase("device.firmware_running")
+                     : !file.empty()
+                         ? phrase("device.firmware_not_running", {{"file", file.string()}})
+                         : phrase("device.firmware_missing", {{"folder", falcon_firmware_folder().string()}});
     if (!found.usable) found.problem = phrase("device.firmware_lacks", {{"folder", falcon_firmware_folder().string()}});
     const int legs = std::popcount(static_cast<unsigned>(falcon.homed_legs()));
     found.needs_calibration = !running || legs != 3;
@@ -124,8 +131,8 @@ bool find_hid_devices(std::vector<FoundDevice>& found) {
     return found.size() > before;
 }
 
-// Devices that only their maker's library can speak to. Their numbers on USB say that one is there; the library itself is loaded in the guard
-// alone, when the device is chosen.
+// Devices that only their maker's library can speak to. Their numbers on USB say that one is there; the library itself
+// is loaded in the guard alone, when the device is chosen.
 struct Maker {
     UsbId id;
     std::string_view name, default_device;
@@ -141,7 +148,8 @@ std::string_view model_of(const Maker& maker, const UsbDeviceInfo& usb) {
 }
 
 bool library_lies_somewhere(const Maker& maker) {
-    std::vector<std::string> folders{"/usr/lib", "/usr/lib64", "/usr/lib/x86_64-linux-gnu", "/usr/local/lib", "/lib/x86_64-linux-gnu"};
+    std::vector<std::string> folders{"/usr/lib", "/usr/lib64", "/usr/lib/x86_64-linux-gnu", "/usr/local/lib",
+                                     "/lib/x86_64-linux-gnu"};
     const char* named = std::getenv("LD_LIBRARY_PATH");
     for (std::string rest = named ? named : ""; !rest.empty();) {
         const std::size_t end = rest.find(':');
@@ -151,7 +159,8 @@ bool library_lies_somewhere(const Maker& maker) {
     std::error_code ec;
     return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
         return std::any_of(maker.libraries.begin(), maker.libraries.end(), [&](std::string_view library) {
-            return !library.empty() && !folder.empty() && std::filesystem::exists(std::filesystem::path(folder) / library, ec);
+            return !library.empty() && !folder.empty() &&
+                   std::filesystem::exists(std::filesystem::path(folder) / library, ec);
         });
     });
 }
@@ -164,7 +173,8 @@ void find_makers_devices(std::vector<FoundDevice>& found) {
             FoundDevice device;
             device.name = model_of(maker, usb);
             device.spec = *find_device_spec(device.name);
-            device.model = std::string(maker.name) + " " + (usb.product_name.empty() ? device.spec->spoken_name() : usb.product_name);
+            device.model = std::string(maker.name) + " " +
+                           (usb.product_name.empty() ? device.spec->spoken_name() : usb.product_name);
             device.driver = phrase("device.makers_library", {{"library", maker.libraries.front()}});
             device.connection = place_of(usb);
             device.serial = usb.serial;
@@ -172,7 +182,9 @@ void find_makers_devices(std::vector<FoundDevice>& found) {
             device.calibration = phrase("device.calibration_later");
             device.rate_hz = 1000.0;
             device.usable = library_lies_somewhere(maker);
-            if (!device.usable) device.problem = phrase("device.no_library", {{"library", maker.libraries.front()}, {"maker", maker.name}});
+            if (!device.usable)
+                device.problem =
+                    phrase("device.no_library", {{"library", maker.libraries.front()}, {"maker", maker.name}});
             found.push_back(std::move(device));
         }
     }
@@ -226,16 +238,20 @@ Result<std::unique_ptr<HapticDevice>> open_force_stick() {
     return fail(phrase("drivers.no_force_stick"));
 }
 
-Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock& clock, const std::function<void(const std::string&)>& tell) {
+// Without `firmware_files` only one that is awake opens.
+Result<std::unique_ptr<HapticDevice>> open_falcon(std::string_view serial, Clock& clock,
+                                                  std::vector<std::filesystem::path> firmware_files,
+                                                  const std::function<void(const std::string&)>& tell) {
     const auto plugged = list_usb_devices(kFalconIds);
     if (!plugged) return tl::unexpected(plugged.error());
-    const auto wanted = std::find_if(plugged->begin(), plugged->end(), [&](const UsbDeviceInfo& usb) { return serial.empty() || usb.serial == serial; });
+    const auto wanted = std::find_if(plugged->begin(), plugged->end(),
+                                     [&](const UsbDeviceInfo& usb) { return serial.empty() || usb.serial == serial; });
     if (wanted == plugged->end()) return fail(phrase("drivers.no_falcon"));
     if (!wanted->problem.empty()) return fail(why_not(*wanted));
     auto link = open_usb_link(*wanted);
     if (!link) return tl::unexpected(link.error());
     FalconOptions options;
-    options.firmware_files = falcon_firmware_files();
+    options.firmware_files = std::move(firmware_files);
     options.tell = tell;
     auto device = std::make_unique<FalconDevice>(std::move(*link), clock, std::move(options));
     if (const auto opened = device->open(); !opened) return tl::unexpected(opened.error());
@@ -271,14 +287,19 @@ std::vector<PluggedHand> plugged_hands() {
         if (!plugged) return;
         for (const UsbDeviceInfo& usb : *plugged) {
             const DeviceSpec& spec = *find_device_spec(name_of(usb));
-            hands.push_back({std::string(spec.name), spec.spoken_name(), place_of(usb), usb.problem.empty() ? std::string() : why_not(usb)});
+            hands.push_back({std::string(spec.name), spec.spoken_name(), place_of(usb),
+                             usb.problem.empty() ? std::string() : why_not(usb)});
         }
     };
     add_usb(kFalconIds, [](const UsbDeviceInfo&) { return std::string_view("falcon"); });
-    for (const Maker& maker : kMakers) add_usb(std::span(&maker.id, 1), [&](const UsbDeviceInfo& usb) { return model_of(maker, usb); });
+    for (const Maker& maker : kMakers)
+        add_usb(std::span(&maker.id, 1), [&](const UsbDeviceInfo& usb) { return model_of(maker, usb); });
     for (const FfDeviceInfo& ff : list_ff_devices())
         if (ff.abilities.constant && ff.abilities.stick)
-            hands.push_back({"force-stick", ff.name.empty() ? find_device_spec("force-stick")->spoken_name() : ff.name, ff.path, {}});
+            hands.push_back({"force-stick",
+                             ff.name.empty() ? find_device_spec("force-stick")->spoken_name() : ff.name,
+                             ff.path,
+                             {}});
     return hands;
 }
 
@@ -289,19 +310,38 @@ bool is_meant(const FoundDevice& device, std::string_view name_or_serial) {
 }
 
 std::vector<std::string> openable_device_names() {
-    return {"falcon", "touch", "omni", "phantom-desktop", "phantom-premium", "omega", "sigma", "lambda", "delta", "inverse3", "force-stick"};
+    return {"falcon", "touch",  "omni",  "phantom-desktop", "phantom-premium", "omega",
+            "sigma",  "lambda", "delta", "inverse3",        "force-stick"};
 }
 
-bool is_found_only_by_opening(std::string_view name) { return name == "touch" || name == "omni" || name.starts_with("phantom-"); }
+bool is_found_only_by_opening(std::string_view name) {
+    return name == "touch" || name == "omni" || name.starts_with("phantom-");
+}
 
 Result<std::unique_ptr<HapticDevice>> open_device(std::string_view name, std::string_view serial, Clock& clock,
                                                   const std::function<void(const std::string&)>& tell) {
-    if (name == "falcon") return open_falcon(serial, clock, tell);
+    if (name == "falcon") return open_falcon(serial, clock, falcon_firmware_files(), tell);
     if (is_found_only_by_opening(name)) return open_hd_device();
     if (name == "omega" || name == "sigma" || name == "lambda" || name == "delta") return open_dhd_device();
     if (name == "inverse3") return open_haply_device(clock);
     if (name == "force-stick") return open_force_stick();
     return fail(phrase("drivers.no_driver", {{"device", name}}));
+}
+
+Result<void> zero_device(std::string_view name, std::string_view serial, Clock& clock) {
+    // A Falcon that has no firmware holds no force, and sending one takes seconds.
+    auto device = name == "falcon" ? open_falcon(serial, clock, {}, nullptr)
+                                   : open_device(name, serial, clock, [](const std::string&) {});
+    if (!device) return tl::unexpected(device.error());
+    DeviceSample sample;
+    for (int i = 0; i < kZeroExchanges && !(sample.connected && sample.fresh && i > 0); ++i) {
+        (*device)->write({});
+        sample = (*device)->read(clock.now_s());
+    }
+    const bool taken = sample.connected && sample.fresh;
+    (*device)->close();
+    if (!taken) return fail(phrase("drivers.zero_not_taken", {{"device", (*device)->spec().spoken_name()}}));
+    return {};
 }
 
 }  // namespace handrail

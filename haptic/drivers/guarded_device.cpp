@@ -9,12 +9,16 @@
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+extern "C" {  // glibc 2.36 forgot to say so itself
+#include <sys/pidfd.h>
+}
 
 #include <array>
 #include <cstring>
 #include <new>
 #include <optional>
 
+#include "haptic/drivers/guard_process.h"
 #include "haptic/drivers/hand_guard.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/descriptor.h"
@@ -31,7 +35,7 @@ namespace {
 constexpr int kFirstFd = 3;
 constexpr std::string_view kGuardProgram = "handrail-guard";
 constexpr std::size_t kLongestSentence = 4096;
-constexpr int kLookMs = 50;  // whether the opening was given up
+constexpr int kGivenUpMs = 50;  // whether the opening was given up
 
 struct Message {
     GuardMessage kind;
@@ -50,7 +54,8 @@ std::optional<Message> receive(int life_fd) {
 fs::path find_guard_program() {
     std::error_code ec;
     const fs::path here = fs::read_symlink("/proc/self/exe", ec).parent_path();
-    for (const fs::path& candidate : {here / kGuardProgram, here.parent_path() / "libexec" / "handrail" / kGuardProgram})
+    for (const fs::path& candidate :
+         {here / kGuardProgram, here.parent_path() / "libexec" / "handrail" / kGuardProgram})
         if (!ec && ::access(candidate.c_str(), X_OK) == 0) return candidate;
     return {};
 }
@@ -60,78 +65,97 @@ GuardedDevice::GuardedDevice(const DeviceSpec& spec, fs::path guard_program, std
 
 GuardedDevice::~GuardedDevice() { GuardedDevice::close(); }
 
-Result<void> GuardedDevice::start_guard() {
+Result<void> GuardedDevice::start(const char* role, int third_fd, int& life_fd, pid_t& process) {
     const auto problem = [](int error) { return fail(phrase("guard.cannot_start", {{"reason", reason_of(error)}})); };
-    if (guard_program_.empty()) return fail(phrase("guard.no_program", {{"program", kGuardProgram}}));
-    const Descriptor memory(::memfd_create("handrail-hand", MFD_CLOEXEC));
-    if (memory.get() < 0 || ::ftruncate(memory.get(), sizeof(HandMailbox)) != 0) return problem(errno);
-    void* mapped = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, memory.get(), 0);
-    if (mapped == MAP_FAILED) return problem(errno);
-    mailbox_ = new (mapped) HandMailbox;
-
-    Descriptor wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK));
     std::array<int, 2> ends{-1, -1};
-    if (wake.get() < 0 || ::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return problem(errno);
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) return problem(errno);
     Descriptor ours(ends[0]);
     const Descriptor theirs(ends[1]);
 
     // Numbers out of the way of 3, 4 and 5 first, so that no descriptor is overwritten before it is passed on.
     std::array<int, 3> high{};
-    const std::array<int, 3> passed{memory.get(), wake.get(), theirs.get()};
+    const std::array<int, 3> passed{memory_fd_, theirs.get(), third_fd};
     for (std::size_t i = 0; i < passed.size(); ++i) high[i] = ::fcntl(passed[i], F_DUPFD_CLOEXEC, 64);
-    const Descriptor high_memory(high[0]), high_wake(high[1]), high_life(high[2]);
+    const Descriptor high_memory(high[0]), high_life(high[1]), high_third(high[2]);
     if (high[0] < 0 || high[1] < 0 || high[2] < 0) return problem(errno);
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    for (std::size_t i = 0; i < high.size(); ++i) posix_spawn_file_actions_adddup2(&actions, high[i], kFirstFd + static_cast<int>(i));
+    for (std::size_t i = 0; i < high.size(); ++i)
+        posix_spawn_file_actions_adddup2(&actions, high[i], kFirstFd + static_cast<int>(i));
     posix_spawn_file_actions_addclosefrom_np(&actions, kFirstFd + static_cast<int>(high.size()));
-    std::vector<std::string> words{guard_program_.string(), "3", "4", "5", spoken_language(), spoken_language_folder().string()};
+    std::vector<std::string> words{guard_program_.string(),          role, "3", "4", "5", spoken_language(),
+                                   spoken_language_folder().string()};
     words.insert(words.end(), arguments_.begin(), arguments_.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
-    const int status = ::posix_spawn(&guard_, guard_program_.c_str(), &actions, nullptr, argv.data(), environ);
+    const int status = ::posix_spawn(&process, guard_program_.c_str(), &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (status != 0) {
-        guard_ = -1;
+        process = -1;
         return problem(status);
     }
-    wake_fd_ = wake.release();
-    life_fd_ = ours.release();
+    life_fd = ours.release();
     return {};
+}
+
+// The second one is started with the first, so that it is ready before there can be any force.
+Result<void> GuardedDevice::start_guards() {
+    const auto problem = [](int error) { return fail(phrase("guard.cannot_start", {{"reason", reason_of(error)}})); };
+    if (guard_program_.empty()) return fail(phrase("guard.no_program", {{"program", kGuardProgram}}));
+    memory_fd_ = ::memfd_create("handrail-hand", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+    if (memory_fd_ < 0 || ::ftruncate(memory_fd_, sizeof(HandMailbox)) != 0) return problem(errno);
+    // Who holds it may write it, but never cut off what the others have mapped: they would die of SIGBUS.
+    if (::fcntl(memory_fd_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) return problem(errno);
+    void* mapped = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, memory_fd_, 0);
+    if (mapped == MAP_FAILED) return problem(errno);
+    mailbox_ = new (mapped) HandMailbox;
+    wake_fd_ = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
+    if (wake_fd_ < 0) return problem(errno);
+    if (auto started = start(kHoldRole, wake_fd_, life_fd_, guard_); !started) return started;
+    guard_fd_ = ::pidfd_open(guard_, 0);
+    if (guard_fd_ < 0) return problem(errno);
+    return start_relief();
+}
+
+Result<void> GuardedDevice::start_relief() {
+    if (relief_life_fd_ >= 0) ::close(std::exchange(relief_life_fd_, -1));
+    end_process(relief_, 0.0);
+    return start(kRelieveRole, guard_fd_, relief_life_fd_, relief_);
+}
+
+Result<void> GuardedDevice::wait_for_ready(int life_fd, double deadline_s) {
+    const SteadyClock clock;
+    for (;;) {
+        pollfd watched{life_fd, POLLIN, 0};
+        const bool late = clock.now_s() >= deadline_s;
+        if (late || given_up_.exchange(false, std::memory_order_acq_rel))
+            return fail(late ? phrase("guard.late", {{"device", spec_.spoken_name()}, {"seconds", kOpenS}})
+                             : phrase("guard.not_waited_for", {{"device", spec_.spoken_name()}}));
+        if (::poll(&watched, 1, kGivenUpMs) <= 0) continue;
+        const auto message = receive(life_fd);
+        if (!message) return fail(phrase("guard.ended", {{"device", spec_.spoken_name()}}));
+        if (message->kind == GuardMessage::Ready) return {};
+        if (message->kind == GuardMessage::Failed) return fail(message->sentence);
+        if (tell_) tell_(message->sentence);
+        news_.push_back(message->sentence);
+    }
 }
 
 Result<void> GuardedDevice::open() {
     if (life_fd_ >= 0 && guard_lives()) return {};
     close();
-    if (auto started = start_guard(); !started) {
+    may_push_ = told_may_push_ = false;
+    reliefs_left_ = kMostReliefs;
+    zeroing_since_s_ = SteadyClock().now_s();
+    const double deadline_s = SteadyClock().now_s() + kOpenS;
+    auto opened = start_guards();
+    if (opened) opened = wait_for_ready(life_fd_, deadline_s);
+    if (opened) opened = wait_for_ready(relief_life_fd_, deadline_s);
+    if (!opened) {
         close();
-        return started;
-    }
-    const SteadyClock clock;
-    const double deadline_s = clock.now_s() + kOpenS;
-    for (;;) {
-        pollfd watched{life_fd_, POLLIN, 0};
-        const bool late = clock.now_s() >= deadline_s;
-        if (late || given_up_.exchange(false, std::memory_order_acq_rel)) {
-            close();
-            return fail(late ? phrase("guard.late", {{"device", spec_.spoken_name()}, {"seconds", kOpenS}})
-                             : phrase("guard.not_waited_for", {{"device", spec_.spoken_name()}}));
-        }
-        if (::poll(&watched, 1, kLookMs) <= 0) continue;
-        const auto message = receive(life_fd_);
-        if (!message) {
-            close();
-            return fail(phrase("guard.ended", {{"device", spec_.spoken_name()}}));
-        }
-        if (message->kind == GuardMessage::Ready) break;
-        if (message->kind == GuardMessage::Failed) {
-            close();
-            return fail(message->sentence);
-        }
-        if (tell_) tell_(message->sentence);
-        news_.push_back(message->sentence);
+        return opened;
     }
     last_ = {};
     last_.fresh = false;
@@ -140,8 +164,25 @@ Result<void> GuardedDevice::open() {
 }
 
 bool GuardedDevice::guard_lives() const noexcept {
-    pollfd watched{life_fd_, POLLRDHUP, 0};
-    return ::poll(&watched, 1, 0) == 0 || !(watched.revents & (POLLHUP | POLLRDHUP | POLLERR));
+    pollfd watched{guard_fd_, POLLIN, 0};
+    return ::poll(&watched, 1, 0) == 0;
+}
+
+bool GuardedDevice::relief_lives() const noexcept {
+    pollfd watched{relief_life_fd_, POLLRDHUP, 0};
+    return relief_life_fd_ >= 0 && ::poll(&watched, 1, 0) == 0;
+}
+
+bool GuardedDevice::guard_ended() const noexcept {
+    if (life_fd_ < 0) return false;
+    const ReliefState relief = mailbox_->relief.load(std::memory_order_acquire);
+    return (relief == ReliefState::Zero || relief == ReliefState::Failed) && !guard_lives();
+}
+
+DeviceLoss GuardedDevice::loss() const noexcept {
+    if (!mailbox_->holds.load(std::memory_order_acquire)) return DeviceLoss::Unplugged;
+    return mailbox_->relief.load(std::memory_order_acquire) == ReliefState::Zero ? DeviceLoss::ForceOff
+                                                                                 : DeviceLoss::MayPush;
 }
 
 DeviceSample GuardedDevice::read(double) noexcept {
@@ -149,12 +190,16 @@ DeviceSample GuardedDevice::read(double) noexcept {
         last_.fresh = last_.connected = false;
         return last_;
     }
-    if (mailbox_->answer.refresh()) {
+    const bool relieved = mailbox_->relief.load(std::memory_order_acquire) != ReliefState::Watching;
+    if (!relieved && mailbox_->answer.refresh()) {
         last_ = mailbox_->answer.read();
         return last_;
     }
     last_.fresh = false;
-    if (last_.connected && !guard_lives()) last_.connected = false;
+    if (relieved || !guard_lives()) {
+        last_.connected = false;
+        last_.loss = loss();
+    }
     return last_;
 }
 
@@ -165,24 +210,50 @@ void GuardedDevice::write(const ForceCommand& command) noexcept {
     [[maybe_unused]] const ssize_t written = ::write(wake_fd_, &one, sizeof one);
 }
 
-void GuardedDevice::close() noexcept {
-    if (life_fd_ >= 0) ::close(life_fd_);
-    life_fd_ = -1;
-    if (guard_ > 0) {
-        // The guard may still be waking a device; it looks at us only between two steps of that, and zeroes the force when it does.
-        const SteadyClock clock;
-        SteadyClock sleeper;
-        const double deadline_s = clock.now_s() + kEndS;
-        bool ended = false;
-        while (!(ended = ::waitpid(guard_, nullptr, WNOHANG) != 0) && clock.now_s() < deadline_s) sleeper.sleep_until_s(clock.now_s() + 0.002);
-        if (!ended) {
-            ::kill(guard_, SIGKILL);
-            ::waitpid(guard_, nullptr, 0);
-        }
-        guard_ = -1;
+// Waits for it, at most so long, and ends it then. One that is in a driver which does not let go even of that is left
+// behind.
+void GuardedDevice::end_process(pid_t& process, double seconds) noexcept {
+    if (process <= 0) return;
+    SteadyClock clock;
+    bool ended = false;
+    const auto wait = [&](double wait_s) {
+        const double deadline_s = clock.now_s() + wait_s;
+        while (!(ended = ::waitpid(process, nullptr, WNOHANG) != 0) && clock.now_s() < deadline_s)
+            clock.sleep_until_s(clock.now_s() + 0.002);
+    };
+    wait(seconds);
+    if (!ended) {
+        ::kill(process, SIGKILL);
+        wait(kEndS);
     }
-    if (wake_fd_ >= 0) ::close(wake_fd_);
-    wake_fd_ = -1;
+    process = -1;
+}
+
+void GuardedDevice::await_zero() noexcept {
+    SteadyClock clock;
+    const double deadline_s = clock.now_s() + kZeroS;
+    const auto relief = [this] { return mailbox_->relief.load(std::memory_order_acquire); };
+    while (relief() != ReliefState::Zero && relief() != ReliefState::Failed && clock.now_s() < deadline_s)
+        clock.sleep_until_s(clock.now_s() + 0.002);
+    may_push_ = relief() != ReliefState::Zero;
+    if (!may_push_) return;
+    while (const auto message = receive(relief_life_fd_))
+        if (message->kind == GuardMessage::Failed) why_not_zero_ = message->sentence;
+}
+
+void GuardedDevice::close() noexcept {
+    if (mailbox_ && guard_fd_ >= 0 && !relief_lives() &&
+        mailbox_->relief.load(std::memory_order_acquire) == ReliefState::Watching)
+        (void)start_relief();
+    if (life_fd_ >= 0) ::close(std::exchange(life_fd_, -1));
+    // The guard may still be waking a device; it looks at us only between two steps of that, and zeroes the force when
+    // it does. With a device open it has 100 ms for each round, or the second guard ends it.
+    end_process(guard_, kEndS);
+    if (mailbox_ && relief_ > 0 && mailbox_->holds.load(std::memory_order_acquire)) await_zero();
+    if (relief_life_fd_ >= 0) ::close(std::exchange(relief_life_fd_, -1));
+    end_process(relief_, kEndS);
+    for (int* fd : {&guard_fd_, &wake_fd_, &memory_fd_})
+        if (*fd >= 0) ::close(std::exchange(*fd, -1));
     if (mailbox_) ::munmap(mailbox_, sizeof(HandMailbox));
     mailbox_ = nullptr;
 }
@@ -193,7 +264,43 @@ std::vector<std::string> GuardedDevice::take_news() {
         if (!message) break;
         if (!message->sentence.empty()) news_.push_back(message->sentence);
     }
+    while (relief_life_fd_ >= 0) {
+        const auto message = receive(relief_life_fd_);
+        if (!message) break;
+        if (message->kind != GuardMessage::Failed) continue;
+        why_not_zero_ = message->sentence;
+        may_push_ = true;
+    }
+    notice_long_zeroing();
+    if (may_push_ && !std::exchange(told_may_push_, true))
+        news_.push_back(phrase("guard.may_still_push",
+                               {{"device", spec_.spoken_name()},
+                                {"reason", why_not_zero_.empty() ? phrase("guard.no_answer") : why_not_zero_}}));
+    replace_relief();
     return std::exchange(news_, {});
+}
+
+// A second guard that hangs in a driver, or one that died as often as it is replaced, never says that it failed.
+void GuardedDevice::notice_long_zeroing() {
+    const double now_s = SteadyClock().now_s();
+    if (!mailbox_ || mailbox_->relief.load(std::memory_order_acquire) != ReliefState::Zeroing) zeroing_since_s_ = now_s;
+    else if (now_s - zeroing_since_s_ > kZeroS) may_push_ = true;
+}
+
+// One that died before its work was done; the machine may have ended it for want of memory.
+void GuardedDevice::replace_relief() {
+    if (!mailbox_ || relief_lives() || reliefs_left_ == 0) return;
+    const ReliefState relief = mailbox_->relief.load(std::memory_order_acquire);
+    if (relief == ReliefState::Zero || relief == ReliefState::Failed) return;
+    --reliefs_left_;
+    if (const auto started = start_relief(); !started) news_.push_back(started.error().sentence());
+}
+
+std::vector<std::string> GuardedDevice::unprotected() const {
+    std::vector<std::string> sentences;
+    if (mailbox_ && !mailbox_->memory_locked) sentences.push_back(phrase("guard.memory_not_locked"));
+    if (mailbox_ && !mailbox_->spared) sentences.push_back(phrase("guard.not_spared"));
+    return sentences;
 }
 
 }  // namespace handrail

@@ -1,13 +1,7 @@
 #include "haptic/drivers/hand_guard.h"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <pthread.h>
-#include <sched.h>
-#include <signal.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -20,7 +14,6 @@
 namespace handrail {
 namespace {
 
-constexpr int kRealTimePriority = 71;  // just above the servo thread that waits for it
 constexpr int kTickMs = 5;
 
 // Ends the process when an exchange does not come back: a vendor's library may block for ever, with the force still on.
@@ -64,12 +57,6 @@ private:
     std::thread thread_;  // last: starts when all else stands
 };
 
-void send(int life_fd, GuardMessage kind, const std::string& sentence) {
-    const std::string message = static_cast<char>(kind) + sentence;
-    // A program that does not listen must not hold up the guard.
-    [[maybe_unused]] const ssize_t sent = ::send(life_fd, message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-}
-
 // True when a command waits. `gone` when the program closed its end.
 bool wait_for_command(int wake_fd, int life_fd, int timeout_ms, bool& gone) {
     std::array<pollfd, 2> watched{pollfd{wake_fd, POLLIN, 0}, pollfd{life_fd, POLLRDHUP, 0}};
@@ -82,17 +69,25 @@ bool wait_for_command(int wake_fd, int life_fd, int timeout_ms, bool& gone) {
 
 }  // namespace
 
-int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice& open_device, const std::function<void()>& stuck) {
+void send_message(int life_fd, GuardMessage kind, const std::string& sentence) {
+    const std::string message = static_cast<char>(kind) + sentence;
+    // A program that does not listen must not hold up the guard.
+    [[maybe_unused]] const ssize_t sent = ::send(life_fd, message.data(), message.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+}
+
+int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice& open_device,
+               const std::function<void()>& stuck) {
     const SteadyClock clock;
-    const auto tell = [life_fd](const std::string& sentence) { send(life_fd, GuardMessage::News, sentence); };
+    const auto tell = [life_fd](const std::string& sentence) { send_message(life_fd, GuardMessage::News, sentence); };
     auto opened = open_device(tell);
     if (!opened) {
-        send(life_fd, GuardMessage::Failed, opened.error().sentence());
+        send_message(life_fd, GuardMessage::Failed, opened.error().sentence());
         return 1;
     }
     std::unique_ptr<HapticDevice> device = std::move(*opened);
+    mailbox.holds = true;
     StuckWatch watch(stuck);
-    send(life_fd, GuardMessage::Ready, "");
+    send_message(life_fd, GuardMessage::Ready, "");
 
     DeviceSample answer;
     ForceCommand command;
@@ -101,6 +96,7 @@ int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice&
     while (!gone) {
         const bool woken = wait_for_command(wake_fd, life_fd, kTickMs, gone);
         const double now_s = clock.now_s();
+        mailbox.beats.fetch_add(1, std::memory_order_release);
         if (mailbox.command.refresh()) {
             commanded_s = now_s;
             command = mailbox.command.read();
@@ -113,17 +109,21 @@ int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice&
             answer = device->read(now_s);
             watch.end();
             exchanged_s = now_s;
-            mailbox.answer.publish(answer);
             if (!answer.connected) {
                 device->close();
                 device.reset();
+                mailbox.holds = false;
                 looked_s = now_s;
             }
+            mailbox.answer.publish(answer);
         } else if (!device) {
             if (now_s - looked_s >= kLookAgainS) {
                 auto again = open_device(tell);
                 looked_s = clock.now_s();
-                if (again) device = std::move(*again);
+                if (again) {
+                    device = std::move(*again);
+                    mailbox.holds = true;
+                }
             }
         }
     }
@@ -131,23 +131,9 @@ int guard_hand(HandMailbox& mailbox, int wake_fd, int life_fd, const OpenDevice&
         watch.begin(clock.now_s());
         device->close();
         watch.end();
+        mailbox.holds = false;
     }
     return 0;
-}
-
-int run_guard_process(int mailbox_fd, int wake_fd, int life_fd, const OpenDevice& open_device) {
-    for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGUSR1, SIGUSR2}) ::signal(number, SIG_IGN);
-    ::setsid();  // what is sent to the program's group is not for the guard
-    struct stat facts {};
-    if (::fstat(mailbox_fd, &facts) != 0 || facts.st_size < static_cast<off_t>(sizeof(HandMailbox))) return 2;
-    void* memory = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, mailbox_fd, 0);
-    if (memory == MAP_FAILED) return 2;
-    auto& mailbox = *static_cast<HandMailbox*>(memory);
-    if (mailbox.mark != HandMailbox::kMailboxMark) return 2;
-    sched_param wish{};
-    wish.sched_priority = kRealTimePriority;
-    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);  // ordinary scheduling does too, less evenly
-    return guard_hand(mailbox, wake_fd, life_fd, open_device, [] { ::_exit(3); });
 }
 
 }  // namespace handrail

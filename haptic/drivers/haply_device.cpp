@@ -26,7 +26,9 @@ constexpr double kAnswerDeadlineS = 0.005;
 constexpr double kZeroAfterSilenceS = 0.020;
 constexpr std::size_t kLargestMessage = 1 << 20;
 
-std::chrono::nanoseconds duration(double seconds) { return std::chrono::nanoseconds(static_cast<std::int64_t>(std::max(seconds, 0.0) * 1e9)); }
+std::chrono::nanoseconds duration(double seconds) {
+    return std::chrono::nanoseconds(static_cast<std::int64_t>(std::max(seconds, 0.0) * 1e9));
+}
 
 const Json* member(const Json& json, const char* name) {
     if (!json.is_object()) return nullptr;
@@ -42,8 +44,11 @@ bool number(const Json& json, const char* name, double& value) {
 }
 
 std::string force_message(const std::string& device_id, const Vec3& force_n) {
-    return Json{{"inverse3", Json::array({Json{{"device_id", device_id},
-                                               {"commands", {{"set_cursor_force", {{"values", {{"x", force_n.x}, {"y", force_n.y}, {"z", force_n.z}}}}}}}}})}}
+    return Json{{"inverse3",
+                 Json::array({Json{
+                     {"device_id", device_id},
+                     {"commands",
+                      {{"set_cursor_force", {{"values", {{"x", force_n.x}, {"y", force_n.y}, {"z", force_n.z}}}}}}}}})}}
         .dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
@@ -67,14 +72,16 @@ public:
     Result<void> open() override {
         try {
             beast::error_code problem = boost::asio::error::would_block;
-            beast::get_lowest_layer(socket_).async_connect(Tcp::endpoint(boost::asio::ip::address_v4::loopback(), port_),
-                                                           [&](beast::error_code error) { problem = error; });
+            beast::get_lowest_layer(socket_).async_connect(
+                Tcp::endpoint(boost::asio::ip::address_v4::loopback(), port_),
+                [&](beast::error_code error) { problem = error; });
             run_until(kOpenDeadlineS, [&] { return problem != boost::asio::error::would_block; });
             if (problem) return fail(phrase("drivers.haply_no_service"));
             beast::get_lowest_layer(socket_).socket().set_option(Tcp::no_delay(true));
             socket_.read_message_max(kLargestMessage);
             problem = boost::asio::error::would_block;
-            socket_.async_handshake(fmt::format("127.0.0.1:{}", port_), "/", [&](beast::error_code error) { problem = error; });
+            socket_.async_handshake(fmt::format("127.0.0.1:{}", port_), "/",
+                                    [&](beast::error_code error) { problem = error; });
             run_until(kOpenDeadlineS, [&] { return problem != boost::asio::error::would_block; });
             if (problem) return fail(phrase("drivers.haply_other"));
             open_ = true;
@@ -91,7 +98,8 @@ public:
         if (in_flight_ == 0) write({});
         const double deadline_s = clock_.now_s() + kAnswerDeadlineS;
         bool fresh = false;
-        while (!lost_ && in_flight_ > 0 && clock_.now_s() < deadline_s) fresh = guarded([&] { return receive(deadline_s); }) || fresh;
+        while (!lost_ && in_flight_ > 0 && clock_.now_s() < deadline_s)
+            fresh = guarded([&] { return receive(deadline_s); }) || fresh;
         if (!fresh && clock_.now_s() - sent_s_ > kZeroAfterSilenceS) in_flight_ = 0;
         if (fresh) answered_s_ = clock_.now_s();
         DeviceSample sample = state_;
@@ -156,7 +164,9 @@ private:
             lost_ = lost_ || error;
         });
         run_until(kAnswerDeadlineS, [this] { return written_; });
-        if (!written_) lost_ = true;  // a local service that takes no message for so long has hung; its buffer must not outlive this call
+        if (!written_)
+            lost_ = true;  // a local service that takes no message for so long has hung; its buffer must not outlive
+                           // this call
         if (!lost_) {
             ++in_flight_;
             sent_s_ = clock_.now_s();
@@ -215,9 +225,12 @@ bool parse_haply_state(std::string_view text, std::string& device_id, DeviceSamp
         const Json* state = member(device, "state");
         const Json* position = state ? member(*state, "cursor_position") : nullptr;
         Vec3 place{0.0};
-        if (!position || !number(*position, "x", place.x) || !number(*position, "y", place.y) || !number(*position, "z", place.z)) return false;
+        if (!position || !number(*position, "x", place.x) || !number(*position, "y", place.y) ||
+            !number(*position, "z", place.z))
+            return false;
         if (const Json* status = member(device, "status"))
-            if (const Json* calibrated = member(*status, "calibrated"); calibrated && calibrated->is_boolean()) sample.homed = calibrated->get<bool>();
+            if (const Json* calibrated = member(*status, "calibrated"); calibrated && calibrated->is_boolean())
+                sample.homed = calibrated->get<bool>();
         device_id = id->get<std::string>();
         sample.position_m = place;
         return true;

@@ -1,7 +1,8 @@
-// Haply's Inverse3 through the service that its maker installs: a WebSocket on this computer, JSON, exactly one state for each message sent, so
-// that a force is also the question for the next place. Lives in the guard process: a force at 1 kHz is a message at 1 kHz, and what comes may
-// be damaged or late. When the guard ends the connection closes, and what stops the force then is the service. Owner: one thread.
-// Source: the public documentation of the service, 3.5. Axes x right, y away from the person, z up are taken from it and await a device.
+// Haply's Inverse3 through the service that its maker installs: a WebSocket on this computer, JSON, exactly one state
+// for each message sent, so that a force is also the question for the next place. Lives in the guard process: a force
+// at 1 kHz is a message at 1 kHz, and what comes may be damaged or late. When the guard ends the connection closes, and
+// what stops the force then is the service. Owner: one thread. Source: the public documentation of the service, 3.5.
+// Axes x right, y away from the person, z up are taken from it and await a device.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,8 @@ struct HaplyFacts {
 };
 Result<HaplyFacts> look_at_haply(Clock& clock, std::uint16_t port = kHaplyPort);
 
-// What one message of the service says; false when it holds no sound state of this device. `device_id` is taken when it is empty.
+// What one message of the service says; false when it holds no sound state of this device. `device_id` is taken when it
+// is empty.
 bool parse_haply_state(std::string_view json, std::string& device_id, DeviceSample& sample);
 
 }  // namespace handrail

@@ -22,11 +22,13 @@ struct ErrorInfo {
 };
 
 constexpr Handle kInvalid = 0xFFFFFFFFU;
-constexpr Enum kButtons = 0x2000, kPosition = 0x2050, kGimbal = 0x2150, kModel = 0x2501, kCalibrationStyle = 0x2555, kStiffness = 0x2602, kMaxForce = 0x2603, kForce = 0x2700,
-               kForceOutput = 0x4000, kForceClamping = 0x4001, kCalibrated = 0x5000,
+constexpr Enum kButtons = 0x2000, kPosition = 0x2050, kGimbal = 0x2150, kModel = 0x2501, kCalibrationStyle = 0x2555,
+               kStiffness = 0x2602, kMaxForce = 0x2603, kForce = 0x2700, kForceOutput = 0x4000, kForceClamping = 0x4001,
+               kCalibrated = 0x5000,
                kCalibrationNeedsUpdate = 0x5001;  // anything else: by hand, such as into the inkwell
 constexpr unsigned short kPriority = 32767;
-constexpr unsigned kFirstForceError = 0x0200, kWarmMotors = 0x0200, kLastForceError = 0x0204, kFirstDeviceError = 0x0300, kLastDeviceError = 0x0304;
+constexpr unsigned kFirstForceError = 0x0200, kWarmMotors = 0x0200, kLastForceError = 0x0204,
+                   kFirstDeviceError = 0x0300, kLastDeviceError = 0x0304;
 constexpr double kMetresPerMillimetre = 1e-3;
 
 struct Functions {
@@ -77,7 +79,8 @@ public:
         const bool fresh = sample_.refresh();
         DeviceSample sample = sample_.read();
         sample.fresh = fresh;
-        sample.connected = handle_ != kInvalid && !lost_.load(std::memory_order_acquire);  // first: by then the reason stands beside it
+        sample.connected = handle_ != kInvalid &&
+                           !lost_.load(std::memory_order_acquire);  // first: by then the reason stands beside it
         sample.hot = hot_.load(std::memory_order_acquire);
         sample.failed = failed_.load(std::memory_order_acquire);
         return sample;
@@ -121,7 +124,8 @@ private:
         }
 
         force_.refresh();
-        const bool allowed = is_finite(theirs) && calibration == kCalibrated && !stopped_ && !ending_.load(std::memory_order_acquire);
+        const bool allowed =
+            is_finite(theirs) && calibration == kCalibrated && !stopped_ && !ending_.load(std::memory_order_acquire);
         const Vec3 force = allowed ? held_to(force_.read(), spec_.peak_force_n) : Vec3(0.0);
         const double out[3]{force.x, force.z, -force.y};
         call_.set_double(kForce, out);
@@ -134,12 +138,14 @@ private:
         sample.homed = calibration == kCalibrated;
         sample_.publish(sample);
         for (ErrorInfo error = call_.get_error(); error.code != 0; error = call_.get_error()) {
-            // The library has switched the motors off: too warm, too fast, too strong. They stay off until the device is opened again.
+            // The library has switched the motors off: too warm, too fast, too strong. They stay off until the device
+            // is opened again.
             if (error.code >= kFirstForceError && error.code <= kLastForceError) {
                 (error.code == kWarmMotors ? hot_ : failed_).store(true, std::memory_order_release);
                 stopped_ = true;
             }
-            if (error.code >= kFirstDeviceError && error.code <= kLastDeviceError) lost_.store(true, std::memory_order_release);
+            if (error.code >= kFirstDeviceError && error.code <= kLastDeviceError)
+                lost_.store(true, std::memory_order_release);
             if (stopped_) lost_.store(true, std::memory_order_release);
         }
         return ending_.load(std::memory_order_acquire) ? 0 : 1;
@@ -158,7 +164,8 @@ private:
         if (value > 0.0 && std::isfinite(value)) spec_.peak_force_n = std::min(spec_.peak_force_n, value);
         value = 0.0;
         call_.get_double(kStiffness, &value);
-        if (value > 0.0 && std::isfinite(value)) spec_.rated_stiffness_n_per_m = std::min(spec_.rated_stiffness_n_per_m, value * 1000.0);  // told per mm
+        if (value > 0.0 && std::isfinite(value))
+            spec_.rated_stiffness_n_per_m = std::min(spec_.rated_stiffness_n_per_m, value * 1000.0);  // told per mm
         while (call_.get_error().code != 0) {
         }
     }
@@ -178,7 +185,8 @@ private:
 }  // namespace
 
 Result<std::unique_ptr<HapticDevice>> open_hd_device(const std::string& path) {
-    auto library = path.empty() ? VendorLibrary::load({"libHD.so", "libHD.so.3.4", "libHD.so.3.0"}, "3D Systems") : VendorLibrary::load({path}, "3D Systems");
+    auto library = path.empty() ? VendorLibrary::load({"libHD.so", "libHD.so.3.4", "libHD.so.3.0"}, "3D Systems")
+                                : VendorLibrary::load({path}, "3D Systems");
     if (!library) return tl::unexpected(library.error());
     Functions call{};
     const auto complete = library->get("hdInitDevice", call.init)

@@ -24,7 +24,8 @@ public:
         return hid_write(device_.get(), report.data(), report.size()) == static_cast<int>(report.size());
     }
     int read(std::span<std::uint8_t> room, double timeout_s) noexcept override {
-        const int size = hid_read_timeout(device_.get(), room.data(), room.size(), static_cast<int>(std::clamp(std::ceil(timeout_s * 1000.0), 0.0, 10000.0)));
+        const int size = hid_read_timeout(device_.get(), room.data(), room.size(),
+                                          static_cast<int>(std::clamp(std::ceil(timeout_s * 1000.0), 0.0, 10000.0)));
         return size < 0 ? kLost : size;
     }
     int feature(std::span<std::uint8_t> room) noexcept override {
@@ -69,7 +70,8 @@ std::vector<HidDeviceInfo> list_hid_devices() {
         found.push_back(std::move(info));
     }
     hid_free_enumeration(all);
-    std::sort(found.begin(), found.end(), [](const HidDeviceInfo& a, const HidDeviceInfo& b) { return a.path < b.path; });
+    std::sort(found.begin(), found.end(),
+              [](const HidDeviceInfo& a, const HidDeviceInfo& b) { return a.path < b.path; });
     return found;
 }
 
@@ -77,7 +79,8 @@ Result<std::unique_ptr<HidLink>> open_hid_link(const HidDeviceInfo& device) {
     const std::lock_guard guard(hidapi_lock());
     hid_device* opened = hid_open_path(device.path.c_str());
     if (!opened)
-        return fail(device.product_name.empty() ? phrase("drivers.cannot_open_any") : phrase("drivers.cannot_open", {{"device", device.product_name}}));
+        return fail(device.product_name.empty() ? phrase("drivers.cannot_open_any")
+                                                : phrase("drivers.cannot_open", {{"device", device.product_name}}));
     return std::unique_ptr<HidLink>(std::make_unique<HidapiLink>(opened));
 }
 

@@ -1,5 +1,5 @@
-// A device that speaks in HID reports: what a driver needs of hidapi, and what an emulator can stand in for. Reports carry their number in
-// byte 0. One thread at a time. Private to haptic/drivers.
+// A device that speaks in HID reports: what a driver needs of hidapi, and what an emulator can stand in for. Reports
+// carry their number in byte 0. One thread at a time. Private to haptic/drivers.
 #pragma once
 
 #include <cstdint>

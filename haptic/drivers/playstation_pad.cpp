@@ -30,14 +30,21 @@ void put_zones(TriggerEffect& effect, int first, int strength) noexcept {
 
 void put_checksum(std::vector<std::uint8_t>& report) {
     const std::uint32_t crc = pad_checksum(kOutputCrc, std::span(report).first(report.size() - kChecksum));
-    for (std::size_t i = 0; i < kChecksum; ++i) report[report.size() - kChecksum + i] = static_cast<std::uint8_t>(crc >> (8 * i));
+    for (std::size_t i = 0; i < kChecksum; ++i)
+        report[report.size() - kChecksum + i] = static_cast<std::uint8_t>(crc >> (8 * i));
 }
 
-double stick(std::uint8_t value) noexcept { return std::clamp((static_cast<double>(value) - 128.0) / 127.0, -1.0, 1.0); }
+double stick(std::uint8_t value) noexcept {
+    return std::clamp((static_cast<double>(value) - 128.0) / 127.0, -1.0, 1.0);
+}
 
-std::uint8_t coil(double share) noexcept { return static_cast<std::uint8_t>(std::isfinite(share) ? std::lround(std::clamp(share, 0.0, 1.0) * 255.0) : 0); }
+std::uint8_t coil(double share) noexcept {
+    return static_cast<std::uint8_t>(std::isfinite(share) ? std::lround(std::clamp(share, 0.0, 1.0) * 255.0) : 0);
+}
 
-int level(double share) noexcept { return std::isfinite(share) ? static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * 8.0)) : 0; }
+int level(double share) noexcept {
+    return std::isfinite(share) ? static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * 8.0)) : 0;
+}
 
 }  // namespace
 
@@ -58,7 +65,8 @@ std::optional<PadIdentity> playstation_pad(std::uint16_t vendor, std::uint16_t p
 }
 
 bool is_event_node_of_a_playstation_pad(std::string_view name) noexcept {
-    return name.find("DualSense") != std::string_view::npos || name.find("Wireless Controller") != std::string_view::npos;
+    return name.find("DualSense") != std::string_view::npos ||
+           name.find("Wireless Controller") != std::string_view::npos;
 }
 
 TriggerEffect trigger_off() noexcept { return {0x05}; }
@@ -72,7 +80,8 @@ TriggerEffect trigger_resists(int from_zone, int strength) noexcept {
 TriggerEffect trigger_clicks(int from_zone, int to_zone, int strength) noexcept {
     const int from = std::clamp(from_zone, 2, 7), to = std::clamp(to_zone, from + 1, 8);
     const unsigned mask = (1U << from) | (1U << to);
-    return {0x25, static_cast<std::uint8_t>(mask & 0xff), static_cast<std::uint8_t>(mask >> 8), static_cast<std::uint8_t>(std::clamp(strength, 1, 8) - 1)};
+    return {0x25, static_cast<std::uint8_t>(mask & 0xff), static_cast<std::uint8_t>(mask >> 8),
+            static_cast<std::uint8_t>(std::clamp(strength, 1, 8) - 1)};
 }
 
 TriggerEffect trigger_vibrates(int from_zone, int strength, int frequency_hz) noexcept {
@@ -84,9 +93,11 @@ TriggerEffect trigger_vibrates(int from_zone, int strength, int frequency_hz) no
 
 PadOutput pad_output_for(const FingerCue& cue) noexcept {
     PadOutput output;
-    const int resistance = level(cue.nearness * (0.4 + 0.6 * std::clamp(std::isfinite(cue.hardness) ? cue.hardness : 0.0, 0.0, 1.0)));
+    const int resistance =
+        level(cue.nearness * (0.4 + 0.6 * std::clamp(std::isfinite(cue.hardness) ? cue.hardness : 0.0, 0.0, 1.0)));
     if (cue.doorway) output.right = trigger_clicks(3, 6, 8);
-    else if (resistance > 0 && cue.material_hz >= 1.0) output.right = trigger_vibrates(2, resistance, static_cast<int>(std::min(cue.material_hz, 255.0)));
+    else if (resistance > 0 && cue.material_hz >= 1.0)
+        output.right = trigger_vibrates(2, resistance, static_cast<int>(std::min(cue.material_hz, 255.0)));
     else if (resistance > 0) output.right = trigger_resists(2, resistance);
     if (const int slope = level(cue.slope); slope > 0) output.left = trigger_resists(2, slope);
     output.strong = coil(cue.knock);
@@ -99,7 +110,8 @@ std::uint32_t pad_checksum(std::uint8_t leading, std::span<const std::uint8_t> b
     return static_cast<std::uint32_t>(::crc32(crc, bytes.data(), static_cast<unsigned>(bytes.size())));
 }
 
-std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const PadOutput& output, bool improved_rumble, int sequence) {
+std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const PadOutput& output, bool improved_rumble,
+                                            int sequence) {
     std::vector<std::uint8_t> report;
     if (model == PadModel::DualShock4) {
         // Only the flag of the coils, so that the light stays as the kernel has it.
@@ -143,8 +155,8 @@ std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<co
     } else {
         if (report.size() != kBluetoothReport || report[0] != (sense ? 0x31 : 0x11)) return std::nullopt;
         const auto body = report.first(report.size() - kChecksum), sum = report.last(kChecksum);
-        const std::uint32_t told =
-            sum[0] | static_cast<std::uint32_t>(sum[1]) << 8 | static_cast<std::uint32_t>(sum[2]) << 16 | static_cast<std::uint32_t>(sum[3]) << 24;
+        const std::uint32_t told = sum[0] | static_cast<std::uint32_t>(sum[1]) << 8 |
+                                   static_cast<std::uint32_t>(sum[2]) << 16 | static_cast<std::uint32_t>(sum[3]) << 24;
         if (told != pad_checksum(kInputCrc, body)) return std::nullopt;
         at = sense ? 2 : 3;
     }
@@ -159,12 +171,13 @@ std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<co
     input.left_trigger = triggers[0] / 255.0;
     input.right_trigger = triggers[1] / 255.0;
     input.hat = std::min<int>(keys[0] & 15, 8);
-    input.buttons =
-        static_cast<std::uint32_t>(keys[0] >> 4) | static_cast<std::uint32_t>(keys[1]) << 4 | static_cast<std::uint32_t>(keys[2] & (sense ? 7 : 3)) << 12;
+    input.buttons = static_cast<std::uint32_t>(keys[0] >> 4) | static_cast<std::uint32_t>(keys[1]) << 4 |
+                    static_cast<std::uint32_t>(keys[2] & (sense ? 7 : 3)) << 12;
     return input;
 }
 
-PlaystationPad::PlaystationPad(std::unique_ptr<HidLink> link, PadModel model, PadBus bus) : link_(std::move(link)), model_(model), bus_(bus) {}
+PlaystationPad::PlaystationPad(std::unique_ptr<HidLink> link, PadModel model, PadBus bus)
+    : link_(std::move(link)), model_(model), bus_(bus) {}
 
 PlaystationPad::~PlaystationPad() { close(); }
 
@@ -197,7 +210,8 @@ std::optional<PadInput> PlaystationPad::read(double timeout_s) noexcept {
         const int size = link_->read(room, wait_s);
         if (size == HidLink::kLost) lost_ = true;
         if (size <= 0) break;
-        if (const auto input = parse_pad_input(model_, bus_, std::span(room).first(static_cast<std::size_t>(size)))) newest = input;
+        if (const auto input = parse_pad_input(model_, bus_, std::span(room).first(static_cast<std::size_t>(size))))
+            newest = input;
     }
     return newest;
 }

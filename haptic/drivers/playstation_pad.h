@@ -1,7 +1,8 @@
-// Sony's DualSense and DualShock 4: what their sticks, triggers and buttons do, and cues to the fingers by two voice coils and, on the
-// DualSense, two triggers that resist. No wall: a cue tells of one. Over USB or Bluetooth, where each report carries a checksum.
-// Any one thread; the pad is read at most 250 times a second and written at most 125, and read() and write() cost a system call each.
-// Sources: the Linux drivers hid-playstation and hid-sony for reports and checksum; published descriptions of the trigger effects.
+// Sony's DualSense and DualShock 4: what their sticks, triggers and buttons do, and cues to the fingers by two voice
+// coils and, on the DualSense, two triggers that resist. No wall: a cue tells of one. Over USB or Bluetooth, where each
+// report carries a checksum. Any one thread; the pad is read at most 250 times a second and written at most 125, and
+// read() and write() cost a system call each. Sources: the Linux drivers hid-playstation and hid-sony for reports and
+// checksum; published descriptions of the trigger effects.
 #pragma once
 
 #include <array>
@@ -35,10 +36,12 @@ struct PadInput {
     double left_x = 0.0, left_y = 0.0, right_x = 0.0, right_y = 0.0;  // -1 to 1, right and forward positive
     double left_trigger = 0.0, right_trigger = 0.0;                   // 0 to 1
     int hat = 8;                                                      // 0 up, clockwise to 7; 8 none
-    std::uint32_t buttons = 0;                                        // from bit 0: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute
+    std::uint32_t buttons =
+        0;  // from bit 0: square cross circle triangle L1 R1 L2 R2 create options L3 R3 PS touch mute
 };
 
-// Ten zones along the pull of a trigger, 0 to 9. Built by the functions below; values out of range are held at its ends.
+// Ten zones along the pull of a trigger, 0 to 9. Built by the functions below; values out of range are held at its
+// ends.
 using TriggerEffect = std::array<std::uint8_t, 11>;
 TriggerEffect trigger_off() noexcept;
 TriggerEffect trigger_resists(int from_zone, int strength_1_to_8) noexcept;
@@ -53,7 +56,8 @@ struct PadOutput {
 PadOutput pad_output_for(const FingerCue& cue) noexcept;
 
 // Reports as bytes. A Bluetooth input with a wrong checksum, and anything that is no full input report, is nothing.
-std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const PadOutput& output, bool improved_rumble, int sequence);
+std::vector<std::uint8_t> pad_output_report(PadModel model, PadBus bus, const PadOutput& output, bool improved_rumble,
+                                            int sequence);
 std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<const std::uint8_t> report) noexcept;
 // CRC-32 as in zip over one leading byte (0xA2 output, 0xA1 input, 0xA3 feature) and the report without its last four.
 std::uint32_t pad_checksum(std::uint8_t leading, std::span<const std::uint8_t> bytes) noexcept;

@@ -18,7 +18,9 @@ double curve(int raw) noexcept {
 
 // Its own axes: x right, y towards the person, z down.
 Vec3 three(std::span<const std::uint8_t> bytes) noexcept {
-    const auto axis = [&](std::size_t i) { return curve(static_cast<std::int16_t>(bytes[2 * i] | bytes[2 * i + 1] << 8)); };
+    const auto axis = [&](std::size_t i) {
+        return curve(static_cast<std::int16_t>(bytes[2 * i] | bytes[2 * i + 1] << 8));
+    };
     return {axis(0), -axis(1), -axis(2)};
 }
 
@@ -26,7 +28,8 @@ Vec3 three(std::span<const std::uint8_t> bytes) noexcept {
 
 bool is_space_mouse(const HidDeviceInfo& device) noexcept {
     constexpr std::uint16_t kConnexion = 0x256f, kLogitech = 0x046d, kGenericDesktop = 1, kMultiAxis = 8;
-    return (device.vendor == kConnexion || device.vendor == kLogitech) && device.usage_page == kGenericDesktop && device.usage == kMultiAxis;
+    return (device.vendor == kConnexion || device.vendor == kLogitech) && device.usage_page == kGenericDesktop &&
+           device.usage == kMultiAxis;
 }
 
 bool SpaceMouse::take(std::span<const std::uint8_t> report, double now_s) noexcept {
@@ -44,7 +47,8 @@ bool SpaceMouse::take(std::span<const std::uint8_t> report, double now_s) noexce
             break;
         case 3:
             state_.buttons = 0;
-            for (std::size_t i = 0; i < std::min<std::size_t>(body.size(), 4); ++i) state_.buttons |= static_cast<std::uint32_t>(body[i]) << (8 * i);
+            for (std::size_t i = 0; i < std::min<std::size_t>(body.size(), 4); ++i)
+                state_.buttons |= static_cast<std::uint32_t>(body[i]) << (8 * i);
             return true;
         default:
             return false;

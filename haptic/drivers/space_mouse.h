@@ -12,7 +12,8 @@
 
 namespace handrail {
 
-// Device frame: x right, y forward, z up; turn about the same axes, right-handed. All -1 to 1, 0 at rest, after dead band and curve.
+// Device frame: x right, y forward, z up; turn about the same axes, right-handed. All -1 to 1, 0 at rest, after dead
+// band and curve.
 struct PuckState {
     Vec3 move{0.0}, turn{0.0};
     std::uint32_t buttons = 0;

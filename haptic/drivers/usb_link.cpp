@@ -77,21 +77,25 @@ public:
     ~LibusbLink() override { libusb_release_interface(handle_.get(), 0); }
 
     bool control(std::uint8_t request, std::uint16_t value) noexcept override {
-        return libusb_control_transfer(handle_.get(), kVendorRequestOut, request, value, 0, nullptr, 0, kControlTimeoutMs) >= 0;
+        return libusb_control_transfer(handle_.get(), kVendorRequestOut, request, value, 0, nullptr, 0,
+                                       kControlTimeoutMs) >= 0;
     }
     int write(std::span<const std::uint8_t> bytes, double timeout_s) noexcept override {
         // libusb only reads what it writes.
         return bulk(kBulkOut, const_cast<unsigned char*>(bytes.data()), bytes.size(), timeout_s);
     }
-    int read(std::span<std::uint8_t> room, double timeout_s) noexcept override { return bulk(kBulkIn, room.data(), room.size(), timeout_s); }
+    int read(std::span<std::uint8_t> room, double timeout_s) noexcept override {
+        return bulk(kBulkIn, room.data(), room.size(), timeout_s);
+    }
 
 private:
     int bulk(unsigned char endpoint, unsigned char* bytes, std::size_t size, double timeout_s) noexcept {
         int done = 0;
-        const int status = libusb_bulk_transfer(handle_.get(), endpoint, bytes, static_cast<int>(size), &done, milliseconds(timeout_s));
+        const int status = libusb_bulk_transfer(handle_.get(), endpoint, bytes, static_cast<int>(size), &done,
+                                                milliseconds(timeout_s));
         if (status == LIBUSB_ERROR_PIPE) libusb_clear_halt(handle_.get(), endpoint);
-        const bool goes_on = status == 0 || status == LIBUSB_ERROR_TIMEOUT || status == LIBUSB_ERROR_PIPE || status == LIBUSB_ERROR_OVERFLOW ||
-                             status == LIBUSB_ERROR_INTERRUPTED;
+        const bool goes_on = status == 0 || status == LIBUSB_ERROR_TIMEOUT || status == LIBUSB_ERROR_PIPE ||
+                             status == LIBUSB_ERROR_OVERFLOW || status == LIBUSB_ERROR_INTERRUPTED;
         return goes_on ? done : kLost;
     }
 
@@ -126,8 +130,9 @@ Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wante
         found.push_back(std::move(info));
         return false;
     });
-    std::sort(found.begin(), found.end(),
-              [](const UsbDeviceInfo& a, const UsbDeviceInfo& b) { return std::pair(a.bus, a.address) < std::pair(b.bus, b.address); });
+    std::sort(found.begin(), found.end(), [](const UsbDeviceInfo& a, const UsbDeviceInfo& b) {
+        return std::pair(a.bus, a.address) < std::pair(b.bus, b.address);
+    });
     return found;
 }
 
@@ -137,8 +142,8 @@ Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& wanted) {
     libusb_device_handle* raw = nullptr;
     int status = LIBUSB_ERROR_NO_DEVICE;
     for_each_device(context.get(), [&](libusb_device* device, const libusb_device_descriptor& descriptor) {
-        if (descriptor.idVendor != wanted.id.vendor || descriptor.idProduct != wanted.id.product || libusb_get_bus_number(device) != wanted.bus ||
-            libusb_get_device_address(device) != wanted.address)
+        if (descriptor.idVendor != wanted.id.vendor || descriptor.idProduct != wanted.id.product ||
+            libusb_get_bus_number(device) != wanted.bus || libusb_get_device_address(device) != wanted.address)
             return false;
         status = libusb_open(device, &raw);
         return true;
@@ -147,7 +152,9 @@ Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& wanted) {
     Handle handle(raw);
     libusb_set_auto_detach_kernel_driver(raw, 1);
     if (status = libusb_claim_interface(raw, 0); status != 0)
-        return fail(status == LIBUSB_ERROR_BUSY ? phrase("drivers.usb_in_use") : phrase("drivers.usb_cannot_use", {{"reason", reason_of_usb(status)}}));
+        return fail(status == LIBUSB_ERROR_BUSY
+                        ? phrase("drivers.usb_in_use")
+                        : phrase("drivers.usb_cannot_use", {{"reason", reason_of_usb(status)}}));
     return std::unique_ptr<ByteLink>(std::make_unique<LibusbLink>(std::move(context), std::move(handle)));
 }
 

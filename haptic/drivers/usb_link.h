@@ -1,4 +1,5 @@
-// USB devices through libusb: which of the known ones are plugged in, and a ByteLink to one of them. Any one thread. Calls allocate and lock.
+// USB devices through libusb: which of the known ones are plugged in, and a ByteLink to one of them. Any one thread.
+// Calls allocate and lock.
 #pragma once
 
 #include <cstdint>

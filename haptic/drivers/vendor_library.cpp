@@ -15,7 +15,9 @@ Result<VendorLibrary> VendorLibrary::load(std::initializer_list<std::string> nam
 }
 
 VendorLibrary::VendorLibrary(VendorLibrary&& other) noexcept
-    : handle_(std::exchange(other.handle_, nullptr)), name_(std::move(other.name_)), missing_(std::move(other.missing_)) {}
+    : handle_(std::exchange(other.handle_, nullptr)),
+      name_(std::move(other.name_)),
+      missing_(std::move(other.missing_)) {}
 
 VendorLibrary::~VendorLibrary() {
     if (handle_) ::dlclose(handle_);

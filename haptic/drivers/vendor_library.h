@@ -1,5 +1,6 @@
-// A maker's closed library, loaded when it is installed and never linked or shipped. Symbols are asked for by name, and one that is missing is
-// a sentence, not a crash. Any thread; loading runs the library's own start-up code, so it happens in the guard process.
+// A maker's closed library, loaded when it is installed and never linked or shipped. Symbols are asked for by name, and
+// one that is missing is a sentence, not a crash. Any thread; loading runs the library's own start-up code, so it
+// happens in the guard process.
 #pragma once
 
 #include <initializer_list>

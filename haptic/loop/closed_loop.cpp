@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "worlds/base/contract.h"
+
 namespace handrail {
 namespace {
 
@@ -26,7 +28,10 @@ void high_pass(std::vector<double>& signal, double cut_hz, double period_s, doub
 
 }  // namespace
 
-ClosedLoop::ClosedLoop(const LoopSettings& settings, const Vec3& start_m) : settings_(settings), random_(settings.seed), body_{start_m, Vec3(0.0)} {
+ClosedLoop::ClosedLoop(const LoopSettings& settings, const Vec3& start_m)
+    : settings_(settings), random_(settings.seed), body_{start_m, Vec3(0.0)} {
+    contract_pre(settings.period_s > 0.0 && settings.delay_s >= 0.0);
+    contract_pre(is_finite(start_m));
     for (double& phase : phases_) phase = 2.0 * kPi * unit();
     since_s_ = settings.period_s;
     last_.hand_m = start_m;
@@ -47,11 +52,13 @@ Vec3 ClosedLoop::tremor_m(double time_s) const {
     Vec3 sum(0.0);
     if (settings_.tremor_m == 0.0) return sum;
     for (int axis = 0; axis < 3; ++axis)
-        for (int k = 0; k < kTremors; ++k) sum[axis] += std::sin(2.0 * kPi * kTremor_hz[k] * time_s + phases_[axis * kTremors + k]);
+        for (int k = 0; k < kTremors; ++k)
+            sum[axis] += std::sin(2.0 * kPi * kTremor_hz[k] * time_s + phases_[axis * kTremors + k]);
     return sum * (settings_.tremor_m * std::sqrt(2.0 / kTremors));
 }
 
 LoopTick ClosedLoop::tick(const Intent& intent, const Render& render) {
+    contract_pre(intent && render);
     const double begin_s = static_cast<double>(periods_) * settings_.period_s;
     last_.time_s = begin_s;
     last_.stalled = settings_.stall_every_s > 0.0 && begin_s >= settings_.stall_every_s - 1e-9 &&
@@ -79,6 +86,7 @@ LoopTick ClosedLoop::tick(const Intent& intent, const Render& render) {
 }
 
 double rms_above(std::span<const double> signal, double cut_hz, double period_s) {
+    contract_pre(cut_hz > 0.0 && period_s > 0.0);
     if (signal.size() < 10) return 0.0;
     std::vector<double> high(signal.begin(), signal.end());
     double mean = 0.0;
@@ -115,10 +123,14 @@ int sign_changes(std::span<const double> signal) {
     return changes;
 }
 
-double stable_stiffness_n_per_m(LoopSettings settings, const std::function<ClosedLoop::Render(double)>& wall, double press_n, double seconds_s, double factor) {
+double stable_stiffness_n_per_m(LoopSettings settings, const std::function<ClosedLoop::Render(double)>& wall,
+                                double press_n, double seconds_s, double factor) {
+    contract_pre(wall && press_n > 0.0);
+    contract_pre(seconds_s > 0.0 && factor > 1.0);
     constexpr double kSoftest = 50.0, kStiffest = 60000.0, kQuiet_m = 0.3e-3;
-    const HandIntent leaning{Vec3(settings.hand.spring_n_per_m > 0.0 ? -press_n / settings.hand.spring_n_per_m : 0.0, 0.0, 0.0),
-                             Vec3(settings.hand.spring_n_per_m > 0.0 ? 0.0 : -press_n, 0.0, 0.0)};
+    const HandIntent leaning{
+        Vec3(settings.hand.spring_n_per_m > 0.0 ? -press_n / settings.hand.spring_n_per_m : 0.0, 0.0, 0.0),
+        Vec3(settings.hand.spring_n_per_m > 0.0 ? 0.0 : -press_n, 0.0, 0.0)};
     double last_stable = 0.0;
     std::vector<double> places;
     for (double stiffness = kSoftest; stiffness < kStiffest; stiffness *= factor) {

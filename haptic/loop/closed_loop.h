@@ -1,9 +1,9 @@
-// A hand, a device and a renderer in one loop, in virtual time: what stability, friction chatter and stalls are studied with, by tests and by
-// the benchmark. The hand and the way of the force to the motor are those of the simulated device; added are tremor, noise of the sensor and
-// stalls of the loop. The renderer is any function from a measured place to a force. Deterministic: same settings and seed, same numbers.
-// Off the real-time path; one thread. Model: one mass, held force, fixed delay, encoder step; no flexibility, no amplifier lag, three
-// axes uncoupled.
-// Sources: Colgate & Schenkel, Passivity of a class of sampled-data systems, 1997; Diolaiti et al., Stability of haptic rendering, 2006.
+// A hand, a device and a renderer in one loop, in virtual time: what stability, friction chatter and stalls are studied
+// with, by tests and by the benchmark. The hand and the way of the force to the motor are those of the simulated
+// device; added are tremor, noise of the sensor and stalls of the loop. The renderer is any function from a measured
+// place to a force. Deterministic: same settings and seed, same numbers. Off the real-time path; one thread. Model: one
+// mass, held force, fixed delay, encoder step; no flexibility, no amplifier lag, three axes uncoupled. Sources: Colgate
+// & Schenkel, Passivity of a class of sampled-data systems, 1997; Diolaiti et al., Stability of haptic rendering, 2006.
 #pragma once
 
 #include <cstdint>
@@ -72,17 +72,19 @@ private:
     LoopTick last_;
 };
 
-// Of a signal sampled every period_s: root mean square of what lies above cut_hz (fourth-order Butterworth; the first fifth is let settle),
-// the largest difference between neighbours, largest minus smallest, and how often the sign turns round (zeros are passed over).
+// Of a signal sampled every period_s: root mean square of what lies above cut_hz (fourth-order Butterworth; the first
+// fifth is let settle), the largest difference between neighbours, largest minus smallest, and how often the sign turns
+// round (zeros are passed over).
 double rms_above(std::span<const double> signal, double cut_hz, double period_s);
 double largest_step(std::span<const double> signal);
 double peak_to_peak(std::span<const double> signal);
 int sign_changes(std::span<const double> signal);
 
-// The stiffest wall that a loop holds, in N/m: given by `wall` for each stiffness and filling x < 0, pressed with press_n by the hand of
-// `settings` for seconds_s. Stable means that the hand stays within 0.3 mm over the last third. Rises from 50 N/m by `factor` until the first that is not
-// stable, at most to 60 kN/m.
-double stable_stiffness_n_per_m(LoopSettings settings, const std::function<ClosedLoop::Render(double stiffness_n_per_m)>& wall, double press_n,
+// The stiffest wall that a loop holds, in N/m: given by `wall` for each stiffness and filling x < 0, pressed with
+// press_n by the hand of `settings` for seconds_s. Stable means that the hand stays within 0.3 mm over the last third.
+// Rises from 50 N/m by `factor` until the first that is not stable, at most to 60 kN/m.
+double stable_stiffness_n_per_m(LoopSettings settings,
+                                const std::function<ClosedLoop::Render(double stiffness_n_per_m)>& wall, double press_n,
                                 double seconds_s = 3.0, double factor = 1.08);
 
 }  // namespace handrail

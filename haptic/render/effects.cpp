@@ -1,4 +1,5 @@
-// The laws. Each is written in hand metres: a potential U with its slope, or an inner point p with F = K (p - x) that moves only along F.
+// The laws. Each is written in hand metres: a potential U with its slope, or an inner point p with F = K (p - x) that
+// moves only along F.
 #include "haptic/render/effects.h"
 
 #include <cmath>
@@ -24,8 +25,8 @@ struct Potential {
     Vec3 slope_n{0.0};
 };
 
-// How far inside a region a place is, from 0 at the border to 1 at `edge_m` within it, and how that changes over world metres. One factor for each
-// side, so there is no crease where two sides are equally near.
+// How far inside a region a place is, from 0 at the border to 1 at `edge_m` within it, and how that changes over world
+// metres. One factor for each side, so there is no crease where two sides are equally near.
 struct Inside {
     double weight = 1.0;
     Vec3 slope_per_m{0.0};
@@ -73,18 +74,24 @@ Inside inside_of(const EffectRegion& region, const Vec3& at_m, double edge_m) no
 
 double magnet_width(const MagnetLaw& law, double room) noexcept { return std::min(law.width_hand_m, 0.4 * room); }
 double detent_pitch(const DetentLaw& law, double room) noexcept { return std::min(law.pitch_hand_m, 2.0 * room); }
-double button_half_travel(const ButtonLaw& law, double room) noexcept { return std::min(0.5 * law.travel_hand_m, 0.35 * room); }
+double button_half_travel(const ButtonLaw& law, double room) noexcept {
+    return std::min(0.5 * law.travel_hand_m, 0.35 * room);
+}
 
 // What a magnet may pull for each metre of its width: shrunken ones are weaker, so that none is stiffer than its bound.
 constexpr double kLeastMagnet_n_per_m = 200.0;
-double magnet_steepness(const MagnetLaw& law) noexcept { return std::max(std::abs(law.force_n) / law.width_hand_m, kLeastMagnet_n_per_m); }
+double magnet_steepness(const MagnetLaw& law) noexcept {
+    return std::max(std::abs(law.force_n) / law.width_hand_m, kLeastMagnet_n_per_m);
+}
 
 // The edge over which a law may fade: wide enough that fading pushes no harder than the law itself does.
 double edge_hand_m(const EffectVolume& effect, double room) noexcept {
-    const double wanted = std::visit(
-        Overloaded{[&](const MagnetLaw& law) { return 2.5 * magnet_width(law, room); }, [&](const DetentLaw& law) { return detent_pitch(law, room); },
-                   [&](const ButtonLaw& law) { return 1.5 * button_half_travel(law, room); }, [](const auto&) { return 0.0; }},
-        effect.law);
+    const double wanted =
+        std::visit(Overloaded{[&](const MagnetLaw& law) { return 2.5 * magnet_width(law, room); },
+                              [&](const DetentLaw& law) { return detent_pitch(law, room); },
+                              [&](const ButtonLaw& law) { return 1.5 * button_half_travel(law, room); },
+                              [](const auto&) { return 0.0; }},
+                   effect.law);
     return std::min(std::max(effect.edge_hand_m, wanted), room);
 }
 
@@ -102,7 +109,8 @@ Vec3 nearest_of(const MagnetTarget& target, const Vec3& at_m) noexcept {
 Potential magnet(const MagnetLaw& law, const Vec3& at_m, double scale, double room) noexcept {
     const double width = magnet_width(law, room);
     const double force = std::min(std::abs(law.force_n), magnet_steepness(law) * width);
-    const double blend = force * width;             // potentials nearer than this to each other melt: the force turns round over about a width
+    const double blend =
+        force * width;  // potentials nearer than this to each other melt: the force turns round over about a width
     constexpr double kRootE = 1.64872127070012815;  // exp(1/2)
     Potential lowest;
     bool first = true;
@@ -132,14 +140,16 @@ Potential detent(const DetentLaw& law, const Vec3& at_m, double scale, double ro
     return {-force * pitch / (2.0 * kPi) * turn.cosine, law.direction * (force * turn.sine)};
 }
 
-// With x = s / q: U = U0 (x^2 - 1)^2 up to x = 2 / sqrt 3, where the force is again F0; from there it fades to nothing within one q.
+// With x = s / q: U = U0 (x^2 - 1)^2 up to x = 2 / sqrt 3, where the force is again F0; from there it fades to nothing
+// within one q.
 Potential button(const ButtonLaw& law, const Vec3& at_m, double scale, double room) noexcept {
     constexpr double kFrom = 1.15470053837925153;    // 2 / sqrt 3
     constexpr double kDepth = 0.649519052838328987;  // 3 sqrt 3 / 8: U0 / (F0 q)
     const double q = button_half_travel(law, room), force = law.force_n * (2.0 * q / law.travel_hand_m);
     const double x = glm::dot(at_m - law.origin_m, law.direction) / (scale * q), size = std::abs(x);
-    const double top = kDepth * (kFrom * kFrom - 1.0) * (kFrom * kFrom - 1.0) + 0.5;  // far outside, where U is called 0
-    double energy = 0.0, slope = 0.0;                                                 // in units of F0 q, and of F0
+    const double top =
+        kDepth * (kFrom * kFrom - 1.0) * (kFrom * kFrom - 1.0) + 0.5;  // far outside, where U is called 0
+    double energy = 0.0, slope = 0.0;                                  // in units of F0 q, and of F0
     if (size < kFrom) {
         energy = kDepth * (x * x - 1.0) * (x * x - 1.0) - top;
         slope = 4.0 * kDepth * x * (x * x - 1.0);
@@ -157,7 +167,7 @@ Vec3 faded(const Potential& potential, const Inside& in, double scale) noexcept 
 }
 
 BodyPose pose_of(const HapticScene& scene, const HandMotion& hand, std::uint32_t body) noexcept {
-    if (body < hand.bodies.size()) return hand.bodies[body];
+    if (hand.bodies && hand.bodies->know(body)) return hand.bodies->at(body);
     return {scene.bodies[body].start, scene.bodies[body].present};
 }
 
@@ -188,9 +198,12 @@ Aabb bounds_of(const EffectRegion& region) {
                     const Vec3 &a = planes[i].normal, &b = planes[j].normal, &c = planes[k].normal;
                     const double det = glm::dot(a, glm::cross(b, c));
                     if (std::abs(det) < 1e-9) continue;
-                    const Vec3 corner =
-                        (glm::cross(b, c) * planes[i].offset_m + glm::cross(c, a) * planes[j].offset_m + glm::cross(a, b) * planes[k].offset_m) / det;
-                    const bool kept = std::all_of(planes.begin(), planes.end(), [&](const Plane& p) { return signed_distance(p, corner) <= 1e-9 * farthest; });
+                    const Vec3 corner = (glm::cross(b, c) * planes[i].offset_m + glm::cross(c, a) * planes[j].offset_m +
+                                         glm::cross(a, b) * planes[k].offset_m) /
+                                        det;
+                    const bool kept = std::all_of(planes.begin(), planes.end(), [&](const Plane& p) {
+                        return signed_distance(p, corner) <= 1e-9 * farthest;
+                    });
                     if (kept) bounds.include(corner);
                 }
     }
@@ -198,7 +211,8 @@ Aabb bounds_of(const EffectRegion& region) {
 }
 
 double inner_radius_m(const EffectRegion& region) {
-    if (const auto* box = std::get_if<Aabb>(&region)) return 0.5 * std::min({box->size_m().x, box->size_m().y, box->size_m().z});
+    if (const auto* box = std::get_if<Aabb>(&region))
+        return 0.5 * std::min({box->size_m().x, box->size_m().y, box->size_m().z});
     if (const auto* sphere = std::get_if<SphereRegion>(&region)) return sphere->radius_m;
     if (const auto* capsule = std::get_if<CapsuleRegion>(&region)) return capsule->radius_m;
     // Away from the nearest plane, by ever smaller steps (the subgradient method), from the middle of the bounds.
@@ -208,8 +222,9 @@ double inner_radius_m(const EffectRegion& region) {
     Vec3 at = bounds.centre_m();
     double best = 0.0, step = 0.5 * length_of(bounds.size_m());
     for (int round = 0; round < 400; ++round, step *= 0.98) {
-        const auto nearest =
-            std::max_element(planes.begin(), planes.end(), [&](const Plane& a, const Plane& b) { return signed_distance(a, at) < signed_distance(b, at); });
+        const auto nearest = std::max_element(planes.begin(), planes.end(), [&](const Plane& a, const Plane& b) {
+            return signed_distance(a, at) < signed_distance(b, at);
+        });
         best = std::max(best, -signed_distance(*nearest, at));
         at -= nearest->normal * step;
     }
@@ -218,10 +233,12 @@ double inner_radius_m(const EffectRegion& region) {
 
 double stiffness_bound_n_per_m(const EffectLaw& law) {
     return std::visit(
-        Overloaded{[](const MagnetLaw& l) { return 3.0 * magnet_steepness(l); }, [](const DetentLaw& l) { return 6.6 * l.force_n / l.pitch_hand_m; },
-                   [](const ButtonLaw& l) { return 7.8 * l.force_n / (0.5 * l.travel_hand_m); }, [](const FlyPaperLaw&) { return kFlyPaper_n_per_m; },
-                   [](const InertiaLaw&) { return kInertia_n_per_m; }, [](const ForceLaw&) { return 0.0; }, [](const VibrationLaw&) { return 0.0; },
-                   [](const CustomLaw& l) { return l.stiffness_n_per_m; }},
+        Overloaded{[](const MagnetLaw& l) { return 3.0 * magnet_steepness(l); },
+                   [](const DetentLaw& l) { return 6.6 * l.force_n / l.pitch_hand_m; },
+                   [](const ButtonLaw& l) { return 7.8 * l.force_n / (0.5 * l.travel_hand_m); },
+                   [](const FlyPaperLaw&) { return kFlyPaper_n_per_m; },
+                   [](const InertiaLaw&) { return kInertia_n_per_m; }, [](const ForceLaw&) { return 0.0; },
+                   [](const VibrationLaw&) { return 0.0; }, [](const CustomLaw& l) { return l.stiffness_n_per_m; }},
         law);
 }
 
@@ -244,23 +261,29 @@ bool is_sound(const EffectVolume& effect) {
             if (!(low[axis] < 0.0 && high[axis] > 0.0)) return false;
     }
     return std::visit(
-        Overloaded{[&](const MagnetLaw& l) {
-                       const bool placed = std::all_of(l.targets.begin(), l.targets.end(), [](const MagnetTarget& t) {
-                           return is_finite(t.centre_m) && is_finite(t.half_u_m) && is_finite(t.half_v_m);
-                       });
-                       return placed && !l.targets.empty() && within(std::abs(l.force_n), 0.0, kLargestEffect_n) && within(l.width_hand_m, 1e-3, 1.0);
-                   },
-                   [&](const DetentLaw& l) {
-                       return is_finite(l.origin_m) && unit(l.direction) && within(l.force_n, 0.0, kLargestEffect_n) && within(l.pitch_hand_m, 2e-3, 1.0);
-                   },
-                   [&](const ButtonLaw& l) {
-                       return is_finite(l.origin_m) && unit(l.direction) && within(l.force_n, 0.0, kLargestEffect_n) && within(l.travel_hand_m, 2e-3, 1.0);
-                   },
-                   [&](const FlyPaperLaw& l) { return within(l.break_n, 0.0, kLargestEffect_n); },
-                   [&](const InertiaLaw& l) { return within(l.mass_kg, 0.05, 0.3) && within(l.damping_ns_per_m, 0.0, 5.0); },
-                   [&](const ForceLaw& l) { return unit(l.direction) && within(l.force_n, 0.0, 2.0); },
-                   [&](const VibrationLaw& l) { return unit(l.direction) && within(l.amplitude_n, 0.0, 0.5) && within(l.frequency_hz, 20.0, 250.0); },
-                   [&](const CustomLaw& l) { return l.force_n != nullptr && within(l.stiffness_n_per_m, 0.0, 1e4); }},
+        Overloaded{
+            [&](const MagnetLaw& l) {
+                const bool placed = std::all_of(l.targets.begin(), l.targets.end(), [](const MagnetTarget& t) {
+                    return is_finite(t.centre_m) && is_finite(t.half_u_m) && is_finite(t.half_v_m);
+                });
+                return placed && !l.targets.empty() && within(std::abs(l.force_n), 0.0, kLargestEffect_n) &&
+                       within(l.width_hand_m, 1e-3, 1.0);
+            },
+            [&](const DetentLaw& l) {
+                return is_finite(l.origin_m) && unit(l.direction) && within(l.force_n, 0.0, kLargestEffect_n) &&
+                       within(l.pitch_hand_m, 2e-3, 1.0);
+            },
+            [&](const ButtonLaw& l) {
+                return is_finite(l.origin_m) && unit(l.direction) && within(l.force_n, 0.0, kLargestEffect_n) &&
+                       within(l.travel_hand_m, 2e-3, 1.0);
+            },
+            [&](const FlyPaperLaw& l) { return within(l.break_n, 0.0, kLargestEffect_n); },
+            [&](const InertiaLaw& l) { return within(l.mass_kg, 0.05, 0.3) && within(l.damping_ns_per_m, 0.0, 5.0); },
+            [&](const ForceLaw& l) { return unit(l.direction) && within(l.force_n, 0.0, 2.0); },
+            [&](const VibrationLaw& l) {
+                return unit(l.direction) && within(l.amplitude_n, 0.0, 0.5) && within(l.frequency_hz, 20.0, 250.0);
+            },
+            [&](const CustomLaw& l) { return l.force_n != nullptr && within(l.stiffness_n_per_m, 0.0, 1e4); }},
         effect.law);
 }
 
@@ -291,44 +314,49 @@ Vec3 EffectState::one_force(const EffectVolume& effect, Slot& slot, const Vec3& 
     // The inner point starts where the hand comes in.
     const Vec3 step_m = slot.fresh ? Vec3(0.0) : hand.step_m;
     slot.fresh = false;
-    return std::visit(Overloaded{[&](const MagnetLaw& law) { return faded(magnet(law, at_m, hand.scale, room), in, hand.scale) * share; },
-                                 [&](const DetentLaw& law) { return faded(detent(law, at_m, hand.scale, room), in, hand.scale) * share; },
-                                 [&](const ButtonLaw& law) { return faded(button(law, at_m, hand.scale, room), in, hand.scale) * share; },
-                                 [&](const FlyPaperLaw& law) {
-                                     const double stiffness = kFlyPaper_n_per_m * share;
-                                     const double breaks_m = law.break_n / stiffness;
-                                     const Vec3 stretched = slot.offset_hand_m - step_m;
-                                     if (length_of(stretched) > breaks_m) slot.slipping = true;
-                                     slot.offset_hand_m = shortened(stretched, in.weight * breaks_m);
-                                     if (slot.slipping) {
-                                         slot.offset_hand_m *= exp_minus(hand.dt_s / kFlyPaperRelease_s);
-                                         slot.slipping = length_of(slot.offset_hand_m) >= kFlyPaperStuck_hand_m;
-                                     }
-                                     return slot.offset_hand_m * stiffness;
-                                 },
-                                 [&](const InertiaLaw& law) {
-                                     const double stiffness = kInertia_n_per_m * share;
-                                     slot.offset_hand_m = shortened(slot.offset_hand_m - step_m, in.weight * kLargestEffect_n / stiffness);
-                                     const Vec3 force = slot.offset_hand_m * stiffness;
-                                     // The force first, then the mass: the other way round gives energy.
-                                     const double dt = std::min(hand.dt_s, kInertiaLongestStep_s);
-                                     slot.speed_hand_m_per_s += (force + slot.speed_hand_m_per_s * law.damping_ns_per_m) * (-dt / law.mass_kg);
-                                     slot.offset_hand_m += slot.speed_hand_m_per_s * dt;
-                                     return force;
-                                 },
-                                 [&](const ForceLaw& law) { return law.direction * (law.force_n * in.weight * smooth_step(slot.time_s / kForceRamp_s)); },
-                                 [&](const VibrationLaw& law) {
-                                     slot.turns += law.frequency_hz * hand.dt_s;
-                                     slot.turns -= std::floor(slot.turns);
-                                     return law.direction *
-                                            (law.amplitude_n * in.weight * smooth_step(slot.time_s / kVibrationRamp_s) * sine_of_turns(slot.turns).sine);
-                                 },
-                                 [&](const CustomLaw& law) {
-                                     const EffectPoint point{at_m, hand.scale, in.weight, step_m / hand.dt_s, slot.time_s, hand.dt_s};
-                                     const Vec3 force = law.force_n(point, law.data.get());
-                                     return is_finite(force) ? shortened(force, kLargestEffect_n) * (in.weight * share) : Vec3(0.0);
-                                 }},
-                      effect.law);
+    return std::visit(
+        Overloaded{
+            [&](const MagnetLaw& law) { return faded(magnet(law, at_m, hand.scale, room), in, hand.scale) * share; },
+            [&](const DetentLaw& law) { return faded(detent(law, at_m, hand.scale, room), in, hand.scale) * share; },
+            [&](const ButtonLaw& law) { return faded(button(law, at_m, hand.scale, room), in, hand.scale) * share; },
+            [&](const FlyPaperLaw& law) {
+                const double stiffness = kFlyPaper_n_per_m * share;
+                const double breaks_m = law.break_n / stiffness;
+                const Vec3 stretched = slot.offset_hand_m - step_m;
+                if (length_of(stretched) > breaks_m) slot.slipping = true;
+                slot.offset_hand_m = shortened(stretched, in.weight * breaks_m);
+                if (slot.slipping) {
+                    slot.offset_hand_m *= exp_minus(hand.dt_s / kFlyPaperRelease_s);
+                    slot.slipping = length_of(slot.offset_hand_m) >= kFlyPaperStuck_hand_m;
+                }
+                return slot.offset_hand_m * stiffness;
+            },
+            [&](const InertiaLaw& law) {
+                const double stiffness = kInertia_n_per_m * share;
+                slot.offset_hand_m = shortened(slot.offset_hand_m - step_m, in.weight * kLargestEffect_n / stiffness);
+                const Vec3 force = slot.offset_hand_m * stiffness;
+                // The force first, then the mass: the other way round gives energy.
+                const double dt = std::min(hand.dt_s, kInertiaLongestStep_s);
+                slot.speed_hand_m_per_s +=
+                    (force + slot.speed_hand_m_per_s * law.damping_ns_per_m) * (-dt / law.mass_kg);
+                slot.offset_hand_m += slot.speed_hand_m_per_s * dt;
+                return force;
+            },
+            [&](const ForceLaw& law) {
+                return law.direction * (law.force_n * in.weight * smooth_step(slot.time_s / kForceRamp_s));
+            },
+            [&](const VibrationLaw& law) {
+                slot.turns += law.frequency_hz * hand.dt_s;
+                slot.turns -= std::floor(slot.turns);
+                return law.direction * (law.amplitude_n * in.weight * smooth_step(slot.time_s / kVibrationRamp_s) *
+                                        sine_of_turns(slot.turns).sine);
+            },
+            [&](const CustomLaw& law) {
+                const EffectPoint point{at_m, hand.scale, in.weight, step_m / hand.dt_s, slot.time_s, hand.dt_s};
+                const Vec3 force = law.force_n(point, law.data.get());
+                return is_finite(force) ? shortened(force, kLargestEffect_n) * (in.weight * share) : Vec3(0.0);
+            }},
+        effect.law);
 }
 
 Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noexcept {
@@ -364,7 +392,8 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
 
     // Others are forgotten: what is left behind holds nothing.
     for (std::size_t i = used_; i-- > 0;)
-        if (std::find(active.begin(), active.begin() + count, slots_[i].effect) == active.begin() + count) slots_[i] = slots_[--used_];
+        if (std::find(active.begin(), active.begin() + count, slots_[i].effect) == active.begin() + count)
+            slots_[i] = slots_[--used_];
 
     Vec3 sum(0.0);
     for (std::size_t i = 0; i < count; ++i) {
@@ -374,7 +403,8 @@ Vec3 EffectState::force_n(const HapticScene& scene, const HandMotion& hand) noex
             sum += one_force(effect, slot, at, hand);
             continue;
         }
-        // As seen from the body: a thing that carries its effect past a still hand is felt like a hand that passes a still one.
+        // As seen from the body: a thing that carries its effect past a still hand is felt like a hand that passes a
+        // still one.
         const PlacedFrame frame(pose_of(scene, hand, effect.body).at);
         HandMotion seen = hand;
         const Vec3 place_m = frame.to_own(hand.goal_m);

@@ -31,7 +31,8 @@ Vec3 ForceLimiter::limit(const Vec3& wanted_n, double ceiling_n, ForceFlow flow,
         return last_n_;
     }
 
-    // Scaled by the largest component first, so that a force near the largest double does not overflow to infinity when squared.
+    // Scaled by the largest component first, so that a force near the largest double does not overflow to infinity when
+    // squared.
     const double largest = std::max({std::abs(wanted_n.x), std::abs(wanted_n.y), std::abs(wanted_n.z)});
     if (!(largest > 0.0)) {
         resume_pending_ = false;

@@ -9,7 +9,8 @@ namespace {
 constexpr int kDirections = 128;
 constexpr double kShellGrowth = 1.25;
 
-// Points spread evenly over a unit ball's surface. Source: Gonzalez, Measurement of areas on a sphere using Fibonacci and latitude-longitude lattices, 2010.
+// Points spread evenly over a unit ball's surface. Source: Gonzalez, Measurement of areas on a sphere using Fibonacci
+// and latitude-longitude lattices, 2010.
 Vec3 direction(int i) {
     const double golden_turn = kPi * (3.0 - std::sqrt(5.0));
     const double z = 1.0 - 2.0 * (i + 0.5) / kDirections, ring = std::sqrt(1.0 - z * z), angle = golden_turn * i;
@@ -17,11 +18,12 @@ Vec3 direction(int i) {
 }
 
 void look_in(const HapticScene& shape, const Vec3& own_m, double scale, Surrounding& nearest) {
-    shape.obstacle_bvh.within(own_m - shape.origin_m, std::max(0.0, nearest.distance_m) / scale, [&](std::uint32_t item, double&) {
-        const ClosestPoint found = shape.closest(item, own_m - shape.origin_m);
-        if (found.distance_m * scale >= nearest.distance_m) return;
-        nearest = {found.distance_m * scale, shape.surface(item, found.normal).feature};
-    });
+    shape.obstacle_bvh.within(own_m - shape.origin_m, std::max(0.0, nearest.distance_m) / scale,
+                              [&](std::uint32_t item, double&) {
+                                  const ClosestPoint found = shape.closest(item, own_m - shape.origin_m);
+                                  if (found.distance_m * scale >= nearest.distance_m) return;
+                                  nearest = {found.distance_m * scale, shape.surface(item, found.normal).feature};
+                              });
 }
 
 }  // namespace
@@ -37,8 +39,11 @@ Surrounding surrounding_of(const HapticScene& scene, std::span<const BodyPose> b
     return nearest;
 }
 
-std::optional<Vec3> nearest_free_place(const HapticScene& scene, std::span<const BodyPose> bodies, const Vec3& from_m, double clearance_m, double farthest_m) {
-    const auto clear = [&](const Vec3& p) { return surrounding_of(scene, bodies, p, clearance_m).distance_m >= clearance_m; };
+std::optional<Vec3> nearest_free_place(const HapticScene& scene, std::span<const BodyPose> bodies, const Vec3& from_m,
+                                       double clearance_m, double farthest_m) {
+    const auto clear = [&](const Vec3& p) {
+        return surrounding_of(scene, bodies, p, clearance_m).distance_m >= clearance_m;
+    };
     if (clear(from_m)) return from_m;
     double inner = 0.0;
     for (double outer = 0.5 * clearance_m; inner < farthest_m; inner = outer, outer *= kShellGrowth) {

@@ -12,14 +12,17 @@
 namespace handrail {
 namespace {
 
-// Bounds of brushes come from computed corners; this much more makes sure that no rounding hides a solid from the hierarchy.
+// Bounds of brushes come from computed corners; this much more makes sure that no rounding hides a solid from the
+// hierarchy.
 constexpr double kBoundsSlack = 1e-9;
-// Below this distance from the world's zero neighbouring doubles are at most 2e-13 m apart, so nothing is gained by moving the origin.
+// Below this distance from the world's zero neighbouring doubles are at most 2e-13 m apart, so nothing is gained by
+// moving the origin.
 constexpr double kNearZero_m = 1024.0;
 
 // A liquid's surface looks up if its normal rises by more than 45 degrees.
 constexpr double kLooksUp = 0.7071;
-// Steepest slopes of the laws in liquids.cpp: the drag's spring; a film 4 mm thick and a buoyancy that sets in over 20 mm, for each newton.
+// Steepest slopes of the laws in liquids.cpp: the drag's spring; a film 4 mm thick and a buoyancy that sets in over 20
+// mm, for each newton.
 constexpr double kDragStiffness_n_per_m = 400.0;
 constexpr double kFilmStiffness_per_m = 583.0;
 constexpr double kBuoyancyStiffness_per_m = 75.0;
@@ -41,13 +44,14 @@ void move_effect(EffectVolume& effect, const Vec3& by_m) {
     std::visit(Overloaded{[&](MagnetLaw& law) {
                               for (MagnetTarget& target : law.targets) target.centre_m += by_m;
                           },
-                          [&](DetentLaw& law) { law.origin_m += by_m; }, [&](ButtonLaw& law) { law.origin_m += by_m; }, [](auto&) {}},
+                          [&](DetentLaw& law) { law.origin_m += by_m; }, [&](ButtonLaw& law) { law.origin_m += by_m; },
+                          [](auto&) {}},
                effect.law);
 }
 
 Aabb grown(Aabb box) {
-    const double largest = std::max(
-        {1.0, std::abs(box.min_m.x), std::abs(box.min_m.y), std::abs(box.min_m.z), std::abs(box.max_m.x), std::abs(box.max_m.y), std::abs(box.max_m.z)});
+    const double largest = std::max({1.0, std::abs(box.min_m.x), std::abs(box.min_m.y), std::abs(box.min_m.z),
+                                     std::abs(box.max_m.x), std::abs(box.max_m.y), std::abs(box.max_m.z)});
     box.min_m -= Vec3(kBoundsSlack * largest);
     box.max_m += Vec3(kBoundsSlack * largest);
     return box;
@@ -56,7 +60,8 @@ Aabb grown(Aabb box) {
 // 0 to 5 for -x +x -y +y -z +z; -1 for a slanted plane.
 int axis_side(const Vec3& normal) {
     for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(normal[axis]) == 1.0 && normal[(axis + 1) % 3] == 0.0 && normal[(axis + 2) % 3] == 0.0) return 2 * axis + (normal[axis] > 0.0 ? 1 : 0);
+        if (std::abs(normal[axis]) == 1.0 && normal[(axis + 1) % 3] == 0.0 && normal[(axis + 2) % 3] == 0.0)
+            return 2 * axis + (normal[axis] > 0.0 ? 1 : 0);
     return -1;
 }
 
@@ -66,7 +71,9 @@ ClosestPoint HapticScene::closest_but_triangle(const Obstacle& o, const Vec3& lo
     switch (o.kind) {
         case ObstacleKind::Polygon: {
             const PolygonRange& range = polygons[o.shape];
-            return closest_point(PolygonShape{range.normal, std::span(polygon_corners).subspan(range.first_corner, range.corners)}, local_m);
+            return closest_point(
+                PolygonShape{range.normal, std::span(polygon_corners).subspan(range.first_corner, range.corners)},
+                local_m);
         }
         case ObstacleKind::Box:
             if (o.rounding != 0) return closest_point(boxes[o.shape], rounding_m(o), local_m);
@@ -110,7 +117,8 @@ bool HapticScene::smooth_between(std::uint32_t obstacle, const Vec3& normal_a, c
     constexpr double kSame = 1e-12;  // of a normal's part along the axis
     const Obstacle& o = obstacles[obstacle];
     const auto both = [&](const Vec3& axis, double along) {
-        return std::abs(glm::dot(axis, normal_a) - along) <= kSame && std::abs(glm::dot(axis, normal_b) - along) <= kSame;
+        return std::abs(glm::dot(axis, normal_a) - along) <= kSame &&
+               std::abs(glm::dot(axis, normal_b) - along) <= kSame;
     };
     switch (o.kind) {
         case ObstacleKind::Sphere:
@@ -160,7 +168,8 @@ std::uint32_t HapticScene::face(std::uint32_t obstacle, const Vec3& normal) cons
         look(4, -normal.z);
         look(5, normal.z);
     } else {
-        for (std::uint32_t face = 0; face < o.planes; ++face) look(face, glm::dot(planes[o.shape + face].normal, normal));
+        for (std::uint32_t face = 0; face < o.planes; ++face)
+            look(face, glm::dot(planes[o.shape + face].normal, normal));
     }
     return best;
 }
@@ -176,7 +185,8 @@ HapticSceneBuilder::HapticSceneBuilder(std::vector<HapticMaterial> materials) {
     if (scene_.materials.empty()) scene_.materials.emplace_back();
 }
 
-void HapticSceneBuilder::add_obstacle(ObstacleKind kind, std::size_t shape, std::size_t faces, std::span<const SurfaceLabel> labels, const Aabb& bounds_m) {
+void HapticSceneBuilder::add_obstacle(ObstacleKind kind, std::size_t shape, std::size_t faces,
+                                      std::span<const SurfaceLabel> labels, const Aabb& bounds_m) {
     Obstacle obstacle;
     obstacle.kind = kind;
     obstacle.shape = static_cast<std::uint32_t>(shape);
@@ -188,26 +198,31 @@ void HapticSceneBuilder::add_obstacle(ObstacleKind kind, std::size_t shape, std:
 }
 
 void HapticSceneBuilder::add_sheet(const Corners& corners, const SurfaceLabel& label, TouchSide side) {
-    const bool same = !scene_.obstacles.empty() && scene_.obstacles.back().kind == ObstacleKind::Triangle && scene_.labels.back() == label;
+    const bool same = !scene_.obstacles.empty() && scene_.obstacles.back().kind == ObstacleKind::Triangle &&
+                      scene_.labels.back() == label;
     if (!same) scene_.labels.push_back(label);
-    scene_.obstacles.push_back(
-        {ObstacleKind::Triangle, side, 0, static_cast<std::uint32_t>(scene_.mesh.triangles.size()), 0, static_cast<std::uint32_t>(scene_.labels.size()) - 1});
+    scene_.obstacles.push_back({ObstacleKind::Triangle, side, 0,
+                                static_cast<std::uint32_t>(scene_.mesh.triangles.size()), 0,
+                                static_cast<std::uint32_t>(scene_.labels.size()) - 1});
     scene_.mesh.triangles.push_back(corners);
     Aabb bounds;
     for (const std::uint32_t corner : corners) bounds.include(scene_.mesh.points_m[corner]);
     obstacle_bounds_.push_back(bounds);
 }
 
-void HapticSceneBuilder::add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels, TouchSide side) {
+void HapticSceneBuilder::add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels,
+                                     TouchSide side) {
     Aabb bounds;
     for (const Vec3& p : points_m) bounds.include(p);
     add_obstacle(ObstacleKind::Polygon, scene_.polygons.size(), 2, labels, bounds);
     scene_.obstacles.back().side = side;
-    scene_.polygons.push_back({Vec3(0.0), static_cast<std::uint32_t>(scene_.polygon_corners.size()), static_cast<std::uint32_t>(points_m.size())});
+    scene_.polygons.push_back({Vec3(0.0), static_cast<std::uint32_t>(scene_.polygon_corners.size()),
+                               static_cast<std::uint32_t>(points_m.size())});
     for (const Vec3& p : points_m) scene_.polygon_corners.push_back({p, Vec3(0.0)});
 }
 
-void HapticSceneBuilder::add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label, TouchSide side) {
+void HapticSceneBuilder::add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label,
+                                      TouchSide side) {
     const auto first = static_cast<std::uint32_t>(scene_.mesh.points_m.size());
     scene_.mesh.points_m.insert(scene_.mesh.points_m.end(), {a_m, b_m, c_m});
     add_sheet({first, first + 1, first + 2}, label, side);
@@ -254,25 +269,32 @@ void HapticSceneBuilder::add_cone(const ConeShape& cone, std::span<const Surface
 bool is_sound(const CustomObstacle& obstacle) {
     const Aabb& box = obstacle.bounds_m;
     const Vec3 size = box.size_m();
-    if (!obstacle.closest || box.empty() || !is_finite(size) || !is_finite(obstacle.position_m) || !(std::min({size.x, size.y, size.z}) > 0.0)) return false;
+    if (!obstacle.closest || box.empty() || !is_finite(size) || !is_finite(obstacle.position_m) ||
+        !(std::min({size.x, size.y, size.z}) > 0.0))
+        return false;
     // From the surface of boxes around it: 7 x 7 x 7 places without the inner ones, and the same with a wider box.
     constexpr int kSteps = 6;
     const double slack = 1e-9 * glm::length(size);
     std::vector<ClosestPoint> found;
     for (const double wide : {1.2, 3.0})
         for (int i = 0; i < (kSteps + 1) * (kSteps + 1) * (kSteps + 1); ++i) {
-            const std::array<int, 3> step{i % (kSteps + 1), i / (kSteps + 1) % (kSteps + 1), i / ((kSteps + 1) * (kSteps + 1))};
+            const std::array<int, 3> step{i % (kSteps + 1), i / (kSteps + 1) % (kSteps + 1),
+                                          i / ((kSteps + 1) * (kSteps + 1))};
             if (std::none_of(step.begin(), step.end(), [](int k) { return k == 0 || k == kSteps; })) continue;
-            const Vec3 at = box.centre_m() + size * (Vec3(step[0], step[1], step[2]) / (0.5 * kSteps) - 1.0) * (0.5 * wide);
+            const Vec3 at =
+                box.centre_m() + size * (Vec3(step[0], step[1], step[2]) / (0.5 * kSteps) - 1.0) * (0.5 * wide);
             const ClosestPoint one = obstacle.closest(at, obstacle.data.get());
-            if (!is_finite(one.point_m) || !is_finite(one.normal) || !(std::abs(glm::length(one.normal) - 1.0) < 1e-9)) return false;
-            if (!(std::abs(glm::dot(one.normal, at - one.point_m) - one.distance_m) < slack) || !(one.distance_m > 0.0)) return false;
+            if (!is_finite(one.point_m) || !is_finite(one.normal) || !(std::abs(glm::length(one.normal) - 1.0) < 1e-9))
+                return false;
+            if (!(std::abs(glm::dot(one.normal, at - one.point_m) - one.distance_m) < slack) || !(one.distance_m > 0.0))
+                return false;
             if (distance_squared(box, one.point_m) > slack * slack) return false;
             found.push_back(one);
         }
     return std::all_of(found.begin(), found.end(), [&](const ClosestPoint& plane) {
-        return std::all_of(found.begin(), found.end(),
-                           [&](const ClosestPoint& other) { return glm::dot(plane.normal, other.point_m - plane.point_m) <= slack; });
+        return std::all_of(found.begin(), found.end(), [&](const ClosestPoint& other) {
+            return glm::dot(plane.normal, other.point_m - plane.point_m) <= slack;
+        });
     });
 }
 
@@ -284,7 +306,8 @@ bool HapticSceneBuilder::add_custom(CustomObstacle obstacle, const SurfaceLabel&
     return true;
 }
 
-void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels, double rounding_m) {
+void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bounds_m,
+                                   std::span<const SurfaceLabel> labels, double rounding_m) {
     const auto label_of = [&](std::size_t face) { return labels[labels.size() == planes.size() ? face : 0]; };
     if (planes.size() == 6) {
         std::array<bool, 6> seen{};
@@ -297,7 +320,8 @@ void HapticSceneBuilder::add_solid(std::span<const Plane> planes, const Aabb& bo
             if (!axis_aligned) break;
             seen[static_cast<std::size_t>(side)] = true;
             sides[static_cast<std::size_t>(side)] = label_of(face);
-            (side % 2 == 1 ? box.max_m : box.min_m)[side / 2] = side % 2 == 1 ? planes[face].offset_m : -planes[face].offset_m;
+            (side % 2 == 1 ? box.max_m : box.min_m)[side / 2] =
+                side % 2 == 1 ? planes[face].offset_m : -planes[face].offset_m;
         }
         if (axis_aligned) {
             add_box(box, sides);
@@ -336,7 +360,8 @@ void HapticSceneBuilder::set_reliefs(std::vector<Relief> reliefs, std::vector<st
     scene_.relief_axis = std::move(mesh_axis);
 }
 
-bool HapticSceneBuilder::add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start, bool present) {
+bool HapticSceneBuilder::add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start,
+                                  bool present) {
     if (scene_.bodies.size() == HapticScene::kMostBodies) return false;
     Aabb all = shape->obstacle_bvh.bounds();
     double reach = 0.0;
@@ -388,7 +413,8 @@ void HapticSceneBuilder::prepare_effects() {
             scene_.liquid_surfaces = true;
             liquid.inner_radius_m = inner_radius_m(ConvexRegion{liquid.planes});
         }
-        liquid.crowd_stiffness_n_per_m = (liquid.viscosity_ns_per_m > 0.0 ? kDragStiffness_n_per_m : 0.0) + kFilmStiffness_per_m * liquid.film_n +
+        liquid.crowd_stiffness_n_per_m = (liquid.viscosity_ns_per_m > 0.0 ? kDragStiffness_n_per_m : 0.0) +
+                                         kFilmStiffness_per_m * liquid.film_n +
                                          kBuoyancyStiffness_per_m * liquid.buoyancy_n;
     }
     std::vector<double> liquid_own;
@@ -415,8 +441,10 @@ void HapticSceneBuilder::prepare_effects() {
         const Aabb& box = effect_bounds_[i];
         effect.by_obstacle = box.empty() || !scene_.bodies.empty();
         if (!effect.by_obstacle)
-            scene_.obstacle_bvh.within(box.centre_m(), 0.5 * glm::length(box.size_m()),
-                                       [&](std::uint32_t item, double&) { effect.by_obstacle = effect.by_obstacle || overlap(box, obstacle_bounds_[item]); });
+            scene_.obstacle_bvh.within(
+                box.centre_m(), 0.5 * glm::length(box.size_m()), [&](std::uint32_t item, double&) {
+                    effect.by_obstacle = effect.by_obstacle || overlap(box, obstacle_bounds_[item]);
+                });
     }
 }
 
@@ -428,15 +456,19 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     for (const Aabb& box : liquid_bounds_) all.include(box);
     for (const Aabb& box : effect_bounds_) all.include(box);
     for (const SoftPatch& patch : scene_.soft_patches) all.include(patch.corner_m);
-    const auto far_from_zero = [](const Vec3& p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kNearZero_m; };
-    if (!all.empty() && (far_from_zero(all.min_m) || far_from_zero(all.max_m))) scene_.origin_m = glm::round(all.centre_m());
+    const auto far_from_zero = [](const Vec3& p) {
+        return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > kNearZero_m;
+    };
+    if (!all.empty() && (far_from_zero(all.min_m) || far_from_zero(all.max_m)))
+        scene_.origin_m = glm::round(all.centre_m());
     const Vec3 origin = scene_.origin_m;
     for (Vec3& p : scene_.mesh.points_m) p -= origin;
     std::vector<PolygonCorner> corners;
     std::vector<Vec3> points;
     for (PolygonRange& range : scene_.polygons) {
         points.clear();
-        for (std::uint32_t i = 0; i < range.corners; ++i) points.push_back(scene_.polygon_corners[range.first_corner + i].at_m - origin);
+        for (std::uint32_t i = 0; i < range.corners; ++i)
+            points.push_back(scene_.polygon_corners[range.first_corner + i].at_m - origin);
         range.first_corner = static_cast<std::uint32_t>(corners.size());
         range.normal = make_polygon(points, corners);
         range.corners = static_cast<std::uint32_t>(corners.size()) - range.first_corner;
@@ -445,7 +477,9 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     for (Obstacle& o : scene_.obstacles) {
         if (o.side == TouchSide::Both) continue;
         // What has no area has no sides.
-        if (o.kind == ObstacleKind::Triangle ? scene_.triangle(o).degenerate : scene_.polygons[o.shape].normal == Vec3(0.0)) o.side = TouchSide::Both;
+        if (o.kind == ObstacleKind::Triangle ? scene_.triangle(o).degenerate
+                                             : scene_.polygons[o.shape].normal == Vec3(0.0))
+            o.side = TouchSide::Both;
         else scene_.one_sided_sheets = true;
     }
     for (SphereShape& sphere : scene_.spheres) sphere.centre_m -= origin;
@@ -487,8 +521,10 @@ std::shared_ptr<const HapticScene> HapticSceneBuilder::build(std::uint32_t world
     prepare_effects();
     lay_grids(scene_.soft_patches);
     scene_.media = !scene_.liquids.empty() || !scene_.effects.empty() || !scene_.soft_patches.empty();
-    scene_.plain =
-        scene_.bodies.empty() && !scene_.one_sided_sheets && !scene_.fields && scene_.effects.empty() && scene_.soft_patches.empty() && !scene_.liquid_surfaces;
+    const bool plain = !scene_.one_sided_sheets && !scene_.fields && scene_.effects.empty() &&
+                       scene_.soft_patches.empty() && !scene_.liquid_surfaces;
+    scene_.plain = plain && scene_.bodies.empty();
+    scene_.plain_afar = plain && !scene_.bodies.empty();
     scene_.generation = next_generation.fetch_add(1);
     scene_.world = world != 0 ? world : scene_.generation;
     return std::make_shared<const HapticScene>(std::move(scene_));

@@ -1,10 +1,12 @@
-// The haptic view of a building: what a hand can touch and nothing else. Immutable once built, so the servo thread reads it
-// without locks. World metres in double, stored relative to origin_m so that far-away buildings lose nothing.
-// Features are named by FeatureId; ask Scene on the app thread for words. Built by compile_haptic (haptic/compile) through HapticSceneBuilder.
+// The haptic view of a building: what a hand can touch and nothing else. Immutable once built, so the servo thread
+// reads it without locks. World metres in double, stored relative to origin_m so that far-away buildings lose nothing.
+// Features are named by FeatureId; ask Scene on the app thread for words. Built by compile_haptic (haptic/compile)
+// through HapticSceneBuilder.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -57,17 +59,19 @@ enum class ObstacleKind : std::uint8_t {
 };
 inline constexpr std::size_t kObstacleKinds = 9;
 
-// A convex solid of one's own, given by a function. It runs on the servo thread: no allocation, lock or exception, and only + - * / and square root, so that
-// every machine gives the same numbers. For a place outside the solid it gives the nearest place of the surface and the distance, with an error far below
-// what is felt (1e-9 m); for one inside, any negative distance. Exact at every place is the plane: dot(normal, o) <= dot(normal, point_m) for every place o of
-// the solid, normal of length 1. That is what keeps a ball outside at any speed.
+// A convex solid of one's own, given by a function. It runs on the servo thread: no allocation, lock or exception, and
+// only + - * / and square root, so that every machine gives the same numbers. For a place outside the solid it gives
+// the nearest place of the surface and the distance, with an error far below what is felt (1e-9 m); for one inside, any
+// negative distance. Exact at every place is the plane: dot(normal, o) <= dot(normal, point_m) for every place o of the
+// solid, normal of length 1. That is what keeps a ball outside at any speed.
 struct CustomObstacle {
     ClosestPoint (*closest)(const Vec3& at_m, const void* data) noexcept = nullptr;  // the solid's own coordinates
     std::shared_ptr<const void> data;                                                // lives as long as the scene
     Vec3 position_m{0.0};                                                            // of the own zero, world
-    Aabb bounds_m;                                                                   // around the solid, own coordinates
+    Aabb bounds_m;  // around the solid, own coordinates
 };
-// True when it has a function and a size, and the function keeps the promise above at 386 places around and between them.
+// True when it has a function and a size, and the function keeps the promise above at 386 places around and between
+// them.
 bool is_sound(const CustomObstacle& obstacle);
 
 // One convex thing that stops the proxy.
@@ -75,10 +79,11 @@ struct Obstacle {
     ObstacleKind kind = ObstacleKind::Triangle;
     TouchSide side = TouchSide::Both;  // of sheets; solids have none
     std::uint16_t rounding = 0;        // of a box or brush: into roundings_m
-    std::uint32_t shape = 0;           // into mesh.triangles or the list of its kind; for a brush the first of its planes
-    std::uint32_t planes = 0;          // of a brush
-    std::uint32_t first_label = 0;     // triangle 1 (shared by triangles that follow each other), polygon 2 (front, back), box 6 (-x +x -y +y -z +z), brush one
-                                       // per plane, sphere, capsule and custom 1, cylinder 3 (side, bottom, top), cone 2 (side, base)
+    std::uint32_t shape = 0;        // into mesh.triangles or the list of its kind; for a brush the first of its planes
+    std::uint32_t planes = 0;       // of a brush
+    std::uint32_t first_label = 0;  // triangle 1 (shared by triangles that follow each other), polygon 2 (front, back),
+                                    // box 6 (-x +x -y +y -z +z), brush one per plane, sphere, capsule and custom 1,
+                                    // cylinder 3 (side, bottom, top), cone 2 (side, base)
 };
 
 // The corners of one flat polygon among HapticScene::polygon_corners.
@@ -87,8 +92,8 @@ struct PolygonRange {
     std::uint32_t first_corner = 0, corners = 0;
 };
 
-// A volume to move through. A point in it is felt by its viscosity, in Ns/m of hand speed. Buoyancy and film act at the open surface: the exposed
-// face that looks up most; a liquid without one has neither.
+// A volume to move through. A point in it is felt by its viscosity, in Ns/m of hand speed. Buoyancy and film act at the
+// open surface: the exposed face that looks up most; a liquid without one has neither.
 struct LiquidVolume {
     std::vector<Plane> planes;
     std::vector<bool> hidden;  // per plane: covered, so no surface of the liquid
@@ -106,8 +111,8 @@ struct LiquidVolume {
 
 struct HapticScene;
 
-// A thing that may move, turn, grow, appear and vanish as one: a door leaf, a crate. Its obstacles stand in its own frame, each once however many
-// bodies share the shape; their labels' materials are the whole scene's.
+// A thing that may move, turn, grow, appear and vanish as one: a door leaf, a crate. Its obstacles stand in its own
+// frame, each once however many bodies share the shape; their labels' materials are the whole scene's.
 struct HapticBody {
     FeatureId feature = kNoFeature;
     std::shared_ptr<const HapticScene> shape;  // its obstacles; its own bodies, liquids and materials are not looked at
@@ -124,12 +129,53 @@ struct BodyPose {
     bool operator==(const BodyPose&) const = default;
 };
 
+// A body on its way from one pose to another, as it looks at a glance: its frame's zero is never farther than
+// half_way_m from middle_m.
+struct MovingBody {
+    std::uint32_t body = 0;
+    double half_way_m = 0.0;
+    double most_scale = 1.0;
+    Vec3 middle_m{0.0};  // world
+};
+
+// How bodies go from their poses to others: a pose on the way is worked out when somebody asks for it, and nobody asks
+// for those of things that are far.
+struct BodyWays {
+    std::uint64_t number = 0;         // of these ways
+    std::uint64_t number_before = 0;  // of the ways that ended where these begin; 0: unknown
+    std::span<const BodyPose> to{};   // the other ends; empty: nothing moves
+    double part = 0.0;                // of the ways
+    std::span<const MovingBody>
+        moving{};  // who moves, comes or goes on them, in rising order, where number_before is known
+};
+
+// Where all bodies of a scene are on a tick, in its order, or nothing at all: every body as the scene has it.
+struct BodyPoses {
+    std::span<const BodyPose> poses{};
+    std::uint64_t number =
+        0;  // changes whenever a pose does, so that a tick on which nothing moves looks at none of them
+    const BodyWays* ways =
+        nullptr;  // null: the poses are where the bodies are, and anybody may have moved with a new number
+
+    std::uint64_t ways_number() const noexcept { return ways ? ways->number : number; }
+    bool know(std::size_t body) const noexcept { return body < poses.size(); }
+    // know(body)
+    BodyPose at(std::size_t body) const noexcept {
+        const BodyPose& a = poses[body];
+        if (!ways || body >= ways->to.size()) return a;
+        const BodyPose& b = ways->to[body];
+        return a.present && b.present && !(a.at == b.at) ? BodyPose{between(a.at, b.at, ways->part), true} : a;
+    }
+};
+
 struct HapticScene {
-    static constexpr std::size_t kMostBodies = 128;
+    // A number that is not looked at beyond its size in tables: a tick tracks only bodies that are near.
+    static constexpr std::size_t kMostBodies = 16384;
 
     std::uint32_t generation = 0;  // differs for every scene built in this process
-    std::uint32_t world = 0;       // the same for scenes that are one world with something added or removed; else the generation
-    Vec3 origin_m{0.0};            // world place of the local zero; everything below is local
+    std::uint32_t world =
+        0;               // the same for scenes that are one world with something added or removed; else the generation
+    Vec3 origin_m{0.0};  // world place of the local zero; everything below is local
     std::vector<Obstacle> obstacles;
     TriangleMesh mesh;  // corners shared by all triangles that have them
     std::vector<Aabb> boxes;
@@ -150,6 +196,7 @@ struct HapticScene {
     bool media = false;                          // there are liquids, effects or soft patches
     bool liquid_surfaces = false;                // some liquid has buoyancy or a film
     bool plain = false;                          // has nothing that PlainFeatures leaves out (tick_features.h)
+    bool plain_afar = false;                     // nothing but bodies: plain while none of them is near
     std::vector<EffectVolume> effects;           // in the file's order
     Bvh effect_bvh;                              // item i is effects[i], those that hang on no body
     std::vector<std::uint32_t> hanging_effects;  // of effects: those that hang on a body
@@ -159,7 +206,8 @@ struct HapticScene {
     std::vector<Relief> reliefs;            // height and friction textures
     MeshShading shading;                    // of `mesh`, where asked for
     bool fields = false;                    // reliefs or shading, here or in a body
-    std::vector<std::uint8_t> relief_axis;  // by FeatureId of a mesh: 0, 1 or 2, the axis along which its textures are laid on
+    std::vector<std::uint8_t>
+        relief_axis;  // by FeatureId of a mesh: 0, 1 or 2, the axis along which its textures are laid on
 
     // Local coordinates. Never empty of meaning: index < obstacles.size().
     ClosestPoint closest(std::uint32_t obstacle, const Vec3& local_m) const noexcept {
@@ -168,8 +216,8 @@ struct HapticScene {
         const Corners& t = mesh.triangles[o.shape];
         return closest_point_of_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]], local_m);
     }
-    // Cheaper than closest(), for obstacles not near: some plane that supports the obstacle, and how far in front of it the point is, no more than its
-    // distance. 0 where no such plane is plain to see.
+    // Cheaper than closest(), for obstacles not near: some plane that supports the obstacle, and how far in front of it
+    // the point is, no more than its distance. 0 where no such plane is plain to see.
     double quick_support(std::uint32_t obstacle, const Vec3& local_m, Vec3& normal) const noexcept {
         const Obstacle& o = obstacles[obstacle];
         if (o.kind != ObstacleKind::Triangle) return 0.0;
@@ -183,16 +231,23 @@ struct HapticScene {
         const Corners& t = mesh.triangles[o.shape];
         return make_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]]);
     }
-    // How far a point lies on the side from which a sheet of one side can be touched; negative: behind it. Sheets with TouchSide::Front or Back only.
+    // How far a point lies on the side from which a sheet of one side can be touched; negative: behind it. Sheets with
+    // TouchSide::Front or Back only.
     double in_front_m(std::uint32_t obstacle, const Vec3& local_m) const noexcept;
-    // True when two supporting planes with these normals touch one smooth piece of the obstacle, with no edge between: the place nearest to a
-    // point can then be reached from the other without passing a corner.
+    // True when two supporting planes with these normals touch one smooth piece of the obstacle, with no edge between:
+    // the place nearest to a point can then be reached from the other without passing a corner.
     bool smooth_between(std::uint32_t obstacle, const Vec3& normal_a, const Vec3& normal_b) const noexcept;
     // The face that looks most along `normal`, hidden faces last: its number within the obstacle, and its label.
     std::uint32_t face(std::uint32_t obstacle, const Vec3& normal) const noexcept;
-    const SurfaceLabel& label(std::uint32_t obstacle, std::uint32_t face) const noexcept { return labels[obstacles[obstacle].first_label + face]; }
-    const SurfaceLabel& surface(std::uint32_t obstacle, const Vec3& normal) const noexcept { return label(obstacle, face(obstacle, normal)); }
-    const HapticMaterial& material(MaterialId id) const noexcept { return materials[id < materials.size() ? id : kDefaultMaterial]; }
+    const SurfaceLabel& label(std::uint32_t obstacle, std::uint32_t face) const noexcept {
+        return labels[obstacles[obstacle].first_label + face];
+    }
+    const SurfaceLabel& surface(std::uint32_t obstacle, const Vec3& normal) const noexcept {
+        return label(obstacle, face(obstacle, normal));
+    }
+    const HapticMaterial& material(MaterialId id) const noexcept {
+        return materials[id < materials.size() ? id : kDefaultMaterial];
+    }
     // The radius of the edges of a box or brush.
     double rounding_m(const Obstacle& o) const noexcept { return roundings_m[o.rounding]; }
     // How many obstacles of each kind, indexed by ObstacleKind. Looks at all of them: not for the tick.
@@ -210,25 +265,35 @@ public:
 
     // Triangles as sheets that share their corners; labels: one per triangle or one for all.
     void add_mesh(const TriangleMesh& mesh, std::span<const SurfaceLabel> labels, TouchSide side = TouchSide::Both);
-    void add_mesh(const TriangleMesh& mesh, const SurfaceLabel& label = {}, TouchSide side = TouchSide::Both) { add_mesh(mesh, std::span(&label, 1), side); }
-    void add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label = {}, TouchSide side = TouchSide::Both);
+    void add_mesh(const TriangleMesh& mesh, const SurfaceLabel& label = {}, TouchSide side = TouchSide::Both) {
+        add_mesh(mesh, std::span(&label, 1), side);
+    }
+    void add_triangle(const Vec3& a_m, const Vec3& b_m, const Vec3& c_m, const SurfaceLabel& label = {},
+                      TouchSide side = TouchSide::Both);
     // A flat convex polygon; labels: one, or front and back. See make_polygon for what it expects of the points.
-    void add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels, TouchSide side = TouchSide::Both);
+    void add_polygon(std::span<const Vec3> points_m, std::span<const SurfaceLabel> labels,
+                     TouchSide side = TouchSide::Both);
     void add_polygon(std::span<const Vec3> points_m, const SurfaceLabel& label = {}, TouchSide side = TouchSide::Both) {
         add_polygon(points_m, std::span(&label, 1), side);
     }
     // One label for all faces, or six: -x +x -y +y -z +z.
     void add_box(const Aabb& box_m, std::span<const SurfaceLabel> labels);
     void add_box(const Aabb& box_m, const SurfaceLabel& label = {}) { add_box(box_m, std::span(&label, 1)); }
-    // A bounded convex solid; labels: one per plane or one for all. Becomes a box when it is an axis-aligned one. rounding_m: of its edges and corners; every
-    // face must still have an area when it has moved in by as much.
-    void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels, double rounding_m = 0.0);
-    void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, const SurfaceLabel& label = {}) { add_solid(planes, bounds_m, std::span(&label, 1)); }
-    // Round solids; sizes are finite and not negative, axes of unit length: whoever feeds the builder refuses others. Labels: one for all faces, or one each.
+    // A bounded convex solid; labels: one per plane or one for all. Becomes a box when it is an axis-aligned one.
+    // rounding_m: of its edges and corners; every face must still have an area when it has moved in by as much.
+    void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, std::span<const SurfaceLabel> labels,
+                   double rounding_m = 0.0);
+    void add_solid(std::span<const Plane> planes, const Aabb& bounds_m, const SurfaceLabel& label = {}) {
+        add_solid(planes, bounds_m, std::span(&label, 1));
+    }
+    // Round solids; sizes are finite and not negative, axes of unit length: whoever feeds the builder refuses others.
+    // Labels: one for all faces, or one each.
     void add_sphere(const SphereShape& sphere, const SurfaceLabel& label = {});
     void add_capsule(const CapsuleShape& capsule, const SurfaceLabel& label = {});
     void add_cylinder(const CylinderShape& cylinder, std::span<const SurfaceLabel> labels);  // side, bottom, top
-    void add_cylinder(const CylinderShape& cylinder, const SurfaceLabel& label = {}) { add_cylinder(cylinder, std::span(&label, 1)); }
+    void add_cylinder(const CylinderShape& cylinder, const SurfaceLabel& label = {}) {
+        add_cylinder(cylinder, std::span(&label, 1));
+    }
     void add_cone(const ConeShape& cone, std::span<const SurfaceLabel> labels);  // side, base
     void add_cone(const ConeShape& cone, const SurfaceLabel& label = {}) { add_cone(cone, std::span(&label, 1)); }
     // False, and nothing added, for one that is not sound.
@@ -238,8 +303,10 @@ public:
     bool add_soft(SoftPatch patch);
     // False, and nothing added, for one that is not sound (is_sound) or hangs on a body that was not added before.
     bool add_effect(EffectVolume effect);
-    // The shape comes from a builder of its own, in the body's frame. False, and nothing added, when there are kMostBodies already.
-    bool add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start, bool present = true);
+    // The shape comes from a builder of its own, in the body's frame. False, and nothing added, when there are
+    // kMostBodies already.
+    bool add_body(FeatureId feature, std::shared_ptr<const HapticScene> shape, const Placement& start,
+                  bool present = true);
     // Lets the triangles added be felt as the curve they stand for (mesh_shading.h). Off unless asked for.
     void shade_meshes() { shades_ = true; }
     // What HapticMaterial::relief counts in; origins in world metres. `mesh_axis`: see HapticScene::relief_axis.
@@ -255,7 +322,8 @@ private:
     void prepare_effects();
     void add_sheet(const Corners& corners, const SurfaceLabel& label, TouchSide side);
     std::uint16_t rounding(double rounding_m);
-    void add_obstacle(ObstacleKind kind, std::size_t shape, std::size_t faces, std::span<const SurfaceLabel> labels, const Aabb& bounds_m);
+    void add_obstacle(ObstacleKind kind, std::size_t shape, std::size_t faces, std::span<const SurfaceLabel> labels,
+                      const Aabb& bounds_m);
 
     bool shades_ = false;
     HapticScene scene_;

@@ -9,15 +9,17 @@ namespace {
 
 constexpr double kDrag_n_per_m = 400.0;
 constexpr double kLargestDrag_n = 4.0;
-constexpr double kLargestFlow_n = 2.0;  // of a liquid that flows: a stream is a source, its power stays below this times its speed
+constexpr double kLargestFlow_n =
+    2.0;  // of a liquid that flows: a stream is a source, its power stays below this times its speed
 constexpr double kRounding_m = 1e-9;
-constexpr double kLook_hand_m = 0.1;                 // how much farther than it is felt liquid is looked for
-constexpr double kFilm_hand_m = 0.004;               // half the thickness of the surface film
-constexpr double kFilmSteepest = 0.857763884960707;  // of F = (2 A / w) y exp(-y^2), in A / w: the film's key is its largest force
+constexpr double kLook_hand_m = 0.1;    // how much farther than it is felt liquid is looked for
+constexpr double kFilm_hand_m = 0.004;  // half the thickness of the surface film
+constexpr double kFilmSteepest =
+    0.857763884960707;  // of F = (2 A / w) y exp(-y^2), in A / w: the film's key is its largest force
 constexpr double kFloatRamp_s = 0.100;
 
-// How deep a point lies below the surface of a liquid: its exposed faces where it has any. Negative outside. `all`: how far out of the volume, at least;
-// not positive inside.
+// How deep a point lies below the surface of a liquid: its exposed faces where it has any. Negative outside. `all`: how
+// far out of the volume, at least; not positive inside.
 double depth_in(const LiquidVolume& liquid, const Vec3& local_m, double& all) noexcept {
     double exposed = -std::numeric_limits<double>::infinity();
     all = exposed;
@@ -47,8 +49,8 @@ void LiquidState::reset() noexcept {
 
 Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const Vec3& at, FeatureId& in) noexcept {
     const double reach = kImmersion_hand_m * hand.scale;
-    // Of overlapping volumes the last one listed rules; where it thins out towards its own surface the next takes the rest, so neighbours
-    // of one pool make one pool.
+    // Of overlapping volumes the last one listed rules; where it thins out towards its own surface the next takes the
+    // rest, so neighbours of one pool make one pool.
     constexpr std::size_t kMost = 8;
     struct Wet {
         std::uint32_t volume;
@@ -91,8 +93,9 @@ Vec3 LiquidState::drag_n(const HapticScene& scene, const HandMotion& hand, const
         drag_offset_hand_m_ = Vec3(0.0);
         return Vec3(0.0);
     }
-    // p <- p + (x - p) a with a = u / (1 + u), u = K T / c. This share, unlike 1 - exp(-u), makes the steady force exactly c v. The point only ever
-    // moves along its own force, so the liquid never gives energy; a stream moves it besides.
+    // p <- p + (x - p) a with a = u / (1 + u), u = K T / c. This share, unlike 1 - exp(-u), makes the steady force
+    // exactly c v. The point only ever moves along its own force, so the liquid never gives energy; a stream moves it
+    // besides.
     const bool flows = hand.held && bath.flow_hand_m_per_s != Vec3(0.0);
     const double stiffness = kDrag_n_per_m * bath.weakest_share;
     const double u = stiffness * hand.dt_s / bath.viscosity_ns_per_m;
@@ -106,10 +109,13 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
     const double a = kImmersion_hand_m * hand.scale;
     const Vec3 goal = hand.goal_m - scene.origin_m;
 
-    // Where the ball is in the pool or just above it, the pool carries: nothing else tells a goal deep in the pool's wall from one beside the pool.
+    // Where the ball is in the pool or just above it, the pool carries: nothing else tells a goal deep in the pool's
+    // wall from one beside the pool.
     const auto carries = [&](const LiquidVolume& liquid) {
         for (std::size_t i = 0; i < liquid.planes.size(); ++i)
-            if (signed_distance(liquid.planes[i], ball_local_m) > (static_cast<int>(i) == liquid.surface ? 2.0 * a : 0.0)) return false;
+            if (signed_distance(liquid.planes[i], ball_local_m) >
+                (static_cast<int>(i) == liquid.surface ? 2.0 * a : 0.0))
+                return false;
         return true;
     };
     for (std::size_t k = float_count_; k-- > 0;) {
@@ -125,7 +131,8 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
         while (k < float_count_ && floats_[k].volume != item) ++k;
         if (k == kMostFloats) return;
         if (k == float_count_) floats_[float_count_++] = {item, 0.0};
-        // From above nothing is felt yet, so it may be ready at once: then what is paid going down comes back going up. Elsewhere it sets in gently.
+        // From above nothing is felt yet, so it may be ready at once: then what is paid going down comes back going up.
+        // Elsewhere it sets in gently.
         const double depth = -signed_distance(liquid.planes[static_cast<std::size_t>(liquid.surface)], goal);
         floats_[k].gate = depth <= -a ? 1.0 : std::min(1.0, floats_[k].gate + hand.dt_s / kFloatRamp_s);
     });
@@ -155,12 +162,14 @@ Vec3 LiquidState::surface_n(const HapticScene& scene, const HandMotion& hand, co
         const Plane& surface = liquid.planes[static_cast<std::size_t>(liquid.surface)];
         const double y = -signed_distance(surface, goal) / w, bell = exp_minus(y * y);
         const double energy = liquid.film_n * kFilm_hand_m / kFilmSteepest;  // A
-        force += surface.normal * (energy / kFilm_hand_m * 2.0 * y * bell * weight) + slope * (hand.scale * energy * bell);
+        force +=
+            surface.normal * (energy / kFilm_hand_m * 2.0 * y * bell * weight) + slope * (hand.scale * energy * bell);
     });
     return force;
 }
 
-Vec3 LiquidState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept {
+Vec3 LiquidState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m,
+                          FeatureId& in) noexcept {
     in = kNoFeature;
     if (scene.liquids.empty() || surely_dry(scene, ball_local_m, hand.scale)) return Vec3(0.0);
     if (world_ != scene.world || liquids_ != scene.liquids.size()) {

@@ -1,7 +1,8 @@
-// What liquids do to the hand: drag where the ball is, buoyancy and a surface film where the hand is, a stream that carries it.
-// Drag is a point pulled behind the hand by a spring, yielding as fast as the liquid lets it (a Maxwell element), so no speed is measured and the
-// steady force is viscosity times hand speed, exactly, at every tick length. Buoyancy and film are potentials of the depth below the open surface.
-// Owned by TouchState, one thread; fixed size, noexcept, never allocates.
+// What liquids do to the hand: drag where the ball is, buoyancy and a surface film where the hand is, a stream that
+// carries it. Drag is a point pulled behind the hand by a spring, yielding as fast as the liquid lets it (a Maxwell
+// element), so no speed is measured and the steady force is viscosity times hand speed, exactly, at every tick length.
+// Buoyancy and film are potentials of the depth below the open surface. Owned by TouchState, one thread; fixed size,
+// noexcept, never allocates.
 #pragma once
 
 #include <array>
@@ -13,13 +14,16 @@ namespace handrail {
 class LiquidState {
 public:
     void reset() noexcept;
-    // ball_local_m: in the scene's own coordinates. `in`: the volume that holds the ball, the last one listed where they overlap.
+    // ball_local_m: in the scene's own coordinates. `in`: the volume that holds the ball, the last one listed where
+    // they overlap.
     Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_local_m, FeatureId& in) noexcept;
-    // True, at little cost, only where force_n would find nothing and change nothing: the ball is still where the last look found no liquid near.
+    // True, at little cost, only where force_n would find nothing and change nothing: the ball is still where the last
+    // look found no liquid near.
     bool surely_dry(const HapticScene& scene, const Vec3& ball_local_m, double scale) const noexcept {
         const Vec3 way = ball_local_m - looked_from_m_;
         const double free = nearest_m_ - kImmersion_hand_m * scale;
-        return free > 0.0 && glm::dot(way, way) < free * free && looked_generation_ == scene.generation && !scene.liquid_surfaces;
+        return free > 0.0 && glm::dot(way, way) < free * free && looked_generation_ == scene.generation &&
+               !scene.liquid_surfaces;
     }
 
 private:

@@ -14,7 +14,8 @@ constexpr double kFlat_m = 1e-9;  // rises below this are rounding
 std::vector<std::uint32_t> welded(std::span<const Vec3> points) {
     std::map<std::tuple<double, double, double>, std::uint32_t> known;
     std::vector<std::uint32_t> first(points.size());
-    for (std::uint32_t i = 0; i < points.size(); ++i) first[i] = known.try_emplace({points[i].x, points[i].y, points[i].z}, i).first->second;
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+        first[i] = known.try_emplace({points[i].x, points[i].y, points[i].z}, i).first->second;
     return first;
 }
 
@@ -33,8 +34,8 @@ double steepest(const std::array<Vec3, 3>& p, const MeshShading::Facet& facet) {
     double most = 0.0;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t next = (i + 1) % 3, last = (i + 2) % 3;
-        most =
-            std::max(most, 4.0 * glm::length(slope[next] * static_cast<double>(facet.sagitta_m[i]) + slope[last] * static_cast<double>(facet.sagitta_m[last])));
+        most = std::max(most, 4.0 * glm::length(slope[next] * static_cast<double>(facet.sagitta_m[i]) +
+                                                slope[last] * static_cast<double>(facet.sagitta_m[last])));
     }
     return most;
 }
@@ -53,7 +54,8 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
         const Vec3 n = glm::cross(corners[t][1] - corners[t][0], corners[t][2] - corners[t][0]);
         if (const double size = glm::length(n); size > 0.0) normals[t] = n / size;
     }
-    // 1. Edges by their ends; smooth where two facets run along them in opposite senses and are nearly flat to each other.
+    // 1. Edges by their ends; smooth where two facets run along them in opposite senses and are nearly flat to each
+    // other.
     struct Side {
         std::uint32_t triangle, edge;
         bool forward;
@@ -73,24 +75,29 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
     };
     std::vector<std::pair<Side, Side>> smooth;
     for (const auto& [ends, sides] : edges) {
-        if (sides.size() != 2 || sides[0].forward == sides[1].forward || sides[0].triangle == sides[1].triangle) continue;
+        if (sides.size() != 2 || sides[0].forward == sides[1].forward || sides[0].triangle == sides[1].triangle)
+            continue;
         if (glm::dot(normals[sides[0].triangle], normals[sides[1].triangle]) < crease_cosine) continue;
         smooth.emplace_back(sides[0], sides[1]);
-        const auto corner = [](const Side& side, std::uint32_t end) { return 3 * side.triangle + (side.edge + end) % 3; };
+        const auto corner = [](const Side& side, std::uint32_t end) {
+            return 3 * side.triangle + (side.edge + end) % 3;
+        };
         root[find(corner(sides[0], 0))] = find(corner(sides[1], 1));
         root[find(corner(sides[0], 1))] = find(corner(sides[1], 0));
     }
     std::vector<Vec3> corner_normals(root.size(), Vec3(0.0));
     for (std::uint32_t t = 0; t < count; ++t)
         for (std::uint32_t k = 0; k < 3; ++k)
-            corner_normals[find(3 * t + k)] += normals[t] * angle_between(corners[t][(k + 1) % 3] - corners[t][k], corners[t][(k + 2) % 3] - corners[t][k]);
+            corner_normals[find(3 * t + k)] += normals[t] * angle_between(corners[t][(k + 1) % 3] - corners[t][k],
+                                                                          corners[t][(k + 2) % 3] - corners[t][k]);
     for (Vec3& n : corner_normals)
         if (const double size = glm::length(n); size > 0.0) n /= size;
     // 3. Rises.
     for (const auto& [one, other] : smooth) {
         const std::uint32_t next = (one.edge + 1) % 3;
         const Vec3 way = corners[one.triangle][next] - corners[one.triangle][one.edge];
-        const Vec3 turn = corner_normals[find(3 * one.triangle + next)] - corner_normals[find(3 * one.triangle + one.edge)];
+        const Vec3 turn =
+            corner_normals[find(3 * one.triangle + next)] - corner_normals[find(3 * one.triangle + one.edge)];
         const double rise = 0.125 * glm::dot(turn, way);
         const float sagitta = std::abs(rise) > kFlat_m ? static_cast<float>(rise) : 0.0F;
         for (const auto& [side, opposite] : {std::pair(one, other), std::pair(other, one)}) {
@@ -98,8 +105,8 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
             shading.facets[side.triangle].across[side.edge] = opposite.triangle;
         }
     }
-    // 4. Facets that would be too steep are flattened, with their neighbours' halves of those edges; flattening never makes another one steeper than
-    // its own edges do, so a few passes settle it.
+    // 4. Facets that would be too steep are flattened, with their neighbours' halves of those edges; flattening never
+    // makes another one steeper than its own edges do, so a few passes settle it.
     for (bool changed = true; changed;) {
         changed = false;
         for (std::uint32_t t = 0; t < count; ++t) {
@@ -116,7 +123,8 @@ MeshShading shade_mesh(std::span<const Vec3> points, std::span<const Corners> tr
     }
     for (const MeshShading::Facet& facet : shading.facets)
         for (const float s : facet.sagitta_m)
-            shading.highest_m = std::max(shading.highest_m, 4.0 / 3.0 * std::abs(static_cast<double>(s)));  // sum of l_i l_j <= 1/3
+            shading.highest_m =
+                std::max(shading.highest_m, 4.0 / 3.0 * std::abs(static_cast<double>(s)));  // sum of l_i l_j <= 1/3
     return shading;
 }
 

@@ -1,8 +1,9 @@
-// Time-domain passivity control (Hannaford & Ryu, Time-domain passivity control of haptic interfaces, 2002): watches what the held force gives to the
-// hand while it touches, told from the measured places and from the force that was really on the motor, and adds damping when it gives
-// more than it took. Pole, allowance and the bound on the surface's own damping keep it from stepping: in the published form it cost up to
-// 0.29 N per tick on a clean sweep, and on a surface damped by 2 Ns/m or more it let no wall be stiffer (docs/results.md).
-// Plain state of TouchState; noexcept, no allocation; about 20 flops a tick while it watches, none otherwise.
+// Time-domain passivity control (Hannaford & Ryu, Time-domain passivity control of haptic interfaces, 2002): watches
+// what the held force gives to the hand while it touches, told from the measured places and from the force that was
+// really on the motor, and adds damping when it gives more than it took. Pole, allowance and the bound on the surface's
+// own damping keep it from stepping: in the published form it cost up to 0.29 N per tick on a clean sweep, and on a
+// surface damped by 2 Ns/m or more it let no wall be stiffer (docs/results.md). Plain state of TouchState; noexcept, no
+// allocation; about 20 flops a tick while it watches, none otherwise.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +16,19 @@ namespace handrail {
 
 class PassivityGuard {
 public:
-    static constexpr double kNotNeeded_ns_per_m = 2.0;  // damping of a surface from which on the guard has nothing to add
+    static constexpr double kNotNeeded_ns_per_m =
+        2.0;  // damping of a surface from which on the guard has nothing to add
 
-    // Damping to add now, in Ns/m. own_step_m: of the hand since the last tick, hand metres; delay_s: how much later than the hold a force is felt.
+    // Damping to add now, in Ns/m. own_step_m: of the hand since the last tick, hand metres; delay_s: how much later
+    // than the hold a force is felt.
     double watch(const Vec3& own_step_m, double dt_s, double delay_s) noexcept {
         const auto late = static_cast<std::size_t>(std::clamp(delay_s / dt_s + 0.5, 0.0, kMostLate - 1.0));
         energy_j_ -= glm::dot(given_n_[(newest_ + kMostLate - late) % kMostLate], own_step_m);
         const double lacking_j = -kAllowance_j - energy_j_;
         const double speed2 = glm::dot(own_step_m, own_step_m) / (dt_s * dt_s);
         double wanted = 0.0;
-        if (lacking_j > 0.0) wanted = speed2 > 0.0 ? std::min(lacking_j / (dt_s * speed2), kMost_ns_per_m) : damping_ns_per_m_;
+        if (lacking_j > 0.0)
+            wanted = speed2 > 0.0 ? std::min(lacking_j / (dt_s * speed2), kMost_ns_per_m) : damping_ns_per_m_;
         damping_ns_per_m_ += (wanted - damping_ns_per_m_) * (dt_s / (kPole_s + dt_s));
         return damping_ns_per_m_;
     }

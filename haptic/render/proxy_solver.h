@@ -1,12 +1,14 @@
-// The free-cell proxy: a ball kept outside a set of convex obstacles. Each candidate obstacle owns one cut, a half-space that supports it; any
-// cut of a still obstacle is valid for ever, so the ball may move freely in the intersection of the cuts: no swept test is needed at any speed,
-// overlapping, doubled and cracked geometry needs no special case, and stopping anywhere on the path is safe. One move projects the goal on
-// the intersection, renews the cuts that act, and repeats until they truly touch. Candidates come from a cache that is refreshed inside the
-// move, decided by the samples alone. The cuts of a moving body stand still in its own frame; where the body comes nearer it pushes the ball,
-// in sub-steps of at most half the ball's radius, and where it leaves too little room the ball shrinks.
-// Owned by TouchState, one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in world metres.
-// Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The haptic display of complex graphical
-// environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy renewal: docs/architecture.md.
+// The free-cell proxy: a ball kept outside a set of convex obstacles. Each candidate obstacle owns one cut, a
+// half-space that supports it; any cut of a still obstacle is valid for ever, so the ball may move freely in the
+// intersection of the cuts: no swept test is needed at any speed, overlapping, doubled and cracked geometry needs no
+// special case, and stopping anywhere on the path is safe. One move projects the goal on the intersection, renews the
+// cuts that act, and repeats until they truly touch. Candidates come from a cache that is refreshed inside the move,
+// decided by the samples alone. The cuts of a moving body stand still in its own frame; where the body comes nearer it
+// pushes the ball, in sub-steps of at most half the ball's radius, and where it leaves too little room the ball
+// shrinks. Owned by TouchState, one thread. Allocates only in its constructor; noexcept; reads no clock. Lengths in
+// world metres. Sources: Zilles & Salisbury, A constraint-based god-object method, IROS 1995; Ruspini et al., The
+// haptic display of complex graphical environments, SIGGRAPH 1997 (finite radius); supporting cuts and their lazy
+// renewal: docs/architecture.md.
 #pragma once
 
 #include <algorithm>
@@ -23,14 +25,25 @@ namespace handrail {
 
 class ProxySolver {
 public:
-    static constexpr int kMaxCandidates = 1024;        // 32 kB of cuts; beyond it the nearest are kept and Step::truncated is set
-    static constexpr int kComfortableCandidates = 38;  // more make the margin shrink first: each costs 6 instructions in every scan
-    static constexpr int kSpareCandidates = 16;        // found beyond these before the farthest are dropped
+    static constexpr int kMaxCandidates =
+        1024;  // 32 kB of cuts; beyond it the nearest are kept and Step::truncated is set
+    static constexpr int kComfortableCandidates =
+        38;  // more make the margin shrink first: each costs 6 instructions in every scan
+    static constexpr int kSpareCandidates = 16;  // found beyond these before the farthest are dropped
     static constexpr int kMaxIterations = 64;
     static constexpr int kMaxGhosts = 256;
-    static constexpr int kMaxStages = 8;     // gatherings within one move, for leaps through crowded places
-    static constexpr int kMostLooks = 2048;  // nodes and obstacles looked at in one gathering in one shape; what lies farther counts as unknown
+    static constexpr int kMostTracked =
+        1024;  // bodies near enough to be met soon; of more the nearest, and the ball stops short of the rest
+    static constexpr int kMaxStages = 8;  // gatherings within one move, for leaps through crowded places
+    static constexpr int kMostLooks =
+        2048;  // nodes and obstacles looked at in one gathering in one shape; what lies farther counts as unknown
     static constexpr double kSmallestRadius_m = 1e-5;
+    // What one move may do, counted and not clocked, so that every machine does the same: in units of one to two
+    // nanoseconds (see kLookWork and its like). Over it what is not known counts as occupied, the cuts that there are
+    // go on, and the ball, or a body that comes at it, waits for the next move.
+    static constexpr int kMostWork = 88'000;
+    static constexpr int kRoundsWork =
+        18'000;  // of it gatherings leave for the rounds: cuts that were found and not used help nobody
 
     struct Request {
         Vec3 goal_m{0.0};  // world
@@ -39,12 +52,11 @@ public:
         double margin_m = 0.02;     // wish: how far the ball may go before candidates are gathered again
         double growth_m = 0.0;      // how much a shrunken ball grows in this move
         double ghost_exit_m = 0.0;  // beyond the radius: how far the goal must be out before a ghost is solid again
-        // At most this many rounds, up to kMaxIterations. Fewer never let the ball through anything, it only lags (tests: I17). 0: the cuts as
-        // they are, none renewed and none gathered, what a move with no time to look at the scene would do (tests: I18).
+        // At most this many rounds, up to kMaxIterations. Fewer never let the ball through anything, it only lags
+        // (tests: I17). 0: the cuts as they are, none renewed and none gathered, what a move with no time to look at
+        // the scene would do (tests: I18).
         int most_rounds = kMaxIterations;
-        // One for each body of the scene, in its order, each scale > 0; empty: all as the scene has them. Another number means that some changed.
-        std::span<const BodyPose> bodies{};
-        std::uint64_t bodies_number = 0;
+        const BodyPoses* bodies = nullptr;  // each scale > 0; null: all as the scene has them
     };
 
     static constexpr std::uint16_t kStill = 0xFFFF;  // belongs to no body
@@ -62,6 +74,7 @@ public:
         int count = 0;
         int iterations = 0;
         bool converged = true, truncated = false, capped = false, ghosted = false;
+        bool waits = false;     // the move had more to do than kMostWork: the rest comes with the next ones
         bool pushed = false;    // a body moved the ball
         bool squeezed = false;  // the ball had to shrink
 
@@ -69,7 +82,7 @@ public:
         void begin() noexcept {
             count = iterations = 0;
             converged = true;
-            truncated = capped = ghosted = pushed = squeezed = false;
+            truncated = capped = ghosted = waits = pushed = squeezed = false;
         }
     };
 
@@ -80,7 +93,22 @@ public:
     // Has: AllFeatures, or PlainFeatures where scene.plain.
     template <class Has = AllFeatures>
     const Step& move(const HapticScene& scene, const Request& request) noexcept;
-    // After move(): the friction cone. Walks back along the path until the ball is reach_m from where the goal pulls it, or to its start.
+    // Before move(): true when no body is near enough to have a part in it, so that it may be a move without bodies.
+    bool bodies_are_far(const HapticScene& scene, const Request& request) noexcept;
+    // The same at a glance, for a tick on which nothing about them has changed: false says nothing.
+    bool bodies_stay_far(const HapticScene& scene, const BodyPoses& bodies, double radius_m, double margin_m,
+                         double path_cap_m) noexcept {
+        if (all_far_in_ != &scene || generation_ != scene.generation) return false;
+        const Vec3 way = local_m() - far_from_m_;
+        if (bodies.ways_number() != ways_ || glm::dot(way, way) > far_enough_m2_ ||
+            near_for(radius_m, margin_m, path_cap_m) > near_m_)
+            return false;
+        bodies_number_ = bodies.number;
+        return true;
+    }
+    // After move(), with at least one hold: the friction cone. Walks back along the path until the ball is reach_m from
+    // where the goal pulls it, or to its start, but never off the surfaces: a ball that was free goes straight to where
+    // it touches first, and friction begins there.
     template <class Has = AllFeatures>
     void hold_back(const HapticScene& scene, double reach_m) noexcept;
     // After move(): from now to the next move the ball goes with this body (kStill: with none), as friction makes it.
@@ -88,22 +116,26 @@ public:
 
     // The frame of a body as it stands, in world metres, and the shape that holds.
     Vec3 turned_to_own(const Hold& hold, const Vec3& direction) const noexcept {
-        return hold.body == kStill ? direction : tracks_[hold.body].frame.turned_back(direction);
+        return hold.body == kStill ? direction : track_of(hold.body).frame.turned_back(direction);
     }
     Vec3 turned_from_own(const Hold& hold, const Vec3& direction) const noexcept {
-        return hold.body == kStill ? direction : tracks_[hold.body].frame.turned(direction);
+        return hold.body == kStill ? direction : track_of(hold.body).frame.turned(direction);
     }
-    double own_scale(const Hold& hold) const noexcept { return hold.body == kStill ? 1.0 : tracks_[hold.body].frame.scale; }
+    double own_scale(const Hold& hold) const noexcept {
+        return hold.body == kStill ? 1.0 : track_of(hold.body).frame.scale;
+    }
     static const HapticScene& shape_of(const HapticScene& scene, const Hold& hold) noexcept {
         return hold.body == kStill ? scene : *scene.bodies[hold.body].shape;
     }
     // A world place in the coordinates of the shape that holds (those of its triangles, boxes and planes).
     Vec3 to_own(const HapticScene& scene, const Hold& hold, const Vec3& world_m) const noexcept;
 
-    // After move(). From the goal to the ball (zero, exactly, in free space), from where the ball was before the move to where it is now,
-    // and the same pull without friction or speed cap: where surfaces alone would let the ball go.
+    // After move(). From the goal to the ball (zero, exactly, in free space), from where the ball was before the move
+    // to where it is now, and the same pull without friction or speed cap: where surfaces alone would let the ball go.
     Vec3 offset_m() const noexcept { return ball_m_ - goal_m_; }
     Vec3 slide_m() const noexcept { return ball_m_ - path_[0]; }
+    // The same without the way through the air to the first touch, after hold_back().
+    Vec3 rubbed_m() const noexcept { return ball_m_ - path_[static_cast<std::size_t>(rubs_from_)]; }
     Vec3 press_m() const noexcept { return basis_.point_m - goal_m_; }
     Vec3 rest_m() const noexcept { return anchor_m_ + basis_.point_m; }  // of that, in the scene's own coordinates
     double radius_m() const noexcept { return radius_m_; }
@@ -120,7 +152,21 @@ public:
         return {cut.normal, cut.offset_m + glm::dot(cut.normal, anchor_m_)};
     }
     std::uint64_t gatherings() const noexcept { return gatherings_; }
-    int looks() const noexcept { return looks_; }  // nodes and obstacles looked at in the last move for starting and gathering
+    int looks() const noexcept {
+        return looks_;
+    }  // nodes and obstacles looked at in the last move for starting and gathering
+    int work() const noexcept {
+        return kMostWork - work_left_;
+    }  // of the last move; what is cheap anyhow is not counted
+    // Bodies that the tick follows, and where it has one of them, which lags while it waits.
+    std::size_t tracked() const noexcept { return tracked_count_; }
+    bool tracks(std::size_t body) const noexcept { return slots_[body] != kNoSlot; }
+    Placement body_at(std::size_t body) const noexcept { return tracks_[slots_[body]].at; }
+    // For checks: follows every body of the scene, however far, as far as there is room. The same numbers come out, bit
+    // for bit, and it costs more; except while the ball hurries after something that vanished, where who follows few
+    // stops sooner.
+    void track_all() noexcept { tracks_all_ = true; }
+    bool hurries() const noexcept { return hurry_ > 0; }
 
 private:
     struct Candidate {
@@ -138,38 +184,76 @@ private:
     // A body as the ball last met it.
     struct Track {
         Placement at, from, to;  // world: now, and the way of this move
+        Placement before;        // this sub-step
+        Placement wanted;        // where it was told to be last; `at` is behind it while it waits
         PlacedFrame frame;       // of `at`, in the scene's own coordinates
         bool present = false;
-        bool moved = false;      // on this sub-step
-        bool looked_at = false;  // some of it may be candidates; else all of it is as far as its sphere
-        double reach_m = 0.0;    // of that sphere around its frame's zero, world metres
-        Vec3 known_from_m{0.0};  // looked at: own frame; every obstacle nearer to here than known_m is a candidate
-        double known_m = -1.0;   // world metres
+        bool moved = false;          // on this sub-step
+        bool jumped = false;         // it was told to be elsewhere than it can have come to
+        bool short_of_room = false;  // there was none for all that is near enough
+        int waited = 0;              // moves
+        bool unknown = false;        // there was no time yet to look for its candidates
+        bool crowded = false;        // had more near than are comfortable when it was looked at last
+        bool looked_at = false;      // some of it may be candidates; else all of it is as far as its sphere
+        double reach_m = 0.0;        // of that sphere around its frame's zero, world metres
+        Vec3 known_from_m{0.0};      // looked at: own frame; every obstacle nearer to here than known_m is a candidate
+        double known_m = -1.0;       // world metres
     };
 
-    void place(const HapticScene& scene, const Vec3& local_m, double radius_m) noexcept;
+    void place(const HapticScene& scene, const Request& request, const Vec3& local_m, double radius_m) noexcept;
     void place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept;
-    void take_bodies(const HapticScene& scene, const Request& request) noexcept;
+    // How far around the ball bodies must have a track: a push of 64 sub-steps of bodies that carry it, and as far as
+    // candidates are gathered.
+    static double near_for(double radius_m, double margin_m, double path_cap_m) noexcept {
+        return 70.0 * radius_m + 2.0 * margin_m + 5.0 * path_cap_m;
+    }
+    Track& track_of(std::uint16_t body) noexcept { return tracks_[slots_[body]]; }
+    const Track& track_of(std::uint16_t body) const noexcept { return tracks_[slots_[body]]; }
+    std::span<const std::uint16_t> tracked_ids() const noexcept { return std::span(tracked_).first(tracked_count_); }
+    double least_distance_m(const HapticScene& scene, const Request& request, std::size_t body,
+                            const Vec3& from_m) const noexcept;
+    bool track_body(const HapticScene& scene, const Request& request, std::size_t body) noexcept;
+    void untrack_far(const HapticScene& scene, double far_m) noexcept;
+    void track_near(const HapticScene& scene, const Request& request) noexcept;
+    void track_coming(const HapticScene& scene, const Request& request) noexcept;
+    void watch_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept;
+    void take_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept;
     static BodyPose wanted(const HapticScene& scene, const Request& request, std::size_t body) noexcept;
     static void stand(const HapticScene& scene, Track& track, const Placement& at) noexcept;
     void advance_bodies(const HapticScene& scene, const Request& request, double radius_m) noexcept;
-    void sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept;
+    bool sub_step(const HapticScene& scene, const Request& request, double radius_m, double part) noexcept;
+    void renew_moved_cuts(const HapticScene& scene) noexcept;
     void make_room(const HapticScene& scene, const Vec3& wish_m) noexcept;
     void drop_body(std::uint16_t body) noexcept;
     // How far around a place every obstacle is a candidate.
     template <class Has = AllFeatures>
     double known_around(const Vec3& at_m) const noexcept {
         const double known = known_m_ - glm::length(at_m);
-        if (!Has::kBodies || body_count_ == 0) return known;
-        return bodies_moved_ ? known_of_bodies(at_m, known) : std::min(known, bodies_known_m_ - glm::length(at_m));
+        return !Has::kBodies || (tracked_count_ == 0 && !far_short_) ? known : known_of_bodies(at_m, known);
     }
     double known_of_bodies(const Vec3& at_m, double known_m) const noexcept;
     void gather(const HapticScene& scene, double reach_m, double needed_m) noexcept;
-    double collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m) noexcept;
-    double gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m, std::size_t most) noexcept;
+    void gather_waiting(const HapticScene& scene, double reach_m, double needed_m) noexcept;
+    void look_at_body(const HapticScene& scene, std::uint16_t body, double reach_m, double needed_m,
+                      std::size_t share) noexcept;
+    void drop_candidates(std::uint16_t body) noexcept;
+    double known_of_body(const Track& track, const Vec3& local_m) const noexcept;
+    // After something costly: over the budget the rounds end.
+    void spend(int work) noexcept {
+        work_left_ -= work;
+        if (work_left_ > 0) return;
+        most_rounds_ = 1;  // one at least, with what is known
+        step_.waits = true;
+    }
+    bool project_many(const Vec3& goal_m, ProjectionBasis& basis) noexcept;
+    double collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m,
+                   std::size_t room) noexcept;
+    double gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m, double needed_m,
+                          std::size_t most) noexcept;
     void release_ghosts(const HapticScene& scene, const Vec3& goal_local_m, double radius_m, double exit_m) noexcept;
     bool is_ghost(std::uint32_t obstacle, std::uint16_t body) const noexcept;
-    ClosestPoint closest_of_body(const HapticScene& scene, std::uint32_t obstacle, std::uint16_t body, const Vec3& local_m) const noexcept;
+    ClosestPoint closest_of_body(const HapticScene& scene, std::uint32_t obstacle, std::uint16_t body,
+                                 const Vec3& local_m) const noexcept;
     const HapticScene& shape_at(const HapticScene& scene, int candidate) const noexcept {
         const std::uint16_t body = owners_[static_cast<std::size_t>(candidate)];
         return body == kStill ? scene : *scene.bodies[body].shape;
@@ -181,18 +265,35 @@ private:
     template <class Has>
     bool renew_holding_cuts(const HapticScene& scene) noexcept;
     // Sheets of one side.
-    double in_front_m(const HapticScene& scene, int candidate, const PlacedFrame& frame, const Vec3& at_m) const noexcept;
+    double in_front_m(const HapticScene& scene, int candidate, const PlacedFrame& frame,
+                      const Vec3& at_m) const noexcept;
     double in_front_m(const HapticScene& scene, int candidate, const Vec3& at_m) const noexcept {
         const std::uint16_t body = owners_[static_cast<std::size_t>(candidate)];
-        return in_front_m(scene, candidate, body == kStill ? kWorldFrame : tracks_[body].frame, at_m);
+        return in_front_m(scene, candidate, body == kStill ? kWorldFrame : track_of(body).frame, at_m);
     }
     void remember_awake() noexcept;
     bool turn_sheets(const HapticScene& scene) noexcept;
     void turn_sheets_of(const HapticScene& scene, std::uint16_t body, const PlacedFrame& before) noexcept;
     double fraction_to_waking(const HapticScene& scene, const Vec3& step) const noexcept;
-    bool asleep(int candidate) const noexcept { return one_sided_count_ > 0 && sheets_[static_cast<std::size_t>(candidate)] == Sheet::Asleep; }
+    bool asleep(int candidate) const noexcept {
+        return one_sided_count_ > 0 && sheets_[static_cast<std::size_t>(candidate)] == Sheet::Asleep;
+    }
     bool arc_step(const HapticScene& scene, double way_left_m) noexcept;
-    double fraction_inside(const Vec3& step) const noexcept;
+    // Of a step from the ball, before it leaves the first cut; met, where given, is that cut, and untouched when it
+    // leaves none.
+    double fraction_inside(const Vec3& step, int* met = nullptr) const noexcept;
+    // Of hold_back.
+    static constexpr int kMostTouched = 16;
+    template <class Has>
+    void touch_down(const HapticScene& scene) noexcept;
+    template <class Has>
+    int touched(const HapticScene& scene, std::array<HalfSpace, kMostTouched>& surfaces) noexcept;
+    template <class Has>
+    int hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSpace& surface) noexcept;
+    template <class Has>
+    void draw(const HapticScene& scene) noexcept;
+    template <class Has>
+    void rub(const HapticScene& scene, double share) noexcept;
     template <class Has = AllFeatures>
     HalfSpace support(const HapticScene& scene, int candidate, const Vec3& at, double& distance_m) const noexcept;
     // The cut with the ball's radius: what the ball's centre must satisfy.
@@ -201,12 +302,12 @@ private:
         return {cut.normal, cut.offset_m + radius_m_};
     }
 
-    // Vectors below are relative to anchor_m_, the ball's place (scene coordinates) when candidates were last gathered: short numbers, so
-    // rounding does not grow with the building.
-    std::vector<HalfSpace> cuts_;              // supports of the bare obstacles: without the ball's radius, which may grow
-    std::vector<std::uint32_t> obstacles_;     // of the cuts
-    std::vector<std::uint16_t> owners_;        // of the cuts: a body or kStill
-    std::vector<HalfSpace> own_cuts_;          // of bodies, in the body's frame and metres
+    // Vectors below are relative to anchor_m_, the ball's place (scene coordinates) when candidates were last gathered:
+    // short numbers, so rounding does not grow with the building.
+    std::vector<HalfSpace> cuts_;           // supports of the bare obstacles: without the ball's radius, which may grow
+    std::vector<std::uint32_t> obstacles_;  // of the cuts
+    std::vector<std::uint16_t> owners_;     // of the cuts: a body or kStill
+    std::vector<HalfSpace> own_cuts_;       // of bodies, in the body's frame and metres
     std::vector<std::uint64_t> looked_ahead_;  // move number in which the cut was last renewed from ahead
     std::vector<Sheet> sheets_;                // per candidate
     std::vector<Ghost> awake_;                 // sheets of one side that were awake when candidates were last gathered
@@ -215,10 +316,25 @@ private:
     std::vector<Vec3> nearest_normals_;
     std::size_t nearest_count_ = 0;
     std::vector<Ghost> ghosts_;
-    std::vector<Track> tracks_;  // of the scene's bodies
-    std::size_t body_count_ = 0;
-    double bodies_known_m_ = 0.0;  // around the anchor, at the last gathering
-    bool bodies_moved_ = false;    // since then
+    static constexpr std::uint16_t kNoSlot = 0xFFFF;
+    std::vector<Track> tracks_;           // by slot
+    std::vector<std::uint16_t> slots_;    // by body: where its track is, or kNoSlot
+    std::vector<std::uint16_t> tracked_;  // bodies with a track, in rising order
+    std::vector<std::uint16_t> free_slots_;
+    std::size_t tracked_count_ = 0;
+    std::size_t body_count_ = 0;  // of the scene
+    Vec3 far_from_m_{
+        0.0};  // scene coordinates: on the ways of ways_ no body without a track comes nearer to here than far_m_
+    double far_m_ = 0.0;
+    double near_m_ = 0.0;          // how far around the ball bodies must have a track
+    double far_enough_m2_ = -1.0;  // squared: how far the ball may be from far_from_m_ until bodies are looked for anew
+    bool far_short_ = false;       // the ball may go beyond what far_m_ is good for; then it stops there
+    const HapticScene* all_far_in_ =
+        nullptr;  // the scene whose bodies were all found far at the last look; never looked into
+    bool tracks_all_ = false;
+    std::uint64_t ways_ = 0;
+    double bodies_known_m_ = 0.0;  // around the anchor, of those that were looked at, at the last gathering
+    bool bodies_moved_ = false;    // some of those, since then
     std::uint64_t bodies_number_ = 0;
     std::uint16_t carrier_ = kStill;
     int hurry_ = 0;  // moves left in which the ball may hasten to a goal that a vanished thing kept it from
@@ -232,12 +348,22 @@ private:
     const HapticScene* scene_ = nullptr;  // only compared, together with the generation
     std::uint32_t generation_ = 0;
     Bvh::Queue queue_{kMostLooks};
-    int looks_left_ = 0;  // of this gathering in one shape
-    int looks_ = 0;       // of this move, all together
+    int looks_left_ = 0;           // of this gathering in one shape
+    int looks_ = 0;                // of this move, all together
+    int work_left_ = kMostWork;    // of this move
+    int most_rounds_ = 0;          // of this move
+    bool crowded_ = false;         // more than are comfortable stood near when what stands still was looked at last
+    bool gathers_on_ = false;      // a gathering takes more than one move
+    bool bodies_unknown_ = false;  // some body waits to be looked at
+    bool bodies_behind_ = false;   // some body is not where it was told to be
     bool placed_ = false;
     std::uint64_t moves_ = 0, gatherings_ = 0;
     std::array<Vec3, 2 * kMaxIterations + 4> path_{};
     int path_size_ = 0;
+    int rubs_from_ = 0;        // of the path: from here on the ball was never in the air, as far as hold_back knows
+    int rounds_left_ = 0;      // of the last move, for hold_back
+    bool was_free_ = true;     // nothing held the ball before this move
+    double path_cap_m_ = 0.0;  // of this move
     Step step_;
 };
 

@@ -14,7 +14,8 @@ void average_row(std::span<const float> from, std::span<float> to) {
         const double begin = static_cast<double>(i) * ratio, end = begin + ratio;
         double sum = 0.0;
         for (auto k = static_cast<std::size_t>(begin); k < from.size() && static_cast<double>(k) < end; ++k)
-            sum += static_cast<double>(from[k]) * (std::min(end, static_cast<double>(k + 1)) - std::max(begin, static_cast<double>(k)));
+            sum += static_cast<double>(from[k]) *
+                   (std::min(end, static_cast<double>(k + 1)) - std::max(begin, static_cast<double>(k)));
         to[i] = static_cast<float>(sum / ratio);
     }
 }
@@ -23,10 +24,11 @@ HeightField::Level averaged(const HeightField::Level& fine, int width, int heigh
     HeightField::Level coarse;
     coarse.width = width;
     coarse.height = height;
-    const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height), fine_w = static_cast<std::size_t>(fine.width),
-               fine_h = static_cast<std::size_t>(fine.height);
+    const auto w = static_cast<std::size_t>(width), h = static_cast<std::size_t>(height),
+               fine_w = static_cast<std::size_t>(fine.width), fine_h = static_cast<std::size_t>(fine.height);
     std::vector<float> narrow(w * fine_h);
-    for (std::size_t row = 0; row < fine_h; ++row) average_row(std::span(fine.depths).subspan(row * fine_w, fine_w), std::span(narrow).subspan(row * w, w));
+    for (std::size_t row = 0; row < fine_h; ++row)
+        average_row(std::span(fine.depths).subspan(row * fine_w, fine_w), std::span(narrow).subspan(row * w, w));
     coarse.depths.resize(w * h);
     std::vector<float> column(fine_h), shorter(h);
     for (std::size_t x = 0; x < w; ++x) {
@@ -37,11 +39,13 @@ HeightField::Level averaged(const HeightField::Level& fine, int width, int heigh
     return coarse;
 }
 
-// Largest first and second differences, which bound the spline's slopes: a B-spline's derivatives are averages of its coefficients' differences.
+// Largest first and second differences, which bound the spline's slopes: a B-spline's derivatives are averages of its
+// coefficients' differences.
 void bound(HeightField::Level& level, double aspect) {
     const int w = level.width, h = level.height;
     const auto at = [&](int x, int y) {
-        return static_cast<double>(level.depths[static_cast<std::size_t>((y + h) % h) * static_cast<std::size_t>(w) + static_cast<std::size_t>((x + w) % w)]);
+        return static_cast<double>(level.depths[static_cast<std::size_t>((y + h) % h) * static_cast<std::size_t>(w) +
+                                                static_cast<std::size_t>((x + w) % w)]);
     };
     double u = 0.0, v = 0.0, uu = 0.0, vv = 0.0, uv = 0.0;
     for (int y = 0; y < h; ++y)
@@ -66,7 +70,8 @@ struct Wave {
     double value, slope;
 };
 
-// (1 + sin(2 pi p)) / 2 by an odd polynomial whose value, slope and bend at the crest are exact, so that the wave has no kink; within 2e-5 of the sine.
+// (1 + sin(2 pi p)) / 2 by an odd polynomial whose value, slope and bend at the crest are exact, so that the wave has
+// no kink; within 2e-5 of the sine.
 Wave sine_wave(double p) noexcept {
     double x = p - std::floor(p + 0.5), sense = 1.0;
     if (x > 0.25) {
@@ -77,8 +82,10 @@ Wave sine_wave(double p) noexcept {
         sense = -1.0;
     }
     const double y = 4.0 * x, y2 = y * y;
-    const double sine = y * (1.5707963267948966 + y2 * (-0.6458141179187324 + y2 * (0.0792392554527749 + y2 * -0.0042214643289391)));
-    const double slope = 1.5707963267948966 + y2 * (-1.9374423537561972 + y2 * (0.3961962772638745 + y2 * -0.0295502503025737));
+    const double sine =
+        y * (1.5707963267948966 + y2 * (-0.6458141179187324 + y2 * (0.0792392554527749 + y2 * -0.0042214643289391)));
+    const double slope =
+        1.5707963267948966 + y2 * (-1.9374423537561972 + y2 * (0.3961962772638745 + y2 * -0.0295502503025737));
     return {0.5 + 0.5 * sine, 2.0 * sense * slope};
 }
 
@@ -111,7 +118,8 @@ HeightField::HeightField(int width, int height, std::span<const float> depths) {
     level.height = height;
     level.depths.assign(depths.begin(), depths.end());
     const auto smaller = [](int side) { return std::max(1, (side + 1) / 2); };
-    while (std::max(level.width, level.height) > kLargestSide) level = averaged(level, smaller(level.width), smaller(level.height));
+    while (std::max(level.width, level.height) > kLargestSide)
+        level = averaged(level, smaller(level.width), smaller(level.height));
     while (true) {
         bound(level, aspect_);
         levels_.push_back(std::move(level));
@@ -127,7 +135,8 @@ HeightField::Value HeightField::at(const Level& level, double u, double v) const
     const double fx = std::floor(x), fy = std::floor(y);
     const auto weights = [](double t, std::array<double, 4>& w, std::array<double, 4>& d) {
         const double s = 1.0 - t, t2 = t * t;
-        w = {s * s * s / 6.0, (4.0 - 6.0 * t2 + 3.0 * t2 * t) / 6.0, (4.0 - 6.0 * s * s + 3.0 * s * s * s) / 6.0, t2 * t / 6.0};
+        w = {s * s * s / 6.0, (4.0 - 6.0 * t2 + 3.0 * t2 * t) / 6.0, (4.0 - 6.0 * s * s + 3.0 * s * s * s) / 6.0,
+             t2 * t / 6.0};
         d = {-0.5 * s * s, t * (1.5 * t - 2.0), -s * (1.5 * s - 2.0), 0.5 * t2};
     };
     std::array<double, 4> wx, dx, wy, dy;
@@ -142,7 +151,8 @@ HeightField::Value HeightField::at(const Level& level, double u, double v) const
     for (int k = 0; k < 4; ++k) columns[static_cast<std::size_t>(k)] = wrapped(fx, k - 1, level.width);
     for (int row = 0; row < 4; ++row) {
         const auto r = static_cast<std::size_t>(row);
-        const float* samples = level.depths.data() + wrapped(fy, row - 1, level.height) * static_cast<std::size_t>(level.width);
+        const float* samples =
+            level.depths.data() + wrapped(fy, row - 1, level.height) * static_cast<std::size_t>(level.width);
         double sum = 0.0, slope = 0.0;
         for (std::size_t k = 0; k < 4; ++k) {
             const double sample = static_cast<double>(samples[columns[k]]);
@@ -165,7 +175,8 @@ ReliefAxes relief_axes(const Vec3& n) noexcept {
     return {u, glm::cross(n, u)};
 }
 
-ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& local_m, double scale, double stiffness, double swing) noexcept {
+ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& local_m, double scale, double stiffness,
+                      double swing) noexcept {
     ReliefValue out;
     const Vec3 along_u = axes.u * relief.turn_cos + axes.v * relief.turn_sin;
     const double period_m = relief.period_hand_m * scale;
@@ -190,7 +201,9 @@ ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& 
                 wave = sine_wave(phase);
             } else {
                 // A smooth step over w is at most 1.5 / w steep and 6 / w^2 curved.
-                const double flank = std::min(0.5 * period, std::max(1.5 * depth / Relief::kSteepest, bend > 0.0 ? std::sqrt(6.0 * depth / bend) : period));
+                const double flank = std::min(
+                    0.5 * period,
+                    std::max(1.5 * depth / Relief::kSteepest, bend > 0.0 ? std::sqrt(6.0 * depth / bend) : period));
                 depth = std::min({depth, flank * Relief::kSteepest / 1.5, bend * flank * flank / 6.0});
                 wave = square_wave(phase, std::max(flank / period, 1e-6));
             }
@@ -205,13 +218,15 @@ ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& 
             const double size_hand = relief.size_m / scale;
             const HeightField::Level* level = &field.levels().back();
             for (const HeightField::Level& finer : field.levels())
-                if (depth * finer.slope <= Relief::kSteepest * size_hand && depth * finer.curvature <= bend * size_hand * size_hand) {
+                if (depth * finer.slope <= Relief::kSteepest * size_hand &&
+                    depth * finer.curvature <= bend * size_hand * size_hand) {
                     level = &finer;
                     break;
                 }
             const Vec3 along_v = axes.v * relief.turn_cos - axes.u * relief.turn_sin;
-            const HeightField::Value value = field.at(*level, (glm::dot(along_u, local_m) - least(along_u, relief)) / relief.size_m,
-                                                      (glm::dot(along_v, local_m) - least(along_v, relief)) / relief.size_m);
+            const HeightField::Value value =
+                field.at(*level, (glm::dot(along_u, local_m) - least(along_u, relief)) / relief.size_m,
+                         (glm::dot(along_v, local_m) - least(along_v, relief)) / relief.size_m);
             const double depth_m = depth * scale;
             out.depth_m = depth_m * value.depth;
             out.gradient = (along_u * value.along_u + along_v * value.along_v) * (depth_m / relief.size_m);
@@ -235,8 +250,8 @@ void ReliefBorder::add(double distance_m, const Vec3& away) noexcept {
     gradient_ += away * (slope * fourth * ratio);
 }
 
-// The smallest of depth and bounds, rounded: (sum of their -4th powers)^(-1/4). Its gradient is a mixture of theirs with weights that never add up to
-// more than 1, so nothing becomes steeper.
+// The smallest of depth and bounds, rounded: (sum of their -4th powers)^(-1/4). Its gradient is a mixture of theirs
+// with weights that never add up to more than 1, so nothing becomes steeper.
 void ReliefBorder::apply() noexcept {
     if (outside_) {
         value_.depth_m = value_.swing_to_depth = 0.0;

@@ -1,10 +1,11 @@
-// Height and friction textures: small depths below a plain surface, felt as if the surface were really lower there. The ball stays on the plain
-// surface; the depth h shortens the press, which makes a potential 1/2 K (pen - h)^2, and the force is its gradient: K (pen - h) along the normal
-// and K (pen - h) grad h along the surface. Without the second part a texture would give the hand energy (test: property_surfaces).
-// h is a function of the hand's own place, laid straight onto flat faces and, by angle, round things; there it has the same value at the hand as at
-// the ball's resting place, so its gradient needs no correction for depth.
-// Plain data built at set-up; relief_at is real-time safe: noexcept, no allocation, no library mathematics but floor and square root.
-// Lengths marked _hand_ are hand travel and multiplied by the scale, so that a texture feels alike at every zoom.
+// Height and friction textures: small depths below a plain surface, felt as if the surface were really lower there. The
+// ball stays on the plain surface; the depth h shortens the press, which makes a potential 1/2 K (pen - h)^2, and the
+// force is its gradient: K (pen - h) along the normal and K (pen - h) grad h along the surface. Without the second part
+// a texture would give the hand energy (test: property_surfaces). h is a function of the hand's own place, laid
+// straight onto flat faces and, by angle, round things; there it has the same value at the hand as at the ball's
+// resting place, so its gradient needs no correction for depth. Plain data built at set-up; relief_at is real-time
+// safe: noexcept, no allocation, no library mathematics but floor and square root. Lengths marked _hand_ are hand
+// travel and multiplied by the scale, so that a texture feels alike at every zoom.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,9 @@
 
 namespace handrail {
 
-// A picture's depths, 0 plain to 1 deepest, at several finenesses, each half as fine as the one before. Read as coefficients of a cubic B-spline, so
-// that depth and slope change without a step, and so that the largest differences bound slope and curvature everywhere. Repeats both ways.
+// A picture's depths, 0 plain to 1 deepest, at several finenesses, each half as fine as the one before. Read as
+// coefficients of a cubic B-spline, so that depth and slope change without a step, and so that the largest differences
+// bound slope and curvature everywhere. Repeats both ways.
 class HeightField {
 public:
     static constexpr int kLargestSide = 1024;  // finer pictures are averaged down; a hand feels no more
@@ -60,12 +62,14 @@ struct Relief {
     double period_hand_m = 0.01;            // of sine, square and friction
     double friction_share = 0.0;            // m: friction runs from 1 - m to 1 + m times the material's, along u
     double turn_cos = 1.0, turn_sin = 0.0;  // u turned towards v
-    Vec3 low_m{0.0}, high_m{0.0};           // pictures only: their lower left corner lies in that of this box, however a face is looked at
-    double size_m = 1.0;                    // width of one copy of the picture
+    Vec3 low_m{0.0},
+        high_m{0.0};  // pictures only: their lower left corner lies in that of this box, however a face is looked at
+    double size_m = 1.0;  // width of one copy of the picture
     std::shared_ptr<const HeightField> picture;
 };
 
-// The two directions in which a texture is laid onto a face, seen from outside: u to the right and v up on walls, u east and v ahead on floors.
+// The two directions in which a texture is laid onto a face, seen from outside: u to the right and v up on walls, u
+// east and v ahead on floors.
 struct ReliefAxes {
     Vec3 u{1.0, 0.0, 0.0}, v{0.0, 1.0, 0.0};
 };
@@ -78,14 +82,17 @@ struct ReliefValue {
     double swing_to_depth = 0.0;  // how the depth grows with `swing`
 };
 
-// The texture at a place (the scene's coordinates). stiffness_n_per_m per hand metre, of the surface. swing: 1 the whole wave, 0 its mean depth.
-ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& local_m, double world_m_per_hand_m, double stiffness_n_per_m,
-                      double swing) noexcept;
+// The texture at a place (the scene's coordinates). stiffness_n_per_m per hand metre, of the surface. swing: 1 the
+// whole wave, 0 its mean depth.
+ReliefValue relief_at(const Relief& relief, const ReliefAxes& axes, const Vec3& local_m, double world_m_per_hand_m,
+                      double stiffness_n_per_m, double swing) noexcept;
 
-// Lets the depth of a texture run out smoothly towards the borders of its face, so that edges stay where they are; nowhere steeper than kSteepest.
+// Lets the depth of a texture run out smoothly towards the borders of its face, so that edges stay where they are;
+// nowhere steeper than kSteepest.
 class ReliefBorder {
 public:
-    ReliefBorder(ReliefValue& value, double world_m_per_hand_m) noexcept : value_(value), start_m_(kStart_hand_m * world_m_per_hand_m) {}
+    ReliefBorder(ReliefValue& value, double world_m_per_hand_m) noexcept
+        : value_(value), start_m_(kStart_hand_m * world_m_per_hand_m) {}
     // A border this far away; `away`: unit, in the face, away from the border.
     void add(double distance_m, const Vec3& away) noexcept;
     void apply() noexcept;  // after the last border

@@ -18,18 +18,24 @@ constexpr double kBack_hand_m = 1e-6;         // a cell that is nearer than this
 
 bool is_sound(const SoftPatch& patch) {
     const auto within = [](double value, double least, double most) { return value >= least && value <= most; };
-    return is_finite(patch.corner_m) && is_finite(patch.u) && is_finite(patch.v) && std::abs(glm::dot(patch.u, patch.u) - 1.0) < 1e-9 &&
-           std::abs(glm::dot(patch.v, patch.v) - 1.0) < 1e-9 && std::abs(glm::dot(patch.u, patch.v)) < 1e-9 && within(patch.size_u_m, 1e-3, 1e4) &&
-           within(patch.size_v_m, 1e-3, 1e4) && within(patch.depth_m, 1e-4, 1e3) && within(patch.stiffness_fraction, 0.02, 0.6) &&
-           within(patch.recovery_s, 0.02, 60.0) && within(patch.yield_n, 0.1, 4.0);
+    return is_finite(patch.corner_m) && is_finite(patch.u) && is_finite(patch.v) &&
+           std::abs(glm::dot(patch.u, patch.u) - 1.0) < 1e-9 && std::abs(glm::dot(patch.v, patch.v) - 1.0) < 1e-9 &&
+           std::abs(glm::dot(patch.u, patch.v)) < 1e-9 && within(patch.size_u_m, 1e-3, 1e4) &&
+           within(patch.size_v_m, 1e-3, 1e4) && within(patch.depth_m, 1e-4, 1e3) &&
+           within(patch.stiffness_fraction, 0.02, 0.6) && within(patch.recovery_s, 0.02, 60.0) &&
+           within(patch.yield_n, 0.1, 4.0);
 }
 
 void lay_grids(std::vector<SoftPatch>& patches) {
     std::uint32_t next = 0;
     for (SoftPatch& patch : patches) {
-        const double most = std::min<double>(kMostCellsAlongSide * kMostCellsAlongSide, kMostSoftCells / static_cast<double>(patches.size()));
-        const double cell = std::max(std::sqrt(patch.size_u_m * patch.size_v_m / most), std::max(patch.size_u_m, patch.size_v_m) / most);
-        const auto count = [&](double size_m) { return static_cast<std::uint32_t>(std::max(1.0, std::floor(size_m / cell * (1.0 + 1e-12)))); };
+        const double most = std::min<double>(kMostCellsAlongSide * kMostCellsAlongSide,
+                                             kMostSoftCells / static_cast<double>(patches.size()));
+        const double cell = std::max(std::sqrt(patch.size_u_m * patch.size_v_m / most),
+                                     std::max(patch.size_u_m, patch.size_v_m) / most);
+        const auto count = [&](double size_m) {
+            return static_cast<std::uint32_t>(std::max(1.0, std::floor(size_m / cell * (1.0 + 1e-12))));
+        };
         patch.cells_u = count(patch.size_u_m);
         patch.cells_v = count(patch.size_v_m);
         patch.first_cell = next;
@@ -39,8 +45,8 @@ void lay_grids(std::vector<SoftPatch>& patches) {
         bool whole = true;
         for (std::uint32_t iv = 0; iv < patch.cells_v; ++iv)
             for (std::uint32_t iu = 0; iu < patch.cells_u; ++iu) {
-                const Vec3 centre =
-                    patch.corner_m + patch.u * ((iu + 0.5) * patch.size_u_m / patch.cells_u) + patch.v * ((iv + 0.5) * patch.size_v_m / patch.cells_v);
+                const Vec3 centre = patch.corner_m + patch.u * ((iu + 0.5) * patch.size_u_m / patch.cells_u) +
+                                    patch.v * ((iv + 0.5) * patch.size_v_m / patch.cells_v);
                 bool left = false, right = false;
                 for (std::size_t k = 0; k < patch.outline_m.size(); ++k) {
                     const Vec3& from = patch.outline_m[k];
@@ -61,18 +67,20 @@ void SoftState::clear() noexcept {
     awake_.fill(false);
 }
 
-Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& ball_m, double radius_m, bool& pressed) noexcept {
+Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& ball_m, double radius_m,
+                      bool& pressed) noexcept {
     const Vec3 normal = patch.normal();
     const Vec3 from_corner = hand.goal_m - patch.corner_m;
-    const double at_u = glm::dot(from_corner, patch.u), at_v = glm::dot(from_corner, patch.v), height = glm::dot(from_corner, normal);
+    const double at_u = glm::dot(from_corner, patch.u), at_v = glm::dot(from_corner, patch.v),
+                 height = glm::dot(from_corner, normal);
     const double step_u = patch.size_u_m / patch.cells_u, step_v = patch.size_v_m / patch.cells_v;
     const double footprint = std::max(radius_m, kLeastFootprintCells * std::max(step_u, step_v));
     const double deep = radius_m - height;  // e, world metres like everything here
     // From behind or below the hard floor nothing is soft. The ball cannot get there through the floor, only around it.
     const double above_floor = glm::dot(ball_m - patch.corner_m, normal) + patch.depth_m;
     const double front = smooth_step(1.0 + above_floor / radius_m);
-    const bool near =
-        deep > 0.0 && front > 0.0 && at_u > -footprint && at_u < patch.size_u_m + footprint && at_v > -footprint && at_v < patch.size_v_m + footprint;
+    const bool near = deep > 0.0 && front > 0.0 && at_u > -footprint && at_u < patch.size_u_m + footprint &&
+                      at_v > -footprint && at_v < patch.size_v_m + footprint;
     if (!near && !awake) return Vec3(0.0);
 
     double* const set = set_m_.data() + patch.first_cell;
@@ -155,10 +163,12 @@ Vec3 SoftState::press(const SoftPatch& patch, bool& awake, const HandMotion& han
         }
     pressed = up > 0.0;
     const double sideways = -2.0 / (footprint * footprint);
-    return (normal * up + (patch.u * along_u + patch.v * along_v) * sideways) * (stiffness * per_cell * front / hand.scale);
+    return (normal * up + (patch.u * along_u + patch.v * along_v) * sideways) *
+           (stiffness * per_cell * front / hand.scale);
 }
 
-Vec3 SoftState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_m, double radius_m, const SoftPatch*& pressed) noexcept {
+Vec3 SoftState::force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_m, double radius_m,
+                        const SoftPatch*& pressed) noexcept {
     if (scene.soft_patches.empty()) return Vec3(0.0);
     if (world_ != scene.world || patches_ != scene.soft_patches.size()) {
         world_ = scene.world;

@@ -1,20 +1,24 @@
-// Surfaces that give way: a cushion that comes back, clay that keeps a dent. A soft patch is a grid of cells over a flat face, above a hard floor
-// that the obstacle underneath provides. Under the ball each cell is a spring, weighted by how central it lies:
+// Surfaces that give way: a cushion that comes back, clay that keeps a dent. A soft patch is a grid of cells over a
+// flat face, above a hard floor that the obstacle underneath provides. Under the ball each cell is a spring, weighted
+// by how central it lies:
 //
 //   normal force  F = K sum_i k_i (e - s_i)+      e: how deep the ball's lowest point lies under the untouched face
-//   k_i = 3 D^2 / (pi R^2) g_i,  g_i = (1 - (d_i / R)^2)^2, d_i the way from cell i to below the ball, D the cells' size, R the footprint's radius
+//   k_i = 3 D^2 / (pi R^2) g_i,  g_i = (1 - (d_i / R)^2)^2, d_i the way from cell i to below the ball, D the cells'
+//   size, R the footprint's radius
 //
-// so that on an untouched patch F = K e, lengths over the scale as for every force (Winkler's foundation, its pressure gathered over the footprint), and along
-// the face the slope of the same energy, which lets the ball slide into a dent. R is the ball's radius, at least three cells. s_i is how deep cell i stays when
-// the ball has gone:
+// so that on an untouched patch F = K e, lengths over the scale as for every force (Winkler's foundation, its pressure
+// gathered over the footprint), and along the face the slope of the same energy, which lets the ball slide into a dent.
+// R is the ball's radius, at least three cells. s_i is how deep cell i stays when the ball has gone:
 //
 //   elastic:  tau s_i' = g_i (e - s_i)+ - s_i + c sum_j (s_j - s_i)       comes back with the time constant tau
-//   plastic:  s_i grows as far as needed to keep  g_i (e - s_i)+ + c sum_j (s_j - s_i) <= F_yield / K,  never shrinks, at most the patch's depth
+//   plastic:  s_i grows as far as needed to keep  g_i (e - s_i)+ + c sum_j (s_j - s_i) <= F_yield / K,  never shrinks,
+//   at most the patch's depth
 //
-// with j over the four neighbours (the shear layer of Pasternak's foundation) and c = 0.5. Both are flows down the stored energy, so the patch only
-// ever takes energy. Sources: Winkler 1867; Pasternak 1954; Kerr, Elastic and viscoelastic foundation models, J. Appl. Mech. 31(3), 1964.
-// SoftState is owned by TouchState, one thread; allocates when created; a tick costs about 10 ns for each cell of patches that are touched or still
-// coming back, at most 100 us, and nothing when there are none.
+// with j over the four neighbours (the shear layer of Pasternak's foundation) and c = 0.5. Both are flows down the
+// stored energy, so the patch only ever takes energy. Sources: Winkler 1867; Pasternak 1954; Kerr, Elastic and
+// viscoelastic foundation models, J. Appl. Mech. 31(3), 1964. SoftState is owned by TouchState, one thread; allocates
+// when created; a tick costs about 10 ns for each cell of patches that are touched or still coming back, at most 100
+// us, and nothing when there are none.
 #pragma once
 
 #include <array>
@@ -64,15 +68,18 @@ public:
 
     // Every patch as new. Only another world needs that: a dent stays while the hand is elsewhere.
     void clear() noexcept;
-    // On the hand, world axes. ball_m: centre of the ball, world. Fractions are of hand.stiffest_n_per_m. `pressed`: a patch that pushes back.
-    Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_m, double radius_m, const SoftPatch*& pressed) noexcept;
+    // On the hand, world axes. ball_m: centre of the ball, world. Fractions are of hand.stiffest_n_per_m. `pressed`: a
+    // patch that pushes back.
+    Vec3 force_n(const HapticScene& scene, const HandMotion& hand, const Vec3& ball_m, double radius_m,
+                 const SoftPatch*& pressed) noexcept;
     // For checks: how deep a cell stays, world metres.
     double set_m(const SoftPatch& patch, std::uint32_t cell_u, std::uint32_t cell_v) const noexcept {
         return set_m_[patch.first_cell + cell_v * patch.cells_u + cell_u];
     }
 
 private:
-    Vec3 press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& ball_m, double radius_m, bool& pressed) noexcept;
+    Vec3 press(const SoftPatch& patch, bool& awake, const HandMotion& hand, const Vec3& ball_m, double radius_m,
+               bool& pressed) noexcept;
 
     std::vector<double> set_m_;                   // s, of all patches, world metres
     std::vector<double> load_;                    // g of the patch at work

@@ -8,8 +8,10 @@ namespace {
 
 constexpr double kFlat = 1.0 - 1e-12;  // cosine between a hold and its face's normal; less is an edge
 
-// Distances to the other faces of a solid, along this one. A border behind which the solid goes on under another one is none.
-void borders_of_box(const HapticScene& shape, const Obstacle& o, std::uint32_t face, const Vec3& at, ReliefBorder& border) noexcept {
+// Distances to the other faces of a solid, along this one. A border behind which the solid goes on under another one is
+// none.
+void borders_of_box(const HapticScene& shape, const Obstacle& o, std::uint32_t face, const Vec3& at,
+                    ReliefBorder& border) noexcept {
     const Aabb& box = shape.boxes[o.shape];
     const double rounding = shape.rounding_m(o);  // what is rounded is no longer flat
     for (std::uint32_t side = 0; side < 6; ++side) {
@@ -21,7 +23,8 @@ void borders_of_box(const HapticScene& shape, const Obstacle& o, std::uint32_t f
     }
 }
 
-void borders_of_brush(const HapticScene& shape, const Obstacle& o, std::uint32_t face, const Vec3& at, ReliefBorder& border) noexcept {
+void borders_of_brush(const HapticScene& shape, const Obstacle& o, std::uint32_t face, const Vec3& at,
+                      ReliefBorder& border) noexcept {
     const Plane& own = shape.planes[o.shape + face];
     const Vec3 on_face = at - own.normal * signed_distance(own, at);
     const double rounding = shape.rounding_m(o);
@@ -46,7 +49,8 @@ struct Rise {
     Vec3 slope{0.0};
 };
 
-Rise rise_over_facet(const std::array<Vec3, 3>& p, const MeshShading::Facet& facet, const Vec3& across, const Vec3& at) noexcept {
+Rise rise_over_facet(const std::array<Vec3, 3>& p, const MeshShading::Facet& facet, const Vec3& across,
+                     const Vec3& at) noexcept {
     const double size2 = glm::dot(across, across);
     std::array<Vec3, 3> slope;
     std::array<double, 3> share;
@@ -71,11 +75,12 @@ double smooth_step(double x) noexcept {
 }
 double smooth_step_slope(double x) noexcept { return x > 0.0 && x < 1.0 ? 6.0 * x * (1.0 - x) : 0.0; }
 
-// While the ball rolls round a smooth edge, a term is added that makes the potential a function of the way along the edge's own normal m, so the force stays
-// on m: with d from the edge to the hand, rho = d.n the distance and c the cosine from m to the facets, rho - d.m / c, which is 0 where the facets begin.
-// It runs out towards the edge's ends, since round a corner the ball simply rolls.
-Rise rise_over_edge(const HapticScene& shape, const std::array<Vec3, 3>& p, const MeshShading::Facet& facet, const Vec3& across, double side,
-                    const FieldRequest& request) noexcept {
+// While the ball rolls round a smooth edge, a term is added that makes the potential a function of the way along the
+// edge's own normal m, so the force stays on m: with d from the edge to the hand, rho = d.n the distance and c the
+// cosine from m to the facets, rho - d.m / c, which is 0 where the facets begin. It runs out towards the edge's ends,
+// since round a corner the ball simply rolls.
+Rise rise_over_edge(const HapticScene& shape, const std::array<Vec3, 3>& p, const MeshShading::Facet& facet,
+                    const Vec3& across, double side, const FieldRequest& request) noexcept {
     constexpr double kRunOut = 0.1;  // of the edge's length
     const Vec3 foot = request.ball_m - request.normal * request.radius_m;
     std::size_t edge = 0;
@@ -101,19 +106,22 @@ Rise rise_over_edge(const HapticScene& shape, const std::array<Vec3, 3>& p, cons
     const Corners& other = shape.mesh.triangles[facet.across[edge]];
     const Vec3& a = shape.mesh.points_m[other[0]];
     const Vec3 other_across = glm::cross(shape.mesh.points_m[other[1]] - a, shape.mesh.points_m[other[2]] - a);
-    const Vec3 one = across * (side / std::sqrt(glm::dot(across, across))), two = other_across * (side / std::sqrt(glm::dot(other_across, other_across)));
+    const Vec3 one = across * (side / std::sqrt(glm::dot(across, across))),
+               two = other_across * (side / std::sqrt(glm::dot(other_across, other_across)));
     const Vec3 middle = (one + two) / std::sqrt(glm::dot(one + two, one + two));
     const double cosine = glm::dot(middle, one);
     const Vec3 d = from - along * t;
     const double term = glm::dot(d, request.normal) - glm::dot(d, middle) / cosine;
     const double begun = smooth_step(t / kRunOut), left = smooth_step((1.0 - t) / kRunOut), weight = begun * left;
-    const double weight_slope = (smooth_step_slope(t / kRunOut) * left - smooth_step_slope((1.0 - t) / kRunOut) * begun) / kRunOut;
+    const double weight_slope =
+        (smooth_step_slope(t / kRunOut) * left - smooth_step_slope((1.0 - t) / kRunOut) * begun) / kRunOut;
     rise.height_m += weight * term;
     rise.slope += (request.normal - middle / cosine) * weight + along * (weight_slope * term / length2);
     return rise;
 }
 
-void add_shading(const HapticScene& shape, const Obstacle& o, const FieldRequest& request, SurfaceField& field) noexcept {
+void add_shading(const HapticScene& shape, const Obstacle& o, const FieldRequest& request,
+                 SurfaceField& field) noexcept {
     const MeshShading::Facet& facet = shape.shading.facets[o.shape];
     const Corners& t = shape.mesh.triangles[o.shape];
     const std::array<Vec3, 3> p{shape.mesh.points_m[t[0]], shape.mesh.points_m[t[1]], shape.mesh.points_m[t[2]]};
@@ -129,10 +137,12 @@ void add_shading(const HapticScene& shape, const Obstacle& o, const FieldRequest
     } else {
         rise = rise_over_edge(shape, p, facet, across, side, request);
     }
-    const double sets_in = std::max(kShadingSetsIn_hand_m * request.world_m_per_hand_m, kSetInPerRise * shape.shading.highest_m);
+    const double sets_in =
+        std::max(kShadingSetsIn_hand_m * request.world_m_per_hand_m, kSetInPerRise * shape.shading.highest_m);
     const double part = smooth_step(request.press_m / sets_in);
     field.shift_m -= part * rise.height_m;
-    field.gradient += request.normal * (rise.height_m * smooth_step_slope(request.press_m / sets_in) / sets_in) - rise.slope * part;
+    field.gradient +=
+        request.normal * (rise.height_m * smooth_step_slope(request.press_m / sets_in) / sets_in) - rise.slope * part;
 }
 
 }  // namespace
@@ -167,7 +177,8 @@ SurfaceField surface_field(const HapticScene& scene, const HapticScene& shape, c
         const bool has_borders = o.kind == ObstacleKind::Box || o.kind == ObstacleKind::Brush;
         // Round an edge the surface stays plain: textures have run out where a face ends.
         if (has_borders && glm::dot(onto, request.normal) < kFlat) return field;
-        ReliefValue value = relief_at(relief, relief_axes(onto), request.hand_m, request.world_m_per_hand_m, request.stiffness_n_per_m, request.swing);
+        ReliefValue value = relief_at(relief, relief_axes(onto), request.hand_m, request.world_m_per_hand_m,
+                                      request.stiffness_n_per_m, request.swing);
         if (has_borders && value.depth_m > 0.0) {
             ReliefBorder border(value, request.world_m_per_hand_m);
             if (o.kind == ObstacleKind::Box) borders_of_box(shape, o, request.face, request.hand_m, border);

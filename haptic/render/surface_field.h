@@ -1,5 +1,6 @@
-// What shifts a surface from where its obstacle lies, as a field over the hand's place: depth textures lower it, force shading raises it over the facets of a
-// tessellated curve. One call per surface that holds the ball, only in scenes that have such surfaces. Servo thread; noexcept, no allocation.
+// What shifts a surface from where its obstacle lies, as a field over the hand's place: depth textures lower it, force
+// shading raises it over the facets of a tessellated curve. One call per surface that holds the ball, only in scenes
+// that have such surfaces. Servo thread; noexcept, no allocation.
 #pragma once
 
 #include "haptic/render/haptic_scene.h"

@@ -1,5 +1,5 @@
-// The few functions that force laws need and that a servo tick may use: made of + - * / alone, so that every machine and build gives the same
-// bits. Pure, noexcept, a few nanoseconds each.
+// The few functions that force laws need and that a servo tick may use: made of + - * / alone, so that every machine
+// and build gives the same bits. Pure, noexcept, a few nanoseconds each.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,11 @@
 
 namespace handrail {
 
-// exp(-u) for u >= 0: within 0.4 % for u <= 1, falling for every u. For shares and healing, where only the trend matters.
-inline double decay(double u) noexcept { return 1.0 / (1.0 + u * (1.0 + u * (0.5 + u * (1.0 / 6.0 + u * (1.0 / 24.0))))); }
+// exp(-u) for u >= 0: within 0.4 % for u <= 1, falling for every u. For shares and healing, where only the trend
+// matters.
+inline double decay(double u) noexcept {
+    return 1.0 / (1.0 + u * (1.0 + u * (0.5 + u * (1.0 / 6.0 + u * (1.0 / 24.0)))));
+}
 
 // exp(-u) for u >= 0, relative error below 1e-8 up to u = 40, 0 beyond: for forces that must be the slope of an energy.
 inline double exp_minus(double u) noexcept {
@@ -26,7 +29,8 @@ inline double exp_minus(double u) noexcept {
 struct SineCosine {
     double sine, cosine;
 };
-// Of a number of whole turns, error below 1e-11. The nearest whole turn is taken off first, so large numbers lose only their own rounding.
+// Of a number of whole turns, error below 1e-11. The nearest whole turn is taken off first, so large numbers lose only
+// their own rounding.
 inline SineCosine sine_of_turns(double turns) noexcept {
     const double rest = turns - std::floor(turns + 0.5);  // -0.5 to 0.5
     const double half = 0.5 * kPi * rest;                 // a quarter of the angle: at most 0.79

@@ -40,15 +40,19 @@ struct Feel {
 };
 
 Feel feel_of(const HapticMaterial& material, const TouchTuning& t) noexcept {
-    const auto pick = [](double override_value, double own, double fallback) { return override_value >= 0.0 ? override_value : own >= 0.0 ? own : fallback; };
+    const auto pick = [](double override_value, double own, double fallback) {
+        return override_value >= 0.0 ? override_value : own >= 0.0 ? own : fallback;
+    };
     Feel feel;
     feel.stiffness_n_per_m =
         t.override_stiffness_n_per_m >= 0.0
             ? t.override_stiffness_n_per_m
-            : t.rated_stiffness_n_per_m * (material.stiffness_fraction >= 0.0 ? material.stiffness_fraction : t.default_stiffness_fraction);
+            : t.rated_stiffness_n_per_m *
+                  (material.stiffness_fraction >= 0.0 ? material.stiffness_fraction : t.default_stiffness_fraction);
     feel.damping_ns_per_m = pick(t.override_damping_ns_per_m, material.damping_ns_per_m, t.damping_ns_per_m);
     feel.friction_kinetic = pick(t.override_friction_kinetic, material.friction_kinetic, t.default_friction_kinetic);
-    feel.friction_static = std::max(feel.friction_kinetic, pick(t.override_friction_static, material.friction_static, t.default_friction_static));
+    feel.friction_static = std::max(
+        feel.friction_kinetic, pick(t.override_friction_static, material.friction_static, t.default_friction_static));
     return feel;
 }
 
@@ -76,22 +80,47 @@ struct TouchState::Impl {
         double friction = 1.0;
     };
 
-    FieldPress field_press(const HapticScene& scene, const TouchTuning& tuning, const ProxySolver::Step& step, const std::array<std::uint32_t, 3>& faces,
-                           double dt_s) noexcept;
+    FieldPress field_press(const HapticScene& scene, const TouchTuning& tuning, const ProxySolver::Step& step,
+                           const std::array<std::uint32_t, 3>& faces, double dt_s) noexcept;
     // What liquids, effects and soft patches do to the hand, bounded together; fills in their part of the result.
-    Vec3 media_n(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, const Vec3& goal_step_m, double dt_s, const BodyPoses& bodies,
-                 TouchResult& result) noexcept;
+    Vec3 media_n(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, const Vec3& goal_step_m,
+                 double dt_s, const BodyPoses& bodies, TouchResult& result) noexcept;
+    // How far the goal came since the last tick, and the longest way that the ball may run on this one.
+    Vec3 goal_step_m(const Vec3& goal_m) const noexcept { return has_goal ? goal_m - last_goal_m : Vec3(0.0); }
+    static double path_cap_m(const TouchTuning& tuning, const Vec3& goal_step_m) noexcept {
+        return std::max(tuning.slide_cap_hand_m * tuning.world_m_per_hand_m, 2.0 * glm::length(goal_step_m));
+    }
+    bool bodies_are_far(const HapticScene& scene, const TouchTuning& tuning, double path_cap_m,
+                        const BodyPoses& bodies) noexcept {
+        const double margin_m = kCandidateMargin_hand_m * tuning.world_m_per_hand_m;
+        return solver.bodies_stay_far(scene, bodies, tuning.radius_m, margin_m, path_cap_m) ||
+               sees_bodies_far(scene, tuning, margin_m, path_cap_m, bodies);
+    }
+    [[gnu::noinline]] bool sees_bodies_far(const HapticScene& scene, const TouchTuning& tuning, double margin_m,
+                                           double path_cap_m, const BodyPoses& bodies) noexcept {
+        ProxySolver::Request request;
+        request.radius_m = tuning.radius_m;
+        request.margin_m = margin_m;
+        request.path_cap_m = path_cap_m;
+        request.bodies = &bodies;
+        return solver.bodies_are_far(scene, request);
+    }
     template <class Has>
-    [[gnu::always_inline]] inline TouchResult tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
+    [[gnu::always_inline]] inline TouchResult tick(const HapticScene& scene, const TouchTuning& tuning,
+                                                   const Vec3& goal_m, const Vec3& goal_step, double path_cap_m,
+                                                   double dt_s, const Vec3& carried_m,
                                                    const BodyPoses& bodies) noexcept;
 };
 
-// The surfaces' shifts, weighed by how hard each holds, shorten the press P to P - s with s = sum(multiplier * shift) / P: a potential 1/2 K (P - s)^2 over the
-// hand's place, continuous wherever a surface begins or ceases to hold. The pull is its gradient: (P - s)(p + grad s), p the direction of the press. The
-// multipliers' own gradients are the vectors dual to the normals.
-// Tried shifting each surface and pressing against all of them anew: a surface that only the lowered ball would meet then comes in with a jump.
-TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& scene, const TouchTuning& tuning, const ProxySolver::Step& step,
-                                                           const std::array<std::uint32_t, 3>& faces, double dt_s) noexcept {
+// The surfaces' shifts, weighed by how hard each holds, shorten the press P to P - s with s = sum(multiplier * shift) /
+// P: a potential 1/2 K (P - s)^2 over the hand's place, continuous wherever a surface begins or ceases to hold. The
+// pull is its gradient: (P - s)(p + grad s), p the direction of the press. The multipliers' own gradients are the
+// vectors dual to the normals. Tried shifting each surface and pressing against all of them anew: a surface that only
+// the lowered ball would meet then comes in with a jump.
+TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& scene, const TouchTuning& tuning,
+                                                           const ProxySolver::Step& step,
+                                                           const std::array<std::uint32_t, 3>& faces,
+                                                           double dt_s) noexcept {
     FieldPress out;
     const Vec3 press = solver.press_m();
     const double press_length = glm::length(press);
@@ -103,11 +132,13 @@ TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& sc
         dual[0] = normal(0);
     } else if (step.count == 2) {
         const double c = glm::dot(normal(0), normal(1)), sine2 = 1.0 - c * c;
-        if (sine2 > kParallel) dual = {(normal(0) - normal(1) * c) / sine2, (normal(1) - normal(0) * c) / sine2, Vec3(0.0)};
+        if (sine2 > kParallel)
+            dual = {(normal(0) - normal(1) * c) / sine2, (normal(1) - normal(0) * c) / sine2, Vec3(0.0)};
     } else if (step.count == 3) {
         const double det = glm::dot(normal(0), glm::cross(normal(1), normal(2)));
         if (det * det > kParallel)
-            dual = {glm::cross(normal(1), normal(2)) / det, glm::cross(normal(2), normal(0)) / det, glm::cross(normal(0), normal(1)) / det};
+            dual = {glm::cross(normal(1), normal(2)) / det, glm::cross(normal(2), normal(0)) / det,
+                    glm::cross(normal(0), normal(1)) / det};
     }
     FieldRequest request;
     const Vec3 ball_m = scene.origin_m + solver.rest_m(), hand_m = ball_m - press;
@@ -151,7 +182,8 @@ TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& sc
         out.rest_m = towards * left;
         out.pull_m = (towards * (1.0 + shift / press_length) + gradient / press_length) * left;
     }
-    // The swing of waves follows the hand's speed, but only on ticks on which that lowers the surfaces: fading must not give the hand energy.
+    // The swing of waves follows the hand's speed, but only on ticks on which that lowers the surfaces: fading must not
+    // give the hand energy.
     if (shortest_period > 0.0) {
         const double per_period = glm::length(hand_speed_m_per_s) * dt_s * kTicksOfFullWave / shortest_period;
         const double wish = std::clamp(2.0 - per_period, 0.0, 1.0);
@@ -161,8 +193,9 @@ TouchState::Impl::FieldPress TouchState::Impl::field_press(const HapticScene& sc
     return out;
 }
 
-Vec3 TouchState::Impl::media_n(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, const Vec3& goal_step_m, double dt_s,
-                               const BodyPoses& bodies, TouchResult& result) noexcept {
+Vec3 TouchState::Impl::media_n(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m,
+                               const Vec3& goal_step_m, double dt_s, const BodyPoses& bodies,
+                               TouchResult& result) noexcept {
     HandMotion hand;
     hand.goal_m = goal_m;
     hand.step_m = goal_step_m / tuning.world_m_per_hand_m;
@@ -170,24 +203,26 @@ Vec3 TouchState::Impl::media_n(const HapticScene& scene, const TouchTuning& tuni
     hand.scale = tuning.world_m_per_hand_m;
     hand.stiffest_n_per_m = tuning.rated_stiffness_n_per_m;
     hand.held = tuning.held;
-    hand.bodies = bodies.poses;
+    hand.bodies = &bodies;
     const SoftPatch* pressed = nullptr;
     result.soft_force_n = soft.force_n(scene, hand, result.proxy_m, tuning.radius_m, pressed);
     if (pressed) {
         result.soft = pressed->feature;
         result.soft_material = pressed->material;
     }
-    const Vec3 media = liquids.force_n(scene, hand, solver.local_m(), result.liquid) + effects.force_n(scene, hand) + result.soft_force_n;
+    const Vec3 media = liquids.force_n(scene, hand, solver.local_m(), result.liquid) + effects.force_n(scene, hand) +
+                       result.soft_force_n;
     result.effects_truncated = effects.truncated();
     return shortened(media, kLargestEffect_n);
 }
 
 template <class Has>
-TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
+TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m,
+                                   const Vec3& goal_step, double path_cap_m, double dt_s, const Vec3& carried_m,
                                    const BodyPoses& bodies) noexcept {
     const double scale = tuning.world_m_per_hand_m;
-    const Vec3 goal_step = has_goal ? goal_m - last_goal_m : Vec3(0.0);
-    const Vec3 own_step = (goal_step - carried_m) / scale;  // of the hand itself, not of a workspace that walks with the body
+    const Vec3 own_step =
+        (goal_step - carried_m) / scale;  // of the hand itself, not of a workspace that walks with the body
     last_goal_m = goal_m;
     has_goal = true;
 
@@ -195,13 +230,12 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     ProxySolver::Request request;
     request.goal_m = goal_m;
     request.radius_m = tuning.radius_m;
-    request.path_cap_m = std::max(tuning.slide_cap_hand_m * scale, 2.0 * glm::length(goal_step));
+    request.path_cap_m = path_cap_m;
     request.margin_m = kCandidateMargin_hand_m * scale;
     request.growth_m = kGrowth_hand_m_per_s * scale * dt_s;
     request.ghost_exit_m = kGhostExit_hand_m * scale;
     request.most_rounds = tuning.most_rounds;
-    request.bodies = bodies.poses;
-    request.bodies_number = bodies.number;
+    request.bodies = &bodies;
     const ProxySolver::Step& step = solver.move<Has>(scene, request);
 
     TouchResult result;
@@ -210,14 +244,17 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
     contacts.converged = step.converged;
     contacts.truncated = step.truncated;
     contacts.capped = step.capped;
+    contacts.waits = step.waits;
     contacts.ghosted = step.ghosted;
     double sum = 0.0, hardest = -1.0;
     std::array<std::uint32_t, 3> faces{};
     for (int k = 0; k < step.count; ++k) {
         const ProxySolver::Hold& hold = step.holds[static_cast<std::size_t>(k)];
         sum += hold.multiplier_m;
-        faces[static_cast<std::size_t>(k)] = Has::kBodies ? ProxySolver::shape_of(scene, hold).face(hold.obstacle, solver.turned_to_own(hold, hold.normal))
-                                                          : scene.face(hold.obstacle, hold.normal);
+        faces[static_cast<std::size_t>(k)] =
+            Has::kBodies
+                ? ProxySolver::shape_of(scene, hold).face(hold.obstacle, solver.turned_to_own(hold, hold.normal))
+                : scene.face(hold.obstacle, hold.normal);
     }
     Vec3 press = solver.press_m();
     const bool has_fields = Has::kFields && scene.has_fields() && step.count > 0;
@@ -245,18 +282,21 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         blend.friction_kinetic += share * one.friction_kinetic;
     }
 
-    // 2. Friction: Coulomb's cone on the ball's path. Static friction weakens with the way slid, so it never drops at once.
+    // 2. Friction: Coulomb's cone on the ball's path. Static friction weakens with the way slid, so it never drops at
+    // once.
     const double press_length = glm::length(press);
     if (contacts.count > 0) {
         feel = blend;
-        const double mu = (feel.friction_kinetic + (feel.friction_static - feel.friction_kinetic) * grip) * field.friction;
+        const double mu =
+            (feel.friction_kinetic + (feel.friction_static - feel.friction_kinetic) * grip) * field.friction;
         if (mu > 0.0) {
             solver.hold_back<Has>(scene, mu * press_length);
+            contacts.waits = step.waits;
             if (Has::kBodies) solver.ride(step.holds[contacts.strongest].body);
         }
     }
     result.slide_m = solver.slide_m();
-    const double slid = glm::length(result.slide_m);
+    const double slid = glm::length(solver.rubbed_m());
     if (contacts.count > 0 && slid > 0.0) {
         grip *= decay(slid / (kSlip_hand_m * scale));
     } else {
@@ -283,14 +323,16 @@ TouchResult TouchState::Impl::tick(const HapticScene& scene, const TouchTuning& 
         has_speed = true;
     }
     const bool touching = contacts.count > 0 && press_length > 0.0;
-    const bool guarding = Has::kGuard && tuning.passivity_guard && feel.damping_ns_per_m < PassivityGuard::kNotNeeded_ns_per_m;
+    const bool guarding = tuning.passivity_guard && feel.damping_ns_per_m < PassivityGuard::kNotNeeded_ns_per_m;
     if (touching) {
         const Vec3 normal = press / press_length;
         const double normal_force = glm::dot(force, normal);
         double damping = feel.damping_ns_per_m;
         if (guarding) damping += guard.watch(own_step, dt_s, tuning.force_delay_s);
-        // Bounded by the spring on both sides: a hand that arrives fast meets no step of damping times speed, and one that leaves is not held.
-        if (normal_force > 0.0) force += normal * std::clamp(-damping * glm::dot(hand_speed_m_per_s, normal), -normal_force, normal_force);
+        // Bounded by the spring on both sides: a hand that arrives fast meets no step of damping times speed, and one
+        // that leaves is not held.
+        if (normal_force > 0.0)
+            force += normal * std::clamp(-damping * glm::dot(hand_speed_m_per_s, normal), -normal_force, normal_force);
     }
     if (guarding && !touching) guard.reset();
     if (glm::dot(force, force) < kSmallestForce_n * kSmallestForce_n) force = Vec3(0.0);
@@ -329,13 +371,21 @@ void TouchState::reset_filters() noexcept {
 const ProxySolver& TouchState::solver() const noexcept { return impl_->solver; }
 
 template <class Has>
-TouchResult touch_tick_with(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
-                            const BodyPoses& bodies) noexcept {
-    return state.impl().tick<Has>(scene, tuning, goal_m, dt_s, carried_m, bodies);
+TouchResult touch_tick_with(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m,
+                            double dt_s, const Vec3& carried_m, const BodyPoses& bodies) noexcept {
+    TouchState::Impl& impl = state.impl();
+    const Vec3 goal_step_m = impl.goal_step_m(goal_m);
+    const double path_cap_m = impl.path_cap_m(tuning, goal_step_m);
+    if constexpr (Has::kBodies) {
+        // Things that can move and are far cost nothing but to see that they are.
+        if (scene.plain_afar && impl.bodies_are_far(scene, tuning, path_cap_m, bodies))
+            return impl.tick<PlainFeatures>(scene, tuning, goal_m, goal_step_m, path_cap_m, dt_s, carried_m, bodies);
+    }
+    return impl.tick<Has>(scene, tuning, goal_m, goal_step_m, path_cap_m, dt_s, carried_m, bodies);
 }
-template TouchResult touch_tick_with<PlainFeatures>(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&, double, const Vec3&,
-                                                    const BodyPoses&) noexcept;
-template TouchResult touch_tick_with<AllFeatures>(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&, double, const Vec3&,
-                                                  const BodyPoses&) noexcept;
+template TouchResult touch_tick_with<PlainFeatures>(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&,
+                                                    double, const Vec3&, const BodyPoses&) noexcept;
+template TouchResult touch_tick_with<AllFeatures>(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&,
+                                                  double, const Vec3&, const BodyPoses&) noexcept;
 
 }  // namespace handrail

@@ -1,15 +1,17 @@
-// From a hand's place in the world to the force on it: candidates, proxy, friction, damping, liquids and effects of one tick. This is the one
-// path that the servo, the `touch` replay, tests and benchmarks share. Double precision; noexcept; never allocates, locks or
-// reads a clock. Sample checks lie in front of it, ForceLimiter behind it.
-// Source of the proxy: the free-cell proxy described in docs/architecture.md; Zilles & Salisbury 1995, Ruspini et al. 1997.
+// From a hand's place in the world to the force on it: candidates, proxy, friction, damping, liquids and effects of one
+// tick. This is the one path that the servo, the `touch` replay, tests and benchmarks share. Double precision;
+// noexcept; never allocates, locks or reads a clock. Sample checks lie in front of it, ForceLimiter behind it. Source
+// of the proxy: the free-cell proxy described in docs/architecture.md; Zilles & Salisbury 1995, Ruspini et al. 1997.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 
 #include "haptic/render/haptic_scene.h"
+#include "haptic/render/passivity_guard.h"
 #include "haptic/render/tick_features.h"
 #include "worlds/base/feature_id.h"
 #include "worlds/base/vec.h"
@@ -18,67 +20,63 @@ namespace handrail {
 
 class ProxySolver;
 
-// What the person, the device and the scale ask of the renderer. Plain values; the app publishes a new one when something changes.
+// What the person, the device and the scale ask of the renderer. Plain values; the app publishes a new one when
+// something changes.
 struct TouchTuning {
-    double radius_m = 0.005;                         // ball, world metres; 0 is run as 1e-5
-    double world_m_per_hand_m = 1.0;                 // S
-    double rated_stiffness_n_per_m = 1000.0;         // per hand metre: the 1.0 of stiffness fractions
-    double default_stiffness_fraction = 0.8;         // of surfaces that name none
-    double damping_ns_per_m = 0.0;                   // of hand speed, along the normal, one pole at 50 Hz
-    double default_friction_static = 0.0;            // of surfaces that name none
+    double radius_m = 0.005;                  // ball, world metres; 0 is run as 1e-5
+    double world_m_per_hand_m = 1.0;          // S
+    double rated_stiffness_n_per_m = 1000.0;  // per hand metre: the 1.0 of stiffness fractions
+    double default_stiffness_fraction = 0.8;  // of surfaces that name none
+    double damping_ns_per_m = 0.0;            // of hand speed, along the normal, one pole at 50 Hz
+    double default_friction_static = 0.0;     // of surfaces that name none
     double default_friction_kinetic = 0.0;
-    double slide_cap_hand_m = 0.5e-3;                // longest proxy path per tick, or twice the goal's step if that is longer
-    int most_rounds = 64;                            // of the solver; fewer are as safe and lag (ProxySolver::Request)
-    double override_stiffness_n_per_m = -1.0;        // >= 0: every surface, in N per hand metre
-    double override_damping_ns_per_m = -1.0;         // >= 0: every surface
-    double override_friction_static = -1.0;          // >= 0: every surface
+    double slide_cap_hand_m = 0.5e-3;  // longest proxy path per tick, or twice the goal's step if that is longer
+    int most_rounds = 64;              // of the solver; fewer are as safe and lag (ProxySolver::Request)
+    double override_stiffness_n_per_m = -1.0;  // >= 0: every surface, in N per hand metre
+    double override_damping_ns_per_m = -1.0;   // >= 0: every surface
+    double override_friction_static = -1.0;    // >= 0: every surface
     double override_friction_kinetic = -1.0;
-    bool held = true;                                // false: nobody holds the device, so nothing may drive it (vibration, wind, stream)
-    bool passivity_guard = false;                    // damping where the loop gives energy, on surfaces damped by less than 2 Ns/m
-    double force_delay_s = 0.0;                      // from a force computed to the hand feeling it, beyond the hold; for the guard
-};
-
-// Poses of a scene's bodies in its order, or none at all: every body as the scene has it. The number changes whenever a pose does, so that a tick
-// on which nothing moves looks at none of them.
-struct BodyPoses {
-    std::span<const BodyPose> poses{};
-    std::uint64_t number = 0;
+    bool held = true;              // false: nobody holds the device, so nothing may drive it (vibration, wind, stream)
+    bool passivity_guard = false;  // damping where the loop gives energy, on surfaces damped by less than 2 Ns/m
+    double force_delay_s = 0.0;    // from a force computed to the hand feeling it, beyond the hold; for the guard
 };
 
 struct Contact {
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
-    Vec3 normal{0.0};                                // unit, from the obstacle to the proxy
-    double share = 0.0;                              // of the whole press, 0 to 1 (multipliers normed to 1)
+    Vec3 normal{0.0};    // unit, from the obstacle to the proxy
+    double share = 0.0;  // of the whole press, 0 to 1 (multipliers normed to 1)
 };
 
 // The surfaces that hold the proxy this tick: 0 to 3.
 struct ContactSet {
     std::array<Contact, 3> contacts{};
     std::uint8_t count = 0;
-    std::uint8_t strongest = 0;                      // index of the largest multiplier; meaningless when count is 0
+    std::uint8_t strongest = 0;  // index of the largest multiplier; meaningless when count is 0
     std::uint16_t iterations = 0;
-    bool converged = true;                           // every active cut touches its obstacle
-    bool truncated = false;                          // candidate list was full; the nearest were kept
-    bool capped = false;                             // the slide-speed cap cut the path
-    bool ghosted = false;                            // some solid is not felt because the hand started in it
+    bool converged = true;   // every active cut touches its obstacle
+    bool truncated = false;  // candidate list was full; the nearest were kept
+    bool capped = false;     // the slide-speed cap cut the path
+    bool waits = false;    // the tick had more to do than its budget of work: ball or body lag (ProxySolver::kMostWork)
+    bool ghosted = false;  // some solid is not felt because the hand started in it
 };
 
 struct TouchResult {
-    Vec3 proxy_m{0.0};                               // centre of the ball, world
-    Vec3 force_n{0.0};                               // on the hand, world axes, before any ceiling
-    Vec3 contact_force_n{0.0};                       // the part from surfaces
-    Vec3 slide_m{0.0};                               // how far the proxy moved this tick, world
+    Vec3 proxy_m{0.0};          // centre of the ball, world
+    Vec3 force_n{0.0};          // on the hand, world axes, before any ceiling
+    Vec3 contact_force_n{0.0};  // the part from surfaces
+    Vec3 slide_m{0.0};          // how far the proxy moved this tick, world
     ContactSet contacts;
-    FeatureId liquid = kNoFeature;                   // volume the proxy is in, the last one listed where they overlap
-    double radius_m = 0.0;                           // ball as it is now: it grows after a tight start
-    FeatureId soft = kNoFeature;                     // soft patch that is pressed
+    FeatureId liquid = kNoFeature;  // volume the proxy is in, the last one listed where they overlap
+    double radius_m = 0.0;          // ball as it is now: it grows after a tight start
+    FeatureId soft = kNoFeature;    // soft patch that is pressed
     MaterialId soft_material = kDefaultMaterial;
-    Vec3 soft_force_n{0.0};                          // from soft patches
-    bool effects_truncated = false;                  // more effects hold the hand than can act at once
+    Vec3 soft_force_n{0.0};          // from soft patches
+    bool effects_truncated = false;  // more effects hold the hand than can act at once
 };
 
-// Everything that lives from tick to tick. Created off the servo thread (it allocates its fixed arrays once), then owned by one thread.
+// Everything that lives from tick to tick. Created off the servo thread (it allocates its fixed arrays once), then
+// owned by one thread.
 class TouchState {
 public:
     TouchState();
@@ -86,12 +84,13 @@ public:
     TouchState(TouchState&&) noexcept;
     TouchState& operator=(TouchState&&) noexcept;
 
-    // Forgets contact, friction and filters; the next touch_tick starts at its goal (growing ball and ghosts as for a fresh start).
+    // Forgets contact, friction and filters; the next touch_tick starts at its goal (growing ball and ghosts as for a
+    // fresh start).
     void reset() noexcept;
     // Forgets speeds only, after a fault; the proxy keeps its history.
     void reset_filters() noexcept;
-    // The frame of the hand moved with everything in it (teleport excepted): shifts nothing; documented here because walking
-    // needs no call - the goal simply moves.
+    // The frame of the hand moved with everything in it (teleport excepted): shifts nothing; documented here because
+    // walking needs no call - the goal simply moves.
 
     // The ball itself, for checks: its path, candidates and gatherings of the last tick.
     const ProxySolver& solver() const noexcept;
@@ -103,21 +102,23 @@ private:
     std::unique_ptr<Impl> impl_;
 };
 
-// One tick, compiled for AllFeatures, or for PlainFeatures and then only right where touch_tick() chooses it (tick_features.h).
+// One tick, compiled for AllFeatures, or for PlainFeatures and then only right where touch_tick() chooses it
+// (tick_features.h).
 template <class Has>
-TouchResult touch_tick_with(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s, const Vec3& carried_m,
-                            const BodyPoses& bodies) noexcept;
+TouchResult touch_tick_with(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m,
+                            double dt_s, const Vec3& carried_m, const BodyPoses& bodies) noexcept;
 
-// One tick. goal_m: the HIP (haptic interface point) in world metres, finite and within 1e6 m. dt_s: time since the last tick, > 0.
-// A scene with another address or generation than last time is met as a fresh candidate set around the old proxy.
-// carried_m: how far a walking body carried the workspace since the last tick, world metres. The proxy and liquids meet the whole motion;
-// damping and the passivity guard only what the hand itself did, else every step of the body would knock in the hand (test: walking_*).
-// bodies: where the scene's bodies are on this tick; left out, they stand as the scene has them.
-inline TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning, const Vec3& goal_m, double dt_s,
-                              const Vec3& carried_m = Vec3(0.0), const BodyPoses& bodies = {}) noexcept {
-    const bool plain = scene.plain > tuning.passivity_guard;  // plain and no guard, in one comparison
-    return plain ? touch_tick_with<PlainFeatures>(state, scene, tuning, goal_m, dt_s, carried_m, bodies)
-                 : touch_tick_with<AllFeatures>(state, scene, tuning, goal_m, dt_s, carried_m, bodies);
+// One tick. goal_m: the HIP (haptic interface point) in world metres, finite and within 1e6 m. dt_s: time since the
+// last tick, > 0. A scene with another address or generation than last time is met as a fresh candidate set around the
+// old proxy. carried_m: how far a walking body carried the workspace since the last tick, world metres. The proxy and
+// liquids meet the whole motion; damping and the passivity guard only what the hand itself did, else every step of the
+// body would knock in the hand (test: walking_*). bodies: where the scene's bodies are on this tick; left out, they
+// stand as the scene has them.
+inline TouchResult touch_tick(TouchState& state, const HapticScene& scene, const TouchTuning& tuning,
+                              const Vec3& goal_m, double dt_s, const Vec3& carried_m = Vec3(0.0),
+                              const BodyPoses& bodies = {}) noexcept {
+    return scene.plain ? touch_tick_with<PlainFeatures>(state, scene, tuning, goal_m, dt_s, carried_m, bodies)
+                       : touch_tick_with<AllFeatures>(state, scene, tuning, goal_m, dt_s, carried_m, bodies);
 }
 
 }  // namespace handrail

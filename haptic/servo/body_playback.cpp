@@ -1,60 +1,92 @@
 #include "haptic/servo/body_playback.h"
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
+#include <utility>
 
 namespace handrail {
 namespace {
 
-constexpr double kLongestFrameS = 0.1;  // bodies that were still for longer start to move from where they stood, one usual frame before
+constexpr double kLongestFrameS =
+    0.1;  // bodies that were still for longer start to move from where they stood, one usual frame before
 constexpr double kUsualFrameS = 1.0 / 60.0;
+std::atomic<std::uint64_t> pushes{0};
+
+MovingBody on_the_way(std::size_t body, const Placement& from, const Placement& to) {
+    const Vec3 way = glm::abs(to.position_m - from.position_m);
+    return {static_cast<std::uint32_t>(body), 0.5 * (way.x + way.y + way.z), std::max(from.scale, to.scale),
+            0.5 * (from.position_m + to.position_m)};
+}
 
 }  // namespace
 
-void BodyPlayback::give(const BodyFrame& newest, bool jump) noexcept {
-    if (count_ > 0 && !jump && newest.number == frame(count_ - 1).number && newest.scene == frame(count_ - 1).scene) return;
-    if (count_ > 0 && (jump || newest.scene != frame(count_ - 1).scene || !(newest.time_s > frame(count_ - 1).time_s))) count_ = 0;
-    if (count_ > 0 && newest.time_s - frame(count_ - 1).time_s > kLongestFrameS) {
-        const std::size_t last = (first_ + count_ - 1) % kFrames;
-        first_ = last;
-        count_ = 1;
-        frames_[last].time_s = newest.time_s - kUsualFrameS;
+void BodyFrame::push(std::uint32_t scene, double time_s, std::vector<BodyPose> poses) {
+    const auto last = [this]() -> Moment& { return moments_[(first_ + count_ - 1) % kMoments]; };
+    if (count_ > 0 && (scene != scene_ || !(time_s > last().time_s) || poses.size() != last().poses->size())) {
+        moments_ = {};
+        first_ = count_ = 0;
     }
-    if (count_ == kFrames) {
-        first_ = (first_ + 1) % kFrames;
+    if (count_ > 0 && time_s - last().time_s > kLongestFrameS) {
+        Moment rest = std::move(last());
+        rest.time_s = time_s - kUsualFrameS;
+        moments_ = {};
+        moments_[0] = std::move(rest);
+        first_ = 0;
+        count_ = 1;
+    }
+    scene_ = scene;
+    std::vector<MovingBody> moved;
+    for (std::size_t i = 0; count_ > 0 && i < poses.size(); ++i)
+        if (const BodyPose& before = (*last().poses)[i]; !(poses[i] == before))
+            moved.push_back(on_the_way(i, before.at, poses[i].at));
+    number_ = ++pushes;
+    if (count_ == kMoments) {
+        first_ = (first_ + 1) % kMoments;
         --count_;
     }
-    frames_[(first_ + count_) % kFrames] = newest;
+    moments_[(first_ + count_) % kMoments] = {number_, time_s,
+                                              std::make_shared<const std::vector<BodyPose>>(std::move(poses)),
+                                              std::make_shared<const std::vector<MovingBody>>(std::move(moved))};
     ++count_;
 }
 
-BodyPoses BodyPlayback::at(const HapticScene& scene, double play_s) noexcept {
-    if (count_ == 0 || frame(0).scene != scene.generation) {
+BodyPoses BodyPlayback::find(const BodyFrame& frame, const HapticScene& scene, double play_s, bool jump) noexcept {
+    if (frame.size() == 0 || frame.scene() != scene.generation) {
         if (scene_ != 0) ++played_;
         scene_ = 0;
-        settled_ = 0;
-        return {{}, played_};
+        settled_ = frame_ = 0;
+        ways_ = {};
+        ways_.number = ~std::uint64_t{0};  // of no frame
+        return {{}, played_, &ways_};
     }
-    while (count_ > 1 && frame(1).time_s <= play_s) {
-        first_ = (first_ + 1) % kFrames;
-        --count_;
-    }
-    const BodyFrame& a = frame(0);
-    const bool still = count_ == 1 || play_s <= a.time_s;
-    if (still && scene_ == a.scene && settled_ == a.number) return {std::span(now_).first(a.count), played_};
-    scene_ = a.scene;
-    settled_ = still ? a.number : 0;
-    ++played_;
+    if (jump) first_number_ = frame.number();
+    const std::size_t last = frame.size() - 1;
+    std::size_t i = last;
+    while (i > 0 && frame.moment(i).time_s > play_s && frame.moment(i).number > first_number_) --i;
+    const BodyFrame::Moment& a = frame.moment(i);
+    first_number_ = a.number;
+    const bool still = i == last || play_s <= a.time_s;
     if (still) {
-        std::copy_n(a.poses.begin(), a.count, now_.begin());
-    } else {
-        const BodyFrame& b = frame(1);
-        const double part = (play_s - a.time_s) / (b.time_s - a.time_s);
-        for (std::size_t i = 0; i < a.count; ++i) {
-            const bool moves = a.poses[i].present && b.poses[i].present && !(a.poses[i].at == b.poses[i].at);
-            now_[i] = moves ? BodyPose{between(a.poses[i].at, b.poses[i].at, part), true} : a.poses[i];
+        if (scene_ != frame.scene() || settled_ != a.number) {
+            ++played_;
+            ways_ = {};
+            ways_.number = a.number;
         }
+    } else {
+        const BodyFrame::Moment& b = frame.moment(i + 1);
+        ++played_;
+        ways_ = {b.number, a.number, *b.poses, (play_s - a.time_s) / (b.time_s - a.time_s), *b.moved};
     }
-    return {std::span(now_).first(a.count), played_};
+    scene_ = frame.scene();
+    settled_ = still ? a.number : 0;
+    constexpr double kEver = std::numeric_limits<double>::infinity();
+    frame_ = still && i < last ? 0 : frame.number();  // before its first moment things stand only until then
+    from_s_ = still ? -kEver : a.time_s;
+    until_s_ = still ? kEver : frame.moment(i + 1).time_s;
+    long_s_ = until_s_ - from_s_;
+    poses_ = *a.poses;
+    return {poses_, played_, &ways_};
 }
 
 }  // namespace handrail

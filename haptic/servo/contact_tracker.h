@@ -1,6 +1,6 @@
-// Turns the contact set of each tick into what ears need: a surface was met, is slid along, was left; a liquid was entered or left.
-// Debounced only as far as hands tremble: a contact lost for less than 20 ms goes on. Saying a name once is the cue planner's business.
-// Plain state, servo thread only; real-time safe.
+// Turns the contact set of each tick into what ears need: a surface was met, is slid along, was left; a liquid was
+// entered or left. Debounced only as far as hands tremble: a contact lost for less than 20 ms goes on. Saying a name
+// once is the cue planner's business. Plain state, servo thread only; real-time safe.
 #pragma once
 
 #include <array>
@@ -35,16 +35,18 @@ struct ContactEvent {
     double time_s = 0.0;
     FeatureId feature = kNoFeature;
     MaterialId material = kDefaultMaterial;
-    Vec3 position_m{0.0};        // world, at the proxy
-    double speed_m_per_s = 0.0;  // hand speed: approach for Begin, along the surface for Slide (0: it stopped), through it for liquids
-    double force_n = 0.0;        // from this surface, before any ceiling
+    Vec3 position_m{0.0};  // world, at the proxy
+    double speed_m_per_s =
+        0.0;  // hand speed: approach for Begin, along the surface for Slide (0: it stopped), through it for liquids
+    double force_n = 0.0;  // from this surface, before any ceiling
     Fault fault = Fault::None;
     std::uint8_t hand = 0;  // which of two; whoever collects the events of both writes it
 };
 
 // What one tick has to tell, in order. A tick that has more to tell than fits says so in `lost`.
 struct TickEvents {
-    static constexpr std::size_t kMost = 24;  // twice what 3 contacts begun, 8 ended, a liquid changed and a fault raised need
+    static constexpr std::size_t kMost =
+        24;  // twice what 3 contacts begun, 8 ended, a liquid changed and a fault raised need
 
     std::array<ContactEvent, kMost> list{};
     std::uint8_t count = 0;
@@ -60,12 +62,13 @@ struct TickEvents {
 
 class ContactTracker {
 public:
-    static constexpr double kLetGoS = 0.020;                                       // a contact or liquid is left when it was away this long
-    static constexpr double kSlideEveryS = 0.010;                                  // between two Slide events of one surface
+    static constexpr double kLetGoS = 0.020;       // a contact or liquid is left when it was away this long
+    static constexpr double kSlideEveryS = 0.010;  // between two Slide events of one surface
     static constexpr double kSlideStartsMPerS = 0.001, kSlideStopsMPerS = 0.0005;  // hand speed along the surface
 
     // velocity_m_per_s: of the hand relative to the world, world axes, hand metres per second.
-    void update(const TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m, double now_s, double dt_s, TickEvents& events) noexcept;
+    void update(const TouchResult& touch, const Vec3& velocity_m_per_s, double world_m_per_hand_m, double now_s,
+                double dt_s, TickEvents& events) noexcept;
     // The hand is gone or elsewhere: ends every contact and leaves the liquid.
     void clear(double now_s, TickEvents& events) noexcept;
 

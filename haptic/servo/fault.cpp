@@ -28,6 +28,10 @@ std::string fault_sentence(Fault fault) {
             return phrase("fault.too_hot");
         case Fault::DriverError:
             return phrase("fault.driver_error");
+        case Fault::MayPush:
+            return phrase("fault.may_push");
+        case Fault::ForceOff:
+            return phrase("fault.force_off");
         case Fault::FocusLost:
             return phrase("fault.focus_lost");
         case Fault::ButtonReleased:

@@ -23,7 +23,9 @@ void Guidance::begin(const GuidancePath& path, const Vec3& hand_m) noexcept {
     state_ = {};
     state_.number = path.number;
     fade_ = 0.0;
-    if (path.number == 0 || path.count == 0 || path.count > GuidancePath::kMostPoints || !(path.strength >= 0.0 && path.strength <= 1.0)) return;
+    if (path.number == 0 || path.count == 0 || path.count > GuidancePath::kMostPoints ||
+        !(path.strength >= 0.0 && path.strength <= 1.0))
+        return;
     for (std::uint32_t i = 0; i < path.count; ++i)
         if (!is_finite(path.points_m[i])) return;
     state_.phase = GuidancePhase::Acts;
@@ -41,7 +43,8 @@ void Guidance::end(GuidancePhase phase) noexcept {
     fade_ = 1.0;
 }
 
-// The point goes on along the way: by itself as long as the hand keeps up, and as fast as the hand where that is ahead of it.
+// The point goes on along the way: by itself as long as the hand keeps up, and as fast as the hand where that is ahead
+// of it.
 void Guidance::go_on(const GuidancePath& path, const Vec3& hand_m, double scale, double dt_s) noexcept {
     const double own_m = kPointSpeed_m_per_s * dt_s * scale;
     double left_m = std::max(own_m, length(hand_m - hand_before_m_));
@@ -56,7 +59,10 @@ void Guidance::go_on(const GuidancePath& path, const Vec3& hand_m, double scale,
         }
         const double ahead_m = glm::dot(hand_m - point_m_, leg) / leg_m;
         const bool waits = length(point_m_ - hand_m) >= kLead_m * scale;
-        const double step_m = std::min({left_m, leg_m, ahead_m > 0.0 ? std::max(ahead_m, waits ? 0.0 : own_left_m) : waits ? 0.0 : own_left_m});
+        const double step_m = std::min({left_m, leg_m,
+                                        ahead_m > 0.0 ? std::max(ahead_m, waits ? 0.0 : own_left_m)
+                                        : waits       ? 0.0
+                                                      : own_left_m});
         if (!(step_m > 1e-9 * scale)) return;
         point_m_ += leg * (step_m / leg_m);
         left_m -= step_m;
@@ -76,7 +82,8 @@ Vec3 Guidance::pull(const GuidancePath& path, const Vec3& hand_m, double scale, 
     against_s_ = most_n > 0.0 && state_.counter_n > kLetGo_n ? against_s_ + dt_s : 0.0;
     if (!(away_m > 0.0)) return Vec3(0.0);
     const Vec3 way = away / away_m;
-    // Sideways speed counts as well, or a hand that comes round a corner would be faster than either leg allows. A hand that goes away feels all of it.
+    // Sideways speed counts as well, or a hand that comes round a corner would be faster than either leg allows. A hand
+    // that goes away feels all of it.
     const double along = glm::dot(velocity_m_per_s_, way);
     const double aside = length(velocity_m_per_s_ - way * along);
     const double slower = std::clamp(1.0 - (along + aside) / kFastest_m_per_s, 0.0, 1.0);
@@ -98,7 +105,8 @@ Vec3 Guidance::lines(const GuidancePath& path, const Vec3& hand_m, double scale,
 
 namespace {
 
-// The nearest place of a trench: what lies below the leg from a to b. A convex set, so the square of the distance to it is smooth everywhere.
+// The nearest place of a trench: what lies below the leg from a to b. A convex set, so the square of the distance to it
+// is smooth everywhere.
 Vec3 nearest_in_trench(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
     const double x = b.x - a.x, y = b.y - a.y, length = std::sqrt(x * x + y * y);
     if (!(length > 1e-9)) return {a.x, a.y, std::min(p.z, std::max(a.z, b.z))};
@@ -121,8 +129,9 @@ Vec3 nearest_on_leg(const Vec3& a, const Vec3& b, const Vec3& p) noexcept {
 
 }  // namespace
 
-// The potential is A times the product, over all legs, of 1 - f with f = (1 - (d/w)^2)^3 of a leg nearer than w: nothing on every leg, A away from all, and
-// smooth in between, also where legs meet, since d^2 is. Its slope is the force.
+// The potential is A times the product, over all legs, of 1 - f with f = (1 - (d/w)^2)^3 of a leg nearer than w:
+// nothing on every leg, A away from all, and smooth in between, also where legs meet, since d^2 is. Its slope is the
+// force.
 Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scale, double most_n) noexcept {
     constexpr double kPeakOfLaw = 1.7173003580037202;  // of 6 u (1 - u^2)^2, at u = 1/sqrt(5)
     std::array<Vec3, GuidancePath::kMostPoints / 2> slopes;
@@ -133,8 +142,9 @@ Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scal
     for (std::uint32_t i = 0; i + 1 < path.count; i += 2) {
         const Vec3 &a = path.points_m[i], &b = path.points_m[i + 1];
         // Most legs are far, which their box tells for a tenth of the work.
-        if (hand_m.x < std::min(a.x, b.x) - width_m || hand_m.x > std::max(a.x, b.x) + width_m || hand_m.y < std::min(a.y, b.y) - width_m ||
-            hand_m.y > std::max(a.y, b.y) + width_m || hand_m.z > std::max(a.z, b.z) + width_m)
+        if (hand_m.x < std::min(a.x, b.x) - width_m || hand_m.x > std::max(a.x, b.x) + width_m ||
+            hand_m.y < std::min(a.y, b.y) - width_m || hand_m.y > std::max(a.y, b.y) + width_m ||
+            hand_m.z > std::max(a.z, b.z) + width_m)
             continue;
         const Vec3 off = (hand_m - (lines ? nearest_on_leg(a, b, hand_m) : nearest_in_trench(a, b, hand_m))) / width_m;
         const double rest = 1.0 - glm::dot(off, off);
@@ -152,7 +162,8 @@ Vec3 Guidance::grooves(const GuidancePath& path, const Vec3& hand_m, double scal
     return force * (kGroove_n / kPeakOfLaw * most_n / kMostForce_n);
 }
 
-Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, double peak_force_n, bool allowed, double dt_s) noexcept {
+Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, double peak_force_n, bool allowed,
+                    double dt_s) noexcept {
     // 1. Another wish: what acts fades, and only then the next begins.
     if (state_.phase == GuidancePhase::Acts && (path.number != state_.number || !allowed)) end(GuidancePhase::Ended);
     if (path.number != state_.number && fade_ <= 0.0) {
@@ -182,7 +193,8 @@ Vec3 Guidance::tick(const GuidancePath& path, const Vec3& hand_m, double scale, 
     // 4. What ends it.
     if (path.kind != GuidanceKind::Pull) return state_.force_n;
     if (against_s_ >= kLetGo_s) end(GuidancePhase::LetGo);
-    else if ((next_ + 1 >= path.count || path.strength == 0.0) && length(hand_m - path.points_m[path.count - 1]) <= kArrived_m * scale)
+    else if ((next_ + 1 >= path.count || path.strength == 0.0) &&
+             length(hand_m - path.points_m[path.count - 1]) <= kArrived_m * scale)
         end(GuidancePhase::Arrived);
     return state_.force_n;
 }

@@ -1,15 +1,18 @@
-// How warm a device's motors have become, from the forces they were asked for. A motor heats with the square of its current, and so of the force;
-// a device that reports nothing is spared by this alone. Plain state, servo thread only; three multiplications a tick.
+// How warm a device's motors have become, from the forces they were asked for. A motor heats with the square of its
+// current, and so of the force; a device that reports nothing is spared by this alone. Plain state, servo thread only;
+// three multiplications a tick.
 #pragma once
 
 namespace handrail {
 
 class HeatBudget {
 public:
-    static constexpr double kWindowS = 10.0;     // of the running mean; what ten seconds of a coil's heating come to
-    static constexpr double kCooledShare = 0.5;  // of the heat that is allowed: from the limit it takes 7 s without force to get there
+    static constexpr double kWindowS = 10.0;  // of the running mean; what ten seconds of a coil's heating come to
+    static constexpr double kCooledShare =
+        0.5;  // of the heat that is allowed: from the limit it takes 7 s without force to get there
 
-    // Adds dt_s of a force of this size. sustained_n: root mean square over the window that the motors bear; infinity: any.
+    // Adds dt_s of a force of this size. sustained_n: root mean square over the window that the motors bear; infinity:
+    // any.
     void add(double force_n, double sustained_n, double dt_s) noexcept {
         mean_square_n2_ += (force_n * force_n - mean_square_n2_) * (dt_s / (kWindowS + dt_s));
         warmth_ = mean_square_n2_ / (sustained_n * sustained_n);

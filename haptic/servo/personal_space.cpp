@@ -25,7 +25,8 @@ bool PersonalSpace::tick(const Vec3& hand_m, const PersonalWall& wall, bool whol
     if (!whole) armed_ = false;
     if (armed_) {
         const double most_m = wall_.stiffness_n_per_m > 0.0 ? kMostRiseN / wall_.stiffness_n_per_m : 0.0;
-        stretch_m_ = std::clamp(stretch_m_ + std::min(way_m, most_m), 0.0, std::max(0.0, std::min(inside_m, wall_.depth_m)));
+        stretch_m_ =
+            std::clamp(stretch_m_ + std::min(way_m, most_m), 0.0, std::max(0.0, std::min(inside_m, wall_.depth_m)));
         if (inside_m < wall_.depth_m) return false;
         armed_ = false;
         return true;
@@ -38,7 +39,8 @@ bool PersonalSpace::tick(const Vec3& hand_m, const PersonalWall& wall, bool whol
 
 bool PullThrough::tick(const Vec3& hand_m, const Vec3& held_n, double reach_m, bool whole, double dt_s) noexcept {
     const double across_n2 = held_n.x * held_n.x + held_n.z * held_n.z;
-    const bool pulls = whole && hand_m.y <= -kNearHalf * reach_m && held_n.y >= kPersonalWallMost_n && across_n2 <= kStraight * kStraight * held_n.y * held_n.y;
+    const bool pulls = whole && hand_m.y <= -kNearHalf * reach_m && held_n.y >= kPersonalWallMost_n &&
+                       across_n2 <= kStraight * kStraight * held_n.y * held_n.y;
     const double slid_x = hand_m.x - from_m_.x, slid_z = hand_m.z - from_m_.z;
     if (!pulls || (held_s_ > 0.0 && slid_x * slid_x + slid_z * slid_z > kSlide_m * kSlide_m)) {
         held_s_ = 0.0;
@@ -60,7 +62,8 @@ void LeftoverForce::begin(const Vec3& force_n, double stiffness_n_per_m) noexcep
 
 void LeftoverForce::tick(const Vec3& hand_step_m, double dt_s) noexcept {
     if (stretch_m_ == 0.0) return;
-    stretch_m_ = std::max(0.0, stretch_m_ - std::max(0.0, glm::dot(hand_step_m, direction_))) * (PersonalSpace::kReleaseS / (PersonalSpace::kReleaseS + dt_s));
+    stretch_m_ = std::max(0.0, stretch_m_ - std::max(0.0, glm::dot(hand_step_m, direction_))) *
+                 (PersonalSpace::kReleaseS / (PersonalSpace::kReleaseS + dt_s));
     if (stretch_m_ < 1e-7) stretch_m_ = 0.0;
 }
 

@@ -1,4 +1,5 @@
-// Judges how steadily the servo runs, from measured periods alone. Plain state, servo thread only; no clock, no allocation.
+// Judges how steadily the servo runs, from measured periods alone. Plain state, servo thread only; no clock, no
+// allocation.
 #pragma once
 
 #include <array>
@@ -6,8 +7,8 @@
 
 namespace handrail {
 
-// Watches for a loop that is too slow to hold a wall. One long gap is no slow loop: a period counts with at most 10 ms, so that at least
-// two in a row are needed.
+// Watches for a loop that is too slow to hold a wall. One long gap is no slow loop: a period counts with at most 10 ms,
+// so that at least two in a row are needed.
 struct RateWatch {
     static constexpr double kPatienceS = 0.020;
     static constexpr double kMostPerPeriodS = 0.010;
@@ -16,10 +17,12 @@ struct RateWatch {
     double elapsed_s = 0.0;  // true time since the first of them began
 };
 
-// Feeds one measured period. True once every period has been longer than 1 / min_rate_hz for 20 ms. min_rate_hz <= 0 watches nothing.
+// Feeds one measured period. True once every period has been longer than 1 / min_rate_hz for 20 ms. min_rate_hz <= 0
+// watches nothing.
 bool too_slow(RateWatch& watch, double period_s, double min_rate_hz) noexcept;
 
-// How often which time was measured. Bucket i holds times up to Edges[i] and above the one before; the last holds the rest.
+// How often which time was measured. Bucket i holds times up to Edges[i] and above the one before; the last holds the
+// rest.
 template <const std::array<double, 11>& Edges>
 struct TimeHistogram {
     std::array<std::uint64_t, Edges.size() + 1> counts{};
@@ -48,8 +51,10 @@ struct TimeHistogram {
     }
 };
 
-inline constexpr std::array<double, 11> kPeriodEdgesS{0.0005, 0.0009, 0.0011, 0.00125, 0.0015, 0.002, 0.003, 0.005, 0.010, 0.025, 0.100};
-inline constexpr std::array<double, 11> kDurationEdgesS{2e-6, 5e-6, 10e-6, 20e-6, 50e-6, 100e-6, 200e-6, 500e-6, 1e-3, 2e-3, 5e-3};
+inline constexpr std::array<double, 11> kPeriodEdgesS{0.0005, 0.0009, 0.0011, 0.00125, 0.0015, 0.002,
+                                                      0.003,  0.005,  0.010,  0.025,   0.100};
+inline constexpr std::array<double, 11> kDurationEdgesS{2e-6,   5e-6,   10e-6, 20e-6, 50e-6, 100e-6,
+                                                        200e-6, 500e-6, 1e-3,  2e-3,  5e-3};
 using PeriodHistogram = TimeHistogram<kPeriodEdgesS>;      // from tick to tick
 using DurationHistogram = TimeHistogram<kDurationEdgesS>;  // spent in a tick
 

@@ -21,8 +21,8 @@ Scheduling ask_for_real_time() noexcept {
     return pthread_setschedparam(pthread_self(), SCHED_FIFO, &wish) == 0 ? Scheduling::RealTime : Scheduling::Ordinary;
 }
 
-// For the whole process and until its end; pages are locked as they are touched, so nothing grows by it. Only where there is no limit: below one,
-// every later growth of the program would fail once it is reached.
+// For the whole process and until its end; pages are locked as they are touched, so nothing grows by it. Only where
+// there is no limit: below one, every later growth of the program would fail once it is reached.
 bool lock_memory() noexcept {
     rlimit limit{};
     if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) return false;
@@ -45,7 +45,8 @@ std::string scheduling_sentence(Scheduling scheduling) {
     return "";
 }
 
-ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s) : ServoLoop(std::move(device), clock, period_s, Links{}) {}
+ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s)
+    : ServoLoop(std::move(device), clock, period_s, Links{}) {}
 
 ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double period_s, const Links& links)
     : clock_(clock),
@@ -143,7 +144,8 @@ bool ServoLoop::step() noexcept {
     const SceneHandle scene = scene_.read();
 
     const DeviceSample sample = device_->read(start_s);
-    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s, &bodies_.read(), scene.desk, &guidance_.read());
+    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s, &bodies_.read(),
+                                            scene.desk, &guidance_.read());
     device_->write(command);
 
     // Nothing of an older scene is looked at any more.

@@ -1,6 +1,6 @@
-// Drives servo_tick: a thread with the device in its hands, paced by a Clock, and every hand-over to and from it. Nothing on the servo's side
-// waits, allocates or frees; a scene it has let go is freed by the app. Without start() the same loop is stepped by hand in virtual time,
-// and both ways give the same stream of ToolState to the bit.
+// Drives servo_tick: a thread with the device in its hands, paced by a Clock, and every hand-over to and from it.
+// Nothing on the servo's side waits, allocates or frees; a scene it has let go is freed by the app. Without start() the
+// same loop is stepped by hand in virtual time, and both ways give the same stream of ToolState to the bit.
 #pragma once
 
 #include <atomic>
@@ -35,8 +35,8 @@ public:
     // 1024 events are 3.4 s of three surfaces slid along at once, so a stalled ear loses none of a short stall.
     using EventRing = SpscRing<ContactEvent, 1024>;
 
-    // What others hold so that it outlives a device that is replaced by another while the program runs. Each outlives the loop; a ring belongs to one
-    // loop at a time. Null: the loop has its own.
+    // What others hold so that it outlives a device that is replaced by another while the program runs. Each outlives
+    // the loop; a ring belongs to one loop at a time. Null: the loop has its own.
     struct Links {
         const ServoSwitches* switches = nullptr;
         EventRing* events = nullptr;
@@ -51,8 +51,8 @@ public:
 
     const DeviceSpec& device_spec() const { return device_->spec(); }
 
-    // App thread. open() comes first; start() makes the thread. stop() takes the force away over 75 ms, closes the device and joins;
-    // more often does no harm, and the destructor does it too.
+    // App thread. open() comes first; start() makes the thread. stop() takes the force away over 75 ms, closes the
+    // device and joins; more often does no harm, and the destructor does it too.
     Result<void> open();
     void start();
     void stop();
@@ -74,7 +74,8 @@ public:
     EventRing& events() { return *events_; }
     const ToolState& tool_for_ears();
 
-    // One tick at the clock's time: the thread's body, or for the owner of virtual time. False when stop was asked for and the force is gone.
+    // One tick at the clock's time: the thread's body, or for the owner of virtual time. False when stop was asked for
+    // and the force is gone.
     bool step() noexcept;
     // Lets step() bring the force down; stop() does the same and waits.
     void ask_to_stop() { stop_asked_.store(true, std::memory_order_release); }
@@ -103,7 +104,7 @@ private:
     bool open_ = false;
     std::atomic<bool> stop_asked_{false};
 
-    std::vector<KeptScene> kept_;  // app thread only
+    std::vector<KeptScene> kept_;                      // app thread only
     std::shared_ptr<const HapticScene> world_, desk_;  // as handed over last
     std::uint64_t last_scene_ = 0;
     std::atomic<std::uint64_t> scene_in_use_{0};

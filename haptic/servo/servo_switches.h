@@ -1,6 +1,7 @@
-// What must not wait until the app next looks at its keys: the stop key and the keyboard's loss. Whoever sees them first sets them, in any
-// thread, without waiting; the servo reads them at each tick. A count instead of a flag, so that a stop pressed while the app lets an earlier one
-// go is not lost: the force stays off until the app has named the newest count (ServoTuning::stops_let_go).
+// What must not wait until the app next looks at its keys: the stop key and the keyboard's loss. Whoever sees them
+// first sets them, in any thread, without waiting; the servo reads them at each tick. A count instead of a flag, so
+// that a stop pressed while the app lets an earlier one go is not lost: the force stays off until the app has named the
+// newest count (ServoTuning::stops_let_go).
 #pragma once
 
 #include <atomic>

@@ -14,15 +14,25 @@ constexpr double kFastestHandMPerS = 5.0;  // how much farther a hand may be aft
 constexpr double kMeanPeriodPoleS = 1.0;
 constexpr double kVelocityPoleS = 1.0 / (2.0 * kPi * 50.0);
 constexpr double kRateWindowS = 1.0;
-constexpr double kZeroAfterSlowS = 0.095;  // of the 100 ms from the onset of a slow rate to zero force, less one tick of 5 ms
+constexpr double kZeroAfterSlowS =
+    0.095;  // of the 100 ms from the onset of a slow rate to zero force, less one tick of 5 ms
 constexpr double kLongestTouchStepS = 0.1;
 constexpr double kDeskBallRadiusM = 0.002;  // a felt diameter of 4 mm, as in a room
 constexpr double kDeskPressDepth = 0.15;    // of the reach: most that a push may need on a soft device
 
 double length(const Vec3& v) noexcept { return std::sqrt(glm::dot(v, v)); }
 
-// Faults after which the place of the hand has nothing to do with its place before, or the renderer's state cannot be trusted.
-bool loses_place(Fault fault) noexcept { return fault == Fault::Unplugged || fault == Fault::Jump || fault == Fault::BadSample || fault == Fault::BadForce; }
+Fault fault_of(DeviceLoss loss) noexcept {
+    return loss == DeviceLoss::MayPush    ? Fault::MayPush
+           : loss == DeviceLoss::ForceOff ? Fault::ForceOff
+                                          : Fault::Unplugged;
+}
+
+// Faults after which the place of the hand has nothing to do with its place before, or the renderer's state cannot be
+// trusted.
+bool loses_place(Fault fault) noexcept {
+    return is_gone(fault) || fault == Fault::Jump || fault == Fault::BadSample || fault == Fault::BadForce;
+}
 
 }  // namespace
 
@@ -45,10 +55,11 @@ void ServoState::raise(Fault fault, bool latched) noexcept {
         fault_latched_ = fault_latched_ || latched;
         return;
     }
-    if (fault_latched_ && fault != Fault::Unplugged) return;
+    if (fault_latched_ && !is_gone(fault)) return;
     fault_ = fault;
     fault_latched_ = latched;
-    events_.push({ContactEventKind::FaultRaised, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault});
+    events_.push(
+        {ContactEventKind::FaultRaised, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault});
     if (loses_place(fault)) {
         place_lost_ = true;
         touch_.reset_filters();
@@ -64,7 +75,7 @@ void ServoState::lose_device() noexcept {
     desk_touch_.reset_filters();
     velocity_m_per_s_ = Vec3(0.0);
     tracker_.clear(tool_.time_s, events_);
-    tool_.contacts = {};
+    tool_.touch_nothing();
     tool_.liquid = kNoFeature;
     tool_.buttons = 0;
     tool_.waiting_for_hand = true;
@@ -79,7 +90,8 @@ void ServoState::lose_device() noexcept {
 }
 
 void ServoState::clear_fault() noexcept {
-    events_.push({ContactEventKind::FaultCleared, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault_});
+    events_.push(
+        {ContactEventKind::FaultCleared, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, fault_});
     fault_ = Fault::None;
     fault_latched_ = false;
     place_lost_ = false;
@@ -92,7 +104,9 @@ bool ServoState::cause_lasts(const DeviceSample& sample) const noexcept {
 
 // A pause is told where it takes a force away, and then its end is too; while nothing is felt both go without a word.
 void ServoState::watch_pauses(const ServoTuning& tuning) noexcept {
-    const Fault pause = !tuning.focused ? Fault::FocusLost : tuning.button_to_feel && tool_.buttons == 0 ? Fault::ButtonReleased : Fault::None;
+    const Fault pause = !tuning.focused                               ? Fault::FocusLost
+                        : tuning.button_to_feel && tool_.buttons == 0 ? Fault::ButtonReleased
+                                                                      : Fault::None;
     if (pause == tool_.pause) return;
     const Fault before = tool_.pause;
     tool_.pause = pause;
@@ -133,19 +147,21 @@ void ServoState::start_over() noexcept {
     goal_known_ = false;
     velocity_m_per_s_ = Vec3(0.0);
     wanted_n_ = Vec3(0.0);
-    tool_.contacts = {};
+    tool_.touch_nothing();
     tool_.liquid = kNoFeature;
 }
 
-// A long gap. One that comes again while the force still ramps in keeps it away until a whole ramp's time has passed without any: a wall that grows
-// stiffer while it is pressed feeds the hand, and with a gap every 400 ms it would do so for ever.
+// A long gap. One that comes again while the force still ramps in keeps it away until a whole ramp's time has passed
+// without any: a wall that grows stiffer while it is pressed feeds the hand, and with a gap every 400 ms it would do so
+// for ever.
 void ServoState::lose_time() noexcept { keep_off_s_ = limiter_.gain() < 1.0 ? ForceLimiter::kRampS : 0.0; }
 
-ServoState::Answer ServoState::judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept {
+ServoState::Answer ServoState::judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale,
+                                     double dt_s) noexcept {
     since_answer_s_ += dt_s;
     if (!sample.connected) {
         // A driver that lets its device go because of heat or an error says so.
-        raise(sample.hot ? Fault::TooHot : sample.failed ? Fault::DriverError : Fault::Unplugged, true);
+        raise(sample.hot ? Fault::TooHot : sample.failed ? Fault::DriverError : fault_of(sample.loss), true);
         if (connected_) lose_device();
         connected_ = false;
         return Answer::None;
@@ -177,8 +193,10 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
 
     const double allowed_m = kJumpM + kFastestHandMPerS * std::max(0.0, period_s - 2.0 * kNominalPeriodS);
     const bool finite = is_finite(sample.position_m);
-    const Vec3 goal_m = finite ? frame.to_world(sample.position_m, scale) : Vec3(std::numeric_limits<double>::infinity());
-    const bool in_reach = std::abs(goal_m.x) <= kFarthestGoalM && std::abs(goal_m.y) <= kFarthestGoalM && std::abs(goal_m.z) <= kFarthestGoalM;
+    const Vec3 goal_m =
+        finite ? frame.to_world(sample.position_m, scale) : Vec3(std::numeric_limits<double>::infinity());
+    const bool in_reach = std::abs(goal_m.x) <= kFarthestGoalM && std::abs(goal_m.y) <= kFarthestGoalM &&
+                          std::abs(goal_m.z) <= kFarthestGoalM;
     const bool jumped = in_reach && trusts_last_ && !(length(sample.position_m - tool_.hand_m) <= allowed_m);
     if (!in_reach || jumped) {
         ++counters_.bad_samples;
@@ -223,12 +241,14 @@ void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning
     const WorkspaceMotion before = mover_.motion();
     // A hand whose place is in doubt moves nothing.
     const bool sound = fault_ == Fault::None && tool_.pause == Fault::None && !tool_.waiting_for_hand;
-    mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{}, {tool_.hand_m, tool_.buttons, length(wanted_n_), ceiling_n(tuning), &tool_.contacts},
-                scale, dt_s);
+    mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{},
+                {tool_.hand_m, tool_.buttons, length(wanted_n_), ceiling_n(tuning), &tool_.contacts}, scale, dt_s);
     tool_.hip_m = frame.to_world(tool_.hand_m, scale);
     const WorkspaceMotion now = mover_.motion();
     if (now == before) return;
-    const auto tell = [&](ContactEventKind kind) { events_.push({kind, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None}); };
+    const auto tell = [&](ContactEventKind kind) {
+        events_.push({kind, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None});
+    };
     if (before == WorkspaceMotion::Scrolled) tell(ContactEventKind::RimLeft);
     if (before == WorkspaceMotion::Grabbed) tell(ContactEventKind::LetGo);
     if (now == WorkspaceMotion::Scrolled) tell(ContactEventKind::RimPassed);
@@ -238,7 +258,8 @@ void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning
 // As the device can render it at its measured rate.
 TouchTuning ServoState::tuned(const ServoTuning& tuning) const noexcept {
     TouchTuning touch = tuning.touch;
-    const double damping = touch.override_damping_ns_per_m >= 0.0 ? touch.override_damping_ns_per_m : touch.damping_ns_per_m;
+    const double damping =
+        touch.override_damping_ns_per_m >= 0.0 ? touch.override_damping_ns_per_m : touch.damping_ns_per_m;
     const double stiffest = effective_stiffness_n_per_m(spec_, mean_period_s_, damping);
     touch.rated_stiffness_n_per_m = std::min(touch.rated_stiffness_n_per_m, stiffest);
     touch.override_stiffness_n_per_m = std::min(touch.override_stiffness_n_per_m, stiffest);
@@ -247,23 +268,29 @@ TouchTuning ServoState::tuned(const ServoTuning& tuning) const noexcept {
     return touch;
 }
 
-double ServoState::ceiling_n(const ServoTuning& tuning) const noexcept { return std::min(tuning.force_ceiling_n, spec_.peak_force_n); }
+double ServoState::ceiling_n(const ServoTuning& tuning) const noexcept {
+    return std::min(tuning.force_ceiling_n, spec_.peak_force_n);
+}
 
 // The wall towards the body, whichever side the hand is on.
-void ServoState::meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale, double dt_s) noexcept {
+void ServoState::meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale,
+                           double dt_s) noexcept {
     const bool was_at_desk = tool_.desk.open;
     if (was_at_desk) frame.origin_m += mover_.shift_m();
     const TouchTuning touch = tuned(tuning);
-    const PersonalWall wall = personal_wall_of(spec_, ceiling_n(tuning), touch.rated_stiffness_n_per_m * touch.default_stiffness_fraction);
+    const PersonalWall wall =
+        personal_wall_of(spec_, ceiling_n(tuning), touch.rated_stiffness_n_per_m * touch.default_stiffness_fraction);
     leftover_.tick(met_ ? tool_.hand_m - met_m_ : Vec3(0.0), dt_s);
     met_m_ = tool_.hand_m;
     met_ = true;
     const bool there = desk && tuning.personal_space;
     // A hand whose place is in doubt, or that moves its workspace or has just done so, meets no wall.
-    const bool whole = there && fault_ == Fault::None && !tool_.waiting_for_hand && mover_.ceiling_n() == std::numeric_limits<double>::infinity();
+    const bool whole = there && fault_ == Fault::None && !tool_.waiting_for_hand &&
+                       mover_.ceiling_n() == std::numeric_limits<double>::infinity();
     const Vec3 wall_was_n = space_.force_n();
     // What stands in the way to it gives way to a pull that is held.
-    const bool pulled = pull_through_.tick(tool_.hand_m, held_n_, spec_.workspace_radius_m, whole && !was_at_desk && tool_.pause == Fault::None, dt_s);
+    const bool pulled = pull_through_.tick(tool_.hand_m, held_n_, spec_.workspace_radius_m,
+                                           whole && !was_at_desk && tool_.pause == Fault::None, dt_s);
     const bool through = space_.tick(tool_.hand_m, wall, whole, dt_s) || pulled;
     if (!through && !(was_at_desk && !there)) return;
     // What was felt on this side besides the wall goes as the wall's own force does.
@@ -283,7 +310,7 @@ void ServoState::meet_wall(const HapticScene* desk, const ServoTuning& tuning, W
 
 void ServoState::sit_down() noexcept {
     tracker_.clear(tool_.time_s, events_);
-    tool_.contacts = {};
+    tool_.touch_nothing();
     tool_.liquid = kNoFeature;
     mover_.let_go();
     guidance_.stop();
@@ -294,7 +321,8 @@ void ServoState::sit_down() noexcept {
     press_.let_go();
     tool_.desk.open = true;
     ++tool_.desk.visits;
-    events_.push({ContactEventKind::DeskEntered, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None});
+    events_.push({ContactEventKind::DeskEntered, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0,
+                  Fault::None});
 }
 
 void ServoState::stand_up() noexcept {
@@ -302,7 +330,8 @@ void ServoState::stand_up() noexcept {
     tool_.desk.open = false;
     tool_.desk.touched = tool_.desk.held = kNoFeature;
     tool_.desk.press_n = 0.0;
-    events_.push({ContactEventKind::DeskLeft, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None});
+    events_.push(
+        {ContactEventKind::DeskLeft, tool_.time_s, kNoFeature, kDefaultMaterial, tool_.proxy_m, 0.0, 0.0, Fault::None});
 }
 
 // The desk is felt at scale 1, in the device's own frame; what the hand knows of the world stays as it is.
@@ -323,21 +352,24 @@ void ServoState::touch_desk(const HapticScene& desk, const ServoTuning& tuning, 
     at.press_n = length(result.contact_force_n);
     at.touched = result.contacts.count > 0 ? result.contacts.contacts[result.contacts.strongest].feature : kNoFeature;
     if (result.contacts.count > 0) tool_.contact_s += dt_s;
+    counters_.waits += result.contacts.waits;
     const double needed_n = std::min({DeskPress::kPressN, DeskPress::kPressShare * ceiling_n(tuning),
-                                      kDeskPressDepth * spec_.workspace_radius_m * touch.rated_stiffness_n_per_m * touch.default_stiffness_fraction});
+                                      kDeskPressDepth * spec_.workspace_radius_m * touch.rated_stiffness_n_per_m *
+                                          touch.default_stiffness_fraction});
     press_.tick(at.touched, at.press_n, (tool_.buttons & 1U) != 0 && !tuning.button_to_feel, needed_n);
     at.held = press_.held();
     at.presses = press_.presses();
 }
 
-void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s,
-                       const BodyPoses& bodies) noexcept {
+void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame,
+                       const Vec3& goal_m, double dt_s, const BodyPoses& bodies) noexcept {
     const TouchTuning touch = tuned(tuning);
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
     if (goal_known_) {
         // A hand that takes the world along does not move through it.
-        carried_m = mover_.motion() == WorkspaceMotion::Grabbed ? goal_m - goal_m_ : frame.to_world(hand_at_goal_m_, scale) - goal_m_;
+        carried_m = mover_.motion() == WorkspaceMotion::Grabbed ? goal_m - goal_m_
+                                                                : frame.to_world(hand_at_goal_m_, scale) - goal_m_;
         const Vec3 velocity = (goal_m - goal_m_) / (scale * dt_s);
         velocity_m_per_s_ += (velocity - velocity_m_per_s_) * (dt_s / (kVelocityPoleS + dt_s));
     }
@@ -356,20 +388,26 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     tool_.proxy_m = result.proxy_m;
     tool_.ball_radius_m = result.radius_m;
     tool_.contacts = result.contacts;
+    tool_.soft = result.soft;
+    tool_.soft_n = length(result.soft_force_n);
+    tool_.contact_n = length(result.contact_force_n);
     tool_.liquid = result.liquid;
     if (result.contacts.count > 0) tool_.contact_s += dt_s;
     tracker_.update(result, velocity_m_per_s_, scale, tool_.time_s, dt_s, events_);
 }
 
 // On top of what is touched. The hand is led only where force may act at all.
-void ServoState::guide(const GuidancePath& path, const WorkspaceFrame& frame, double scale, bool allowed, double dt_s) noexcept {
+void ServoState::guide(const GuidancePath& path, const WorkspaceFrame& frame, double scale, bool allowed,
+                       double dt_s) noexcept {
     wanted_n_ += frame.turn_to_device(guidance_.tick(path, tool_.hip_m, scale, spec_.peak_force_n, allowed, dt_s));
     tool_.guidance = guidance_.state();
 }
 
-ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool long_gap, double& fade_s) const noexcept {
+ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool long_gap,
+                           double& fade_s) const noexcept {
     fade_s = ForceLimiter::kFadeS;
-    if (tuning.panic || long_gap || keep_off_s_ > 0.0 || !scene_present || tool_.waiting_for_hand) return ForceFlow::Cut;
+    if (tuning.panic || long_gap || keep_off_s_ > 0.0 || !scene_present || tool_.waiting_for_hand)
+        return ForceFlow::Cut;
     if (fault_ == Fault::LateLoop) {
         fade_s = hurry_s_;
         return ForceFlow::Fade;
@@ -379,8 +417,9 @@ ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool l
     return tuning.forces_on && tool_.pause == Fault::None ? ForceFlow::Run : ForceFlow::Fade;
 }
 
-ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
-                        double now_s, const BodyFrame* bodies, const HapticScene* desk, const GuidancePath* guidance) noexcept {
+ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning,
+                        const WorkspacePose& pose, const DeviceSample& sample, double now_s, const BodyFrame* bodies,
+                        const HapticScene* desk, const GuidancePath* guidance) noexcept {
     ServoState& s = state;
     s.events_.count = 0;
     s.events_.lost = 0;
@@ -437,14 +476,12 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
             s.touch_desk(*desk, tuning, s.since_touch_s_);  // the world waits
         } else if (scene) {
             BodyPoses poses;
-            if (bodies && !scene->bodies.empty()) {
-                s.bodies_.give(*bodies, jumped);
-                poses = s.bodies_.at(*scene, s.playback_.played_s());
-            }
+            if (bodies && !scene->bodies.empty()) poses = s.bodies_.at(*bodies, *scene, s.playback_.played_s(), jumped);
             s.touch(*scene, tuning, frame, s.tool_.hip_m, s.since_touch_s_, poses);
             if (guidance && !s.guidance_.idle(*guidance)) {
                 double unused_s = 0.0;
-                s.guide(*guidance, frame, scale, s.flow(tuning, true, long_gap, unused_s) == ForceFlow::Run, s.since_touch_s_);
+                s.guide(*guidance, frame, scale, s.flow(tuning, true, long_gap, unused_s) == ForceFlow::Run,
+                        s.since_touch_s_);
             }
         } else {
             s.tool_.proxy_m = s.tool_.hip_m;

@@ -1,5 +1,6 @@
-// One millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. Plain function over plain state, the same in the
-// servo thread, in scenarios and in tests. Never allocates, locks, throws, logs or reads a clock.
+// One millisecond of the hand: sample checks, workspace map, touch, faults, ForceLimiter. Plain function over plain
+// state, the same in the servo thread, in scenarios and in tests. Never allocates, locks, throws, logs or reads a
+// clock.
 #pragma once
 
 #include <cstdint>
@@ -20,23 +21,26 @@
 namespace handrail {
 
 struct ServoTuning {
-    // touch.rated_stiffness_n_per_m is what is asked for; the servo lowers it to effective_stiffness_n_per_m at the measured rate.
-    // A change of touch.world_m_per_hand_m is met like a jump of the workspace.
+    // touch.rated_stiffness_n_per_m is what is asked for; the servo lowers it to effective_stiffness_n_per_m at the
+    // measured rate. A change of touch.world_m_per_hand_m is met like a jump of the workspace.
     TouchTuning touch;
-    double force_ceiling_n = 2.5;    // chosen by the person; the device's peak always holds too
-    bool forces_on = true;           // f key: ramps up over 1 s, fades away over 75 ms
-    bool panic = false;              // F12: zero on this very tick, until cleared
-    bool focused = true;             // the window has the keyboard; without it the force fades over 75 ms and ramps up with it
-    bool button_to_feel = false;     // dead-man mode: force only while a button of the device is held; released, it fades over 75 ms
+    double force_ceiling_n = 2.5;  // chosen by the person; the device's peak always holds too
+    bool forces_on = true;         // f key: ramps up over 1 s, fades away over 75 ms
+    bool panic = false;            // F12: zero on this very tick, until cleared
+    bool focused = true;  // the window has the keyboard; without it the force fades over 75 ms and ramps up with it
+    bool button_to_feel =
+        false;  // dead-man mode: force only while a button of the device is held; released, it fades over 75 ms
     std::uint32_t stops_let_go = 0;  // the count of ServoSwitches::stops up to which the person wants the force back
     std::uint32_t confirm = 0;       // a new number lets a latched fault go (ramp of 1 s), if its cause is gone
     WorkspaceTuning workspace;
-    bool personal_space = false;  // the wall towards the body is there, and the desk behind it; without it the tick pays one comparison
+    bool personal_space =
+        false;  // the wall towards the body is there, and the desk behind it; without it the tick pays one comparison
 };
 
 // At the desk: what the hand does there. Device frame, since the desk stands still before the person.
 struct DeskTouch {
-    bool open = false;         // the hand is at the desk; hip_m and proxy_m of ToolState then tell where in the world it comes back to
+    bool open =
+        false;  // the hand is at the desk; hip_m and proxy_m of ToolState then tell where in the world it comes back to
     std::uint32_t visits = 0;  // how often it went there
     Vec3 hip_m{0.0}, proxy_m{0.0};
     FeatureId touched = kNoFeature;  // of the desk's scene
@@ -54,17 +58,21 @@ struct ToolState {
     Vec3 force_n{0.0};        // commanded, world axes, after the limiter
     double force_gain = 0.0;  // ramp, 0 to 1
     ContactSet contacts;
+    FeatureId soft = kNoFeature;  // what gives way under the hand
+    double soft_n = 0.0;          // with that force, before any ceiling; 0: nothing does
+    double contact_n = 0.0;       // of the contacts, likewise
     FeatureId liquid = kNoFeature;
     std::uint32_t buttons = 0;
-    Vec3 gimbal_rad{0.0};          // of the grip, where the device has them
-    std::uint8_t homed_legs = 0;   // as DeviceSample has it
-    Fault fault = Fault::None;     // latched or present
-    bool fault_latched = false;    // needs a new ServoTuning::confirm
-    bool fault_lasts = false;      // its cause is still there: a confirmation would be in vain
-    Fault pause = Fault::None;     // FocusLost or ButtonReleased: why the force waits though nothing is wrong
-    double warmth = 0.0;           // of the motors by the heat budget; at 1 the force is taken away
-    bool waiting_for_hand = true;  // no force until the hand has moved by 3 mm (since the start, or since it was plugged in again)
-    double contact_s = 0.0;        // contact time since start (break hint)
+    Vec3 gimbal_rad{0.0};         // of the grip, where the device has them
+    std::uint8_t homed_legs = 0;  // as DeviceSample has it
+    Fault fault = Fault::None;    // latched or present
+    bool fault_latched = false;   // needs a new ServoTuning::confirm
+    bool fault_lasts = false;     // its cause is still there: a confirmation would be in vain
+    Fault pause = Fault::None;    // FocusLost or ButtonReleased: why the force waits though nothing is wrong
+    double warmth = 0.0;          // of the motors by the heat budget; at 1 the force is taken away
+    bool waiting_for_hand =
+        true;  // no force until the hand has moved by 3 mm (since the start, or since it was plugged in again)
+    double contact_s = 0.0;  // contact time since start (break hint)
     std::uint64_t ticks = 0;
     double rate_hz = 0.0;  // measured over the last second; 0 during the first
     std::uint32_t scene_generation = 0, scene_world = 0;
@@ -75,6 +83,18 @@ struct ToolState {
     std::uint32_t workspace_jump = 0;
     DeskTouch desk;
     GuidanceState guidance;
+
+    // Something holds the hand, or gives way under it.
+    bool touches() const noexcept { return contacts.count > 0 || soft_n > 0.0; }
+    // What pushes back hardest; kNoFeature where nothing does, or what does has no name.
+    FeatureId touched() const noexcept {
+        if (soft_n > 0.0 && (contacts.count == 0 || soft_n > contact_n)) return soft;
+        return contacts.count > 0 ? contacts.contacts[contacts.strongest].feature : kNoFeature;
+    }
+    void touch_nothing() noexcept {
+        contacts = {};
+        soft_n = contact_n = 0.0;
+    }
 };
 
 // Counted since the start.
@@ -84,6 +104,7 @@ struct ServoCounters {
     std::uint64_t held_gaps = 0;    // 5 to 25 ms without a tick or an answer: the force was held and resumed
     std::uint64_t long_gaps = 0;    // longer: zero and a ramp
     std::uint64_t lost_events = 0;
+    std::uint64_t waits = 0;  // ticks that had more to do than their budget of work (ContactSet::waits)
 };
 
 // Everything that lives from tick to tick. Allocates when created; then owned by one thread.
@@ -103,8 +124,9 @@ public:
     const ServoCounters& counters() const noexcept { return counters_; }
 
 private:
-    friend ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose,
-                                   const DeviceSample& sample, double now_s, const BodyFrame* bodies, const HapticScene* desk,
+    friend ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning,
+                                   const WorkspacePose& pose, const DeviceSample& sample, double now_s,
+                                   const BodyFrame* bodies, const HapticScene* desk,
                                    const GuidancePath* guidance) noexcept;
 
     enum class Answer { None, Bad, Good };
@@ -120,11 +142,12 @@ private:
     void lose_time() noexcept;
     void move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, double scale, double dt_s) noexcept;
     Answer judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
-    void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m, double dt_s,
-               const BodyPoses& bodies) noexcept;
+    void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m,
+               double dt_s, const BodyPoses& bodies) noexcept;
     double ceiling_n(const ServoTuning& tuning) const noexcept;
     TouchTuning tuned(const ServoTuning& tuning) const noexcept;
-    void meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale, double dt_s) noexcept;
+    void meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale,
+                   double dt_s) noexcept;
     void sit_down() noexcept;
     void stand_up() noexcept;
     void touch_desk(const HapticScene& desk, const ServoTuning& tuning, double dt_s) noexcept;
@@ -179,11 +202,14 @@ private:
     Vec3 velocity_m_per_s_{0.0};  // hand metres, world axes, one pole at 50 Hz
 };
 
-// One tick. scene: null while there is none (no contact, no force). pose: the newest that is known, the same as before is fine.
-// now_s: the tick's time, the same clock as WorkspacePose::time_s; ticks come in rising time. bodies: the newest frame that is known, the same as
-// before is fine; null: the scene's bodies stand where it has them. desk: the scene behind the wall of ServoTuning::personal_space, device frame; null: there
-// is none. guidance: the newest that is known; null or number 0: none. Numbered stages stand in the source.
-ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning, const WorkspacePose& pose, const DeviceSample& sample,
-                        double now_s, const BodyFrame* bodies = nullptr, const HapticScene* desk = nullptr, const GuidancePath* guidance = nullptr) noexcept;
+// One tick. scene: null while there is none (no contact, no force). pose: the newest that is known, the same as before
+// is fine. now_s: the tick's time, the same clock as WorkspacePose::time_s; ticks come in rising time. bodies: the
+// newest frame that is known, the same as before is fine; null: the scene's bodies stand where it has them. desk: the
+// scene behind the wall of ServoTuning::personal_space, device frame; null: there is none. guidance: the newest that is
+// known; null or number 0: none. Numbered stages stand in the source.
+ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning,
+                        const WorkspacePose& pose, const DeviceSample& sample, double now_s,
+                        const BodyFrame* bodies = nullptr, const HapticScene* desk = nullptr,
+                        const GuidancePath* guidance = nullptr) noexcept;
 
 }  // namespace handrail

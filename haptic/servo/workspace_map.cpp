@@ -15,7 +15,8 @@ constexpr double kTurn = 2.0 * kPi;
 }  // namespace
 
 void sin_cos_of_heading(double heading_rad, double& sine, double& cosine) noexcept {
-    // Quarter turns are taken off in two parts, so that the rest keeps its digits (Cody & Waite, Software Manual for the Elementary Functions).
+    // Quarter turns are taken off in two parts, so that the rest keeps its digits (Cody & Waite, Software Manual for
+    // the Elementary Functions).
     constexpr double kHalfPiHigh = 1.57079632673412561417e+00;  // the first 33 bits of pi / 2
     constexpr double kHalfPiLow = 6.07710050650619224932e-11;
     const double quarters = std::floor(heading_rad * (2.0 / kPi) + 0.5);
@@ -67,7 +68,8 @@ void PosePlayback::push(const WorkspacePose& pose) noexcept {
 }
 
 bool PosePlayback::give(const WorkspacePose& newest, double now_s) noexcept {
-    if (!is_finite(newest.origin_m) || !std::isfinite(newest.heading_rad) || !std::isfinite(newest.time_s)) return false;
+    if (!is_finite(newest.origin_m) || !std::isfinite(newest.heading_rad) || !std::isfinite(newest.time_s))
+        return false;
     if (count_ == 0 || newest.jump != pose(count_ - 1).jump) {
         count_ = 0;
         push(newest);

@@ -85,22 +85,26 @@ void WorkspaceMover::let_go() noexcept {
     at_limit_ = false;
 }
 
-Vec3 WorkspaceMover::wish_m(const WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m,
-                            double dt_s) const noexcept {
-    if (motion_ == WorkspaceMotion::Grabbed) return hand_known_ ? frame.turn_to_world(hand_m_ - hand.at_m) * world_m_per_hand_m : Vec3(0.0);
+Vec3 WorkspaceMover::wish_m(const WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand,
+                            double world_m_per_hand_m, double dt_s) const noexcept {
+    if (motion_ == WorkspaceMotion::Grabbed)
+        return hand_known_ ? frame.turn_to_world(hand_m_ - hand.at_m) * world_m_per_hand_m : Vec3(0.0);
     Vec3 speed = tuning.push_hand_m_per_s;
     if (motion_ == WorkspaceMotion::Scrolled) speed += out_m_ * (rim_.speed(distance_m_) / distance_m_);
     return along_contacts(frame.turn_to_world(speed) * (world_m_per_hand_m * dt_s), *hand.contacts);
 }
 
-void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m, double dt_s) noexcept {
+void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand,
+                          double world_m_per_hand_m, double dt_s) noexcept {
     // 1. What the hand asks for.
     const WorkspaceMotion before = motion_;
     out_m_ = hand.at_m;
-    if (tuning.rim_open_behind) out_m_.y = std::max(0.0, out_m_.y);  // the distance stays smooth there, so the force does
+    if (tuning.rim_open_behind)
+        out_m_.y = std::max(0.0, out_m_.y);  // the distance stays smooth there, so the force does
     distance_m_ = length(out_m_);
     rim_on_ = tuning.rim;
-    const double scrolls_from_m = before == WorkspaceMotion::Scrolled ? rim_.top_m + kBackPart * (rim_.past_m - rim_.top_m) : rim_.past_m;
+    const double scrolls_from_m =
+        before == WorkspaceMotion::Scrolled ? rim_.top_m + kBackPart * (rim_.past_m - rim_.top_m) : rim_.past_m;
     if (tuning.grab_key || (hand.buttons & tuning.grab_buttons) != 0) motion_ = WorkspaceMotion::Grabbed;
     else if (tuning.rim && distance_m_ >= scrolls_from_m) motion_ = WorkspaceMotion::Scrolled;
     else if (tuning.push_hand_m_per_s != Vec3(0.0)) motion_ = WorkspaceMotion::Pushed;
@@ -115,7 +119,8 @@ void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, 
         if (contact_ceiling_n_ > hand.ceiling_n) contact_ceiling_n_ = kInfinity;
     }
     if (distance_m_ <= rim_.from_m) rim_gain_ = 1.0;
-    else if (motion_ == WorkspaceMotion::Grabbed || motion_ == WorkspaceMotion::Pushed) rim_gain_ = std::max(kRimGainMoving, rim_gain_ - kRimGain_per_s * dt_s);
+    else if (motion_ == WorkspaceMotion::Grabbed || motion_ == WorkspaceMotion::Pushed)
+        rim_gain_ = std::max(kRimGainMoving, rim_gain_ - kRimGain_per_s * dt_s);
 
     // 3. The motion, once the force is gone.
     at_limit_ = false;
@@ -124,7 +129,8 @@ void WorkspaceMover::move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, 
         Vec3 step = wish;
         if (!tuning.limits_m.empty()) {
             const Vec3 at = frame.origin_m + shift_m_;
-            for (int axis = 0; axis < 3; ++axis) step[axis] = within(at[axis], wish[axis], tuning.limits_m.min_m[axis], tuning.limits_m.max_m[axis]);
+            for (int axis = 0; axis < 3; ++axis)
+                step[axis] = within(at[axis], wish[axis], tuning.limits_m.min_m[axis], tuning.limits_m.max_m[axis]);
         }
         at_limit_ = step != wish;
         shift_m_ += step;

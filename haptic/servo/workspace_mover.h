@@ -1,9 +1,10 @@
-// Moves the hand's workspace through the world by the hand itself: pressed past the rim of its reach it scrolls, with a button held the world goes
-// along with the hand, and keys push it. What is added to the walking body's pose is the shift.
-// The hand is never pushed by this. While the workspace moves, the hand feels less than kMovingForceN: a pressed workspace gives way like a slipping
-// clutch, towards where the ball rests, so that springs are only ever relaxed; and it does not move into what the ball touches. The rim is a potential
-// over the hand's place. So neither gives the hand energy. Giving way may lead over the limits, by no more than the hand pressed. Plain state, servo thread
-// only; real-time safe; arithmetic of + - x / and square root only. World metres, unless a name says hand.
+// Moves the hand's workspace through the world by the hand itself: pressed past the rim of its reach it scrolls, with a
+// button held the world goes along with the hand, and keys push it. What is added to the walking body's pose is the
+// shift. The hand is never pushed by this. While the workspace moves, the hand feels less than kMovingForceN: a pressed
+// workspace gives way like a slipping clutch, towards where the ball rests, so that springs are only ever relaxed; and
+// it does not move into what the ball touches. The rim is a potential over the hand's place. So neither gives the hand
+// energy. Giving way may lead over the limits, by no more than the hand pressed. Plain state, servo thread only;
+// real-time safe; arithmetic of + - x / and square root only. World metres, unless a name says hand.
 #pragma once
 
 #include <cstdint>
@@ -18,19 +19,21 @@ namespace handrail {
 
 // What the person has chosen and, by keys, asks for.
 struct WorkspaceTuning {
-    bool rim = false;                // press past the rim of the reach to scroll
-    bool rim_open_behind = false;    // towards the body there is no rim: something else is there. Beside that way it is a tube round it
+    bool rim = false;  // press past the rim of the reach to scroll
+    bool rim_open_behind =
+        false;  // towards the body there is no rim: something else is there. Beside that way it is a tube round it
     std::uint32_t grab_buttons = 0;  // while one of these is held the world goes along with the hand; 0: none does
     bool grab_key = false;           // as if a button were held
     Vec3 push_hand_m_per_s{0.0};     // by keys, device frame
-    Aabb limits_m;                   // the middle of the workspace leaves this no farther than it is already outside; empty: no limits
+    Aabb limits_m;  // the middle of the workspace leaves this no farther than it is already outside; empty: no limits
 };
 
 inline constexpr double kRimFrom = 0.8;  // of the reach: inside, a hand moves freely
 
 enum class WorkspaceMotion : std::uint8_t { Still, Pushed, Scrolled, Grabbed };
 
-// The rim of a device: a ridge of force inwards, then a nearly free zone in which depth is speed. Hand metres from the middle of the device.
+// The rim of a device: a ridge of force inwards, then a nearly free zone in which depth is speed. Hand metres from the
+// middle of the device.
 //
 //    force      /\        top_n
 //              /  \______ beyond_n    scrolls
@@ -62,7 +65,8 @@ public:
         const ContactSet* contacts = nullptr;
     };
     // Of a good sample, before touching: moves the workspace and lays the shift on the body's frame.
-    void move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m, double dt_s) noexcept;
+    void move(WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m,
+              double dt_s) noexcept;
     // After touching: the workspace gives way where the contacts push harder than they may while it moves.
     void give_way(const Vec3& hip_m, const Vec3& proxy_m, double contact_n) noexcept;
 
@@ -85,7 +89,8 @@ public:
     bool at_limit() const noexcept { return at_limit_; }  // wants to move farther than its limits let it
 
 private:
-    Vec3 wish_m(const WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m, double dt_s) const noexcept;
+    Vec3 wish_m(const WorkspaceFrame& frame, const WorkspaceTuning& tuning, const Hand& hand, double world_m_per_hand_m,
+                double dt_s) const noexcept;
 
     Rim rim_;
     Vec3 shift_m_{0.0};
@@ -96,7 +101,8 @@ private:
     Vec3 hand_m_{0.0};         // device frame
     Vec3 out_m_{0.0};          // of the hand from the middle of the device, or from the way towards the body
     double distance_m_ = 0.0;  // its length
-    double rim_gain_ = 1.0;    // falls when something else moves the workspace; comes back only where the rim gives no force
+    double rim_gain_ =
+        1.0;  // falls when something else moves the workspace; comes back only where the rim gives no force
     double contact_ceiling_n_ = std::numeric_limits<double>::infinity();
 };
 

@@ -1,4 +1,5 @@
-// Google Benchmark of one touch tick on small worlds and, where it is present, in a real map. Times are reported, never asserted.
+// Google Benchmark of one touch tick on small worlds and, where it is present, in a real map. Times are reported, never
+// asserted.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -35,29 +36,37 @@ void register_closest_points() {
     const auto of = [&](ObstacleKind kind) -> TouchWorld& { return worlds[static_cast<std::size_t>(kind)]; };
     const Vec3 low(-.1, -.1, -.1), high(.1, .1, .1);
     of(ObstacleKind::Triangle).triangle(low, {.1, -.1, 0}, high);
-    of(ObstacleKind::Polygon).polygon({{.1, 0, 0}, {.05, .087, 0}, {-.05, .087, 0}, {-.1, 0, 0}, {-.05, -.087, 0}, {.05, -.087, 0}});
+    of(ObstacleKind::Polygon)
+        .polygon({{.1, 0, 0}, {.05, .087, 0}, {-.05, .087, 0}, {-.1, 0, 0}, {-.05, -.087, 0}, {.05, -.087, 0}});
     of(ObstacleKind::Box).box(low, high);
     of(ObstacleKind::Brush).brush_box(low, high);
     of(ObstacleKind::Sphere).sphere({0, 0, 0}, .1);
     of(ObstacleKind::Capsule).capsule(low, high, .05);
     of(ObstacleKind::Cylinder).cylinder(low, high, .05);
     of(ObstacleKind::Cone).cone(low, high, .05);
-    constexpr const char* kNames[kOurKinds] = {"triangle", "polygon of 6", "box", "brush of 7", "sphere", "capsule", "cylinder", "cone"};
+    constexpr const char* kNames[kOurKinds] = {"triangle", "polygon of 6", "box",      "brush of 7",
+                                               "sphere",   "capsule",      "cylinder", "cone"};
     std::mt19937 random(1);
     const auto places = std::make_shared<std::vector<Vec3>>();
-    for (int i = 0; i < 1024; ++i) places->emplace_back((random() % 400) / 1e3 - .2, (random() % 400) / 1e3 - .2, (random() % 400) / 1e3 - .2);
+    for (int i = 0; i < 1024; ++i)
+        places->emplace_back((random() % 400) / 1e3 - .2, (random() % 400) / 1e3 - .2, (random() % 400) / 1e3 - .2);
     for (std::size_t kind = 0; kind < kOurKinds; ++kind)
-        benchmark::RegisterBenchmark((std::string("closest/") + kNames[kind]).c_str(), [scene = worlds[kind].scene(), places](benchmark::State& bench) {
-            std::size_t i = 0;
-            for (auto _ : bench) benchmark::DoNotOptimize(scene->closest(0, (*places)[i++ % places->size()]));
-        });
+        benchmark::RegisterBenchmark(
+            (std::string("closest/") + kNames[kind]).c_str(),
+            [scene = worlds[kind].scene(), places](benchmark::State& bench) {
+                std::size_t i = 0;
+                for (auto _ : bench) benchmark::DoNotOptimize(scene->closest(0, (*places)[i++ % places->size()]));
+            });
 }
 
-// A world as it is compiled when somebody changes to a scale: truly, and with what is too small to feel simplified; and the looking alone.
+// A world as it is compiled when somebody changes to a scale: truly, and with what is too small to feel simplified; and
+// the looking alone.
 void register_simplifying() {
     constexpr double kReach_m = 0.075, kRim = 0.8, kRounding_hand_m = 1.5e-3, kBall_hand_m = 1e-3;
     for (const char* name : {"house.map", "school.map", "quake-e1m1.map"}) {
-        const auto file = std::string_view(name).starts_with("quake") ? real_world(name) : std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name;
+        const auto file = std::string_view(name).starts_with("quake")
+                              ? real_world(name)
+                              : std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name;
         if (!file) continue;
         const Result<Scene> read = read_world(*file);
         if (!read) continue;
@@ -93,15 +102,18 @@ void register_all() {
     register_closest_points();
     register_simplifying();
     for (const TouchCase& c : hard_cases())
-        benchmark::RegisterBenchmark(("tick/" + c.name).c_str(),
-                                     [c](benchmark::State& bench) { replay_ticks(bench, *c.world.scene(), c.goals_m, c.radius_m); });
+        benchmark::RegisterBenchmark(("tick/" + c.name).c_str(), [c](benchmark::State& bench) {
+            replay_ticks(bench, *c.world.scene(), c.goals_m, c.radius_m);
+        });
     const auto path = real_world("quake-e1m1.map");
     if (!path) return;
     const Result<Scene> scene = read_world(*path);
     if (!scene || scene->starts.empty()) return;
     const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
-    const auto goals = std::make_shared<std::vector<Vec3>>(record_walk(*haptic, TouchTuning{}, scene->starts.front().feet_m + Vec3(0, 0, 1.0), 20000));
-    benchmark::RegisterBenchmark("tick/walk in quake-e1m1", [=](benchmark::State& bench) { replay_ticks(bench, *haptic, *goals, 0.005); });
+    const auto goals = std::make_shared<std::vector<Vec3>>(
+        record_walk(*haptic, TouchTuning{}, scene->starts.front().feet_m + Vec3(0, 0, 1.0), 20000));
+    benchmark::RegisterBenchmark("tick/walk in quake-e1m1",
+                                 [=](benchmark::State& bench) { replay_ticks(bench, *haptic, *goals, 0.005); });
     benchmark::RegisterBenchmark("compile/quake-e1m1", [scene](benchmark::State& bench) {
         for (auto _ : bench) benchmark::DoNotOptimize(compile_haptic(*scene, MaterialSource::KeysOnly));
     });

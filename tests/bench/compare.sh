@@ -12,8 +12,14 @@ command -v valgrind >/dev/null || { echo "valgrind is missing; install the packa
 out=$(mktemp)
 trap 'rm -f "$out"' EXIT
 for scene in "${scenes[@]}"; do
+    [ "$scene" != worst ] || continue
     for renderer in handrail penalty_sum sequential_planes active_set single_precision; do
         line=$(valgrind --tool=callgrind --callgrind-out-file="$out" --toggle-collect='*measured_ticks*' "$build/bin/handrail" bench --scene "$scene" --count "$renderer" 2>/dev/null)
         awk -F'\t' -v OFS='\t' -v total="$(awk '/^summary:/ {print $2}' "$out")" '{printf "%s\t%s\t%.0f\n", $1, $2, total / $3}' <<<"$line"
     done
 done
+# The worst places, of our own renderer alone: every tick of them.
+if [ ${#scenes[@]} -gt 1 ] || [ "${scenes[0]}" = worst ]; then for number in 0 1 2 3 4 5 6; do
+    said=$(valgrind --tool=callgrind --callgrind-out-file="$out" --toggle-collect='*measured_ticks*' "$build/bin/worst_touch" 300 "$number" count 2>/dev/null)
+    printf '%s\thandrail\t%d\n' "${said%%: mean*}" "$(($(awk '/^summary:/ {print $2}' "$out") / 300))"
+done; fi

@@ -1,5 +1,6 @@
-// One kind of effect, liquid or soft patch, and a hand that moves about in it: how much a tick costs. Under callgrind, effect_costs.sh counts
-// instructions; alone it prints nanoseconds. `effect_costs` without a name runs each kind once, shortly.
+// One kind of effect, liquid or soft patch, and a hand that moves about in it: how much a tick costs. Under callgrind,
+// effect_costs.sh counts instructions; alone it prints nanoseconds. `effect_costs` without a name runs each kind once,
+// shortly.
 #include <chrono>
 #include <iostream>
 
@@ -103,7 +104,8 @@ int run(std::string_view wanted, int ticks) {
         TouchState state;
         const auto begin = std::chrono::steady_clock::now();
         const double checksum = measured_ticks(*scene, state, goals);
-        const double ns = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() / ticks;
+        const double ns =
+            std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count() / ticks;
         std::cout << fmt::format("{:24} {:8.0f} ns a tick, checksum {}\n", kind.name, ns, checksum);
     }
     if (!any) std::cerr << "There is no such kind.\n";
@@ -113,4 +115,6 @@ int run(std::string_view wanted, int ticks) {
 }  // namespace
 }  // namespace handrail::test
 
-int main(int argc, char** argv) { return handrail::test::run(argc > 1 ? argv[1] : "", argc > 2 ? std::atoi(argv[2]) : 400); }
+int main(int argc, char** argv) {
+    return handrail::test::run(argc > 1 ? argv[1] : "", argc > 2 ? std::atoi(argv[2]) : 400);
+}

@@ -1,6 +1,8 @@
-// A hand that wanders through quake-e1m1.map at 1 m/s, 5 mm ball, no friction, every tick judged by code that shares nothing with the renderer but the
-// planes of the brushes: no crossing, no lost contact, no jump of the force that a ball rolling off an edge does not explain.
-//   long_walk [TICKS] [SEED]     20,000,000 ticks take minutes; ctest runs a short walk. Exit status 1 on the first thing that does not hold.
+// A hand that wanders through quake-e1m1.map at 1 m/s, 5 mm ball, no friction, every tick judged by code that shares
+// nothing with the renderer but the planes of the brushes: no crossing, no lost contact, no jump of the force that a
+// ball rolling off an edge does not explain.
+//   long_walk [TICKS] [SEED]     20,000,000 ticks take minutes; ctest runs a short walk. Exit status 1 on the first
+//   thing that does not hold.
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -32,7 +34,8 @@ public:
         for (int axis = 0; axis < 3; ++axis) cells_[axis] = static_cast<long>(all_.size_m()[axis] / kCell_m) + 1;
         table_.resize(static_cast<std::size_t>(cells_[0] * cells_[1] * cells_[2]));
         for (std::uint32_t s = 0; s < solids_.size(); ++s) {
-            const auto low = cell_of(solids_[s]->bounds_m.min_m - Vec3(kReach_m)), high = cell_of(solids_[s]->bounds_m.max_m + Vec3(kReach_m));
+            const auto low = cell_of(solids_[s]->bounds_m.min_m - Vec3(kReach_m)),
+                       high = cell_of(solids_[s]->bounds_m.max_m + Vec3(kReach_m));
             for (long x = low[0]; x <= high[0]; ++x)
                 for (long y = low[1]; y <= high[1]; ++y)
                     for (long z = low[2]; z <= high[2]; ++z) table_[index({x, y, z})].push_back(s);
@@ -41,8 +44,8 @@ public:
 
     static constexpr double kReach_m = 0.05;
 
-    // True when the distance to every solid is at least `least` (up to kReach_m). Of almost all solids one plane alone shows it; the rest are measured by
-    // trying every face, edge and corner in long double.
+    // True when the distance to every solid is at least `least` (up to kReach_m). Of almost all solids one plane alone
+    // shows it; the rest are measured by trying every face, edge and corner in long double.
     bool clear(const Vec3& p, double least) {
         for (const std::uint32_t s : table_[index(cell_of(p))]) {
             double out = -1e9;
@@ -53,13 +56,16 @@ public:
         }
         return true;
     }
-    bool knows(const Vec3& p) const { return glm::all(glm::greaterThan(p, all_.min_m)) && glm::all(glm::lessThan(p, all_.max_m)); }
+    bool knows(const Vec3& p) const {
+        return glm::all(glm::greaterThan(p, all_.min_m)) && glm::all(glm::lessThan(p, all_.max_m));
+    }
     // Everything near a place, for the continuous reference.
     BruteForce around(const Vec3& p) const {
         BruteForce near;
         for (const std::uint32_t s : table_[index(cell_of(p))]) {
             std::vector<Vec3> corners;
-            for (const Polygon& face : solids_[s]->faces) corners.insert(corners.end(), face.points_m.begin(), face.points_m.end());
+            for (const Polygon& face : solids_[s]->faces)
+                corners.insert(corners.end(), face.points_m.begin(), face.points_m.end());
             double out = -1e9;
             for (const Plane& plane : solids_[s]->planes) out = std::max(out, signed_distance(plane, p));
             if (out < kReach_m) near.add_solid(solids_[s]->planes, corners);
@@ -74,10 +80,13 @@ private:
     Cell cell_of(const Vec3& p) const {
         Cell cell{};
         for (int axis = 0; axis < 3; ++axis)
-            cell[static_cast<std::size_t>(axis)] = std::clamp(static_cast<long>((p[axis] - all_.min_m[axis]) / kCell_m), 0L, cells_[axis] - 1);
+            cell[static_cast<std::size_t>(axis)] =
+                std::clamp(static_cast<long>((p[axis] - all_.min_m[axis]) / kCell_m), 0L, cells_[axis] - 1);
         return cell;
     }
-    std::size_t index(const Cell& c) const { return static_cast<std::size_t>((c[0] * cells_[1] + c[1]) * cells_[2] + c[2]); }
+    std::size_t index(const Cell& c) const {
+        return static_cast<std::size_t>((c[0] * cells_[1] + c[1]) * cells_[2] + c[2]);
+    }
 
     std::vector<const ConvexSolid*> solids_;
     Aabb all_;
@@ -99,7 +108,8 @@ struct Walker {
                 const double x = 2 * unit() - 1, y = 2 * unit() - 1, z = 2 * unit() - 1;
                 direction = Vec3(x, y, z);
             } while (glm::dot(direction, direction) < 0.1 || glm::dot(direction, direction) > 1.0);
-            if (normal && random() % 4 != 0) direction -= *normal * (glm::dot(direction, *normal) + 0.3 * glm::length(direction));
+            if (normal && random() % 4 != 0)
+                direction -= *normal * (glm::dot(direction, *normal) + 0.3 * glm::length(direction));
             direction = glm::normalize(direction);
             left = 200 + static_cast<int>(1300 * unit());
             stuck = 0;
@@ -116,13 +126,15 @@ struct Findings {
     double largest_jump_n = 0.0, way_m = 0.0;
 };
 
-// A jump is explained when a ball that is drawn continuously from the same place to the same goal comes at least as near and goes as far; nine tenths of it,
-// since a ball that the speed cap stops on its way may stand beside the direct one.
+// A jump is explained when a ball that is drawn continuously from the same place to the same goal comes at least as
+// near and goes as far; nine tenths of it, since a ball that the speed cap stops on its way may stand beside the direct
+// one.
 bool explained(const Judge& judge, const Vec3& before, const Vec3& goal, const Vec3& after) {
     const BruteForce near = judge.around(before);
     ReferenceProxy reference(near, before, kRadius_m);
     const Vec3 end = reference.follow(goal);
-    return glm::length(end - before) >= 0.9 * glm::length(after - before) && glm::length(end - goal) <= glm::length(after - goal) + 1e-5;
+    return glm::length(end - before) >= 0.9 * glm::length(after - before) &&
+           glm::length(end - goal) <= glm::length(after - goal) + 1e-5;
 }
 
 int run(long ticks, std::uint32_t seed) {
@@ -142,7 +154,8 @@ int run(long ticks, std::uint32_t seed) {
     Findings found;
     const auto begun = std::chrono::steady_clock::now();
     const auto broken = [&](long tick, const std::string& what) {
-        std::cout << fmt::format("seed {}, tick {}: {} (ball {} {} {}, hand {} {} {})\n", seed, tick, what, ball.x, ball.y, ball.z, goal.x, goal.y, goal.z);
+        std::cout << fmt::format("seed {}, tick {}: {} (ball {} {} {}, hand {} {} {})\n", seed, tick, what, ball.x,
+                                 ball.y, ball.z, goal.x, goal.y, goal.z);
         return 1;
     };
     for (long i = 0; i < ticks; ++i) {
@@ -160,16 +173,19 @@ int run(long ticks, std::uint32_t seed) {
         ball = r.proxy_m;
         force = r.force_n;
         if (r.contacts.ghosted) continue;
-        // Both ends of every piece of its way are clear by a radius, and a way of less than two radii between such places leads round no wall.
+        // Both ends of every piece of its way are clear by a radius, and a way of less than two radii between such
+        // places leads round no wall.
         const ProxySolver& solver = state.solver();
         for (int k = 1; k < solver.path_size(); ++k) {
-            if (glm::length(solver.path_m(k) - solver.path_m(k - 1)) >= 2 * kRadius_m) return broken(i, "a piece of way is longer than the ball");
+            if (glm::length(solver.path_m(k) - solver.path_m(k - 1)) >= 2 * kRadius_m)
+                return broken(i, "a piece of way is longer than the ball");
             if (!judge.clear(solver.path_m(k), r.radius_m - 1e-9)) return broken(i, "the ball's way is in a solid");
         }
         if (!judge.knows(ball)) return broken(i, "the ball left the world");
         if (!judge.clear(ball, r.radius_m - 1e-9)) return broken(i, "the ball is in a solid");
         const bool pulled = glm::length(ball - goal) > 1e-9;
-        if (pulled && !r.contacts.capped && (r.contacts.count == 0 || force == Vec3(0.0))) return broken(i, "the hand is held by nothing");
+        if (pulled && !r.contacts.capped && (r.contacts.count == 0 || force == Vec3(0.0)))
+            return broken(i, "the hand is held by nothing");
         if (!pulled && !judge.clear(goal, kRadius_m - 1e-9)) return broken(i, "contact was lost");
         found.touching += r.contacts.count > 0;
         found.capped += r.contacts.capped;
@@ -179,20 +195,26 @@ int run(long ticks, std::uint32_t seed) {
         if (i % 50000 != 0 && jump_n > std::max(1.0, kStiffness_n_per_m * glm::length(goal - goal_before)) + 1e-6) {
             ++found.jumps;
             found.largest_jump_n = std::max(found.largest_jump_n, jump_n);
-            // On a tick that the speed cap cut, the ball is on its way and may stand beside the direct one by one capped step.
-            const double on_its_way_n = r.contacts.capped ? kStiffness_n_per_m * (glm::length(goal - goal_before) + tuning.slide_cap_hand_m) : 0.0;
+            // On a tick that the speed cap cut, the ball is on its way and may stand beside the direct one by one
+            // capped step.
+            const double on_its_way_n =
+                r.contacts.capped ? kStiffness_n_per_m * (glm::length(goal - goal_before) + tuning.slide_cap_hand_m)
+                                  : 0.0;
             if (jump_n > on_its_way_n && !explained(judge, ball_before, goal, ball))
                 return broken(i, fmt::format("the force jumped by {:.2f} N where no edge explains it", jump_n));
         }
-        normal = r.contacts.count > 0 ? std::optional<Vec3>(r.contacts.contacts[r.contacts.strongest].normal) : std::nullopt;
+        normal =
+            r.contacts.count > 0 ? std::optional<Vec3>(r.contacts.contacts[r.contacts.strongest].normal) : std::nullopt;
         walker.stuck = glm::length(r.slide_m) < 2.5e-5 ? walker.stuck + 1 : 0;
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     std::cout << fmt::format(
-        "seed {}: {} ticks over {} solids, {:.0f} m of hand, {:.1f} % touching, {} speed-capped; no crossing, no lost contact; {} jumps above 1 N, the largest "
+        "seed {}: {} ticks over {} solids, {:.0f} m of hand, {:.1f} % touching, {} speed-capped; no crossing, no lost "
+        "contact; {} jumps above 1 N, the largest "
         "{:.2f} N, "
         "all of them slips off an edge; {} exact distances; {:.0f} s\n",
-        seed, ticks, judge.solids(), found.way_m, 100.0 * static_cast<double>(found.touching) / static_cast<double>(ticks), found.capped, found.jumps,
+        seed, ticks, judge.solids(), found.way_m,
+        100.0 * static_cast<double>(found.touching) / static_cast<double>(ticks), found.capped, found.jumps,
         found.largest_jump_n, judge.measured(), seconds);
     return 0;
 }
@@ -201,6 +223,7 @@ int run(long ticks, std::uint32_t seed) {
 }  // namespace handrail::test
 
 int main(int argc, char** argv) {
-    const std::uint32_t seed = argc > 2 ? static_cast<std::uint32_t>(std::strtoul(argv[2], nullptr, 10)) : std::random_device{}() % 1000000U;
+    const std::uint32_t seed =
+        argc > 2 ? static_cast<std::uint32_t>(std::strtoul(argv[2], nullptr, 10)) : std::random_device{}() % 1000000U;
     return handrail::test::run(argc > 1 ? std::atol(argv[1]) : 20000000L, seed);
 }

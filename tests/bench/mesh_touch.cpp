@@ -1,6 +1,7 @@
-// A ball of 5 mm slides over spheres of radius 0.5 m made of 1e3 to 1e6 triangles, pressed 2 to 5 mm deep at 0.2 m/s: what the density of triangles
-// costs. One line per sphere: build time, memory, time per tick.  mesh_touch [TICKS [FREQUENCY [count]]]; a frequency of n gives 20 n^2 triangles.
-// Under callgrind, instructions.sh counts what measured_ticks() does; "count" leaves the timing out.
+// A ball of 5 mm slides over spheres of radius 0.5 m made of 1e3 to 1e6 triangles, pressed 2 to 5 mm deep at 0.2 m/s:
+// what the density of triangles costs. One line per sphere: build time, memory, time per tick.  mesh_touch [TICKS
+// [FREQUENCY [count]]]; a frequency of n gives 20 n^2 triangles. Under callgrind, instructions.sh counts what
+// measured_ticks() does; "count" leaves the timing out.
 #include <malloc.h>
 
 #include <algorithm>
@@ -18,7 +19,9 @@ namespace {
 
 constexpr double kSphere_m = 0.5, kBall_m = 0.005, kSpeed_m_per_s = 0.2;
 
-double now_ns() { return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+double now_ns() {
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 std::size_t heap_bytes() {
     const auto info = mallinfo2();
@@ -32,7 +35,8 @@ struct Tally {
 };
 
 // The name that callgrind is told to count from and to: nothing else is in it.
-[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals, TouchState& state) {
+[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning,
+                                       const std::vector<Vec3>& goals, TouchState& state) {
     Tally tally;
     for (const Vec3& goal : goals) {
         const TouchResult r = touch_tick(state, scene, tuning, goal, 1e-3);
@@ -45,7 +49,8 @@ struct Tally {
     return tally;
 }
 
-// The shortest of several passes for each tick, so that what other programs do to the machine is left out and what a tick needs is not.
+// The shortest of several passes for each tick, so that what other programs do to the machine is left out and what a
+// tick needs is not.
 std::vector<double> tick_times_ns(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals) {
     constexpr int kPasses = 5;
     std::vector<double> best(goals.size(), 1e18);
@@ -72,8 +77,9 @@ void run(int frequency, int ticks, bool timed) {
     }();
     const double build_ns = now_ns() - begin;
     const auto triangles = static_cast<double>(mesh.triangles.size());
-    const double beyond =
-        (static_cast<double>(heap_bytes() - before) - static_cast<double>(mesh.points_m.size() * sizeof(Vec3)) - triangles * sizeof(Corners)) / triangles;
+    const double beyond = (static_cast<double>(heap_bytes() - before) -
+                           static_cast<double>(mesh.points_m.size() * sizeof(Vec3)) - triangles * sizeof(Corners)) /
+                          triangles;
     TouchTuning tuning;
     tuning.radius_m = kBall_m;
     const std::vector<Vec3> goals = sphere_slide(kSphere_m, kBall_m, kSpeed_m_per_s, ticks);
@@ -84,12 +90,13 @@ void run(int frequency, int ticks, bool timed) {
     for (const double t : ns) sum += t;
     std::sort(ns.begin(), ns.end());
     std::cout << fmt::format(
-        "{:8} triangles  build {:5.2f} us each  {:5.1f} B each beyond the mesh  tick mean {:6.0f} ns, 99.9 % {:6.0f} ns, worst {:6.0f} ns  "
+        "{:8} triangles  build {:5.2f} us each  {:5.1f} B each beyond the mesh  tick mean {:6.0f} ns, 99.9 % {:6.0f} "
+        "ns, worst {:6.0f} ns  "
         "{:.2f} rounds, at most {}  a gathering per {:.1f} ticks  capped {} truncated {}  checksum {}\n",
-        mesh.triangles.size(), build_ns / triangles / 1e3, beyond, sum / static_cast<double>(ns.size()), ns[ns.size() * 999 / 1000], ns.back(),
-        static_cast<double>(tally.iterations) / ticks, tally.most_iterations,
-        static_cast<double>(ticks) / static_cast<double>(std::max<std::uint64_t>(1, state.solver().gatherings())), tally.capped, tally.truncated,
-        tally.checksum);
+        mesh.triangles.size(), build_ns / triangles / 1e3, beyond, sum / static_cast<double>(ns.size()),
+        ns[ns.size() * 999 / 1000], ns.back(), static_cast<double>(tally.iterations) / ticks, tally.most_iterations,
+        static_cast<double>(ticks) / static_cast<double>(std::max<std::uint64_t>(1, state.solver().gatherings())),
+        tally.capped, tally.truncated, tally.checksum);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// What it costs to say something in the person's language, and to begin to speak one. By hand: build/release/bin/phrase_cost.
+// What it costs to say something in the person's language, and to begin to speak one. By hand:
+// build/release/bin/phrase_cost.
 #include <benchmark/benchmark.h>
 
 #include <toml++/toml.h>
@@ -21,7 +22,8 @@ BENCHMARK(text_with_words);
 
 void text_with_numbers(benchmark::State& state) {
     std::int64_t percent = 0;
-    for (auto _ : state) benchmark::DoNotOptimize(phrase("learning.share", {{"walls", ++percent % 100}, {"floor", 17}}));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(phrase("learning.share", {{"walls", ++percent % 100}, {"floor", 17}}));
 }
 BENCHMARK(text_with_numbers);
 

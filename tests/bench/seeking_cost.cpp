@@ -1,11 +1,11 @@
-// What the tools that lead along the way cost in our house: to plan a way when one is wished for, and to look at each frame where on it one is.
-// By hand: build/release/bin/seeking_cost.
+// What the tools that lead along the way cost in our house: to plan a way when one is wished for, and to look at each
+// frame where on it one is. By hand: build/release/bin/seeking_cost.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 
-#include "app/core/hand_way.h"
-#include "app/core/sought_way.h"
+#include "app/core/wayfinding/hand_way.h"
+#include "app/core/wayfinding/sought_way.h"
 #include "worlds/navigation/way_place.h"
 #include "worlds/readers/reader.h"
 
@@ -20,18 +20,21 @@ constexpr const char* kThings[] = {"Coat stand", "Dining table", "Piano"};
 
 struct House {
     House()
-        : scene(std::make_shared<const Scene>(*read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map"))),
+        : scene(std::make_shared<const Scene>(
+              *read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/house.map"))),
           world(scene),
           navigation(*Navigation::make(*scene, walk_body(*scene, 0.25, 1.7, 0.2))),
           feet_m(scene->starts.front().feet_m) {}
     FeatureId thing(const char* name) const {
         const auto& all = scene->features;
-        const auto found = std::find_if(all.begin(), all.end(), [&](const Feature& feature) { return feature.name == name; });
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const Feature& feature) { return feature.name == name; });
         return FeatureId{static_cast<std::uint32_t>(found - all.begin())};
     }
     Route walk(FeatureId id) const { return walk_to_thing(*navigation, world, feet_m, scene->find(id)->bounds_m, id); }
     std::vector<Vec3> by_hand(FeatureId id) const {
-        return hand_way(walk(id), feet_m + Vec3(0.0, 0.0, kHand_m), kHand_m, world, scene->find(id)->bounds_m, id, kMostPoints);
+        return hand_way(walk(id), feet_m + Vec3(0.0, 0.0, kHand_m), kHand_m, world, scene->find(id)->bounds_m, id,
+                        kMostPoints);
     }
     std::shared_ptr<const Scene> scene;
     BodyWorld world;

@@ -1,7 +1,8 @@
-// What each way to feel a surface costs: a ball slides over a floor that is plain (with friction), without friction, with friction that weakens, damped,
-// guarded, rounded at its edges, a sheet, a sheet of one side, or textured; or over a tessellated sphere, faceted or shaded. Under callgrind,
-// instructions.sh counts what measured_ticks() does.
-//   surface_touch TICKS plain|slippery|weakening|damped|guarded|rounded|sheet|one-sided|friction|sine|square|picture|facets|shaded
+// What each way to feel a surface costs: a ball slides over a floor that is plain (with friction), without friction,
+// with friction that weakens, damped, guarded, rounded at its edges, a sheet, a sheet of one side, or textured; or over
+// a tessellated sphere, faceted or shaded. Under callgrind, instructions.sh counts what measured_ticks() does.
+//   surface_touch TICKS
+//   plain|slippery|weakening|damped|guarded|rounded|sheet|one-sided|friction|sine|square|picture|facets|shaded
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -15,7 +16,8 @@ namespace handrail::test {
 namespace {
 
 // The name that callgrind is told to count from and to: nothing else is in it.
-[[gnu::noinline]] double measured_ticks(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals, TouchState& state) {
+[[gnu::noinline]] double measured_ticks(const HapticScene& scene, const TouchTuning& tuning,
+                                        const std::vector<Vec3>& goals, TouchState& state) {
     double checksum = 0.0;
     for (const Vec3& goal : goals) checksum += touch_tick(state, scene, tuning, goal, 1e-3).force_n.x;
     return checksum;
@@ -25,7 +27,10 @@ std::shared_ptr<const HapticScene> floor_of(const std::string& kind) {
     Relief relief;
     relief.depth_hand_m = 4e-4;
     relief.friction_share = kind == "friction" ? 0.3 : 0.0;
-    relief.kind = kind == "sine" ? ReliefKind::Sine : kind == "square" ? ReliefKind::Square : kind == "picture" ? ReliefKind::Picture : ReliefKind::Level;
+    relief.kind = kind == "sine"      ? ReliefKind::Sine
+                  : kind == "square"  ? ReliefKind::Square
+                  : kind == "picture" ? ReliefKind::Picture
+                                      : ReliefKind::Level;
     std::vector<float> depths(128 * 128);
     for (std::size_t i = 0; i < depths.size(); ++i) depths[i] = static_cast<float>(i * 7919 % 101) * 0.01F;
     relief.picture = std::make_shared<const HeightField>(128, 128, depths);
@@ -66,14 +71,18 @@ int run(int ticks, const std::string& kind) {
         scene = floor_of(kind);
         tuning.passivity_guard = kind == "guarded";
         for (int i = 0; i < ticks; ++i)
-            goals.emplace_back(0.1 * std::sin(1e-3 * i), 0.1 * std::sin(7e-4 * i), std::max(0.005 - 0.003 - 5e-4 * std::sin(5e-3 * i), 0.02 - 2e-4 * i));
+            goals.emplace_back(0.1 * std::sin(1e-3 * i), 0.1 * std::sin(7e-4 * i),
+                               std::max(0.005 - 0.003 - 5e-4 * std::sin(5e-3 * i), 0.02 - 2e-4 * i));
     }
     TouchState state;
-    std::cout << kind << ": checksum " << measured_ticks(*scene, tuning, goals, state) << " over " << ticks << " ticks\n";
+    std::cout << kind << ": checksum " << measured_ticks(*scene, tuning, goals, state) << " over " << ticks
+              << " ticks\n";
     return 0;
 }
 
 }  // namespace
 }  // namespace handrail::test
 
-int main(int argc, char** argv) { return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 2000, argc > 2 ? argv[2] : "picture"); }
+int main(int argc, char** argv) {
+    return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 2000, argc > 2 ? argv[2] : "picture");
+}

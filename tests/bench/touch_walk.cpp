@@ -1,6 +1,7 @@
-// Walks and touches through quake-e1m1.map at a ball of 5 mm and scale 1. Under callgrind, instructions.sh counts the whole servo_tick (sample checks,
-// workspace, touch, events, limiter), or of touch_tick alone: as shipped (touch), with every optional feature compiled out (plain), or with all compiled
-// in, used or not (all). servo: nothing guides the hand; pull and grooves: it is pulled, or among 32 grooves.
+// Walks and touches through quake-e1m1.map at a ball of 5 mm and scale 1. Under callgrind, instructions.sh counts the
+// whole servo_tick (sample checks, workspace, touch, events, limiter), or of touch_tick alone: as shipped (touch), with
+// every optional feature compiled out (plain), or with all compiled in, used or not (all). servo: nothing guides the
+// hand; pull and grooves: it is pulled, or among 32 grooves.
 //   touch_walk [TICKS [servo|pull|grooves|touch|plain|all]]
 #include <chrono>
 #include <cstdlib>
@@ -19,11 +20,13 @@ struct Tally {
     long touching = 0, gatherings = 0, worst_iterations = 0;
 };
 
-using Tick = TouchResult(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&, double, const Vec3&, const BodyPoses&) noexcept;
+using Tick = TouchResult(TouchState&, const HapticScene&, const TouchTuning&, const Vec3&, double, const Vec3&,
+                         const BodyPoses&) noexcept;
 
 // The name that callgrind is told to count from and to: nothing else is in it.
 template <Tick tick>
-[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals, TouchState& state) {
+[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const TouchTuning& tuning,
+                                       const std::vector<Vec3>& goals, TouchState& state) {
     Tally tally;
     for (const Vec3& goal : goals) {
         const TouchResult r = tick(state, scene, tuning, goal, 1e-3, Vec3(0.0), {});
@@ -43,11 +46,13 @@ GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
     path.kind = how == "pull" ? GuidanceKind::Pull : GuidanceKind::Grooves;
     path.count = GuidancePath::kMostPoints;
     for (std::uint32_t i = 0; i < path.count; ++i)
-        path.points_m[i] = how == "pull" ? Vec3(1e6 + i, 0.0, 0.0) : goals[(i / 2 + i % 2) * (goals.size() - 1) / (path.count / 2)];
+        path.points_m[i] =
+            how == "pull" ? Vec3(1e6 + i, 0.0, 0.0) : goals[(i / 2 + i % 2) * (goals.size() - 1) / (path.count / 2)];
     return path;
 }
 
-[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const ServoTuning& tuning, const std::vector<Vec3>& goals, ServoState& state,
+[[gnu::noinline]] Tally measured_ticks(const HapticScene& scene, const ServoTuning& tuning,
+                                       const std::vector<Vec3>& goals, ServoState& state,
                                        const GuidancePath& guidance) {
     Tally tally;
     double now_s = 0.0;
@@ -55,8 +60,8 @@ GuidancePath led(const std::string& how, const std::vector<Vec3>& goals) {
     for (const Vec3& goal : goals) {
         DeviceSample sample;
         sample.position_m = goal;  // scale 1 and a workspace at the origin: the hand is where the world is
-        const ForceCommand command =
-            servo_tick(state, &scene, tuning, WorkspacePose{}, sample, now_s += 1e-3, nullptr, nullptr, state.tool().waiting_for_hand ? &none : &guidance);
+        const ForceCommand command = servo_tick(state, &scene, tuning, WorkspacePose{}, sample, now_s += 1e-3, nullptr,
+                                                nullptr, state.tool().waiting_for_hand ? &none : &guidance);
         tally.checksum += command.force_n.x;
         tally.touching += state.tool().contacts.count > 0;
         tally.worst_iterations = std::max<long>(tally.worst_iterations, state.tool().contacts.iterations);
@@ -71,6 +76,7 @@ int run(int ticks, const std::string& part) {
     const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
     TouchTuning tuning;
     tuning.damping_ns_per_m = 5.0;
+    tuning.passivity_guard = true;  // as the program has it; this damping leaves it nothing to do
     tuning.default_friction_static = tuning.default_friction_kinetic = 0.3;
     const std::vector<Vec3> goals = record_walk(*haptic, tuning, scene->starts.front().feet_m + Vec3(0, 0, 1.0), ticks);
     TouchState touch_state;
@@ -79,18 +85,23 @@ int run(int ticks, const std::string& part) {
     servo_tuning.touch = tuning;
     const GuidancePath path = led(part, goals);
     const auto begin = std::chrono::steady_clock::now();
-    const Tally tally = part == "touch"   ? measured_ticks<touch_tick>(*haptic, tuning, goals, touch_state)
-                        : part == "plain" ? measured_ticks<touch_tick_with<PlainFeatures>>(*haptic, tuning, goals, touch_state)
-                        : part == "all"   ? measured_ticks<touch_tick_with<AllFeatures>>(*haptic, tuning, goals, touch_state)
-                                          : measured_ticks(*haptic, servo_tuning, goals, servo_state, path);
+    const Tally tally =
+        part == "touch"   ? measured_ticks<touch_tick>(*haptic, tuning, goals, touch_state)
+        : part == "plain" ? measured_ticks<touch_tick_with<PlainFeatures>>(*haptic, tuning, goals, touch_state)
+        : part == "all"   ? measured_ticks<touch_tick_with<AllFeatures>>(*haptic, tuning, goals, touch_state)
+                          : measured_ticks(*haptic, servo_tuning, goals, servo_state, path);
     const double ns = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count();
-    std::cout << fmt::format("{} obstacles, {} ticks, {:.1f} % touching, {:.0f} ns per tick, at most {} rounds, ended {:.1f} m from the start, checksum {}\n",
-                             haptic->obstacles.size(), ticks, 100.0 * static_cast<double>(tally.touching) / ticks, ns / ticks, tally.worst_iterations,
-                             glm::length(goals.back() - goals.front()), tally.checksum);
+    std::cout << fmt::format(
+        "{} obstacles, {} ticks, {:.1f} % touching, {:.0f} ns per tick, at most {} rounds, ended {:.1f} m from the "
+        "start, checksum {}\n",
+        haptic->obstacles.size(), ticks, 100.0 * static_cast<double>(tally.touching) / ticks, ns / ticks,
+        tally.worst_iterations, glm::length(goals.back() - goals.front()), tally.checksum);
     return 0;
 }
 
 }  // namespace
 }  // namespace handrail::test
 
-int main(int argc, char** argv) { return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 60000, argc > 2 ? argv[2] : "servo"); }
+int main(int argc, char** argv) {
+    return handrail::test::run(argc > 1 ? std::atoi(argv[1]) : 60000, argc > 2 ? argv[2] : "servo");
+}

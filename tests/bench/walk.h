@@ -1,5 +1,6 @@
-// A hand that walks through a building and feels its way along walls, floors and things: the path that instruction counts and benchmarks are
-// taken from. The recipe below is the recording: the same scene gives the same path on every machine.
+// A hand that walks through a building and feels its way along walls, floors and things: the path that instruction
+// counts and benchmarks are taken from. The recipe below is the recording: the same scene gives the same path on every
+// machine.
 #pragma once
 
 #include <random>
@@ -8,9 +9,11 @@
 
 namespace handrail::test {
 
-// Goals at 1 kHz from `start_m`: at walking speed (1 m/s) straight on until something is met, then at 0.25 m/s and up to 3 mm deep along it, in a new
-// direction every 0.4 to 1.6 s or when the ball is stuck. Three directions of four keep to the surface, the fourth may lead away from it.
-inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning& tuning, const Vec3& start_m, int ticks, std::uint32_t seed = 1996) {
+// Goals at 1 kHz from `start_m`: at walking speed (1 m/s) straight on until something is met, then at 0.25 m/s and up
+// to 3 mm deep along it, in a new direction every 0.4 to 1.6 s or when the ball is stuck. Three directions of four keep
+// to the surface, the fourth may lead away from it.
+inline std::vector<Vec3> record_walk(const HapticScene& scene, const TouchTuning& tuning, const Vec3& start_m,
+                                     int ticks, std::uint32_t seed = 1996) {
     constexpr double kDepth_m = 3e-3, kWalk_m = 1e-3, kFeel_m = 2.5e-4, kStuck_m = 2.5e-5;  // per tick
     std::mt19937 random(seed);
     const auto unit = [&random] { return static_cast<double>(random()) / 4294967296.0; };

@@ -9,7 +9,8 @@
 
 namespace handrail::test {
 
-// quake-e1m1.map with at least one start. Nothing where it cannot be had: said aloud, with the status to exit with (77: skipped).
+// quake-e1m1.map with at least one start. Nothing where it cannot be had: said aloud, with the status to exit with (77:
+// skipped).
 inline std::optional<Scene> walked_scene(int& status) {
     const auto path = real_world("quake-e1m1.map");
     if (!path) {

@@ -62,8 +62,9 @@ void wake_home_and_rest_against_a_wall(std::unique_ptr<ByteLink> link, FalconEmu
     }
     const double all_s = clock.now_s() - begun_s;
     std::sort(took_s.begin(), took_s.end());
-    std::printf("%d exchanges, %.0f per second, half within %.2f ms, 99 of 100 within %.2f ms, %d unanswered\n", kExchanges, kExchanges / all_s,
-                took_s[kExchanges / 2] * 1e3, took_s[kExchanges * 99 / 100] * 1e3, unanswered);
+    std::printf("%d exchanges, %.0f per second, half within %.2f ms, 99 of 100 within %.2f ms, %d unanswered\n",
+                kExchanges, kExchanges / all_s, took_s[kExchanges / 2] * 1e3, took_s[kExchanges * 99 / 100] * 1e3,
+                unanswered);
     const std::lock_guard guard(lock);
     EXPECT_NEAR(falcon_to_device(falcon.grip_m).y, wall_y + 2.0 / kStiffness, 0.06e-3);
     EXPECT_LE(falcon.largest_force_n, 3.0);

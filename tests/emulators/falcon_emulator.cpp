@@ -73,7 +73,8 @@ Vec3 FalconEmulator::force_for(const std::array<int, 3>& counts, const Vec3& at)
         Vec3 step{0.0};
         step[axis] = kStep;
         const Vec3 turned = (leg_angles_at(at + step) - leg_angles_at(at - step)) / (2.0 * kStep);
-        for (int leg = 0; leg < 3; ++leg) force[axis] += turned[leg] * (-counts[static_cast<std::size_t>(leg)] / counts_per_nm);
+        for (int leg = 0; leg < 3; ++leg)
+            force[axis] += turned[leg] * (-counts[static_cast<std::size_t>(leg)] / counts_per_nm);
     }
     return force;
 }
@@ -153,7 +154,8 @@ void FalconEmulator::run() {
                             continue;
                         }
                         firmware.push_back(byte);
-                        const bool wrong = wrong_echo_at_byte >= 0 && static_cast<int>(firmware.size()) == wrong_echo_at_byte;
+                        const bool wrong =
+                            wrong_echo_at_byte >= 0 && static_cast<int>(firmware.size()) == wrong_echo_at_byte;
                         if (wrong) wrong_echo_at_byte = -1;
                         to_host_.push_back(wrong ? static_cast<std::uint8_t>(byte ^ 0x55) : byte);
                     }
@@ -250,14 +252,17 @@ void FalconEmulator::answer() {
     frame[15] = '>';
     for (std::size_t leg = 0; leg < 3; ++leg)
         for (std::size_t i = 0; i < 4; ++i)
-            frame[1 + 4 * leg + i] = static_cast<std::uint8_t>(0x41 + ((static_cast<std::uint16_t>(encoders_[leg]) >> (4 * i)) & 15));
+            frame[1 + 4 * leg + i] =
+                static_cast<std::uint8_t>(0x41 + ((static_cast<std::uint16_t>(encoders_[leg]) >> (4 * i)) & 15));
     frame[13] = static_cast<std::uint8_t>(0x41 + (buttons & 15) + (homed_legs_ << 4));
     if (every(torn_every_nth_answer)) frame.resize(8);
     if (every(late_every_nth_answer)) late_ = frame;
     else to_host_.insert(to_host_.end(), frame.begin(), frame.end());
 }
 
-bool DirectFalconLink::control(std::uint8_t request, std::uint16_t value) noexcept { return !unplugged && falcon_.control(request, value); }
+bool DirectFalconLink::control(std::uint8_t request, std::uint16_t value) noexcept {
+    return !unplugged && falcon_.control(request, value);
+}
 
 int DirectFalconLink::write(std::span<const std::uint8_t> bytes, double) noexcept {
     if (unplugged) return kLost;
@@ -271,7 +276,9 @@ int DirectFalconLink::read(std::span<std::uint8_t> room, double timeout_s) noexc
     std::size_t most = room.size();
     if (in_fragments) most = std::min<std::size_t>(most, 2 + random_() % 8);
     const bool nothing = !falcon_.has_payload() || most == 2;
-    clock_.advance_s(nothing ? std::min(std::max(timeout_s, 1e-5), falcon_.latency_ms * 1e-3) : in_fragments ? 1e-5 : 0.5e-3);
+    clock_.advance_s(nothing        ? std::min(std::max(timeout_s, 1e-5), falcon_.latency_ms * 1e-3)
+                     : in_fragments ? 1e-5
+                                    : 0.5e-3);
     return static_cast<int>(falcon_.in(room.data(), nothing ? 2 : most));
 }
 

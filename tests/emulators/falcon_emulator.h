@@ -1,6 +1,7 @@
-// A Novint Falcon as its wire shows it: serial chip, boot ROM, firmware, three encoders and three motors, with a grip that a simulated hand
-// holds. Its geometry is solved here on its own, by bisection and by differences, so that it can contradict the driver.
-// Axes of the Falcon: x right, y up, z towards the person. Not thread-safe; the umockdev bed locks around it.
+// A Novint Falcon as its wire shows it: serial chip, boot ROM, firmware, three encoders and three motors, with a grip
+// that a simulated hand holds. Its geometry is solved here on its own, by bisection and by differences, so that it can
+// contradict the driver. Axes of the Falcon: x right, y up, z towards the person. Not thread-safe; the umockdev bed
+// locks around it.
 #pragma once
 
 #include <array>
@@ -32,7 +33,8 @@ public:
     double mass_kg = 0.1;
     bool held = true;
     int frames_until_homed = 0;
-    bool homes_by_moving = false;  // instead: two legs find their zero when the grip is pulled out, the third when it is pushed in again
+    bool homes_by_moving =
+        false;  // instead: two legs find their zero when the grip is pulled out, the third when it is pushed in again
     std::uint8_t buttons = 0;
     double counts_per_nm = 10000.0;  // of its motors
 

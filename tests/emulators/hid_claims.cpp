@@ -13,7 +13,8 @@ constexpr int kExchanges = 1000;
 
 }  // namespace
 
-void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadEmulator& emulator, std::mutex& lock, const std::function<void()>& ring) {
+void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadEmulator& emulator, std::mutex& lock,
+                                 const std::function<void()>& ring) {
     ASSERT_TRUE(link);
     const SteadyClock clock;
     {
@@ -43,7 +44,8 @@ void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadE
             ASSERT_TRUE(input) << i;
             ASSERT_EQ(std::lround(input->left_trigger * 255.0), i % 256);
         }
-        std::printf("%s: %.0f pairs per second\n", bus == PadBus::Bluetooth ? "Bluetooth" : "USB", kExchanges / (clock.now_s() - begun_s));
+        std::printf("%s: %.0f pairs per second\n", bus == PadBus::Bluetooth ? "Bluetooth" : "USB",
+                    kExchanges / (clock.now_s() - begun_s));
     }
     const auto still = [&] {
         const std::lock_guard guard(lock);
@@ -57,7 +59,8 @@ void exchange_a_thousand_reports(std::unique_ptr<HidLink> link, PadBus bus, PadE
     EXPECT_EQ(emulator.good, kExchanges + 2U) << "one on opening and one on letting go";
 }
 
-void steer_with_a_space_mouse(std::unique_ptr<HidLink> link, PuckEmulator& emulator, std::mutex& lock, const std::function<void()>& ring) {
+void steer_with_a_space_mouse(std::unique_ptr<HidLink> link, PuckEmulator& emulator, std::mutex& lock,
+                              const std::function<void()>& ring) {
     ASSERT_TRUE(link);
     SpaceMouse mouse(std::move(link));
     {
@@ -69,7 +72,9 @@ void steer_with_a_space_mouse(std::unique_ptr<HidLink> link, PuckEmulator& emula
     ring();
     const SteadyClock clock;
     PuckState state;
-    for (const double end_s = clock.now_s() + 5.0; state.buttons == 0 && clock.now_s() < end_s; std::this_thread::yield()) state = mouse.poll(0.0);
+    for (const double end_s = clock.now_s() + 5.0; state.buttons == 0 && clock.now_s() < end_s;
+         std::this_thread::yield())
+        state = mouse.poll(0.0);
     EXPECT_EQ(state.move, Vec3(0.0, 1.0, 0.0));
     EXPECT_EQ(state.turn, Vec3(0.0, 0.0, 1.0));
     EXPECT_EQ(state.buttons, 1U);

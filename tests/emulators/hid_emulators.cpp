@@ -27,7 +27,8 @@ enum class ReportWay : std::uint8_t { Input = 0x81, Output = 0x91, Feature = 0xb
 // One application on the generic desktop page, its reports in bytes.
 class Descriptor {
 public:
-    explicit Descriptor(std::uint8_t usage) : bytes_{0x05, 0x01, 0x09, usage, 0xa1, 0x01, 0x06, 0x00, 0xff, 0x15, 0x00, 0x26, 0xff, 0x00, 0x75, 8} {}
+    explicit Descriptor(std::uint8_t usage)
+        : bytes_{0x05, 0x01, 0x09, usage, 0xa1, 0x01, 0x06, 0x00, 0xff, 0x15, 0x00, 0x26, 0xff, 0x00, 0x75, 8} {}
     Descriptor& report(ReportWay way, std::uint8_t number, std::uint8_t size) {
         bytes_.insert(bytes_.end(), {0x85, number, 0x95, size, 0x09, number, static_cast<std::uint8_t>(way), 0x02});
         return *this;
@@ -47,17 +48,24 @@ std::vector<std::uint8_t> PadEmulator::descriptor() const {
     Descriptor pad(5);
     if (bluetooth_) {
         pad.report(ReportWay::Input, 0x01, 9);
-        for (const ReportWay way : {ReportWay::Input, ReportWay::Output}) pad.report(way, dual_sense_ ? 0x31 : 0x11, 77);
+        for (const ReportWay way : {ReportWay::Input, ReportWay::Output})
+            pad.report(way, dual_sense_ ? 0x31 : 0x11, 77);
         pad.report(ReportWay::Feature, dual_sense_ ? 0x05 : 0x02, dual_sense_ ? 40 : 36);
     } else {
-        pad.report(ReportWay::Input, 0x01, 63).report(ReportWay::Output, dual_sense_ ? 0x02 : 0x05, dual_sense_ ? 47 : 31);
+        pad.report(ReportWay::Input, 0x01, 63)
+            .report(ReportWay::Output, dual_sense_ ? 0x02 : 0x05, dual_sense_ ? 47 : 31);
     }
     if (dual_sense_) pad.report(ReportWay::Feature, 0x20, 63);
     return pad.end();
 }
 
 std::vector<std::uint8_t> PuckEmulator::descriptor() const {
-    return Descriptor(8).report(ReportWay::Input, 1, 6).report(ReportWay::Input, 2, 6).report(ReportWay::Input, 3, 4).report(ReportWay::Output, 4, 1).end();
+    return Descriptor(8)
+        .report(ReportWay::Input, 1, 6)
+        .report(ReportWay::Input, 2, 6)
+        .report(ReportWay::Input, 3, 4)
+        .report(ReportWay::Output, 4, 1)
+        .end();
 }
 
 bool PadEmulator::take(std::span<const std::uint8_t> report) {
@@ -113,7 +121,8 @@ std::vector<std::uint8_t> PadEmulator::feature(std::uint8_t number) {
 std::vector<std::uint8_t> PadEmulator::input() const {
     std::vector<std::uint8_t> report;
     if (bluetooth_ && !full_reports) {
-        report = {0x01, sticks[0], sticks[1], sticks[2], sticks[3], keys[0], keys[1], keys[2], triggers[0], triggers[1]};
+        report = {0x01,    sticks[0], sticks[1], sticks[2],   sticks[3],
+                  keys[0], keys[1],   keys[2],   triggers[0], triggers[1]};
         return report;
     }
     if (!bluetooth_) report = {0x01};
@@ -123,7 +132,8 @@ std::vector<std::uint8_t> PadEmulator::input() const {
     if (dual_sense_) {
         report.insert(report.end(), {triggers[0], triggers[1], 0x77, keys[0], keys[1], keys[2]});
     } else {
-        report.insert(report.end(), {keys[0], keys[1], static_cast<std::uint8_t>(keys[2] | 0xa4), triggers[0], triggers[1]});  // a counter above the keys
+        report.insert(report.end(), {keys[0], keys[1], static_cast<std::uint8_t>(keys[2] | 0xa4), triggers[0],
+                                     triggers[1]});  // a counter above the keys
     }
     report.resize(bluetooth_ ? 74 : 64);
     if (bluetooth_) append_checksum(report);

@@ -1,5 +1,6 @@
-// HID devices as their reports show them: a PlayStation pad that checks what it is told and says what its fingers do, and a HidLink that
-// leads straight to a device. The pad knows its reports from its own descriptor's side, checksum included. Not thread-safe.
+// HID devices as their reports show them: a PlayStation pad that checks what it is told and says what its fingers do,
+// and a HidLink that leads straight to a device. The pad knows its reports from its own descriptor's side, checksum
+// included. Not thread-safe.
 #pragma once
 
 #include <array>
@@ -69,8 +70,8 @@ public:
     void tell(std::uint8_t number, std::array<int, 3> axes);
     void tell_all(std::array<int, 6> axes);
     void tell_buttons(std::uint32_t buttons) {
-        to_host.push_back({3, static_cast<std::uint8_t>(buttons), static_cast<std::uint8_t>(buttons >> 8), static_cast<std::uint8_t>(buttons >> 16),
-                           static_cast<std::uint8_t>(buttons >> 24)});
+        to_host.push_back({3, static_cast<std::uint8_t>(buttons), static_cast<std::uint8_t>(buttons >> 8),
+                           static_cast<std::uint8_t>(buttons >> 16), static_cast<std::uint8_t>(buttons >> 24)});
     }
     bool light = false;
 };
@@ -78,7 +79,9 @@ public:
 class DirectHidLink final : public HidLink {
 public:
     explicit DirectHidLink(HidEmulator& device) : device_(device) {}
-    bool write(std::span<const std::uint8_t> report) noexcept override { return !device_.unplugged && device_.take(report); }
+    bool write(std::span<const std::uint8_t> report) noexcept override {
+        return !device_.unplugged && device_.take(report);
+    }
     int read(std::span<std::uint8_t> room, double timeout_s) noexcept override;
     int feature(std::span<std::uint8_t> room) noexcept override;
 

@@ -40,13 +40,18 @@ bool UsbFunction::answer(const UsbSetup& setup, std::vector<std::uint8_t>& data)
     return true;
 }
 
-std::vector<std::uint8_t> FalconOnUsb::device_descriptor() const { return {18, 1, 0x00, 0x02, 0, 0, 0, 8, 0x03, 0x04, 0x48, 0xcb, 0x00, 0x04, 1, 2, 0, 1}; }
-
-std::vector<std::uint8_t> FalconOnUsb::configuration_descriptor() const {
-    return {9, 2, 32, 0, 1, 1, 0, 0x80, 45, 9, 4, 0, 0, 2, 0xff, 0xff, 0xff, 0, 7, 5, 0x81, 2, 64, 0, 0, 7, 5, 0x02, 2, 64, 0, 0};
+std::vector<std::uint8_t> FalconOnUsb::device_descriptor() const {
+    return {18, 1, 0x00, 0x02, 0, 0, 0, 8, 0x03, 0x04, 0x48, 0xcb, 0x00, 0x04, 1, 2, 0, 1};
 }
 
-bool FalconOnUsb::control(const UsbSetup& setup, std::vector<std::uint8_t>&) { return setup.type == kTypeMaker && falcon_.control(setup.request, setup.value); }
+std::vector<std::uint8_t> FalconOnUsb::configuration_descriptor() const {
+    return {9,    2, 32, 0, 1,    1, 0,  0x80, 45, 9, 4, 0,    0, 2,  0xff, 0xff,
+            0xff, 0, 7,  5, 0x81, 2, 64, 0,    0,  7, 5, 0x02, 2, 64, 0,    0};
+}
+
+bool FalconOnUsb::control(const UsbSetup& setup, std::vector<std::uint8_t>&) {
+    return setup.type == kTypeMaker && falcon_.control(setup.request, setup.value);
+}
 
 std::optional<std::vector<std::uint8_t>> FalconOnUsb::in(std::size_t room, std::chrono::milliseconds waited) {
     if (!falcon_.has_payload() && waited < std::chrono::milliseconds(falcon_.latency_ms)) return std::nullopt;
@@ -56,13 +61,16 @@ std::optional<std::vector<std::uint8_t>> FalconOnUsb::in(std::size_t room, std::
 }
 
 std::vector<std::uint8_t> HidOnUsb::device_descriptor() const {
-    return {18, 1, 0x00, 0x02, 0, 0, 0, 64, low(vendor_), high(vendor_), low(product_number_), high(product_number_), 0x00, 0x01, 1, 2, 3, 1};
+    return {
+        18,   1,    0x00, 0x02, 0, 0, 0, 64, low(vendor_), high(vendor_), low(product_number_), high(product_number_),
+        0x00, 0x01, 1,    2,    3, 1};
 }
 
 std::vector<std::uint8_t> HidOnUsb::configuration_descriptor() const {
     const auto length = static_cast<unsigned>(device_.descriptor().size());
-    return {9,       2,           41,           0, 1, 1,    0, 0xc0, 0xfa, 9, 4, 0, 0,    2, 3,  0, 0, 0, 9, 0x21, 0x11, 1, 0, 1,
-            kReport, low(length), high(length), 7, 5, 0x84, 3, 64,   0,    1, 7, 5, 0x03, 3, 64, 0, 1};
+    return {9,    2,    41,   0, 1, 1, 0,       0xc0,        0xfa,         9, 4, 0,    0, 2,  3, 0, 0, 0,
+            9,    0x21, 0x11, 1, 0, 1, kReport, low(length), high(length), 7, 5, 0x84, 3, 64, 0, 1, 7, 5,
+            0x03, 3,    64,   0, 1};
 }
 
 bool HidOnUsb::control(const UsbSetup& setup, std::vector<std::uint8_t>& data) {

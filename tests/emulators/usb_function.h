@@ -1,5 +1,5 @@
-// A device as a USB bus sees it: descriptors, control requests, packets. Two buses carry it in the tests: umockdev's usbfs (tests/umockdev) and
-// the kernel's own, through USB/IP (tests/kernel). Not thread-safe; a bus locks around it.
+// A device as a USB bus sees it: descriptors, control requests, packets. Two buses carry it in the tests: umockdev's
+// usbfs (tests/umockdev) and the kernel's own, through USB/IP (tests/kernel). Not thread-safe; a bus locks around it.
 #pragma once
 
 #include <chrono>
@@ -28,7 +28,8 @@ public:
     virtual std::vector<std::uint8_t> device_descriptor() const = 0;
     virtual std::vector<std::uint8_t> configuration_descriptor() const = 0;
     virtual std::string product() const = 0;
-    // The requests of its class or its maker. To the host: fills `data`; from the host: `data` is what came. False: refused.
+    // The requests of its class or its maker. To the host: fills `data`; from the host: `data` is what came. False:
+    // refused.
     virtual bool control(const UsbSetup& setup, std::vector<std::uint8_t>& data) = 0;
     virtual void out(std::span<const std::uint8_t> packet) = 0;
     // One packet of at most `room` bytes for a host that has waited so long; nothing: it goes on waiting.

@@ -5,7 +5,8 @@
 namespace handrail {
 namespace {
 
-// A breeze from the west that swells and dies away every two seconds. Called on the servo thread: no allocation, lock, clock or exception, and only
+// A breeze from the west that swells and dies away every two seconds. Called on the servo thread: no allocation, lock,
+// clock or exception, and only
 // + - x / and square root, so that every machine gives the same numbers.
 Vec3 breeze(const EffectPoint& point, const void* data) noexcept {
     const double strongest_n = *static_cast<const double*>(data);

@@ -23,7 +23,9 @@ TEST(Example, a_material_made_in_code_is_as_soft_and_slippery_as_it_says) {
     const auto slide = [&](double x) {
         TouchState state;
         TouchResult felt;
-        for (int i = 0; i < 300; ++i) felt = touch_tick(state, *scene, tuning, {x, 1e-4 * std::max(0, i - 100), std::max(0.001, 0.011 - 1e-4 * i)}, 1e-3);
+        for (int i = 0; i < 300; ++i)
+            felt = touch_tick(state, *scene, tuning,
+                              {x, 1e-4 * std::max(0, i - 100), std::max(0.001, 0.011 - 1e-4 * i)}, 1e-3);
         return felt;
     };
     const TouchResult snow = slide(-0.5), wall = slide(0.5);

@@ -7,8 +7,8 @@
 namespace handrail {
 namespace {
 
-// The knob at the end of a handrail: an ellipsoid with these half axes. Called on the servo thread: no allocation, lock or exception, and only + - * / and
-// square root, so that every machine gives the same numbers.
+// The knob at the end of a handrail: an ellipsoid with these half axes. Called on the servo thread: no allocation, lock
+// or exception, and only + - * / and square root, so that every machine gives the same numbers.
 struct Knob {
     Vec3 half_m{0.05, 0.03, 0.02};
 };
@@ -16,8 +16,8 @@ struct Knob {
 ClosestPoint nearest_on_knob(const Vec3& at, const void* data) noexcept {
     const Vec3& a = static_cast<const Knob*>(data)->half_m;
     const Vec3 a2 = a * a;
-    // The nearest place q has at - q along the normal q / a2, so q = at a2 / (a2 + t) for the t that puts q on the surface. Newton from below never
-    // passes it; 30 rounds are exact to rounding from anywhere outside.
+    // The nearest place q has at - q along the normal q / a2, so q = at a2 / (a2 + t) for the t that puts q on the
+    // surface. Newton from below never passes it; 30 rounds are exact to rounding from anywhere outside.
     double t = 0.0;
     for (int round = 0; round < 30; ++round) {
         const Vec3 share = a * at / (a2 + t);
@@ -102,10 +102,12 @@ TEST(Example, a_ball_goes_round_a_solid_of_ones_own_without_entering_it) {
     int touched = 0;
     for (int i = 0; i <= 2000; ++i) {
         const double angle = -0.6 * kPi + 1.2 * kPi * i / 2000.0;
-        const Vec3 ring(0.052 * std::cos(angle), 0.0, 0.022 * std::sin(angle) + 1.0);  // 3 mm into the knob for the ball
+        const Vec3 ring(0.052 * std::cos(angle), 0.0,
+                        0.022 * std::sin(angle) + 1.0);  // 3 mm into the knob for the ball
         const TouchResult felt = touch_tick(state, *scene, tuning, i == 0 ? Vec3(-0.1, 0.0, 0.9) : ring, 1e-3);
         EXPECT_GE(scene->closest(0, felt.proxy_m).distance_m, 0.005 - 1e-8);
-        for (int k = 0; k < felt.contacts.count; ++k) touched += felt.contacts.contacts[static_cast<std::size_t>(k)].feature == FeatureId{1};
+        for (int k = 0; k < felt.contacts.count; ++k)
+            touched += felt.contacts.contacts[static_cast<std::size_t>(k)].feature == FeatureId{1};
     }
     EXPECT_GT(touched, 1500);
 }

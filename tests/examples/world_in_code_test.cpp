@@ -31,7 +31,8 @@ TouchResult come_down(const HapticScene& scene, Vec3 hand_m, double to_z_m) {
 TEST(Example, a_world_made_in_code_is_touched) {
     const auto scene = small_world();
     const TouchResult floor = come_down(*scene, {-0.5, 0.0, 0.05}, 0.002);
-    EXPECT_NEAR(floor.force_n.z, 0.003 * 800.0, 1e-9);  // the ball's centre stays 5 mm above the floor, the hand is 3 mm below it
+    EXPECT_NEAR(floor.force_n.z, 0.003 * 800.0,
+                1e-9);  // the ball's centre stays 5 mm above the floor, the hand is 3 mm below it
     EXPECT_EQ(floor.contacts.contacts[0].feature, FeatureId{1});
     const TouchResult step = come_down(*scene, {0.5, 0.0, 0.2}, 0.15);
     EXPECT_NEAR(step.proxy_m.z, 0.155, 1e-12);
@@ -49,8 +50,10 @@ std::string spiral_staircase(int steps) {
         };
         const double x0 = x - 16, x1 = x + 16, y0 = y - 16, y1 = y + 16;
         map += fmt::format("{{\n\"classname\" \"func_group\"\n\"name\" \"step {}\"\n{{\n", i + 1);
-        map += face(x0, y0, 0, x0, y0 + 1, 0, x0, y0, 1) + face(x0, y0, 0, x0, y0, 1, x0 + 1, y0, 0) + face(x0, y0, 0, x0 + 1, y0, 0, x0, y0 + 1, 0);
-        map += face(x1, y1, top, x1, y1 + 1, top, x1 + 1, y1, top) + face(x1, y1, top, x1 + 1, y1, top, x1, y1, top + 1) +
+        map += face(x0, y0, 0, x0, y0 + 1, 0, x0, y0, 1) + face(x0, y0, 0, x0, y0, 1, x0 + 1, y0, 0) +
+               face(x0, y0, 0, x0 + 1, y0, 0, x0, y0 + 1, 0);
+        map += face(x1, y1, top, x1, y1 + 1, top, x1 + 1, y1, top) +
+               face(x1, y1, top, x1 + 1, y1, top, x1, y1, top + 1) +
                face(x1, y1, top, x1, y1, top + 1, x1, y1 + 1, top);
         map += "}\n}\n";
     }

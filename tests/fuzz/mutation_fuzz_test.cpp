@@ -1,16 +1,55 @@
-// Mutates small worlds, deterministically: the same seeds everywhere. The endless form is tests/fuzz/readers_fuzzer (clang).
+// Every parser takes what once failed, and its seeds mutated, deterministically: the same seeds everywhere. The endless
+// form is tests/fuzz/libfuzzer (clang).
+#include <gtest/gtest.h>
+
+#include <fstream>
 #include <random>
 
-#include "tests/support/map_text.h"
+#include "tests/fuzz/harness.h"
 #include "tests/support/scale.h"
-#include "worlds/readers/reader.h"
+#include "tests/support/temporary_folder.h"
 
-namespace handrail {
+namespace handrail::fuzz {
 namespace {
 
-using test::box_brush;
-using test::entity;
-using test::key;
+namespace fs = std::filesystem;
+
+fs::path folder_of(const Harness& harness) {
+    return fs::path(HANDRAIL_SOURCE_DIR) / "tests/fuzz/inputs" / harness.name;
+}
+
+struct Input {
+    fs::path file;
+    std::string bytes;
+};
+std::vector<Input> inputs_in(const fs::path& folder) {
+    std::vector<Input> inputs;
+    std::error_code ec;
+    for (const auto& entry : fs::directory_iterator(folder, ec))
+        inputs.push_back({entry.path(), test::content_of(entry.path())});
+    std::sort(inputs.begin(), inputs.end(), [](const Input& a, const Input& b) { return a.file < b.file; });
+    return inputs;
+}
+
+// Lines of "text" in libFuzzer's form: \xAB is a byte.
+std::vector<std::string> words_of(const fs::path& dictionary) {
+    std::vector<std::string> words;
+    std::ifstream file(dictionary);
+    for (std::string line; std::getline(file, line);) {
+        if (line.size() < 2 || line.front() != '"') continue;
+        std::string word;
+        for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+            if (line[i] == '\\') {
+                word += static_cast<char>(std::stoi(line.substr(i + 2, 2), nullptr, 16));
+                i += 3;
+            } else {
+                word += line[i];
+            }
+        }
+        words.push_back(word);
+    }
+    return words;
+}
 
 std::string mutated(const std::string& seed_text, const std::vector<std::string>& words, std::mt19937& random) {
     std::string text = seed_text;
@@ -39,61 +78,39 @@ std::string mutated(const std::string& seed_text, const std::vector<std::string>
     return text;
 }
 
-void expect_whole(const Result<Scene>& scene) {
-    if (!scene) {
-        EXPECT_FALSE(scene.error().message.empty());
-        return;
-    }
-    const Result<void> valid = validate(*scene);
-    EXPECT_TRUE(valid.has_value()) << valid.error().sentence();
+class Parser : public testing::TestWithParam<Harness> {};
+
+TEST_P(Parser, takes_its_seeds_and_what_once_failed) {
+    const std::vector<Input> seeds = inputs_in(folder_of(GetParam()) / "seeds");
+    EXPECT_FALSE(seeds.empty());
+    for (const auto& inputs : {seeds, inputs_in(folder_of(GetParam()) / "regressions")})
+        for (const Input& input : inputs) EXPECT_EQ(GetParam().fault(input.bytes), "") << input.file.string();
 }
 
-TEST(MutationFuzz, maps) {
-    const std::vector<std::string> seeds{
-        entity("worldspawn", key("message", "x") + key("building", "1"),
-               test::room_brushes(0, 0, 0, 256, 192, 96) + box_brush(64, 64, 0, 80, 80, 96, "*water1")),
-        entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 64)) +
-            entity("thing", key("cs_name", "liquid") + key("viscosity", "3") + key("friction", "0.5"), box_brush(64, 0, 0, 70, 9, 9)) +
-            entity("func_door", key("name", "d") + key("hinge", "left"), box_brush(0, 64, 0, 64, 70, 64, "\"a b\"")) +
-            entity("info_player_start", key("origin", "1 2 3") + key("angle", "90")),
-        entity("func_wall", key("shape", "capsule") + key("axis", "-x"),
-               box_brush(0, 0, 0, 64, 16, 16) + "{\npatchDef2\n{\nbase/tin\n( 3 3 0 0 0 )\n(\n( ( 0 0 0 0 0 ) ( 0 8 8 0 0 ) ( 0 16 0 0 0 ) )\n" +
-                   "( ( 8 0 4 0 0 ) ( 8 8 9 0 0 ) ( 8 16 4 0 0 ) )\n( ( 16 0 0 0 0 ) ( 16 8 8 0 0 ) ( 16 16 0 0 0 ) )\n)\n}\n}\n"),
-        "{\n{\n( 0 0 0 ) ( 0 1 0 ) ( 1 0 0 ) t [ 1 0 0 0 ] [ 0 1 0 0 ] 0 1 1 0 0 0\npatchDef2\n{\n( ( 1 ) )\n}\n}\n}\n",
-    };
-    const std::vector<std::string> words{"{",
-                                         "}",
-                                         "\"",
-                                         "( ",
-                                         " )",
-                                         "[",
-                                         "\n",
-                                         "1e308",
-                                         "-",
-                                         "nan",
-                                         "1e-320",
-                                         "//",
-                                         ";",
-                                         "\\\"",
-                                         "brushDef",
-                                         "\"classname\" \"trigger_once\"",
-                                         std::string(1, '\0')};
-    for (int round = 0; round < test::scaled(4000); ++round) {
-        SCOPED_TRACE(round);
+TEST_P(Parser, takes_its_seeds_mutated_or_says_what_is_wrong) {
+    const std::vector<Input> seeds = inputs_in(folder_of(GetParam()) / "seeds");
+    const std::vector<std::string> words = words_of(folder_of(GetParam()) / "words.dict");
+    ASSERT_FALSE(seeds.empty() || words.empty());
+    for (int round = 0; round < test::scaled(GetParam().rounds); ++round) {
         std::mt19937 random(static_cast<unsigned>(round));
-        expect_whole(read_quake_map(mutated(seeds[static_cast<std::size_t>(round) % seeds.size()], words, random), "fuzz.map"));
+        const std::string bytes = mutated(seeds[static_cast<std::size_t>(round) % seeds.size()].bytes, words, random);
+        const std::string fault = GetParam().fault(bytes);
+        ASSERT_EQ(fault, "") << "round " << round << ":\n" << bytes;
     }
 }
 
-TEST(MutationFuzz, meshes) {
-    const std::string seed = "o A\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nusemtl wood\nf 1 2 3 4\nf 1/1/1 2//2 -1\n";
-    const std::vector<std::string> words{"v ", "f ", "-1", "0", "\\\n", "1e308", "nan", "/", "#", "usemtl brick\n", "g x\n"};
-    for (int round = 0; round < test::scaled(8000); ++round) {
-        SCOPED_TRACE(round);
-        std::mt19937 random(static_cast<unsigned>(round));
-        expect_whole(read_obj(mutated(seed, words, random), "fuzz.obj"));
+INSTANTIATE_TEST_SUITE_P(Every, Parser, testing::ValuesIn(harnesses().begin(), harnesses().end()),
+                         [](const testing::TestParamInfo<Harness>& row) { return std::string(row.param.name); });
+
+// Folders of inputs that no row reads would be tested by nobody.
+TEST(Harnesses, own_every_folder_of_inputs) {
+    for (const auto& entry : fs::directory_iterator(fs::path(HANDRAIL_SOURCE_DIR) / "tests/fuzz/inputs")) {
+        const std::string name = entry.path().filename().string();
+        EXPECT_TRUE(std::any_of(harnesses().begin(), harnesses().end(), [&](const Harness& harness) {
+            return harness.name == name;
+        })) << name;
     }
 }
 
 }  // namespace
-}  // namespace handrail
+}  // namespace handrail::fuzz

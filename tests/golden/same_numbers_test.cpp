@@ -9,7 +9,8 @@ std::string output_of(const std::string& program) {
     std::FILE* pipe = ::popen(program.c_str(), "r");
     if (!pipe) return out;
     std::array<char, 4096> block;
-    for (std::size_t got = 0; (got = std::fread(block.data(), 1, block.size(), pipe)) > 0;) out.append(block.data(), got);
+    for (std::size_t got = 0; (got = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
+        out.append(block.data(), got);
     EXPECT_EQ(::pclose(pipe), 0) << program;
     return out;
 }

@@ -21,7 +21,8 @@ namespace {
 // A HID device whose transport is this program. A thread of its own answers the kernel; `lock` guards the emulator.
 class UserHid {
 public:
-    UserHid(test::HidEmulator& device, std::uint16_t product, const char* name) : device_(device), fd_(::open("/dev/uhid", O_RDWR | O_CLOEXEC)) {
+    UserHid(test::HidEmulator& device, std::uint16_t product, const char* name)
+        : device_(device), fd_(::open("/dev/uhid", O_RDWR | O_CLOEXEC)) {
         uhid_event create{};
         create.type = UHID_CREATE2;
         std::strncpy(reinterpret_cast<char*>(create.u.create2.name), name, sizeof create.u.create2.name - 1);
@@ -58,7 +59,9 @@ public:
     std::mutex lock;
 
 private:
-    bool send(const uhid_event& event) { return ::write(fd_, &event, sizeof event) == static_cast<ssize_t>(sizeof event); }
+    bool send(const uhid_event& event) {
+        return ::write(fd_, &event, sizeof event) == static_cast<ssize_t>(sizeof event);
+    }
 
     void run() {
         while (!ended_) {
@@ -90,7 +93,8 @@ private:
 TEST(KernelBluetooth, dual_sense_exchanges_a_thousand_reports_with_checksums_and_loses_none) {
     test::PadEmulator pad(true, true);
     UserHid radio(pad, 0x0ce6, "Wireless Controller");
-    test::exchange_a_thousand_reports(test::open_hid(0x054c), PadBus::Bluetooth, pad, radio.lock, [&] { radio.ring(); });
+    test::exchange_a_thousand_reports(test::open_hid(0x054c), PadBus::Bluetooth, pad, radio.lock,
+                                      [&] { radio.ring(); });
 }
 
 }  // namespace

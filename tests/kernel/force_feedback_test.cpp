@@ -72,7 +72,8 @@ private:
         while (!ended_) {
             pollfd ready{fd_, POLLIN, 0};
             input_event event{};
-            if (::poll(&ready, 1, 20) <= 0 || ::read(fd_, &event, sizeof event) != static_cast<ssize_t>(sizeof event)) continue;
+            if (::poll(&ready, 1, 20) <= 0 || ::read(fd_, &event, sizeof event) != static_cast<ssize_t>(sizeof event))
+                continue;
             const std::lock_guard guard(lock);
             if (event.type == EV_UINPUT && event.code == UI_FF_UPLOAD) {
                 uinput_ff_upload upload{};

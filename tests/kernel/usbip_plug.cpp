@@ -122,7 +122,8 @@ void UsbIpPlug::submitted(std::span<const std::uint32_t, 12> header) {
 
 void UsbIpPlug::unlinked(std::span<const std::uint32_t, 12> header) {
     const std::uint32_t victim = ntohl(header[5]);
-    const auto at = std::find_if(waiting_.begin(), waiting_.end(), [&](const Waiting& waiting) { return waiting.number == victim; });
+    const auto at = std::find_if(waiting_.begin(), waiting_.end(),
+                                 [&](const Waiting& waiting) { return waiting.number == victim; });
     const int status = at == waiting_.end() ? 0 : -ECONNRESET;
     if (at != waiting_.end()) waiting_.erase(at);
     std::array<std::uint32_t, 12> told{kUnlinked, ntohl(header[1])};
@@ -136,8 +137,9 @@ void UsbIpPlug::serve_waiting() {
         std::optional<std::vector<std::uint8_t>> packet;
         {
             const std::lock_guard guard(lock);
-            packet = function_.in(std::min<std::uint32_t>(first.room, 64),
-                                  std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - first.since));
+            packet = function_.in(
+                std::min<std::uint32_t>(first.room, 64),
+                std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - first.since));
         }
         if (!packet) return;
         answer(first.number, 0, packet->size(), *packet);

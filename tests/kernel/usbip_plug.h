@@ -1,6 +1,6 @@
-// Plugs a USB device made of bytes into the running kernel: vhci-hcd is a host controller whose cable is a socket, on which this answers every
-// transfer. Needs root and the module vhci-hcd. Has a thread of its own; `lock` guards the emulator.
-// Source: the USB/IP protocol, Documentation/usb/usbip_protocol.rst of Linux.
+// Plugs a USB device made of bytes into the running kernel: vhci-hcd is a host controller whose cable is a socket, on
+// which this answers every transfer. Needs root and the module vhci-hcd. Has a thread of its own; `lock` guards the
+// emulator. Source: the USB/IP protocol, Documentation/usb/usbip_protocol.rst of Linux.
 #pragma once
 
 #include <atomic>

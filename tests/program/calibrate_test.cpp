@@ -32,19 +32,20 @@ protected:
 };
 
 constexpr const char* kSimulatedHand =
-    "left\n\n"                                                          // both ears
-    "hand-back 15\nhand-forward 30\nhand-left 12\n"                     // pulled, pushed, left hand
-    "wait 12\nbutton\n"                                                 // pressed until it is felt
-    "up\nhand-back 20\nhand-forward 20\nwait 1\n\n"                     // the wall at normal force
+    "left\n\n"                                                            // both ears
+    "hand-back 15\nhand-forward 30\nhand-left 12\n"                       // pulled, pushed, left hand
+    "wait 12\nbutton\n"                                                   // pressed until it is felt
+    "up\nhand-back 20\nhand-forward 20\nwait 1\n\n"                       // the wall at normal force
     "hand-right 30\nhand-left 30\nhand-forward 30\nhand-back 30\n\n\n\n"  // reach, scale, rim
     "65\n";
 
 TEST_F(CalibrateProgram, runs_from_start_to_end_with_a_simulated_touch) {
     const ProgramRun done = run({"calibrate", "--no-window", "--device", "sim-t"}, kSimulatedHand);
     EXPECT_EQ(done.exit_status, 0) << done.err;
-    expect_in_order(done.out, {"bell on your left", "The simulated Touch is ready.", "Take the grip in your hand", "Good.", "Push it in", "Good.", "Left hand.",
-                               "I will press against your hand", "Felt at", "Now a wall", "Normal, 2.5 newtons.", "more than 2.5 newtons", "Your hand reaches",
-                               "Your step is", "65 centimetres", "You are set up."});
+    expect_in_order(done.out, {"bell on your left", "The simulated Touch is ready.", "Take the grip in your hand",
+                               "Good.", "Push it in", "Good.", "Left hand.", "I will press against your hand",
+                               "Felt at", "Now a wall", "Normal, 2.5 newtons.", "more than 2.5 newtons",
+                               "Your hand reaches", "Your step is", "65 centimetres", "You are set up."});
     const std::string stored = settings();
     EXPECT_THAT(stored, HasSubstr("profile.sim-t.ceiling_n = 2.5 newtons (0.5 to 40), from: your settings file"));
     EXPECT_THAT(stored, HasSubstr("profile.sim-t.hand = \"left\""));
@@ -56,8 +57,9 @@ TEST_F(CalibrateProgram, runs_from_start_to_end_with_a_simulated_touch) {
 TEST_F(CalibrateProgram, without_a_device_says_so_and_does_the_rest) {
     const ProgramRun done = run({"calibrate", "--no-window"}, "right\nleft\n\nrepeat\n0.8\n");
     EXPECT_EQ(done.exit_status, 0) << done.err;
-    expect_in_order(done.out, {"bell on your left", "Swapped", "And now on your right", "No touch device. Everything works with keyboard and sound",
-                               "Your step is 70", "Your step is 70", "80 centimetres", "You are set up."});
+    expect_in_order(done.out, {"bell on your left", "Swapped", "And now on your right",
+                               "No touch device. Everything works with keyboard and sound", "Your step is 70",
+                               "Your step is 70", "80 centimetres", "You are set up."});
     EXPECT_THAT(done.out, Not(HasSubstr("Take the grip")));
     EXPECT_THAT(settings(), HasSubstr("sound.swap_sides = true"));
     EXPECT_THAT(settings(), HasSubstr("walk.step_length_m = 0.8"));
@@ -65,9 +67,11 @@ TEST_F(CalibrateProgram, without_a_device_says_so_and_does_the_rest) {
 
 TEST_F(CalibrateProgram, does_parts_alone_keeps_what_was_set_before_and_saves_what_an_early_end_leaves) {
     ASSERT_EQ(run({"calibrate", "--no-window", "--only", "step"}, "55\n").exit_status, 0);
-    const ProgramRun parts = run({"calibrate", "--no-window", "--device", "sim-t", "--only", "hand,strongest"}, "left\n");
+    const ProgramRun parts =
+        run({"calibrate", "--no-window", "--device", "sim-t", "--only", "hand,strongest"}, "left\n");
     EXPECT_EQ(parts.exit_status, 0) << parts.err;
-    expect_in_order(parts.out, {"Which hand holds it", "Left hand.", "Now a wall", "Leaving. What you have set is kept."});
+    expect_in_order(parts.out,
+                    {"Which hand holds it", "Left hand.", "Now a wall", "Leaving. What you have set is kept."});
     EXPECT_THAT(settings(), HasSubstr("profile.sim-t.hand = \"left\""));
     EXPECT_THAT(settings(), Not(HasSubstr("profile.sim-t.ceiling_n")));
     EXPECT_THAT(settings(), HasSubstr("walk.step_length_m = 0.55"));
@@ -77,9 +81,11 @@ TEST_F(CalibrateProgram, does_parts_alone_keeps_what_was_set_before_and_saves_wh
 }
 
 TEST_F(CalibrateProgram, the_same_wizard_runs_inside_the_program_and_gives_the_world_back) {
-    const ProgramRun done = run({"--no-window", "--device", "sim-t"}, "calibrate\n" + std::string(kSimulatedHand) + "where\nquit\n");
+    const ProgramRun done =
+        run({"--no-window", "--device", "sim-t"}, "calibrate\n" + std::string(kSimulatedHand) + "where\nquit\n");
     EXPECT_EQ(done.exit_status, 0) << done.err;
-    expect_in_order(done.out, {"First room.", "bell on your left", "The simulated Touch is ready.", "Felt at", "You are set up.", "Back in", "facing north"});
+    expect_in_order(done.out, {"First room.", "bell on your left", "The simulated Touch is ready.", "Felt at",
+                               "You are set up.", "Back in", "facing north"});
     EXPECT_THAT(settings(), HasSubstr("profile.sim-t.ceiling_n = 2.5"));
 }
 

@@ -1,4 +1,5 @@
-// Choosing devices that are not there, or whose maker's library is missing, lacking or playing: the program always goes on or says why not.
+// Choosing devices that are not there, or whose maker's library is missing, lacking or playing: the program always goes
+// on or says why not.
 #include <nlohmann/json.hpp>
 
 #include "tests/support/run_program.h"

@@ -16,7 +16,9 @@ ProgramRun explore(std::vector<std::string> arguments, const std::string& input,
 }
 
 TEST(Explore, without_anything_says_what_is_missing_where_one_is_and_ends_well) {
-    const ProgramRun run = explore({}, "");
+    ProgramCall call;
+    call.voice = true;  // nothing is set, as on anybody's machine
+    const ProgramRun run = explore({}, "", call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
     EXPECT_THAT(run.out, HasSubstr("say: "));
     EXPECT_THAT(run.out, HasSubstr("There is no display"));
@@ -34,7 +36,8 @@ TEST(Explore, a_real_map_is_entered_too) {
 }
 
 TEST(Explore, commands_from_standard_input_are_carried_out_in_order) {
-    const ProgramRun run = explore({"--no-window", "--device", "none"}, "forward 5\nwhere\nright 2\nheading\nwheer\nquit\nforward\n");
+    const ProgramRun run =
+        explore({"--no-window", "--device", "none"}, "forward 5\nwhere\nright 2\nheading\nwheer\nquit\nforward\n");
     EXPECT_EQ(run.exit_status, 0) << run.err;
     const std::size_t wall = run.out.find("North wall, plaster");
     const std::size_t where = run.out.find("Ahead: north wall, plaster, close by");
@@ -76,6 +79,34 @@ TEST(Explore, an_unknown_device_names_the_nearest) {
     const ProgramRun run = explore({"--no-window", "--device", "sim-x"}, "");
     EXPECT_NE(run.exit_status, 0);
     EXPECT_THAT(run.err, HasSubstr("sim-"));
+}
+
+TEST(Explore, after_a_kill_the_next_start_says_so_goes_on_at_the_last_place_and_has_the_settings) {
+    char folder[] = "/tmp/handrail-test-killed-XXXXXX";
+    ASSERT_TRUE(::mkdtemp(folder));
+    ProgramCall call;
+    call.environment["XDG_CONFIG_HOME"] = call.environment["XDG_STATE_HOME"] = folder;
+    ProgramCall killed = call;
+    killed.close_input = false;
+    killed.signal_when_said = SIGKILL;
+    killed.signal_after = "Facing east";
+    // More than 5 s of walking between what is changed and the kill: the settings are saved after 2, the place every 3.
+    const ProgramRun first =
+        explore({"--no-window"}, "frame\nforward 3\nback 3\nforward 3\nback 3\nright 4\nheading\n", killed);
+    EXPECT_EQ(first.exit_status, 128 + SIGKILL) << first.out;
+    const ProgramRun settings = explore({"settings", "--explain"}, "", call);
+    EXPECT_THAT(settings.out, HasSubstr("walk"));
+    const ProgramRun second = explore({"--no-window"}, "last-place\nquit\n", call);
+    EXPECT_EQ(second.exit_status, 0) << second.err;
+    EXPECT_THAT(
+        second.out,
+        HasSubstr(
+            "The last session broke off without being left. To go on where you were in First room, type last-place."));
+    EXPECT_THAT(second.out, HasSubstr("Where you were. "));
+    const ProgramRun third = explore({"--no-window"}, "last-place\nquit\n", call);
+    EXPECT_THAT(third.out, testing::Not(HasSubstr("The last session broke off")));
+    EXPECT_THAT(third.out, HasSubstr("No session broke off"));
+    std::filesystem::remove_all(folder);
 }
 
 TEST(Explore, settings_changed_by_a_command_are_saved_at_the_end) {

@@ -1,5 +1,9 @@
-// The one device that no bus shows: `handrail devices` asks the service of its maker, here a stand-in at the service's own port.
+// The one device that no bus shows: `handrail devices` asks the service of its maker, here a stand-in at the service's
+// own port.
 #include "haptic/drivers/haply_device.h"
+
+#include <nlohmann/json.hpp>
+
 #include "tests/emulators/haply_service.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/run_program.h"

@@ -1,4 +1,5 @@
-// `./run kernel-tests` where what it needs cannot be had: one sentence and the status of a skipped test, never a pass or a failure.
+// `./run kernel-tests` where what it needs cannot be had: one sentence and the status of a skipped test, never a pass
+// or a failure.
 #include "tests/support/precompiled.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
@@ -14,10 +15,12 @@ ProgramRun run_with(const TemporaryFolder& folder, std::initializer_list<const c
     fs::create_directories(bin);
     for (const char* program : programs)
         for (const char* from : {"/usr/bin", "/bin"})
-            if (fs::exists(fs::path(from) / program) && !fs::exists(bin / program)) fs::create_symlink(fs::path(from) / program, bin / program);
+            if (fs::exists(fs::path(from) / program) && !fs::exists(bin / program))
+                fs::create_symlink(fs::path(from) / program, bin / program);
     ProgramCall call;
     call.program = "/bin/bash";
-    call.arguments = {HANDRAIL_SOURCE_DIR "/tests/kernel/in_qemu.sh", (folder.path() / "kernel").string(), HANDRAIL_PROGRAM};
+    call.arguments = {HANDRAIL_SOURCE_DIR "/tests/kernel/in_qemu.sh", (folder.path() / "kernel").string(),
+                      HANDRAIL_PROGRAM};
     call.environment["PATH"] = bin.string();
     return run_program(call);
 }
@@ -33,7 +36,8 @@ TEST(KernelTests, are_skipped_in_words_where_the_machine_lacks_qemu) {
 TEST(KernelTests, are_skipped_in_words_where_no_kernel_can_be_fetched) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "bin");
-    // Stand-ins: what is asked of them here is only that they are there. A shell script is no dynamic program, as a static busybox is none.
+    // Stand-ins: what is asked of them here is only that they are there. A shell script is no dynamic program, as a
+    // static busybox is none.
     for (const char* name : {"qemu-system-x86_64", "busybox"}) {
         std::ofstream(folder.path() / "bin" / name) << "#!/bin/bash\n";
         fs::permissions(folder.path() / "bin" / name, fs::perms::owner_all);

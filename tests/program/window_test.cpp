@@ -11,11 +11,14 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-bool has_program(const char* name) { return std::system(fmt::format("command -v {} >/dev/null 2>&1", name).c_str()) == 0; }
+bool has_program(const char* name) {
+    return std::system(fmt::format("command -v {} >/dev/null 2>&1", name).c_str()) == 0;
+}
 
 // What a person at the window does, as a shell script: $1 is the program, $2 a folder for its output and pictures.
 constexpr const char* kScript = R"(
-said() { i=0; until grep -q "$1" "$out/said"; do i=$((i+1)); [ $i -gt 600 ] && { echo "never said: $1"; kill $pid; exit 9; }; sleep 0.1; done; }
+said() { i=0; until grep -q "$1" "$out/said"; do
+    i=$((i+1)); [ $i -gt 600 ] && { echo "never said: $1"; kill $pid; exit 9; }; sleep 0.1; done; }
 out=$2
 "$1" >"$out/said" 2>"$out/errors" &
 pid=$!
@@ -42,7 +45,9 @@ wait $pid
 // The share of pixels that differ clearly between two pictures, by ImageMagick.
 double difference(const fs::path& a, const fs::path& b) {
     const fs::path result = a.parent_path() / "difference";
-    (void)!std::system(fmt::format("compare -fuzz 10% -metric AE '{}' '{}' null: 2>'{}'", a.string(), b.string(), result.string()).c_str());
+    (void)!std::system(
+        fmt::format("compare -fuzz 10% -metric AE '{}' '{}' null: 2>'{}'", a.string(), b.string(), result.string())
+            .c_str());
     double pixels = -1.0;
     std::ifstream(result) >> pixels;
     return pixels / (1024.0 * 768.0);
@@ -56,9 +61,16 @@ TEST(WindowOfTheProgram, takes_keys_speaks_and_shows_first_person_wall_and_plan)
     std::ofstream(script) << kScript;
     ProgramCall call;
     call.program = "/usr/bin/xvfb-run";
-    call.arguments = {"-a", "-s", "-screen 0 1024x768x24", "sh", script.string(), std::string(HANDRAIL_PROGRAM), folder.path().string()};
+    call.arguments = {"-a",
+                      "-s",
+                      "-screen 0 1024x768x24",
+                      "sh",
+                      script.string(),
+                      std::string(HANDRAIL_PROGRAM),
+                      folder.path().string()};
     call.environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
-    call.environment["ASAN_OPTIONS"] = "detect_leaks=0";  // Mesa's own leaks; its driver is gone before they could be suppressed by name
+    call.environment["ASAN_OPTIONS"] =
+        "detect_leaks=0";  // Mesa's own leaks; its driver is gone before they could be suppressed by name
     call.allowed_s = 280.0;
     const ProgramRun run = run_program(call);
     std::ifstream said_file(folder.path() / "said");

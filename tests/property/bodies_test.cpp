@@ -1,4 +1,5 @@
-// Things that move, turn, grow, appear and vanish while they are touched. The judge is the brute-force one, in the body's own frame.
+// Things that move, turn, grow, appear and vanish while they are touched. The judge is the brute-force one, in the
+// body's own frame.
 #include <algorithm>
 
 #include "tests/property/replay.h"
@@ -50,8 +51,9 @@ Rotation random_rotation(std::mt19937& random) {
     return normalized({normal(random), normal(random), normal(random), normal(random)});
 }
 
-// T18: a still hand is found by all six faces of a box, as a box and as a mesh, however it stands, at three speeds: nothing gets behind the ball's
-// skin, contact begins on the tick the box arrives, the ball goes exactly as the face goes, and the force stands on the face.
+// T18: a still hand is found by all six faces of a box, as a box and as a mesh, however it stands, at three speeds:
+// nothing gets behind the ball's skin, contact begins on the tick the box arrives, the ball goes exactly as the face
+// goes, and the force stands on the face.
 TEST(Bodies, a_box_that_comes_to_a_still_hand_is_felt_on_every_face) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
@@ -59,7 +61,8 @@ TEST(Bodies, a_box_that_comes_to_a_still_hand_is_felt_on_every_face) {
         for (const double speed : {0.05, 0.3, 0.5, 2.0})
             for (int face = 0; face < 6; ++face)
                 for (const bool turned : {false, true}) {
-                    SCOPED_TRACE(fmt::format("seed {}, mesh {}, {} m/s, face {}, turned {}", seed, mesh, speed, face, turned));
+                    SCOPED_TRACE(
+                        fmt::format("seed {}, mesh {}, {} m/s, face {}, turned {}", seed, mesh, speed, face, turned));
                     const Vec3 half(0.25);
                     const TouchWorld world = box_world(half, mesh);
                     const BruteForce judge = world.judge();
@@ -124,8 +127,8 @@ TEST(Bodies, a_turning_plate_never_passes_the_ball) {
     }
 }
 
-// T19: two walls close on the ball to a fifth of a millimetre and open again: the ball is half the gap, exactly in the middle, and never moves faster
-// than the walls.
+// T19: two walls close on the ball to a fifth of a millimetre and open again: the ball is half the gap, exactly in the
+// middle, and never moves faster than the walls.
 TEST(Bodies, two_walls_that_close_leave_the_ball_in_the_middle) {
     for (const bool one_still : {false, true}) {
         HapticSceneBuilder builder;
@@ -159,7 +162,8 @@ TEST(Bodies, two_walls_that_close_leave_the_ball_in_the_middle) {
     }
 }
 
-// T20: a floor that appears 3 mm over the ball's underside pushes it up gently; a thing that appears around the hand is not felt until the hand has left it.
+// T20: a floor that appears 3 mm over the ball's underside pushes it up gently; a thing that appears around the hand is
+// not felt until the hand has left it.
 TEST(Bodies, a_thing_that_appears_over_the_hand_comes_gently) {
     HapticSceneBuilder builder;
     builder.add_body(FeatureId{1}, box_shape({1, 1, 1}), {Vec3(0, 0, -0.998), {}, 1.0}, false);
@@ -198,22 +202,26 @@ TEST(Bodies, whoever_starts_inside_feels_nothing_until_out) {
     EXPECT_NEAR(rig.last.proxy_m.z, 0.105, 1e-9);
 }
 
-// One thousand times something appears or vanishes under the hand at random: never more than 0.02 N a tick on appearing, nothing left 10 ms after
-// vanishing.
+// One thousand times something appears or vanishes under the hand at random: never more than 0.02 N a tick on
+// appearing, nothing left 10 ms after vanishing.
 TEST(Bodies, a_thousand_things_that_come_and_go_never_knock) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
-    const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
     for (int round = 0; round < scaled(1000); ++round) {
         SCOPED_TRACE(fmt::format("seed {}, round {}", seed, round));
         TouchWorld world;
         const int kind = static_cast<int>(random() % 3);
         if (kind == 0)
-            world.box(Vec3(-uniform(0.01, 0.2), -uniform(0.01, 0.2), -uniform(0.01, 0.2)), Vec3(uniform(0.01, 0.2), uniform(0.01, 0.2), uniform(0.01, 0.2)));
+            world.box(Vec3(-uniform(0.01, 0.2), -uniform(0.01, 0.2), -uniform(0.01, 0.2)),
+                      Vec3(uniform(0.01, 0.2), uniform(0.01, 0.2), uniform(0.01, 0.2)));
         if (kind == 1) world.random_brush(random, Vec3(0.0), 0.1, 4);
         if (kind == 2) world.box_of_triangles(Vec3(-0.1), Vec3(0.1));
         HapticSceneBuilder builder;
-        const Placement at{Vec3(uniform(-0.11, 0.11), uniform(-0.11, 0.11), uniform(-0.11, 0.11)), random_rotation(random), uniform(0.5, 2.0)};
+        const Placement at{Vec3(uniform(-0.11, 0.11), uniform(-0.11, 0.11), uniform(-0.11, 0.11)),
+                           random_rotation(random), uniform(0.5, 2.0)};
         builder.add_body(FeatureId{1}, world.scene(), at, false);
         Rig rig(builder.build());
         Vec3 hand(0.0);
@@ -260,7 +268,8 @@ TEST(Bodies, adding_and_removing_still_things_while_they_are_touched_is_as_gentl
     EXPECT_EQ(r.force_n, Vec3(0.0));
 }
 
-// A ball at rest on a moving floor goes with it by friction and stays behind without; the pull back never passes the cone.
+// A ball at rest on a moving floor goes with it by friction and stays behind without; the pull back never passes the
+// cone.
 TEST(Bodies, friction_carries_the_ball_on_a_moving_floor) {
     for (const double mu : {0.0, 0.4}) {
         HapticSceneBuilder builder;
@@ -289,7 +298,9 @@ TEST(Bodies, random_heaps_in_motion_let_nothing_in) {
         const std::uint32_t seed = seed0 + static_cast<std::uint32_t>(k);
         SCOPED_TRACE(fmt::format("seed {}", seed));
         std::mt19937 random(seed);
-        const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+        const auto uniform = [&](double low, double high) {
+            return std::uniform_real_distribution<double>(low, high)(random);
+        };
         HapticSceneBuilder builder;
         std::vector<BruteForce> judges;
         std::vector<Vec3> speeds;
@@ -301,8 +312,10 @@ TEST(Bodies, random_heaps_in_motion_let_nothing_in) {
             else world.random_triangles(random, 12, 0.03, 0.015);
             judges.push_back(world.judge());
             builder.add_body(FeatureId{static_cast<std::uint32_t>(b)}, world.scene(),
-                             {Vec3(uniform(-0.2, 0.2), uniform(-0.2, 0.2), uniform(-0.2, 0.2)), random_rotation(random), uniform(0.7, 1.5)});
-            spins.push_back(rotation_about(glm::normalize(Vec3(uniform(-1, 1), uniform(-1, 1), 1.5)), uniform(0, 2e-3)));
+                             {Vec3(uniform(-0.2, 0.2), uniform(-0.2, 0.2), uniform(-0.2, 0.2)), random_rotation(random),
+                              uniform(0.7, 1.5)});
+            spins.push_back(
+                rotation_about(glm::normalize(Vec3(uniform(-1, 1), uniform(-1, 1), 1.5)), uniform(0, 2e-3)));
         }
         Rig rig(builder.build());
         for (const BodyPose& pose : rig.poses) speeds.push_back(-pose.at.position_m * uniform(0.2, 1.0) * kTick_s);
@@ -338,7 +351,8 @@ TEST(Bodies, random_heaps_in_motion_let_nothing_in) {
     EXPECT_GT(3 * touched, rounds) << "seed " << seed0;
 }
 
-// What a still scene gives is what the same shapes give as bodies that stand still, moved by a placement: force turns with the placement.
+// What a still scene gives is what the same shapes give as bodies that stand still, moved by a placement: force turns
+// with the placement.
 TEST(Bodies, a_placed_body_feels_as_its_shape_turned) {
     const TouchCase c = hard_cases()[3];
     std::mt19937 random(77);

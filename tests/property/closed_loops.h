@@ -1,4 +1,5 @@
-// Closed paths of a hand, and the energy that a scene gives to it on one (I11). Paths are repeated from the generator that is passed in.
+// Closed paths of a hand, and the energy that a scene gives to it on one (I11). Paths are repeated from the generator
+// that is passed in.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +31,9 @@ inline std::vector<Vec3> closed_loop(std::mt19937& random, const Vec3& middle, c
     for (int i = 0; i <= ticks; ++i) {
         Vec3 goal = middle;
         for (int axis = 0; axis < 3; ++axis)
-            for (int k = 0; k < kHarmonics; ++k) goal[axis] += reach_m[axis] * weights[axis][k] * std::sin(2.0 * kPi * (k + 1) * i / ticks + phases[axis][k]);
+            for (int k = 0; k < kHarmonics; ++k)
+                goal[axis] +=
+                    reach_m[axis] * weights[axis][k] * std::sin(2.0 * kPi * (k + 1) * i / ticks + phases[axis][k]);
         goals.push_back(goal);
     }
     return goals;
@@ -42,7 +45,8 @@ inline std::vector<Vec3> begun_in_the_open(const HapticScene& scene, std::vector
     double widest = -1.0;
     for (std::size_t i = 0; i < goals.size(); i += 50) {
         double clearance = 1e9;
-        for (std::uint32_t o = 0; o < scene.obstacles.size(); ++o) clearance = std::min(clearance, scene.closest(o, goals[i] - scene.origin_m).distance_m);
+        for (std::uint32_t o = 0; o < scene.obstacles.size(); ++o)
+            clearance = std::min(clearance, scene.closest(o, goals[i] - scene.origin_m).distance_m);
         if (clearance > widest) {
             widest = clearance;
             best = i;
@@ -79,8 +83,10 @@ inline Loop run(const HapticScene& scene, const std::vector<Vec3>& goals, const 
             const double way = glm::length(goal - last_goal), change = glm::length(r.force_n - last_force);
             loop.energy_j += 0.5 * glm::dot(last_force + r.force_n, goal - last_goal);
             loop.largest_jump_n = std::max(loop.largest_jump_n, change);
-            // A corner of the force within the step: at most half the change times the way; for the onset of a plain contact K |dg|^2 / 8.
-            if (r.contacts.count != last_count) loop.allowed_j += std::max(kStiffness_n_per_m * way * way / 8.0, 0.5 * std::min(change, 1.0) * way);
+            // A corner of the force within the step: at most half the change times the way; for the onset of a plain
+            // contact K |dg|^2 / 8.
+            if (r.contacts.count != last_count)
+                loop.allowed_j += std::max(kStiffness_n_per_m * way * way / 8.0, 0.5 * std::min(change, 1.0) * way);
             else if (glm::dot(normal, last_normal) < 1.0 - 1e-6)
                 loop.edges_j += std::max(kStiffness_n_per_m * way * way / 8.0, 0.5 * std::min(change, 1.0) * way);
         }

@@ -14,11 +14,15 @@ namespace {
 TEST(FreePlace, a_thousand_random_starts_end_outside_every_solid) {
     const auto seed = seed_of_run();
     std::mt19937 random(seed);
-    const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
     int inside = 0;
     for (int heap = 0; heap < scaled(10); ++heap) {
         TouchWorld world;
-        for (int i = 0; i < 12; ++i) world.random_brush(random, {uniform(-0.3, 0.3), uniform(-0.3, 0.3), uniform(-0.3, 0.3)}, uniform(0.05, 0.3), 3);
+        for (int i = 0; i < 12; ++i)
+            world.random_brush(random, {uniform(-0.3, 0.3), uniform(-0.3, 0.3), uniform(-0.3, 0.3)}, uniform(0.05, 0.3),
+                               3);
         world.random_triangles(random, 20, 0.3, 0.1);
         const auto scene = world.scene();
         const BruteForce judge = world.judge();

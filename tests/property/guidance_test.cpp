@@ -1,5 +1,5 @@
-// A thousand random hands that are led and pull as they like: never more force, speed, change or energy than guidance may have, and let go exactly when held
-// against.
+// A thousand random hands that are led and pull as they like: never more force, speed, change or energy than guidance
+// may have, and let go exactly when held against.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +21,12 @@ struct Measured {
 
 // One person: a way within reach, at one of the strengths, and pushes of up to 3 N that come and go.
 void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
-    const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
-    const auto somewhere = [&](double reach_m) { return Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)) * (reach_m / std::sqrt(3.0)); };
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    const auto somewhere = [&](double reach_m) {
+        return Vec3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)) * (reach_m / std::sqrt(3.0));
+    };
     const double reach_m = 0.8 * spec.workspace_radius_m;
     const double scale = std::array{1.0, 15.0, 60.0, 250.0}[static_cast<std::size_t>(uniform(0, 4))];
     auto hand = std::make_shared<SimulatedHand>();
@@ -67,7 +71,8 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
         if (push != Vec3(0.0)) free_since_s = now_s;
         pose.time_s = now_s;
         const DeviceSample sample = device.read(now_s);
-        device.write(servo_tick(state, scene.get(), tuning, pose, sample, now_s, nullptr, nullptr, i >= 1500 ? &path : &none));
+        device.write(
+            servo_tick(state, scene.get(), tuning, pose, sample, now_s, nullptr, nullptr, i >= 1500 ? &path : &none));
         const GuidanceState& g = state.tool().guidance;
         const Vec3 force = g.force_n;
         if (i >= 1500) {
@@ -76,19 +81,23 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
             ASSERT_LE(glm::length(force), most_n * (i - 1499) * kTick / Guidance::kRamp_s + 1e-9) << "the ramp";
             ASSERT_LE(glm::length(state.tool().force_n), most_n + 1e-9) << "nothing else acts here";
             worst.force_n = std::max(worst.force_n, glm::length(force));
-            // How much the force may change from one tick to the next, by the law of the pull: the spring follows the way between hand and point, of which
-            // each goes no farther than the hand, and the point 0.04 mm by itself; what speed takes off follows the hand's speed, smoothed over 20 ms, and
-            // the way to the point it is measured along; the ramp in and the fade come on top.
-            const double step_n = glm::length(force - last_force), moved_m = glm::length(sample.position_m - last_sample);
+            // How much the force may change from one tick to the next, by the law of the pull: the spring follows the
+            // way between hand and point, of which each goes no farther than the hand, and the point 0.04 mm by itself;
+            // what speed takes off follows the hand's speed, smoothed over 20 ms, and the way to the point it is
+            // measured along; the ramp in and the fade come on top.
+            const double step_n = glm::length(force - last_force),
+                         moved_m = glm::length(sample.position_m - last_sample);
             const Vec3 velocity_before = velocity;
-            if (i > 1500) velocity += ((sample.position_m - last_sample) / kTick - velocity) * (kTick / (0.020 + kTick));
+            if (i > 1500)
+                velocity += ((sample.position_m - last_sample) / kTick - velocity) * (kTick / (0.020 + kTick));
             if (i > 1500) {
                 const double speed = std::max(glm::length(velocity), glm::length(velocity_before));
                 const double away_m = 2.0 * moved_m + Guidance::kPointSpeed_m_per_s * kTick;
                 const double per_speed = std::sqrt(2.0) / Guidance::kFastest_m_per_s;
-                const double may_n = std::min(most_n, Guidance::kStiffness_n_per_m * away_m * (1.0 + per_speed * speed) +
-                                                          most_n * per_speed * glm::length(velocity - velocity_before)) +
-                                     most_n * kTick / Guidance::kFade_s + most_n * kTick / Guidance::kRamp_s;
+                const double may_n =
+                    std::min(most_n, Guidance::kStiffness_n_per_m * away_m * (1.0 + per_speed * speed) +
+                                         most_n * per_speed * glm::length(velocity - velocity_before)) +
+                    most_n * kTick / Guidance::kFade_s + most_n * kTick / Guidance::kRamp_s;
                 ASSERT_LE(step_n, may_n + 1e-9) << "hand at " << moved_m / kTick << " m/s";
                 worst.step_share = std::max(worst.step_share, step_n / may_n);
                 const double v = moved_m / kTick;
@@ -99,10 +108,13 @@ void lead_one(const DeviceSpec& spec, std::mt19937& random, Measured& worst) {
             last_sample = sample.position_m;
             hand->state.refresh();
             const HandState felt = hand->state.read();
-            if (now_s - free_since_s > 0.7) worst.free_speed_m_per_s = std::max(worst.free_speed_m_per_s, glm::length(felt.velocity_m_per_s));
+            if (now_s - free_since_s > 0.7)
+                worst.free_speed_m_per_s = std::max(worst.free_speed_m_per_s, glm::length(felt.velocity_m_per_s));
             given_j += glm::dot(0.5 * (force + last_force), felt.position_m - last_hand);
-            // What a pull of most_n that ends at 5 cm/s can give at most is most_n * 1.25 cm/s, and the stretch of one spring.
-            const double may_j = most_n * 0.0125 * (now_s - 1.5) + 0.5 * most_n * most_n / Guidance::kStiffness_n_per_m + 2e-4;
+            // What a pull of most_n that ends at 5 cm/s can give at most is most_n * 1.25 cm/s, and the stretch of one
+            // spring.
+            const double may_j =
+                most_n * 0.0125 * (now_s - 1.5) + 0.5 * most_n * most_n / Guidance::kStiffness_n_per_m + 2e-4;
             worst.worst_power_share = std::max(worst.worst_power_share, given_j / may_j);
             // By another count than its own: a hand held against it.
             if (g.phase == GuidancePhase::Acts) {
@@ -133,10 +145,11 @@ TEST(Guidance, never_exceeds_its_limits_in_a_thousand_random_pulls) {
             if (testing::Test::HasFatalFailure()) FAIL() << device << ", run " << run << ", seed " << seed;
         }
         fmt::print(
-            "{}: {:.3f} N, free hand {:.1f} mm/s, a tick {:.3f} N below 0.1 m/s, {:.3f} below 0.3, {:.3f} below 1, {:.2f} of what the law allows, "
+            "{}: {:.3f} N, free hand {:.1f} mm/s, a tick {:.3f} N below 0.1 m/s, {:.3f} below 0.3, {:.3f} below 1, "
+            "{:.2f} of what the law allows, "
             "{:.2f} of the energy allowed, {} let go, {} arrived\n",
-            device, worst.force_n, 1e3 * worst.free_speed_m_per_s, worst.step_n[0], worst.step_n[1], worst.step_n[2], worst.step_share, worst.worst_power_share,
-            worst.let_go, worst.arrived);
+            device, worst.force_n, 1e3 * worst.free_speed_m_per_s, worst.step_n[0], worst.step_n[1], worst.step_n[2],
+            worst.step_share, worst.worst_power_share, worst.let_go, worst.arrived);
         EXPECT_LE(worst.force_n, 0.8 + 1e-12);
         EXPECT_LE(worst.free_speed_m_per_s, 0.05);
         EXPECT_LE(worst.slow_step_n, 0.16);

@@ -22,7 +22,9 @@ void everywhere(const TouchCase& c, const TouchTuning& tuning, Check&& check) {
         if (seed != 0) motion.shift_m = {seed * 1.7, seed * -3.1, seed * 0.4};
         SCOPED_TRACE(fmt::format("{}, seed {}", c.name, seed));
         replay(*c.world.scene(motion), c.goals_m, motion, tuning,
-               [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver&) { check(i, c.goals_m[i], motion.back(r.proxy_m), r); });
+               [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver&) {
+                   check(i, c.goals_m[i], motion.back(r.proxy_m), r);
+               });
     }
 }
 
@@ -39,22 +41,24 @@ std::vector<Vec3> balls_at(const TouchCase& c, const TouchTuning& tuning, const 
 TEST(HardCase, T1_T8_T10_planes_however_cut_doubled_or_littered_are_one_plane) {
     for (const char* name : {"T1", "T8", "T10"}) {
         const TouchCase c = case_named(name);
-        everywhere(c, plain_tuning(c.radius_m), [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult& r) {
-            const bool wall = std::string(name) == "T8" && g.x > 0.02 - c.radius_m;
-            if (g.z < c.radius_m) {
-                ASSERT_NEAR(ball.z, c.radius_m, 1e-9) << i;
-            }
-            if (!wall) {
-                ASSERT_NEAR(ball.x, g.x, 1e-8);
-                ASSERT_NEAR(ball.y, g.y, 1e-8);
-                // One round for each of the three triangles that meet at a T-junction and one to see that it is done; doubled and flat ones add theirs.
-                if (std::string(name) == "T1") {
-                    ASSERT_LE(r.contacts.iterations, 4);
-                }
-            } else {
-                ASSERT_NEAR(ball.x, 0.02 - c.radius_m, 1e-8);
-            }
-        });
+        everywhere(c, plain_tuning(c.radius_m),
+                   [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult& r) {
+                       const bool wall = std::string(name) == "T8" && g.x > 0.02 - c.radius_m;
+                       if (g.z < c.radius_m) {
+                           ASSERT_NEAR(ball.z, c.radius_m, 1e-9) << i;
+                       }
+                       if (!wall) {
+                           ASSERT_NEAR(ball.x, g.x, 1e-8);
+                           ASSERT_NEAR(ball.y, g.y, 1e-8);
+                           // One round for each of the three triangles that meet at a T-junction and one to see that it
+                           // is done; doubled and flat ones add theirs.
+                           if (std::string(name) == "T1") {
+                               ASSERT_LE(r.contacts.iterations, 4);
+                           }
+                       } else {
+                           ASSERT_NEAR(ball.x, 0.02 - c.radius_m, 1e-8);
+                       }
+                   });
     }
 }
 
@@ -64,19 +68,21 @@ TEST(HardCase, T2_a_ball_sinks_into_a_crack_by_its_sagitta_and_no_more) {
             const TouchCase c = case_named(name, radius);
             Vec3 last(0.0), last_goal(0.0);
             double lowest = 1.0;
-            everywhere(c, plain_tuning(radius), [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult&) {
-                lowest = std::min(lowest, ball.z);
-                if (i > 0) {
-                    ASSERT_LE(glm::length((ball - g) - (last - last_goal)), 1.6e-3);
-                }
-                last = ball;
-                last_goal = g;
-            });
+            everywhere(c, plain_tuning(radius),
+                       [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult&) {
+                           lowest = std::min(lowest, ball.z);
+                           if (i > 0) {
+                               ASSERT_LE(glm::length((ball - g) - (last - last_goal)), 1.6e-3);
+                           }
+                           last = ball;
+                           last_goal = g;
+                       });
             EXPECT_GE(lowest, std::sqrt(radius * radius - w * w / 4) - 1e-9) << name;
         }
     }
     const TouchCase point = case_named("T2a", 1e-5);
-    everywhere(point, plain_tuning(1e-5), [&](std::size_t, const Vec3&, const Vec3& ball, const TouchResult&) { ASSERT_GE(ball.z, 0.0); });
+    everywhere(point, plain_tuning(1e-5),
+               [&](std::size_t, const Vec3&, const Vec3& ball, const TouchResult&) { ASSERT_GE(ball.z, 0.0); });
 }
 
 TEST(HardCase, T3_T4_corners_of_overlapping_boxes_are_sharp_in_every_representation) {
@@ -108,11 +114,12 @@ TEST(HardCase, T5_a_ball_rests_in_a_crevice_where_both_sides_hold_it) {
         std::vector<Vec3> coarse = c.goals_m;
         for (Vec3& g : coarse) g = glm::round(g / 6e-5) * 6e-5;
         Vec3 last_ball = coarse[0], last_goal = coarse[0];
-        replay(*c.world.scene(), coarse, {}, uncapped_tuning(c.radius_m), [&](std::size_t, const Vec3& g, const TouchResult& r, const ProxySolver&) {
-            ASSERT_LE(glm::length(r.proxy_m - last_ball), glm::length(g - last_goal) + 1e-8);
-            last_ball = r.proxy_m;
-            last_goal = g;
-        });
+        replay(*c.world.scene(), coarse, {}, uncapped_tuning(c.radius_m),
+               [&](std::size_t, const Vec3& g, const TouchResult& r, const ProxySolver&) {
+                   ASSERT_LE(glm::length(r.proxy_m - last_ball), glm::length(g - last_goal) + 1e-8);
+                   last_ball = r.proxy_m;
+                   last_goal = g;
+               });
     }
 }
 
@@ -121,13 +128,14 @@ TEST(HardCase, T6_T7_slipping_off_an_edge_or_spike_never_jumps_more_than_the_cap
         for (TouchCase& c : hard_cases()) {
             if (!c.name.starts_with(name)) continue;
             Vec3 last(0.0), last_goal(0.0);
-            everywhere(c, plain_tuning(c.radius_m), [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult&) {
-                if (i > 0) {
-                    ASSERT_LE(glm::length(ball - last), std::max(0.5e-3, 2 * glm::length(g - last_goal)) + 1e-9);
-                }
-                last = ball;
-                last_goal = g;
-            });
+            everywhere(
+                c, plain_tuning(c.radius_m), [&](std::size_t i, const Vec3& g, const Vec3& ball, const TouchResult&) {
+                    if (i > 0) {
+                        ASSERT_LE(glm::length(ball - last), std::max(0.5e-3, 2 * glm::length(g - last_goal)) + 1e-9);
+                    }
+                    last = ball;
+                    last_goal = g;
+                });
         }
     }
 }
@@ -151,12 +159,13 @@ TEST(HardCase, T11_T12_a_thin_wall_and_a_sheet_hold_at_5_metres_per_second_from_
         for (const double side : {1.0, -1.0}) {
             if (side < 0.0)
                 for (Vec3& g : c.goals_m) g.x = -g.x;
-            everywhere(c, plain_tuning(c.radius_m), [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
-                ASSERT_LE(ball.x * side, -rest + 1e-9);
-                if (g.x * side > -rest) {
-                    ASSERT_NEAR(ball.x * side, -rest, 1e-9);
-                }
-            });
+            everywhere(c, plain_tuning(c.radius_m),
+                       [&](std::size_t, const Vec3& g, const Vec3& ball, const TouchResult&) {
+                           ASSERT_LE(ball.x * side, -rest + 1e-9);
+                           if (g.x * side > -rest) {
+                               ASSERT_NEAR(ball.x * side, -rest, 1e-9);
+                           }
+                       });
         }
     }
 }
@@ -166,9 +175,10 @@ double error_against_reference(const TouchCase& c, const Motion& motion, const T
     const BruteForce judge = c.world.judge(motion);
     ReferenceProxy reference(judge, motion(c.goals_m.front()), c.radius_m);
     double worst = 0.0;
-    replay(*c.world.scene(motion), c.goals_m, motion, tuning, [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
-        worst = std::max(worst, glm::length(r.proxy_m - reference.follow(goal)));
-    });
+    replay(*c.world.scene(motion), c.goals_m, motion, tuning,
+           [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+               worst = std::max(worst, glm::length(r.proxy_m - reference.follow(goal)));
+           });
     return worst;
 }
 
@@ -178,7 +188,8 @@ TEST(HardCase, T13_stalls_of_the_hand_lead_the_ball_where_a_steady_hand_would) {
         for (const std::uint32_t seed : {0U, 31U, 32U}) {
             std::mt19937 random(seed);
             const Motion motion = seed == 0 ? Motion{} : random_turn(random);
-            EXPECT_LE(error_against_reference(c, motion, uncapped_tuning(c.radius_m)), 1e-8) << name << " seed " << seed;
+            EXPECT_LE(error_against_reference(c, motion, uncapped_tuning(c.radius_m)), 1e-8)
+                << name << " seed " << seed;
             // With the speed cap: on each tick that it did not cut, from where the ball was before.
             const BruteForce judge = c.world.judge(motion);
             ReferenceProxy reference(judge, motion(c.goals_m.front()), c.radius_m);
@@ -187,7 +198,8 @@ TEST(HardCase, T13_stalls_of_the_hand_lead_the_ball_where_a_steady_hand_would) {
                    [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
                        if (!r.contacts.capped) {
                            ++compared;
-                           ASSERT_LE(glm::length(r.proxy_m - reference.follow(goal)), 1e-8) << name << " seed " << seed << " tick " << i;
+                           ASSERT_LE(glm::length(r.proxy_m - reference.follow(goal)), 1e-8)
+                               << name << " seed " << seed << " tick " << i;
                        }
                        reference.place(r.proxy_m);
                    });
@@ -223,15 +235,18 @@ TEST(HardCase, T7_a_spike_is_felt_to_a_hundredth_of_a_millimetre_on_999_ticks_of
         }
         const BruteForce judge = c.world.judge();
         std::size_t off = 0, unfinished = 0;
-        replay(*c.world.scene(), c.goals_m, {}, uncapped_tuning(c.radius_m), [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
-            if (r.contacts.count > 0 && judge.residual(r.proxy_m, goal, r.radius_m) > 1e-5) ++off;
-            if (!r.contacts.converged) ++unfinished;
-        });
-        EXPECT_LE(off, c.goals_m.size() / 1000) << degrees << " degrees, " << unfinished << " unfinished of " << c.goals_m.size();
+        replay(*c.world.scene(), c.goals_m, {}, uncapped_tuning(c.radius_m),
+               [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+                   if (r.contacts.count > 0 && judge.residual(r.proxy_m, goal, r.radius_m) > 1e-5) ++off;
+                   if (!r.contacts.converged) ++unfinished;
+               });
+        EXPECT_LE(off, c.goals_m.size() / 1000)
+            << degrees << " degrees, " << unfinished << " unfinished of " << c.goals_m.size();
     }
 }
 
-// I9 at a convex edge: with the goal a depth d below the rounded surface, a step of the goal moves the ball by r / (r - d) of it, no more.
+// I9 at a convex edge: with the goal a depth d below the rounded surface, a step of the goal moves the ball by r / (r -
+// d) of it, no more.
 TEST(HardCase, I9_at_an_edge_the_gain_is_that_of_a_rolling_ball) {
     std::mt19937 random(9);
     for (const bool solid : {true, false}) {
@@ -254,7 +269,8 @@ TEST(HardCase, I9_at_an_edge_the_gain_is_that_of_a_rolling_ball) {
                    [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
                        if (i > round_from) {
                            const double expected = gain * glm::length(goal - last_goal);
-                           ASSERT_NEAR(glm::length(r.proxy_m - last_ball), expected, 1e-3 * expected + (solid ? 0.0 : kSettled))
+                           ASSERT_NEAR(glm::length(r.proxy_m - last_ball), expected,
+                                       1e-3 * expected + (solid ? 0.0 : kSettled))
                                << "depth " << depth << " solid " << solid;
                        }
                        last_ball = r.proxy_m;
@@ -292,9 +308,11 @@ TEST(HardCase, T16_I6_in_soups_the_ball_is_where_it_belongs_on_999_ticks_of_1000
                });
     }
     RecordProperty("seed", static_cast<int>(seed0));
-    RecordProperty("unsettled_of_ticks", fmt::format("{} of {}, {} of them off by more than 0.01 mm", unsettled, ticks, off));
+    RecordProperty("unsettled_of_ticks",
+                   fmt::format("{} of {}, {} of them off by more than 0.01 mm", unsettled, ticks, off));
     EXPECT_LE(worst_settled, 1e-5) << "seed " << seed0;
-    // One bad pocket holds the hand for some ten ticks on end: a few of them may fall into the short runs of sanitizers.
+    // One bad pocket holds the hand for some ten ticks on end: a few of them may fall into the short runs of
+    // sanitizers.
     const std::size_t pockets = kSanitizerScale < 1.0 ? 40 : 0;
     EXPECT_LE(off * 1000, ticks + 1000 * pockets) << "seed " << seed0;
     // Not settled to 1e-8 m within 64 rounds: 0.08 to 0.14 % over many seeds.
@@ -310,11 +328,14 @@ TEST(HardCase, T16_random_soups_and_heaps_let_nothing_in_whatever_the_seed) {
         if (k % 2 == 0) c.world.random_triangles(random, 120, .03, .015);
         else
             for (int i = 0; i < 20; ++i)
-                c.world.random_brush(random, {(random() % 800) / 1e4 - .04, (random() % 800) / 1e4 - .04, (random() % 800) / 1e4 - .04},
-                                     .005 + (random() % 150) / 1e4, 3);
+                c.world.random_brush(
+                    random, {(random() % 800) / 1e4 - .04, (random() % 800) / 1e4 - .04, (random() % 800) / 1e4 - .04},
+                    .005 + (random() % 150) / 1e4, 3);
         c.radius_m = k % 4 < 2 ? 0.005 : 1e-5;
         std::vector<Vec3> way{{0, 0, .09}};
-        for (int i = 0; i < 12; ++i) way.push_back({(random() % 1000) / 1e4 - .05, (random() % 1000) / 1e4 - .05, (random() % 1000) / 1e4 - .05});
+        for (int i = 0; i < 12; ++i)
+            way.push_back(
+                {(random() % 1000) / 1e4 - .05, (random() % 1000) / 1e4 - .05, (random() % 1000) / 1e4 - .05});
         const BruteForce judge = c.world.judge();
         Vec3 before = way[0];
         replay(*c.world.scene(), hand_path(way, 0.5), {}, plain_tuning(c.radius_m),
@@ -322,7 +343,8 @@ TEST(HardCase, T16_random_soups_and_heaps_let_nothing_in_whatever_the_seed) {
                    if (i % 7 == 0) {
                        ASSERT_GE(judge.distance(r.proxy_m), r.radius_m - 1e-9L) << "seed " << seed << " tick " << i;
                    }
-                   ASSERT_LE(glm::length(r.proxy_m - goal), glm::length(before - goal) + 1e-9) << "seed " << seed << " tick " << i;
+                   ASSERT_LE(glm::length(r.proxy_m - goal), glm::length(before - goal) + 1e-9)
+                       << "seed " << seed << " tick " << i;
                    ASSERT_LE(r.contacts.iterations, 64);
                    before = r.proxy_m;
                });
@@ -339,16 +361,17 @@ TEST(HardCase, closed_loops_give_the_hand_no_energy) {
             int events = 1;
             bool touched = false;
             Vec3 last_goal(0.0), last_force(0.0);
-            replay(*c.world.scene(), c.goals_m, {}, tuning, [&](std::size_t i, const Vec3& g, const TouchResult& r, const ProxySolver&) {
-                if (i > 0) {
-                    energy += glm::dot((r.force_n + last_force) * 0.5, g - last_goal);
-                    longest = std::max(longest, glm::length(g - last_goal));
-                }
-                if ((r.contacts.count > 0) != touched) ++events;
-                touched = r.contacts.count > 0;
-                last_goal = g;
-                last_force = r.force_n;
-            });
+            replay(*c.world.scene(), c.goals_m, {}, tuning,
+                   [&](std::size_t i, const Vec3& g, const TouchResult& r, const ProxySolver&) {
+                       if (i > 0) {
+                           energy += glm::dot((r.force_n + last_force) * 0.5, g - last_goal);
+                           longest = std::max(longest, glm::length(g - last_goal));
+                       }
+                       if ((r.contacts.count > 0) != touched) ++events;
+                       touched = r.contacts.count > 0;
+                       last_goal = g;
+                       last_force = r.force_n;
+                   });
             // The trapezoid's own error: one part of a step at each begin and end of contact.
             EXPECT_LE(energy, events * 1000.0 * longest * longest / 8 + 1e-6) << c.name << " mu " << mu;
         }

@@ -5,10 +5,12 @@
 namespace handrail::test {
 namespace {
 
-// The listed hard cases, then one of each random family by the seed of this run (HANDRAIL_SEED=... gives a failing one again).
+// The listed hard cases, then one of each random family by the seed of this run (HANDRAIL_SEED=... gives a failing one
+// again).
 std::vector<TouchCase> all_cases() {
     std::vector<TouchCase> cases = hard_cases();
-    for (std::size_t family = 0; family < kRandomFamilies; ++family) cases.push_back(random_case(family, seed_of_run()));
+    for (std::size_t family = 0; family < kRandomFamilies; ++family)
+        cases.push_back(random_case(family, seed_of_run()));
     return cases;
 }
 
@@ -20,7 +22,8 @@ protected:
 
     bool is_random() const { return case_.name.starts_with("random"); }
 
-    // Edges of triangles and overlapping sheets are found by iteration; the deepest pressed of those drawn at random agree to 6e-8 m.
+    // Edges of triangles and overlapping sheets are found by iteration; the deepest pressed of those drawn at random
+    // agree to 6e-8 m.
     double by_iteration_m() const { return is_random() ? 1e-6 : 1e-8; }
 
     double most_unsettled() const { return is_random() ? 0.03 : 0.01; }
@@ -33,7 +36,8 @@ protected:
             const double n = static_cast<double>(t.planes.size());
             work += t.other ? 4.0 : t.solid ? n * n * n * n / 24 + n * n : 8.0;
         }
-        return static_cast<std::size_t>(1.0 + work * static_cast<double>(case_.goals_m.size()) * 8 / (2e7 * kSanitizerScale));
+        return static_cast<std::size_t>(1.0 +
+                                        work * static_cast<double>(case_.goals_m.size()) * 8 / (2e7 * kSanitizerScale));
     }
 };
 
@@ -69,26 +73,30 @@ TEST_P(EveryCase, owns_only_cuts_that_contain_the_ball_and_support_their_obstacl
     const Motion motion = random_turn(random_);
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const auto scene = case_.world.scene(motion);
-    replay(*scene, case_.goals_m, motion, plain_tuning(case_.radius_m), [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
-        if (i % 37 != 0) return;
-        for (int k = 0; k < solver.candidates(); ++k) {
-            const HalfSpace cut = solver.cut(k);
-            ASSERT_NEAR(glm::length(cut.normal), 1.0, 1e-12);
-            ASSERT_GE(glm::dot(cut.normal, solver.local_m()) - cut.offset_m, r.radius_m - 1e-9);
-            const Obstacle& o = scene->obstacles[solver.candidate(k)];
-            if (o.kind == ObstacleKind::Triangle) {
-                const TriangleShape t = scene->triangle(o);
-                for (const Vec3& corner : {t.a_m, t.b_m, t.c_m}) ASSERT_LE(glm::dot(cut.normal, corner), cut.offset_m + (t.degenerate ? 2e-7 : 1e-9));
-            } else {
-                // Points of the solid: what random places are nearest to.
-                for (int s = 0; s < 4; ++s) {
-                    const Vec3 far = solver.local_m() + Vec3(random_() % 200 / 1e3 - .1, random_() % 200 / 1e3 - .1, random_() % 200 / 1e3 - .1);
-                    const ClosestPoint q = scene->closest(solver.candidate(k), far);
-                    ASSERT_LE(glm::dot(cut.normal, q.distance_m > 0.0 ? q.point_m : far), cut.offset_m + 1e-9);
-                }
-            }
-        }
-    });
+    replay(*scene, case_.goals_m, motion, plain_tuning(case_.radius_m),
+           [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+               if (i % 37 != 0) return;
+               for (int k = 0; k < solver.candidates(); ++k) {
+                   const HalfSpace cut = solver.cut(k);
+                   ASSERT_NEAR(glm::length(cut.normal), 1.0, 1e-12);
+                   ASSERT_GE(glm::dot(cut.normal, solver.local_m()) - cut.offset_m, r.radius_m - 1e-9);
+                   const Obstacle& o = scene->obstacles[solver.candidate(k)];
+                   if (o.kind == ObstacleKind::Triangle) {
+                       const TriangleShape t = scene->triangle(o);
+                       for (const Vec3& corner : {t.a_m, t.b_m, t.c_m})
+                           ASSERT_LE(glm::dot(cut.normal, corner), cut.offset_m + (t.degenerate ? 2e-7 : 1e-9));
+                   } else {
+                       // Points of the solid: what random places are nearest to.
+                       for (int s = 0; s < 4; ++s) {
+                           const Vec3 far =
+                               solver.local_m() +
+                               Vec3(random_() % 200 / 1e3 - .1, random_() % 200 / 1e3 - .1, random_() % 200 / 1e3 - .1);
+                           const ClosestPoint q = scene->closest(solver.candidate(k), far);
+                           ASSERT_LE(glm::dot(cut.normal, q.distance_m > 0.0 ? q.point_m : far), cut.offset_m + 1e-9);
+                       }
+                   }
+               }
+           });
 }
 
 TEST_P(EveryCase, never_moves_away_from_the_hand) {  // I5
@@ -96,7 +104,8 @@ TEST_P(EveryCase, never_moves_away_from_the_hand) {  // I5
     for (const bool capped : {false, true}) {
         Vec3 before = case_.goals_m.front();
         double worst = 0.0;
-        replay(*case_.world.scene(), case_.goals_m, {}, capped ? plain_tuning(case_.radius_m) : uncapped_tuning(case_.radius_m),
+        replay(*case_.world.scene(), case_.goals_m, {},
+               capped ? plain_tuning(case_.radius_m) : uncapped_tuning(case_.radius_m),
                [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
                    worst = std::max(worst, glm::length(r.proxy_m - goal) - glm::length(before - goal));
                    before = r.proxy_m;
@@ -123,7 +132,8 @@ TEST_P(EveryCase, stops_where_no_contact_would_let_it_go_on) {  // I6
            });
     EXPECT_LE(worst_finished, 1e-5) << judged << " ticks judged";
     // Edges, spikes and slivers drawn at random are pressed deeper than those of the list.
-    EXPECT_LE(off, is_random() && !case_.concave ? 3 + case_.goals_m.size() / 250 : 1 + case_.goals_m.size() / 1000) << unfinished << " unfinished";
+    EXPECT_LE(off, is_random() && !case_.concave ? 3 + case_.goals_m.size() / 250 : 1 + case_.goals_m.size() / 1000)
+        << unfinished << " unfinished";
     RecordProperty("unfinished", static_cast<int>(unfinished));
 }
 
@@ -135,7 +145,8 @@ TEST_P(EveryCase, stays_where_it_is_when_the_hand_does) {  // I7
     for (const Vec3& goal : case_.goals_m) {
         const TouchResult once = touch_tick(state, *scene, uncapped_tuning(case_.radius_m), goal, 1e-3);
         const TouchResult twice = touch_tick(state, *scene, uncapped_tuning(case_.radius_m), goal, 1e-3);
-        if (once.contacts.converged && twice.contacts.converged) worst = std::max(worst, glm::length(once.proxy_m - twice.proxy_m));
+        if (once.contacts.converged && twice.contacts.converged)
+            worst = std::max(worst, glm::length(once.proxy_m - twice.proxy_m));
     }
     EXPECT_LE(worst, case_.tidy ? by_iteration_m() : 2e-5);
 }
@@ -148,7 +159,8 @@ TEST_P(EveryCase, follows_exactly_and_without_force_in_free_space) {  // I8
     std::size_t free_ticks = 0;
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
            [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
-               if (stood_at_goal && r.radius_m == std::max(case_.radius_m, 1e-5) && i % 5 == 0 && judge.clear(last_goal, goal, case_.radius_m + 1e-9L, 1)) {
+               if (stood_at_goal && r.radius_m == std::max(case_.radius_m, 1e-5) && i % 5 == 0 &&
+                   judge.clear(last_goal, goal, case_.radius_m + 1e-9L, 1)) {
                    ++free_ticks;
                    EXPECT_EQ(r.proxy_m, goal);
                    EXPECT_EQ(r.force_n, Vec3(0.0));
@@ -167,7 +179,8 @@ TEST_P(HollowCase, gains_nothing) {  // I9
     double worst = 0.0;
     replay(*case_.world.scene(motion), case_.goals_m, motion, uncapped_tuning(case_.radius_m),
            [&](std::size_t, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
-               worst = std::max(worst, glm::length((r.proxy_m - goal) - (last_ball - last_goal)) - glm::length(goal - last_goal));
+               worst = std::max(
+                   worst, glm::length((r.proxy_m - goal) - (last_ball - last_goal)) - glm::length(goal - last_goal));
                last_goal = goal;
                last_ball = r.proxy_m;
            });
@@ -194,9 +207,11 @@ TEST_P(EveryCase, feels_the_same_far_from_the_origin) {  // I13
     for (const auto& [far, tolerance] : {std::pair{1e3, 1e-10}, {1e6, 1e-8}}) {
         Motion motion;
         motion.shift_m = {far * 0.9, 0.63 * far, 0.27 * far};
-        const double worst = largest_difference(here, trace(case_.world, case_.goals_m, motion, tuning), most_unsettled());
-        // The world itself is rounded to 1e-13 m and 1e-10 m there; edges and crevices multiply that. In the narrowest grooves drawn at random by up to
-        // 50 times more than in those of the list (4.8e-9 m at 1 km, seed 196324; none of 250 other seeds).
+        const double worst =
+            largest_difference(here, trace(case_.world, case_.goals_m, motion, tuning), most_unsettled());
+        // The world itself is rounded to 1e-13 m and 1e-10 m there; edges and crevices multiply that. In the narrowest
+        // grooves drawn at random by up to 50 times more than in those of the list (4.8e-9 m at 1 km, seed 196324; none
+        // of 250 other seeds).
         if (case_.tidy) {
             EXPECT_LE(worst, tolerance * (!case_.concave ? 1e3 : is_random() ? 100.0 : 4.0)) << far;
         }
@@ -208,14 +223,16 @@ TEST_P(EveryCase, does_not_care_in_which_order_or_how_often_things_are_listed) {
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const TouchTuning tuning = uncapped_tuning(case_.radius_m);
     const Trace once = trace(case_.world, case_.goals_m, {}, tuning);
-    const double worst = largest_difference(once, trace(case_.world.shuffled_and_doubled(random_), case_.goals_m, {}, tuning), most_unsettled());
+    const double worst = largest_difference(
+        once, trace(case_.world.shuffled_and_doubled(random_), case_.goals_m, {}, tuning), most_unsettled());
     if (case_.tidy) {
         EXPECT_LE(worst, by_iteration_m());
     }
     RecordProperty("worst", fmt::format("{:.1e}", worst));
 }
 
-// Nothing comes nearer to the ball's path than its radius; `tuning_of` gives the tuning of each tick. Returns the deepest overlap.
+// Nothing comes nearer to the ball's path than its radius; `tuning_of` gives the tuning of each tick. Returns the
+// deepest overlap.
 template <class TuningOf>
 double deepest_overlap(const TouchCase& c, const Motion& motion, std::size_t every, TuningOf&& tuning_of) {
     const BruteForce judge = c.world.judge(motion);
@@ -244,12 +261,13 @@ TEST_P(EveryCase, is_as_safe_when_it_is_stopped_early) {  // I17, with I1, I2, I
         EXPECT_LE(deepest_overlap(case_, motion, stride() * 2, [&](std::size_t) { return tuning; }), 1e-9);
         Vec3 before = motion(case_.goals_m.front());
         double away = 0.0;
-        replay(*case_.world.scene(motion), case_.goals_m, motion, tuning, [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
-            ASSERT_TRUE(is_finite(r.proxy_m) && is_finite(r.force_n)) << i;
-            ASSERT_LE(r.contacts.iterations, most_rounds) << i;
-            away = std::max(away, glm::length(r.proxy_m - goal) - glm::length(before - goal));
-            before = r.proxy_m;
-        });
+        replay(*case_.world.scene(motion), case_.goals_m, motion, tuning,
+               [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
+                   ASSERT_TRUE(is_finite(r.proxy_m) && is_finite(r.force_n)) << i;
+                   ASSERT_LE(r.contacts.iterations, most_rounds) << i;
+                   away = std::max(away, glm::length(r.proxy_m - goal) - glm::length(before - goal));
+                   before = r.proxy_m;
+               });
         // Half a degree of crevice multiplies the solver's 1e-10 m by 230.
         EXPECT_LE(away, is_random() ? 1e-8 : 1e-9);
     }
@@ -262,10 +280,14 @@ TEST_P(EveryCase, is_as_safe_on_cuts_that_are_fifty_milliseconds_old) {  // I18,
     TouchTuning blind = looking;
     blind.most_rounds = 0;
     // A stride that meets every phase of the fifty.
-    EXPECT_LE(deepest_overlap(case_, motion, stride() * 2 + 1, [&](std::size_t i) { return i % 50 == 0 ? looking : blind; }), 1e-9);
+    EXPECT_LE(
+        deepest_overlap(case_, motion, stride() * 2 + 1, [&](std::size_t i) { return i % 50 == 0 ? looking : blind; }),
+        1e-9);
 }
 
-TEST_P(EveryCase, never_works_more_than_its_bound) {  // I16; that it takes no memory, lock or clock: unit_render, unit_servo_realtime
+TEST_P(
+    EveryCase,
+    never_works_more_than_its_bound) {  // I16; that it takes no memory, lock or clock: unit_render, unit_servo_realtime
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     replay(*case_.world.scene(), case_.goals_m, {}, plain_tuning(case_.radius_m),
            [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
@@ -279,7 +301,9 @@ TEST_P(TidyCase, feels_finer_triangles_as_the_same_surface) {  // I15
     SCOPED_TRACE(fmt::format("{}, seed {}", case_.name, seed_));
     const TouchTuning tuning = uncapped_tuning(case_.radius_m);
     const Trace coarse = trace(case_.world, case_.goals_m, {}, tuning);
-    EXPECT_LE(largest_difference(coarse, trace(case_.world.with_triangles_split(random_), case_.goals_m, {}, tuning), most_unsettled()), 1e-6);
+    EXPECT_LE(largest_difference(coarse, trace(case_.world.with_triangles_split(random_), case_.goals_m, {}, tuning),
+                                 most_unsettled()),
+              1e-6);
 }
 
 std::vector<std::size_t> cases_that(bool (*chosen)(const TouchCase&)) {
@@ -297,9 +321,12 @@ std::string name_of(const testing::TestParamInfo<std::size_t>& which) {
     return name;
 }
 
-INSTANTIATE_TEST_SUITE_P(HardCases, EveryCase, testing::ValuesIn(cases_that([](const TouchCase&) { return true; })), name_of);
-INSTANTIATE_TEST_SUITE_P(HardCases, HollowCase, testing::ValuesIn(cases_that([](const TouchCase& c) { return c.concave; })), name_of);
-INSTANTIATE_TEST_SUITE_P(HardCases, TidyCase, testing::ValuesIn(cases_that([](const TouchCase& c) { return c.tidy; })), name_of);
+INSTANTIATE_TEST_SUITE_P(HardCases, EveryCase, testing::ValuesIn(cases_that([](const TouchCase&) { return true; })),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(HardCases, HollowCase,
+                         testing::ValuesIn(cases_that([](const TouchCase& c) { return c.concave; })), name_of);
+INSTANTIATE_TEST_SUITE_P(HardCases, TidyCase, testing::ValuesIn(cases_that([](const TouchCase& c) { return c.tidy; })),
+                         name_of);
 
 }  // namespace
 }  // namespace handrail::test

@@ -1,4 +1,5 @@
-// Sheets that can be touched from one side only: closed skins of them are solid from there and not felt at all from the other.
+// Sheets that can be touched from one side only: closed skins of them are solid from there and not felt at all from the
+// other.
 #include <iostream>
 
 #include "tests/property/replay.h"
@@ -16,7 +17,8 @@ TouchWorld cube(double half, TouchSide side, bool triangles, std::mt19937& rando
             n[axis] = sign;
             u[(axis + 1) % 3] = 1.0;
             v[(axis + 2) % 3] = sign;
-            const std::vector<Vec3> corners{half * (n - u - v), half * (n + u - v), half * (n + u + v), half * (n - u + v)};
+            const std::vector<Vec3> corners{half * (n - u - v), half * (n + u - v), half * (n + u + v),
+                                            half * (n - u + v)};
             if (!triangles) {
                 world.polygon(corners, side);
                 continue;
@@ -31,7 +33,8 @@ TouchWorld cube(double half, TouchSide side, bool triangles, std::mt19937& rando
 std::vector<Vec3> random_path(std::mt19937& random, const Vec3& start, double half, int points, double speed) {
     std::vector<Vec3> way{start};
     for (int i = 0; i < points; ++i)
-        way.emplace_back((random() % 2000 / 1e3 - 1.0) * half, (random() % 2000 / 1e3 - 1.0) * half, (random() % 2000 / 1e3 - 1.0) * half);
+        way.emplace_back((random() % 2000 / 1e3 - 1.0) * half, (random() % 2000 / 1e3 - 1.0) * half,
+                         (random() % 2000 / 1e3 - 1.0) * half);
     return hand_path(way, speed);
 }
 
@@ -53,15 +56,18 @@ TEST(OneSidedSheets, a_skin_that_looks_outwards_holds_from_outside_at_its_faces_
         SCOPED_TRACE(fmt::format("seed {} speed {} capped {}", seed0 + k, speed, capped));
         double deepest = 0.0;
         std::size_t touched = 0;
-        const std::vector<Vec3> goals = random_path(random, {0, 0, 2 * kHalf}, 0.06, std::max(scaled(speed < 0.1 ? 12 : 60), 4), speed);
+        const std::vector<Vec3> goals =
+            random_path(random, {0, 0, 2 * kHalf}, 0.06, std::max(scaled(speed < 0.1 ? 12 : 60), 4), speed);
         replay(*world.scene(motion), goals, motion, capped ? plain_tuning(kRadius) : uncapped_tuning(kRadius),
                [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
                    touched += r.contacts.count > 0 ? 1 : 0;
                    for (int s = 1; s < solver.path_size(); ++s)
                        for (const double t : {0.25, 0.5, 0.75, 1.0}) {
-                           const Vec3 p = motion.back(solver.path_m(s - 1) + (solver.path_m(s) - solver.path_m(s - 1)) * t);
+                           const Vec3 p =
+                               motion.back(solver.path_m(s - 1) + (solver.path_m(s) - solver.path_m(s - 1)) * t);
                            ASSERT_GT(outside_m(p, kHalf), 0.0) << i;
-                           if (i % 5 == 0) deepest = std::max(deepest, kRadius - static_cast<double>(judge.distance(p)));
+                           if (i % 5 == 0)
+                               deepest = std::max(deepest, kRadius - static_cast<double>(judge.distance(p)));
                        }
                });
         EXPECT_LE(deepest, 3e-9);
@@ -76,7 +82,8 @@ TEST(OneSidedSheets, the_same_skin_is_not_felt_from_inside_and_is_solid_again_on
             const TouchWorld world = cube(kHalf, side, speed < 1.0, random);
             const auto scene = world.scene();
             // Front: free from the middle outwards, solid back. Back: the other way round.
-            const double free_start = side == TouchSide::Front ? 0.0 : 0.08, free_end = side == TouchSide::Front ? 0.08 : 0.0;
+            const double free_start = side == TouchSide::Front ? 0.0 : 0.08,
+                         free_end = side == TouchSide::Front ? 0.08 : 0.0;
             TouchState state;
             for (const Vec3& goal : hand_path({{free_start, 0.001, 0.002}, {free_end, 0.001, 0.002}}, speed)) {
                 const TouchResult r = touch_tick(state, *scene, plain_tuning(kRadius), goal, 1e-3);
@@ -101,9 +108,12 @@ TEST(OneSidedSheets, a_skin_that_looks_inwards_keeps_the_hand_inside) {
         const double speed = std::array{0.05, 0.5, 5.0, 50.0}[k % 4];
         SCOPED_TRACE(fmt::format("seed {} speed {}", seed0 + k, speed));
         const TouchWorld world = cube(kHalf, TouchSide::Back, k % 2 == 0, random);
-        const std::vector<Vec3> goals = random_path(random, {0, 0, 0}, 0.06, std::max(scaled(speed < 0.1 ? 12 : 60), 4), speed);
+        const std::vector<Vec3> goals =
+            random_path(random, {0, 0, 0}, 0.06, std::max(scaled(speed < 0.1 ? 12 : 60), 4), speed);
         replay(*world.scene(), goals, {}, k % 3 == 0 ? uncapped_tuning(kRadius) : plain_tuning(kRadius),
-               [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver&) { ASSERT_LE(outside_m(r.proxy_m, kHalf), -kRadius + 1e-9) << i; });
+               [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver&) {
+                   ASSERT_LE(outside_m(r.proxy_m, kHalf), -kRadius + 1e-9) << i;
+               });
     }
 }
 
@@ -112,17 +122,20 @@ TEST(OneSidedSheets, feel_from_their_side_as_sheets_of_both_sides_do) {
     const TouchWorld sided = cube(kHalf, TouchSide::Both, false, random);
     TouchWorld front = cube(kHalf, TouchSide::Front, false, random);
     const std::vector<Vec3> goals = random_path(random, {0, 0, 2 * kHalf}, 0.06, 20, 0.3);
-    const Trace a = trace(sided, goals, {}, uncapped_tuning(kRadius)), b = trace(front, goals, {}, uncapped_tuning(kRadius));
+    const Trace a = trace(sided, goals, {}, uncapped_tuning(kRadius)),
+                b = trace(front, goals, {}, uncapped_tuning(kRadius));
     EXPECT_LE(largest_difference(a, b), 2e-8);
     EXPECT_FALSE(sided.scene()->one_sided_sheets);
     EXPECT_TRUE(front.scene()->one_sided_sheets);
 }
 
-// A sheet on a body that comes down on a resting hand pushes it from its front and passes through it from behind, whatever the turn of the body.
+// A sheet on a body that comes down on a resting hand pushes it from its front and passes through it from behind,
+// whatever the turn of the body.
 TEST(OneSidedSheets, of_a_moving_body_push_from_the_front_and_pass_from_behind) {
     for (const bool front : {true, false}) {
         HapticSceneBuilder shape;
-        shape.add_polygon(std::vector<Vec3>{{-.1, -.1, 0}, {.1, -.1, 0}, {.1, .1, 0}, {-.1, .1, 0}}, SurfaceLabel{FeatureId{1}}, TouchSide::Front);
+        shape.add_polygon(std::vector<Vec3>{{-.1, -.1, 0}, {.1, -.1, 0}, {.1, .1, 0}, {-.1, .1, 0}},
+                          SurfaceLabel{FeatureId{1}}, TouchSide::Front);
         HapticSceneBuilder builder;
         ASSERT_TRUE(builder.add_body(FeatureId{1}, shape.build(), {}));
         const auto scene = builder.build();
@@ -134,8 +147,8 @@ TEST(OneSidedSheets, of_a_moving_body_push_from_the_front_and_pass_from_behind) 
         for (int i = 0; i < 600; ++i) {
             at.position_m = {0.0, 0.0, -0.03 + 1e-4 * i};
             const BodyPose pose{at, true};
-            const TouchResult r =
-                touch_tick(state, *scene, plain_tuning(kRadius), {0.01, 0.02, 0.0}, 1e-3, Vec3(0.0), {std::span(&pose, 1), static_cast<std::uint64_t>(i) + 1});
+            const TouchResult r = touch_tick(state, *scene, plain_tuning(kRadius), {0.01, 0.02, 0.0}, 1e-3, Vec3(0.0),
+                                             {std::span(&pose, 1), static_cast<std::uint64_t>(i) + 1});
             strongest = std::max(strongest, glm::length(r.force_n));
             if (front && r.contacts.count > 0) {
                 ASSERT_NEAR(r.proxy_m.z, at.position_m.z + kRadius, 1e-7) << i;
@@ -159,7 +172,8 @@ TEST(OneSidedSheets, a_hand_half_way_through_from_behind_may_turn_back) {
             ASSERT_EQ(r.proxy_m, goal);
         }
     }
-    // A hand that starts close behind is left alone; one that starts close before it is held by a ball that has shrunk and grows.
+    // A hand that starts close behind is left alone; one that starts close before it is held by a ball that has shrunk
+    // and grows.
     TouchState behind, before;
     EXPECT_EQ(touch_tick(behind, *scene, plain_tuning(kRadius), {0, 0, -.001}, 1e-3).radius_m, kRadius);
     EXPECT_NEAR(touch_tick(before, *scene, plain_tuning(kRadius), {0, 0, .001}, 1e-3).radius_m, .001 + 2e-5, 1e-9);

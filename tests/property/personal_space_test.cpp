@@ -1,4 +1,5 @@
-// The wall between world and desk, crossed by simulated hands in every way: it never drives a hand, never knocks, and leads back to the place one left.
+// The wall between world and desk, crossed by simulated hands in every way: it never drives a hand, never knocks, and
+// leads back to the place one left.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -14,10 +15,15 @@ namespace {
 
 constexpr double kScale = 60.0;
 
-// A simulated hand on a simulated device, in a world that is free but for a wall far in the north, with a desk whose panel stands in the middle.
+// A simulated hand on a simulated device, in a world that is free but for a wall far in the north, with a desk whose
+// panel stands in the middle.
 class DeskRig {
 public:
-    explicit DeskRig(const char* device) : spec_(*find_device_spec(device)), hand_(std::make_shared<SimulatedHand>()), device_(spec_, hand_), state_(spec_) {
+    explicit DeskRig(const char* device)
+        : spec_(*find_device_spec(device)),
+          hand_(std::make_shared<SimulatedHand>()),
+          device_(spec_, hand_),
+          state_(spec_) {
         world_ = wall_scene(1000.0);
         HapticSceneBuilder desk;
         const double reach = spec_.workspace_radius_m;
@@ -48,10 +54,12 @@ public:
         now_s_ += kTick;
         pose.time_s = now_s_;
         const DeviceSample sample = device_.read(now_s_);
-        const ForceCommand command = servo_tick(state_, world_.get(), tuning, pose, sample, now_s_, nullptr, desk_.get());
+        const ForceCommand command =
+            servo_tick(state_, world_.get(), tuning, pose, sample, now_s_, nullptr, desk_.get());
         device_.write(command);
         if (known_) {
-            // By the trapezoid over measured places, which is exact for springs: what the hold between two ticks adds is the sampled wall's own affair.
+            // By the trapezoid over measured places, which is exact for springs: what the hold between two ticks adds
+            // is the sampled wall's own affair.
             given_j_ += glm::dot(0.5 * (command.force_n + force_n_), sample.position_m - place_m_);
             jump_n_ = std::max(jump_n_, glm::length(command.force_n - force_n_));
         }
@@ -80,7 +88,8 @@ public:
     void forget() { given_j_ = jump_n_ = most_n_ = 0.0; }
     PersonalWall wall() const {
         return personal_wall_of(spec_, std::min(tuning.force_ceiling_n, spec_.peak_force_n),
-                                effective_stiffness_n_per_m(spec_, kTick, tuning.touch.damping_ns_per_m) * tuning.touch.default_stiffness_fraction);
+                                effective_stiffness_n_per_m(spec_, kTick, tuning.touch.damping_ns_per_m) *
+                                    tuning.touch.default_stiffness_fraction);
     }
     const ToolState& tool() const { return state_.tool(); }
     const DeviceSpec& spec() const { return spec_; }
@@ -111,7 +120,9 @@ class RandomPlaces {
 public:
     explicit RandomPlaces(std::uint32_t seed) : random_(seed) {}
     double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-    double speed() { return 0.02 * std::pow(50.0, uniform(0.0, 1.0)); }  // 0.02 to 1 m/s, slow ones as often as fast ones
+    double speed() {
+        return 0.02 * std::pow(50.0, uniform(0.0, 1.0));
+    }  // 0.02 to 1 m/s, slow ones as often as fast ones
     // Across the way towards the body, where the wall can be reached.
     Vec3 across(double reach_m, double y_m) {
         const double far = 0.4 * reach_m * std::sqrt(uniform(0.0, 1.0)), angle = uniform(0.0, 2.0 * kPi);
@@ -144,7 +155,8 @@ TEST(PersonalSpace, a_thousand_crossings_drive_no_hand_knock_nowhere_and_lead_ba
             ASSERT_EQ(rig.entered, entered + 1);
             ASSERT_TRUE(rig.tool().desk.open);
             const Vec3 place_m = rig.tool().proxy_m;
-            const bool at_once = random.uniform(0.0, 1.0) < 0.3;  // some turn round while the wall still lets go of them
+            const bool at_once =
+                random.uniform(0.0, 1.0) < 0.3;  // some turn round while the wall still lets go of them
             if (!at_once) rig.rest(0.3);
             rig.go(random.across(reach, random.uniform(-0.5, -0.1) * reach), at_once ? std::min(in, 0.3) : 0.3);
             EXPECT_EQ(rig.tool().proxy_m, place_m) << "the world did not wait";
@@ -160,7 +172,8 @@ TEST(PersonalSpace, a_thousand_crossings_drive_no_hand_knock_nowhere_and_lead_ba
             rig.go(begin, 0.3);
             ASSERT_EQ(rig.left, left + 1);
             ASSERT_EQ(rig.entered, entered + 1);
-            EXPECT_NEAR(glm::length(rig.tool().hip_m - back_m - kScale * (rig.tool().hand_m - hand_m)), 0.0, 1e-9) << "the workspace went on";
+            EXPECT_NEAR(glm::length(rig.tool().hip_m - back_m - kScale * (rig.tool().hand_m - hand_m)), 0.0, 1e-9)
+                << "the workspace went on";
             worst_j = std::max(worst_j, rig.given_j());
             sum_j += rig.given_j();
             worst_n = std::max(worst_n, rig.jump_n());
@@ -169,8 +182,10 @@ TEST(PersonalSpace, a_thousand_crossings_drive_no_hand_knock_nowhere_and_lead_ba
         }
         EXPECT_LT(worst_m, 1e-3);
         RecordProperty("worst_loop_j", fmt::format("{:.3g}", worst_j));
-        fmt::print("{}: {} crossings, work on the hand per loop {:.2f} mJ in the mean, {:.3f} mJ at most; largest jump {:.3f} N; back within {:.6f} mm felt\n", device,
-                   2 * loops, 1e3 * sum_j / loops, 1e3 * worst_j, worst_n, 1e3 * worst_m);
+        fmt::print(
+            "{}: {} crossings, work on the hand per loop {:.2f} mJ in the mean, {:.3f} mJ at most; largest jump {:.3f} "
+            "N; back within {:.6f} mm felt\n",
+            device, 2 * loops, 1e3 * sum_j / loops, 1e3 * worst_j, worst_n, 1e3 * worst_m);
     }
 }
 
@@ -205,7 +220,8 @@ TEST(PersonalSpace, lets_nobody_through_who_wobbles_at_it_and_gives_them_nothing
         for (int loop = 0; loop < scaled(50); ++loop) {
             rig.go(begin, 0.1);
             rig.forget();
-            for (int i = 0; i < 6; ++i) rig.go(random.across(reach, -at + random.uniform(-0.95 * depth, 0.002)), random.uniform(0.02, 0.2));
+            for (int i = 0; i < 6; ++i)
+                rig.go(random.across(reach, -at + random.uniform(-0.95 * depth, 0.002)), random.uniform(0.02, 0.2));
             rig.go(begin, 0.1);
             EXPECT_EQ(rig.entered, 0);
             // 14 times past the plane at most, each an error of the trapezoid: I11 of the invariants.
@@ -215,7 +231,8 @@ TEST(PersonalSpace, lets_nobody_through_who_wobbles_at_it_and_gives_them_nothing
         // Once through, a hand that trembles about the plane does not go to and fro.
         rig.go(Vec3(0.0, -at - depth - 0.001, 0.0), 0.05);
         EXPECT_EQ(rig.entered, 1);
-        for (int i = 0; i < 40; ++i) rig.go(Vec3(0.0, -at - depth * (i % 2 ? 1.1 : 0.0) + (i % 2 ? 0.0 : 0.004), 0.0), 0.1);
+        for (int i = 0; i < 40; ++i)
+            rig.go(Vec3(0.0, -at - depth * (i % 2 ? 1.1 : 0.0) + (i % 2 ? 0.0 : 0.004), 0.0), 0.1);
         EXPECT_EQ(rig.entered, 1);
         EXPECT_EQ(rig.left, 0);
     }
@@ -244,14 +261,16 @@ class SmallRoom : public DeskRig {
 public:
     explicit SmallRoom(const char* device) : DeskRig(device), wall_m(-0.4 * spec().workspace_radius_m) {
         HapticSceneBuilder builder;
-        builder.add_box({Vec3(-10.0, -10.0, -10.0), Vec3(10.0, kScale * wall_m - 0.12, 10.0)}, SurfaceLabel{FeatureId{1}});
+        builder.add_box({Vec3(-10.0, -10.0, -10.0), Vec3(10.0, kScale * wall_m - 0.12, 10.0)},
+                        SurfaceLabel{FeatureId{1}});
         set_world(builder.build());
         rest(1.2);
     }
     double wall_m;  // of the hand's middle when its ball touches it
     // So deep in it that it holds the hand with this force, were there no ceiling.
     double pulled_m(double force_n) const {
-        return wall_m - force_n / (effective_stiffness_n_per_m(spec(), kTick, tuning.touch.damping_ns_per_m) * tuning.touch.default_stiffness_fraction);
+        return wall_m - force_n / (effective_stiffness_n_per_m(spec(), kTick, tuning.touch.damping_ns_per_m) *
+                                   tuning.touch.default_stiffness_fraction);
     }
 };
 
@@ -292,7 +311,9 @@ TEST(PersonalSpace, a_wall_behind_the_person_is_explored_as_any_other) {
     for (const char* device : kDevices) {
         SCOPED_TRACE(device);
         SmallRoom rig(device);
-        const auto press = [&](double force_n, double x_m, double z_m, double speed) { rig.go(Vec3(x_m, rig.pulled_m(force_n), z_m), speed); };
+        const auto press = [&](double force_n, double x_m, double z_m, double speed) {
+            rig.go(Vec3(x_m, rig.pulled_m(force_n), z_m), speed);
+        };
         press(1.2, 0.0, 0.0, 0.05);  // lightly, for ever
         rig.rest(5.0);
         EXPECT_EQ(rig.entered, 0);
@@ -319,7 +340,8 @@ TEST(PersonalSpace, what_was_pressed_on_one_side_is_left_behind_without_a_knock)
         DeskRig rig(device);
         const double at = rig.wall().at_m, depth = rig.wall().depth_m;
         HapticSceneBuilder builder;  // a wall just behind the person, in the way of the pull
-        builder.add_box({Vec3(-10.0, -10.0, -10.0), Vec3(10.0, kScale * (-at + 0.004) - 0.12, 10.0)}, SurfaceLabel{FeatureId{1}});
+        builder.add_box({Vec3(-10.0, -10.0, -10.0), Vec3(10.0, kScale * (-at + 0.004) - 0.12, 10.0)},
+                        SurfaceLabel{FeatureId{1}});
         rig.set_world(builder.build());
         rig.rest(1.5);
         rig.go(Vec3(0.0, -at + 0.006, 0.0), 0.05);

@@ -24,7 +24,8 @@ inline TouchTuning uncapped_tuning(double radius_m) {
 }
 
 template <class Check>
-void replay(const HapticScene& scene, const std::vector<Vec3>& goals_m, const Motion& motion, const TouchTuning& tuning, Check&& check) {
+void replay(const HapticScene& scene, const std::vector<Vec3>& goals_m, const Motion& motion, const TouchTuning& tuning,
+            Check&& check) {
     TouchState state;
     for (std::size_t i = 0; i < goals_m.size(); ++i) {
         const Vec3 goal = motion(goals_m[i]);
@@ -39,12 +40,14 @@ struct Trace {
     std::vector<bool> settled;
 };
 
-inline Trace trace(const TouchWorld& world, const std::vector<Vec3>& goals_m, const Motion& motion, const TouchTuning& tuning) {
+inline Trace trace(const TouchWorld& world, const std::vector<Vec3>& goals_m, const Motion& motion,
+                   const TouchTuning& tuning) {
     Trace out;
-    replay(*world.scene(motion), goals_m, motion, tuning, [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) {
-        out.balls_m.push_back(motion.back(r.proxy_m));
-        out.settled.push_back(r.contacts.converged);
-    });
+    replay(*world.scene(motion), goals_m, motion, tuning,
+           [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) {
+               out.balls_m.push_back(motion.back(r.proxy_m));
+               out.settled.push_back(r.contacts.converged);
+           });
     return out;
 }
 
@@ -56,7 +59,9 @@ inline double largest_difference(const Trace& a, const Trace& b, double most_uns
         if (!a.settled[i] || !b.settled[i]) ++unsettled;
         else worst = std::max(worst, glm::length(a.balls_m[i] - b.balls_m[i]));
     }
-    return static_cast<double>(unsettled) <= most_unsettled * static_cast<double>(a.balls_m.size()) ? worst : std::numeric_limits<double>::infinity();
+    return static_cast<double>(unsettled) <= most_unsettled * static_cast<double>(a.balls_m.size())
+               ? worst
+               : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace handrail::test

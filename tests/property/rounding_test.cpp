@@ -1,4 +1,5 @@
-// Rounded edges: exact at edges and corners, nothing beside them, no groove where solids meet flush, no energy. Random worlds, seeds printed.
+// Rounded edges: exact at edges and corners, nothing beside them, no groove where solids meet flush, no energy. Random
+// worlds, seeds printed.
 #include <iostream>
 
 #include "haptic/compile/compile_haptic.h"
@@ -49,7 +50,8 @@ public:
         derive_surfaces(scene, looks, 1.0);
     }
     bool inside(const Vec3& p, double grow_m) const {
-        return std::any_of(scene.solids.begin(), scene.solids.end(), [&](const Solid& s) { return contains(s.shape, p, grow_m); });
+        return std::any_of(scene.solids.begin(), scene.solids.end(),
+                           [&](const Solid& s) { return contains(s.shape, p, grow_m); });
     }
     std::shared_ptr<const HapticScene> compiled(double rounding_m, RoundingReport* report = nullptr) const {
         CompileOptions options;
@@ -65,7 +67,8 @@ public:
 
 double distance(const HapticScene& scene, const Vec3& p) {
     double nearest = 1e9;
-    for (std::uint32_t i = 0; i < scene.obstacles.size(); ++i) nearest = std::min(nearest, scene.closest(i, p - scene.origin_m).distance_m);
+    for (std::uint32_t i = 0; i < scene.obstacles.size(); ++i)
+        nearest = std::min(nearest, scene.closest(i, p - scene.origin_m).distance_m);
     return nearest;
 }
 
@@ -103,12 +106,14 @@ Building cut_block(std::mt19937& random) {
     return building;
 }
 
-// Boxes on an uneven grid, some joined to larger ones: flush and covered in every way, in part and wholly, T-joints, windmills, inner corners.
+// Boxes on an uneven grid, some joined to larger ones: flush and covered in every way, in part and wholly, T-joints,
+// windmills, inner corners.
 Building blocks(std::mt19937& random) {
     constexpr int kCells = 4;
     std::array<std::array<double, kCells + 1>, 3> at{};
     for (auto& axis : at)
-        for (int i = 1; i <= kCells; ++i) axis[static_cast<std::size_t>(i)] = axis[static_cast<std::size_t>(i) - 1] + 0.15 + 0.5 * unit(random);
+        for (int i = 1; i <= kCells; ++i)
+            axis[static_cast<std::size_t>(i)] = axis[static_cast<std::size_t>(i) - 1] + 0.15 + 0.5 * unit(random);
     std::array<std::array<std::array<bool, kCells>, kCells>, kCells> taken{};
     const Motion motion = random() % 2 == 0 ? Motion{} : random_turn(random);
     Building building;
@@ -122,13 +127,17 @@ Building blocks(std::mt19937& random) {
         const auto each = [&](auto&& act) {
             for (int x = low[0]; x < high[0]; ++x)
                 for (int y = low[1]; y < high[1]; ++y)
-                    for (int z = low[2]; z < high[2]; ++z) act(taken[static_cast<std::size_t>(x)][static_cast<std::size_t>(y)][static_cast<std::size_t>(z)]);
+                    for (int z = low[2]; z < high[2]; ++z)
+                        act(taken[static_cast<std::size_t>(x)][static_cast<std::size_t>(y)]
+                                 [static_cast<std::size_t>(z)]);
         };
         each([&](const bool& cell) { is_free = is_free && !cell; });
         if (!is_free) continue;
         each([](bool& cell) { cell = true; });
         const auto place = [&](const std::array<int, 3>& i) {
-            return Vec3(at[0][static_cast<std::size_t>(i[0])], at[1][static_cast<std::size_t>(i[1])], at[2][static_cast<std::size_t>(i[2])]) - Vec3(0.8);
+            return Vec3(at[0][static_cast<std::size_t>(i[0])], at[1][static_cast<std::size_t>(i[1])],
+                        at[2][static_cast<std::size_t>(i[2])]) -
+                   Vec3(0.8);
         };
         building.add(box_planes(place(low), place(high)), motion);
     }
@@ -136,14 +145,16 @@ Building blocks(std::mt19937& random) {
     return building;
 }
 
-// Would a ball of this radius inside the building touch this place of its surface from within? Told from places on the ball.
+// Would a ball of this radius inside the building touch this place of its surface from within? Told from places on the
+// ball.
 bool ball_reaches(const Building& building, const Vec3& p, const Vec3& normal, double radius_m) {
     constexpr int kPlaces = 120;
     const Vec3 middle = p - normal * radius_m;
     if (!building.inside(middle, 1e-9)) return false;
     for (int k = 0; k < kPlaces; ++k) {  // a spiral over the sphere
         const double z = 1.0 - 2.0 * (k + 0.5) / kPlaces, angle = 2.399963 * k, out = std::sqrt(1.0 - z * z);
-        if (!building.inside(middle + Vec3(out * std::cos(angle), out * std::sin(angle), z) * (0.999 * radius_m), 1e-9)) return false;
+        if (!building.inside(middle + Vec3(out * std::cos(angle), out * std::sin(angle), z) * (0.999 * radius_m), 1e-9))
+            return false;
     }
     return true;
 }
@@ -162,7 +173,8 @@ std::optional<Place> exposed_place(const Building& building, std::mt19937& rando
     if (a + b > 1.0) a = 1.0 - a, b = 1.0 - b;
     // Every other one close to an edge: that is where grooves would be.
     if (random() % 2 == 0) a *= 0.1 * unit(random);
-    const Place place{corners[0] + (corners[k] - corners[0]) * a + (corners[k + 1] - corners[0]) * b, solid.shape.planes[face].normal};
+    const Place place{corners[0] + (corners[k] - corners[0]) * a + (corners[k + 1] - corners[0]) * b,
+                      solid.shape.planes[face].normal};
     if (building.inside(place.at_m + place.normal * 1e-6, 0.0)) return std::nullopt;
     return place;
 }
@@ -179,13 +191,16 @@ void expect_flush_and_within(const Building& building, std::uint32_t seed, std::
         if (!place) continue;
         const double off = distance(*felt, place->at_m);
         ASSERT_GE(off, -2e-5) << "seed " << seed << ": sticks out";
-        // Where a ball as large as the rounding can touch this place: in an inner corner it touches both sides farther out. And a little more than the radius
-        // from edges, since one between two solids may be rounded by either's own, and a corner by both.
+        // Where a ball as large as the rounding can touch this place: in an inner corner it touches both sides farther
+        // out. And a little more than the radius from edges, since one between two solids may be rounded by either's
+        // own, and a corner by both.
         const bool touchable = distance(*filed, place->at_m + place->normal * kRounding_m) >= kRounding_m - 1e-9;
         if (touchable && ball_reaches(building, place->at_m, place->normal, 1.45 * kRounding_m)) {
-            ASSERT_LE(off, 1e-4) << "seed " << seed << ": a groove at " << place->at_m.x << ' ' << place->at_m.y << ' ' << place->at_m.z;
+            ASSERT_LE(off, 1e-4) << "seed " << seed << ": a groove at " << place->at_m.x << ' ' << place->at_m.y << ' '
+                                 << place->at_m.z;
         }
-        const Vec3 above = place->at_m + place->normal * (0.05 * unit(random)) + Vec3(unit(random), unit(random), unit(random)) * 0.02;
+        const Vec3 above =
+            place->at_m + place->normal * (0.05 * unit(random)) + Vec3(unit(random), unit(random), unit(random)) * 0.02;
         if (const double sharp_distance = distance(*filed, above); sharp_distance > 0.0) {
             ASSERT_GE(distance(*felt, above), sharp_distance - 2e-5) << "seed " << seed << ": sticks out into the air";
         }
@@ -228,22 +243,29 @@ TEST(Rounding, is_not_felt_where_a_pressed_ball_slides_over_flush_seams) {
         for (int attempt = 0; attempt < 60; ++attempt) {
             const std::optional<Place> from = exposed_place(building, random), to = exposed_place(building, random);
             if (!from || !to || glm::dot(from->normal, to->normal) < 1.0 - 1e-9) continue;
-            if (std::abs(glm::dot(from->normal, to->at_m - from->at_m)) > 1e-9 || glm::length(to->at_m - from->at_m) < 0.2) continue;
+            if (std::abs(glm::dot(from->normal, to->at_m - from->at_m)) > 1e-9 ||
+                glm::length(to->at_m - from->at_m) < 0.2)
+                continue;
             bool level = true;
             for (int k = 0; k <= 30 && level; ++k) {
                 const Vec3 p = from->at_m + (to->at_m - from->at_m) * (k / 30.0);
-                level = ball_reaches(building, p, from->normal, 1.5 * kRounding_m) && !building.inside(p + from->normal * (2.0 * kBall_m), 1.5 * kBall_m);
+                level = ball_reaches(building, p, from->normal, 1.5 * kRounding_m) &&
+                        !building.inside(p + from->normal * (2.0 * kBall_m), 1.5 * kBall_m);
             }
             if (!level) continue;
             ++slides;
             const Vec3 deep = from->normal * (0.5 * kBall_m), high = from->normal * (2.0 * kBall_m);
-            const std::vector<Vec3> goals = hand_path({from->at_m + high, from->at_m - deep, to->at_m - deep, to->at_m + high}, 0.5);
+            const std::vector<Vec3> goals =
+                hand_path({from->at_m + high, from->at_m - deep, to->at_m - deep, to->at_m + high}, 0.5);
             std::vector<Vec3> forces;
             replay(*filed, goals, {}, uncapped_tuning(kBall_m),
-                   [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) { forces.push_back(r.force_n); });
-            replay(*felt, goals, {}, uncapped_tuning(kBall_m), [&](std::size_t tick, const Vec3&, const TouchResult& r, const ProxySolver&) {
-                worst_n = std::max(worst_n, glm::length(r.force_n - forces[tick]));
-            });
+                   [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) {
+                       forces.push_back(r.force_n);
+                   });
+            replay(*felt, goals, {}, uncapped_tuning(kBall_m),
+                   [&](std::size_t tick, const Vec3&, const TouchResult& r, const ProxySolver&) {
+                       worst_n = std::max(worst_n, glm::length(r.force_n - forces[tick]));
+                   });
             ASSERT_LE(worst_n, 0.02) << "seed " << seed << " (a micrometre is 0.001 N)";
         }
     }
@@ -272,8 +294,12 @@ TEST(Rounding, of_random_brushes_is_exact_and_supports_the_solid) {
             const Nearest expected = nearest_on_solid(core, LVec(p));
             const ClosestPoint found = felt->closest(0, p - felt->origin_m);
             if (expected.distance > 1e-9L) {
-                ASSERT_NEAR(found.distance_m, static_cast<double>(expected.distance) - radius, 1e-12) << "seed " << seed;
-                ASSERT_LE(glm::length(found.normal - Vec3(LVec(p) - expected.point) / static_cast<double>(expected.distance)), 1e-9) << "seed " << seed;
+                ASSERT_NEAR(found.distance_m, static_cast<double>(expected.distance) - radius, 1e-12)
+                    << "seed " << seed;
+                ASSERT_LE(
+                    glm::length(found.normal - Vec3(LVec(p) - expected.point) / static_cast<double>(expected.distance)),
+                    1e-9)
+                    << "seed " << seed;
             }
             ASSERT_NEAR(glm::length(found.normal), 1.0, 1e-12);
             // The plane bounds all of the rounded solid.
@@ -291,10 +317,12 @@ std::shared_ptr<const HapticScene> rounded_box(double rounding_m) {
     return building.compiled(rounding_m);
 }
 
-TEST(Rounding, gives_the_force_of_a_rounded_box_round_its_edges_and_corners_and_that_of_the_sharp_one_bit_for_bit_on_its_faces) {
+TEST(Rounding,
+     gives_the_force_of_a_rounded_box_round_its_edges_and_corners_and_that_of_the_sharp_one_bit_for_bit_on_its_faces) {
     constexpr double kSmall_m = 0.02;
     const auto felt = rounded_box(kSmall_m), filed = rounded_box(0.0);
-    const Aabb core{{-0.3 + kSmall_m, -0.2 + kSmall_m, -0.1 + kSmall_m}, {0.1 - kSmall_m, 0.25 - kSmall_m, 0.2 - kSmall_m}};
+    const Aabb core{{-0.3 + kSmall_m, -0.2 + kSmall_m, -0.1 + kSmall_m},
+                    {0.1 - kSmall_m, 0.25 - kSmall_m, 0.2 - kSmall_m}};
     // Over an edge, then over a corner, pressed 3 mm by a ball of 5 mm.
     TouchState state;
     const TouchTuning tuning = uncapped_tuning(0.005);
@@ -302,7 +330,8 @@ TEST(Rounding, gives_the_force_of_a_rounded_box_round_its_edges_and_corners_and_
     int round_edge = 0, round_corner = 0;
     for (int k = 0; k <= 4000; ++k) {
         const double turn = 0.5 * kPi * (k % 2001) / 2000.0;
-        const Vec3 way = k <= 2000 ? Vec3(std::cos(turn), 0.0, std::sin(turn)) : glm::normalize(Vec3(std::cos(turn), std::sin(turn), 0.8));
+        const Vec3 way = k <= 2000 ? Vec3(std::cos(turn), 0.0, std::sin(turn))
+                                   : glm::normalize(Vec3(std::cos(turn), std::sin(turn), 0.8));
         const Vec3 corner = k <= 2000 ? Vec3(core.max_m.x, 0.0, core.max_m.z) : core.max_m;
         const Vec3 goal = corner + way * (kSmall_m + 0.005 - 0.003);
         if (k == 2001) state.reset();
@@ -323,7 +352,8 @@ TEST(Rounding, gives_the_force_of_a_rounded_box_round_its_edges_and_corners_and_
             Vec3 goal = middle + Vec3(k * 1e-4, k * 7e-5, -k * 3e-5);
             goal[face / 2] = (face % 2 == 0 ? filed->boxes[0].max_m : filed->boxes[0].min_m)[face / 2];
             goal += way * (0.01 - k * 1e-4);
-            const TouchResult a = touch_tick(one, *filed, tuning, goal, 1e-3), b = touch_tick(two, *felt, tuning, goal, 1e-3);
+            const TouchResult a = touch_tick(one, *filed, tuning, goal, 1e-3),
+                              b = touch_tick(two, *felt, tuning, goal, 1e-3);
             ASSERT_EQ(a.force_n, b.force_n);
             ASSERT_EQ(a.proxy_m, b.proxy_m);
         }
@@ -338,7 +368,8 @@ TEST(Rounding, gives_no_energy_over_random_closed_loops) {  // I11
         const Motion motion = i % 2 == 0 ? Motion{} : random_turn(random);
         Building building;
         building.add(box_planes({-0.3, -0.3, -0.3}, {0.02, 0.3, 0.0}), motion);
-        if (i % 3 == 0) building.add(box_planes({0.02, -0.3, -0.3}, {0.04 + 0.1 * unit(random), 0.1 * unit(random), 0.0}), motion);
+        if (i % 3 == 0)
+            building.add(box_planes({0.02, -0.3, -0.3}, {0.04 + 0.1 * unit(random), 0.1 * unit(random), 0.0}), motion);
         building.finish();
         const auto felt = building.compiled(0.005 + 0.015 * unit(random));
         std::vector<Vec3> loop_m = closed_loop(random, {0.02, 0.0, 0.02}, {0.05, 0.05, 0.05}, 4.0);
@@ -373,10 +404,11 @@ TEST(Rounding, of_a_thing_that_moves_is_as_large_to_the_hand_whatever_its_scale)
         for (int k = 0; k < 400; ++k) {
             at.position_m.x = 1.0 + (k > 100 ? 2e-5 * (k - 100) : 0.0);
             const BodyPose pose{at, true};
-            const Vec3 axis = at.position_m + Vec3(0.05 * scale - 0.01, 0.0, 0.05 * scale - 0.01), way = glm::normalize(Vec3(1, 0, 1));
+            const Vec3 axis = at.position_m + Vec3(0.05 * scale - 0.01, 0.0, 0.05 * scale - 0.01),
+                       way = glm::normalize(Vec3(1, 0, 1));
             const Vec3 goal = axis + way * (0.01 + 0.005 + (k < 50 ? 0.01 - k * 2e-4 : 0.0) - 0.002);
-            const TouchResult r =
-                touch_tick(state, *felt, uncapped_tuning(0.005), goal, 1e-3, Vec3(0.0), {std::span(&pose, 1), static_cast<std::uint64_t>(k + 1)});
+            const TouchResult r = touch_tick(state, *felt, uncapped_tuning(0.005), goal, 1e-3, Vec3(0.0),
+                                             {std::span(&pose, 1), static_cast<std::uint64_t>(k + 1)});
             if (k <= 60) continue;
             ASSERT_LE(glm::length(r.force_n - way * 2.0), 1e-4) << "scale " << scale << " tick " << k;
         }

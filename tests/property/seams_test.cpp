@@ -1,4 +1,5 @@
-// Where two solids overlap, touch or nearly touch, nothing passes: aimed at on purpose, in worlds of our own and at the inner seams of a real map.
+// Where two solids overlap, touch or nearly touch, nothing passes: aimed at on purpose, in worlds of our own and at the
+// inner seams of a real map.
 #include <iostream>
 
 #include "haptic/compile/compile_haptic.h"
@@ -24,7 +25,9 @@ TEST(Seams, between_boxes_that_overlap_touch_or_gape_less_than_the_ball_stay_shu
     for (int round = 0; round < scaled(300); ++round) {
         const double radius = round % 2 == 0 ? 0.005 : 1e-5;
         // Overlap up to 5 mm, exact contact, or a gap of up to 99 % of the ball's diameter.
-        const double gap = round % 3 == 0 ? -0.005 * unit(random) : round % 3 == 1 ? 0.0 : 0.99 * 2 * radius * unit(random);
+        const double gap = round % 3 == 0   ? -0.005 * unit(random)
+                           : round % 3 == 1 ? 0.0
+                                            : 0.99 * 2 * radius * unit(random);
         TouchWorld world;
         const double thick = 0.002 + 0.05 * unit(random);
         world.box({-0.3, -0.3, -thick}, {0, 0.3, 0});
@@ -46,7 +49,8 @@ TEST(Seams, between_boxes_that_overlap_touch_or_gape_less_than_the_ball_stay_shu
                [&](std::size_t i, const Vec3& goal, const TouchResult& r, const ProxySolver&) {
                    lowest = std::min(lowest, motion.back(r.proxy_m).z);
                    if (i % 3 == 0) deepest = std::max(deepest, static_cast<double>(radius - judge.distance(r.proxy_m)));
-                   largest_jump = std::max(largest_jump, glm::length(r.force_n - last_force) - 1000.0 * glm::length(goal - last_goal));
+                   largest_jump = std::max(
+                       largest_jump, glm::length(r.force_n - last_force) - 1000.0 * glm::length(goal - last_goal));
                    last_force = r.force_n;
                    last_goal = goal;
                });
@@ -69,7 +73,8 @@ Neighbours near(const Scene& scene, const Vec3& at, double reach) {
         if (solid.role != SolidRole::Solid && solid.role != SolidRole::Mover) continue;
         if (distance_squared(solid.shape.bounds_m, at) > reach * reach) continue;
         std::vector<Vec3> corners;
-        for (const Polygon& face : solid.shape.faces) corners.insert(corners.end(), face.points_m.begin(), face.points_m.end());
+        for (const Polygon& face : solid.shape.faces)
+            corners.insert(corners.end(), face.points_m.begin(), face.points_m.end());
         out.judge.add_solid(solid.shape.planes, corners);
         ++out.count;
     }
@@ -93,17 +98,20 @@ TEST(Seams, of_a_real_map_let_no_ray_or_sweep_through_at_1000_places) {
     int seams = 0, touched = 0;
     double deepest = 0.0;
     for (int attempt = 0; seams < wanted && attempt < wanted * 400; ++attempt) {
-        // A point of an edge of one brush that also lies on another brush, and is not buried: an inner seam that a hand can reach.
+        // A point of an edge of one brush that also lies on another brush, and is not buried: an inner seam that a hand
+        // can reach.
         const Solid& a = *solids[random() % solids.size()];
         const Polygon& face = a.shape.faces[random() % a.shape.faces.size()];
         const std::size_t corner = random() % face.points_m.size();
         const double along = unit(random);
-        const Vec3 seam = face.points_m[corner] * along + face.points_m[(corner + 1) % face.points_m.size()] * (1.0 - along);
+        const Vec3 seam =
+            face.points_m[corner] * along + face.points_m[(corner + 1) % face.points_m.size()] * (1.0 - along);
         bool shared = false;
         haptic->obstacle_bvh.within(seam - haptic->origin_m, 1e-6, [&](std::uint32_t item, double&) {
             // Edges of the brush itself lie at distance 0 of it too, so a second one must be there.
             const double d = haptic->closest(item, seam - haptic->origin_m).distance_m;
-            const bool self = std::abs(d) < 1e-6 && haptic->closest(item, a.shape.bounds_m.centre_m() - haptic->origin_m).distance_m < 0.0;
+            const bool self = std::abs(d) < 1e-6 &&
+                              haptic->closest(item, a.shape.bounds_m.centre_m() - haptic->origin_m).distance_m < 0.0;
             shared = shared || (std::abs(d) < 1e-6 && !self);
         });
         if (!shared) continue;
@@ -121,12 +129,14 @@ TEST(Seams, of_a_real_map_let_no_ray_or_sweep_through_at_1000_places) {
         for (const double radius : {0.005, 1e-5}) {
             const std::vector<Vec3> goals = hand_path({start, beyond, beyond + edge * 0.03, beyond - edge * 0.03}, 0.5);
             bool contact = false;
-            replay(*haptic, goals, {}, plain_tuning(radius), [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
-                contact = contact || r.contacts.count > 0;
-                if (i % 12 != 0 && i + 1 != goals.size()) return;
-                for (int k = 0; k < solver.path_size(); ++k)
-                    deepest = std::max(deepest, static_cast<double>(r.radius_m - around.judge.distance(solver.path_m(k))));
-            });
+            replay(*haptic, goals, {}, plain_tuning(radius),
+                   [&](std::size_t i, const Vec3&, const TouchResult& r, const ProxySolver& solver) {
+                       contact = contact || r.contacts.count > 0;
+                       if (i % 12 != 0 && i + 1 != goals.size()) return;
+                       for (int k = 0; k < solver.path_size(); ++k)
+                           deepest = std::max(
+                               deepest, static_cast<double>(r.radius_m - around.judge.distance(solver.path_m(k))));
+                   });
             touched += contact;
         }
         ASSERT_LE(deepest, 1e-9) << fmt::format("seed {} seam {} at {} {} {}", kSeed, seams, seam.x, seam.y, seam.z);

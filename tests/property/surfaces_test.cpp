@@ -1,5 +1,5 @@
-// Surfaces that are felt elsewhere than they lie - height textures, friction textures, shaded meshes - must never give a hand energy (I11): random closed
-// loops over random worlds, smooth and with a device's quantum. Seeds are printed.
+// Surfaces that are felt elsewhere than they lie - height textures, friction textures, shaded meshes - must never give
+// a hand energy (I11): random closed loops over random worlds, smooth and with a device's quantum. Seeds are printed.
 #include <cmath>
 
 #include "haptic/render/relief.h"
@@ -12,7 +12,8 @@ namespace {
 std::shared_ptr<const HeightField> random_picture(std::mt19937& random) {
     const int width = 8 + static_cast<int>(random() % 57), height = 8 + static_cast<int>(random() % 57);
     std::vector<float> depths(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    for (float& d : depths) d = random() % 3 == 0 ? 1.0F : random() % 2 == 0 ? 0.0F : static_cast<float>(random() % 1000) * 1e-3F;
+    for (float& d : depths)
+        d = random() % 3 == 0 ? 1.0F : random() % 2 == 0 ? 0.0F : static_cast<float>(random() % 1000) * 1e-3F;
     return std::make_shared<const HeightField>(width, height, depths);
 }
 
@@ -47,8 +48,12 @@ std::shared_ptr<const HapticScene> textured_corner(std::mt19937& random, ReliefK
     builder.add_box({{-1, -1, -1}, {0.03, 1, 0}}, SurfaceLabel{kNoFeature, 1, false});
     builder.add_box({{0.06, -1, -1}, {1, 1, 0.02}}, SurfaceLabel{kNoFeature, 2, false});
     const Vec3 slant = glm::normalize(Vec3(0.3, -1.0, 0.4));
-    std::vector<Plane> planes{
-        {slant, glm::dot(slant, Vec3(0.0, 0.035, 0.0))}, {{0, 1, 0}, 0.5}, {{1, 0, 0}, 0.5}, {{-1, 0, 0}, 0.5}, {{0, 0, 1}, 0.5}, {{0, 0, -1}, 0.5}};
+    std::vector<Plane> planes{{slant, glm::dot(slant, Vec3(0.0, 0.035, 0.0))},
+                              {{0, 1, 0}, 0.5},
+                              {{1, 0, 0}, 0.5},
+                              {{-1, 0, 0}, 0.5},
+                              {{0, 0, 1}, 0.5},
+                              {{0, 0, -1}, 0.5}};
     builder.add_solid(planes, {{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}}, SurfaceLabel{kNoFeature, 3, false});
     builder.set_reliefs(std::move(reliefs));
     return builder.build();
@@ -85,7 +90,8 @@ TEST_P(TexturedSurface, takes_energy_wherever_there_is_friction) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, TexturedSurface, ::testing::Values(ReliefKind::Sine, ReliefKind::Square, ReliefKind::Picture));
+INSTANTIATE_TEST_SUITE_P(Kinds, TexturedSurface,
+                         ::testing::Values(ReliefKind::Sine, ReliefKind::Square, ReliefKind::Picture));
 
 // ---- force shading ----
 
@@ -96,7 +102,8 @@ std::shared_ptr<const HapticScene> mesh_scene(const TriangleMesh& mesh, bool sha
     return builder.build();
 }
 
-// Root mean square of the angle between the force and the exact sphere's, in degrees, over a slide pressed 2 to 5 mm deep at 0.2 m/s.
+// Root mean square of the angle between the force and the exact sphere's, in degrees, over a slide pressed 2 to 5 mm
+// deep at 0.2 m/s.
 double direction_error_deg(const HapticScene& scene, double radius_m) {
     double sum = 0.0;
     int count = 0;
@@ -114,8 +121,10 @@ double direction_error_deg(const HapticScene& scene, double radius_m) {
 
 TEST(ShadedMesh, points_the_force_along_the_sphere_it_stands_for) {  // S30
     const TriangleMesh mesh = sphere_mesh(22, 0.5);                  // 9680 triangles
-    const double facets = direction_error_deg(*mesh_scene(mesh, false), 0.5), shaded = direction_error_deg(*mesh_scene(mesh, true), 0.5);
-    std::cout << "    direction error of " << mesh.triangles.size() << " triangles: " << facets << " degrees rms, shaded " << shaded << "\n";
+    const double facets = direction_error_deg(*mesh_scene(mesh, false), 0.5),
+                 shaded = direction_error_deg(*mesh_scene(mesh, true), 0.5);
+    std::cout << "    direction error of " << mesh.triangles.size() << " triangles: " << facets
+              << " degrees rms, shaded " << shaded << "\n";
     EXPECT_LE(facets, 1.3);
     EXPECT_LE(shaded, 0.05);
 }
@@ -127,7 +136,8 @@ TriangleMesh shaken_torus(std::mt19937& random, int around, int across, double s
     for (int i = 0; i < around; ++i)
         for (int j = 0; j < across; ++j) {
             const double a = 2.0 * kPi * i / around, b = 2.0 * kPi * j / across, out = 0.1 + 0.04 * std::cos(b);
-            mesh.points_m.push_back(Vec3(out * std::cos(a), out * std::sin(a), 0.04 * std::sin(b)) + Vec3(shake(random), shake(random), shake(random)));
+            mesh.points_m.push_back(Vec3(out * std::cos(a), out * std::sin(a), 0.04 * std::sin(b)) +
+                                    Vec3(shake(random), shake(random), shake(random)));
         }
     const auto at = [&](int i, int j) { return static_cast<std::uint32_t>((i % around) * across + j % across); };
     for (int i = 0; i < around; ++i)
@@ -138,8 +148,8 @@ TriangleMesh shaken_torus(std::mt19937& random, int around, int across, double s
     return mesh;
 }
 
-// Over shaken tori and coarse spheres, pressed up to `deepest_m`. Above the ball's radius, 5 mm, it passes the edges of facets by jumps, with and without
-// shading; I11 then allows each of these ticks what the trapezoid may be off there.
+// Over shaken tori and coarse spheres, pressed up to `deepest_m`. Above the ball's radius, 5 mm, it passes the edges of
+// facets by jumps, with and without shading; I11 then allows each of these ticks what the trapezoid may be off there.
 void gives_no_energy(double deepest_m) {
     const int loops = scaled(40);
     const bool jumps = deepest_m > 0.005;
@@ -147,7 +157,9 @@ void gives_no_energy(double deepest_m) {
     int touched = 0;
     for (int seed = 1; seed <= loops; ++seed) {
         std::mt19937 random(static_cast<unsigned>(seed));
-        const auto scene = mesh_scene(seed % 2 == 0 ? sphere_mesh(2 + seed % 5, 0.1) : shaken_torus(random, 16 + seed % 9, 10 + seed % 7, 5e-4), true);
+        const auto scene = mesh_scene(
+            seed % 2 == 0 ? sphere_mesh(2 + seed % 5, 0.1) : shaken_torus(random, 16 + seed % 9, 10 + seed % 7, 5e-4),
+            true);
         EXPECT_TRUE(scene->has_fields());
         const double start = seed % 2 == 0 ? 0.1 : 0.04;
         const Vec3 middle(seed % 2 == 0 ? 0.0 : 0.1, 0.0, start + 0.008);
@@ -157,7 +169,8 @@ void gives_no_energy(double deepest_m) {
             worst_j = std::max(worst_j, loop.energy_j);
             worst_jump_n = std::max(worst_jump_n, quantised ? 0.0 : loop.largest_jump_n);
             touched += loop.largest_n > 0.5;
-            EXPECT_LE(loop.energy_j, loop.allowed_j + (jumps ? loop.edges_j : 0.0)) << "seed " << seed << (quantised ? ", quantised" : "");
+            EXPECT_LE(loop.energy_j, loop.allowed_j + (jumps ? loop.edges_j : 0.0))
+                << "seed " << seed << (quantised ? ", quantised" : "");
         }
     }
     EXPECT_GE(4 * touched, loops);
@@ -177,7 +190,8 @@ TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
     // A tube of 24 sides with a lid: the sides rise, the lid and its rim do not.
     TriangleMesh tube;
     for (int i = 0; i < 24; ++i)
-        for (const double z : {0.0, 0.1}) tube.points_m.push_back({0.05 * std::cos(2.0 * kPi * i / 24), 0.05 * std::sin(2.0 * kPi * i / 24), z});
+        for (const double z : {0.0, 0.1})
+            tube.points_m.push_back({0.05 * std::cos(2.0 * kPi * i / 24), 0.05 * std::sin(2.0 * kPi * i / 24), z});
     tube.points_m.push_back({0.0, 0.0, 0.1});
     for (std::uint32_t i = 0; i < 24; ++i) {
         const std::uint32_t next = (i + 1) % 24;
@@ -190,9 +204,12 @@ TEST(ShadedMesh, keeps_corners_sharp_and_flat_faces_flat) {
         double rise = 0.0;
         for (const float s : shading.facets[t].sagitta_m) rise = std::max(rise, std::abs(static_cast<double>(s)));
         if (t % 3 == 2) EXPECT_EQ(rise, 0.0) << t;
-        else EXPECT_NEAR(rise, 0.05 * (1.0 - std::cos(kPi / 24.0)), 2e-5) << t;  // the diagonal spans one side of the polygon
+        else
+            EXPECT_NEAR(rise, 0.05 * (1.0 - std::cos(kPi / 24.0)), 2e-5)
+                << t;  // the diagonal spans one side of the polygon
     }
-    EXPECT_EQ(shade_mesh(tube.points_m, tube.triangles, 1.0).highest_m, 0.0) << "with no crease angle at all nothing is smooth";
+    EXPECT_EQ(shade_mesh(tube.points_m, tube.triangles, 1.0).highest_m, 0.0)
+        << "with no crease angle at all nothing is smooth";
 }
 
 TEST(ShadedMesh, survives_needles_duplicates_and_edges_of_three) {
@@ -203,14 +220,17 @@ TEST(ShadedMesh, survives_needles_duplicates_and_edges_of_three) {
         for (int i = 0; i < 30; ++i) mesh.points_m.push_back({unit(random), unit(random), 0.1 * unit(random)});
         mesh.points_m[1] = mesh.points_m[0];
         for (int i = 0; i < 60; ++i)
-            mesh.triangles.push_back(
-                {static_cast<std::uint32_t>(random() % 30), static_cast<std::uint32_t>(random() % 30), static_cast<std::uint32_t>(random() % 30)});
+            mesh.triangles.push_back({static_cast<std::uint32_t>(random() % 30),
+                                      static_cast<std::uint32_t>(random() % 30),
+                                      static_cast<std::uint32_t>(random() % 30)});
         mesh.triangles.push_back(mesh.triangles.front());
         const auto scene = mesh_scene(mesh, true);
         for (const MeshShading::Facet& facet : scene->shading.facets)
             for (const float s : facet.sagitta_m) EXPECT_TRUE(std::isfinite(s)) << seed;
         replay(*scene, closed_loop(random, Vec3(0.0), Vec3(0.05), 1.0), {}, plain_tuning(0.003),
-               [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) { ASSERT_TRUE(is_finite(r.force_n)) << seed; });
+               [&](std::size_t, const Vec3&, const TouchResult& r, const ProxySolver&) {
+                   ASSERT_TRUE(is_finite(r.force_n)) << seed;
+               });
     }
 }
 

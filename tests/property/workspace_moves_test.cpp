@@ -1,4 +1,5 @@
-// Random hands move their workspace by rim, by grabbing and by keys, among solids: nothing knocks, nothing drives the hand, nothing gives it energy.
+// Random hands move their workspace by rim, by grabbing and by keys, among solids: nothing knocks, nothing drives the
+// hand, nothing gives it energy.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +20,9 @@ struct RandomWorld {
 // Boxes around the start, which stays free; or nothing within reach.
 RandomWorld world_of(std::mt19937& random, bool walls) {
     if (!walls) return {wall_scene(1000.0)};
-    const auto uniform = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
     HapticSceneBuilder builder;
     for (int i = 0; i < 25; ++i) {
         const Vec3 centre(uniform(-6.0, 6.0), uniform(-6.0, 6.0), uniform(-6.0, 6.0));
@@ -31,7 +34,8 @@ RandomWorld world_of(std::mt19937& random, bool walls) {
     return {builder.build()};
 }
 
-// A hand that goes from place to place at up to 0.12 m/s with soft starts, often past the rim, and plays with the button and the keys.
+// A hand that goes from place to place at up to 0.12 m/s with soft starts, often past the rim, and plays with the
+// button and the keys.
 class RandomHand {
 public:
     explicit RandomHand(std::mt19937& random, double reach_m) : random_(random), reach_m_(reach_m) {}
@@ -49,7 +53,9 @@ public:
     void play(ServoRig& rig) {
         if (uniform(0, 1) < 1.0 / 400.0) rig.sample.buttons ^= 1U;
         if (uniform(0, 1) < 1.0 / 600.0)
-            rig.tuning.workspace.push_hand_m_per_s = uniform(0, 1) < 0.6 ? Vec3(0.0) : Vec3(uniform(-0.03, 0.03), uniform(-0.03, 0.03), uniform(-0.03, 0.03));
+            rig.tuning.workspace.push_hand_m_per_s =
+                uniform(0, 1) < 0.6 ? Vec3(0.0)
+                                    : Vec3(uniform(-0.03, 0.03), uniform(-0.03, 0.03), uniform(-0.03, 0.03));
     }
     const Vec3& at_m() const { return at_m_; }
 
@@ -90,18 +96,23 @@ TEST(WorkspaceMoves, neither_knock_nor_push_nor_feed_a_random_hand) {
                 rig.tick(hand.step(kTick));
                 const Vec3 force = rig.last.force_n;
                 const ToolState& tool = rig.tool();
-                const bool moved = tool.workspace_motion != WorkspaceMotion::Still && tool.workspace_shift_m != shift_before;
-                // Energy by the trapezoid, which is exact for springs: what the hold between two ticks adds is the sampled wall's own affair.
+                const bool moved =
+                    tool.workspace_motion != WorkspaceMotion::Still && tool.workspace_shift_m != shift_before;
+                // Energy by the trapezoid, which is exact for springs: what the hold between two ticks adds is the
+                // sampled wall's own affair.
                 given_j += glm::dot(0.5 * (force + force_before), hand.at_m() - hand_before);
                 most_given_j = std::max(most_given_j, given_j);
                 if (tool.workspace_motion != WorkspaceMotion::Still) {  // else it is a wall's own affair
-                    // What was felt goes first, within 75 ms; while the workspace moves there is less than 0.2 N, and no knock but the hand's own.
+                    // What was felt goes first, within 75 ms; while the workspace moves there is less than 0.2 N, and
+                    // no knock but the hand's own.
                     if (still) allowed_n = glm::length(force_before);
                     allowed_n = std::max(WorkspaceMover::kMovingForceN, allowed_n - 33.0 * kTick);
                     ASSERT_LE(glm::length(force), allowed_n + 1e-9) << "at tick " << tick;
-                    // A wall's own affair: the hand's own motion, and a step of the ball round an edge before the force is down.
+                    // A wall's own affair: the hand's own motion, and a step of the ball round an edge before the force
+                    // is down.
                     const bool going = allowed_n > WorkspaceMover::kMovingForceN;
-                    const double own_n = stiffness * (glm::length(hand.at_m() - hand_before) + (going ? rig.tuning.touch.slide_cap_hand_m : 0.0));
+                    const double own_n = stiffness * (glm::length(hand.at_m() - hand_before) +
+                                                      (going ? rig.tuning.touch.slide_cap_hand_m : 0.0));
                     ASSERT_LE(glm::length(force - force_before), 0.2 + own_n) << "at tick " << tick;
                 }
                 still = tool.workspace_motion == WorkspaceMotion::Still;
@@ -116,7 +127,8 @@ TEST(WorkspaceMoves, neither_knock_nor_push_nor_feed_a_random_hand) {
                 hand_before = hand.at_m();
                 shift_before = tool.workspace_shift_m;
             }
-            // Rim and grip alone give nothing. Among walls the ball's steps round edges do, a little; a pump would add up over the presses of 20 s.
+            // Rim and grip alone give nothing. Among walls the ball's steps round edges do, a little; a pump would add
+            // up over the presses of 20 s.
             const double press_j = rig.tuning.force_ceiling_n * rig.tuning.force_ceiling_n / (2.0 * stiffness);
             EXPECT_LT(most_given_j, walls ? press_j : 2e-4) << "the hand was given energy";
         }

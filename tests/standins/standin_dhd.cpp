@@ -1,5 +1,5 @@
-// Stands in for Force Dimension's libdhd: its symbols and signs, one device with a hand on it. Library axes: x towards the person, y right, z up.
-// The functions beginning with standin_ are the test's own way in.
+// Stands in for Force Dimension's libdhd: its symbols and signs, one device with a hand on it. Library axes: x towards
+// the person, y right, z up. The functions beginning with standin_ are the test's own way in.
 #include <atomic>
 #include <chrono>
 #include <cmath>

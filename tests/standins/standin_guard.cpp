@@ -1,12 +1,13 @@
-// A guard process with a device made of numbers, so that the program's side can be tried without any hardware. Started like handrail-guard;
-// the name says how the device behaves: echo, blocks (after 20 exchanges), nan, dies, absent.
+// Guard processes with a device made of numbers, so that the program's side can be tried without any hardware. Started
+// like handrail-guard; the name says how the device behaves: echo, blocks (after 20 exchanges), nan, dies, absent,
+// stubborn (cannot be zeroed).
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <string>
 #include <thread>
 
-#include "haptic/drivers/hand_guard.h"
+#include "haptic/drivers/guard_process.h"
 #include "worlds/base/language.h"
 
 namespace {
@@ -37,12 +38,17 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 7) return 2;
-    return handrail::run_guard_process(std::atoi(argv[1]), std::atoi(argv[2]), std::atoi(argv[3]),
-                                       [&](const std::function<void(const std::string&)>& tell) -> handrail::Result<std::unique_ptr<handrail::HapticDevice>> {
-                                           (void)handrail::speak_language(argv[4], argv[5]);
-                                           if (std::string(argv[6]) == "absent") return handrail::fail(handrail::phrase("drivers.no_falcon"));
-                                           tell("Waking it.");
-                                           return std::unique_ptr<handrail::HapticDevice>(std::make_unique<NumbersDevice>(argv[6]));
-                                       });
+    const handrail::NamedDevices devices{
+        [](const std::string& name, const std::string&, const std::function<void(const std::string&)>& tell)
+            -> handrail::Result<std::unique_ptr<handrail::HapticDevice>> {
+            if (name == "absent") return handrail::fail(handrail::phrase("drivers.no_falcon"));
+            tell("Waking it.");
+            return std::unique_ptr<handrail::HapticDevice>(std::make_unique<NumbersDevice>(name));
+        },
+        [](const std::string& name, const std::string&) -> handrail::Result<void> {
+            if (name == "stubborn") return handrail::fail(handrail::phrase("drivers.no_falcon"));
+            return {};
+        },
+    };
+    return handrail::guard_process(argc, argv, devices);
 }

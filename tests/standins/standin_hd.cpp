@@ -1,5 +1,6 @@
-// Stands in for 3D Systems' libHD: its symbols, its own thread that calls back, one device with a hand on it. Library axes: x right, y up,
-// z towards the person, millimetres. The functions beginning with standin_ are the test's own way in.
+// Stands in for 3D Systems' libHD: its symbols, its own thread that calls back, one device with a hand on it. Library
+// axes: x right, y up, z towards the person, millimetres. The functions beginning with standin_ are the test's own way
+// in.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -146,7 +147,8 @@ void standin_error(unsigned code) {
     const std::lock_guard lock(mutex);
     state.error = code;
 }
-void standin_read(double* position_mm, double* force, double* largest, int* ticks, int* disabled, int* uncalibrated_with_force) {
+void standin_read(double* position_mm, double* force, double* largest, int* ticks, int* disabled,
+                  int* uncalibrated_with_force) {
     const std::lock_guard lock(mutex);
     std::memcpy(position_mm, state.position_mm, sizeof state.position_mm);
     std::memcpy(force, state.force, sizeof state.force);

@@ -1,6 +1,7 @@
-// A sound card that can be pulled out: loaded before OpenAL, it says that the device is gone, and opens none, while the file $STANDIN_SOUND_PULLED is there.
-// And one that is listened to: $STANDIN_SOUND_VOICE gets a line with the steady clock's seconds, "speak" or "hush", for each time when the program's own voice
-// begins, or its gain is taken to zero while it speaks: the only source that buffers are queued to.
+// A sound card that can be pulled out: loaded before OpenAL, it says that the device is gone, and opens none, while the
+// file $STANDIN_SOUND_PULLED is there. And one that is listened to: $STANDIN_SOUND_VOICE gets a line with the steady
+// clock's seconds, "speak" or "hush", for each time when the program's own voice begins, or its gain is taken to zero
+// while it speaks: the only source that buffers are queued to.
 #include <AL/al.h>
 #include <AL/alc.h>
 #include <dlfcn.h>
@@ -27,7 +28,8 @@ void note(const char* what) {
     const char* file = std::getenv("STANDIN_SOUND_VOICE");
     if (!file) return;
     if (std::FILE* to = std::fopen(file, "a")) {
-        std::fprintf(to, "%.6f %s\n", std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(), what);
+        std::fprintf(to, "%.6f %s\n",
+                     std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(), what);
         std::fclose(to);
     }
 }
@@ -48,7 +50,8 @@ extern "C" ALCdevice* alcOpenDevice(const ALCchar* name) {
 }
 
 extern "C" void alSourceQueueBuffers(ALuint source, ALsizei count, const ALuint* buffers) {
-    static const auto real = reinterpret_cast<decltype(&alSourceQueueBuffers)>(::dlsym(RTLD_NEXT, "alSourceQueueBuffers"));
+    static const auto real =
+        reinterpret_cast<decltype(&alSourceQueueBuffers)>(::dlsym(RTLD_NEXT, "alSourceQueueBuffers"));
     real(source, count, buffers);
     if (source < std::size(queued_to)) queued_to[source] = true;
 }

@@ -18,7 +18,8 @@ SceneBuilder::SceneBuilder() {
     scene_.materials.emplace_back();
 }
 
-FeatureId SceneBuilder::add(ConvexSolid shape, const std::string& name, SolidRole role, const std::string& material, FeatureKind kind) {
+FeatureId SceneBuilder::add(ConvexSolid shape, const std::string& name, SolidRole role, const std::string& material,
+                            FeatureKind kind) {
     const FeatureId id{static_cast<std::uint32_t>(scene_.features.size())};
     MaterialId material_id = kDefaultMaterial;
     if (const MaterialSpec* spec = find_material(material)) {
@@ -46,7 +47,8 @@ FeatureId SceneBuilder::add(ConvexSolid shape, const std::string& name, SolidRol
     return id;
 }
 
-FeatureId SceneBuilder::box(const Vec3& a, const Vec3& b, const std::string& name, SolidRole role, const std::string& material, FeatureKind kind) {
+FeatureId SceneBuilder::box(const Vec3& a, const Vec3& b, const std::string& name, SolidRole role,
+                            const std::string& material, FeatureKind kind) {
     ConvexSolid s;
     add_face(s, {1, 0, 0}, {{b.x, a.y, a.z}, {b.x, b.y, a.z}, {b.x, b.y, b.z}, {b.x, a.y, b.z}});
     add_face(s, {-1, 0, 0}, {{a.x, b.y, a.z}, {a.x, a.y, a.z}, {a.x, a.y, b.z}, {a.x, b.y, b.z}});

@@ -1,4 +1,5 @@
-// Scenes made of axis-aligned boxes and ramps, in metres, for tests that need no file. Every box has one feature, so its name is known.
+// Scenes made of axis-aligned boxes and ramps, in metres, for tests that need no file. Every box has one feature, so
+// its name is known.
 #pragma once
 
 #include <memory>
@@ -12,7 +13,8 @@ class SceneBuilder {
 public:
     SceneBuilder();
     // A box between two corners; returns its feature. `material` is a name of the material library or empty.
-    FeatureId box(const Vec3& min_m, const Vec3& max_m, const std::string& name = "block", SolidRole role = SolidRole::Solid, const std::string& material = {},
+    FeatureId box(const Vec3& min_m, const Vec3& max_m, const std::string& name = "block",
+                  SolidRole role = SolidRole::Solid, const std::string& material = {},
                   FeatureKind kind = FeatureKind::Object);
     // A ramp over [min, max] whose top rises from min.z in the south to max.z in the north.
     FeatureId ramp(const Vec3& min_m, const Vec3& max_m, const std::string& name = "ramp");
@@ -21,7 +23,8 @@ public:
     std::shared_ptr<const Scene> share() const;
 
 private:
-    FeatureId add(ConvexSolid shape, const std::string& name, SolidRole role, const std::string& material, FeatureKind kind);
+    FeatureId add(ConvexSolid shape, const std::string& name, SolidRole role, const std::string& material,
+                  FeatureKind kind);
     Scene scene_;
 };
 

@@ -8,7 +8,9 @@
 namespace handrail::test {
 namespace {
 
-LVec cross(const LVec& a, const LVec& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+LVec cross(const LVec& a, const LVec& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 long double dot(const LVec& a, const LVec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 long double length(const LVec& a) { return std::sqrt(dot(a, a)); }
 
@@ -26,7 +28,8 @@ Nearest nearest_on_triangle(const LVec& a, const LVec& b, const LVec& c, const L
     Nearest best = nearest_on_segment(a, b, p);
     for (const Nearest& other : {nearest_on_segment(b, c, p), nearest_on_segment(c, a, p)})
         if (other.distance < best.distance) best = other;
-    // Barycentric coordinates of the foot on the plane (Cramer's rule); a flat triangle has none and is its three edges.
+    // Barycentric coordinates of the foot on the plane (Cramer's rule); a flat triangle has none and is its three
+    // edges.
     const LVec u = b - a, v = c - a, w = p - a;
     const long double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
     const long double det = uu * vv - uv * uv;
@@ -87,11 +90,13 @@ Nearest nearest_on_cone(const LVec& a, const LVec& b, long double radius, const 
         const long double inside = std::min(z, ((radius - rho) * height - z * radius) / slant);
         if (inside >= 0.0L) return {p, -inside};
     }
-    const Nearest flat = nearest_on_triangle({0.0L, 0.0L, 0.0L}, {radius, 0.0L, 0.0L}, {0.0L, height, 0.0L}, {rho, z, 0.0L});
+    const Nearest flat =
+        nearest_on_triangle({0.0L, 0.0L, 0.0L}, {radius, 0.0L, 0.0L}, {0.0L, height, 0.0L}, {rho, z, 0.0L});
     return {a + u * flat.point.y + (rho > 0.0L ? w * (flat.point.x / rho) : LVec(0.0L)), flat.distance};
 }
 
-std::optional<LVec> project_by_enumeration(const std::vector<LHalfSpace>& walls, const LVec& goal, long double tolerance) {
+std::optional<LVec> project_by_enumeration(const std::vector<LHalfSpace>& walls, const LVec& goal,
+                                           long double tolerance) {
     std::optional<LVec> best;
     long double best2 = std::numeric_limits<long double>::infinity();
     const auto consider = [&](const LVec& x) {
@@ -117,7 +122,9 @@ std::optional<LVec> project_by_enumeration(const std::vector<LHalfSpace>& walls,
                 const LHalfSpace& c = walls[k];
                 const long double volume = dot(along, c.normal);
                 if (std::abs(volume) < 1e-12L) continue;
-                consider((cross(b.normal, c.normal) * a.offset + cross(c.normal, a.normal) * b.offset + along * c.offset) / volume);
+                consider(
+                    (cross(b.normal, c.normal) * a.offset + cross(c.normal, a.normal) * b.offset + along * c.offset) /
+                    volume);
             }
         }
     }
@@ -205,7 +212,8 @@ long double BruteForce::residual(const Vec3& c, const Vec3& goal, long double ra
         if (n.distance > radius + kNear || n.distance <= 0.0L) continue;
         const LHalfSpace wall{(lc - n.point) / n.distance, std::min(0.0L, radius - n.distance)};
         bool known = false;
-        for (const LHalfSpace& w : walls) known = known || (dot(w.normal, wall.normal) > 1.0L - 1e-18L && w.offset >= wall.offset - 1e-12L);
+        for (const LHalfSpace& w : walls)
+            known = known || (dot(w.normal, wall.normal) > 1.0L - 1e-18L && w.offset >= wall.offset - 1e-12L);
         if (!known) walls.push_back(wall);
     }
     const std::optional<LVec> step = project_by_enumeration(walls, LVec(goal) - lc, 1e-12L);

@@ -1,6 +1,7 @@
-// An independent judge of the touch renderer: long double, no hierarchy, no cache, no projection routine. Closest points of solids by trying
-// every face, every pair and every triple of planes; of triangles by barycentric coordinates and three segments; of polygons by the triangles of a fan; of
-// round solids by clamping, or in the plane through axis and point. Slow on purpose.
+// An independent judge of the touch renderer: long double, no hierarchy, no cache, no projection routine. Closest
+// points of solids by trying every face, every pair and every triple of planes; of triangles by barycentric coordinates
+// and three segments; of polygons by the triangles of a fan; of round solids by clamping, or in the plane through axis
+// and point. Slow on purpose.
 #pragma once
 
 #include <functional>
@@ -24,20 +25,22 @@ Nearest nearest_on_segment(const LVec& a, const LVec& b, const LVec& p);
 Nearest nearest_on_triangle(const LVec& a, const LVec& b, const LVec& c, const LVec& p);
 // Convex, its corners in order.
 Nearest nearest_on_polygon(const std::vector<LVec>& corners, const LVec& p);
-// From the middle of one end to the middle of the other; a capsule's round ends lie beyond. The cone's base is at a, its apex at b.
+// From the middle of one end to the middle of the other; a capsule's round ends lie beyond. The cone's base is at a,
+// its apex at b.
 Nearest nearest_on_capsule(const LVec& a, const LVec& b, long double radius, const LVec& p);
 Nearest nearest_on_cylinder(const LVec& a, const LVec& b, long double radius, const LVec& p);
 Nearest nearest_on_cone(const LVec& a, const LVec& b, long double radius, const LVec& p);
 // Every face, edge and corner tried; inside: the nearest plane.
 Nearest nearest_on_solid(const std::vector<Plane>& planes, const LVec& p);
 
-// The point nearest to `goal` among all that satisfy dot(n, x) >= b for each half-space, by trying every subset of at most three; nothing
-// when there is none.
+// The point nearest to `goal` among all that satisfy dot(n, x) >= b for each half-space, by trying every subset of at
+// most three; nothing when there is none.
 struct LHalfSpace {
     LVec normal;
     long double offset;
 };
-std::optional<LVec> project_by_enumeration(const std::vector<LHalfSpace>& walls, const LVec& goal, long double tolerance = 1e-13L);
+std::optional<LVec> project_by_enumeration(const std::vector<LHalfSpace>& walls, const LVec& goal,
+                                           long double tolerance = 1e-13L);
 
 class BruteForce {
 public:
@@ -59,9 +62,11 @@ public:
     Nearest nearest(const Thing& thing, const LVec& p) const;
     // Distance to the nearest of all things, or `far` where nothing is nearer than that.
     long double distance(const Vec3& p, long double far = 1.0L) const;
-    // True when the segment comes nearer than `clearance` to nothing, told from `samples` points and the distance between them.
+    // True when the segment comes nearer than `clearance` to nothing, told from `samples` points and the distance
+    // between them.
     bool clear(const Vec3& from, const Vec3& to, long double clearance, int samples = 8) const;
-    // How far the first-order contact problem at c would still move the ball towards the goal: 0 at a true local optimum (KKT).
+    // How far the first-order contact problem at c would still move the ball towards the goal: 0 at a true local
+    // optimum (KKT).
     long double residual(const Vec3& c, const Vec3& goal, long double radius) const;
 
 private:

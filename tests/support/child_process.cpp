@@ -13,7 +13,8 @@
 
 namespace handrail::test {
 
-std::unique_ptr<ChildProcess> ChildProcess::start(const std::vector<std::string>& words, const Environment& environment, const std::filesystem::path& output) {
+std::unique_ptr<ChildProcess> ChildProcess::start(const std::vector<std::string>& words, const Environment& environment,
+                                                  const std::filesystem::path& output) {
     int input[2];
     if (::pipe2(input, O_CLOEXEC) != 0) return nullptr;
     const int out = ::open(output.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);

@@ -1,4 +1,5 @@
-// A foreign program started for a test and gone with it: a group of its own, killed by the destructor, and by the kernel when the test dies.
+// A foreign program started for a test and gone with it: a group of its own, killed by the destructor, and by the
+// kernel when the test dies.
 #pragma once
 
 #include <sys/types.h>
@@ -16,8 +17,10 @@ using Environment = std::map<std::string, std::string>;  // set on top of the te
 
 class ChildProcess {
 public:
-    // Standard output and error go to `output`, standard input comes from a pipe that type() writes to. Null when it could not be started.
-    static std::unique_ptr<ChildProcess> start(const std::vector<std::string>& words, const Environment& environment, const std::filesystem::path& output);
+    // Standard output and error go to `output`, standard input comes from a pipe that type() writes to. Null when it
+    // could not be started.
+    static std::unique_ptr<ChildProcess> start(const std::vector<std::string>& words, const Environment& environment,
+                                               const std::filesystem::path& output);
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;

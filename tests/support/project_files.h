@@ -9,18 +9,22 @@
 
 namespace handrail::test {
 
-// By git where there is a repository; an unpacked archive has none: then everything but build output. Paths from the project's root.
+// By git where there is a repository; an unpacked archive has none: then everything but build output. Paths from the
+// project's root.
 inline std::vector<std::string> project_files() {
     const std::filesystem::path root = HANDRAIL_SOURCE_DIR;
     std::vector<std::string> files;
-    const std::string command = "git -c safe.directory='*' -C '" + root.string() + "' ls-files --cached --others --exclude-standard 2>/dev/null";
+    const std::string command = "git -c safe.directory='*' -C '" + root.string() +
+                                "' ls-files --cached --others --exclude-standard 2>/dev/null";
     if (FILE* pipe = ::popen(command.c_str(), "r")) {
         std::array<char, 4096> line{};
-        while (std::fgets(line.data(), line.size(), pipe)) files.push_back(std::string(line.data(), std::string_view(line.data()).find('\n')));
+        while (std::fgets(line.data(), line.size(), pipe))
+            files.push_back(std::string(line.data(), std::string_view(line.data()).find('\n')));
         ::pclose(pipe);
     }
     if (!files.empty()) return files;
-    for (auto it = std::filesystem::recursive_directory_iterator(root); it != std::filesystem::recursive_directory_iterator(); ++it) {
+    for (auto it = std::filesystem::recursive_directory_iterator(root);
+         it != std::filesystem::recursive_directory_iterator(); ++it) {
         const std::string name = it->path().lexically_relative(root).string();
         if (name == "build" || name == ".git" || name == ".cache") it.disable_recursion_pending();
         else if (it->is_regular_file()) files.push_back(name);

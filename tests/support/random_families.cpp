@@ -11,10 +11,14 @@ namespace {
 class Draw {
 public:
     explicit Draw(std::uint32_t seed) : random_(seed) {}
-    double between(double low, double high) { return low + (high - low) * static_cast<double>(random_()) / 4294967296.0; }
+    double between(double low, double high) {
+        return low + (high - low) * static_cast<double>(random_()) / 4294967296.0;
+    }
     // Evenly over the powers, for sizes that matter over many orders.
     double power(double low, double high) { return low * std::pow(high / low, between(0.0, 1.0)); }
-    int count(int low, int high) { return low + static_cast<int>(random_() % static_cast<std::uint32_t>(high - low + 1)); }
+    int count(int low, int high) {
+        return low + static_cast<int>(random_() % static_cast<std::uint32_t>(high - low + 1));
+    }
     bool coin() { return random_() % 2 == 0; }
     Vec3 in_cube(double half) {
         const double x = between(-half, half), y = between(-half, half), z = between(-half, half);
@@ -34,7 +38,8 @@ double some_radius(Draw& draw) { return draw.count(0, 4) == 0 ? 1e-5 : draw.betw
 // Pressed across a level surface at z = 0, from the air and back to it.
 std::vector<Vec3> over_level(Draw& draw, int stops) {
     std::vector<Vec3> way{{draw.between(-.05, .05), draw.between(-.05, .05), .02}};
-    for (int i = 0; i < stops; ++i) way.emplace_back(draw.between(-.05, .05), draw.between(-.05, .05), -draw.between(0.001, 0.012));
+    for (int i = 0; i < stops; ++i)
+        way.emplace_back(draw.between(-.05, .05), draw.between(-.05, .05), -draw.between(0.001, 0.012));
     way.emplace_back(way.front());
     return hand_path(way, draw.between(0.05, 0.5));
 }
@@ -47,7 +52,9 @@ std::vector<Vec3> anywhere(Draw& draw, double half, int stops, double speed) {
     return hand_path(way, speed);
 }
 
-void level(TouchWorld& world, double from_x, double to_x) { world.quad({from_x, -kSlab_m, 0}, {to_x, -kSlab_m, 0}, {to_x, kSlab_m, 0}, {from_x, kSlab_m, 0}); }
+void level(TouchWorld& world, double from_x, double to_x) {
+    world.quad({from_x, -kSlab_m, 0}, {to_x, -kSlab_m, 0}, {to_x, kSlab_m, 0}, {from_x, kSlab_m, 0});
+}
 
 // T1: a plane of strips whose ends do not meet.
 void strips(TouchCase& c, Draw& draw) {
@@ -87,7 +94,8 @@ void corner(TouchCase& c, Draw& draw) {
     if (draw.coin()) put({-.07, draw.between(.02, .03), -draw.between(0.0, depth)}, {.07, .08, .05});
     const double speed = draw.between(0.05, 0.5);
     std::vector<Vec3> way{{-.02, 0, .02}};
-    for (int i = 0; i < 6; ++i) way.emplace_back(draw.between(-.03, .03), draw.between(-.03, .035), -draw.between(0.0, 0.01));
+    for (int i = 0; i < 6; ++i)
+        way.emplace_back(draw.between(-.03, .03), draw.between(-.03, .035), -draw.between(0.0, 0.01));
     way.emplace_back(-.02, 0, .02);
     c.concave = true;
     c.goals_m = hand_path(way, speed);
@@ -101,7 +109,8 @@ void groove(TouchCase& c, Draw& draw) {
     c.radius_m = std::min(draw.between(.002, .006), 0.45 * deep * std::sin(half));
     const double z = c.radius_m / std::sin(half) + .02;
     std::vector<Vec3> way{{0, 0, z}};
-    for (int i = 0; i < 5; ++i) way.emplace_back(draw.between(-.005, .005), draw.between(-.02, .02), z - draw.between(.01, .06));
+    for (int i = 0; i < 5; ++i)
+        way.emplace_back(draw.between(-.005, .005), draw.between(-.02, .02), z - draw.between(.01, .06));
     way.emplace_back(0, 0, z);
     c.concave = true;
     c.goals_m = hand_path(way, draw.between(0.05, 0.3));
@@ -120,10 +129,13 @@ void spike(TouchCase& c, Draw& draw) {
     const double wide = .1 * std::tan(radians_from_degrees(draw.between(8.0, 45.0)) / 2);
     const int sides = draw.count(3, 6);
     const double turn = draw.between(0.0, kPi);
-    const auto corner_at = [&](int i) { return Vec3(wide * std::cos(turn + 2 * kPi * i / sides), wide * std::sin(turn + 2 * kPi * i / sides), -.1); };
+    const auto corner_at = [&](int i) {
+        return Vec3(wide * std::cos(turn + 2 * kPi * i / sides), wide * std::sin(turn + 2 * kPi * i / sides), -.1);
+    };
     for (int i = 0; i < sides; ++i) c.world.triangle({0, 0, 0}, corner_at(i), corner_at(i + 1));
     std::vector<Vec3> way{{.001, .0004, .02}};
-    for (int i = 0; i < 8; ++i) way.emplace_back(draw.between(-.02, .02), draw.between(-.02, .02), draw.between(-.02, .003));
+    for (int i = 0; i < 8; ++i)
+        way.emplace_back(draw.between(-.02, .02), draw.between(-.02, .02), draw.between(-.02, .003));
     way.emplace_back(.001, .0004, .02);
     c.tidy = false;
     c.goals_m = hand_path(way, 0.1);
@@ -134,7 +146,8 @@ void litter(TouchCase& c, Draw& draw) {
     for (int i = draw.count(1, 3); i > 0; --i) level(c.world, -kSlab_m, kSlab_m);
     for (int i = draw.count(1, 3); i > 0; --i) level(c.world, draw.between(-.05, 0), draw.between(.01, .05));
     for (int i = draw.count(1, 5); i > 0; --i) {
-        const Vec3 at(draw.between(-.04, .04), draw.between(-.04, .04), 0), along(draw.between(-.04, .04), draw.between(-.04, .04), 0);
+        const Vec3 at(draw.between(-.04, .04), draw.between(-.04, .04), 0),
+            along(draw.between(-.04, .04), draw.between(-.04, .04), 0);
         c.world.triangle(at, at + along * draw.between(0.0, 1.0), at + along);
         c.world.triangle(at, at, at);
     }
@@ -148,7 +161,8 @@ void slivers(TouchCase& c, Draw& draw) {
     const int strips = draw.count(4, 24);
     double y = -strips * height / 2;
     c.world.quad({-kSlab_m, -kSlab_m, 0}, {kSlab_m, -kSlab_m, 0}, {kSlab_m, y, 0}, {-kSlab_m, y, 0});
-    for (int i = 0; i < strips; ++i, y += height) c.world.quad({-kSlab_m, y, 0}, {kSlab_m, y, 0}, {kSlab_m, y + height, 0}, {-kSlab_m, y + height, 0});
+    for (int i = 0; i < strips; ++i, y += height)
+        c.world.quad({-kSlab_m, y, 0}, {kSlab_m, y, 0}, {kSlab_m, y + height, 0}, {-kSlab_m, y + height, 0});
     c.world.quad({-kSlab_m, y, 0}, {kSlab_m, y, 0}, {kSlab_m, kSlab_m, 0}, {-kSlab_m, kSlab_m, 0});
     c.tidy = false;
     c.goals_m = over_level(draw, 6);
@@ -164,7 +178,8 @@ void thin(TouchCase& c, Draw& draw) {
     }
     const double side = draw.coin() ? 1.0 : -1.0;
     std::vector<Vec3> way{{-.05 * side, 0, 0}};
-    for (int i = 0; i < 6; ++i) way.emplace_back(draw.between(-.05, .05), draw.between(-.04, .04), draw.between(-.04, .04));
+    for (int i = 0; i < 6; ++i)
+        way.emplace_back(draw.between(-.05, .05), draw.between(-.04, .04), draw.between(-.04, .04));
     way.emplace_back(-.05 * side, 0, 0);
     c.concave = true;
     c.goals_m = hand_path(way, draw.between(1.0, 6.0));
@@ -192,7 +207,8 @@ void soup(TouchCase& c, Draw& draw) {
 // T16: a heap of convex solids.
 void heap(TouchCase& c, Draw& draw) {
     c.radius_m = some_radius(draw);
-    for (int i = draw.count(5, 20); i > 0; --i) c.world.random_brush(draw.engine(), draw.in_cube(.04), draw.between(.005, .02), draw.count(0, 4));
+    for (int i = draw.count(5, 20); i > 0; --i)
+        c.world.random_brush(draw.engine(), draw.in_cube(.04), draw.between(.005, .02), draw.count(0, 4));
     c.tidy = false;
     c.goals_m = anywhere(draw, .06, 12, 0.5);
 }
@@ -201,8 +217,10 @@ struct Family {
     const char* name;
     void (*fill)(TouchCase&, Draw&);
 };
-constexpr Family kFamilies[] = {{"strips", strips}, {"crack", crack},     {"corner", corner}, {"groove", groove},         {"edge", edge}, {"spike", spike},
-                                {"litter", litter}, {"slivers", slivers}, {"thin", thin},     {"rough hand", rough_hand}, {"soup", soup}, {"heap", heap}};
+constexpr Family kFamilies[] = {{"strips", strips},         {"crack", crack},     {"corner", corner},
+                                {"groove", groove},         {"edge", edge},       {"spike", spike},
+                                {"litter", litter},         {"slivers", slivers}, {"thin", thin},
+                                {"rough hand", rough_hand}, {"soup", soup},       {"heap", heap}};
 static_assert(std::size(kFamilies) == kRandomFamilies);
 
 }  // namespace
@@ -220,7 +238,8 @@ TouchCase random_case(std::size_t family, std::uint32_t seed) {
 std::uint32_t seed_of_run() {
     static const std::uint32_t seed = [] {
         const char* set = std::getenv("HANDRAIL_SEED");
-        return set != nullptr ? static_cast<std::uint32_t>(std::strtoul(set, nullptr, 10)) : static_cast<std::uint32_t>(std::random_device{}() % 1000000U);
+        return set != nullptr ? static_cast<std::uint32_t>(std::strtoul(set, nullptr, 10))
+                              : static_cast<std::uint32_t>(std::random_device{}() % 1000000U);
     }();
     return seed;
 }

@@ -1,5 +1,5 @@
-// The families of the hard cases with everything about them drawn from a seed: angles, sizes, gaps, offsets, ball, hand path. So that nothing is
-// tuned to the listed cases alone.
+// The families of the hard cases with everything about them drawn from a seed: angles, sizes, gaps, offsets, ball, hand
+// path. So that nothing is tuned to the listed cases alone.
 #pragma once
 
 #include <cstdint>

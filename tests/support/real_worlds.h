@@ -1,4 +1,5 @@
-// Real buildings and maps that do not ship with the program: in the folder HANDRAIL_REAL_WORLDS, by default shared/worlds beside the project.
+// Real buildings and maps that do not ship with the program: in the folder HANDRAIL_REAL_WORLDS, by default
+// shared/worlds beside the project.
 #pragma once
 
 #include <filesystem>

@@ -55,7 +55,9 @@ Vec3 ReferenceProxy::follow(const Vec3& goal_m) {
             if (gap > kStep_m || n.distance <= 0.0L) continue;
             const LVec normal = (ball_ - n.point) / n.distance;
             const LHalfSpace wall{normal, -gap};  // relative to the ball
-            const auto known = std::find_if(walls.begin(), walls.end(), [&](const LHalfSpace& w) { return glm::dot(w.normal, wall.normal) > 1.0L - 1e-17L; });
+            const auto known = std::find_if(walls.begin(), walls.end(), [&](const LHalfSpace& w) {
+                return glm::dot(w.normal, wall.normal) > 1.0L - 1e-17L;
+            });
             if (known == walls.end()) walls.push_back(wall);
             else known->offset = std::max(known->offset, wall.offset);
         }

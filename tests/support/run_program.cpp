@@ -24,18 +24,20 @@ bool drain(int fd, std::string& into) {
     return got > 0 || (got < 0 && errno == EINTR);
 }
 
-// A person who has been here before is not led through the first minutes. Settings that a test wrote stay as they are but for that.
-void write_not_first(const std::filesystem::path& config) {
+// A person who has been here before is not led through the first minutes. Settings that a test wrote stay as they are
+// but for that.
+void write_not_first(const std::filesystem::path& config, bool voice) {
     std::error_code ec;
     std::filesystem::create_directories(config / "handrail", ec);
     const std::filesystem::path file = config / "handrail" / "settings.toml";
-    if (!ec && !std::filesystem::exists(file, ec)) std::ofstream(file) << "[welcome]\ndone = true\n";
+    if (!ec && !std::filesystem::exists(file, ec))
+        std::ofstream(file) << "[welcome]\ndone = true\n" << (voice ? "" : "[speech]\nthrough = \"text\"\n");
 }
 
 }  // namespace
 
-std::map<std::string, std::string> bare_environment(const std::string& home) {
-    write_not_first(std::filesystem::path(home) / ".config");
+std::map<std::string, std::string> bare_environment(const std::string& home, bool voice) {
+    write_not_first(std::filesystem::path(home) / ".config", voice);
     return {{"HOME", home},
             {"XDG_CONFIG_HOME", ""},
             {"DISPLAY", ""},
@@ -50,10 +52,14 @@ std::map<std::string, std::string> bare_environment(const std::string& home) {
 ProgramRun run_program(const ProgramCall& call) {
     char home[] = "/tmp/handrail-test-home-XXXXXX";
     if (!::mkdtemp(home)) return {};
-    std::map<std::string, std::string> environment = bare_environment(home);
-    if (call.first_start) std::filesystem::remove(std::filesystem::path(home) / ".config" / "handrail" / "settings.toml");
+    std::map<std::string, std::string> environment = bare_environment(home, call.voice);
+    if (call.first_start)
+        std::filesystem::remove(std::filesystem::path(home) / ".config" / "handrail" / "settings.toml");
     for (const auto& [name, value] : call.environment) environment[name] = value;
-    if (!call.first_start) write_not_first(environment["XDG_CONFIG_HOME"].empty() ? std::string(home) + "/.config" : environment["XDG_CONFIG_HOME"]);
+    if (!call.first_start)
+        write_not_first(
+            environment["XDG_CONFIG_HOME"].empty() ? std::string(home) + "/.config" : environment["XDG_CONFIG_HOME"],
+            call.voice);
 
     int in[2], out[2], err[2];
     if (::pipe(in) != 0 || ::pipe(out) != 0 || ::pipe(err) != 0) return {};

@@ -10,6 +10,8 @@ inline constexpr double kSanitizerScale = 1.0;
 #endif
 
 // `count` under the factor, at least 1.
-inline constexpr int scaled(int count) { return static_cast<int>(count * kSanitizerScale) > 0 ? static_cast<int>(count * kSanitizerScale) : 1; }
+inline constexpr int scaled(int count) {
+    return static_cast<int>(count * kSanitizerScale) > 0 ? static_cast<int>(count * kSanitizerScale) : 1;
+}
 
 }  // namespace handrail::test

@@ -14,7 +14,8 @@ inline constexpr double kTick = 1e-3;
 // Everything north of wall_y is solid: one box, 20 m wide, 10 m deep, with the given name.
 inline std::shared_ptr<const HapticScene> wall_scene(double wall_y_m, FeatureId name = FeatureId{7}) {
     HapticSceneBuilder builder;
-    builder.add_box({Vec3(-10.0, wall_y_m, -10.0), Vec3(10.0, wall_y_m + 10.0, 10.0)}, SurfaceLabel{name, kDefaultMaterial, false});
+    builder.add_box({Vec3(-10.0, wall_y_m, -10.0), Vec3(10.0, wall_y_m + 10.0, 10.0)},
+                    SurfaceLabel{name, kDefaultMaterial, false});
     return builder.build();
 }
 

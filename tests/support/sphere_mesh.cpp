@@ -10,8 +10,10 @@
 namespace handrail::test {
 namespace {
 
-constexpr Corners kIcosahedron[20] = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                                      {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+constexpr Corners kIcosahedron[20] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                      {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                      {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                      {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
 
 }  // namespace
 
@@ -20,7 +22,8 @@ TriangleMesh sphere_mesh(int frequency, double radius_m) {
     TriangleMesh mesh;
     mesh.points_m = {{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
                      {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> edges;  // of two corners, the lower first: their first point between
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>
+        edges;  // of two corners, the lower first: their first point between
     const auto n = static_cast<std::uint32_t>(frequency);
     const auto add = [&](const Vec3& p) { mesh.points_m.push_back(p); };
     // The point k steps from corner a on the way to corner b.
@@ -31,7 +34,8 @@ TriangleMesh sphere_mesh(int frequency, double radius_m) {
         const auto [found, is_new] = edges.try_emplace({low, high}, static_cast<std::uint32_t>(mesh.points_m.size()));
         if (is_new)
             for (std::uint32_t i = 1; i < n; ++i)
-                add((mesh.points_m[low] * static_cast<double>(n - i) + mesh.points_m[high] * static_cast<double>(i)) / static_cast<double>(n));
+                add((mesh.points_m[low] * static_cast<double>(n - i) + mesh.points_m[high] * static_cast<double>(i)) /
+                    static_cast<double>(n));
         return found->second + (a == low ? k : n - k) - 1;
     };
     for (const auto& [a, b, c] : kIcosahedron) {
@@ -61,6 +65,49 @@ TriangleMesh sphere_mesh(int frequency, double radius_m) {
     mesh.points_m.shrink_to_fit();
     mesh.triangles.shrink_to_fit();
     return mesh;
+}
+
+TriangleMesh pole_mesh(int sectors, int rings, double ring_m, double sphere_radius_m) {
+    TriangleMesh mesh;
+    mesh.points_m.push_back({0.0, 0.0, sphere_radius_m});
+    const auto at = [&](int ring, int sector) {
+        return static_cast<std::uint32_t>(1 + (ring - 1) * sectors + sector % sectors);
+    };
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int sector = 0; sector < sectors; ++sector) {
+            const double down = ring * ring_m / sphere_radius_m, round = 2.0 * kPi * sector / sectors;
+            mesh.points_m.push_back(
+                Vec3(std::sin(down) * std::cos(round), std::sin(down) * std::sin(round), std::cos(down)) *
+                sphere_radius_m);
+        }
+    for (int sector = 0; sector < sectors; ++sector) {
+        mesh.triangles.push_back({0, at(1, sector), at(1, sector + 1)});
+        for (int ring = 1; ring < rings; ++ring) {
+            mesh.triangles.push_back({at(ring, sector), at(ring + 1, sector), at(ring + 1, sector + 1)});
+            mesh.triangles.push_back({at(ring, sector), at(ring + 1, sector + 1), at(ring, sector + 1)});
+        }
+    }
+    return mesh;
+}
+
+std::vector<Vec3> pole_slide(double sphere_radius_m, double ball_radius_m, double speed_m_per_s, int ticks) {
+    constexpr double kFar_m = 0.02, kAside_m = 1e-3, kDeep_m = 3e-3, kDown_m_per_tick = 2e-4;
+    std::vector<Vec3> goals;
+    double height = 0.02, phase = 0.0;
+    for (int i = 0; i < ticks; ++i) {
+        if (height > -kDeep_m + kDown_m_per_tick) {
+            height -= kDown_m_per_tick;
+        } else {
+            height = -kDeep_m;
+            phase += speed_m_per_s * 1e-3 / kFar_m;
+        }
+        const double along = kFar_m * std::cos(phase), aside = kAside_m * std::sin(0.37 * phase), turn = 0.11 * phase;
+        const Vec3 place(along * std::cos(turn) - aside * std::sin(turn),
+                         along * std::sin(turn) + aside * std::cos(turn), 0.0);
+        goals.push_back(glm::normalize(place + Vec3(0.0, 0.0, sphere_radius_m)) *
+                        (sphere_radius_m + ball_radius_m + height));
+    }
+    return goals;
 }
 
 std::vector<Vec3> sphere_slide(double sphere_radius_m, double ball_radius_m, double speed_m_per_s, int ticks) {

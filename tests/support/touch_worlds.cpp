@@ -9,12 +9,14 @@ namespace {
 
 std::vector<Vec3> corners_of(const Vec3& low, const Vec3& high) {
     std::vector<Vec3> corners;
-    for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
+    for (int i = 0; i < 8; ++i)
+        corners.emplace_back(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z);
     return corners;
 }
 
 std::vector<Plane> planes_of(const Vec3& low, const Vec3& high) {
-    return {{{1, 0, 0}, high.x}, {{-1, 0, 0}, -low.x}, {{0, 1, 0}, high.y}, {{0, -1, 0}, -low.y}, {{0, 0, 1}, high.z}, {{0, 0, -1}, -low.z}};
+    return {{{1, 0, 0}, high.x},  {{-1, 0, 0}, -low.x}, {{0, 1, 0}, high.y},
+            {{0, -1, 0}, -low.y}, {{0, 0, 1}, high.z},  {{0, 0, -1}, -low.z}};
 }
 
 // A number in [0, 1) that is the same with every standard library.
@@ -54,7 +56,9 @@ void TouchWorld::polygon(const std::vector<Vec3>& corners, TouchSide side, Featu
     shapes_.push_back({ObstacleKind::Polygon, corners, {}, feature, 0.0, side});
 }
 
-void TouchWorld::sphere(const Vec3& centre, double radius, FeatureId feature) { shapes_.push_back({ObstacleKind::Sphere, {centre}, {}, feature, radius}); }
+void TouchWorld::sphere(const Vec3& centre, double radius, FeatureId feature) {
+    shapes_.push_back({ObstacleKind::Sphere, {centre}, {}, feature, radius});
+}
 
 void TouchWorld::capsule(const Vec3& start, const Vec3& end, double radius, FeatureId feature) {
     shapes_.push_back({ObstacleKind::Capsule, {start, end}, {}, feature, radius});
@@ -75,11 +79,14 @@ void TouchWorld::quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d
 
 void TouchWorld::box_of_triangles(const Vec3& low, const Vec3& high) {
     const std::vector<Vec3> v = corners_of(low, high);
-    constexpr std::size_t kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    constexpr std::size_t kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                          {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (const auto& f : kFaces) quad(v[f[0]], v[f[1]], v[f[2]], v[f[3]]);
 }
 
-void TouchWorld::box(const Vec3& low, const Vec3& high, FeatureId feature) { solid(planes_of(low, high), corners_of(low, high), feature); }
+void TouchWorld::box(const Vec3& low, const Vec3& high, FeatureId feature) {
+    solid(planes_of(low, high), corners_of(low, high), feature);
+}
 
 void TouchWorld::brush_box(const Vec3& low, const Vec3& high) {
     std::vector<Plane> planes = planes_of(low, high);
@@ -129,7 +136,9 @@ void TouchWorld::random_things(std::mt19937& random, int count, double spread, d
                 const Vec3 u = any_perpendicular(along), v = glm::cross(glm::normalize(along), u);
                 std::vector<Vec3> corners;
                 const int n = 3 + static_cast<int>(random() % 5);
-                for (int k = 0; k < n; ++k) corners.push_back(at + u * (radius * std::cos(2 * kPi * k / n)) + v * (2 * radius * std::sin(2 * kPi * k / n)));
+                for (int k = 0; k < n; ++k)
+                    corners.push_back(at + u * (radius * std::cos(2 * kPi * k / n)) +
+                                      v * (2 * radius * std::sin(2 * kPi * k / n)));
                 polygon(corners);
                 break;
             }
@@ -209,13 +218,16 @@ BruteForce TouchWorld::judge(const Motion& motion) const {
             }
             case ObstacleKind::Sphere:
             case ObstacleKind::Capsule:
-                judge.add([a, b, radius](const LVec& p) { return nearest_on_capsule(a, b, radius, p); }, s.points, s.radius);
+                judge.add([a, b, radius](const LVec& p) { return nearest_on_capsule(a, b, radius, p); }, s.points,
+                          s.radius);
                 break;
             case ObstacleKind::Cylinder:
-                judge.add([a, b, radius](const LVec& p) { return nearest_on_cylinder(a, b, radius, p); }, s.points, s.radius);
+                judge.add([a, b, radius](const LVec& p) { return nearest_on_cylinder(a, b, radius, p); }, s.points,
+                          s.radius);
                 break;
             case ObstacleKind::Cone:
-                judge.add([a, b, radius](const LVec& p) { return nearest_on_cone(a, b, radius, p); }, s.points, s.radius);
+                judge.add([a, b, radius](const LVec& p) { return nearest_on_cone(a, b, radius, p); }, s.points,
+                          s.radius);
                 break;
             case ObstacleKind::Custom:
                 break;
@@ -232,7 +244,8 @@ TouchWorld TouchWorld::shuffled_and_doubled(std::mt19937& random) const {
     out.shapes_.insert(out.shapes_.end(), shapes_.begin(), shapes_.end());
     for (std::size_t i = out.shapes_.size(); i > 1; --i) std::swap(out.shapes_[i - 1], out.shapes_[random() % i]);
     for (Shape& s : out.shapes_)
-        if (s.kind == ObstacleKind::Triangle) std::rotate(s.points.begin(), s.points.begin() + static_cast<std::ptrdiff_t>(random() % 3), s.points.end());
+        if (s.kind == ObstacleKind::Triangle)
+            std::rotate(s.points.begin(), s.points.begin() + static_cast<std::ptrdiff_t>(random() % 3), s.points.end());
     return out;
 }
 
@@ -269,7 +282,8 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         cases.push_back({name, {}, {}, radius_m, concave, tidy});
         return cases.back();
     };
-    const std::vector<Vec3> over_plane{{-.04, .003, .02}, {-.04, .003, -.01}, {.04, .007, -.01}, {-.04, .003, -.01}, {-.04, .003, .02}};
+    const std::vector<Vec3> over_plane{
+        {-.04, .003, .02}, {-.04, .003, -.01}, {.04, .007, -.01}, {-.04, .003, -.01}, {-.04, .003, .02}};
     const std::vector<Vec3> into_corner{{-.02, 0, .02},     {-.02, 0, -.008}, {.025, .001, -.008}, {.025, .03, -.008},
                                         {-.02, .03, -.008}, {-.02, 0, -.008}, {-.02, 0, .02}};
     {
@@ -282,11 +296,15 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         }
         c.goals_m = hand_path(over_plane, 0.2);
     }
-    for (const auto& [name, w] : {std::pair{"T2a crack 0.01 mm", 1e-5}, {"T2b crack 0.1 mm", 1e-4}, {"T2c crack 0.5 mm", 5e-4}, {"T2d crack 1 mm", 1e-3}}) {
+    for (const auto& [name, w] : {std::pair{"T2a crack 0.01 mm", 1e-5},
+                                  {"T2b crack 0.1 mm", 1e-4},
+                                  {"T2c crack 0.5 mm", 5e-4},
+                                  {"T2d crack 1 mm", 1e-3}}) {
         TouchCase& c = add(name, false);
         c.world.quad({-b, -b, 0}, {-w / 2, -b, 0}, {-w / 2, b, 0}, {-b, b, 0});
         c.world.quad({w / 2, -b, 0}, {b, -b, 0}, {b, b, 0}, {w / 2, b, 0});
-        c.goals_m = hand_path({{-.03, .003, .02}, {-.03, .003, -.01}, {.03, .005, -.01}, {-.03, .003, -.01}, {-.03, .003, .02}}, 0.2);
+        c.goals_m = hand_path(
+            {{-.03, .003, .02}, {-.03, .003, -.01}, {.03, .005, -.01}, {-.03, .003, -.01}, {-.03, .003, .02}}, 0.2);
     }
     const auto three_boxes = [&](const char* name, void (TouchWorld::*put)(const Vec3&, const Vec3&), bool third) {
         TouchCase& c = add(name, third);
@@ -313,16 +331,20 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         c.world.box({-.06, .02, -.05}, {.06, .06, .05});
         c.goals_m = hand_path(into_corner, 0.2);
     }
-    for (const auto& [name, degrees] : {std::pair{"T5a crevice 10 degrees", 10.0}, {"T5b crevice 2 degrees", 2.0}, {"T5c crevice 0.5 degrees", 0.5}}) {
+    for (const auto& [name, degrees] : {std::pair{"T5a crevice 10 degrees", 10.0},
+                                        {"T5b crevice 2 degrees", 2.0},
+                                        {"T5c crevice 0.5 degrees", 0.5}}) {
         TouchCase& c = add(name, true);
         const double half = radians_from_degrees(degrees) / 2, d = 0.3, x = std::tan(half) * d;
         c.world.quad({0, -b, 0}, {-x, -b, d}, {-x, b, d}, {0, b, 0});
         c.world.quad({0, -b, 0}, {x, -b, d}, {x, b, d}, {0, b, 0});
         c.radius_m = std::min(radius_m, 0.45 * d * std::sin(half));
         const double z = c.radius_m / std::sin(half) + .02;
-        c.goals_m = hand_path({{0, 0, z}, {.0005, 0, z - .06}, {-.004, .01, z - .06}, {.004, .005, z - .05}, {0, 0, z}}, 0.2);
+        c.goals_m =
+            hand_path({{0, 0, z}, {.0005, 0, z - .06}, {-.004, .01, z - .06}, {.004, .005, z - .05}, {0, 0, z}}, 0.2);
     }
-    const std::vector<Vec3> over_edge{{.03, 0, .02}, {.03, 0, -.003}, {.06, .001, -.003}, {.047, .001, -.02}, {.06, .001, -.02}, {.03, 0, .02}};
+    const std::vector<Vec3> over_edge{{.03, 0, .02},      {.03, 0, -.003},   {.06, .001, -.003},
+                                      {.047, .001, -.02}, {.06, .001, -.02}, {.03, 0, .02}};
     {
         TouchCase& c = add("T6 box edge, triangles", false);
         c.world.box_of_triangles({-.05, -.05, -.1}, {.05, .05, 0});
@@ -354,7 +376,8 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         for (int k = 0; k < 3; ++k) c.world.quad({.02, -b, 0}, {.02, b, 0}, {.02, b, b}, {.02, -b, b});
         c.goals_m = hand_path(over_plane, 0.2);
     }
-    for (const auto& [name, aspect] : {std::pair{"T9a slivers 1e3", 1e3}, {"T9b slivers 1e5", 1e5}, {"T9c slivers 1e7", 1e7}}) {
+    for (const auto& [name, aspect] :
+         {std::pair{"T9a slivers 1e3", 1e3}, {"T9b slivers 1e5", 1e5}, {"T9c slivers 1e7", 1e7}}) {
         TouchCase& c = add(name, false, false);
         const double h = 0.2 / aspect;
         constexpr int kStrips = 24;
@@ -362,7 +385,13 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         for (int i = 0; i < kStrips; ++i, y += h) c.world.quad({-b, y, 0}, {b, y, 0}, {b, y + h, 0}, {-b, y + h, 0});
         c.world.quad({-b, -b, 0}, {b, -b, 0}, {b, -kStrips * h / 2, 0}, {-b, -kStrips * h / 2, 0});
         c.world.quad({-b, kStrips * h / 2, 0}, {b, kStrips * h / 2, 0}, {b, b, 0}, {-b, b, 0});
-        c.goals_m = hand_path({{-.04, -.02, .02}, {-.04, -.02, -.01}, {.04, .02, -.01}, {.0, -.002, -.01}, {.0, .002, -.01}, {-.04, -.02, .02}}, 0.1);
+        c.goals_m = hand_path({{-.04, -.02, .02},
+                               {-.04, -.02, -.01},
+                               {.04, .02, -.01},
+                               {.0, -.002, -.01},
+                               {.0, .002, -.01},
+                               {-.04, -.02, .02}},
+                              0.1);
     }
     {
         TouchCase& c = add("T10 triangles of no area", true);
@@ -388,19 +417,28 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         TouchCase& c = add(name, false);
         c.world.box({-.05, -.05, -.1}, {.05, .05, 0});
         c.world.box({.01, -.06, -.05}, {.06, .06, .05});
-        const std::vector<Vec3> all = hand_path({{-.02, 0, .02}, {-.02, 0, -.04}, {.04, .01, -.04}, {.04, .03, -.04}, {.1, .03, -.04}, {-.02, 0, .02}}, 2.0);
+        const std::vector<Vec3> all = hand_path(
+            {{-.02, 0, .02}, {-.02, 0, -.04}, {.04, .01, -.04}, {.04, .03, -.04}, {.1, .03, -.04}, {-.02, 0, .02}},
+            2.0);
         for (std::size_t i = 0; i < all.size(); i += static_cast<std::size_t>(keep)) c.goals_m.push_back(all[i]);
     }
     {
         TouchCase& c = add("T14 noise and quantum in a corner", true);
         c.world.box({-.05, -.05, -.1}, {.05, .05, 0});
         c.world.box({.01, -.06, -.05}, {.06, .06, .05});
-        c.goals_m = hand_path({{-.02, 0, .02}, {-.02, 0, -.008}, {.025, .001, -.008}, {.025, .03, -.008}, {-.02, .03, -.008}, {-.02, 0, .02}}, 0.1);
+        c.goals_m = hand_path({{-.02, 0, .02},
+                               {-.02, 0, -.008},
+                               {.025, .001, -.008},
+                               {.025, .03, -.008},
+                               {-.02, .03, -.008},
+                               {-.02, 0, .02}},
+                              0.1);
         std::mt19937 random(1);
         constexpr double kQuantum = 6e-5;
         for (Vec3& g : c.goals_m) {
             // Four uniform numbers: near enough to a normal one of 20 um.
-            const Vec3 noise = in_cube(random, 1.7e-5) + in_cube(random, 1.7e-5) + in_cube(random, 1.7e-5) + in_cube(random, 1.7e-5);
+            const Vec3 noise =
+                in_cube(random, 1.7e-5) + in_cube(random, 1.7e-5) + in_cube(random, 1.7e-5) + in_cube(random, 1.7e-5);
             g = glm::round((g + noise) / kQuantum) * kQuantum;
         }
     }
@@ -410,8 +448,14 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         c.world.capsule({.03, -.05, -.02}, {.03, .05, -.02}, .01);
         c.world.cylinder({-.03, 0, -.05}, {-.03, 0, .01}, .01);
         c.world.box({-.1, -.1, -.06}, {.1, .1, -.03});
-        c.goals_m = hand_path(
-            {{.06, .001, .02}, {.06, .001, -.04}, {.02, .001, -.02}, {-.02, .004, -.01}, {-.05, .002, -.03}, {-.05, .002, .03}, {.06, .001, .02}}, 0.1);
+        c.goals_m = hand_path({{.06, .001, .02},
+                               {.06, .001, -.04},
+                               {.02, .001, -.02},
+                               {-.02, .004, -.01},
+                               {-.05, .002, -.03},
+                               {-.05, .002, .03},
+                               {.06, .001, .02}},
+                              0.1);
     }
     {
         TouchCase& c = add("T15b heap of every kind", false, false);
@@ -422,8 +466,9 @@ std::vector<TouchCase> hard_cases(double radius_m) {
         way.emplace_back(0, 0, .1);
         c.goals_m = hand_path(way, 0.5);
     }
-    for (const auto& [name, count, radius] :
-         {std::tuple{"T16a soup of 120", 120, 0.002}, {"T16b soup of 30", 30, 0.005}, {"T16c soup of 400, point", 400, 1e-5}}) {
+    for (const auto& [name, count, radius] : {std::tuple{"T16a soup of 120", 120, 0.002},
+                                              {"T16b soup of 30", 30, 0.005},
+                                              {"T16c soup of 400, point", 400, 1e-5}}) {
         TouchCase& c = add(name, false, false);
         std::mt19937 random(7);
         c.world.random_triangles(random, count, .03, .015);

@@ -1,5 +1,5 @@
-// Small worlds that are hard to touch, with a hand path through each: the cases every part of the touch renderer is judged by. The same world
-// goes to the renderer and to the brute-force judge, turned and moved at will.
+// Small worlds that are hard to touch, with a hand path through each: the cases every part of the touch renderer is
+// judged by. The same world goes to the renderer and to the brute-force judge, turned and moved at will.
 #pragma once
 
 #include <functional>
@@ -35,7 +35,8 @@ public:
     void solid(const std::vector<Plane>& planes, const std::vector<Vec3>& corners, FeatureId feature = kNoFeature);
     // A cube of half this size with `cuts` random planes through it.
     void random_brush(std::mt19937& random, const Vec3& centre, double half_size, int cuts);
-    // Sheets touched from this side, and solids of their own kind. A cylinder, cone or capsule runs from the middle of one end to the middle of the other.
+    // Sheets touched from this side, and solids of their own kind. A cylinder, cone or capsule runs from the middle of
+    // one end to the middle of the other.
     void polygon(const std::vector<Vec3>& corners, TouchSide side = TouchSide::Both, FeatureId feature = kNoFeature);
     void sided_triangle(const Vec3& a, const Vec3& b, const Vec3& c, TouchSide side);
     void sphere(const Vec3& centre, double radius, FeatureId feature = kNoFeature);

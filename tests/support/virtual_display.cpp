@@ -11,42 +11,65 @@
 
 namespace handrail::test {
 
-std::unique_ptr<VirtualDisplay> VirtualDisplay::start() {
-    if (!installed("Xvfb") || !installed("xdotool")) return nullptr;
+namespace {
+
+// The process of a server for that display, once it takes connections; -1 where it cannot start, as when another one
+// has that number.
+pid_t serve(const std::string& display) {
     int ready[2];
-    if (::pipe(ready) != 0) return nullptr;
+    if (::pipe(ready) != 0) return -1;
     const pid_t parent = ::getpid();
     const pid_t server = ::fork();
-    if (server < 0) return nullptr;
     if (server == 0) {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that dies leaves no server behind
         if (::getppid() != parent) ::_exit(1);
         ::close(ready[0]);
         const std::string number_to = std::to_string(ready[1]);
-        ::execlp("Xvfb", "Xvfb", "-displayfd", number_to.c_str(), "-screen", "0", "1024x768x24", "-nolisten", "tcp", static_cast<char*>(nullptr));
+        ::execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", number_to.c_str(), "-screen", "0", "1024x768x24",
+                 "-nolisten", "tcp", static_cast<char*>(nullptr));
         ::_exit(127);
     }
     ::close(ready[1]);
-    // The server writes its display's number and a line end once it takes connections, and closes the pipe when it cannot start.
+    // The server writes its display's number and a line end once it takes connections, and closes the pipe when it
+    // cannot start.
     std::string number;
     for (char c = 0; ::read(ready[0], &c, 1) == 1 && c != '\n';) number += c;
     ::close(ready[0]);
-    std::unique_ptr<VirtualDisplay> display(new VirtualDisplay(server));
-    if (number.empty()) return nullptr;
-    ::setenv("DISPLAY", (":" + number).c_str(), 1);
-    ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-    return display;
+    if (server > 0 && number.empty()) ::waitpid(server, nullptr, 0);
+    return number.empty() ? -1 : server;
+}
+
+}  // namespace
+
+std::unique_ptr<VirtualDisplay> VirtualDisplay::start() {
+    if (!installed("Xvfb") || !installed("xdotool")) return nullptr;
+    // A number of this process's own: two servers that look for a free one at the same time can both take the one that
+    // a killed server has left.
+    for (int attempt = 0; attempt < 10; ++attempt) {
+        const std::string number = std::to_string(100 + (::getpid() * 10 + attempt) % 50'000);
+        const pid_t server = serve(":" + number);
+        if (server <= 0) continue;
+        std::unique_ptr<VirtualDisplay> display(new VirtualDisplay(server, number));
+        ::setenv("DISPLAY", (":" + number).c_str(), 1);
+        ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+        return display;
+    }
+    return nullptr;
 }
 
 VirtualDisplay::~VirtualDisplay() { kill(); }
 
-bool VirtualDisplay::xdotool(const std::string& words) const { return std::system(("timeout 20 xdotool " + words).c_str()) == 0; }
+bool VirtualDisplay::xdotool(const std::string& words) const {
+    return std::system(("timeout 20 xdotool " + words).c_str()) == 0;
+}
 
 void VirtualDisplay::kill() {
     if (server_ <= 0) return;
     ::kill(server_, SIGKILL);
     ::waitpid(server_, nullptr, 0);
     server_ = 0;
+    ::unlink(("/tmp/.X" + number_ + "-lock").c_str());
+    ::unlink(("/tmp/.X11-unix/X" + number_).c_str());
 }
 
 }  // namespace handrail::test

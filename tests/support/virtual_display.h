@@ -10,7 +10,8 @@ namespace handrail::test {
 
 class VirtualDisplay {
 public:
-    // Starts the server on a free display number and points DISPLAY at it. Null where Xvfb or xdotool is not installed; the test then skips.
+    // Starts the server on a display number of its own and points DISPLAY at it. Null where Xvfb or xdotool is not
+    // installed; the test then skips.
     static std::unique_ptr<VirtualDisplay> start();
     ~VirtualDisplay();
     VirtualDisplay(const VirtualDisplay&) = delete;
@@ -22,7 +23,8 @@ public:
     void kill();
 
 private:
-    explicit VirtualDisplay(pid_t server) : server_(server) {}
+    VirtualDisplay(pid_t server, std::string number) : number_(std::move(number)), server_(server) {}
+    std::string number_;
     pid_t server_ = 0;
 };
 

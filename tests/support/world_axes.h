@@ -1,4 +1,5 @@
-// Through to the world (S126): where a hand that a driver saw lies at heading 0, and what is told to the driver when the world pushes that hand.
+// Through to the world (S126): where a hand that a driver saw lies at heading 0, and what is told to the driver when
+// the world pushes that hand.
 #pragma once
 
 #include "tests/support/servo_rig.h"
@@ -17,7 +18,8 @@ inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, in
     rig.tuning.touch.world_m_per_hand_m = kScale;
     rig.tuning.touch.radius_m = kBall;
     rig.pose.origin_m = Vec3(7.0, -3.0, 1.0);
-    // Something fills all of the world up to where the ball is pressed by 2 mm of hand; the hand comes from the free side.
+    // Something fills all of the world up to where the ball is pressed by 2 mm of hand; the hand comes from the free
+    // side.
     Aabb solid{Vec3(-500.0), Vec3(500.0)};
     solid.max_m[axis] = rig.pose.origin_m[axis] + kScale * (seen_m[axis] + kPress) - kBall;
     HapticSceneBuilder builder;
@@ -34,7 +36,8 @@ inline ThroughWorld through_world(const DeviceSpec& spec, const Vec3& seen_m, in
     return out;
 }
 
-// That a place of step_m along the axis of the hand - right, forward, up - is 60 times as far east, north or up, and the push goes the same way.
+// That a place of step_m along the axis of the hand - right, forward, up - is 60 times as far east, north or up, and
+// the push goes the same way.
 inline void expect_east_north_up(const ThroughWorld& through, int axis, double step_m, double within_m) {
     Vec3 expected{0.0};
     expected[axis] = 60.0 * step_m;

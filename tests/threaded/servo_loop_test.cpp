@@ -42,7 +42,9 @@ public:
             pose_.heading_rad = 0.0005 * i;
             loop_.set_pose(pose_);
         }
-        if (i % 13 == 0) hand_.command.publish({HandMode::Follow, Vec3(0.02 * std::sin(0.004 * i), 0.03 * std::cos(0.003 * i), 0), 0.0, Vec3(0.0), 0});
+        if (i % 13 == 0)
+            hand_.command.publish(
+                {HandMode::Follow, Vec3(0.02 * std::sin(0.004 * i), 0.03 * std::cos(0.003 * i), 0), 0.0, Vec3(0.0), 0});
         if (i % 700 == 350) loop_.set_scene(scenes_[static_cast<std::size_t>(i / 700) % scenes_.size()]);
         if (i % 900 == 450) {
             tuning_.touch.default_stiffness_fraction = 0.5 + 0.1 * (i / 900 % 4);
@@ -50,7 +52,8 @@ public:
             loop_.set_tuning(tuning_);
         }
         if (i == 2000) hand_.trouble.publish({.not_a_number_samples = 2});
-        if (i == 2100) hand_.trouble.publish({.not_a_number_samples = 0, .jump_samples = 3, .jump_m = Vec3(0.05, 0, 0)});
+        if (i == 2100)
+            hand_.trouble.publish({.not_a_number_samples = 0, .jump_samples = 3, .jump_m = Vec3(0.05, 0, 0)});
         if (i == 2900) hand_.trouble.publish({.silent_samples = 20});
     }
 
@@ -62,7 +65,9 @@ private:
     WorkspacePose pose_;
 };
 
-std::vector<std::shared_ptr<const HapticScene>> two_rooms() { return {test::wall_scene(1.2, FeatureId{1}), test::wall_scene(1.0, FeatureId{2})}; }
+std::vector<std::shared_ptr<const HapticScene>> two_rooms() {
+    return {test::wall_scene(1.2, FeatureId{1}), test::wall_scene(1.0, FeatureId{2})};
+}
 
 void add(std::vector<std::uint64_t>& bits, double value) { bits.push_back(std::bit_cast<std::uint64_t>(value)); }
 void add(std::vector<std::uint64_t>& bits, const Vec3& v) {
@@ -72,7 +77,8 @@ void add(std::vector<std::uint64_t>& bits, const Vec3& v) {
 // Every number of a ToolState, bit for bit.
 std::vector<std::uint64_t> bits_of(const ToolState& tool) {
     std::vector<std::uint64_t> bits;
-    for (const double value : {tool.time_s, tool.ball_radius_m, tool.force_gain, tool.contact_s, tool.rate_hz}) add(bits, value);
+    for (const double value : {tool.time_s, tool.ball_radius_m, tool.force_gain, tool.contact_s, tool.rate_hz})
+        add(bits, value);
     for (const Vec3& v : {tool.hip_m, tool.proxy_m, tool.hand_m, tool.force_n}) add(bits, v);
     for (int i = 0; i < tool.contacts.count; ++i) {
         const Contact& contact = tool.contacts.contacts[static_cast<std::size_t>(i)];
@@ -81,8 +87,9 @@ std::vector<std::uint64_t> bits_of(const ToolState& tool) {
         bits.push_back(contact.feature.value);
     }
     for (const std::uint64_t value :
-         {std::uint64_t{tool.contacts.count}, std::uint64_t{tool.liquid.value}, std::uint64_t{tool.buttons}, static_cast<std::uint64_t>(tool.fault),
-          std::uint64_t{tool.fault_latched}, tool.ticks, std::uint64_t{tool.scene_generation}})
+         {std::uint64_t{tool.contacts.count}, std::uint64_t{tool.liquid.value}, std::uint64_t{tool.buttons},
+          static_cast<std::uint64_t>(tool.fault), std::uint64_t{tool.fault_latched}, tool.ticks,
+          std::uint64_t{tool.scene_generation}})
         bits.push_back(value);
     return bits;
 }
@@ -218,9 +225,12 @@ TEST(ServoLoop, runs_on_its_own_thread_while_app_and_ears_do_theirs) {
     EXPECT_GE(report.counters.periods.total(), 1499u);
     EXPECT_NE(report.scheduling, Scheduling::NotStarted);
     EXPECT_FALSE(scheduling_sentence(report.scheduling).empty());
-    fmt::print("[ measured ] {} period p50 {} s, p99 {} s, worst {:.6f} s; tick p99 {} s, worst {:.6f} s; overruns {}; events heard {}\n",
-               scheduling_sentence(report.scheduling), report.counters.periods.quantile_s(0.5), report.counters.periods.quantile_s(0.99),
-               report.counters.periods.worst_s, report.durations.quantile_s(0.99), report.durations.worst_s, report.overruns, heard);
+    fmt::print(
+        "[ measured ] {} period p50 {} s, p99 {} s, worst {:.6f} s; tick p99 {} s, worst {:.6f} s; overruns {}; events "
+        "heard {}\n",
+        scheduling_sentence(report.scheduling), report.counters.periods.quantile_s(0.5),
+        report.counters.periods.quantile_s(0.99), report.counters.periods.worst_s, report.durations.quantile_s(0.99),
+        report.durations.worst_s, report.overruns, heard);
 }
 
 // Remembers what it was told.
@@ -241,7 +251,8 @@ public:
     }
     DeviceSample read(double) noexcept override { return {notes_.position_m, 0, true, true}; }
     void write(const ForceCommand& command) noexcept override {
-        if (notes_.forces_n.size() < notes_.forces_n.capacity()) notes_.forces_n.push_back(glm::length(command.force_n));
+        if (notes_.forces_n.size() < notes_.forces_n.capacity())
+            notes_.forces_n.push_back(glm::length(command.force_n));
     }
     void close() noexcept override { ++notes_.closed; }
 
@@ -291,7 +302,8 @@ TEST(ServoLoop, the_stop_switch_is_zero_at_the_next_tick_and_a_lost_keyboard_wit
         ServoSwitches switches;
         ServoLoop::EventRing ring;
         auto hand = std::make_shared<SimulatedHand>();
-        ServoLoop loop(std::make_unique<SimulatedDevice>(*find_device_spec("sim-f"), hand), clock, kTick, {&switches, &ring});
+        ServoLoop loop(std::make_unique<SimulatedDevice>(*find_device_spec("sim-f"), hand), clock, kTick,
+                       {&switches, &ring});
         ASSERT_TRUE(loop.open());
         loop.set_tuning(room_tuning());
         loop.set_scene(test::wall_scene(0.4));
@@ -411,8 +423,8 @@ TEST(ServoLoop, two_loops_share_a_scene_and_the_stop_key_and_nothing_else) {
         Hand& hand = hands[i];
         DeviceSpec spec = *find_device_spec(i == 0 ? "sim-t" : "sim-f");
         spec.min_rate_hz = 0.0;  // how busy this machine is does not matter here
-        hand.loop =
-            std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(spec, hand.simulated), clock, kTick, ServoLoop::Links{&switches, &hand.events});
+        hand.loop = std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(spec, hand.simulated), clock, kTick,
+                                                ServoLoop::Links{&switches, &hand.events});
         ASSERT_TRUE(hand.loop->open());
         ServoTuning tuning = room_tuning();
         tuning.force_ceiling_n = i == 0 ? 0.5 : 2.0;
@@ -443,7 +455,9 @@ TEST(ServoLoop, two_loops_share_a_scene_and_the_stop_key_and_nothing_else) {
     for (Hand& hand : hands) {
         bool met = false;
         until([&] {
-            hand.events.consume_all([&](const ContactEvent& event) { met |= event.kind == ContactEventKind::Begin && event.feature == FeatureId{1}; });
+            hand.events.consume_all([&](const ContactEvent& event) {
+                met |= event.kind == ContactEventKind::Begin && event.feature == FeatureId{1};
+            });
             return met;
         });
     }

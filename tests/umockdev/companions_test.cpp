@@ -1,4 +1,5 @@
-// A session with pads and pucks: sticks walk the body into a wall, and the pad is told of it. Real hidapi, hidraw nodes played by umockdev.
+// A session with pads and pucks: sticks walk the body into a wall, and the pad is told of it. Real hidapi, hidraw nodes
+// played by umockdev.
 #include "app/companions/companion_session.h"
 #include "haptic/drivers/playstation_pad.h"
 #include "tests/support/box_scene.h"
@@ -25,15 +26,19 @@ std::shared_ptr<const Scene> hall() {
 
 class Companions : public testing::Test {
 protected:
-    void SetUp() override { ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0"; }
+    void SetUp() override {
+        ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0";
+    }
 
-    // Virtual time: the pad's thread, the app and the cues in a fixed order, until the condition holds or so much time has gone.
+    // Virtual time: the pad's thread, the app and the cues in a fixed order, until the condition holds or so much time
+    // has gone.
     template <class Condition>
     bool run_until(Condition&& condition, double seconds) {
         for (const double end_s = clock_.now_s() + seconds; clock_.now_s() < end_s;) {
             clock_.advance_s(1.0 / 60.0);
             session_.devices().step();
-            for (std::string& sentence : session_.guide(app_, clock_.now_s(), busy_elsewhere_)) news_.push_back(std::move(sentence));
+            for (std::string& sentence : session_.guide(app_, clock_.now_s(), busy_elsewhere_))
+                news_.push_back(std::move(sentence));
             app_.tick(clock_.now_s(), {});
             for (const CueRequest& cue : cues_ = app_.take_cues())
                 if (cue.kind == CueRequestKind::Say) said_.push_back(cue.text);
@@ -42,7 +47,8 @@ protected:
         }
         return false;
     }
-    void push(test::PadEmulator& pad, MockHidraw& node, std::array<std::uint8_t, 4> sticks, std::array<std::uint8_t, 3> keys = {8, 0, 0}) {
+    void push(test::PadEmulator& pad, MockHidraw& node, std::array<std::uint8_t, 4> sticks,
+              std::array<std::uint8_t, 3> keys = {8, 0, 0}) {
         {
             const std::lock_guard guard(node.lock);
             pad.sticks = sticks;
@@ -66,7 +72,7 @@ protected:
 };
 
 void Companions::walk_into_the_wall(bool bluetooth) {
-    app_.enter_world(hall(), 0.0);
+    app_.apply(WorldEntered{make_ready(hall())}, 0.0);
     test::PadEmulator pad(true, bluetooth);
     MockHidraw node(bed_.bed, pad, {0, bluetooth, 0x054c, 0x0ce6, "DualSense Wireless Controller"});
     ASSERT_TRUE(run_until([&] { return session_.devices().any(); }, 5.0));
@@ -122,7 +128,7 @@ TEST_F(Companions, a_dual_sense_on_usb_walks_the_body_into_a_wall_and_is_told_of
 TEST_F(Companions, a_dual_sense_on_bluetooth_walks_the_body_into_a_wall_and_is_told_of_it) { walk_into_the_wall(true); }
 
 TEST_F(Companions, what_is_pressed_while_a_person_is_busy_elsewhere_does_nothing_then_or_later) {
-    app_.enter_world(hall(), 0.0);
+    app_.apply(WorldEntered{make_ready(hall())}, 0.0);
     test::PadEmulator pad(true, false);
     MockHidraw node(bed_.bed, pad, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"});
     busy_elsewhere_ = true;
@@ -139,7 +145,7 @@ TEST_F(Companions, what_is_pressed_while_a_person_is_busy_elsewhere_does_nothing
 }
 
 TEST_F(Companions, a_space_mouse_walks_and_turns_and_rests_when_it_falls_silent) {
-    app_.enter_world(hall(), 0.0);
+    app_.apply(WorldEntered{make_ready(hall())}, 0.0);
     test::PuckEmulator puck;
     MockHidraw node(bed_.bed, puck, {2, false, 0x046d, 0xc626, "SpaceNavigator"});
     ASSERT_TRUE(run_until([&] { return session_.devices().any(); }, 5.0));
@@ -166,7 +172,7 @@ TEST_F(Companions, a_space_mouse_walks_and_turns_and_rests_when_it_falls_silent)
 }
 
 TEST_F(Companions, triggers_are_loose_and_coils_still_when_the_session_ends) {
-    app_.enter_world(hall(), 0.0);
+    app_.apply(WorldEntered{make_ready(hall())}, 0.0);
     test::PadEmulator pad(true, false);
     MockHidraw node(bed_.bed, pad, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"});
     push(pad, node, {128, 0, 128, 128});
@@ -183,11 +189,11 @@ TEST_F(Companions, triggers_are_loose_and_coils_still_when_the_session_ends) {
 }
 
 TEST_F(Companions, a_pad_that_only_rumbles_knocks_at_the_wall_and_is_left_still) {
-    app_.enter_world(hall(), 0.0);
+    app_.apply(WorldEntered{make_ready(hall())}, 0.0);
     test::MockStick pad(bed_.bed, false);
     ASSERT_TRUE(run_until([&] { return session_.devices().any(); }, 5.0));
     EXPECT_THAT(news_, Contains(HasSubstr("I found a Test Stick.")));
-    app_.press(Command::Forward, clock_.now_s());
+    app_.apply(CommandDown{Command::Forward}, clock_.now_s());
     EXPECT_TRUE(run_until(
         [&] {
             const std::lock_guard guard(pad.lock);

@@ -30,7 +30,8 @@ void expect_every_fact(const ByName& by_name) {
         SCOPED_TRACE(name);
         for (const char* key : {"model", "kind", "driver", "connection", "calibration", "state"})
             EXPECT_FALSE(device.at(key).get<std::string>().empty()) << key;
-        for (const char* key : {"serial", "firmware", "problem"}) EXPECT_TRUE(device.at(key).is_null() || !device.at(key).get<std::string>().empty()) << key;
+        for (const char* key : {"serial", "firmware", "problem"})
+            EXPECT_TRUE(device.at(key).is_null() || !device.at(key).get<std::string>().empty()) << key;
         EXPECT_GT(device.at("rate_hz").get<double>(), 0.0);
         EXPECT_EQ(device.at("usable").get<bool>(), device.at("problem").is_null());
         for (const char* key : {"workspace_radius_m", "force_limit_n", "stiffness_limit_n_per_m", "slowest_rate_hz"}) {
@@ -42,7 +43,9 @@ void expect_every_fact(const ByName& by_name) {
 
 class DevicesCommand : public testing::Test {
 protected:
-    void SetUp() override { ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0"; }
+    void SetUp() override {
+        ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0";
+    }
 
 public:
     static std::string out_of(std::vector<std::string> arguments) {
@@ -63,7 +66,8 @@ protected:
     test::MockFalconBus falcon_{bed_.bed};
     test::PadEmulator pad_{true, false};
     test::PuckEmulator puck_, vendor_;
-    test::HidOnUsb omega_function_{vendor_, 0x1451, 0x0403, "omega.3"}, touch_function_{vendor_, 0x2988, 0x0304, "Touch"};
+    test::HidOnUsb omega_function_{vendor_, 0x1451, 0x0403, "omega.3"},
+        touch_function_{vendor_, 0x2988, 0x0304, "Touch"};
     test::MockUsbDevice omega_{bed_.bed, omega_function_, 30}, touch_{bed_.bed, touch_function_, 31};
     test::MockHidraw pad_node_{bed_.bed, pad_, {0, false, 0x054c, 0x0ce6, "DualSense Wireless Controller"}};
     test::MockHidraw puck_node_{bed_.bed, puck_, {2, false, 0x046d, 0xc626, "SpaceNavigator"}};
@@ -115,7 +119,8 @@ TEST(DevicesCommandPads, tells_every_fact_of_them_too) {
 // Whole sentences, no tables, signs or brackets: a voice reads them as they stand.
 TEST_F(DevicesCommand, tells_them_in_words_that_a_voice_can_read) {
     const std::string words = out_of({"devices"});
-    for (const char* part : {"Novint Falcon", "DualSense", "SpaceNavigator", "Test Stick", "omega", "Touch", "State: ready."})
+    for (const char* part :
+         {"Novint Falcon", "DualSense", "SpaceNavigator", "Test Stick", "omega", "Touch", "State: ready."})
         EXPECT_THAT(words, HasSubstr(part));
     std::istringstream lines(words);
     int count = 0;

@@ -12,7 +12,9 @@ constexpr UsbId kFalcon{0x0403, 0xcb48};
 
 class FalconOverLibusb : public testing::Test {
 protected:
-    void SetUp() override { ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0"; }
+    void SetUp() override {
+        ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0";
+    }
 
     std::unique_ptr<ByteLink> open_link() {
         const std::array wanted{kFalcon};

@@ -13,7 +13,9 @@ using test::MockStick;
 
 class OverEvdev : public testing::Test {
 protected:
-    void SetUp() override { ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0"; }
+    void SetUp() override {
+        ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0";
+    }
     struct Bed {
         UMockdevTestbed* bed = umockdev_testbed_new();
         ~Bed() { g_object_unref(bed); }
@@ -68,7 +70,8 @@ TEST_F(OverEvdev, stick_right_and_forward_are_east_and_north_and_a_force_east_pu
     EXPECT_EQ(sample.position_m, Vec3(0.0, device.spec().workspace_radius_m, 0.0));
     EXPECT_EQ(sample.buttons, 0U);
     // Through to the world and back: half of the way right or away, 2 mm in what pushes east or north.
-    for (const auto& [axis, code, value, direction] : {std::tuple{0, ABS_X, 256, 0xC000}, std::tuple{1, ABS_Y, -256, 0x8000}}) {
+    for (const auto& [axis, code, value, direction] :
+         {std::tuple{0, ABS_X, 256, 0xC000}, std::tuple{1, ABS_Y, -256, 0x8000}}) {
         stick.tell(EV_ABS, ABS_X, 0);
         stick.tell(EV_ABS, ABS_Y, 0);
         stick.tell(EV_ABS, static_cast<std::uint16_t>(code), value);
@@ -81,7 +84,10 @@ TEST_F(OverEvdev, stick_right_and_forward_are_east_and_north_and_a_force_east_pu
         EXPECT_GT(stick.effect.u.constant.level, 0);
     }
     const double half = 0.5 * device.spec().peak_force_n;
-    for (const auto& [force, direction] : {std::pair<Vec3, int>{{-half, 0, 0}, 0x4000}, {{0, half, 0}, 0x8000}, {{half, 0, 0}, 0xC000}, {{0, -half, 0}, 0}}) {
+    for (const auto& [force, direction] : {std::pair<Vec3, int>{{-half, 0, 0}, 0x4000},
+                                           {{0, half, 0}, 0x8000},
+                                           {{half, 0, 0}, 0xC000},
+                                           {{0, -half, 0}, 0}}) {
         device.write({force});
         const std::lock_guard guard(stick.lock);
         EXPECT_EQ(stick.effect.type, FF_CONSTANT);

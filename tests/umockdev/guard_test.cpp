@@ -26,6 +26,49 @@ using Clock_ = std::chrono::steady_clock;
 
 const std::filesystem::path kGuard = HANDRAIL_GUARD;
 
+// What watches is 10 ms apart, and the second guard needs some exchanges: a machine that wakes a thread 10 ms late
+// cannot show that it keeps its time.
+bool gives_its_time() {
+    constexpr int kLooks = 100;
+    constexpr auto kLate = 10ms;
+    auto worst = Clock_::duration::zero();
+    for (int i = 0; i < kLooks; ++i) {
+        const auto begun = Clock_::now();
+        std::this_thread::sleep_for(5ms);
+        worst = std::max(worst, Clock_::now() - begun - 5ms);
+    }
+    std::printf("this machine woke a thread at most %.1f ms late\n",
+                std::chrono::duration<double, std::milli>(worst).count());
+    return worst < kLate;
+}
+
+std::size_t times_in(const std::string& text, std::string_view words) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
+    return count;
+}
+constexpr std::size_t kBusyEnough = 4;  // so often told that the computer is too busy, nobody goes on trying
+
+// The processes that this one has started, the oldest first; any of its threads may have.
+std::vector<pid_t> children_of(pid_t process) {
+    std::vector<pid_t> found;
+    std::error_code ec;
+    for (const auto& thread : std::filesystem::directory_iterator(fmt::format("/proc/{}/task", process), ec)) {
+        std::ifstream children(thread.path() / "children");
+        for (pid_t child = 0; children >> child;) found.push_back(child);
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+// A line of what the kernel tells of a process; empty when there is no such process.
+std::string field_of(pid_t process, const std::string& name) {
+    std::ifstream status(fmt::format("/proc/{}/status", process));
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with(name + ":")) return line.substr(line.find_first_not_of(" \t", name.size() + 1));
+    return {};
+}
+
 class GuardProcess : public testing::Test {
 protected:
     struct Frame {
@@ -37,7 +80,9 @@ protected:
         ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0";
         const std::lock_guard guard(bus_.lock);
         bus_.falcon.stage = test::FalconEmulator::Stage::Running;
-        bus_.falcon.after_frame = [this](test::FalconEmulator& falcon) { frames_.push_back({Clock_::now(), falcon.motors != std::array<int, 3>{}}); };
+        bus_.falcon.after_frame = [this](test::FalconEmulator& falcon) {
+            frames_.push_back({Clock_::now(), falcon.motors != std::array<int, 3>{}});
+        };
     }
     template <class Condition>
     bool wait(Condition&& condition, std::chrono::seconds allowed = 30s) {
@@ -76,7 +121,8 @@ TEST_F(GuardProcess, holds_the_device_for_the_servo_and_lets_it_go_at_zero) {
         fresh += sample.fresh;
         clock.sleep_until_s(begun_s + 1e-3);
     }
-    std::printf("%d ticks: read and write take %.1f us, at most %.0f us; %d samples were fresh\n", kTicks, all_s / kTicks * 1e6, longest_s * 1e6, fresh);
+    std::printf("%d ticks: read and write take %.1f us, at most %.0f us; %d samples were fresh\n", kTicks,
+                all_s / kTicks * 1e6, longest_s * 1e6, fresh);
     EXPECT_TRUE(sample.connected);
     EXPECT_GT(fresh, 10);
     EXPECT_TRUE(wait([&] { return !no_force_now(); }));
@@ -107,15 +153,22 @@ TEST_F(GuardProcess, unplugging_is_seen_and_plugging_in_again_too) {
         bus_.unplugged = false;
     }
     EXPECT_TRUE(tick_until(true));
-    // A guard that is killed is a device that is gone.
+    // A guard that is killed is a device that is gone; the second guard makes sure that it does not push.
     ::kill(device.guard_process(), SIGKILL);
     EXPECT_TRUE(tick_until(false));
+    for (const auto end = Clock_::now() + 20s; Clock_::now() < end && device.read(0.0).loss != DeviceLoss::ForceOff;) {
+        (void)device.take_news();  // as the app does, which also replaces a second guard that died
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_EQ(device.read(0.0).loss, DeviceLoss::ForceOff);
+    EXPECT_TRUE(device.guard_ended()) << "another guard may open it";
 }
 
 // The program itself, in the first room, with a hand that presses on the floor with 2 N.
 class RunningProgram {
 public:
-    explicit RunningProgram(const std::filesystem::path& home, const std::string& device = "falcon", const std::string& command = "") {
+    explicit RunningProgram(const std::filesystem::path& home, const std::string& device = "falcon",
+                            const std::string& command = "") {
         std::array<int, 2> input{-1, -1}, output{-1, -1};
         if (::pipe2(input.data(), O_CLOEXEC) != 0 || ::pipe2(output.data(), O_CLOEXEC) != 0) return;
         posix_spawn_file_actions_t actions;
@@ -127,12 +180,14 @@ public:
         std::vector<char*> argv;
         for (std::string& word : words) argv.push_back(word.data());
         argv.push_back(nullptr);
-        // No speech server either: one that is started forks, and umockdev's lock does not outlive a fork beside a thread that looks for devices.
+        // No speech server either: one that is started forks, and umockdev's lock does not outlive a fork beside a
+        // thread that looks for devices.
         const auto bare = test::bare_environment(home.string());
         std::vector<std::string> variables;
         for (char** variable = environ; *variable; ++variable) {
             const std::string_view whole = *variable;
-            if (!whole.starts_with("XDG_") && !bare.contains(std::string(whole.substr(0, whole.find('='))))) variables.emplace_back(whole);
+            if (!whole.starts_with("XDG_") && !bare.contains(std::string(whole.substr(0, whole.find('=')))))
+                variables.emplace_back(whole);
         }
         for (const auto& [name, value] : bare)
             if (!value.empty()) variables.push_back(name + "=" + value);
@@ -177,10 +232,23 @@ public:
         }
         return false;
     }
-    void type(std::string_view line) { [[maybe_unused]] const auto written = ::write(input_, line.data(), line.size()); }
+    void type(std::string_view line) {
+        [[maybe_unused]] const auto written = ::write(input_, line.data(), line.size());
+    }
+    // Its guards are waited for too: what still talks to a bus while that is taken down makes umockdev end the test.
     void kill_and_wait() {
+        const std::vector<pid_t> guards = children_of(pid_);
         ::kill(pid_, SIGKILL);
         ::waitpid(std::exchange(pid_, -1), nullptr, 0);
+        const auto goes_on = [](pid_t guard) {
+            const std::string state = field_of(guard, "State");
+            return !state.empty() && state.front() != 'Z';
+        };
+        for (const pid_t guard : guards) {
+            for (const auto end = Clock_::now() + 10s; Clock_::now() < end && goes_on(guard);)
+                std::this_thread::sleep_for(2ms);
+            if (goes_on(guard)) ::kill(guard, SIGKILL);
+        }
     }
     void end() {
         if (pid_ > 0) kill_and_wait();
@@ -202,6 +270,7 @@ private:
 class DyingProgram : public GuardProcess {
 protected:
     void press_on_the_floor() {
+        if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
         ASSERT_TRUE(program_.says("First room.") && program_.says("The Falcon is ready.")) << program_.said();
         for (const double up_m : {0.006, 0.0}) {  // a first movement, then the ramp of 1 s
             std::this_thread::sleep_for(100ms);
@@ -214,24 +283,24 @@ protected:
             bus_.falcon.held = false;
             bus_.falcon.push_n = {0.0, -2.0, 0.0};
         }
-        // A machine busy with other things may trip the rate watch; the force key brings the force back, as for anybody.
+        // A machine busy with other things may trip the rate watch; the force key brings the force back, as for
+        // anybody.
         std::size_t answered = 0;
-        ASSERT_TRUE(wait(
+        bool pressed = false;
+        wait(
             [&] {
-                if (const std::size_t alerts = count_of(program_.said(), "press the force key"); alerts > answered) {
+                if (const std::size_t alerts = times_in(program_.said(), "type forces"); alerts > answered) {
                     answered = alerts;
                     program_.type("forces\n");
                 }
-                return std::abs(bus_.falcon.force_on_hand_n().y - 2.0) < 0.1 && glm::length(bus_.falcon.velocity_m_per_s) < 0.01 &&
-                       bus_.falcon.grip_m.y > -0.035;
+                pressed = std::abs(bus_.falcon.force_on_hand_n().y - 2.0) < 0.1 &&
+                          glm::length(bus_.falcon.velocity_m_per_s) < 0.01 && bus_.falcon.grip_m.y > -0.035;
+                return pressed || answered >= kBusyEnough;
             },
-            60s))
-            << program_.said();
-    }
-    static std::size_t count_of(const std::string& text, std::string_view words) {
-        std::size_t count = 0;
-        for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) ++count;
-        return count;
+            60s);
+        if (!pressed && times_in(program_.said(), "too busy for steady touch") > 0)
+            GTEST_SKIP() << "this machine is too busy to give a servo its rate";
+        ASSERT_TRUE(pressed) << program_.said();
     }
     // Waits for zero and tells how it came, from `since` on.
     void expect_zero_since(Clock_::time_point since, int most_frames_with_force) {
@@ -249,8 +318,10 @@ protected:
         }
         ASSERT_TRUE(zero);
         EXPECT_LE(with_force, most_frames_with_force);
-        std::printf("zero %.1f ms after, with %d frames of force between\n", std::chrono::duration<double, std::milli>(zero->at - since).count(), with_force);
-        for (const Frame* frame = zero; frame <= &frames_.back(); ++frame) EXPECT_FALSE(frame->force) << "no force comes back";
+        std::printf("zero %.1f ms after, with %d frames of force between\n",
+                    std::chrono::duration<double, std::milli>(zero->at - since).count(), with_force);
+        for (const Frame* frame = zero; frame <= &frames_.back(); ++frame)
+            EXPECT_FALSE(frame->force) << "no force comes back";
     }
 
     test::TemporaryFolder home_;
@@ -259,11 +330,12 @@ protected:
 
 TEST_F(DyingProgram, killed_with_2_newtons_in_the_hand_leaves_zero_behind) {
     press_on_the_floor();
+    if (IsSkipped() || HasFatalFailure()) return;
     const auto killed = Clock_::now();
     program_.kill_and_wait();
     std::printf("kill -9: ");
-    // Once it is dead it commands nothing, so at most the frame on its way and the one it had ordered carry force, whatever else the machine does:
-    // two frames are less than 20 ms of exchanges.
+    // Once it is dead it commands nothing, so at most the frame on its way and the one it had ordered carry force,
+    // whatever else the machine does: two frames are less than 20 ms of exchanges.
     expect_zero_since(killed, 20);
     const std::lock_guard guard(bus_.lock);
     EXPECT_LE(bus_.falcon.largest_force_n, 3.0);
@@ -271,19 +343,121 @@ TEST_F(DyingProgram, killed_with_2_newtons_in_the_hand_leaves_zero_behind) {
 
 TEST_F(DyingProgram, frozen_with_2_newtons_in_the_hand_leaves_zero_behind) {
     press_on_the_floor();
+    if (IsSkipped() || HasFatalFailure()) return;
     const auto frozen = Clock_::now();
     ::kill(program_.pid(), SIGSTOP);
     std::printf("frozen: ");
     expect_zero_since(frozen, 50);
 }
 
-// Nothing is there at the start; a Falcon that is plugged in later is told of, taken with the force key, woken, and felt.
+class FailingGuard : public DyingProgram {
+protected:
+    // The first guard is started before the second one, so its number is the smaller.
+    std::vector<pid_t> guards() { return children_of(program_.pid()); }
+    // When the motors first had no force after `since`, and that they have none for as long as one looks.
+    double zero_after_ms(Clock_::time_point since) {
+        EXPECT_TRUE(wait([this] { return no_force_now(); }));
+        std::this_thread::sleep_for(300ms);
+        const std::lock_guard guard(bus_.lock);
+        const auto zero = std::find_if(frames_.begin(), frames_.end(),
+                                       [&](const Frame& frame) { return frame.at >= since && !frame.force; });
+        if (zero == frames_.end()) {
+            ADD_FAILURE() << "no frame of zero came";
+            return 1e9;
+        }
+        EXPECT_TRUE(std::none_of(zero, frames_.end(), [](const Frame& frame) { return frame.force; }))
+            << "no force comes back";
+        return std::chrono::duration<double, std::milli>(zero->at - since).count();
+    }
+    // `act` while 2 N are in the hand. Within so many ms it has zero; a machine that did not give its time before or
+    // after is told of, and nothing more.
+    void expect_zero_within(double most_ms, const char* what, const std::function<void()>& act) {
+        press_on_the_floor();
+        if (IsSkipped() || HasFatalFailure()) return;
+        const auto since = Clock_::now();
+        act();
+        const double took_ms = zero_after_ms(since);
+        std::printf("%s: zero %.1f ms after\n", what, took_ms);
+        if (took_ms > most_ms && !gives_its_time())
+            GTEST_SKIP() << "this machine is too busy to measure times: " << took_ms << " ms";
+        EXPECT_LE(took_ms, most_ms);
+    }
+};
+
+TEST_F(FailingGuard, killed_with_2_newtons_in_the_hand_is_followed_by_zero_within_100_ms_and_true_words) {
+    expect_zero_within(100.0, "guard killed", [this] { ::kill(guards().front(), SIGKILL); });
+    if (IsSkipped() || HasFatalFailure()) return;
+    EXPECT_TRUE(program_.says("Let go of the grip: the device may still push.")) << program_.said();
+    EXPECT_TRUE(program_.says("The device no longer pushes.")) << program_.said();
+    EXPECT_EQ(program_.said().find("Device unplugged"), std::string::npos) << program_.said();
+    EXPECT_TRUE(program_.says("I found a Falcon.")) << "and can be taken again: " << program_.said();
+}
+
+TEST_F(FailingGuard, frozen_with_2_newtons_in_the_hand_is_ended_and_followed_by_zero_within_250_ms) {
+    pid_t guard = 0;
+    expect_zero_within(250.0, "guard frozen", [&] { ::kill(guard = guards().front(), SIGSTOP); });
+    if (IsSkipped() || HasFatalFailure()) return;
+    EXPECT_TRUE(program_.says("Let go of the grip: the device may still push.")) << program_.said();
+    EXPECT_TRUE(program_.says("The device no longer pushes.")) << program_.said();
+    EXPECT_NE(field_of(guard, "State").substr(0, 1), "T") << "it can never go on";
+}
+
+TEST_F(FailingGuard, frozen_together_with_the_program_is_followed_by_zero_all_the_same) {
+    expect_zero_within(250.0, "guard and program frozen", [this] {
+        const auto both = guards();
+        ::kill(program_.pid(), SIGSTOP);
+        ::kill(both.front(), SIGSTOP);
+    });
+}
+
+TEST_F(FailingGuard, frozen_when_the_program_is_left_leaves_zero_behind) {
+    expect_zero_within(400.0, "guard frozen, then left", [this] {
+        ::kill(guards().front(), SIGSTOP);
+        program_.type("quit\n");
+    });
+    if (IsSkipped() || HasFatalFailure()) return;
+    EXPECT_EQ(program_.wait_for_end(), 0) << program_.said();
+}
+
+TEST_F(FailingGuard, keeps_no_privileges_and_is_replaced_when_the_second_one_dies) {
+    press_on_the_floor();
+    if (IsSkipped() || HasFatalFailure()) return;
+    const auto both = guards();
+    ASSERT_EQ(both.size(), 2U);
+    for (const pid_t guard : both) {
+        EXPECT_EQ(field_of(guard, "NoNewPrivs"), "1");
+        std::ifstream limits(fmt::format("/proc/{}/limits", guard));
+        const std::string text{std::istreambuf_iterator<char>(limits), {}};
+        EXPECT_THAT(text, testing::ContainsRegex("Max core file size +0 +0"));
+        EXPECT_THAT(text, testing::ContainsRegex("Max open files +256 +256"));
+        // What it may have it has; what it may not is told.
+        int score = 0;
+        std::ifstream(fmt::format("/proc/{}/oom_score_adj", guard)) >> score;
+        EXPECT_EQ(score != -1000, program_.said().find("When memory runs out") != std::string::npos) << program_.said();
+        const bool locked = std::atoi(field_of(guard, "VmLck").c_str()) > 0;
+        EXPECT_TRUE(locked || program_.said().find("is not locked") != std::string::npos) << program_.said();
+    }
+    ::kill(both.back(), SIGKILL);
+    std::vector<pid_t> now;
+    for (const auto end = Clock_::now() + 10s; Clock_::now() < end && (now.size() != 2 || now.back() == both.back());
+         std::this_thread::sleep_for(20ms))
+        now = guards();
+    ASSERT_EQ(now.size(), 2U);
+    EXPECT_EQ(now.front(), both.front());
+    std::this_thread::sleep_for(200ms);
+    ::kill(now.front(), SIGKILL);
+    EXPECT_TRUE(wait([this] { return no_force_now(); })) << "the new second guard does its work";
+}
+
+// Nothing is there at the start; a Falcon that is plugged in later is told of, taken with the force key, woken, and
+// felt.
 TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     struct Bed {
         UMockdevTestbed* bed = umockdev_testbed_new();
         ~Bed() { g_object_unref(bed); }
     } bed;
     ASSERT_TRUE(umockdev_in_mock_environment());
+    if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
     const test::TemporaryFolder home;
     RunningProgram program(home.path(), "auto");
     ASSERT_TRUE(program.says("No touch device was found.") && program.says("First room.")) << program.said();
@@ -292,7 +466,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         const std::lock_guard guard(bus.lock);
         bus.falcon.stage = test::FalconEmulator::Stage::Running;
     }
-    ASSERT_TRUE(program.says("I found a Falcon. Press F or the grave key to use it.")) << program.said();
+    ASSERT_TRUE(program.says("I found a Falcon. Type forces to use it.")) << program.said();
     program.type("where\n");
     ASSERT_TRUE(program.says("You are at the door, base")) << "the keyboard goes on meanwhile";
     program.type("forces\n");
@@ -307,7 +481,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     std::size_t told = 0;
     for (const auto end = Clock_::now() + 90s; !felt && Clock_::now() < end;) {
         const std::string said = program.said();
-        if (const std::size_t off = said.find("press the force key to try again", told); off != std::string::npos) {
+        if (const std::size_t off = said.find("type forces to try again", told); off != std::string::npos) {
             told = off + 1;
             program.type("forces\n");
         }
@@ -319,33 +493,34 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
         }
     }
     EXPECT_TRUE(felt) << program.said();
-    // Without its guard a device is unplugged, and can be taken again.
-    pid_t guard_process = 0;
-    for (const auto& thread : std::filesystem::directory_iterator(fmt::format("/proc/{}/task", program.pid())))
-        if (guard_process == 0) std::ifstream(thread.path() / "children") >> guard_process;
-    ASSERT_GT(guard_process, 0);
-    ::kill(guard_process, SIGKILL);
-    ASSERT_TRUE(program.says("Device unplugged.") && program.says_again("I found a Falcon.")) << program.said();
+    // Without its guard a device is lost, and can be taken again.
+    const auto both = children_of(program.pid());
+    ASSERT_EQ(both.size(), 2U);
+    ::kill(both.front(), SIGKILL);
+    ASSERT_TRUE(program.says("The device no longer pushes.") && program.says_again("I found a Falcon."))
+        << program.said();
     program.type("forces\n");
     ASSERT_TRUE(program.says_again("The Falcon is ready.")) << program.said();
+    program.end();  // while the bus is there
     const std::lock_guard guard(bus.lock);
     EXPECT_LE(bus.falcon.largest_force_n, 3.0);
 }
 
 class CalibratingProgram : public GuardProcess {
 protected:
-    // Waits until these words are said. On a machine busy with other things a fault may come between: Enter goes on, as for anybody. False when they
-    // are not said within 90 s, or the guard, for want of time, let the device go.
+    // Waits until these words are said. On a machine busy with other things a fault may come between: Enter goes on, as
+    // for anybody. False when they are not said within 90 s, or the guard, for want of time, let the device go, or the
+    // servo said too often that it has none.
     bool hears(const std::string& words) {
         for (const auto end = Clock_::now() + 90s; Clock_::now() < end; std::this_thread::sleep_for(10ms)) {
             const std::string said = program_->said();
             if (said.find(words) != std::string::npos) return true;
-            if (said.find("I go on without it") != std::string::npos) {
+            if (said.find("I go on without it") != std::string::npos ||
+                times_in(said, "too busy for steady touch") >= kBusyEnough) {
                 lost_ = true;
                 return false;
             }
-            std::size_t faults = 0;
-            for (std::size_t at = said.find("Here Enter goes on"); at != std::string::npos; at = said.find("Here Enter goes on", at + 1)) ++faults;
+            const std::size_t faults = times_in(said, "Here an empty line goes on");
             if (std::exchange(faults_, faults) < faults) program_->type("\n");
         }
         ADD_FAILURE() << "\"" << words << "\" was never said:\n" << program_->said();
@@ -385,19 +560,22 @@ protected:
         return felt;
     }
     bool sweeps() {
-        for (const Vec3& side :
-             {Vec3(0.03, 0.0, 0.125), Vec3(-0.03, 0.0, 0.125), Vec3(0.0, 0.02, 0.125), Vec3(0.0, -0.02, 0.125), Vec3(0.0, 0.0, 0.15), Vec3(0.0, 0.0, 0.1)}) {
+        for (const Vec3& side : {Vec3(0.03, 0.0, 0.125), Vec3(-0.03, 0.0, 0.125), Vec3(0.0, 0.02, 0.125),
+                                 Vec3(0.0, -0.02, 0.125), Vec3(0.0, 0.0, 0.15), Vec3(0.0, 0.0, 0.1)}) {
             if (!move_to(side)) return false;
             std::this_thread::sleep_for(100ms);  // the program looks sixty times a second
         }
         return true;
     }
     bool is_led_through() {
-        return hears_and_types("bell on your left", "left\nright\n") && hears("Pull it all the way towards you.") && move_to({0.0, 0.0, 0.16}) &&
-               hears("Push it in, away from you.") && move_to({0.0, 0.0, 0.11}) && hears("Which hand holds it?") && move_to({-0.03, 0.0, 0.11}) &&
-               hears("Left hand.") && feels_and_presses() && hears_and_types("Now a wall.", "\n") && hears("Nothing will push with more than 1.2 newtons.") &&
-               hears("Move the grip as far as is comfortable") && sweeps() && hears_and_types("Each side clicks", "\n") &&
-               hears_and_types("Your reach spans", "\n") && hears_and_types("The rim is on; Up", "\n") && hears_and_types("Your step is", "65\n") &&
+        return hears_and_types("bell on your left", "left\nright\n") && hears("Pull it all the way towards you.") &&
+               move_to({0.0, 0.0, 0.16}) && hears("Push it in, away from you.") && move_to({0.0, 0.0, 0.11}) &&
+               hears("Which hand holds it?") && move_to({-0.03, 0.0, 0.11}) && hears("Left hand.") &&
+               feels_and_presses() && hears_and_types("Now a wall.", "\n") &&
+               hears("Nothing will push with more than 1.2 newtons.") &&
+               hears("Move the grip as far as is comfortable") && sweeps() &&
+               hears_and_types("Each side clicks", "\n") && hears_and_types("Your reach spans", "\n") &&
+               hears_and_types("The rim is on; the words up", "\n") && hears_and_types("Your step is", "65\n") &&
                hears("You are set up.");
     }
 
@@ -409,6 +587,7 @@ protected:
 };
 
 TEST_F(CalibratingProgram, leads_through_the_whole_set_up_by_voice_and_keeps_a_profile) {
+    if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to play a Falcon";
     {
         const std::lock_guard guard(bus_.lock);
         bus_.falcon.homes_by_moving = true;
@@ -416,14 +595,17 @@ TEST_F(CalibratingProgram, leads_through_the_whole_set_up_by_voice_and_keeps_a_p
     }
     program_.emplace(home_.path(), "falcon", "calibrate");
     if (!is_led_through()) {
-        if (lost_) GTEST_SKIP() << "this machine is too busy to play a Falcon: the guard had to let it go";
+        if (lost_)
+            GTEST_SKIP() << "this machine is too busy to play a Falcon: the guard had to let it go, or the servo had "
+                            "not its rate";
         FAIL() << program_->said();
     }
     EXPECT_EQ(program_->wait_for_end(), 0);
     const std::string settings = test::content_of(home_.path() / ".config" / "handrail" / "settings.toml");
     EXPECT_THAT(settings,
-                testing::AllOf(testing::HasSubstr("[profile.\"falcon"), testing::HasSubstr("ceiling_n = 1.2"), testing::HasSubstr("hand = \"left\""),
-                               testing::HasSubstr("gentlest_n = 0."), testing::HasSubstr("width_m = 0.06"), testing::HasSubstr("step_length_m = 0.65")));
+                testing::AllOf(testing::HasSubstr("[profile.\"falcon"), testing::HasSubstr("ceiling_n = 1.2"),
+                               testing::HasSubstr("hand = \"left\""), testing::HasSubstr("gentlest_n = 0."),
+                               testing::HasSubstr("width_m = 0.06"), testing::HasSubstr("step_length_m = 0.65")));
     const std::lock_guard guard(bus_.lock);
     EXPECT_EQ(bus_.falcon.frames_before_homed_with_force, 0U);
     EXPECT_LE(bus_.falcon.largest_force_n, 1.2 + 0.05);
@@ -456,7 +638,8 @@ TEST_F(GuardProcess, devices_command_tells_every_fact_of_the_falcon) {
     EXPECT_EQ(falcon["usable"], true);
     EXPECT_TRUE(falcon["problem"].is_null());
     const std::lock_guard guard(bus_.lock);
-    EXPECT_TRUE(std::none_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.force; })) << "looking pushes nobody";
+    EXPECT_TRUE(std::none_of(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.force; }))
+        << "looking pushes nobody";
 }
 
 TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_opened) {
@@ -474,8 +657,9 @@ TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_
     call.arguments = {"--no-window"};
     const test::ProgramRun left_to_itself = test::run_program(call);
     EXPECT_EQ(left_to_itself.exit_status, 0) << left_to_itself.err;
-    EXPECT_THAT(left_to_itself.out, testing::AllOf(testing::HasSubstr("I found a Novint Falcon."), testing::HasSubstr("simulated hand follows"),
-                                                   testing::HasSubstr("First room.")));
+    EXPECT_THAT(left_to_itself.out,
+                testing::AllOf(testing::HasSubstr("I found a Novint Falcon."),
+                               testing::HasSubstr("simulated hand follows"), testing::HasSubstr("First room.")));
     call.arguments = {"--no-window", "--device", "falcon"};
     const test::ProgramRun asked_for = test::run_program(call);
     EXPECT_EQ(asked_for.exit_status, 1);

@@ -15,7 +15,9 @@ using test::MockHidraw;
 
 class OverHidapi : public testing::Test {
 protected:
-    void SetUp() override { ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0"; }
+    void SetUp() override {
+        ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0";
+    }
 
     std::unique_ptr<HidLink> open(std::uint16_t vendor, bool bluetooth) {
         for (const HidDeviceInfo& info : list_hid_devices())
@@ -49,7 +51,8 @@ TEST_F(OverHidapi, dual_sense_exchanges_a_thousand_reports_over_usb_and_bluetoot
     for (const bool bluetooth : {false, true}) {
         test::PadEmulator& emulator = bluetooth ? bluetooth_pad_ : usb_pad_;
         MockHidraw& node = bluetooth ? bluetooth_node_ : usb_node_;
-        test::exchange_a_thousand_reports(open(0x054c, bluetooth), bluetooth ? PadBus::Bluetooth : PadBus::Usb, emulator, node.lock, [&] { node.ring(); });
+        test::exchange_a_thousand_reports(open(0x054c, bluetooth), bluetooth ? PadBus::Bluetooth : PadBus::Usb,
+                                          emulator, node.lock, [&] { node.ring(); });
         EXPECT_EQ(node.writes, 1002U) << "one on opening and one on letting go";
     }
 }

@@ -28,29 +28,34 @@ void add(UMockdevTestbed* bed, const std::string& description) {
 
 MockHidraw::MockHidraw(UMockdevTestbed* bed, HidEmulator& device, const Identity& identity)
     : device_(device), identity_(identity), descriptor_(device.descriptor()) {
-    const std::string id = fmt::format("{:04X}:{:08X}:{:08X}", identity.bluetooth ? 5 : 3, identity.vendor, identity.product);
+    const std::string id =
+        fmt::format("{:04X}:{:08X}:{:08X}", identity.bluetooth ? 5 : 3, identity.vendor, identity.product);
     std::string above;
     if (identity.bluetooth) {
         above = fmt::format("/devices/bluetooth/hci0/hci0:{}", identity.number + 1);
         add(bed, fmt::format("P: {}\nE: SUBSYSTEM=bluetooth\nE: DEVTYPE=link\n\n", above));
     } else {
         const std::string usb = fmt::format("/devices/usb1/1-{}", identity.number + 2);
-        add(bed, fmt::format("P: {}\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nE: DEVNAME=/dev/bus/usb/001/{:03}\nN: bus/usb/001/{:03}\nA: idVendor={:04x}\\n\n"
-                             "A: idProduct={:04x}\\n\nA: busnum=1\\n\nA: devnum={}\\n\nA: bcdDevice=0100\\n\nA: manufacturer=Test\\n\nA: product={}\\n\n"
+        add(bed, fmt::format("P: {}\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nE: DEVNAME=/dev/bus/usb/001/{:03}\nN: "
+                             "bus/usb/001/{:03}\nA: idVendor={:04x}\\n\n"
+                             "A: idProduct={:04x}\\n\nA: busnum=1\\n\nA: devnum={}\\n\nA: bcdDevice=0100\\n\nA: "
+                             "manufacturer=Test\\n\nA: product={}\\n\n"
                              "A: serial=SN{}\\n\n\n",
-                             usb, identity.number + 20, identity.number + 20, identity.vendor, identity.product, identity.number + 20, identity.name,
-                             identity.number));
+                             usb, identity.number + 20, identity.number + 20, identity.vendor, identity.product,
+                             identity.number + 20, identity.name, identity.number));
         above = fmt::format("{}/1-{}:1.3", usb, identity.number + 2);
-        add(bed, fmt::format("P: {}\nE: DEVTYPE=usb_interface\nE: SUBSYSTEM=usb\nA: bInterfaceNumber=03\\n\n\n", above));
+        add(bed,
+            fmt::format("P: {}\nE: DEVTYPE=usb_interface\nE: SUBSYSTEM=usb\nA: bInterfaceNumber=03\\n\n\n", above));
     }
     std::string bytes;
     for (const std::uint8_t byte : descriptor_) bytes += fmt::format("{:02X}", byte);
-    add(bed, fmt::format("P: {}/{}\nE: SUBSYSTEM=hid\nE: DRIVER=hid-generic\nE: HID_ID={}\nE: HID_NAME={}\nE: HID_UNIQ=aa:bb:cc:00:00:{:02}\nE: HID_PHYS=x\n"
+    add(bed, fmt::format("P: {}/{}\nE: SUBSYSTEM=hid\nE: DRIVER=hid-generic\nE: HID_ID={}\nE: HID_NAME={}\nE: "
+                         "HID_UNIQ=aa:bb:cc:00:00:{:02}\nE: HID_PHYS=x\n"
                          "H: report_descriptor={}\n\n",
                          above, id, id, identity.name, identity.number, bytes));
-    add(bed, fmt::format(
-                 "P: {0}/{1}/hidraw/hidraw{2}\nL: device=../..\nN: hidraw{2}\nE: DEVNAME=/dev/hidraw{2}\nE: SUBSYSTEM=hidraw\nE: MAJOR=240\nE: MINOR={2}\n\n",
-                 above, id, identity.number));
+    add(bed, fmt::format("P: {0}/{1}/hidraw/hidraw{2}\nL: device=../..\nN: hidraw{2}\nE: DEVNAME=/dev/hidraw{2}\nE: "
+                         "SUBSYSTEM=hidraw\nE: MAJOR=240\nE: MINOR={2}\n\n",
+                         above, id, identity.number));
     const std::string node = fmt::format("/dev/hidraw{}", identity.number);
     doorbell_ = umockdev_testbed_get_dev_fd(bed, node.c_str());
     handler_ = umockdev_ioctl_base_new();
@@ -108,7 +113,8 @@ gboolean MockHidraw::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, g
             return complete(client, 0, 0);
         }
         case _IOC_NR(HIDIOCGRAWINFO): {
-            const hidraw_devinfo info{node.identity_.bluetooth ? 5U : 3U, static_cast<std::int16_t>(node.identity_.vendor),
+            const hidraw_devinfo info{node.identity_.bluetooth ? 5U : 3U,
+                                      static_cast<std::int16_t>(node.identity_.vendor),
                                       static_cast<std::int16_t>(node.identity_.product)};
             return answer(&info, sizeof info);
         }
@@ -143,7 +149,8 @@ gboolean MockHidraw::on_write(UMockdevIoctlBase*, UMockdevIoctlClient* client, g
     UMockdevIoctlData* data = umockdev_ioctl_client_get_arg(client);
     const std::lock_guard guard(node.lock);
     ++node.writes;
-    const bool taken = !node.device_.unplugged && node.device_.take({data->data, static_cast<std::size_t>(data->data_len)});
+    const bool taken =
+        !node.device_.unplugged && node.device_.take({data->data, static_cast<std::size_t>(data->data_len)});
     node.ring_locked();
     return taken ? complete(client, static_cast<long>(data->data_len), 0) : complete(client, -1, EIO);
 }

@@ -1,5 +1,6 @@
-// A hidraw node in umockdev that leads to a HID emulator, with report boundaries kept: the node is a terminal of which only readiness is used,
-// reads and writes are answered here. The bed answers on a thread of its own; `lock` guards the emulator.
+// A hidraw node in umockdev that leads to a HID emulator, with report boundaries kept: the node is a terminal of which
+// only readiness is used, reads and writes are answered here. The bed answers on a thread of its own; `lock` guards the
+// emulator.
 #pragma once
 
 #include <umockdev.h>

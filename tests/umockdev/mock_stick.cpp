@@ -19,14 +19,16 @@ gboolean complete(UMockdevIoctlClient* client, long result, int error) {
 
 MockStick::MockStick(UMockdevTestbed* bed, bool constant) : constant_(constant) {
     const std::string device =
-        "P: /devices/virtual/input/input5/event5\nN: input/event5\nE: DEVNAME=/dev/input/event5\nE: SUBSYSTEM=input\nE: MAJOR=13\nE: MINOR=69\n";
+        "P: /devices/virtual/input/input5/event5\nN: input/event5\nE: DEVNAME=/dev/input/event5\nE: "
+        "SUBSYSTEM=input\nE: MAJOR=13\nE: MINOR=69\n";
     GError* error = nullptr;
     if (!umockdev_testbed_add_from_string(bed, device.c_str(), &error)) throw std::runtime_error(error->message);
     handler_ = umockdev_ioctl_base_new();
     g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(on_ioctl), this);
     g_signal_connect(handler_, "handle-read", G_CALLBACK(on_read), this);
     g_signal_connect(handler_, "handle-write", G_CALLBACK(on_write), this);
-    if (!umockdev_testbed_attach_ioctl(bed, "/dev/input/event5", handler_, &error)) throw std::runtime_error(error->message);
+    if (!umockdev_testbed_attach_ioctl(bed, "/dev/input/event5", handler_, &error))
+        throw std::runtime_error(error->message);
 }
 
 MockStick::~MockStick() {
@@ -60,7 +62,9 @@ gboolean MockStick::on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gp
     if (!data) return complete(client, -1, EFAULT);
     if (number == 0x20 + EV_FF) {
         std::memset(data->data, 0, size);
-        const auto set = [&](unsigned bit) { data->data[bit / 8] = static_cast<guint8>(data->data[bit / 8] | 1U << (bit % 8)); };
+        const auto set = [&](unsigned bit) {
+            data->data[bit / 8] = static_cast<guint8>(data->data[bit / 8] | 1U << (bit % 8));
+        };
         set(FF_RUMBLE);
         if (stick.constant_) set(FF_CONSTANT);
         set(FF_GAIN);
@@ -102,7 +106,8 @@ gboolean MockStick::on_read(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpo
     if (stick.unplugged) return complete(client, -1, ENODEV);
     if (stick.events.empty()) return complete(client, -1, EAGAIN);
     std::size_t size = 0;
-    for (; !stick.events.empty() && size + sizeof(input_event) <= static_cast<std::size_t>(data->data_len); size += sizeof(input_event)) {
+    for (; !stick.events.empty() && size + sizeof(input_event) <= static_cast<std::size_t>(data->data_len);
+         size += sizeof(input_event)) {
         std::memcpy(data->data + size, &stick.events.front(), sizeof(input_event));
         stick.events.pop_front();
     }

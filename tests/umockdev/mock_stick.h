@@ -1,5 +1,5 @@
-// An event node with force feedback in umockdev: a rumble pad, or a joystick with a constant force, and the hand on it. The bed answers on a thread
-// of its own; `lock` guards what it was told and what it tells.
+// An event node with force feedback in umockdev: a rumble pad, or a joystick with a constant force, and the hand on it.
+// The bed answers on a thread of its own; `lock` guards what it was told and what it tells.
 #pragma once
 
 #include <linux/input.h>

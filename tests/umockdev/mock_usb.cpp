@@ -27,15 +27,20 @@ MockUsbDevice::MockUsbDevice(UMockdevTestbed* bed, UsbFunction& function, int ad
     const std::vector<std::uint8_t> numbers = function.device_descriptor();
     const std::string node = fmt::format("bus/usb/{:03}/{:03}", kBus, address);
     const std::string device = fmt::format(
-        "P: /devices/pci0000:00/usb{0}/{0}-{1}\nN: {2}\nE: DEVNAME=/dev/{2}\nE: DEVTYPE=usb_device\nE: SUBSYSTEM=usb\nE: BUSNUM={0:03}\n"
-        "E: DEVNUM={1:03}\nE: MAJOR=189\nE: MINOR={3}\nA: busnum={0}\\n\nA: devnum={1}\\n\nA: speed=12\\n\nA: idVendor={4:04x}\\n\n"
-        "A: idProduct={5:04x}\\n\nA: bConfigurationValue=1\\n\nA: bNumConfigurations=1\\n\nA: devpath={1}\\n\nH: descriptors={6}{7}\n",
-        kBus, address, node, address - 1, numbers[8] | numbers[9] << 8, numbers[10] | numbers[11] << 8, hex(numbers), hex(function.configuration_descriptor()));
+        "P: /devices/pci0000:00/usb{0}/{0}-{1}\nN: {2}\nE: DEVNAME=/dev/{2}\nE: DEVTYPE=usb_device\nE: "
+        "SUBSYSTEM=usb\nE: BUSNUM={0:03}\n"
+        "E: DEVNUM={1:03}\nE: MAJOR=189\nE: MINOR={3}\nA: busnum={0}\\n\nA: devnum={1}\\n\nA: speed=12\\n\nA: "
+        "idVendor={4:04x}\\n\n"
+        "A: idProduct={5:04x}\\n\nA: bConfigurationValue=1\\n\nA: bNumConfigurations=1\\n\nA: devpath={1}\\n\nH: "
+        "descriptors={6}{7}\n",
+        kBus, address, node, address - 1, numbers[8] | numbers[9] << 8, numbers[10] | numbers[11] << 8, hex(numbers),
+        hex(function.configuration_descriptor()));
     GError* error = nullptr;
     if (!umockdev_testbed_add_from_string(bed, device.c_str(), &error)) throw std::runtime_error(error->message);
     handler_ = umockdev_ioctl_base_new();
     g_signal_connect(handler_, "handle-ioctl", G_CALLBACK(on_ioctl), this);
-    if (!umockdev_testbed_attach_ioctl(bed, ("/dev/" + node).c_str(), handler_, &error)) throw std::runtime_error(error->message);
+    if (!umockdev_testbed_attach_ioctl(bed, ("/dev/" + node).c_str(), handler_, &error))
+        throw std::runtime_error(error->message);
 }
 
 MockUsbDevice::~MockUsbDevice() {
@@ -84,10 +89,12 @@ void MockUsbDevice::control(const Urb& urb) {
     finish(urb, 0, size);
 }
 
-void MockUsbDevice::submit(UMockdevIoctlData* data) {
+void MockUsbDevice::submit(UMockdevIoctlData* data, const void* client) {
     usbdevfs_urb& urb = urb_of(data);
-    UMockdevIoctlData* buffer = umockdev_ioctl_data_resolve(data, offsetof(usbdevfs_urb, buffer), static_cast<gsize>(urb.buffer_length), nullptr);
-    const Urb held{static_cast<UMockdevIoctlData*>(g_object_ref(data)), buffer ? static_cast<UMockdevIoctlData*>(g_object_ref(buffer)) : nullptr,
+    UMockdevIoctlData* buffer = umockdev_ioctl_data_resolve(data, offsetof(usbdevfs_urb, buffer),
+                                                            static_cast<gsize>(urb.buffer_length), nullptr);
+    const Urb held{static_cast<UMockdevIoctlData*>(g_object_ref(data)),
+                   buffer ? static_cast<UMockdevIoctlData*>(g_object_ref(buffer)) : nullptr, client,
                    std::chrono::steady_clock::now()};
     if (!buffer) {
         finish(held, -EPIPE, 0);
@@ -102,6 +109,21 @@ void MockUsbDevice::submit(UMockdevIoctlData* data) {
     serve_waiting();
 }
 
+// The kernel drops them when the process that made them ends.
+void MockUsbDevice::forget_requests_of_others(const void* client) {
+    for (auto* queue : {&waiting_, &done_}) {
+        for (auto it = queue->begin(); it != queue->end();) {
+            if (it->client == client) {
+                ++it;
+                continue;
+            }
+            g_object_unref(it->urb);
+            if (it->buffer) g_object_unref(it->buffer);
+            it = queue->erase(it);
+        }
+    }
+}
+
 gboolean MockUsbDevice::answer(UMockdevIoctlClient* client) {
     UMockdevIoctlData* argument = umockdev_ioctl_client_get_arg(client);
     const auto resolved = [&](std::size_t size) { return umockdev_ioctl_data_resolve(argument, 0, size, nullptr); };
@@ -114,10 +136,13 @@ gboolean MockUsbDevice::answer(UMockdevIoctlClient* client) {
     switch (request) {
         case USBDEVFS_GET_CAPABILITIES:
             if (!resolved(4)) return complete(-1, EFAULT);
-            *reinterpret_cast<std::uint32_t*>(resolved(4)->data) = USBDEVFS_CAP_BULK_CONTINUATION | USBDEVFS_CAP_NO_PACKET_SIZE_LIM;
+            *reinterpret_cast<std::uint32_t*>(resolved(4)->data) =
+                USBDEVFS_CAP_BULK_CONTINUATION | USBDEVFS_CAP_NO_PACKET_SIZE_LIM;
             return complete(0, 0);
         case USBDEVFS_DISCONNECT_CLAIM:
         case USBDEVFS_CLAIMINTERFACE:
+            forget_requests_of_others(client);
+            return complete(0, 0);
         case USBDEVFS_RELEASEINTERFACE:
         case USBDEVFS_CLEAR_HALT:
         case USBDEVFS_RESET:
@@ -128,7 +153,7 @@ gboolean MockUsbDevice::answer(UMockdevIoctlClient* client) {
             return complete(-1, ENODATA);
         case USBDEVFS_SUBMITURB:
             if (UMockdevIoctlData* data = resolved(sizeof(usbdevfs_urb))) {
-                submit(data);
+                submit(data, client);
                 return complete(0, 0);
             }
             return complete(-1, EFAULT);  // the caller died while it was asking
@@ -152,9 +177,11 @@ gboolean MockUsbDevice::answer(UMockdevIoctlClient* client) {
                     finish(urb, -ENODEV, 0);
                 }
             serve_waiting();
-            if (done_.empty()) return complete(-1, unplugged ? ENODEV : EAGAIN);
-            const Urb urb = done_.front();
-            done_.pop_front();
+            const auto mine =
+                std::find_if(done_.begin(), done_.end(), [&](const Urb& urb) { return urb.client == client; });
+            if (mine == done_.end()) return complete(-1, unplugged ? ENODEV : EAGAIN);
+            const Urb urb = *mine;
+            done_.erase(mine);
             if (UMockdevIoctlData* pointer = resolved(sizeof(void*))) umockdev_ioctl_data_set_ptr(pointer, 0, urb.urb);
             complete(0, 0);
             g_object_unref(urb.urb);

@@ -1,5 +1,5 @@
-// USB devices in umockdev: usbfs answered as the kernel would, for any device of tests/emulators/usb_function.h. The bed answers on a thread of
-// its own; `lock` guards the emulator.
+// USB devices in umockdev: usbfs answered as the kernel would, for any device of tests/emulators/usb_function.h. The
+// bed answers on a thread of its own; `lock` guards the emulator.
 #pragma once
 
 #include <umockdev.h>
@@ -28,13 +28,15 @@ private:
     struct Urb {
         UMockdevIoctlData* urb;
         UMockdevIoctlData* buffer;
+        const void* client;  // whose request it is
         std::chrono::steady_clock::time_point since;
     };
     static gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer self);
     gboolean answer(UMockdevIoctlClient* client);
-    void submit(UMockdevIoctlData* data);
+    void submit(UMockdevIoctlData* data, const void* client);
     void control(const Urb& urb);
     void serve_waiting();
+    void forget_requests_of_others(const void* client);
     void finish(const Urb& urb, int status, std::size_t length);
 
     UsbFunction& function_;

@@ -49,7 +49,9 @@ BrailleServer::BrailleServer(const fs::path& folder) : folder_(folder / "braille
 
 BrailleServer::~BrailleServer() { kill(); }
 
-Environment BrailleServer::environment() const { return {{"BRLAPI_HOST", "127.0.0.1:" + std::to_string(port_)}, {"WINDOWPATH", ""}, {"XDG_VTNR", ""}}; }
+Environment BrailleServer::environment() const {
+    return {{"BRLAPI_HOST", "127.0.0.1:" + std::to_string(port_)}, {"WINDOWPATH", ""}, {"XDG_VTNR", ""}};
+}
 
 void BrailleServer::kill() {
     if (process_) process_->kill();
@@ -72,7 +74,8 @@ bool BrailleServer::start_again() {
                                     "-U",     var,
                                     "-W",     var,
                                     "-A",     "auth=none,host=127.0.0.1:" + std::to_string(port_)},
-                                   {{"HOME", folder_.string()}, {"DISPLAY", ""}, {"DBUS_SESSION_BUS_ADDRESS", ""}}, folder_ / "brltty.out");
+                                   {{"HOME", folder_.string()}, {"DISPLAY", ""}, {"DBUS_SESSION_BUS_ADDRESS", ""}},
+                                   folder_ / "brltty.out");
     return process_ && connect_display();
 }
 
@@ -93,7 +96,8 @@ bool BrailleServer::connect_display() {
             address.sun_family = AF_UNIX;
             std::strncpy(address.sun_path, (folder_ / "display").c_str(), sizeof address.sun_path - 1);
             const std::string size = "cells " + std::to_string(kCells) + " 1\n";
-            if (::connect(to, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 || ::write(to, size.data(), size.size()) < 0) {
+            if (::connect(to, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0 ||
+                ::write(to, size.data(), size.size()) < 0) {
                 ::close(to);
                 ::usleep(20000);
                 return false;
@@ -127,6 +131,8 @@ void BrailleServer::press(const std::string& command) const {
     }
 }
 
-std::string BrailleServer::everything() const { return "display: " + shown_ + "\nBRLTTY:\n" + content_of(folder_ / "brltty.out"); }
+std::string BrailleServer::everything() const {
+    return "display: " + shown_ + "\nBRLTTY:\n" + content_of(folder_ / "brltty.out");
+}
 
 }  // namespace handrail::test

@@ -1,4 +1,5 @@
-// A BRLTTY of the test's own with a display that is only a socket: what stands on it can be read, and its keys pressed. For tests on one thread.
+// A BRLTTY of the test's own with a display that is only a socket: what stands on it can be read, and its keys pressed.
+// For tests on one thread.
 #pragma once
 
 #include <filesystem>

@@ -18,7 +18,8 @@ using testing::Not;
 
 class Brailled : public testing::Test {
 protected:
-    // The program explores the first room with a window that has the keyboard, a speech server, a braille display and a sound card.
+    // The program explores the first room with a window that has the keyboard, a speech server, a braille display and a
+    // sound card.
     void explore(const std::vector<std::string>& more = {}) {
         if (const std::string why = BrailleServer::why_not(); !why.empty()) GTEST_SKIP() << why;
         if (!installed("speech-dispatcher")) GTEST_SKIP() << "speech-dispatcher is not installed";
@@ -37,12 +38,18 @@ protected:
         std::vector<std::string> arguments{"--device", "none"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         program = std::make_unique<Exploring>(folder, environment, arguments);
-        ASSERT_TRUE(eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0));
+        ASSERT_TRUE(eventually(
+            [&] {
+                return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1");
+            },
+            60.0));
         ASSERT_TRUE(eventually([&] { return speech->spoke("facing north"); }, 60.0)) << everything();
     }
     std::string pulled() const { return (folder.path() / "pulled").string(); }
     bool press(const std::string& keys) const { return display->xdotool("key " + keys); }
-    std::string everything() const { return "said:\n" + program->said() + speech->everything() + braille->everything(); }
+    std::string everything() const {
+        return "said:\n" + program->said() + speech->everything() + braille->everything();
+    }
     void leave() {
         EXPECT_TRUE(press("Escape"));
         EXPECT_TRUE(program->says("Press Escape again")) << everything();
@@ -64,7 +71,8 @@ TEST_F(Brailled, shows_the_heading_and_the_words_that_are_spoken) {
     EXPECT_TRUE(braille->shows("North-east")) << everything();
     EXPECT_TRUE(eventually([&] { return speech->spoke("North-east"); })) << everything();
     ASSERT_TRUE(press("c"));
-    EXPECT_TRUE(eventually([&] { return braille->shown() == "23 Facing north-east, 22 degrees"; }, 60.0)) << everything();
+    EXPECT_TRUE(eventually([&] { return braille->shown() == "23 Facing north-east, 22 degrees"; }, 60.0))
+        << everything();
     leave();
 }
 
@@ -72,7 +80,8 @@ TEST_F(Brailled, pans_by_the_displays_keys_and_tells_more_by_a_routing_key) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     ASSERT_TRUE(press("F2"));
-    ASSERT_TRUE(eventually([&] { return program->said().find("say: Room with") != std::string::npos; }, 60.0)) << everything();
+    ASSERT_TRUE(eventually([&] { return program->said().find("say: Room with") != std::string::npos; }, 60.0))
+        << everything();
     ASSERT_TRUE(braille->shows("N  Room with")) << everything();
     // Each piece is words of the message behind the heading; the keys go on, back, on and to the beginning.
     const std::string first = braille->shown();
@@ -116,7 +125,8 @@ TEST_F(Brailled, takes_another_display_of_the_same_server) {
     leave();
 }
 
-// One after the other everything goes that tells a person where they are; each loss is told by what is left, and exploring goes on.
+// One after the other everything goes that tells a person where they are; each loss is told by what is left, and
+// exploring goes on.
 TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_turn) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;

@@ -26,7 +26,8 @@ Desktop::Desktop(const fs::path& folder, int word_ms) : folder_(folder) {
     fs::permissions(folder_ / "session", fs::perms::owner_all);
     display = VirtualDisplay::start();
     if (!display) return;
-    bus_ = ChildProcess::start({"dbus-daemon", "--session", "--nofork", "--nopidfile", "--address=unix:path=" + (folder_ / "session" / "bus").string()},
+    bus_ = ChildProcess::start({"dbus-daemon", "--session", "--nofork", "--nopidfile",
+                                "--address=unix:path=" + (folder_ / "session" / "bus").string()},
                                session(), folder_ / "bus.out");
     if (!eventually([&] { return fs::exists(folder_ / "session" / "bus"); })) return;
     speech = SpeechServer::start(folder_, word_ms);
@@ -38,10 +39,14 @@ Desktop::~Desktop() {
 }
 
 Environment Desktop::session() const {
-    return {{"HOME", folder_.string()}, {"XDG_RUNTIME_DIR", (folder_ / "session").string()},
-            {"XDG_CONFIG_HOME", ""},    {"XDG_DATA_HOME", ""},
-            {"WAYLAND_DISPLAY", ""},    {"GSETTINGS_BACKEND", "memory"},
-            {"NO_AT_BRIDGE", ""},       {"DBUS_SESSION_BUS_ADDRESS", "unix:path=" + (folder_ / "session" / "bus").string()}};
+    return {{"HOME", folder_.string()},
+            {"XDG_RUNTIME_DIR", (folder_ / "session").string()},
+            {"XDG_CONFIG_HOME", ""},
+            {"XDG_DATA_HOME", ""},
+            {"WAYLAND_DISPLAY", ""},
+            {"GSETTINGS_BACKEND", "memory"},
+            {"NO_AT_BRIDGE", ""},
+            {"DBUS_SESSION_BUS_ADDRESS", "unix:path=" + (folder_ / "session" / "bus").string()}};
 }
 
 Environment Desktop::environment(bool speech_server) const {
@@ -52,8 +57,8 @@ Environment Desktop::environment(bool speech_server) const {
     return all;
 }
 
-// Orca does not start beside another one of the same user, whatever session that serves: a developer's own, or that of another test. It asks pgrep, so it
-// gets one here that finds nobody.
+// Orca does not start beside another one of the same user, whatever session that serves: a developer's own, or that of
+// another test. It asks pgrep, so it gets one here that finds nobody.
 std::string Desktop::without_other_orcas() const {
     const fs::path folder = folder_ / "programs";
     fs::create_directories(folder);
@@ -68,24 +73,31 @@ bool Desktop::start_orca(const Environment& braille) {
     environment.merge(speech->environment());
     for (const auto& [name, value] : braille) environment[name] = value;
     environment["PATH"] = without_other_orcas() + ":/usr/bin:/bin";  // the system's Python has what Orca needs
-    orca_ = ChildProcess::start({"orca", braille.empty() ? "-d" : "-e", "braille", "-e", "speech", "-u", (folder_ / "orca").string()}, environment, folder_ / "orca.out");
+    orca_ = ChildProcess::start(
+        {"orca", braille.empty() ? "-d" : "-e", "braille", "-e", "speech", "-u", (folder_ / "orca").string()},
+        environment, folder_ / "orca.out");
     return eventually(
         [&] {
             const auto all = speech->recorded();
-            return std::any_of(all.begin() + began, all.end(), [](const Recorded& entry) { return entry.words.find("Screen reader on") != std::string::npos; });
+            return std::any_of(all.begin() + began, all.end(), [](const Recorded& entry) {
+                return entry.words.find("Screen reader on") != std::string::npos;
+            });
         },
         60.0);
 }
 
 bool Desktop::focus_window() const {
-    return eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0);
+    return eventually(
+        [&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); },
+        60.0);
 }
 
 std::string Desktop::objects() const {
     static constexpr const char* kDump = R"(
 import pyatspi
 def dump(a, depth):
-    print('  ' * depth + a.getRoleName() + ' "' + a.name + '"' + (' selected' if a.getState().contains(pyatspi.STATE_SELECTED) else '')
+    print('  ' * depth + a.getRoleName() + ' "' + a.name + '"' +
+          (' selected' if a.getState().contains(pyatspi.STATE_SELECTED) else '')
           + (' focused' if a.getState().contains(pyatspi.STATE_FOCUSED) else ''))
     for i in range(a.childCount):
         dump(a.getChildAtIndex(i), depth + 1)
@@ -107,7 +119,8 @@ std::string Desktop::ask_objects(const std::string& python) const {
 }
 
 std::string Desktop::everything() const {
-    return speech->everything() + "\nOrca:\n" + content_of(folder_ / "orca.out") + "\nbus:\n" + content_of(folder_ / "bus.out");
+    return speech->everything() + "\nOrca:\n" + content_of(folder_ / "orca.out") + "\nbus:\n" +
+           content_of(folder_ / "bus.out");
 }
 
 }  // namespace handrail::test

@@ -1,5 +1,5 @@
-// A blind person's desktop of the test's own, with nothing of the machine's in it: a session bus, an X server, a speech server that writes down what it is
-// told, and the screen reader Orca, which speaks through that.
+// A blind person's desktop of the test's own, with nothing of the machine's in it: a session bus, an X server, a speech
+// server that writes down what it is told, and the screen reader Orca, which speaks through that.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,8 @@ namespace handrail::test {
 
 class Desktop {
 public:
-    // Why it cannot be had here: a package that is missing, or a sanitizer, under which time and memory of foreign libraries are not judged. Empty: it can.
+    // Why it cannot be had here: a package that is missing, or a sanitizer, under which time and memory of foreign
+    // libraries are not judged. Empty: it can.
     static std::string why_not();
     // In `folder`, without Orca; running() is false when a part does not start.
     explicit Desktop(const std::filesystem::path& folder, int word_ms = 1);
@@ -23,7 +24,8 @@ public:
     Desktop& operator=(const Desktop&) = delete;
 
     bool running() const { return display && speech && speech->running(); }
-    bool start_orca(const Environment& braille = {});  // until it says that it is on; braille: of a display it is to use
+    bool start_orca(
+        const Environment& braille = {});  // until it says that it is on; braille: of a display it is to use
     void kill_orca() { orca_->kill(); }
     void end_session() { bus_->kill(); }  // the bus and all that was started through it
 
@@ -32,7 +34,8 @@ public:
     // Gives the program's window the keyboard once it is there.
     bool focus_window() const;
     bool press(const std::string& keys) const { return display->xdotool("key " + keys); }
-    // The program's accessible objects as any reader finds them: a line each, children two blanks further in: `list item "North wall" selected focused`.
+    // The program's accessible objects as any reader finds them: a line each, children two blanks further in: `list
+    // item "North wall" selected focused`.
     std::string objects() const;
     // What a Python program with pyatspi prints that walks the program's objects as any reader does.
     std::string ask_objects(const std::string& python) const;

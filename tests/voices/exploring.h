@@ -13,11 +13,12 @@ namespace handrail::test {
 
 class Exploring {
 public:
-    // `environment` is what is there; all else is as on a bare machine. first_start: by somebody who never started it before.
-    Exploring(const TemporaryFolder& folder, Environment environment, const std::vector<std::string>& arguments = {"--no-window", "--device", "none"},
-              bool first_start = false)
+    // `environment` is what is there; all else is as on a bare machine. first_start: by somebody who never started it
+    // before.
+    Exploring(const TemporaryFolder& folder, Environment environment,
+              const std::vector<std::string>& arguments = {"--no-window", "--device", "none"}, bool first_start = false)
         : said_(folder.path() / "said") {
-        environment.merge(bare_environment(folder.path().string()));
+        environment.merge(bare_environment(folder.path().string(), true));
         if (first_start) std::filesystem::remove(folder.path() / ".config" / "handrail" / "settings.toml");
         std::vector<std::string> words{HANDRAIL_PROGRAM};
         words.insert(words.end(), arguments.begin(), arguments.end());

@@ -1,5 +1,6 @@
-// How long a person waits, by the clock on the wall: reported, never judged, since it is the machine's as much as ours. From before xdotool is started,
-// whose own start and key are in every figure, to the voice's first word, or to its silence.
+// How long a person waits, by the clock on the wall: reported, never judged, since it is the machine's as much as ours.
+// From before xdotool is started, whose own start and key are in every figure, to the voice's first word, or to its
+// silence.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +21,8 @@ constexpr int kTimes = 12;
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 // Presses `key` and gives how long it took until something was recorded that `is_it` holds of; nothing after a minute.
-std::optional<double> time_to(const Desktop& desktop, const std::string& key, const std::function<bool(const Recorded&)>& is_it) {
+std::optional<double> time_to(const Desktop& desktop, const std::string& key,
+                              const std::function<bool(const Recorded&)>& is_it) {
     const std::size_t before = desktop.speech->recorded().size();
     const double pressed_s = now_s();
     if (!desktop.press(key)) return std::nullopt;
@@ -28,7 +30,8 @@ std::optional<double> time_to(const Desktop& desktop, const std::string& key, co
     eventually(
         [&] {
             const auto all = desktop.speech->recorded();
-            const auto found = std::find_if(all.begin() + static_cast<std::ptrdiff_t>(std::min(before, all.size())), all.end(), is_it);
+            const auto found =
+                std::find_if(all.begin() + static_cast<std::ptrdiff_t>(std::min(before, all.size())), all.end(), is_it);
             if (found != all.end()) took_s = found->time_s - pressed_s;
             return took_s.has_value();
         },
@@ -39,14 +42,17 @@ std::optional<double> time_to(const Desktop& desktop, const std::string& key, co
 void report(const char* what, std::vector<double> times_s) {
     if (times_s.empty()) return;
     std::sort(times_s.begin(), times_s.end());
-    std::printf("%-60s median %5.0f ms, slowest %5.0f ms of %zu\n", what, 1000.0 * times_s[times_s.size() / 2], 1000.0 * times_s.back(), times_s.size());
+    std::printf("%-60s median %5.0f ms, slowest %5.0f ms of %zu\n", what, 1000.0 * times_s[times_s.size() / 2],
+                1000.0 * times_s.back(), times_s.size());
 }
 
 // The question is answered with a heading, which goes on until a key ends it.
 void measure(const Desktop& desktop, const char* to_word, const char* to_silence) {
     std::vector<double> word_s, silence_s;
     for (int i = 0; i < kTimes; ++i) {
-        const auto word = time_to(desktop, "c", [](const Recorded& entry) { return entry.event == "speak" && entry.words.rfind("Facing", 0) == 0; });
+        const auto word = time_to(desktop, "c", [](const Recorded& entry) {
+            return entry.event == "speak" && entry.words.rfind("Facing", 0) == 0;
+        });
         ASSERT_TRUE(word) << desktop.everything();
         word_s.push_back(*word);
         bool ended = false;  // by itself, on a machine too slow to press a key meanwhile
@@ -84,12 +90,14 @@ void explore_and_measure(bool orca, int word_ms, const char* to_word, const char
 TEST(Latency, of_the_screen_reader_is_reported) {
     if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
     // Orca says the key first, two words long with the blank, and the answer waits for that.
-    explore_and_measure(true, 100, "key to the first word, after 200 ms of key echo, by Orca", "key to silence, by Orca");
+    explore_and_measure(true, 100, "key to the first word, after 200 ms of key echo, by Orca",
+                        "key to silence, by Orca");
 }
 
 TEST(Latency, of_the_speech_server_is_reported) {
     if (const std::string why = Desktop::why_not(); !why.empty()) GTEST_SKIP() << why;
-    explore_and_measure(false, 3000, "key to the first word, by speech-dispatcher", "key to silence, by speech-dispatcher");
+    explore_and_measure(false, 3000, "key to the first word, by speech-dispatcher",
+                        "key to silence, by speech-dispatcher");
 }
 
 // The sound library takes a gain to zero over the period that it mixes next: 256 samples at 48 kHz.
@@ -109,10 +117,15 @@ TEST(Latency, of_the_programs_own_voice_is_reported) {
     if (!display) GTEST_SKIP() << "Xvfb or xdotool is not installed";
     const TemporaryFolder folder;
     const auto voice = folder.path() / "voice";
-    Exploring program(
-        folder, {{"DISPLAY", std::getenv("DISPLAY")}, {"LIBGL_ALWAYS_SOFTWARE", "1"}, {"LD_PRELOAD", STANDIN_SOUND}, {"STANDIN_SOUND_VOICE", voice.string()}},
-        {"--device", "none"});
-    ASSERT_TRUE(eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0));
+    Exploring program(folder,
+                      {{"DISPLAY", std::getenv("DISPLAY")},
+                       {"LIBGL_ALWAYS_SOFTWARE", "1"},
+                       {"LD_PRELOAD", STANDIN_SOUND},
+                       {"STANDIN_SOUND_VOICE", voice.string()}},
+                      {"--device", "none"});
+    ASSERT_TRUE(eventually(
+        [&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); },
+        60.0));
     ASSERT_TRUE(program.says("facing north")) << program.said();
     const auto time_to = [&](const std::string& key, const std::string& event) {
         const std::size_t before = own_voice(voice).size();

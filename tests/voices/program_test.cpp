@@ -21,7 +21,8 @@ protected:
         server = SpeechServer::start(folder.path(), 1);
         ASSERT_TRUE(server->running()) << server->everything();
         program = std::make_unique<Exploring>(folder, server->environment());
-        ASSERT_TRUE(eventually([&] { return server->spoke("facing north"); })) << program->said() << server->everything();
+        ASSERT_TRUE(eventually([&] { return server->spoke("facing north"); }))
+            << program->said() << server->everything();
     }
     void leave() {
         program->type("quit\n");
@@ -37,7 +38,8 @@ TEST_F(ProgramSpeaking, through_the_speech_server_says_each_line_of_text_there_a
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     program->type("heading\nwhere\n");
-    ASSERT_TRUE(eventually([&] { return server->spoke("Ahead: north wall"); })) << program->said() << server->everything();
+    ASSERT_TRUE(eventually([&] { return server->spoke("Ahead: north wall"); }))
+        << program->said() << server->everything();
     leave();
     // What was voiced is what was written; an answer that the next key cut short may be in the text alone.
     for (const Recorded& entry : server->recorded()) {
@@ -58,7 +60,8 @@ TEST_F(ProgramSpeaking, goes_on_when_the_speech_server_is_killed_and_takes_it_ba
     ASSERT_TRUE(server->start_again()) << server->everything();
     EXPECT_TRUE(program->says("alert: The speech server speaks now.")) << program->said();
     program->type("heading\n");
-    EXPECT_TRUE(eventually([&] { return server->spoke("Facing north-east, 45 degrees"); })) << program->said() << server->everything();
+    EXPECT_TRUE(eventually([&] { return server->spoke("Facing north-east, 45 degrees"); }))
+        << program->said() << server->everything();
     leave();
 }
 
@@ -73,9 +76,11 @@ TEST_F(ProgramSpeaking, a_frozen_speech_server_holds_up_neither_text_nor_the_nex
 }
 
 TEST_F(ProgramSpeaking, by_a_voice_that_was_asked_for_and_is_not_there_says_so) {
-    program = std::make_unique<Exploring>(folder, Environment{},
-                                          std::vector<std::string>{"--no-window", "--device", "none", "--set", "speech.through=speech-dispatcher"});
-    EXPECT_TRUE(program->says("alert: The speech server cannot be reached; the built-in voice speaks instead.")) << program->said();
+    program = std::make_unique<Exploring>(
+        folder, Environment{},
+        std::vector<std::string>{"--no-window", "--device", "none", "--set", "speech.through=speech-dispatcher"});
+    EXPECT_TRUE(program->says("alert: The speech server cannot be reached; the built-in voice speaks instead."))
+        << program->said();
     leave();
 }
 

@@ -1,5 +1,6 @@
-// Scenario 1, "silent machine never": from the first second of the first start something is said, or a key says where one is. With nothing at all but the
-// program's own voice, with a speech server, and with a screen reader that also brailles. Times by the clock on the wall are reported; their order is asserted.
+// Scenario 1, "silent machine never": from the first second of the first start something is said, or a key says where
+// one is. With nothing at all but the program's own voice, with a speech server, and with a screen reader that also
+// brailles. Times by the clock on the wall are reported; their order is asserted.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -29,14 +30,16 @@ std::size_t count_of(const std::string& words, const std::string& in) {
     return count;
 }
 
-// The first start, with a window that has the keyboard and a sound card that tells when the program's own voice begins and is cut.
+// The first start, with a window that has the keyboard and a sound card that tells when the program's own voice begins
+// and is cut.
 class SilentMachineNever : public testing::Test {
 protected:
     void launch(Environment environment) {
         environment["LD_PRELOAD"] = STANDIN_SOUND;
         environment["STANDIN_SOUND_VOICE"] = (folder.path() / "voice").string();
         launched_s = now_s();
-        program = std::make_unique<Exploring>(folder, std::move(environment), std::vector<std::string>{"--device", "none"}, true);
+        program = std::make_unique<Exploring>(folder, std::move(environment),
+                                              std::vector<std::string>{"--device", "none"}, true);
     }
     std::string own_voice() const { return content_of(folder.path() / "voice"); }
     std::string said() const { return program->said(); }
@@ -83,14 +86,18 @@ TEST_F(SilentMachineNever, speaks_with_its_own_voice_where_there_is_nothing_else
     report("from the launch to the welcome in text", now_s() - launched_s);
     ASSERT_TRUE(eventually([&] { return own_voice().find("speak") != std::string::npos; }, 60.0)) << said();
     report("from the launch to the first sample of the voice", std::strtod(own_voice().c_str(), nullptr) - launched_s);
-    ASSERT_TRUE(eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0));
+    ASSERT_TRUE(eventually(
+        [&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); },
+        60.0));
     // A key stops the welcome.
     const double pressed_s = now_s();
     ASSERT_TRUE(display->xdotool("key Control_L"));
-    ASSERT_TRUE(eventually([&] { return own_voice().find("hush") != std::string::npos; }, 60.0)) << own_voice() << said();
+    ASSERT_TRUE(eventually([&] { return own_voice().find("hush") != std::string::npos; }, 60.0))
+        << own_voice() << said();
     const std::string log = own_voice();
     const std::size_t hush = log.find("hush"), begin = log.rfind('\n', hush) + 1;
-    report("from the key to silence, the key's own way from xdotool in it", std::strtod(log.c_str() + begin, nullptr) - pressed_s);
+    report("from the key to silence, the key's own way from xdotool in it",
+           std::strtod(log.c_str() + begin, nullptr) - pressed_s);
     ASSERT_NO_FATAL_FAILURE(go_on(*display, said()));
 }
 
@@ -113,7 +120,9 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_i
     launch(std::move(environment));
     ASSERT_TRUE(eventually([&] { return speech->spoke(kThreeKeys); }, 60.0)) << said() << speech->everything();
     report("from the launch to the welcome by the speech server", speech->recorded().front().time_s - launched_s);
-    ASSERT_TRUE(eventually([&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); }, 60.0));
+    ASSERT_TRUE(eventually(
+        [&] { return display->xdotool("search --onlyvisible --name '^Handrail$' windowfocus --sync >/dev/null 2>&1"); },
+        60.0));
     const double pressed_s = now_s();
     ASSERT_TRUE(display->xdotool("key Control_L"));
     std::optional<double> stopped_s;
@@ -136,13 +145,15 @@ TEST_F(SilentMachineNever, speaks_through_the_speech_server_where_one_runs_and_i
     // The display holds the question from its first word to its last, panned through.
     const std::string question = line_with("bell on your left").substr(std::string("say: ").size());
     std::string read;
-    ASSERT_TRUE(eventually([&] { return !braille->shown().empty() && question.rfind(braille->shown().substr(3), 0) == 0; }, 60.0))
+    ASSERT_TRUE(eventually(
+        [&] { return !braille->shown().empty() && question.rfind(braille->shown().substr(3), 0) == 0; }, 60.0))
         << braille->everything() << question;
     for (int piece = 0; piece < 30 && read.size() < question.size(); ++piece) {
         const std::string shown = braille->shown();
         read += (read.empty() ? "" : " ") + shown.substr(3);
         braille->press("FWINRT");
-        ASSERT_TRUE(read.size() >= question.size() || eventually([&] { return braille->shown() != shown; }, 60.0)) << read;
+        ASSERT_TRUE(read.size() >= question.size() || eventually([&] { return braille->shown() != shown; }, 60.0))
+            << read;
     }
     EXPECT_EQ(read, question);
 }
@@ -164,7 +175,8 @@ TEST_F(SilentMachineNever, speaks_and_brailles_through_orca_where_it_runs_and_it
     ASSERT_TRUE(eventually([&] { return desktop.speech->spoke(kThreeKeys); }, 60.0)) << said() << desktop.everything();
     report("from the launch to the welcome by Orca, the window's focus in it", now_s() - launched_s);
     if (braille) {
-        EXPECT_TRUE(braille->shows("Welcome. Handrail is speaking with")) << braille->everything() << desktop.everything();
+        EXPECT_TRUE(braille->shows("Welcome. Handrail is speaking with"))
+            << braille->everything() << desktop.everything();
     }
     ASSERT_NO_FATAL_FAILURE(go_on(*desktop.display, said() + desktop.everything()));
     EXPECT_TRUE(eventually([&] { return desktop.speech->spoke("bell on your left"); }, 60.0)) << desktop.everything();

@@ -14,28 +14,32 @@ namespace fs = std::filesystem;
 
 std::unique_ptr<SpeechServer> SpeechServer::start(const fs::path& folder, int word_ms) {
     fs::create_directories(folder / "speech" / "modules");
-    std::ofstream(folder / "speech" / "speechd.conf") << "LogLevel 3\nTimeout 0\nAddModule \"recorder\" \"" RECORDING_MODULE
-                                                         "\" \"recorder.conf\"\nDefaultModule recorder\n";
+    std::ofstream(folder / "speech" / "speechd.conf")
+        << "LogLevel 3\nTimeout 0\nAddModule \"recorder\" \"" RECORDING_MODULE
+           "\" \"recorder.conf\"\nDefaultModule recorder\n";
     std::ofstream(folder / "speech" / "modules" / "recorder.conf") << "";
     std::unique_ptr<SpeechServer> server(new SpeechServer(folder, word_ms));
     server->start_again();
     return server;
 }
 
-Environment SpeechServer::environment() const { return {{"SPEECHD_ADDRESS", "unix_socket:" + (folder_ / "speech.sock").string()}}; }
+Environment SpeechServer::environment() const {
+    return {{"SPEECHD_ADDRESS", "unix_socket:" + (folder_ / "speech.sock").string()}};
+}
 
 void SpeechServer::freeze() const { process_->send(SIGSTOP); }
 
 bool SpeechServer::start_again() {
     const fs::path socket = folder_ / "speech.sock";
     fs::remove(socket);
-    process_ = ChildProcess::start({"speech-dispatcher", "-s", "-C", (folder_ / "speech").string(), "-c", "unix_socket", "-S", socket.string(), "-P",
-                                    (folder_ / "speech.pid").string(), "-L", folder_.string(), "-t", "0"},
-                                   {{"HOME", folder_.string()},
-                                    {"RECORDED", (folder_ / "recorded").string()},
-                                    {"RECORDED_WORD_MS", std::to_string(word_ms_)},
-                                    {"DBUS_SESSION_BUS_ADDRESS", ""}},
-                                   folder_ / "speech.out");
+    process_ = ChildProcess::start(
+        {"speech-dispatcher", "-s", "-C", (folder_ / "speech").string(), "-c", "unix_socket", "-S", socket.string(),
+         "-P", (folder_ / "speech.pid").string(), "-L", folder_.string(), "-t", "0"},
+        {{"HOME", folder_.string()},
+         {"RECORDED", (folder_ / "recorded").string()},
+         {"RECORDED_WORD_MS", std::to_string(word_ms_)},
+         {"DBUS_SESSION_BUS_ADDRESS", ""}},
+        folder_ / "speech.out");
     return process_ && eventually([&] { return fs::exists(socket) || !process_->running(); }) && process_->running();
 }
 
@@ -54,7 +58,9 @@ std::vector<Recorded> SpeechServer::recorded() const {
 
 bool SpeechServer::spoke(const std::string& words) const {
     const auto all = recorded();
-    return std::any_of(all.begin(), all.end(), [&](const Recorded& entry) { return entry.event == "speak" && entry.words.find(words) != std::string::npos; });
+    return std::any_of(all.begin(), all.end(), [&](const Recorded& entry) {
+        return entry.event == "speak" && entry.words.find(words) != std::string::npos;
+    });
 }
 
 std::string SpeechServer::everything() const {

@@ -74,8 +74,8 @@ TEST_F(SpeechdVoice, a_new_utterance_and_silence_cut_what_is_being_said) {
     EXPECT_EQ(all[1].event, "stop");
     EXPECT_EQ(all[3].event, "stop");
     RecordProperty("say_to_voice_ms", static_cast<int>(1000.0 * (all[0].time_s - asked_s)));
-    std::printf("speech-dispatcher: say() to the voice's first word %.1f ms, stop() to its silence %.1f ms\n", 1000.0 * (all[0].time_s - asked_s),
-                1000.0 * (all[3].time_s - silenced_s));
+    std::printf("speech-dispatcher: say() to the voice's first word %.1f ms, stop() to its silence %.1f ms\n",
+                1000.0 * (all[0].time_s - asked_s), 1000.0 * (all[3].time_s - silenced_s));
 }
 
 TEST_F(SpeechdVoice, a_killed_server_is_noticed_at_once_and_its_successor_taken) {

@@ -79,7 +79,8 @@ TEST(LookOf, tells_kinds_apart_by_luminance_or_pattern) {
         const char* what;
         DrawLook look;
     };
-    const Vec3 up(0.0, 0.0, 1.0), down(0.0, 0.0, -1.0), east(1.0, 0.0, 0.0), north(0.0, 1.0, 0.0), slope(0.0, 0.7071, 0.7071);
+    const Vec3 up(0.0, 0.0, 1.0), down(0.0, 0.0, -1.0), east(1.0, 0.0, 0.0), north(0.0, 1.0, 0.0),
+        slope(0.0, 0.7071, 0.7071);
     const std::vector<Sample> samples{{"wall facing north", look_of(FeatureKind::Wall, SolidRole::Solid, north)},
                                       {"wall facing east", look_of(FeatureKind::Wall, SolidRole::Solid, east)},
                                       {"floor", look_of(FeatureKind::Floor, SolidRole::Solid, up)},

@@ -20,11 +20,14 @@ struct KeyGateTest : testing::Test {
                          },
                          [this](std::uint64_t ticket) { return verdicts.at(ticket); }});
     }
-    void take(int key, const std::string& name, double now_s) { gate.take({key, 1, 0}, {.press = true, .name = name}, now_s); }
+    void take(int key, const std::string& name, double now_s) {
+        gate.take({key, 1, 0}, {.press = true, .name = name}, now_s);
+    }
     // Keys passed on as ours; those of the reader with a minus.
     std::vector<int> decided(double now_s) {
         std::vector<int> keys;
-        for (const KeyGate::Passed& passed : gate.decided(now_s)) keys.push_back(passed.ours ? passed.key.glfw_key : -passed.key.glfw_key);
+        for (const KeyGate::Passed& passed : gate.decided(now_s))
+            keys.push_back(passed.ours ? passed.key.glfw_key : -passed.key.glfw_key);
         return keys;
     }
 

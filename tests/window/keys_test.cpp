@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/core/command.h"
+#include "app/core/dialogue/command.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -57,7 +57,8 @@ TEST(KeyTracker, control_alone_acts_when_it_comes_up) {
     KeyTracker keys;
     EXPECT_EQ(keys.take(GLFW_KEY_RIGHT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL), Events{});
     EXPECT_EQ(keys.take(GLFW_KEY_RIGHT_CONTROL, GLFW_REPEAT, GLFW_MOD_CONTROL), Events{});
-    EXPECT_EQ(keys.take(GLFW_KEY_RIGHT_CONTROL, GLFW_RELEASE, 0), (Events{{"Control", KeyAction::Press}, {"Control", KeyAction::Release}}));
+    EXPECT_EQ(keys.take(GLFW_KEY_RIGHT_CONTROL, GLFW_RELEASE, 0),
+              (Events{{"Control", KeyAction::Press}, {"Control", KeyAction::Release}}));
 }
 
 TEST(KeyTracker, control_with_another_key_or_the_mouse_is_not_control_alone) {
@@ -92,7 +93,8 @@ TEST(KeyTracker, lets_go_of_everything_when_the_keyboard_is_lost) {
     keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL);
     EXPECT_EQ(keys.let_go(), (Events{{"Up", KeyAction::Release}, {"Shift+Left", KeyAction::Release}}));
     EXPECT_EQ(keys.take(GLFW_KEY_UP, GLFW_RELEASE, 0), Events{});
-    EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0), Events{}) << "leaving by Control+Alt+arrow must not silence speech";
+    EXPECT_EQ(keys.take(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE, 0), Events{})
+        << "leaving by Control+Alt+arrow must not silence speech";
 }
 
 // Every default key, so that each command can be reached from the window.
@@ -105,7 +107,8 @@ TEST(KeyNames, hold_every_key_of_the_command_table) {
             const std::string_view key = keys.substr(0, end);
             keys.remove_prefix(std::min(end + 1, keys.size()));
             const std::string_view plain = key.substr(key.rfind('+') + 1);  // without "Shift+"
-            EXPECT_NE(std::find(key_names().begin(), key_names().end(), plain), key_names().end()) << key << " of " << row.word;
+            EXPECT_NE(std::find(key_names().begin(), key_names().end(), plain), key_names().end())
+                << key << " of " << row.word;
         }
     }
 }

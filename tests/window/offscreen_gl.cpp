@@ -11,8 +11,9 @@ std::unique_ptr<OffscreenGl> OffscreenGl::open(PixelSize size) {
     gl->size_ = size;
     gl->display_ = eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (!gl->display_ || !eglInitialize(gl->display_, nullptr, nullptr) || !eglBindAPI(EGL_OPENGL_API)) return nullptr;
-    const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    const EGLint wanted[] = {
+        EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
     gl->context_ = eglCreateContext(gl->display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted);
     if (!gl->context_ || !eglMakeCurrent(gl->display_, EGL_NO_SURFACE, EGL_NO_SURFACE, gl->context_)) return nullptr;
     glGenFramebuffers(1, &gl->framebuffer_);

@@ -1,4 +1,5 @@
-// An OpenGL context without any display, and a framebuffer to draw into: pictures can be tested on a machine without a screen.
+// An OpenGL context without any display, and a framebuffer to draw into: pictures can be tested on a machine without a
+// screen.
 #pragma once
 
 #include <memory>

@@ -32,18 +32,24 @@ TEST(SectionAt, of_a_pyramid_shrinks_with_height) {
     ConvexSolid pyramid;
     for (std::size_t i = 0; i < 4; ++i) pyramid.faces.push_back({{base[i], base[(i + 1) % 4], tip}});
     pyramid.faces.push_back({{base[3], base[2], base[1], base[0]}});
-    for (const double h : {0.5, 1.0, 2.0, 3.9}) EXPECT_NEAR(area_m2(section_at(pyramid, h)), (4.0 - h) * (4.0 - h), 1e-9) << h;
+    for (const double h : {0.5, 1.0, 2.0, 3.9})
+        EXPECT_NEAR(area_m2(section_at(pyramid, h)), (4.0 - h) * (4.0 - h), 1e-9) << h;
 }
 
 TEST(CutPlan, shows_what_stands_at_hand_height_and_what_lies_below_it) {
-    // Of the room: four walls and the door are cut, the table is low, the water is a liquid, the floor is a floor; the ceiling is not shown.
+    // Of the room: four walls and the door are cut, the table is low, the water is a liquid, the floor is a floor; the
+    // ceiling is not shown.
     const PlanCut cut = cut_plan(*small_room(), 0.0);
     std::map<PlanKind, int> count;
     for (const PlanShape& shape : cut.shapes) {
         ++count[shape.kind];
         EXPECT_GT(area_m2(shape.outline_m), 0.0);
     }
-    EXPECT_EQ(count, (std::map<PlanKind, int>{{PlanKind::Floor, 1}, {PlanKind::Wall, 4}, {PlanKind::Door, 1}, {PlanKind::Low, 1}, {PlanKind::Liquid, 1}}));
+    EXPECT_EQ(count, (std::map<PlanKind, int>{{PlanKind::Floor, 1},
+                                              {PlanKind::Wall, 4},
+                                              {PlanKind::Door, 1},
+                                              {PlanKind::Low, 1},
+                                              {PlanKind::Liquid, 1}}));
     EXPECT_EQ(cut.shapes.front().kind, PlanKind::Floor) << "drawn first, under everything";
     EXPECT_EQ(cut.shapes.back().kind, PlanKind::Door) << "drawn over the wall it stands in";
 }
@@ -52,7 +58,8 @@ TEST(CutPlan, of_another_storey_shows_that_storey) {
     Scene scene = *small_room();
     add_box(scene, {1.0, 1.0, 2.7}, {2.0, 2.0, 5.0}, FeatureKind::Object);
     const PlanCut cut = cut_plan(scene, 2.7);
-    // Below the feet end ceiling, four walls and the door; all of it is ground to this storey. Table and water lie too deep.
+    // Below the feet end ceiling, four walls and the door; all of it is ground to this storey. Table and water lie too
+    // deep.
     ASSERT_EQ(cut.shapes.size(), 7U);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(cut.shapes[i].kind, PlanKind::Floor);
     EXPECT_EQ(cut.shapes[6].kind, PlanKind::Object);
@@ -83,7 +90,8 @@ TEST(LayOutPlan, fits_a_house_whole_with_north_up) {
 TEST(LayOutPlan, follows_the_feet_through_a_large_world_and_stays_inside_it) {
     Aabb town{{0.0, 0.0, 0.0}, {500.0, 300.0, 3.0}};
     const Vec2 half_m = 0.5 * Vec2(800.0, 600.0) / kPlanFinest_px_per_m;
-    for (const Vec3& feet : {Vec3(250.0, 150.0, 0.0), Vec3(0.0, 0.0, 0.0), Vec3(499.0, 10.0, 0.0), Vec3(30.0, 299.0, 0.0)}) {
+    for (const Vec3& feet :
+         {Vec3(250.0, 150.0, 0.0), Vec3(0.0, 0.0, 0.0), Vec3(499.0, 10.0, 0.0), Vec3(30.0, 299.0, 0.0)}) {
         const PlanLayout layout = lay_out_plan(town, feet, 0.0, true, kBox);
         EXPECT_EQ(layout.pixels_per_m, kPlanFinest_px_per_m);
         const Vec2 at = layout.to_pixels(feet);

@@ -64,21 +64,27 @@ protected:
     void TearDown() override {
         if (!HasFailure() || last_.rgb.empty()) return;
         const auto path =
-            std::filesystem::temp_directory_path() / fmt::format("handrail_{}.png", ::testing::UnitTest::GetInstance()->current_test_info()->name());
+            std::filesystem::temp_directory_path() /
+            fmt::format("handrail_{}.png", ::testing::UnitTest::GetInstance()->current_test_info()->name());
         if (save_png(last_, path)) std::cout << "last picture: " << path << "\n";
     }
 
     // Where a point of the world stands in the picture: the pinhole camera, worked out apart from the code under test.
     static Vec2 pixel_of(const ViewState& view, const Vec3& world_m) {
         const Vec3 to = world_m - view.eyes_m;
-        const double ahead = glm::dot(to, forward_of_heading(view.heading_rad)), right = glm::dot(to, right_of_heading(view.heading_rad));
+        const double ahead = glm::dot(to, forward_of_heading(view.heading_rad)),
+                     right = glm::dot(to, right_of_heading(view.heading_rad));
         const double depth = ahead * std::cos(view.tilt_rad) + to.z * std::sin(view.tilt_rad);
         const double up = to.z * std::cos(view.tilt_rad) - ahead * std::sin(view.tilt_rad);
         const double focal_px = 0.5 * kPictureHeight_px / std::tan(radians_from_degrees(30.0));
         return {0.5 * kSize.width + focal_px * right / depth, 0.5 * kPictureHeight_px - focal_px * up / depth};
     }
-    static Rgb at(const Picture& picture, const Vec2& px) { return picture.at(static_cast<int>(px.x), static_cast<int>(px.y)); }
-    static double brightness(const Picture& picture, const ViewState& view, const Vec3& world_m) { return luminance(at(picture, pixel_of(view, world_m))); }
+    static Rgb at(const Picture& picture, const Vec2& px) {
+        return picture.at(static_cast<int>(px.x), static_cast<int>(px.y));
+    }
+    static double brightness(const Picture& picture, const ViewState& view, const Vec3& world_m) {
+        return luminance(at(picture, pixel_of(view, world_m)));
+    }
 
     std::unique_ptr<OffscreenGl> gl_;
     std::unique_ptr<Renderer> renderer_;
@@ -176,7 +182,8 @@ TEST_F(RendererTest, ball_is_green_when_free_and_red_inside_a_white_ring_when_to
     EXPECT_NEAR(reds.count, greens.count, 0.25 * greens.count);
     EXPECT_LT(glm::distance(reds.mean_px, expected), 2.0);
     EXPECT_EQ(count(touching, green).count, 0);
-    EXPECT_GT(count(touching, white).count, count(free, white).count + greens.count) << "the ring tells the contact to those who see no red";
+    EXPECT_GT(count(touching, white).count, count(free, white).count + greens.count)
+        << "the ring tells the contact to those who see no red";
 }
 
 TEST_F(RendererTest, ball_is_hollow_while_forces_are_off_and_gone_without_a_hand) {
@@ -246,7 +253,8 @@ TEST_F(RendererTest, last_spoken_line_stands_in_letters_of_a_twelfth_of_the_wind
     view.last_spoken = "High wall";
     const auto [first, last] = text_rows(draw(view), kBandTop_px);
     ASSERT_GE(first, 0);
-    // From the top of H to the foot of g: capital height and descender of DejaVu Sans are 0.73 + 0.24 of 1.16 line heights.
+    // From the top of H to the foot of g: capital height and descender of DejaVu Sans are 0.73 + 0.24 of 1.16 line
+    // heights.
     EXPECT_GT(last - first, 0.75 * kTextLinePart * kSize.height);
     EXPECT_LT(last - first, 1.0 * kTextLinePart * kSize.height);
 }
@@ -415,7 +423,8 @@ TEST_F(RendererTest, the_spoken_line_stays_below_an_open_list_however_long_it_is
 }
 
 TEST_F(RendererTest, lists_in_a_window_of_a_few_pixels_are_survived) {
-    for (const PixelSize size : {PixelSize{1, 1}, PixelSize{3, 200}, PixelSize{200, 3}, PixelSize{60, 60}, PixelSize{2000, 90}})
+    for (const PixelSize size :
+         {PixelSize{1, 1}, PixelSize{3, 200}, PixelSize{200, 3}, PixelSize{60, 60}, PixelSize{2000, 90}})
         for (ViewState view : {with_list(0, 0), with_list(1, 0), with_list(300, 299)}) {
             renderer_->draw(view, size);
             view.dialogue.kind = DialogueView::Kind::Text;
@@ -435,7 +444,8 @@ TEST(ListWindow, holds_the_chosen_item_and_as_many_others_as_have_room) {
                     const ListWindow window = list_window(lines, at, room);
                     EXPECT_LE(window.first, at);
                     EXPECT_GT(window.first + window.count, at);
-                    EXPECT_EQ(window.count, std::min(items, room - lines_of_chosen + 1)) << items << " items, room " << room << ", at " << at;
+                    EXPECT_EQ(window.count, std::min(items, room - lines_of_chosen + 1))
+                        << items << " items, room " << room << ", at " << at;
                     if (items >= 3 && at > 0 && at + 1 < items && room >= lines_of_chosen + 2) {
                         EXPECT_LT(window.first, at) << "a neighbour on either side";
                         EXPECT_GT(window.first + window.count, at + 1);
@@ -481,7 +491,9 @@ TEST_F(RendererTest, plan_shows_walls_full_doors_open_and_the_walked_path) {
     view.plan_view = true;
     const Picture before = draw(view);
     // Shown whole: 0.94 * 580 px for 4.4 m, less than the 100 px per metre at which it stops.
-    const auto px = [](double x_m, double y_m) { return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0)); };
+    const auto px = [](double x_m, double y_m) {
+        return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0));
+    };
     EXPECT_NEAR(luminance(at(before, px(3.0, 4.1))), 200.0, 2.0);
     EXPECT_NEAR(luminance(at(before, px(4.0, 3.0))), luminance({34, 42, 66}), 2.0) << "floor";
     EXPECT_TRUE(black(at(before, px(7.0, 2.0)))) << "outside";
@@ -499,19 +511,26 @@ TEST_F(RendererTest, plan_shows_outlines_and_names_of_rooms_and_which_one_is_in)
     ViewState view = two_rooms_on_the_plan();
     const Picture with = draw(view);
     // 100 px per metre and the world's middle in the picture's, as above.
-    const auto px = [](double x_m, double y_m) { return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0)); };
+    const auto px = [](double x_m, double y_m) {
+        return Vec2(480.0 + 100.0 * (x_m - 3.0), 290.0 - 100.0 * (y_m - 2.0));
+    };
     const auto whites_across = [&](const Picture& picture, double x_m, double y_m) {
         int whites = 0;
         const Vec2 line = px(x_m, y_m);
-        for (int x = static_cast<int>(line.x) - 12; x <= static_cast<int>(line.x) + 12; ++x) whites += white(picture.at(x, static_cast<int>(line.y)));
+        for (int x = static_cast<int>(line.x) - 12; x <= static_cast<int>(line.x) + 12; ++x)
+            whites += white(picture.at(x, static_cast<int>(line.y)));
         return whites;
     };
     for (const double y_m : {0.6, 1.2, 2.4, 3.3}) {
-        const int here = whites_across(with, 0.25, y_m), beside = whites_across(with, 5.75, y_m > 2.0 && y_m < 3.0 ? 3.0 : y_m < 2.0 ? 0.6 : y_m);
+        const int here = whites_across(with, 0.25, y_m), beside = whites_across(with, 5.75,
+                                                                                y_m > 2.0 && y_m < 3.0 ? 3.0
+                                                                                : y_m < 2.0            ? 0.6
+                                                                                                       : y_m);
         EXPECT_GE(here, 5) << y_m;
         EXPECT_GE(beside, 1) << y_m;
         EXPECT_GT(here, 2 * beside) << "the room that one is in stands out";
-        EXPECT_TRUE(black(at(with, px(0.25, y_m) - Vec2(5.0, 0.0))) || black(at(with, px(0.25, y_m) + Vec2(5.0, 0.0)))) << "and is told from a pale floor";
+        EXPECT_TRUE(black(at(with, px(0.25, y_m) - Vec2(5.0, 0.0))) || black(at(with, px(0.25, y_m) + Vec2(5.0, 0.0))))
+            << "and is told from a pale floor";
     }
     // Names: in black on white where one is, in white on black elsewhere; letters are a twentieth of the picture.
     const auto colours = [&](const Picture& picture, const Vec2& middle) {
@@ -569,11 +588,12 @@ TEST_F(RendererTest, draws_a_whole_game_map_without_holes_and_reports_its_cost) 
     auto read = read_world(*path);
     ASSERT_TRUE(read.has_value()) << read.error().sentence();
     const auto scene = std::make_shared<const Scene>(std::move(*read));
-    const auto seconds = [](auto&& work) {  // of processor time, all threads: less at the mercy of what else the machine does
-        const std::clock_t begin = std::clock();
-        work();
-        return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-    };
+    const auto seconds =
+        [](auto&& work) {  // of processor time, all threads: less at the mercy of what else the machine does
+            const std::clock_t begin = std::clock();
+            work();
+            return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+        };
     DrawMesh mesh;
     const double build_s = seconds([&] { mesh = build_draw_mesh(*scene); });
     PlanCut cut;
@@ -595,16 +615,18 @@ TEST_F(RendererTest, draws_a_whole_game_map_without_holes_and_reports_its_cost) 
             view.proxy_m = view.eyes_m + 0.5 * forward_of_heading(view.heading_rad);
             (plan ? plan_s : first_person_s) += seconds([&] { draw(view); });
             if (plan) continue;
-            // The map is closed: wherever one looks from the start there is a surface or an outline, and black only beside the white.
+            // The map is closed: wherever one looks from the start there is a surface or an outline, and black only
+            // beside the white.
             const int holes = count(last_, black).count;
             EXPECT_LT(holes, 0.25 * kSize.width * kPictureHeight_px) << "looking in direction " << i;
         }
     std::cout << fmt::format(
-        "{} polygons, {} edges: mesh built in {:.1f} ms, plan cut in {:.1f} ms, first picture {:.1f} ms, then {:.1f} ms in first person and {:.1f} ms as a "
+        "{} polygons, {} edges: mesh built in {:.1f} ms, plan cut in {:.1f} ms, first picture {:.1f} ms, then {:.1f} "
+        "ms in first person and {:.1f} ms as a "
         "plan "
         "({} by {} pixels, reading back included; processor time of all threads)\n",
-        scene->surfaces.size(), mesh.edges.size(), 1e3 * build_s, 1e3 * cut_s, 1e3 * first_s, 1e3 * first_person_s / kFrames, 1e3 * plan_s / kFrames,
-        kSize.width, kSize.height);
+        scene->surfaces.size(), mesh.edges.size(), 1e3 * build_s, 1e3 * cut_s, 1e3 * first_s,
+        1e3 * first_person_s / kFrames, 1e3 * plan_s / kFrames, kSize.width, kSize.height);
 }
 
 }  // namespace

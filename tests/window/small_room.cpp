@@ -40,7 +40,8 @@ void add_box(Scene& scene, const Vec3& min_m, const Vec3& max_m, FeatureKind kin
     solid.face_features.assign(6, feature);
     solid.face_materials.assign(6, kDefaultMaterial);
     solid.face_hidden.assign(6, false);
-    for (std::size_t i = 0; i < 6; ++i) scene.surfaces.push_back({solid.shape.faces[i], solid.shape.planes[i].normal, feature, kDefaultMaterial, role});
+    for (std::size_t i = 0; i < 6; ++i)
+        scene.surfaces.push_back({solid.shape.faces[i], solid.shape.planes[i].normal, feature, kDefaultMaterial, role});
     scene.bounds_m.include(solid.shape.bounds_m);
     scene.solids.push_back(std::move(solid));
 }
@@ -48,7 +49,9 @@ void add_box(Scene& scene, const Vec3& min_m, const Vec3& max_m, FeatureKind kin
 std::shared_ptr<const Scene> small_room(const Vec3& at_m) {
     auto scene = std::make_shared<Scene>();
     scene->materials.resize(1);
-    const auto add = [&](Vec3 from, Vec3 to, FeatureKind kind, SolidRole role = SolidRole::Solid) { add_box(*scene, at_m + from, at_m + to, kind, role); };
+    const auto add = [&](Vec3 from, Vec3 to, FeatureKind kind, SolidRole role = SolidRole::Solid) {
+        add_box(*scene, at_m + from, at_m + to, kind, role);
+    };
     add({-0.2, -0.2, -0.2}, {6.2, 4.2, 0.0}, FeatureKind::Wall);  // floor
     add({-0.2, -0.2, 2.5}, {6.2, 4.2, 2.7}, FeatureKind::Wall);   // ceiling
     add({-0.2, 4.0, 0.0}, {6.2, 4.2, 2.5}, FeatureKind::Wall);    // north
@@ -75,7 +78,11 @@ ViewState two_rooms_on_the_plan() {
     ViewState view = view_in(small_room(), 1.0, 3.6, 0.0);
     view.plan_view = true;
     const auto room = [](const char* name, double x_m) {
-        return DrawnRoom{name, {x_m + 1.5, 2.0, 0.0}, 12.0, {0.0, 0.0, {{{x_m + 0.25, 0.25}, {x_m + 2.75, 0.25}, {x_m + 2.75, 3.75}, {x_m + 0.25, 3.75}}}}};
+        return DrawnRoom{
+            name,
+            {x_m + 1.5, 2.0, 0.0},
+            12.0,
+            {0.0, 0.0, {{{x_m + 0.25, 0.25}, {x_m + 2.75, 0.25}, {x_m + 2.75, 3.75}, {x_m + 0.25, 3.75}}}}};
     };
     std::vector<DrawnRoom> rooms{room("Kitchen", 0.0), room("Hall", 3.0)};
     rooms.push_back(room("Attic", 3.0));

@@ -14,7 +14,10 @@
 namespace handrail {
 
 void PrintTo(const KeyEvent& event, std::ostream* out) {
-    *out << event.key << (event.action == KeyAction::Press ? " down" : event.action == KeyAction::Repeat ? " again" : " up");
+    *out << event.key
+         << (event.action == KeyAction::Press    ? " down"
+             : event.action == KeyAction::Repeat ? " again"
+                                                 : " up");
 }
 
 }  // namespace handrail
@@ -52,7 +55,8 @@ protected:
         window_->poll();
     }
 
-    // Collects events until the condition holds; what a person would wait for comes within a moment, 20 s are for a machine under load.
+    // Collects events until the condition holds; what a person would wait for comes within a moment, 20 s are for a
+    // machine under load.
     template <class Condition>
     bool wait_for(Condition condition) {
         for (int i = 0; i < 4000; ++i) {
@@ -72,7 +76,8 @@ protected:
 
     template <class T>
     std::size_t count() const {
-        return static_cast<std::size_t>(std::count_if(events_.begin(), events_.end(), [](const WindowEvent& e) { return std::holds_alternative<T>(e); }));
+        return static_cast<std::size_t>(std::count_if(
+            events_.begin(), events_.end(), [](const WindowEvent& e) { return std::holds_alternative<T>(e); }));
     }
 
     Vec3 hand_motion_m() const {
@@ -96,7 +101,8 @@ public:
         if (!display_ || !XQueryTree(display_, DefaultRootWindow(display_), &root, &parent, &children, &count)) return;
         for (unsigned i = 0; i < count; ++i) {
             char* name = nullptr;
-            if (XFetchName(display_, children[i], &name) && name && std::string(name) == "Handrail") handrail_ = children[i];
+            if (XFetchName(display_, children[i], &name) && name && std::string(name) == "Handrail")
+                handrail_ = children[i];
             if (name) XFree(name);
         }
         if (children) XFree(children);
@@ -130,7 +136,8 @@ public:
     Picture what_stands_on_the_screen() {
         XWindowAttributes size{};
         XGetWindowAttributes(display_, handrail_, &size);
-        XImage* image = XGetImage(display_, handrail_, 0, 0, static_cast<unsigned>(size.width), static_cast<unsigned>(size.height), AllPlanes, ZPixmap);
+        XImage* image = XGetImage(display_, handrail_, 0, 0, static_cast<unsigned>(size.width),
+                                  static_cast<unsigned>(size.height), AllPlanes, ZPixmap);
         Picture picture{size.width, size.height, {}};
         for (int y = 0; image && y < size.height; ++y)
             for (int x = 0; x < size.width; ++x) {
@@ -157,8 +164,9 @@ KeyEvent release(const char* key) { return {key, KeyAction::Release}; }
 TEST_F(WindowTest, takes_keys_by_their_names) {
     ASSERT_TRUE(display_->xdotool("key Up F2 Prior f grave Escape Control_L shift+Left"));
     ASSERT_TRUE(wait_for([&] { return !keys().empty() && keys().back() == release("Shift+Left"); }));
-    EXPECT_EQ(keys(), (std::vector<KeyEvent>{press("Up"), release("Up"), press("F2"), release("F2"), press("PageUp"), release("PageUp"), press("F"),
-                                             release("F"), press("Grave"), release("Grave"), press("Escape"), release("Escape"), press("Control"),
+    EXPECT_EQ(keys(), (std::vector<KeyEvent>{press("Up"), release("Up"), press("F2"), release("F2"), press("PageUp"),
+                                             release("PageUp"), press("F"), release("F"), press("Grave"),
+                                             release("Grave"), press("Escape"), release("Escape"), press("Control"),
                                              release("Control"), press("Shift+Left"), release("Shift+Left")}));
 }
 
@@ -189,7 +197,9 @@ TEST_F(WindowTest, moves_the_simulated_hand_with_the_mouse) {
     EXPECT_EQ(hand_motion_m().z, 0.0);
     events_.clear();
     ASSERT_TRUE(display_->xdotool("mousedown 3 mousemove 590 500 mouseup 3 click 4 click 4 click 5"));
-    ASSERT_TRUE(wait_for([&] { return hand_motion_m().z > 100 * kHandMetresPerPixel + 0.5 * kHandMetresPerNotch && hand_motion_m().x < 0.0; }));
+    ASSERT_TRUE(wait_for([&] {
+        return hand_motion_m().z > 100 * kHandMetresPerPixel + 0.5 * kHandMetresPerNotch && hand_motion_m().x < 0.0;
+    }));
     EXPECT_NEAR(hand_motion_m().x, -10 * kHandMetresPerPixel, 1e-9);
     EXPECT_EQ(hand_motion_m().y, 0.0);
 }
@@ -210,7 +220,8 @@ TEST_F(WindowTest, lets_go_of_held_keys_when_the_focus_goes_and_says_when_it_ret
     ASSERT_TRUE(wait_for([&] { return !keys().empty(); }));
     Desktop().take_keyboard_away();
     ASSERT_TRUE(wait_for([&] { return count<FocusChange>() == 1 && keys().back() == release("Up"); }));
-    const auto lost = std::find_if(events_.begin(), events_.end(), [](const WindowEvent& e) { return std::holds_alternative<FocusChange>(e); });
+    const auto lost = std::find_if(events_.begin(), events_.end(),
+                                   [](const WindowEvent& e) { return std::holds_alternative<FocusChange>(e); });
     EXPECT_FALSE(std::get<FocusChange>(*lost).focused);
     EXPECT_TRUE(std::holds_alternative<KeyEvent>(events_.back())) << "releases come after the news";
     ASSERT_TRUE(display_->xdotool("keyup Up search --name '^Handrail$' windowfocus --sync"));
@@ -221,8 +232,9 @@ TEST_F(WindowTest, lets_go_of_held_keys_when_the_focus_goes_and_says_when_it_ret
 TEST_F(WindowTest, tells_a_watched_key_and_the_loss_of_the_keyboard_without_being_polled) {
     std::atomic<int> stops{0}, others{0};
     std::atomic<bool> focused{true};
-    ASSERT_TRUE(window_->watch_keys(
-        {[&](const std::string& key) { return ++others, key == "F12" || key == "Shift+Escape"; }, [&] { ++stops; }, [&](bool now) { focused = now; }}));
+    ASSERT_TRUE(
+        window_->watch_keys({[&](const std::string& key) { return ++others, key == "F12" || key == "Shift+Escape"; },
+                             [&] { ++stops; }, [&](bool now) { focused = now; }}));
     const auto soon = [](auto&& condition) {
         for (int i = 0; i < 4000 && !condition(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
         return condition();

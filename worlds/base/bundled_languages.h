@@ -11,6 +11,7 @@ struct BundledLanguage {
     std::string_view content;  // the whole file
 };
 
-extern const std::span<const BundledLanguage> kBundledLanguages;  // defined in a source that settings/languages/embed.cmake writes
+extern const std::span<const BundledLanguage>
+    kBundledLanguages;  // defined in a source that settings/languages/embed.cmake writes
 
 }  // namespace handrail

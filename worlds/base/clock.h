@@ -1,4 +1,5 @@
-// Real time comes from a Clock passed in, so every test can own the time. A seam: SteadyClock and VirtualClock implement it.
+// Real time comes from a Clock passed in, so every test can own the time. A seam: SteadyClock and VirtualClock
+// implement it.
 #pragma once
 
 #include <atomic>
@@ -8,8 +9,8 @@ namespace handrail {
 class Clock {
 public:
     virtual ~Clock() = default;
-    virtual double now_s() const = 0;                   // seconds since an arbitrary start; never goes back; any thread
-    virtual void sleep_until_s(double time_s) = 0;      // returns at once when the time has passed
+    virtual double now_s() const = 0;               // seconds since an arbitrary start; never goes back; any thread
+    virtual void sleep_until_s(double time_s) = 0;  // returns at once when the time has passed
 };
 
 // CLOCK_MONOTONIC with absolute sleeping, so that pacing does not drift.

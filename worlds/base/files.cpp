@@ -1,11 +1,13 @@
 #include "worlds/base/files.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <system_error>
 
 #include "worlds/base/descriptor.h"
@@ -13,6 +15,41 @@
 
 namespace handrail {
 namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kBeside = ".new-";
+constexpr std::size_t kRandomLetters = 6;  // of mkostemp
+constexpr time_t kStaleAfterS = 60;        // longer than between making a file and locking it
+
+// A system call that a signal interrupts has done nothing and is made again.
+template <class Call>
+auto again(Call&& call) {
+    for (;;) {
+        const auto result = call();
+        if (result >= 0 || errno != EINTR) return result;
+    }
+}
+
+// Who replaces a file holds a lock on what it writes beside it, and loses it by dying. So what is old and not locked
+// belongs to nobody any more.
+void sweep_up_beside(const fs::path& target) {
+    const std::string begin = target.filename().string() + std::string(kBeside);
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    std::error_code ec;
+    for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec)) {
+        const std::string name = it->path().filename().string();
+        if (name.size() != begin.size() + kRandomLetters || !name.starts_with(begin)) continue;
+        const Descriptor file(
+            again([&] { return ::open(it->path().c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW); }));
+        struct stat info {};
+        if (file.get() < 0 || ::fstat(file.get(), &info) != 0) continue;
+        if (!S_ISREG(info.st_mode) || info.st_uid != ::geteuid() || ::time(nullptr) - info.st_mtime < kStaleAfterS)
+            continue;
+        if (again([&] { return ::flock(file.get(), LOCK_EX | LOCK_NB); }) == 0) ::unlink(it->path().c_str());
+    }
+}
+
+}  // namespace
 
 std::string reason_of(int error) {
     switch (error) {
@@ -35,21 +72,25 @@ std::string reason_of(int error) {
     }
 }
 
-Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes) {
+Result<std::string> read_whole_file(const fs::path& path, std::size_t max_bytes, const std::stop_token& stop) {
     const std::string name = path.filename().string();
-    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    // Not waiting: a pipe that nobody writes would never open.
+    const Descriptor file(again([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY); }));
+    if (file.get() < 0 && errno == ENXIO) return fail(phrase("files.no_file"), name);  // a socket
     if (file.get() < 0) return fail(phrase("files.cannot_open", {{"reason", reason_of(errno)}}), name);
     struct stat info {};
     if (::fstat(file.get(), &info) != 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
     if (S_ISDIR(info.st_mode)) return fail(phrase("files.folder"), name);
+    if (!S_ISREG(info.st_mode)) return fail(phrase("files.no_file"), name);
     std::string content;
     char block[1 << 16];
     for (;;) {
-        const ssize_t got = ::read(file.get(), block, sizeof block);
-        if (got < 0 && errno == EINTR) continue;
+        if (stop.stop_requested()) return fail(phrase("files.stopped"), name);
+        const ssize_t got = again([&] { return ::read(file.get(), block, sizeof block); });
         if (got < 0) return fail(phrase("files.cannot_read", {{"reason", reason_of(errno)}}), name);
         if (got == 0) return content;
-        if (content.size() + static_cast<std::size_t>(got) > max_bytes) return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), name);
+        if (content.size() + static_cast<std::size_t>(got) > max_bytes)
+            return fail(phrase("files.too_large", {{"megabytes", max_bytes >> 20}}), name);
         content.append(block, static_cast<std::size_t>(got));
     }
 }
@@ -59,29 +100,40 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view conten
     // Link by link, since the last one may point to a file that is still to be made.
     fs::path target = path;
     for (int links = 0; fs::is_symlink(target, ec); ++links) {
-        if (links == 40) return fail(phrase("files.cannot_save", {{"reason", reason_of(ELOOP)}}), path.filename().string());  // the system's own limit
+        if (links == 40)
+            return fail(phrase("files.cannot_save", {{"reason", reason_of(ELOOP)}}),
+                        path.filename().string());  // the system's own limit
         target = target.parent_path() / fs::read_symlink(target, ec);
     }
     const std::string name = target.filename().string();
-    const auto refused = [&](int error) { return fail(phrase("files.save_refused", {{"reason", reason_of(error)}}), name); };
+    const auto refused = [&](int error) {
+        return fail(phrase("files.save_refused", {{"reason", reason_of(error)}}), name);
+    };
     if (target.has_parent_path()) {
         fs::create_directories(target.parent_path(), ec);
         if (ec) return refused(ec.value());
     }
     struct stat old {};
-    const mode_t mode = ::stat(target.c_str(), &old) == 0 ? (old.st_mode & 07777) : 0644;
-    std::string beside = target.string() + ".new-XXXXXX";
+    const bool there = ::stat(target.c_str(), &old) == 0;
+    if (there && !S_ISREG(old.st_mode))
+        return fail(phrase(S_ISDIR(old.st_mode) ? "files.folder" : "files.no_file"), name);
+    const mode_t mode = there ? (old.st_mode & 07777) : 0644;
+    sweep_up_beside(target);
+    std::string beside = target.string() + std::string(kBeside) + std::string(kRandomLetters, 'X');
     int error = 0;
     {
-        const Descriptor file(::mkostemp(beside.data(), O_CLOEXEC));
+        const Descriptor file(again([&] { return ::mkostemp(beside.data(), O_CLOEXEC); }));
         if (file.get() < 0) return refused(errno);
+        again([&] { return ::flock(file.get(), LOCK_EX | LOCK_NB); });
         std::size_t done = 0;
         while (done < content.size() && error == 0) {
-            const ssize_t put = ::write(file.get(), content.data() + done, content.size() - done);
+            const ssize_t put =
+                again([&] { return ::write(file.get(), content.data() + done, content.size() - done); });
             if (put >= 0) done += static_cast<std::size_t>(put);
-            else if (errno != EINTR) error = errno;
+            else error = errno;
         }
-        if (error == 0 && (::fchmod(file.get(), mode) != 0 || ::fsync(file.get()) != 0)) error = errno;
+        if (error == 0 && (::fchmod(file.get(), mode) != 0 || again([&] { return ::fsync(file.get()); }) != 0))
+            error = errno;
     }
     if (error == 0 && ::rename(beside.c_str(), target.c_str()) != 0) error = errno;
     if (error != 0) {
@@ -90,7 +142,8 @@ Result<void> write_file_atomically(const fs::path& path, std::string_view conten
     }
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     const Descriptor parent(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (parent.get() >= 0) ::fsync(parent.get());  // the rename itself survives a power cut; failure here changes nothing
+    if (parent.get() >= 0)
+        ::fsync(parent.get());  // the rename itself survives a power cut; failure here changes nothing
     return {};
 }
 

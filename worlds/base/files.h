@@ -1,7 +1,10 @@
-// Reading and replacing whole files. Writing is atomic: beside the target, fsync, rename; the old file survives any failure.
+// Reading and replacing whole files: the one way to everything a person names. Reading never waits for a pipe or a
+// device to give something. Writing is atomic: beside the target, fsync, rename; the old file survives any failure. An
+// interrupted call is made again.
 #pragma once
 
 #include <filesystem>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -9,14 +12,19 @@
 
 namespace handrail {
 
-// Why the system refused something, by its errno: the usual reasons in the language spoken, the others in the system's words. No full stop.
+// Why the system refused something, by its errno: the usual reasons in the language spoken, the others in the system's
+// words. No full stop.
 std::string reason_of(int error);
 
-// The whole file. Fails in one sentence when it is missing, unreadable, a folder, or larger than max_bytes.
-Result<std::string> read_whole_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30);
+// The whole file. Fails in one sentence when it is missing, unreadable, larger than max_bytes, or no ordinary file (a
+// folder, a pipe, a socket, a device), and when it is stopped, which is looked at every 64 KiB.
+Result<std::string> read_whole_file(const std::filesystem::path& path, std::size_t max_bytes = std::size_t{1} << 30,
+                                    const std::stop_token& stop = {});
 
 // Replaces `path` with `content`, or leaves it exactly as it was and says why. Creates missing parent folders.
-// A symbolic link is followed, so that the link stays a link. Keeps the permission bits of an existing file.
+// A symbolic link is followed, so that the link stays a link. Keeps the permission bits of an existing file. What
+// stands there must be an ordinary file. Removes what an earlier replacement of this file left beside it when the
+// program was ended in the middle.
 Result<void> write_file_atomically(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace handrail

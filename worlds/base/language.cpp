@@ -7,6 +7,7 @@
 #include <unicode/uchar.h>
 #include <unicode/unistr.h>
 
+#include <toml++/toml.h>
 #include <algorithm>
 #include <atomic>
 #include <cctype>
@@ -15,12 +16,12 @@
 #include <map>
 #include <mutex>
 #include <set>
-#include <toml++/toml.h>
 #include <unordered_map>
 
 #include "worlds/base/bundled_languages.h"
 #include "worlds/base/files.h"
 #include "worlds/base/text.h"
+#include "worlds/base/typist.h"
 
 namespace handrail {
 namespace {
@@ -35,21 +36,25 @@ struct Language {
     std::filesystem::path folder;  // of the person's own file
 };
 
-// The texts of a table, "section.key" each; what is not a text gets a diagnostic. `fits` says what is wrong with a text, or nothing.
+// The texts of a table, "section.key" each; what is not a text gets a diagnostic. `fits` says what is wrong with a
+// text, or nothing.
 template <class Fits>
-void gather(const toml::table& table, const std::string& prefix, const std::string& file, const Fits& fits, Language& into, std::vector<Diagnostic>& faults) {
+void gather(const toml::table& table, const std::string& prefix, const std::string& file, const Fits& fits,
+            Language& into, std::vector<Diagnostic>& faults) {
     for (const auto& [name, node] : table) {
         const std::string key = prefix + std::string(name.str());
         const int line = static_cast<int>(node.source().begin.line);
         if (const toml::table* inner = node.as_table()) gather(*inner, key + ".", file, fits, into, faults);
         else if (const auto* value = node.as_string(); !value)
             faults.push_back({Severity::Warning, file, line, 0, phrase("language.not_a_text", {{"key", key}}), ""});
-        else if (const std::string fault = fits(key, value->get()); !fault.empty()) faults.push_back({Severity::Warning, file, line, 0, fault, ""});
+        else if (const std::string fault = fits(key, value->get()); !fault.empty())
+            faults.push_back({Severity::Warning, file, line, 0, fault, ""});
         else into.texts[key] = value->get();
     }
 }
 
-// Languages live as long as the process, longer than its static objects: another thread may be reading one that was just left.
+// Languages live as long as the process, longer than its static objects: another thread may be reading one that was
+// just left.
 Language& kept(Language language) {
     static std::mutex guard;
     static auto& all = *new std::deque<Language>;
@@ -62,7 +67,8 @@ const Language* make_bundled(const BundledLanguage& source) {
     Language made{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
     std::vector<Diagnostic> faults;
     gather(
-        toml::parse(source.content), "", "", [](const std::string&, const std::string&) { return std::string(); }, made, faults);
+        toml::parse(source.content), "", "", [](const std::string&, const std::string&) { return std::string(); }, made,
+        faults);
     return &kept(std::move(made));
 }
 
@@ -96,7 +102,9 @@ const std::string* find(const Language& language, std::string_view key) {
     return at == language.texts.end() ? nullptr : &at->second;
 }
 
-icu::UnicodeString wide(std::string_view utf8) { return icu::UnicodeString::fromUTF8(icu::StringPiece(utf8.data(), static_cast<int32_t>(utf8.size()))); }
+icu::UnicodeString wide(std::string_view utf8) {
+    return icu::UnicodeString::fromUTF8(icu::StringPiece(utf8.data(), static_cast<int32_t>(utf8.size())));
+}
 
 std::string narrow(const icu::UnicodeString& text) {
     std::string utf8;
@@ -106,17 +114,20 @@ std::string narrow(const icu::UnicodeString& text) {
 
 // Letters, digits, "-" and "_": no path leads elsewhere.
 bool may_be_code(std::string_view code) {
-    return !code.empty() && std::all_of(code.begin(), code.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_'; });
+    return !code.empty() && std::all_of(code.begin(), code.end(), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_';
+    });
 }
 
 // Whether a pattern says what it means as it stands.
 bool is_plain(std::string_view pattern) { return pattern.find_first_of("{}'") == std::string_view::npos; }
 
-// Patterns that were said before, ready to be filled: making one takes longer than all the rest. Formats make some of their parts when first used, even
-// where they are const, so one thread at a time fills them.
+// Patterns that were said before, ready to be filled: making one takes longer than all the rest. Formats make some of
+// their parts when first used, even where they are const, so one thread at a time fills them.
 struct Compiled {
     std::mutex guard;
-    std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>> formats;  // by the text of a kept language, which never moves
+    std::unordered_map<const std::string*, std::unique_ptr<const icu::MessageFormat>>
+        formats;  // by the text of a kept language, which never moves
 };
 Compiled& compiled() {
     static auto& all = *new Compiled;  // as long as the languages
@@ -150,19 +161,33 @@ std::string fill(const Language& language, const std::string& pattern, std::init
 // What keeps `pattern` from standing for English's text under `key`, in a sentence; nothing if it may.
 std::string misfit(const std::string& key, const std::string& pattern) {
     std::vector<std::string> asked, offered;
-    if (const std::string fault = pattern_fault(pattern, &asked); !fault.empty()) return phrase("language.bad_pattern", {{"key", key}, {"fault", fault}});
+    if (const std::string fault = pattern_fault(pattern, &asked); !fault.empty())
+        return phrase("language.bad_pattern", {{"key", key}, {"fault", fault}});
     const std::string* original = find(english(), key);
     if (!original) return phrase("language.unknown_key", {{"key", key}});
     pattern_fault(*original, &offered);
     for (const std::string& name : asked)
-        if (!std::binary_search(offered.begin(), offered.end(), name)) return phrase("language.unknown_value", {{"key", key}, {"name", name}});
+        if (!std::binary_search(offered.begin(), offered.end(), name))
+            return phrase("language.unknown_value", {{"key", key}, {"name", name}});
     return "";
 }
 
+std::atomic<ActsBy> acts_by{ActsBy::WindowKeys};
+
 }  // namespace
+
+void speak_to(ActsBy who) { acts_by.store(who, std::memory_order_relaxed); }
+ActsBy spoken_to() { return acts_by.load(std::memory_order_relaxed); }
 
 std::string phrase(std::string_view key, std::initializer_list<TextValue> values) {
     const Language& language = language_spoken();
+    if (speaks_to_typist()) {
+        const std::string typed = std::string(key) + "_typed";
+        if (const std::string* pattern = find(language, typed)) return fill(language, *pattern, values);
+        // A language of one's own may have the first form alone.
+        if (const std::string* pattern = find(english(), typed); pattern && !find(language, key))
+            return fill(english(), *pattern, values);
+    }
     if (const std::string* pattern = find(language, key)) return fill(language, *pattern, values);
     if (const std::string* pattern = find(english(), key)) return fill(english(), *pattern, values);
     return std::string(key);
@@ -179,8 +204,10 @@ std::string capitalised(std::string_view text) {
 
 std::vector<LanguageName> bundled_languages() {
     std::vector<LanguageName> names;
-    for (const BundledLanguage& source : kBundledLanguages) names.push_back({std::string(source.code), *find(*bundled(source.code), "language.name")});
-    std::stable_partition(names.begin(), names.end(), [](const LanguageName& language) { return language.code == kEnglish; });
+    for (const BundledLanguage& source : kBundledLanguages)
+        names.push_back({std::string(source.code), *find(*bundled(source.code), "language.name")});
+    std::stable_partition(names.begin(), names.end(),
+                          [](const LanguageName& language) { return language.code == kEnglish; });
     return names;
 }
 
@@ -209,7 +236,8 @@ std::string language_of_environment(const std::filesystem::path& folder) {
         if (!locale || !*locale) continue;
         const std::string code = std::string(locale).substr(0, std::string_view(locale).find_first_of("_.@"));
         if (!may_be_code(code)) break;
-        const bool comes_along = std::any_of(kBundledLanguages.begin(), kBundledLanguages.end(), [&](const auto& source) { return source.code == code; });
+        const bool comes_along = std::any_of(kBundledLanguages.begin(), kBundledLanguages.end(),
+                                             [&](const auto& source) { return source.code == code; });
         std::error_code ec;
         if (comes_along || (!folder.empty() && std::filesystem::exists(folder / (code + ".toml"), ec))) return code;
         break;
@@ -220,7 +248,8 @@ std::string language_of_environment(const std::filesystem::path& folder) {
 std::string in_spoken_language(const std::string& text, const OtherLanguages& others) {
     if (others.empty()) return text;
     const std::string& code = language_spoken().code;
-    const auto spoken = std::find_if(others.begin(), others.end(), [&](const TextIn& other) { return other.language == code; });
+    const auto spoken =
+        std::find_if(others.begin(), others.end(), [&](const TextIn& other) { return other.language == code; });
     return spoken == others.end() ? text : spoken->text;
 }
 
@@ -242,19 +271,21 @@ Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std:
             Language own{std::string(code), icu::Locale(std::string(code).c_str()), {}, folder};
             if (language) {
                 own.texts = language->texts;
-                spoken.store(language, std::memory_order_release);  // what is wrong with the person's own texts is told in it
+                spoken.store(language,
+                             std::memory_order_release);  // what is wrong with the person's own texts is told in it
             }
             gather(table, "", path.filename().string(), misfit, own, faults);
             language = &kept(std::move(own));
         } catch (const toml::parse_error& error) {
-            return fail(phrase("language.damaged", {{"reason", std::string(error.description())}}), path.filename().string(),
-                        static_cast<int>(error.source().begin.line));
+            return fail(phrase("language.damaged", {{"reason", std::string(error.description())}}),
+                        path.filename().string(), static_cast<int>(error.source().begin.line));
         }
     }
     if (!language) {
         std::vector<std::string> codes;
         for (const BundledLanguage& source : kBundledLanguages) codes.emplace_back(source.code);
-        return fail(phrase("language.unknown", {{"code", std::string(code)}, {"codes", fmt::format("{}", fmt::join(codes, ", "))}}));
+        return fail(phrase("language.unknown",
+                           {{"code", std::string(code)}, {"codes", fmt::format("{}", fmt::join(codes, ", "))}}));
     }
     spoken.store(language, std::memory_order_release);
     return faults;
@@ -264,13 +295,15 @@ std::string pattern_fault(std::string_view pattern, std::vector<std::string>* na
     UErrorCode status = U_ZERO_ERROR;
     UParseError where{};
     const icu::MessageFormat format(wide(pattern), icu::Locale::getEnglish(), where, status);
-    if (U_FAILURE(status)) return phrase("language.fault_at", {{"fault", u_errorName(status)}, {"character", where.offset + 1}});
+    if (U_FAILURE(status))
+        return phrase("language.fault_at", {{"fault", u_errorName(status)}, {"character", where.offset + 1}});
     if (names) {
         UErrorCode parsed = U_ZERO_ERROR;
         const icu::MessagePattern parts(wide(pattern), nullptr, parsed);
         std::set<std::string> found;
         for (int32_t i = 0; i < parts.countParts(); ++i)
-            if (parts.getPartType(i) == UMSGPAT_PART_TYPE_ARG_NAME) found.insert(narrow(parts.getSubstring(parts.getPart(i))));
+            if (parts.getPartType(i) == UMSGPAT_PART_TYPE_ARG_NAME)
+                found.insert(narrow(parts.getSubstring(parts.getPart(i))));
         names->assign(found.begin(), found.end());
     }
     return "";

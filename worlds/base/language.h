@@ -1,9 +1,11 @@
-// What Handrail says, in the person's language. Every string that a person hears or reads stands in settings/languages, one file for each
-// language, under a key; code names the key and gives the values. Patterns are ICU's MessageFormat, so that each language has its own
-// number signs, plural forms and word order: "{steps, plural, one {# step} other {# steps}}".
+// What Handrail says, in the person's language. Every string that a person hears or reads stands in settings/languages,
+// one file for each language, under a key; code names the key and gives the values. Patterns are ICU's MessageFormat,
+// so that each language has its own number signs, plural forms and word order: "{steps, plural, one {# step} other {#
+// steps}}".
 //
-// The language spoken is one for the whole process, as the C locale is: a reader that fails deep in a file has nobody to ask. It starts as
-// English, is changed on the app thread by speak_language, and may be read on any thread but the servo's (phrase allocates).
+// The language spoken is one for the whole process, as the C locale is: a reader that fails deep in a file has nobody
+// to ask. It starts as English, is changed on the app thread by speak_language, and may be read on any thread but the
+// servo's (phrase allocates).
 #pragma once
 
 #include <concepts>
@@ -20,7 +22,8 @@
 
 namespace handrail {
 
-// One value of a pattern: "{name}". Whole numbers choose plural forms; how many decimals a number gets, the pattern says ("{m, number, ::.0}").
+// One value of a pattern: "{name}". Whole numbers choose plural forms; how many decimals a number gets, the pattern
+// says ("{m, number, ::.0}").
 struct TextValue {
     std::string_view name;
     std::variant<std::int64_t, double, std::string_view> value;
@@ -32,8 +35,9 @@ struct TextValue {
     TextValue(std::string_view n, std::string_view v) : name(n), value(v) {}
 };
 
-// The text under `key` ("rooms.too_far") in the language spoken, with its values put in; English where that language lacks it, the key
-// itself where English lacks it too. What a text with values costs stands in docs/results.md; the first time it is said, up to ten times that.
+// The text under `key` ("rooms.too_far") in the language spoken, with its values put in; English where that language
+// lacks it, the key itself where English lacks it too. What a text with values costs stands in docs/results.md; the
+// first time it is said, up to ten times that.
 std::string phrase(std::string_view key, std::initializer_list<TextValue> values = {});
 // Whether the language spoken, or English, has the key: for keys made of names that come from files ("material.moss").
 bool has_phrase(std::string_view key);
@@ -62,15 +66,16 @@ std::vector<LanguageName> bundled_languages();
 std::vector<LanguageName> languages_to_choose(const std::filesystem::path& folder);
 // The code of the language spoken: "en".
 std::string spoken_language();
-// The code of the language that the environment asks for (LC_ALL, LC_MESSAGES, LANG, the first that is set) if it comes with the program or has a file in
-// `folder`, which is not opened; else "en".
+// The code of the language that the environment asks for (LC_ALL, LC_MESSAGES, LANG, the first that is set) if it comes
+// with the program or has a file in `folder`, which is not opened; else "en".
 std::string language_of_environment(const std::filesystem::path& folder);
 // Where its own file was read from, for a process that is to speak the same; empty where there was none.
 std::filesystem::path spoken_language_folder();
 
-// Speaks `code` from now on. A file CODE.toml in `folder` (which may be empty or absent) adds a language or replaces single texts of a bundled
-// one. Returns what is wrong with that file, text by text, each of which is then said as before (bundled, else English); a bundled language tells it itself.
-// Fails, and changes nothing, if there is no such language or its file is damaged. App thread.
+// Speaks `code` from now on. A file CODE.toml in `folder` (which may be empty or absent) adds a language or replaces
+// single texts of a bundled one. Returns what is wrong with that file, text by text, each of which is then said as
+// before (bundled, else English); a bundled language tells it itself. Fails, and changes nothing, if there is no such
+// language or its file is damaged. App thread.
 Result<std::vector<Diagnostic>> speak_language(std::string_view code, const std::filesystem::path& folder = {});
 
 // A pattern's fault in ICU's words, or nothing. `names` receives the values that it asks for, sorted.

@@ -7,5 +7,7 @@ template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
 };
+template <class... F>
+Overloaded(F...) -> Overloaded<F...>;  // clang needs it said up to its release 16
 
 }  // namespace handrail

@@ -1,6 +1,7 @@
 #include "worlds/base/result.h"
 
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
 
 namespace handrail {
 namespace {
@@ -19,12 +20,13 @@ std::string place(const std::string& file, int line, int column) {
 
 }  // namespace
 
-std::string Error::sentence() const { return place(file, line, column) + message; }
+std::string Error::sentence() const { return one_line(place(file, line, column) + message); }
 
 std::string Diagnostic::sentence() const {
-    std::string all = place(file, line, column) + phrase(severity == Severity::Error ? "error.error" : "error.warning") + message;
+    std::string all =
+        place(file, line, column) + phrase(severity == Severity::Error ? "error.error" : "error.warning") + message;
     if (!action.empty()) all += " " + action;
-    return all;
+    return one_line(all);
 }
 
 }  // namespace handrail

@@ -1,4 +1,5 @@
-// Errors that a person can act on. The world can be wrong (files, devices, users): functions that meet it return Result<T>.
+// Errors that a person can act on. The world can be wrong (files, devices, users): functions that meet it return
+// Result<T>.
 #pragma once
 
 #include <string>
@@ -27,7 +28,8 @@ inline tl::unexpected<Error> fail(std::string message, std::string file = {}, in
 
 enum class Severity { Warning, Error };
 
-// Something a reader met and how it went on. `message` says what was expected and found, `action` what was done about it.
+// Something a reader met and how it went on. `message` says what was expected and found, `action` what was done about
+// it.
 struct Diagnostic {
     Severity severity = Severity::Warning;
     std::string file;

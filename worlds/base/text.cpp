@@ -7,6 +7,29 @@
 #include <vector>
 
 namespace handrail {
+namespace {
+
+// Of the first character of `text`; 0 where that is no well-formed UTF-8.
+std::size_t bytes_of_character(std::string_view text) {
+    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+    const unsigned first = byte(0);
+    const std::size_t extra = first < 0x80       ? 0
+                              : first >> 5 == 6  ? 1
+                              : first >> 4 == 14 ? 2
+                              : first >> 3 == 30 ? 3
+                                                 : text.size();
+    if (extra >= text.size()) return 0;
+    unsigned code = extra == 0 ? first : first & (0x3fU >> extra);
+    for (std::size_t k = 1; k <= extra; ++k) {
+        if (byte(k) >> 6 != 2) return 0;
+        code = code << 6 | (byte(k) & 0x3fU);
+    }
+    constexpr unsigned kLeast[] = {0, 0x80, 0x800, 0x10000};
+    if (code < kLeast[extra] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return 0;
+    return extra + 1;
+}
+
+}  // namespace
 
 std::string lower_ascii(std::string_view text) {
     std::string out(text);
@@ -41,22 +64,39 @@ std::string nearest_name(std::string_view word, std::span<const std::string> can
     return found ? *found : std::string{};
 }
 
+std::string nearest_key(std::string_view key, std::span<const std::string> keys) {
+    const std::size_t dot = key.rfind('.');
+    if (dot == std::string_view::npos) return nearest_name(key, keys);
+    const std::string table = lower_ascii(key.substr(0, dot + 1));
+    std::vector<std::string> same;
+    for (const std::string& known : keys)
+        if (known.starts_with(table) && known.find('.', table.size()) == std::string::npos) same.push_back(known);
+    return same.empty() ? nearest_name(key, keys) : nearest_name(key, same);
+}
+
 bool is_utf8(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
-        const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
-        const unsigned first = byte(i);
-        const std::size_t extra = first < 0x80 ? 0 : first >> 5 == 6 ? 1 : first >> 4 == 14 ? 2 : first >> 3 == 30 ? 3 : text.size();
-        if (i + extra >= text.size()) return false;
-        unsigned code = extra == 0 ? first : first & (0x3fU >> extra);
-        for (std::size_t k = 1; k <= extra; ++k) {
-            if (byte(i + k) >> 6 != 2) return false;
-            code = code << 6 | (byte(i + k) & 0x3fU);
-        }
-        constexpr unsigned kLeast[] = {0, 0x80, 0x800, 0x10000};
-        if (code < kLeast[extra] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
-        i += extra + 1;
+        const std::size_t bytes = bytes_of_character(text.substr(i));
+        if (bytes == 0) return false;
+        i += bytes;
     }
     return true;
+}
+
+std::string one_line(std::string_view text) {
+    std::string line;
+    line.reserve(text.size());
+    while (!text.empty()) {
+        const std::size_t bytes = std::max<std::size_t>(bytes_of_character(text), 1);
+        const std::string_view character = text.substr(0, bytes);
+        const auto first = static_cast<unsigned char>(character[0]),
+                   second = static_cast<unsigned char>(bytes > 1 ? character[1] : 0);
+        if (first < 0x20 || first == 0x7f || (first == 0xc2 && second < 0xa0 && bytes == 2)) line += ' ';
+        else if (bytes == 1 && first >= 0x80) line += "\xEF\xBF\xBD";
+        else line += character;
+        text.remove_prefix(bytes);
+    }
+    return line;
 }
 
 std::vector<std::string> characters_of(std::string_view text) {

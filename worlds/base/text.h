@@ -8,15 +8,21 @@
 
 namespace handrail {
 
-// The candidate with the smallest edit distance to `word` (ASCII case ignored; ties: the first), for "did you mean ..." sentences.
-// Empty when there are no candidates.
+// The candidate with the smallest edit distance to `word` (ASCII case ignored; ties: the first), for "did you mean ..."
+// sentences. Empty when there are no candidates.
 std::string nearest_name(std::string_view word, std::span<const std::string> candidates);
+// The same of keys with dots, "table.key": among those of its own table where there is such a table, else among all.
+std::string nearest_key(std::string_view key, std::span<const std::string> keys);
 
 // ASCII lower case; other bytes stay as they are.
 std::string lower_ascii(std::string_view text);
 
 // Well-formed UTF-8: no stray bytes, overlong forms, surrogates or values above U+10FFFF.
 bool is_utf8(std::string_view text);
+
+// As one line that can be spoken and printed, whatever a file put into it: control characters are spaces, bytes that
+// are no UTF-8 the replacement character.
+std::string one_line(std::string_view text);
 
 // The characters of well-formed UTF-8, one string each; of other text its bytes where they make none.
 std::vector<std::string> characters_of(std::string_view text);

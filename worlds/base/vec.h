@@ -1,5 +1,5 @@
-// Vectors and frames, one convention everywhere: right-handed, x east, y north, z up; metres, seconds, newtons, radians.
-// The haptic core, files and settings are double throughout; only drawing and sound sinks convert to float.
+// Vectors and frames, one convention everywhere: right-handed, x east, y north, z up; metres, seconds, newtons,
+// radians. The haptic core, files and settings are double throughout; only drawing and sound sinks convert to float.
 #pragma once
 
 #include <cmath>
@@ -31,11 +31,17 @@ inline double radians_from_degrees(double degrees) noexcept { return degrees * (
 inline double degrees_from_radians(double radians) noexcept { return radians * (180.0 / kPi); }
 
 // Unit vector that a body with this heading faces, in the horizontal plane.
-inline Vec3 forward_of_heading(double heading_rad) noexcept { return {std::sin(heading_rad), std::cos(heading_rad), 0.0}; }
+inline Vec3 forward_of_heading(double heading_rad) noexcept {
+    return {std::sin(heading_rad), std::cos(heading_rad), 0.0};
+}
 // Unit vector to the right of a body with this heading.
-inline Vec3 right_of_heading(double heading_rad) noexcept { return {std::cos(heading_rad), -std::sin(heading_rad), 0.0}; }
+inline Vec3 right_of_heading(double heading_rad) noexcept {
+    return {std::cos(heading_rad), -std::sin(heading_rad), 0.0};
+}
 
 // Which eighth of a turn an angle is nearest to: 0 for none, 2 for a quarter clockwise; 0 to 7 for any angle.
-inline std::size_t nearest_eighth(double angle_rad) noexcept { return static_cast<std::size_t>((std::lround(angle_rad / (kPi / 4.0)) % 8 + 8) % 8); }
+inline std::size_t nearest_eighth(double angle_rad) noexcept {
+    return static_cast<std::size_t>((std::lround(angle_rad / (kPi / 4.0)) % 8 + 8) % 8);
+}
 
 }  // namespace handrail

@@ -5,10 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "worlds/base/contract.h"
 #include "worlds/geometry/closest_point.h"
 
 namespace handrail {
 namespace {
+
+bool is_patch(const PatchGrid& grid) {
+    return grid.rows >= 3 && grid.columns >= 3 && grid.rows % 2 == 1 && grid.columns % 2 == 1 &&
+           grid.points_m.size() == static_cast<std::size_t>(grid.rows) * static_cast<std::size_t>(grid.columns);
+}
 
 using Curve = std::array<Vec3, 3>;
 
@@ -36,26 +42,32 @@ struct Splits {
 // Half of the error is for the grid, half for its outer edges, which may be split less finely than what lies within.
 Splits splits_of(const PatchGrid& grid, double chord_m) {
     const int rows = grid.rows / 2, columns = grid.columns / 2;
-    Splits splits{std::vector<int>(static_cast<std::size_t>(columns), 1), std::vector<int>(static_cast<std::size_t>(rows), 1)};
+    Splits splits{std::vector<int>(static_cast<std::size_t>(columns), 1),
+                  std::vector<int>(static_cast<std::size_t>(rows), 1)};
     for (int r = 0; r < rows; ++r)
         for (int c = 0; c < columns; ++c) {
-            // Second derivatives of the part, over 2: along u and v from the control net; the mixed one adds a twist to every cell.
+            // Second derivatives of the part, over 2: along u and v from the control net; the mixed one adds a twist to
+            // every cell.
             double bend_u = 0.0, bend_v = 0.0, twist = 0.0;
             for (int k = 0; k < 3; ++k) {
-                bend_u = std::max(bend_u, bend_of({grid.at(2 * r + k, 2 * c), grid.at(2 * r + k, 2 * c + 1), grid.at(2 * r + k, 2 * c + 2)}));
-                bend_v = std::max(bend_v, bend_of({grid.at(2 * r, 2 * c + k), grid.at(2 * r + 1, 2 * c + k), grid.at(2 * r + 2, 2 * c + k)}));
+                bend_u = std::max(bend_u, bend_of({grid.at(2 * r + k, 2 * c), grid.at(2 * r + k, 2 * c + 1),
+                                                   grid.at(2 * r + k, 2 * c + 2)}));
+                bend_v = std::max(bend_v, bend_of({grid.at(2 * r, 2 * c + k), grid.at(2 * r + 1, 2 * c + k),
+                                                   grid.at(2 * r + 2, 2 * c + k)}));
             }
             for (int i = 0; i < 2; ++i)
                 for (int j = 0; j < 2; ++j)
-                    twist = std::max(twist, glm::length(grid.at(2 * r + i, 2 * c + j) - grid.at(2 * r + i, 2 * c + j + 1) - grid.at(2 * r + i + 1, 2 * c + j) +
-                                                        grid.at(2 * r + i + 1, 2 * c + j + 1)));
-            // Linear over a triangle of sides 1/m and 1/n: error <= bend_u / m^2 + bend_v / n^2 + twist / (m n), since f_uv <= 4 twist and the bound has 1/4 of
-            // it.
+                    twist = std::max(
+                        twist, glm::length(grid.at(2 * r + i, 2 * c + j) - grid.at(2 * r + i, 2 * c + j + 1) -
+                                           grid.at(2 * r + i + 1, 2 * c + j) + grid.at(2 * r + i + 1, 2 * c + j + 1)));
+            // Linear over a triangle of sides 1/m and 1/n: error <= bend_u / m^2 + bend_v / n^2 + twist / (m n), since
+            // f_uv <= 4 twist and the bound has 1/4 of it.
             int& m = splits.across[static_cast<std::size_t>(c)];
             int& n = splits.up[static_cast<std::size_t>(r)];
             m = std::max(m, splits_for(bend_u, chord_m / 6.0));
             n = std::max(n, splits_for(bend_v, chord_m / 6.0));
-            while (twist / (static_cast<double>(m) * n) > chord_m / 6.0 && (m < kMostPatchSplits || n < kMostPatchSplits)) {
+            while (twist / (static_cast<double>(m) * n) > chord_m / 6.0 &&
+                   (m < kMostPatchSplits || n < kMostPatchSplits)) {
                 int& finer = (m <= n && m < kMostPatchSplits) || n >= kMostPatchSplits ? m : n;
                 finer *= 2;
             }
@@ -77,14 +89,21 @@ Vec3 on_edge(const Curve& curve, int step, int steps, double chord_m) {
 }  // namespace
 
 Vec3 point_of_patch(const PatchGrid& grid, int part_row, int part_column, double u, double v) {
+    contract_pre(part_row >= 0 && 2 * part_row + 2 < grid.rows && part_column >= 0 &&
+                 2 * part_column + 2 < grid.columns);
+    contract_pre(u >= 0.0 && u <= 1.0 && v >= 0.0 && v <= 1.0);
     Curve along;
     for (int k = 0; k < 3; ++k)
-        along[static_cast<std::size_t>(k)] = on_curve(
-            {grid.at(2 * part_row + k, 2 * part_column), grid.at(2 * part_row + k, 2 * part_column + 1), grid.at(2 * part_row + k, 2 * part_column + 2)}, u);
+        along[static_cast<std::size_t>(k)] =
+            on_curve({grid.at(2 * part_row + k, 2 * part_column), grid.at(2 * part_row + k, 2 * part_column + 1),
+                      grid.at(2 * part_row + k, 2 * part_column + 2)},
+                     u);
     return on_curve(along, v);
 }
 
 std::size_t triangles_of_patch(const PatchGrid& grid, double chord_m) {
+    contract_pre(is_patch(grid));
+    contract_pre(chord_m > 0.0);
     const Splits splits = splits_of(grid, chord_m);
     std::size_t across = 0, up = 0;
     for (const int m : splits.across) across += static_cast<std::size_t>(m);
@@ -93,6 +112,8 @@ std::size_t triangles_of_patch(const PatchGrid& grid, double chord_m) {
 }
 
 PatchMesh tessellate(const PatchGrid& grid, double chord_m) {
+    contract_pre(is_patch(grid));
+    contract_pre(chord_m > 0.0);
     const Splits splits = splits_of(grid, chord_m);
     // Every vertex of the grid, with where it lies.
     struct Knot {
@@ -101,7 +122,8 @@ PatchMesh tessellate(const PatchGrid& grid, double chord_m) {
     const auto knots_of = [](const std::vector<int>& counts) {
         std::vector<Knot> knots;
         for (std::size_t part = 0; part < counts.size(); ++part)
-            for (int step = 0; step < counts[part]; ++step) knots.push_back({static_cast<int>(part), step, counts[part]});
+            for (int step = 0; step < counts[part]; ++step)
+                knots.push_back({static_cast<int>(part), step, counts[part]});
         knots.push_back({static_cast<int>(counts.size()) - 1, counts.back(), counts.back()});
         return knots;
     };
@@ -121,7 +143,8 @@ PatchMesh tessellate(const PatchGrid& grid, double chord_m) {
                 const int line = i == 0 ? 0 : grid.columns - 1;
                 p = on_edge({grid.at(r, line), grid.at(r + 1, line), grid.at(r + 2, line)}, vstep, vsteps, chord_m);
             } else {
-                p = point_of_patch(grid, row, column, static_cast<double>(ustep) / usteps, static_cast<double>(vstep) / vsteps);
+                p = point_of_patch(grid, row, column, static_cast<double>(ustep) / usteps,
+                                   static_cast<double>(vstep) / vsteps);
             }
             out.mesh.points_m.push_back(p);
         }
@@ -135,7 +158,8 @@ PatchMesh tessellate(const PatchGrid& grid, double chord_m) {
             const std::array<Corners, 2> halves{Corners{index(i, j), index(i + 1, j), index(i + 1, j + 1)},
                                                 Corners{index(i, j), index(i + 1, j + 1), index(i, j + 1)}};
             for (const Corners& half : halves) {
-                const Vec3 &a = out.mesh.points_m[half[0]], &b = out.mesh.points_m[half[1]], &d = out.mesh.points_m[half[2]];
+                const Vec3 &a = out.mesh.points_m[half[0]], &b = out.mesh.points_m[half[1]],
+                           &d = out.mesh.points_m[half[2]];
                 const TriangleShape shape = make_triangle(a, b, d);
                 if (shape.degenerate) continue;
                 shapes[static_cast<std::size_t>(made++)] = shape;
@@ -146,7 +170,8 @@ PatchMesh tessellate(const PatchGrid& grid, double chord_m) {
                 const double u = (ustep + 0.25 * (1 + k % 3)) / usteps, v = (vstep + 0.25 * (1 + k / 3)) / vsteps;
                 const Vec3 p = point_of_patch(grid, row, column, u, v);
                 double nearest = std::numeric_limits<double>::infinity();
-                for (int s = 0; s < made; ++s) nearest = std::min(nearest, closest_point(shapes[static_cast<std::size_t>(s)], p).distance_m);
+                for (int s = 0; s < made; ++s)
+                    nearest = std::min(nearest, closest_point(shapes[static_cast<std::size_t>(s)], p).distance_m);
                 out.error_m = std::max(out.error_m, nearest);
             }
         }

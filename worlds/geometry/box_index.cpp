@@ -14,7 +14,9 @@ using Point = bg::model::point<double, 3, bg::cs::cartesian>;
 using Box = bg::model::box<Point>;
 using Entry = std::pair<Box, std::uint32_t>;
 
-Box box_of(const Aabb& box) { return {Point(box.min_m.x, box.min_m.y, box.min_m.z), Point(box.max_m.x, box.max_m.y, box.max_m.z)}; }
+Box box_of(const Aabb& box) {
+    return {Point(box.min_m.x, box.min_m.y, box.min_m.z), Point(box.max_m.x, box.max_m.y, box.max_m.z)};
+}
 
 std::vector<Entry> entries_of(std::span<const Aabb> boxes) {
     std::vector<Entry> entries;
@@ -39,7 +41,9 @@ BoxIndex& BoxIndex::operator=(BoxIndex&&) noexcept = default;
 void BoxIndex::find(const Aabb& box, std::vector<std::uint32_t>& found) const {
     found.clear();
     if (box.empty()) return;
-    tree_->rtree.query(bg::index::intersects(box_of(box)), boost::make_function_output_iterator([&](const Entry& entry) { found.push_back(entry.second); }));
+    tree_->rtree.query(
+        bg::index::intersects(box_of(box)),
+        boost::make_function_output_iterator([&](const Entry& entry) { found.push_back(entry.second); }));
     std::sort(found.begin(), found.end());
 }
 

@@ -1,4 +1,5 @@
-// Finds which of many boxes meet a given one. Immutable after building; queries from any thread. Building O(n log n), a query O(log n + found).
+// Finds which of many boxes meet a given one. Immutable after building; queries from any thread. Building O(n log n), a
+// query O(log n + found).
 #pragma once
 
 #include <cstdint>

@@ -4,8 +4,9 @@ namespace handrail {
 namespace {
 
 constexpr int kBins = 16;
-constexpr std::size_t kFew = 16;                  // so many are cut by fours, which fills the lowest nodes
-constexpr std::size_t kDepthOfPlainHalving = 32;  // beyond it items are halved by count, so that 2^31 items end within 64 levels
+constexpr std::size_t kFew = 16;  // so many are cut by fours, which fills the lowest nodes
+constexpr std::size_t kDepthOfPlainHalving =
+    32;  // beyond it items are halved by count, so that 2^31 items end within 64 levels
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 // Rounded so that it does not lie above, or below, the number itself.
@@ -21,7 +22,9 @@ float rounded_up(double v) noexcept { return -rounded_down(-v); }
 struct Bvh::Item {
     Four low, high;
 
-    std::uint32_t number() const noexcept { return static_cast<std::uint32_t>(low[3]) | static_cast<std::uint32_t>(high[3]) << 16; }
+    std::uint32_t number() const noexcept {
+        return static_cast<std::uint32_t>(low[3]) | static_cast<std::uint32_t>(high[3]) << 16;
+    }
     // Twice the middle.
     float middle(int axis) const noexcept { return low[axis] + high[axis]; }
 };
@@ -49,7 +52,8 @@ struct Box {
 
 }  // namespace
 
-// Of more than four items: orders them so that the first ones, whose number is returned, make one part and the rest the other.
+// Of more than four items: orders them so that the first ones, whose number is returned, make one part and the rest the
+// other.
 std::size_t Bvh::split(std::span<Item> items, std::size_t depth) {
     using FloatBox = Box<Four>;
     FloatBox middles;
@@ -60,7 +64,9 @@ std::size_t Bvh::split(std::span<Item> items, std::size_t depth) {
     const Four spread = middles.high - middles.low;
     const int axis = spread[0] >= spread[1] && spread[0] >= spread[2] ? 0 : spread[1] >= spread[2] ? 1 : 2;
     const auto before = [](int a) {
-        return [a](const Item& x, const Item& y) { return x.middle(a) != y.middle(a) ? x.middle(a) < y.middle(a) : x.number() < y.number(); };
+        return [a](const Item& x, const Item& y) {
+            return x.middle(a) != y.middle(a) ? x.middle(a) < y.middle(a) : x.number() < y.number();
+        };
     };
     if (items.size() <= kFew) {
         float best_cost = kInfinity;
@@ -97,7 +103,9 @@ std::size_t Bvh::split(std::span<Item> items, std::size_t depth) {
         };
         std::array<Bin, kBins> bins;
         const float low = middles.low[axis], scale = static_cast<float>(kBins) / spread[axis];
-        const auto bin_of = [&](const Item& item) { return std::clamp(static_cast<int>((item.middle(axis) - low) * scale), 0, kBins - 1); };
+        const auto bin_of = [&](const Item& item) {
+            return std::clamp(static_cast<int>((item.middle(axis) - low) * scale), 0, kBins - 1);
+        };
         for (const Item& item : items) {
             Bin& bin = bins[static_cast<std::size_t>(bin_of(item))];
             bin.box.include(item.low, item.high);
@@ -125,7 +133,8 @@ std::size_t Bvh::split(std::span<Item> items, std::size_t depth) {
             }
         }
         if (best >= 0) {
-            const auto middle = std::partition(items.begin(), items.end(), [&](const Item& item) { return bin_of(item) <= best; });
+            const auto middle =
+                std::partition(items.begin(), items.end(), [&](const Item& item) { return bin_of(item) <= best; });
             return static_cast<std::size_t>(middle - items.begin());
         }
     }

@@ -1,8 +1,9 @@
-// A hierarchy of boxes over boxes: which things are near a point. Built once off the real-time path (or refitted there, when the things move), then
-// only read; queries neither allocate nor throw. Nodes of four children, whose boxes are single precision relative to the middle of everything,
-// rounded outwards, and tested together; a child is another node or one item. About 40 bytes per item; about 0.3 us per item to build, 30 ns to refit.
-// Sources: Wald, On fast construction of SAH-based bounding volume hierarchies, 2007 (binning); Hjaltason & Samet, Distance browsing in spatial
-// databases, 1999 (nearest first).
+// A hierarchy of boxes over boxes: which things are near a point. Built once off the real-time path (or refitted there,
+// when the things move), then only read; queries neither allocate nor throw. Nodes of four children, whose boxes are
+// single precision relative to the middle of everything, rounded outwards, and tested together; a child is another node
+// or one item. About 40 bytes per item; about 0.3 us per item to build, 30 ns to refit. Sources: Wald, On fast
+// construction of SAH-based bounding volume hierarchies, 2007 (binning); Hjaltason & Samet, Distance browsing in
+// spatial databases, 1999 (nearest first).
 #pragma once
 
 #include <algorithm>
@@ -39,8 +40,8 @@ public:
     // Item i has bounds[i]; at most 2^31 of them, coordinates up to 1e9 m. Empty boxes are allowed and never found.
     explicit Bvh(std::span<const Aabb> bounds);
 
-    // The same items with other bounds, as many as at building: keeps the tree's shape, so queries are right whatever happened and fast while
-    // neighbours stayed neighbours. Items that were empty at building stay unfound.
+    // The same items with other bounds, as many as at building: keeps the tree's shape, so queries are right whatever
+    // happened and fast while neighbours stayed neighbours. Items that were empty at building stay unfound.
     void refit(std::span<const Aabb> bounds);
 
     bool empty() const noexcept { return nodes_.empty(); }
@@ -48,8 +49,9 @@ public:
     Aabb bounds() const noexcept { return bounds_; }
     std::size_t bytes() const noexcept { return nodes_.capacity() * sizeof(Node); }
 
-    // Calls visit(item, reach_m) for every item whose box lies within reach_m of the point, and for some that lie little farther; visit may lower
-    // reach_m (never raise it). As many looks as there are items near: for use on a tick only where these are few.
+    // Calls visit(item, reach_m) for every item whose box lies within reach_m of the point, and for some that lie
+    // little farther; visit may lower reach_m (never raise it). As many looks as there are items near: for use on a
+    // tick only where these are few.
     template <class Visit>
     void within(const Vec3& point_m, double reach_m, Visit&& visit) const noexcept {
         if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return;
@@ -72,9 +74,9 @@ public:
         }
     }
 
-    // The same, boxes of boxes in rising order of their distance, with at most `looks` nodes and items looked at, which it counts down (the queue must have
-    // been made for as many). Returns how far everything is known: every item whose box is nearer than that was visited. That is the last reach_m where the
-    // looks sufficed.
+    // The same, boxes of boxes in rising order of their distance, with at most `looks` nodes and items looked at, which
+    // it counts down (the queue must have been made for as many). Returns how far everything is known: every item whose
+    // box is nearer than that was visited. That is the last reach_m where the looks sufficed.
     template <class Visit>
     double nearest_first(const Vec3& point_m, double reach_m, int& looks, Queue& queue, Visit&& visit) const noexcept {
         if (nodes_.empty() || !(distance_squared(bounds_, point_m) <= reach_m * reach_m)) return reach_m;
@@ -137,18 +139,22 @@ private:
         explicit Query(const Vec3& p) noexcept
             : at{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
               slack_m((std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) * 2.4e-7 + 1e-30) {}
-        // Nothing within reach_m has a greater squared distance in single precision; never infinite, as children are that are not there.
+        // Nothing within reach_m has a greater squared distance in single precision; never infinite, as children are
+        // that are not there.
         float squared(double reach_m) const noexcept {
             const double reach = std::min(reach_m + slack_m, 1e18);
             return static_cast<float>(reach * reach * 1.000002);
         }
-        double at_least(float distance2) const noexcept { return std::max(0.0, std::sqrt(static_cast<double>(distance2)) * 0.999999 - slack_m); }
+        double at_least(float distance2) const noexcept {
+            return std::max(0.0, std::sqrt(static_cast<double>(distance2)) * 0.999999 - slack_m);
+        }
     };
 
     static Four greater(const Four& a, const Four& b) noexcept { return a > b ? a : b; }
 
     // The children within reach, nearest first; their number.
-    static std::size_t near_children(const Node& node, const Query& query, float reach2, std::array<Place, 4>& near) noexcept {
+    static std::size_t near_children(const Node& node, const Query& query, float reach2,
+                                     std::array<Place, 4>& near) noexcept {
         Four sum{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const float p = query.at[axis];

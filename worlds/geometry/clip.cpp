@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/contract.h"
+
 namespace handrail {
 namespace {
 
@@ -12,7 +14,8 @@ constexpr double kSameDirection = 1e-10;  // 1 - dot of two normals that repeat 
 // Sets the coordinate that an axis-aligned plane fixes.
 void snap_to(Vec3& point_m, const Plane& plane) noexcept {
     for (int axis = 0; axis < 3; ++axis)
-        if (std::abs(plane.normal[axis]) == 1.0) point_m[axis] = plane.normal[axis] * plane.offset_m + 0.0;  // + 0.0: never minus zero
+        if (std::abs(plane.normal[axis]) == 1.0)
+            point_m[axis] = plane.normal[axis] * plane.offset_m + 0.0;  // + 0.0: never minus zero
 }
 
 // A square on the plane, counter-clockwise seen from its front.
@@ -27,7 +30,8 @@ std::vector<Vec3> start_square(const Plane& plane, const Vec3& near_m, double ha
     return square;
 }
 
-void cut(std::span<const Vec3> points_m, const Plane& plane, double cut_m, std::vector<Vec3>& back_m, std::vector<Vec3>* front_m) {
+void cut(std::span<const Vec3> points_m, const Plane& plane, double cut_m, std::vector<Vec3>& back_m,
+         std::vector<Vec3>* front_m) {
     back_m.clear();
     if (front_m) front_m->clear();
     const std::size_t count = points_m.size();
@@ -49,7 +53,8 @@ bool repeats(const Plane& a, const Plane& b, double cut_m) noexcept {
     return glm::dot(a.normal, b.normal) > 1.0 - kSameDirection && std::abs(a.offset_m - b.offset_m) <= cut_m;
 }
 
-void intersect(std::span<const Plane> planes, const Vec3& near_m, double half_m, const CutTolerance& tolerance, BuiltSolid& out) {
+void intersect(std::span<const Plane> planes, const Vec3& near_m, double half_m, const CutTolerance& tolerance,
+               BuiltSolid& out) {
     out.solid = {};
     out.plane_index.clear();
     std::vector<Vec3> points, scratch;
@@ -58,7 +63,8 @@ void intersect(std::span<const Plane> planes, const Vec3& near_m, double half_m,
         if (std::any_of(planes.begin(), planes.begin() + i, repeats_this)) continue;
         points = start_square(planes[i], near_m, half_m);
         for (std::uint32_t j = 0; j < planes.size() && points.size() >= 3; ++j)
-            if (j != i && !repeats(planes[i], planes[j], tolerance.cut_m)) keep_back(points, planes[j], tolerance.cut_m, scratch);
+            if (j != i && !repeats(planes[i], planes[j], tolerance.cut_m))
+                keep_back(points, planes[j], tolerance.cut_m, scratch);
         tidy(points, tolerance.merge_m);
         if (points.size() < 3) continue;
         out.solid.planes.push_back(planes[i]);
@@ -75,7 +81,8 @@ SolidFault fault_of(const ConvexSolid& solid, const Vec3& near_m, double half_m,
     if (std::max({reach.x, reach.y, reach.z}) > half_m * 0.5) return SolidFault::Open;
     if (solid.faces.size() < 4) return SolidFault::Empty;
     double volume = 0.0;
-    for (std::size_t i = 0; i < solid.faces.size(); ++i) volume += area_m2(solid.faces[i]) * -signed_distance(solid.planes[i], solid.bounds_m.centre_m()) / 3.0;
+    for (std::size_t i = 0; i < solid.faces.size(); ++i)
+        volume += area_m2(solid.faces[i]) * -signed_distance(solid.planes[i], solid.bounds_m.centre_m()) / 3.0;
     const Vec3 size = solid.bounds_m.size_m();
     return volume > merge_m * merge_m * std::max({size.x, size.y, size.z}) ? SolidFault::None : SolidFault::Empty;
 }
@@ -84,7 +91,8 @@ SolidFault fault_of(const ConvexSolid& solid, const Vec3& near_m, double half_m,
 
 Vec3 area_vector_m2(std::span<const Vec3> points_m) noexcept {
     Vec3 sum{0.0};
-    for (std::size_t i = 1; i + 1 < points_m.size(); ++i) sum += glm::cross(points_m[i] - points_m[0], points_m[i + 1] - points_m[0]);
+    for (std::size_t i = 1; i + 1 < points_m.size(); ++i)
+        sum += glm::cross(points_m[i] - points_m[0], points_m[i + 1] - points_m[0]);
     return 0.5 * sum;
 }
 
@@ -119,11 +127,16 @@ Side side_of(std::span<const Vec3> points_m, const Plane& plane, double cut_m) n
     return back ? Side::Back : Side::On;
 }
 
-void split(std::span<const Vec3> points_m, const Plane& plane, double cut_m, std::vector<Vec3>& back_m, std::vector<Vec3>& front_m) {
+void split(std::span<const Vec3> points_m, const Plane& plane, double cut_m, std::vector<Vec3>& back_m,
+           std::vector<Vec3>& front_m) {
+    contract_pre(cut_m >= 0.0);
+    contract_pre(&back_m != &front_m);
     cut(points_m, plane, cut_m, back_m, &front_m);
 }
 
 void keep_back(std::vector<Vec3>& points_m, const Plane& plane, double cut_m, std::vector<Vec3>& scratch) {
+    contract_pre(cut_m >= 0.0);
+    contract_pre(&points_m != &scratch);
     const Side side = side_of(points_m, plane, cut_m);
     if (side == Side::Front) points_m.clear();
     if (side != Side::Across) return;
@@ -132,11 +145,15 @@ void keep_back(std::vector<Vec3>& points_m, const Plane& plane, double cut_m, st
 }
 
 void tidy(std::vector<Vec3>& points_m, double merge_m) {
-    const auto near_each_other = [merge_m](const Vec3& a, const Vec3& b) { return glm::dot(a - b, a - b) <= merge_m * merge_m; };
+    contract_pre(merge_m >= 0.0);
+    const auto near_each_other = [merge_m](const Vec3& a, const Vec3& b) {
+        return glm::dot(a - b, a - b) <= merge_m * merge_m;
+    };
     points_m.erase(std::unique(points_m.begin(), points_m.end(), near_each_other), points_m.end());
     while (points_m.size() > 1 && near_each_other(points_m.front(), points_m.back())) points_m.pop_back();
     double longest_m = 0.0;
-    for (std::size_t i = 1; i < points_m.size(); ++i) longest_m = std::max(longest_m, glm::length(points_m[i] - points_m[0]));
+    for (std::size_t i = 1; i < points_m.size(); ++i)
+        longest_m = std::max(longest_m, glm::length(points_m[i] - points_m[0]));
     if (points_m.size() < 3 || area_m2(points_m) <= longest_m * merge_m) points_m.clear();
 }
 
@@ -156,7 +173,10 @@ bool plane_from_clockwise(const Vec3& p0_m, const Vec3& p1_m, const Vec3& p2_m, 
     return true;
 }
 
-BuiltSolid solid_from_planes(std::span<const Plane> planes, const Vec3& near_m, double reach_m, const CutTolerance& tolerance) {
+BuiltSolid solid_from_planes(std::span<const Plane> planes, const Vec3& near_m, double reach_m,
+                             const CutTolerance& tolerance) {
+    contract_pre(is_finite(near_m));
+    contract_pre(reach_m > 0.0 && std::isfinite(reach_m));
     BuiltSolid out;
     std::vector<Plane> used(planes.begin(), planes.end());
     const double half_m = 2.0 * reach_m;

@@ -27,10 +27,12 @@ ClosestPoint from_corner(const Vec3& corner, const Vec3& p, const Vec3& sideless
     return {corner, distance > kSideless_m ? away / distance : sideless, distance};
 }
 
-// Over the very edge the direction is the face normal but for rounding; the exact one keeps neighbouring triangles of a plane equal.
+// Over the very edge the direction is the face normal but for rounding; the exact one keeps neighbouring triangles of a
+// plane equal.
 void snap_to_face(ClosestPoint& closest, const Vec3& normal) noexcept {
     const double along = glm::dot(closest.normal, normal);
-    if (std::abs(along) > 1.0 - 8.0 * std::numeric_limits<double>::epsilon()) closest.normal = along > 0.0 ? normal : -normal;
+    if (std::abs(along) > 1.0 - 8.0 * std::numeric_limits<double>::epsilon())
+        closest.normal = along > 0.0 ? normal : -normal;
 }
 
 }  // namespace
@@ -107,8 +109,8 @@ Vec3 make_polygon(std::span<const Vec3> points_m, std::vector<PolygonCorner>& co
         return Vec3(0.0);
     }
     const Vec3 normal = area / twice_area;
-    // From an end of the longest diagonal, which is a corner for certain. A corner goes when it and all that went since the last kept one lie on the line
-    // to the next.
+    // From an end of the longest diagonal, which is a corner for certain. A corner goes when it and all that went since
+    // the last kept one lie on the line to the next.
     const std::size_t count = points_m.size(), first = corners.size();
     std::size_t kept = 0;
     const auto point = [&](std::size_t i) -> const Vec3& { return points_m[(a + i) % count]; };
@@ -118,21 +120,24 @@ Vec3 make_polygon(std::span<const Vec3> points_m, std::vector<PolygonCorner>& co
         bool straight = i > 0;
         for (std::size_t k = kept + 1; k <= i && straight; ++k) {
             const Vec3 from = point(k) - point(kept);
-            straight = length > 0.0 ? glm::length(glm::cross(way, from)) <= kStraight_m * length : glm::length(from) <= kStraight_m;
+            straight = length > 0.0 ? glm::length(glm::cross(way, from)) <= kStraight_m * length
+                                    : glm::length(from) <= kStraight_m;
         }
         if (straight) continue;
         corners.push_back({point(i), Vec3(0.0)});
         kept = i;
     }
     const std::span<PolygonCorner> own = std::span(corners).subspan(first);
-    for (std::size_t i = 0; i < own.size(); ++i) own[i].outward = glm::cross(own[(i + 1) % own.size()].at_m - own[i].at_m, normal);
+    for (std::size_t i = 0; i < own.size(); ++i)
+        own[i].outward = glm::cross(own[(i + 1) % own.size()].at_m - own[i].at_m, normal);
     return normal;
 }
 
 ClosestPoint closest_point(const PolygonShape& polygon, const Vec3& p) noexcept {
     const std::span<const PolygonCorner> corners = polygon.corners;
     if (polygon.degenerate())
-        return from_corner(closest_on_segment(corners[0].at_m, corners[1].at_m, p), p, any_perpendicular(corners[1].at_m - corners[0].at_m));
+        return from_corner(closest_on_segment(corners[0].at_m, corners[1].at_m, p), p,
+                           any_perpendicular(corners[1].at_m - corners[0].at_m));
     Vec3 best{0.0};
     double best2 = std::numeric_limits<double>::infinity();
     const std::size_t count = corners.size();
@@ -160,10 +165,12 @@ ClosestPoint closest_point_of_triangle(const Vec3& a_m, const Vec3& b_m, const V
     const Vec3 ab = b - a, bc = c - b, ca = a - c;
     const Vec3 area = glm::cross(ca, ab);
     const double area2 = glm::dot(area, area), ab2 = glm::dot(ab, ab), bc2 = glm::dot(bc, bc), ca2 = glm::dot(ca, ca);
-    if (!(area2 > kLowestTriangle_m * kLowestTriangle_m * std::max({ab2, bc2, ca2}))) return closest_point(make_triangle(a_m, b_m, c_m), p);
+    if (!(area2 > kLowestTriangle_m * kLowestTriangle_m * std::max({ab2, bc2, ca2})))
+        return closest_point(make_triangle(a_m, b_m, c_m), p);
     Vec3 best{0.0};
     double best2 = std::numeric_limits<double>::infinity();
-    // An edge counts where the point lies outside of it; the volume of it, the point and the normal says on which side that is.
+    // An edge counts where the point lies outside of it; the volume of it, the point and the normal says on which side
+    // that is.
     const auto edge = [&](const Vec3& from, const Vec3& to, const Vec3& along, double length2) noexcept {
         if (glm::dot(area, glm::cross(from, to)) >= 0.0) return;
         const double t = -glm::dot(from, along);
@@ -180,7 +187,8 @@ ClosestPoint closest_point_of_triangle(const Vec3& a_m, const Vec3& b_m, const V
     const double height = -glm::dot(area, a);
     const bool over_face = best2 == std::numeric_limits<double>::infinity();
     const double along = -glm::dot(area, best);
-    if (!over_face && best2 > kSideless_m * kSideless_m && !(along * along > area2 * best2 * (1.0 - 16.0 * std::numeric_limits<double>::epsilon()))) {
+    if (!over_face && best2 > kSideless_m * kSideless_m &&
+        !(along * along > area2 * best2 * (1.0 - 16.0 * std::numeric_limits<double>::epsilon()))) {
         const double distance = std::sqrt(best2);
         return {p + best, best * (-1.0 / distance), distance};
     }
@@ -218,7 +226,8 @@ ClosestPoint closest_point(const Aabb& box, const Vec3& p) noexcept {
 ClosestPoint closest_point(const Aabb& box, double rounding_m, const Vec3& p) noexcept {
     const Vec3 core = glm::clamp(p, box.min_m + rounding_m, box.max_m - rounding_m);
     const Vec3 away = p - core;
-    const int beyond = static_cast<int>(away.x != 0.0) + static_cast<int>(away.y != 0.0) + static_cast<int>(away.z != 0.0);
+    const int beyond =
+        static_cast<int>(away.x != 0.0) + static_cast<int>(away.y != 0.0) + static_cast<int>(away.z != 0.0);
     const double distance = glm::length(away);
     if (beyond < 2 || distance <= kSideless_m) return closest_point(box, p);
     const Vec3 normal = away / distance;
@@ -228,7 +237,8 @@ ClosestPoint closest_point(const Aabb& box, double rounding_m, const Vec3& p) no
 namespace {
 
 template <bool kRounded>
-ClosestPoint closest_of_planes(std::span<const Plane> solid, [[maybe_unused]] double rounding_m, const Vec3& p) noexcept {
+ClosestPoint closest_of_planes(std::span<const Plane> solid, [[maybe_unused]] double rounding_m,
+                               const Vec3& p) noexcept {
     const auto inwards = [&](double distance) {
         if constexpr (kRounded) return distance + rounding_m;
         else return distance;
@@ -269,8 +279,12 @@ ClosestPoint closest_of_planes(std::span<const Plane> solid, [[maybe_unused]] do
 
 }  // namespace
 
-ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& p) noexcept { return closest_of_planes<false>(solid, 0.0, p); }
+ClosestPoint closest_point(std::span<const Plane> solid, const Vec3& p) noexcept {
+    return closest_of_planes<false>(solid, 0.0, p);
+}
 
-ClosestPoint closest_point(std::span<const Plane> solid, double rounding_m, const Vec3& p) noexcept { return closest_of_planes<true>(solid, rounding_m, p); }
+ClosestPoint closest_point(std::span<const Plane> solid, double rounding_m, const Vec3& p) noexcept {
+    return closest_of_planes<true>(solid, rounding_m, p);
+}
 
 }  // namespace handrail

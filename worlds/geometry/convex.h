@@ -14,7 +14,9 @@ struct Plane {
     double offset_m = 0.0;
 };
 
-inline double signed_distance(const Plane& plane, const Vec3& point_m) noexcept { return glm::dot(plane.normal, point_m) - plane.offset_m; }
+inline double signed_distance(const Plane& plane, const Vec3& point_m) noexcept {
+    return glm::dot(plane.normal, point_m) - plane.offset_m;
+}
 
 // Axis-aligned box; empty (min > max) until something was included.
 struct Aabb {
@@ -39,7 +41,8 @@ struct Polygon {
     std::vector<Vec3> points_m;
 };
 
-// A bounded intersection of half-spaces. faces[i] is the polygon of planes[i]: same size, planes that touch nothing are gone.
+// A bounded intersection of half-spaces. faces[i] is the polygon of planes[i]: same size, planes that touch nothing are
+// gone.
 struct ConvexSolid {
     std::vector<Plane> planes;
     std::vector<Polygon> faces;

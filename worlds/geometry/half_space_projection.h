@@ -1,8 +1,9 @@
-// The point of an intersection of half-spaces that is nearest to a goal: a quadratic programme in three variables with at most three
-// active constraints, solved exactly by dual basis exchange. Pure function, any thread, no allocation, never throws. The renderer moves
-// the proxy with it and finds the closest point of a convex brush with it. Cost: a few scans of all half-spaces, 4 multiplications each.
-// In double precision everywhere in the program; the scalar is a parameter so that single precision can be compared.
-// Source of the scheme: Sharir & Welzl, A combinatorial bound for linear programming and related problems, STACS 1992 (LP-type problems).
+// The point of an intersection of half-spaces that is nearest to a goal: a quadratic programme in three variables with
+// at most three active constraints, solved exactly by dual basis exchange. Pure function, any thread, no allocation,
+// never throws. The renderer moves the proxy with it and finds the closest point of a convex brush with it. Cost: a few
+// scans of all half-spaces, 4 multiplications each. In double precision everywhere in the program; the scalar is a
+// parameter so that single precision can be compared. Source of the scheme: Sharir & Welzl, A combinatorial bound for
+// linear programming and related problems, STACS 1992 (LP-type problems).
 #pragma once
 
 #include <array>
@@ -21,7 +22,8 @@ struct BasicHalfSpace {
 };
 using HalfSpace = BasicHalfSpace<double>;
 
-// A half-space counts as violated beyond this; far below anything a hand feels, far above rounding within 1 km of the local origin.
+// A half-space counts as violated beyond this; far below anything a hand feels, far above rounding within 1 km of the
+// local origin.
 inline constexpr double kProjectionTolerance_m = 1e-10;
 template <class Real>
 inline constexpr Real kProjectionToleranceOf = static_cast<Real>(kProjectionTolerance_m);
@@ -48,11 +50,13 @@ struct Member {
 };
 
 // Optimum over `count` (1 to 4) members of which the last one is tight; false when no subset of at most three serves.
-// Duplicates, opposite walls (pairs) and triples of nearly coplanar normals have no usable solution and are passed over. Triples are passed over
-// far later than pairs: in a crevice of half a degree, sliding from one triangle of a wall to the next meets three cuts whose determinant is 1e-9,
-// and passing over them stops the ball for as long as the cuts stay (test: random grooves).
+// Duplicates, opposite walls (pairs) and triples of nearly coplanar normals have no usable solution and are passed
+// over. Triples are passed over far later than pairs: in a crevice of half a degree, sliding from one triangle of a
+// wall to the next meets three cuts whose determinant is 1e-9, and passing over them stops the ball for as long as the
+// cuts stay (test: random grooves).
 template <class Real>
-bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec<3, Real>& goal_m, BasicProjectionBasis<Real>& out) noexcept {
+bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec<3, Real>& goal_m,
+           BasicProjectionBasis<Real>& out) noexcept {
     using V = glm::vec<3, Real>;
     constexpr Real kSingularPair = static_cast<Real>(1e-12), kThinTriple = static_cast<Real>(1e-12);
     constexpr Real kSingularTriple = sizeof(Real) > 4 ? static_cast<Real>(1e-20) : kThinTriple;
@@ -102,11 +106,14 @@ bool solve(const std::array<Member<Real>, 4>& members, int count, const glm::vec
             const V mp = glm::cross(m.normal, p.normal);
             const Real det = glm::dot(m.normal, pq);
             if (det * det < kSingularTriple) continue;
-            const auto meeting = [&](Real of_m, Real of_p, Real of_q) { return (pq * of_m + qm * of_p + mp * of_q) / det; };
+            const auto meeting = [&](Real of_m, Real of_p, Real of_q) {
+                return (pq * of_m + qm * of_p + mp * of_q) / det;
+            };
             V d = meeting(m.offset_m, p.offset_m, q.offset_m);
             // Thin ones lose digits; what is left over is solved for once more.
             if (det * det < kThinTriple)
-                d += meeting(m.offset_m - glm::dot(m.normal, d), p.offset_m - glm::dot(p.normal, d), q.offset_m - glm::dot(q.normal, d));
+                d += meeting(m.offset_m - glm::dot(m.normal, d), p.offset_m - glm::dot(p.normal, d),
+                             q.offset_m - glm::dot(q.normal, d));
             const Real lm = glm::dot(d, pq) / det;
             const Real lp = glm::dot(d, qm) / det;
             const Real lq = glm::dot(d, mp) / det;
@@ -173,7 +180,8 @@ inline int most_violated_of(std::span<const HalfSpace> all, double grown_m, cons
 }
 
 template <class Real, class HalfSpaceAt, class MostViolated>
-bool exchange(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at, const MostViolated& most_violated, BasicProjectionBasis<Real>& basis) noexcept {
+bool exchange(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at, const MostViolated& most_violated,
+              BasicProjectionBasis<Real>& basis) noexcept {
     constexpr int kMaxExchanges = 40;  // |point - goal| rises with every exchange
     const int warm_count = basis.count;
     const std::array<int, 3> warm = basis.index;
@@ -222,20 +230,27 @@ bool exchange(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at,
 
 }  // namespace projection_detail
 
-// Fills `basis` with the nearest point to goal_m that satisfies at(0) ... at(count - 1); basis.index of the call before is the warm start
-// (set basis.count = 0 for a cold one). False when the intersection is empty or too flat to tell; the basis then holds the best point so far,
-// which satisfies its own members only. Work close to a local origin: rounding grows with the coordinates.
+// Fills `basis` with the nearest point to goal_m that satisfies at(0) ... at(count - 1); basis.index of the call before
+// is the warm start (set basis.count = 0 for a cold one). False when the intersection is empty or too flat to tell; the
+// basis then holds the best point so far, which satisfies its own members only. Work close to a local origin: rounding
+// grows with the coordinates.
 template <class Real, class HalfSpaceAt>
-bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at, BasicProjectionBasis<Real>& basis) noexcept {
+bool project_on_half_spaces(const glm::vec<3, Real>& goal_m, int count, const HalfSpaceAt& at,
+                            BasicProjectionBasis<Real>& basis) noexcept {
     return projection_detail::exchange(
-        goal_m, count, at, [&](const glm::vec<3, Real>& point) { return projection_detail::most_violated_of(count, at, point); }, basis);
+        goal_m, count, at,
+        [&](const glm::vec<3, Real>& point) { return projection_detail::most_violated_of(count, at, point); }, basis);
 }
 
 // The same for half-spaces side by side, each moved along its normal by grown_m.
-inline bool project_on_half_spaces(const Vec3& goal_m, std::span<const HalfSpace> all, double grown_m, ProjectionBasis& basis) noexcept {
-    const auto at = [&](int i) noexcept { return HalfSpace{all[static_cast<std::size_t>(i)].normal, all[static_cast<std::size_t>(i)].offset_m + grown_m}; };
+inline bool project_on_half_spaces(const Vec3& goal_m, std::span<const HalfSpace> all, double grown_m,
+                                   ProjectionBasis& basis) noexcept {
+    const auto at = [&](int i) noexcept {
+        return HalfSpace{all[static_cast<std::size_t>(i)].normal, all[static_cast<std::size_t>(i)].offset_m + grown_m};
+    };
     return projection_detail::exchange(
-        goal_m, static_cast<int>(all.size()), at, [&](const Vec3& point) { return projection_detail::most_violated_of(all, grown_m, point); }, basis);
+        goal_m, static_cast<int>(all.size()), at,
+        [&](const Vec3& point) { return projection_detail::most_violated_of(all, grown_m, point); }, basis);
 }
 
 }  // namespace handrail

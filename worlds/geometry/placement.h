@@ -1,5 +1,5 @@
-// Where a thing stands that has a frame of its own: world = position + scale * (rotation applied to own). Plain values and pure functions; any
-// thread; arithmetic of + - x / and square root only, so that every build agrees to the bit.
+// Where a thing stands that has a frame of its own: world = position + scale * (rotation applied to own). Plain values
+// and pure functions; any thread; arithmetic of + - x / and square root only, so that every build agrees to the bit.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace handrail {
 
-// A unit quaternion w + xi + yj + zk. Source: Hamilton 1843; conversion to a matrix as in Shoemake, Animating rotation with quaternion curves, 1985.
+// A unit quaternion w + xi + yj + zk. Source: Hamilton 1843; conversion to a matrix as in Shoemake, Animating rotation
+// with quaternion curves, 1985.
 struct Rotation {
     double w = 1.0, x = 0.0, y = 0.0, z = 0.0;
 
@@ -27,8 +28,8 @@ inline Rotation normalized(const Rotation& q) noexcept {
 
 // First `second`, then `first`: (first * second)(v) == first(second(v)).
 inline Rotation operator*(const Rotation& a, const Rotation& b) noexcept {
-    return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
-            a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+    return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+            a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
 // About a unit axis, right-handed. Off the real-time path: uses the C library's sine.
@@ -42,7 +43,9 @@ struct Placement {
     Rotation rotation{};
     double scale = 1.0;  // > 0, the same along every axis
 
-    bool operator==(const Placement& other) const noexcept { return position_m == other.position_m && rotation == other.rotation && scale == other.scale; }
+    bool operator==(const Placement& other) const noexcept {
+        return position_m == other.position_m && rotation == other.rotation && scale == other.scale;
+    }
 };
 
 // A placement made ready for many points: the columns of its rotation matrix.
@@ -60,13 +63,15 @@ struct PlacedFrame {
     }
 
     Vec3 turned(const Vec3& own) const noexcept { return axes[0] * own.x + axes[1] * own.y + axes[2] * own.z; }
-    Vec3 turned_back(const Vec3& world) const noexcept { return {glm::dot(axes[0], world), glm::dot(axes[1], world), glm::dot(axes[2], world)}; }
+    Vec3 turned_back(const Vec3& world) const noexcept {
+        return {glm::dot(axes[0], world), glm::dot(axes[1], world), glm::dot(axes[2], world)};
+    }
     Vec3 to_world(const Vec3& own_m) const noexcept { return position_m + turned(own_m) * scale; }
     Vec3 to_own(const Vec3& world_m) const noexcept { return turned_back(world_m - position_m) / scale; }
 };
 
-// Part of the way from one placement to another, 0 to 1: straight for the position, along the shorter arc for the rotation (normalised linear:
-// its speed differs from even by under 1 % below 30 degrees).
+// Part of the way from one placement to another, 0 to 1: straight for the position, along the shorter arc for the
+// rotation (normalised linear: its speed differs from even by under 1 % below 30 degrees).
 inline Placement between(const Placement& from, const Placement& to, double part) noexcept {
     const Rotation &a = from.rotation, &b = to.rotation;
     const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0.0 ? -1.0 : 1.0;
@@ -83,7 +88,8 @@ inline double farthest_travel_m(const Placement& from, const Placement& to, doub
     const Rotation &a = from.rotation, &b = to.rotation;
     const double sign = a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z < 0.0 ? -1.0 : 1.0;
     const double dw = a.w - sign * b.w, dx = a.x - sign * b.x, dy = a.y - sign * b.y, dz = a.z - sign * b.z;
-    // Two unit quaternions whose rotations are an angle apart lie 2 sin(angle / 4) apart, so the angle is at most pi times that.
+    // Two unit quaternions whose rotations are an angle apart lie 2 sin(angle / 4) apart, so the angle is at most pi
+    // times that.
     const double turn = std::sqrt(dw * dw + dx * dx + dy * dy + dz * dz) * kPi;
     const double scale = std::max(from.scale, to.scale);
     return glm::length(to.position_m - from.position_m) + (turn * scale + std::abs(to.scale - from.scale)) * reach_m;

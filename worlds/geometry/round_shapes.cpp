@@ -18,15 +18,19 @@ struct AroundAxis {
 AroundAxis around_axis(const Vec3& origin, const Vec3& axis, const Vec3& p) noexcept {
     const Vec3 from = p - origin;
     const double along = glm::dot(from, axis);
-    // Close to the axis the first difference is mostly rounding, which may lie along the axis; the second takes that out.
+    // Close to the axis the first difference is mostly rounding, which may lie along the axis; the second takes that
+    // out.
     Vec3 out = from - axis * along;
     out -= axis * glm::dot(out, axis);
     const double length = glm::length(out);
-    return length > kSideless_m ? AroundAxis{along, length, out / length} : AroundAxis{along, 0.0, any_perpendicular(axis)};
+    return length > kSideless_m ? AroundAxis{along, length, out / length}
+                                : AroundAxis{along, 0.0, any_perpendicular(axis)};
 }
 
-// The nearest point is a corner of the profile: `out` and `along` lead from it to the query point. `sideless` is the normal where they coincide.
-ClosestPoint from_profile_corner(const Vec3& corner, double out, double along, const AroundAxis& at, const Vec3& axis, const Vec3& sideless) noexcept {
+// The nearest point is a corner of the profile: `out` and `along` lead from it to the query point. `sideless` is the
+// normal where they coincide.
+ClosestPoint from_profile_corner(const Vec3& corner, double out, double along, const AroundAxis& at, const Vec3& axis,
+                                 const Vec3& sideless) noexcept {
     const double distance = std::sqrt(out * out + along * along);
     if (distance <= kSideless_m) return {corner, sideless, distance};
     return {corner, at.outward * (out / distance) + axis * (along / distance), distance};
@@ -74,9 +78,11 @@ ClosestPoint closest_point(const CylinderShape& cylinder, const Vec3& p) noexcep
     const double past_side = at.out_m - cylinder.radius_m;
     const double cap_along = top ? cylinder.height_m : 0.0;
     if (past_cap > 0.0 && past_side > 0.0)
-        return from_profile_corner(cylinder.bottom_m + cylinder.axis * cap_along + at.outward * cylinder.radius_m, past_side, top ? past_cap : -past_cap, at,
-                                   cylinder.axis, at.outward);
-    if (past_cap > past_side) return {cylinder.bottom_m + cylinder.axis * cap_along + at.outward * at.out_m, top ? cylinder.axis : -cylinder.axis, past_cap};
+        return from_profile_corner(cylinder.bottom_m + cylinder.axis * cap_along + at.outward * cylinder.radius_m,
+                                   past_side, top ? past_cap : -past_cap, at, cylinder.axis, at.outward);
+    if (past_cap > past_side)
+        return {cylinder.bottom_m + cylinder.axis * cap_along + at.outward * at.out_m,
+                top ? cylinder.axis : -cylinder.axis, past_cap};
     return {cylinder.bottom_m + cylinder.axis * at.along_m + at.outward * cylinder.radius_m, at.outward, past_side};
 }
 
@@ -86,18 +92,25 @@ ClosestPoint closest_point(const ConeShape& cone, const Vec3& p) noexcept {
     if (at.along_m <= 0.0 && past_rim <= 0.0) return {cone.base_m + at.outward * at.out_m, -cone.axis, -at.along_m};
     const Vec3 slant = at.outward * cone.slant_out + cone.axis * cone.slant_up;
     const double past_slant = past_rim * cone.slant_out + at.along_m * cone.slant_up;
-    // How far up the side from the rim, and past the apex; each from its own corner, so that the normals there are legal to rounding.
+    // How far up the side from the rim, and past the apex; each from its own corner, so that the normals there are
+    // legal to rounding.
     const double up = at.along_m * cone.slant_out - past_rim * cone.slant_up;
     const double over = at.along_m - cone.height_m;
     const double past_apex = over * cone.slant_out - at.out_m * cone.slant_up;
-    if (past_rim > 0.0 && up <= 0.0) return from_profile_corner(cone.base_m + at.outward * cone.radius_m, past_rim, at.along_m, at, cone.axis, slant);
-    if (past_apex > 0.0) return from_profile_corner(cone.base_m + cone.axis * cone.height_m, at.out_m, over, at, cone.axis, slant);
+    if (past_rim > 0.0 && up <= 0.0)
+        return from_profile_corner(cone.base_m + at.outward * cone.radius_m, past_rim, at.along_m, at, cone.axis,
+                                   slant);
+    if (past_apex > 0.0)
+        return from_profile_corner(cone.base_m + cone.axis * cone.height_m, at.out_m, over, at, cone.axis, slant);
     if (past_slant < -at.along_m) return {cone.base_m + at.outward * at.out_m, -cone.axis, -at.along_m};
-    const double foot_out = at.out_m - past_slant * cone.slant_out, foot_along = at.along_m - past_slant * cone.slant_up;
+    const double foot_out = at.out_m - past_slant * cone.slant_out,
+                 foot_along = at.along_m - past_slant * cone.slant_up;
     return {cone.base_m + at.outward * foot_out + cone.axis * foot_along, slant, past_slant};
 }
 
-Aabb bounds_of(const SphereShape& sphere) noexcept { return {sphere.centre_m - Vec3(sphere.radius_m), sphere.centre_m + Vec3(sphere.radius_m)}; }
+Aabb bounds_of(const SphereShape& sphere) noexcept {
+    return {sphere.centre_m - Vec3(sphere.radius_m), sphere.centre_m + Vec3(sphere.radius_m)};
+}
 
 Aabb bounds_of(const CapsuleShape& capsule) noexcept {
     Aabb box = bounds_of(SphereShape{capsule.start_m, capsule.radius_m});

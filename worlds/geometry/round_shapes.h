@@ -1,8 +1,9 @@
-// Closest points of round solids: sphere, capsule, cylinder and cone, in closed form, with the same contract as closest_point.h: the unit normal
-// belongs to a plane that supports the whole shape, wherever the query point is. Directions are put together from the axis and a unit vector square to
-// it, so they support the shape to rounding even a hair's breadth from the axis. On the axis, where every direction is as good, any_perpendicular of
-// the axis is taken. Zero radius and zero height are legal: points, segments, discs. Pure functions, any thread, no allocation, double precision.
-// Cost: see docs/results.md. Brute-force twins in tests/unit/geometry_touch.
+// Closest points of round solids: sphere, capsule, cylinder and cone, in closed form, with the same contract as
+// closest_point.h: the unit normal belongs to a plane that supports the whole shape, wherever the query point is.
+// Directions are put together from the axis and a unit vector square to it, so they support the shape to rounding even
+// a hair's breadth from the axis. On the axis, where every direction is as good, any_perpendicular of the axis is
+// taken. Zero radius and zero height are legal: points, segments, discs. Pure functions, any thread, no allocation,
+// double precision. Cost: see docs/results.md. Brute-force twins in tests/unit/geometry_touch.
 #pragma once
 
 #include <variant>
@@ -58,8 +59,8 @@ Aabb bounds_of(const CapsuleShape& capsule) noexcept;
 Aabb bounds_of(const CylinderShape& cylinder) noexcept;
 Aabb bounds_of(const ConeShape& cone) noexcept;
 
-// Which face of a solid of revolution a supporting plane of this normal lies on: for a cylinder side 0, bottom 1, top 2; for a cone side 0, base 1. On a rim
-// the face that looks more that way.
+// Which face of a solid of revolution a supporting plane of this normal lies on: for a cylinder side 0, bottom 1, top
+// 2; for a cone side 0, base 1. On a rim the face that looks more that way.
 int face_towards(const CylinderShape& cylinder, const Vec3& normal) noexcept;
 int face_towards(const ConeShape& cone, const Vec3& normal) noexcept;
 

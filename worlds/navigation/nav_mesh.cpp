@@ -20,8 +20,10 @@ constexpr double kComfortable_m = 0.2;  // of clearance beyond the body
 constexpr double kEdgeComfort_m = 0.5, kWallComfort_m = 0.3;
 constexpr double kStorey_m = 0.02;  // Recast's unit of height; grows in very high worlds
 constexpr double kTile_m = 1.0;     // polygons are no larger, so that ways over their edges come near the shortest
+constexpr std::uint32_t kFineTiles = 8;
 constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;
 constexpr int kMostPath = 16'384;
+constexpr unsigned short kOnFoot = 1, kOverLink = 2;  // flags of polygons
 
 struct Free {
     void operator()(rcContourSet* p) const { rcFreeContourSet(p); }
@@ -36,6 +38,11 @@ unsigned char area_of(const WalkSpan& span) {
     if (span.liquid) return kWading;
     if (span.near_edge && static_cast<double>(span.clearance_m) < kEdgeComfort_m) return kNearEdge;
     return static_cast<double>(span.clearance_m) < kComfortable_m ? kNearWall : kOpen;
+}
+
+unsigned char area_of(const WalkLink& link) {
+    if (link.kind == PassageKind::Drop) return kDropArea;
+    return link.kind == PassageKind::Lift ? kLiftArea : kTeleportArea;
 }
 
 float cost_of_area(unsigned char area, RouteWish wish) {
@@ -55,7 +62,8 @@ float cost_of_area(unsigned char area, RouteWish wish) {
 }
 
 // Pieces of one area inside one square, none above itself: what Recast calls regions. Their number.
-std::size_t regions_of(const WalkSpace& space, const std::vector<unsigned char>& areas, std::uint32_t tile, std::vector<std::uint32_t>& region) {
+std::size_t regions_of(const WalkSpace& space, const std::vector<unsigned char>& areas, std::uint32_t tile,
+                       std::vector<std::uint32_t>& region) {
     region.assign(space.spans.size(), 0);
     std::size_t made = 0;
     std::vector<std::uint32_t> piece;
@@ -73,7 +81,9 @@ std::size_t regions_of(const WalkSpace& space, const std::vector<unsigned char>&
         taken_by[space.spans[s].cell] = made;
         for (std::size_t i = 0; i < piece.size(); ++i)
             for (const std::uint32_t n : space.spans[piece[i]].next) {
-                if (n == kNothing || region[n] != 0 || areas[n] != areas[s] || square(n) != square(s) || taken_by[space.spans[n].cell] == made) continue;
+                if (n == kNothing || region[n] != 0 || areas[n] != areas[s] || square(n) != square(s) ||
+                    taken_by[space.spans[n].cell] == made)
+                    continue;
                 region[n] = static_cast<std::uint32_t>(made);
                 taken_by[space.spans[n].cell] = made;
                 piece.push_back(n);
@@ -90,6 +100,10 @@ double cost_per_m(const WalkSpan& span, RouteWish wish) {
     const double wall = 2.0 * std::max(0.0, 1.0 - clearance_m / kWallComfort_m),
                  edge = span.near_edge ? 4.0 * std::max(0.0, 1.0 - clearance_m / kEdgeComfort_m) : 0.0;
     return 1.0 + std::max(wall, edge) + (span.liquid ? 3.0 : 0.0);
+}
+
+double NavMesh::cost_of(const WalkLink& link, double length_m, RouteWish wish) {
+    return length_m * static_cast<double>(cost_of_area(area_of(link), wish));
 }
 
 struct NavMesh::Parts {
@@ -109,7 +123,9 @@ struct NavMesh::Parts {
         p[1] = static_cast<float>(own.z);
         p[2] = static_cast<float>(own.y);
     }
-    Vec3 to_world(const float* p) const { return space->origin_m + Vec3(static_cast<double>(p[0]), static_cast<double>(p[2]), static_cast<double>(p[1])); }
+    Vec3 to_world(const float* p) const {
+        return space->origin_m + Vec3(static_cast<double>(p[0]), static_cast<double>(p[2]), static_cast<double>(p[1]));
+    }
 };
 
 NavMesh::NavMesh(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -119,7 +135,7 @@ NavMesh& NavMesh::operator=(NavMesh&&) noexcept = default;
 int NavMesh::polygons() const { return parts_->polygons; }
 std::size_t NavMesh::bytes() const { return parts_->bytes; }
 
-Result<NavMesh> NavMesh::make(const WalkSpace& space) {
+Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& stop) {
     std::vector<unsigned char> areas(space.spans.size());
     float highest = 0.0F;
     for (std::size_t s = 0; s < areas.size(); ++s) {
@@ -130,7 +146,18 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space) {
     std::vector<std::uint32_t> region;
     rcContext context(false);
     std::unique_ptr<rcPolyMesh, Free> polygons;
+    const std::uint32_t finest = tile;
+    bool plain = false;
     for (;; tile *= 2) {
+        if (stop.stop_requested()) return failed();
+        if (!plain && tile > kFineTiles * finest) {
+            // So much furniture that what is near to it makes too many pieces: only edges and liquids stay apart. Ways
+            // keep off walls all the same, by what the places themselves know.
+            plain = true;
+            tile = finest;
+            std::replace(areas.begin(), areas.end(), static_cast<unsigned char>(kNearWall),
+                         static_cast<unsigned char>(kOpen));
+        }
         if (tile > 4096) return failed();
         const std::size_t count = regions_of(space, areas, tile, region);
         if (count > kMostRegions) continue;
@@ -147,7 +174,8 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space) {
         field.bmax[0] = static_cast<float>(space.width * space.cell_m);
         field.bmax[1] = highest + static_cast<float>(space.body.height_m) + 1.0F;
         field.bmax[2] = static_cast<float>(space.depth * space.cell_m);
-        // Filled here and lent to Recast: its own way there rasterises triangles, and would know nothing of bodies and slopes as walking has them.
+        // Filled here and lent to Recast: its own way there rasterises triangles, and would know nothing of bodies and
+        // slopes as walking has them.
         std::vector<rcCompactCell> cells(static_cast<std::size_t>(space.width) * space.depth);
         std::vector<rcCompactSpan> spans(space.spans.size());
         for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -164,7 +192,8 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space) {
             constexpr int kDirections[4] = {2, 1, 0, 3};
             for (int d = 0; d < 4; ++d) {
                 const std::uint32_t n = from.next[kDirections[d]];
-                rcSetCon(spans[s], d, n == kNothing ? RC_NOT_CONNECTED : static_cast<int>(n - space.first[space.spans[n].cell]));
+                rcSetCon(spans[s], d,
+                         n == kNothing ? RC_NOT_CONNECTED : static_cast<int>(n - space.first[space.spans[n].cell]));
             }
         }
         field.cells = cells.data();
@@ -187,7 +216,7 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space) {
         break;
     }
     if (polygons->npolys == 0) return fail(phrase("navigation.little_floor"));
-    std::fill(polygons->flags, polygons->flags + polygons->npolys, static_cast<unsigned short>(1));
+    std::fill(polygons->flags, polygons->flags + polygons->npolys, kOnFoot);
 
     auto parts = std::make_unique<Parts>();
     parts->space = &space;
@@ -202,8 +231,8 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space) {
         parts->to_mesh(space.place_m(link.to), ends + 3);
         link_ends.insert(link_ends.end(), ends, ends + 6);
         link_radius.push_back(static_cast<float>(3.0 * space.cell_m));
-        link_flags.push_back(1);
-        link_areas.push_back(link.kind == PassageKind::Drop ? kDropArea : link.kind == PassageKind::Lift ? kLiftArea : kTeleportArea);
+        link_flags.push_back(kOverLink);
+        link_areas.push_back(area_of(link));
         link_both.push_back(link.both_ways ? DT_OFFMESH_CON_BIDIR : 0);
         link_ids.push_back(static_cast<unsigned int>(i));
     }
@@ -251,6 +280,7 @@ std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, Rout
     dtQueryFilter filter;
     for (const unsigned char area : {kOpen, kNearWall, kNearEdge, kWading, kDropArea, kLiftArea, kTeleportArea})
         filter.setAreaCost(area, cost_of_area(area, wish));
+    if (!over_links) filter.setExcludeFlags(kOverLink);
 
     const auto locate = [&](std::uint32_t span, float* at, dtPolyRef& ref, float* on) {
         p.to_mesh(p.space->place_m(span), at);
@@ -264,24 +294,27 @@ std::optional<MeshPath> NavMesh::path(std::uint32_t from, std::uint32_t to, Rout
     if (!locate(from, a, first, on_a) || !locate(to, b, last, on_b)) return std::nullopt;
 
     int count = 0;
-    dtStatus status = p.query->initSlicedFindPath(first, last, on_a, on_b, &filter, over_links ? 0U : static_cast<unsigned int>(DT_FINDPATH_ANY_ANGLE));
+    dtStatus status = p.query->initSlicedFindPath(first, last, on_a, on_b, &filter,
+                                                  over_links ? 0U : static_cast<unsigned int>(DT_FINDPATH_ANY_ANGLE));
     while (dtStatusInProgress(status)) status = p.query->updateSlicedFindPath(1 << 20, nullptr);
     if (dtStatusFailed(status)) return std::nullopt;
     status = p.query->finalizeSlicedFindPath(p.refs.data(), &count, kMostPath);
     if (dtStatusFailed(status) || count == 0) return std::nullopt;
     MeshPath found;
-    found.complete =
-        p.refs[static_cast<std::size_t>(count - 1)] == last && !dtStatusDetail(status, DT_PARTIAL_RESULT) && !dtStatusDetail(status, DT_BUFFER_TOO_SMALL);
+    found.complete = p.refs[static_cast<std::size_t>(count - 1)] == last &&
+                     !dtStatusDetail(status, DT_PARTIAL_RESULT) && !dtStatusDetail(status, DT_BUFFER_TOO_SMALL);
     if (!found.complete) p.query->closestPointOnPoly(p.refs[static_cast<std::size_t>(count - 1)], on_b, on_b, nullptr);
 
     int corners = 0;
-    status = p.query->findStraightPath(on_a, on_b, p.refs.data(), count, p.straight.data(), p.flags.data(), p.straight_refs.data(), &corners, kMostPath);
+    status = p.query->findStraightPath(on_a, on_b, p.refs.data(), count, p.straight.data(), p.flags.data(),
+                                       p.straight_refs.data(), &corners, kMostPath);
     if (dtStatusFailed(status)) return std::nullopt;
     for (int i = 0; i < corners; ++i) {
         const auto k = static_cast<std::size_t>(i);
         MeshPath::Corner corner{p.to_world(&p.straight[3 * k]), kNothing};
         if ((p.flags[k] & DT_STRAIGHTPATH_OFFMESH_CONNECTION) != 0)
-            if (const dtOffMeshConnection* link = p.mesh->getOffMeshConnectionByRef(p.straight_refs[k])) corner.link = link->userId;
+            if (const dtOffMeshConnection* link = p.mesh->getOffMeshConnectionByRef(p.straight_refs[k]))
+                corner.link = link->userId;
         found.corners.push_back(corner);
     }
     return found;

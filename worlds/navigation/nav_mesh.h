@@ -1,5 +1,5 @@
-// The walkable spans as a mesh of polygons, and shortest ways over it: Recast and Detour, which only nav_mesh.cpp knows. Queries are not const because they
-// share scratch memory: one thread at a time.
+// The walkable spans as a mesh of polygons, and shortest ways over it: Recast and Detour, which only nav_mesh.cpp
+// knows. Queries are not const because they share scratch memory: one thread at a time.
 #pragma once
 
 #include <memory>
@@ -26,14 +26,17 @@ struct MeshPath {
 class NavMesh {
 public:
     // Fails with a sentence where the walkable space gives no mesh. The space must outlive the mesh.
-    static Result<NavMesh> make(const WalkSpace& space);
+    static Result<NavMesh> make(const WalkSpace& space, const std::stop_token& stop = {});
     ~NavMesh();
     NavMesh(NavMesh&&) noexcept;
     NavMesh& operator=(NavMesh&&) noexcept;
 
-    // From the middle of one span to that of another. Nothing where one of them lies on no polygon. `over_links`: for floors that only links join. Without
-    // it the way is nearer to the shortest: Detour then looks straight ahead, which it does in the plane and so takes a link's other end for its own.
+    // From the middle of one span to that of another. Nothing where one of them lies on no polygon. `over_links`: links
+    // may be taken. Without it the way is nearer to the shortest: Detour then looks straight ahead, which it does in
+    // the plane and so would take a link's other end for its own.
     std::optional<MeshPath> path(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links);
+    // What taking a link counts.
+    static double cost_of(const WalkLink& link, double length_m, RouteWish wish);
     int polygons() const;
     std::size_t bytes() const;
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <queue>
 
+#include "worlds/base/language.h"
 #include "worlds/navigation/way_place.h"
 
 namespace handrail {
@@ -33,14 +35,18 @@ WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double 
     return body;
 }
 
-Result<std::shared_ptr<Navigation>> Navigation::make(const Scene& scene, const WalkBody& body, const std::function<bool()>& stop) {
+Result<std::shared_ptr<Navigation>> Navigation::make(const Scene& scene, const WalkBody& body,
+                                                     const std::stop_token& stop) {
     std::shared_ptr<Navigation> made(new Navigation);
     Result<WalkSpace> space = make_walk_space(scene, body, stop);
     if (!space) return tl::unexpected(space.error());
     made->space_ = std::move(*space);
-    Result<NavMesh> mesh = NavMesh::make(made->space_);
-    if (!mesh) return tl::unexpected(mesh.error());
-    made->mesh_ = std::make_unique<NavMesh>(std::move(*mesh));
+    try {
+        if (Result<NavMesh> mesh = NavMesh::make(made->space_, stop))
+            made->mesh_ = std::make_unique<NavMesh>(std::move(*mesh));
+    } catch (const std::bad_alloc&) {  // the rest goes on without it
+    }
+    if (stop.stop_requested()) return fail(phrase("navigation.given_up"), scene.source_file);
 
     const WalkSpace& all = made->space_;
     made->piece_.assign(all.spans.size(), kNothing);
@@ -77,7 +83,9 @@ Result<std::shared_ptr<Navigation>> Navigation::make(const Scene& scene, const W
     return made;
 }
 
-std::uint32_t Navigation::span_from(const Vec3& feet_m) const { return space_.nearest(feet_m, kStartReach_m, 0.6, 3.0); }
+std::uint32_t Navigation::span_from(const Vec3& feet_m) const {
+    return space_.nearest(feet_m, kStartReach_m, 0.6, 3.0);
+}
 
 std::uint32_t Navigation::span_to(const Vec3& at_m) const {
     if (const std::uint32_t near = space_.nearest(at_m, kStartReach_m, 0.6, 3.0); near != kNothing) return near;
@@ -156,7 +164,8 @@ std::vector<std::uint32_t> Navigation::over_cells(std::uint32_t from, std::uint3
             const std::uint32_t side = space_.spans[here].next[d];
             go(side);
             if (side == kNothing) continue;
-            const std::uint32_t other = space_.spans[here].next[(d + 1) % 4], corner = space_.spans[side].next[(d + 1) % 4];
+            const std::uint32_t other = space_.spans[here].next[(d + 1) % 4],
+                                corner = space_.spans[side].next[(d + 1) % 4];
             if (other != kNothing && corner != kNothing && space_.spans[other].next[d] == corner) go(corner);
         }
     }
@@ -200,7 +209,9 @@ Navigation::Stretch Navigation::in_leaves(std::span<const Vec3> points_m) const 
         const double length_m = glm::length(way);
         space_.straight(from, points_m[i], [&](std::uint32_t s) {
             if (leaf_marks_[s] != kInLeaf) return;
-            const double along_m = before_m + (length_m > 0.0 ? std::clamp(glm::dot(space_.place_m(s) - from, way) / length_m, 0.0, length_m) : 0.0);
+            const double along_m =
+                before_m +
+                (length_m > 0.0 ? std::clamp(glm::dot(space_.place_m(s) - from, way) / length_m, 0.0, length_m) : 0.0);
             found.from_m = std::min(found.from_m, along_m);
             found.to_m = std::max(found.to_m, along_m);
         });
@@ -211,7 +222,8 @@ Navigation::Stretch Navigation::in_leaves(std::span<const Vec3> points_m) const 
 
 bool Navigation::meets_leaf(std::span<const Vec3> points_m) const { return in_leaves(points_m).to_m >= 0.0; }
 
-// The mesh knows no leaves. Where one stands across, the way from a little before it to a little behind is sought from cell to cell.
+// The mesh knows no leaves. Where one stands across, the way from a little before it to a little behind is sought from
+// cell to cell.
 void Navigation::go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const {
     const Stretch across = in_leaves(points_m);
     if (across.to_m < 0.0) return;
@@ -262,7 +274,8 @@ void Navigation::straighten(std::vector<Vec3>& points_m, RouteWish wish) const {
     points_m = std::move(kept);
 }
 
-// Moves the turning points to where there is more room, as long as the way does not get worse by it: through the middle of doors, round corners at a distance.
+// Moves the turning points to where there is more room, as long as the way does not get worse by it: through the middle
+// of doors, round corners at a distance.
 void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
     if (wish == RouteWish::Shortest || points_m.size() < 2) return;
     // A turning point of its own in each narrow place.
@@ -270,11 +283,13 @@ void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
     for (std::size_t i = 1; i < points_m.size(); ++i) {
         std::uint32_t narrowest = kNothing;
         space_.straight(points_m[i - 1], points_m[i], [&](std::uint32_t s) {
-            if (narrowest == kNothing || space_.spans[s].clearance_m < space_.spans[narrowest].clearance_m) narrowest = s;
+            if (narrowest == kNothing || space_.spans[s].clearance_m < space_.spans[narrowest].clearance_m)
+                narrowest = s;
         });
         if (narrowest != kNothing && static_cast<double>(space_.spans[narrowest].clearance_m) < kNarrow_m) {
             const Vec3 place = space_.place_m(narrowest);
-            if (glm::length(place - points_m[i - 1]) > kNarrow_m && glm::length(place - points_m[i]) > kNarrow_m) more.push_back(place);
+            if (glm::length(place - points_m[i - 1]) > kNarrow_m && glm::length(place - points_m[i]) > kNarrow_m)
+                more.push_back(place);
         }
         more.push_back(points_m[i]);
     }
@@ -304,7 +319,8 @@ void Navigation::make_way(std::vector<Vec3>& points_m, RouteWish wish) const {
     straighten(points_m, wish);
 }
 
-// Doors and stairs on a stretch that is walked, and the points where stairs begin and end, which are added to the route.
+// Doors and stairs on a stretch that is walked, and the points where stairs begin and end, which are added to the
+// route.
 void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const {
     std::uint32_t door = kNothing;
     bool on_stairs = false;
@@ -320,22 +336,26 @@ void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const
         on_stairs = false;
         const double rise = space_.place_m(at).z - space_.place_m(stairs_from).z;
         RoutePassage* before = route.passages.empty() ? nullptr : &route.passages.back();
-        if (before && before->kind == PassageKind::Stairs && before->rise_m * rise > 0.0 && stairs_at_m - stairs_end_m < kOneFlight_m) {
+        if (before && before->kind == PassageKind::Stairs && before->rise_m * rise > 0.0 &&
+            stairs_at_m - stairs_end_m < kOneFlight_m) {
             before->rise_m += rise;
             if (!before->feature) before->feature = stairs_ground;
         } else {
-            route.passages.push_back({PassageKind::Stairs, space_.place_m(stairs_from), stairs_at_m, rise, stairs_ground});
+            route.passages.push_back(
+                {PassageKind::Stairs, space_.place_m(stairs_from), stairs_at_m, rise, stairs_ground});
         }
         stairs_end_m = route.length_m + glm::length(space_.place_m(at) - route.points_m.back());
     };
-    if (route.points_m.empty() || glm::length(leg.front() - route.points_m.back()) > 1e-9) route.points_m.push_back(leg.front());  // a link counts no metres
+    if (route.points_m.empty() || glm::length(leg.front() - route.points_m.back()) > 1e-9)
+        route.points_m.push_back(leg.front());  // a link counts no metres
     std::uint32_t last = kNothing;
     for (std::size_t i = 1; i < leg.size(); ++i) {
         const Vec3 from = leg[i - 1], to = leg[i];
         const double length = glm::length(to - from);
         space_.straight(from, to, [&](std::uint32_t s) {
             const Vec3 here = space_.place_m(s);
-            const double along = length > 0.0 ? std::clamp(glm::dot(here - from, to - from) / (length * length), 0.0, 1.0) : 0.0;
+            const double along =
+                length > 0.0 ? std::clamp(glm::dot(here - from, to - from) / (length * length), 0.0, 1.0) : 0.0;
             const Vec3 on_line = [&] {
                 Vec3 p = from + (to - from) * along;
                 p.z = here.z;
@@ -346,7 +366,8 @@ void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const
             const std::uint32_t group = span.door == kNothing ? kNothing : door_groups_[span.door];
             if (group != kNothing && group != door) {
                 const Vec3 centre = door_places_[span.door];
-                route.passages.push_back({PassageKind::Door, {centre.x, centre.y, here.z}, at_m, 0.0, door_features_[span.door]});
+                route.passages.push_back(
+                    {PassageKind::Door, {centre.x, centre.y, here.z}, at_m, 0.0, door_features_[span.door]});
             }
             door = group;
             if (span.stairs != on_stairs) {
@@ -360,12 +381,85 @@ void Navigation::tell_passages(Route& route, const std::vector<Vec3>& leg) const
                 }
                 if (along > 0.0 && along < 1.0) add_point(on_line);
             }
-            if (span.stairs && !stairs_ground && span.ground < space_.obstacle_features.size()) stairs_ground = space_.obstacle_features[span.ground];
+            if (span.stairs && !stairs_ground && span.ground < space_.obstacle_features.size())
+                stairs_ground = space_.obstacle_features[span.ground];
             last = s;
         });
         add_point(to);
     }
     if (on_stairs && last != kNothing) end_stairs(last);
+}
+
+// The mesh's way, its corners put on the floor.
+std::optional<Navigation::Way> Navigation::over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish,
+                                                     bool over_links) {
+    const std::optional<MeshPath> found = mesh_ ? mesh_->path(from, to, wish, over_links) : std::nullopt;
+    if (!found || !found->complete) return std::nullopt;
+    Way way;
+    for (std::size_t i = 0; i < found->corners.size(); ++i) {
+        const MeshPath::Corner& corner = found->corners[i];
+        std::uint32_t on = space_.nearest(corner.place_m, 4.0 * space_.cell_m, space_.body.step_up_m + 0.2,
+                                          space_.body.step_up_m + 0.2);
+        if (i == 0) on = from;
+        if (i + 1 == found->corners.size()) on = to;
+        for (const std::uint32_t number :
+             {i > 0 ? found->corners[i - 1].link : kNothing, corner.link}) {  // one end of a link
+            if (number == kNothing) continue;
+            const WalkLink& link = space_.links[number];
+            const Vec3 a = space_.place_m(link.from), b = space_.place_m(link.to);
+            on = glm::length(a - corner.place_m) < glm::length(b - corner.place_m) ? link.from : link.to;
+        }
+        if (on == kNothing) continue;
+        way.legs_m.back().push_back(space_.place_m(on));
+        if (corner.link != kNothing) {
+            way.links.push_back(corner.link);
+            way.legs_m.emplace_back();
+        }
+    }
+    return way;
+}
+
+// Every leg walkable, round leaves, straight and with room.
+void Navigation::finish(Way& way, std::uint32_t to, RouteWish wish) const {
+    for (std::vector<Vec3>& leg : way.legs_m) {
+        if (leg.empty()) leg.push_back(space_.place_m(to));
+        std::vector<Vec3> walked{leg.front()};
+        for (std::size_t k = 1; k < leg.size(); ++k) {
+            if (!space_.straight(leg[k - 1], leg[k])) {
+                const std::uint32_t a = space_.nearest(leg[k - 1], space_.cell_m, 0.1, 0.1),
+                                    b = space_.nearest(leg[k], space_.cell_m, 0.1, 0.1);
+                if (a != kNothing && b != kNothing)
+                    for (const std::uint32_t s : over_cells(a, b, wish)) walked.push_back(space_.place_m(s));
+            }
+            walked.push_back(leg[k]);
+        }
+        go_round_leaves(walked, wish);
+        straighten(walked, wish);
+        make_way(walked, wish);
+        leg = std::move(walked);
+    }
+}
+
+double Navigation::cost(const Way& way, RouteWish wish) const {
+    double sum = 0.0;
+    for (const std::vector<Vec3>& leg : way.legs_m)
+        for (std::size_t k = 1; k < leg.size(); ++k) sum += cost(leg[k - 1], leg[k], wish);
+    for (std::size_t i = 0; i < way.links.size(); ++i)
+        sum += NavMesh::cost_of(space_.links[way.links[i]],
+                                glm::length(way.legs_m[i + 1].front() - way.legs_m[i].back()), wish);
+    return sum;
+}
+
+// Where one comes on foot and over a link too, such as by stairs and by a lift, the one that costs less once both are
+// drawn in full.
+std::optional<Navigation::Way> Navigation::best_over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish) {
+    std::optional<Way> foot, linked;
+    if (piece_[from] == piece_[to]) foot = over_mesh(from, to, wish, false);
+    if (!space_.links.empty()) linked = over_mesh(from, to, wish, true);
+    if (linked && linked->links.empty() && foot) linked.reset();
+    if (foot) finish(*foot, to, wish);
+    if (linked) finish(*linked, to, wish);
+    return foot && !(linked && cost(*linked, wish) < cost(*foot, wish)) ? foot : linked;
 }
 
 Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
@@ -388,62 +482,31 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
 
     if (to != kNothing) to = out_of_leaf(to);
 
-    // The mesh's way, its corners put on the floor; where it has none, from cell to cell.
-    std::vector<std::vector<Vec3>> legs(1);
-    std::vector<std::uint32_t> links;
-    const std::optional<MeshPath> found = mesh_->path(from, to, wish, piece_[from] != piece_[to]);
-    const bool over_mesh = found && found->complete;
-    if (over_mesh) {
-        for (std::size_t i = 0; i < found->corners.size(); ++i) {
-            const MeshPath::Corner& corner = found->corners[i];
-            std::uint32_t on = space_.nearest(corner.place_m, 4.0 * space_.cell_m, space_.body.step_up_m + 0.2, space_.body.step_up_m + 0.2);
-            if (i == 0) on = from;
-            if (i + 1 == found->corners.size()) on = to;
-            for (const std::uint32_t number : {i > 0 ? found->corners[i - 1].link : kNothing, corner.link}) {  // one end of a link
-                if (number == kNothing) continue;
-                const WalkLink& link = space_.links[number];
-                const Vec3 a = space_.place_m(link.from), b = space_.place_m(link.to);
-                on = glm::length(a - corner.place_m) < glm::length(b - corner.place_m) ? link.from : link.to;
-            }
-            if (on == kNothing) continue;
-            legs.back().push_back(space_.place_m(on));
-            if (corner.link != kNothing) {
-                links.push_back(corner.link);
-                legs.emplace_back();
-            }
-        }
-    } else {
-        for (const std::uint32_t s : over_cells(from, to, wish)) legs.back().push_back(space_.place_m(s));
-        if (legs.back().empty()) {
+    // Over the mesh; where it has no way, from cell to cell.
+    std::optional<Way> way = best_over_mesh(from, to, wish);
+    if (!way) {
+        way.emplace();
+        for (const std::uint32_t s : over_cells(from, to, wish)) way->legs_m.back().push_back(space_.place_m(s));
+        if (way->legs_m.back().empty()) {
             route.reaches = false;
-            legs.back().push_back(space_.place_m(from));
+            way->legs_m.back().push_back(space_.place_m(from));
             route.short_of_m = glm::length(to_m - space_.place_m(from));
         }
+        finish(*way, to, wish);
     }
-    for (std::size_t i = 0; i < legs.size(); ++i) {
-        if (legs[i].empty()) legs[i].push_back(space_.place_m(to));
-        std::vector<Vec3> walked{legs[i].front()};
-        for (std::size_t k = 1; k < legs[i].size(); ++k) {
-            if (!space_.straight(legs[i][k - 1], legs[i][k])) {
-                const std::uint32_t a = space_.nearest(legs[i][k - 1], space_.cell_m, 0.1, 0.1), b = space_.nearest(legs[i][k], space_.cell_m, 0.1, 0.1);
-                if (a != kNothing && b != kNothing)
-                    for (const std::uint32_t s : over_cells(a, b, wish)) walked.push_back(space_.place_m(s));
-            }
-            walked.push_back(legs[i][k]);
-        }
-        go_round_leaves(walked, wish);
-        straighten(walked, wish);
-        make_way(walked, wish);
+    for (std::size_t i = 0; i < way->legs_m.size(); ++i) {
         if (i > 0) {
-            const WalkLink& link = space_.links[links[i - 1]];
-            const double rise = walked.front().z - route.points_m.back().z;
+            const WalkLink& link = space_.links[way->links[i - 1]];
+            const double rise = way->legs_m[i].front().z - route.points_m.back().z;
             route.passages.push_back({link.kind, route.points_m.back(), route.length_m, rise, link.feature});
             route.drops = route.drops || link.kind == PassageKind::Drop;
         }
-        tell_passages(route, walked);
+        tell_passages(route, way->legs_m[i]);
     }
     // A few steps too few to be told as stairs.
-    std::erase_if(route.passages, [&](const RoutePassage& p) { return p.kind == PassageKind::Stairs && std::abs(p.rise_m) < kStairsTold_m; });
+    std::erase_if(route.passages, [&](const RoutePassage& p) {
+        return p.kind == PassageKind::Stairs && std::abs(p.rise_m) < kStairsTold_m;
+    });
     return route;
 }
 

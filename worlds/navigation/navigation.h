@@ -1,10 +1,10 @@
-// Ways through a world on foot, ready to be asked for: the walkable space and its mesh, built once from a Scene. Building takes from milliseconds to seconds
-// and any thread; asking shares scratch memory, so one thread at a time.
+// Ways through a world on foot, ready to be asked for: the walkable space and its mesh, built once from a Scene.
+// Building takes from milliseconds to seconds and any thread; asking shares scratch memory, so one thread at a time.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -20,25 +20,31 @@ WalkBody walk_body(const Scene& scene, double radius_m, double height_m, double 
 
 class Navigation {
 public:
-    // Fails with one sentence: no floor, too large, stopped. `stop` may be empty; it is asked now and then and ends the work.
-    static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkBody& body, const std::function<bool()>& stop = {});
+    // Fails with one sentence: no floor, too large, stopped. Where the floor gives no mesh, or there is no memory for
+    // one, ways are sought from place to place, which takes longer, and never over drops, lifts and teleporters.
+    static Result<std::shared_ptr<Navigation>> make(const Scene& scene, const WalkBody& body,
+                                                    const std::stop_token& stop = {});
 
-    // Where leaves of open doors stand by now; at first there are none. Routes planned from here on go round them, unless that is much longer than through
-    // one: who comes there can shut the door.
+    // Where leaves of open doors stand by now; at first there are none. Routes planned from here on go round them,
+    // unless that is much longer than through one: who comes there can shut the door.
     void know_leaves(std::span<const OpenLeaf> leaves) { leaf_marks_ = mark_leaves(space_, leaves); }
     // Somebody who goes along these points would meet a leaf.
     bool meets_leaf(std::span<const Vec3> points_m) const;
 
-    // From where a body stands to a place, or to the nearest one to stand at beside it. Doors count as open. A route that does not reach its goal ends at
-    // the nearest place that can be reached. No points: there is no floor at `from_m`.
+    // From where a body stands to a place, or to the nearest one to stand at beside it. Doors count as open. A route
+    // that does not reach its goal ends at the nearest place that can be reached. No points: there is no floor at
+    // `from_m`.
     Route plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish = RouteWish::Safest);
-    // Where one can stand nearest to a place, within 3 m; where the leaf of an open door is, beside it: it is where a route to there ends.
+    // Where one can stand nearest to a place, within 3 m; where the leaf of an open door is, beside it: it is where a
+    // route to there ends.
     std::optional<Vec3> nearest_place(const Vec3& at_m) const;
     // True when one comes from one place to the other, doors open; drops, lifts and teleporters count as ways.
     bool reachable(const Vec3& from_m, const Vec3& to_m) const;
 
     const WalkSpace& space() const { return space_; }
-    const NavMesh& mesh() const { return *mesh_; }
+    const NavMesh* mesh() const { return mesh_.get(); }  // null: there is none
+    // What only finding rooms needs.
+    void let_walls_go() { space_.walls.reset(); }
     // What a listener should know about how it was made; empty where all is plain.
     const std::vector<std::string>& said() const { return space_.said; }
 
@@ -59,6 +65,15 @@ private:
     void go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const;
     void straighten(std::vector<Vec3>& points_m, RouteWish wish) const;
     void make_way(std::vector<Vec3>& points_m, RouteWish wish) const;
+    // Stretches walked, and the links (of WalkSpace::links) between them.
+    struct Way {
+        std::vector<std::vector<Vec3>> legs_m = std::vector<std::vector<Vec3>>(1);
+        std::vector<std::uint32_t> links;
+    };
+    std::optional<Way> over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links);
+    void finish(Way& way, std::uint32_t to, RouteWish wish) const;
+    double cost(const Way& way, RouteWish wish) const;
+    std::optional<Way> best_over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish);
     void tell_passages(Route& route, const std::vector<Vec3>& leg) const;
 
     WalkSpace space_;

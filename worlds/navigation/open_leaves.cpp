@@ -12,11 +12,13 @@ std::vector<std::uint8_t> mark_leaves(const WalkSpace& space, std::span<const Op
         const PlacedFrame frame(leaf.at);
         Aabb stands;
         for (int corner = 0; corner < 8; ++corner)
-            stands.include(frame.to_world({(corner & 1) ? leaf.own_m.max_m.x : leaf.own_m.min_m.x, (corner & 2) ? leaf.own_m.max_m.y : leaf.own_m.min_m.y,
+            stands.include(frame.to_world({(corner & 1) ? leaf.own_m.max_m.x : leaf.own_m.min_m.x,
+                                           (corner & 2) ? leaf.own_m.max_m.y : leaf.own_m.min_m.y,
                                            (corner & 4) ? leaf.own_m.max_m.z : leaf.own_m.min_m.z}));
         const double reach_m = space.body.radius_m + kLeafRoom_m;
         const auto cell = [&](double world, double origin, std::uint32_t count) {
-            return static_cast<std::uint32_t>(std::clamp(std::floor((world - origin) / space.cell_m), 0.0, static_cast<double>(count - 1)));
+            return static_cast<std::uint32_t>(
+                std::clamp(std::floor((world - origin) / space.cell_m), 0.0, static_cast<double>(count - 1)));
         };
         const std::uint32_t x0 = cell(stands.min_m.x - reach_m, space.origin_m.x, space.width),
                             x1 = cell(stands.max_m.x + reach_m, space.origin_m.x, space.width);

@@ -1,5 +1,6 @@
-// The leaves of doors where they stand open, over a walkable space in which all doors count as open and no leaf is anywhere: which places a body overlaps a
-// leaf at. Pure function; any thread. Costs a look at the places round each leaf, and a byte for each span while any stands open.
+// The leaves of doors where they stand open, over a walkable space in which all doors count as open and no leaf is
+// anywhere: which places a body overlaps a leaf at. Pure function; any thread. Costs a look at the places round each
+// leaf, and a byte for each span while any stands open.
 #pragma once
 
 #include <cstdint>

@@ -21,10 +21,14 @@ double area_m2(const std::vector<Vec2>& loop) {
 std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& space) {
     std::vector<RoomOutline> outlines(graph.rooms.size());
     std::vector<bool> met(graph.rooms.size(), false);
-    // The span beside, where one walks there and back and stays in the room; ways as WalkSpan::next: east, north, west, south.
+    // The span beside, where one walks there and back and stays in the room; ways as WalkSpan::next: east, north, west,
+    // south.
     const auto beside = [&](std::uint32_t span, std::size_t way) {
         const std::uint32_t n = space.spans[span].next[way];
-        return n != kNothing && space.spans[n].next[(way + 2) % 4] == span && graph.room_of_span[n] == graph.room_of_span[span] ? n : kNothing;
+        return n != kNothing && space.spans[n].next[(way + 2) % 4] == span &&
+                       graph.room_of_span[n] == graph.room_of_span[span]
+                   ? n
+                   : kNothing;
     };
     std::vector<bool> done(4 * space.spans.size(), false);
     for (std::uint32_t start = 0; start < space.spans.size(); ++start) {
@@ -50,14 +54,21 @@ std::vector<RoomOutline> room_outlines(const RoomGraph& graph, const WalkSpace& 
                     span = to;
                     continue;
                 }
-                // A corner: from place to place round it, to the next side that is border. Where the floor is stepped that may be the other side of the very step
-                // one came along. No side is come to from two, and so the way ends where it began.
+                // A corner: from place to place round it, to the next side that is border. Where the floor is stepped
+                // that may be the other side of the very step one came along. No side is come to from two, and so the
+                // way ends where it began.
                 if (to == kNothing) to = span, to_side = ahead;
                 else
-                    for (std::uint32_t on = beside(to, to_side); on != kNothing; on = beside(to, to_side)) to = on, to_side = (to_side + 3) % 4;
+                    for (std::uint32_t on = beside(to, to_side); on != kNothing; on = beside(to, to_side))
+                        to = on, to_side = (to_side + 3) % 4;
                 const Vec3 middle = space.place_m(span);
                 const double half_m = 0.5 * space.cell_m;
-                const auto part = [&](std::size_t way) { return way == 0 ? Vec2(half_m, 0.0) : way == 1 ? Vec2(0.0, half_m) : way == 2 ? Vec2(-half_m, 0.0) : Vec2(0.0, -half_m); };
+                const auto part = [&](std::size_t way) {
+                    return way == 0   ? Vec2(half_m, 0.0)
+                           : way == 1 ? Vec2(0.0, half_m)
+                           : way == 2 ? Vec2(-half_m, 0.0)
+                                      : Vec2(0.0, -half_m);
+                };
                 loop.push_back(Vec2(middle.x, middle.y) + part(side) + part(ahead));
                 span = to;
                 side = to_side;

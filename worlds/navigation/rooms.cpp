@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <unordered_map>
 
 #include "worlds/base/language.h"
+#include "worlds/navigation/stated_rooms.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
@@ -19,7 +25,8 @@ constexpr double kLeastPiece_m2 = 0.3, kLeastWide_m2 = 4.0, kLeastRoom_m2 = 0.8,
 constexpr double kHuge_m2 = 150.0, kHugeShare = 0.75, kLeastOfHuge_m2 = 10.0;
 constexpr double kLong = 6.0;  // a huge place of so many squares as wide as its widest part is corridors
 constexpr double kStorey_m = 2.0;
-constexpr double kOnePortal_m = 1.0;  // gaps in a border smaller than that do not make two portals
+constexpr double kMostBeside_m = 10.0;  // from the middle of a landmark to the floor beside it
+constexpr double kOnePortal_m = 1.0;    // gaps in a border smaller than that do not make two portals
 
 MadeRoomName by_thing(const Feature& feature) {
     MadeRoomName called;
@@ -30,37 +37,55 @@ MadeRoomName by_thing(const Feature& feature) {
 }
 
 std::string made_name(const MadeRoomName& made) {
-    constexpr std::array kLooks{"room_name.niche", "room_name.corridor", "room_name.small_room", "room_name.room", "room_name.large_room", "room_name.hall"};
+    constexpr std::array kLooks{"room_name.niche", "room_name.corridor",   "room_name.small_room",
+                                "room_name.room",  "room_name.large_room", "room_name.hall"};
     const std::string thing = in_spoken_language(made.thing_made ? spoken_kind(made.thing) : made.thing, made.thing_in);
-    if (made.with_thing) return phrase(made.look == RoomLook::Niche ? "room_name.niche_with" : "room_name.room_with", {{"thing", thing}});
+    if (made.with_thing)
+        return phrase(made.look == RoomLook::Niche ? "room_name.niche_with" : "room_name.room_with",
+                      {{"thing", thing}});
     if (!thing.empty()) return thing;
     const std::string look = phrase(kLooks[static_cast<std::size_t>(made.look)]);
     const std::string side = made.side_rad ? compass_word(*made.side_rad) : phrase("room_name.middle");
-    const std::string name = phrase("room_name.by_size", {{"look", look}, {"wide", made.wide_m}, {"deep", made.deep_m}, {"side", side}});
-    if (made.levels == 2) return phrase(made.level == 0 ? "room_name.lower_level" : "room_name.upper_level", {{"room", name}});
+    const std::string name =
+        phrase("room_name.by_size", {{"look", look}, {"wide", made.wide_m}, {"deep", made.deep_m}, {"side", side}});
+    if (made.levels == 2)
+        return phrase(made.level == 0 ? "room_name.lower_level" : "room_name.upper_level", {{"room", name}});
     return made.levels > 2 ? phrase("room_name.level", {{"room", name}, {"level", made.level + 1}}) : name;
 }
 
-std::string unnumbered(const Room& room) { return room.map_name.empty() ? made_name(room.made) : in_spoken_language(room.map_name, room.map_name_in); }
+std::string unnumbered(const Room& room) {
+    return room.map_name.empty() ? made_name(room.made) : in_spoken_language(room.map_name, room.map_name_in);
+}
 
 class Builder {
 public:
     // walls: the same floor without furniture.
-    Builder(const Scene& scene, const WalkSpace& space, const WalkSpace& walls)
-        : scene_(scene), space_(space), walls_(walls), label_(space.spans.size(), kNothing) {}
+    Builder(const Scene& scene, const WalkSpace& space, const SpanGrid<WallSpan>& walls, const std::stop_token& stop)
+        : scene_(scene), space_(space), walls_(walls), stop_(stop), label_(space.spans.size(), kNothing) {}
 
     RoomGraph build() {
-        watershed();
-        pieces_of(plain, RoomKind::Room);  // on top of what was left aside
-        pieces_of([](const WalkSpan& s) { return s.stairs && s.door == kNothing && !s.liquid; }, RoomKind::Stairs);
-        pieces_of([](const WalkSpan& s) { return s.liquid && s.door == kNothing; }, RoomKind::Liquid);
-        absorb_crumbs();
-        find_door_sides();
-        spread_into_doors();
-        number_rooms();
-        measure();
-        join();
-        name();
+        const auto stairs = [](const WalkSpan& s) { return s.stairs && s.door == kNothing && !s.liquid; };
+        const auto liquid = [](const WalkSpan& s) { return s.liquid && s.door == kNothing; };
+        const std::array<std::function<void()>, 11> stages{
+            [&] { watershed(); },
+            [&] {
+                pieces_of([](const WalkSpan& s) { return plain(s); }, RoomKind::Room);
+            },  // on top of what was left aside
+            [&] { pieces_of(stairs, RoomKind::Stairs); },
+            [&] { pieces_of(liquid, RoomKind::Liquid); },
+            [&] { absorb_crumbs(); },
+            [&] { find_door_sides(); },
+            [&] { spread_into_doors(); },
+            [&] { number_rooms(); },
+            [&] { measure(); },
+            [&] { join(); },
+            [&] { name(); },
+        };
+        for (const auto& stage : stages) {
+            if (stop_.stop_requested()) return {};
+            stage();
+        }
+        if (stop_.stop_requested()) return {};
         return std::move(graph_);
     }
 
@@ -68,9 +93,11 @@ private:
     struct Basin {
         double peak_m = 0.0;
         std::size_t cells = 0;
-        std::string name;
+        std::uint32_t name = kNothing;  // place in Scene::room_names
     };
+    static bool plain(const WallSpan& s) { return !s.door && !s.stairs && !s.liquid; }
     static bool plain(const WalkSpan& s) { return s.door == kNothing && !s.stairs && !s.liquid; }
+    static bool is_ground(const Feature& feature) { return feature.made_name && feature.name == "ground outside"; }
     double clearance(std::uint32_t s) const { return static_cast<double>(space_.spans[s].clearance_m); }
     double area(std::size_t cells) const { return static_cast<double>(cells) * space_.cell_area_m2(); }
 
@@ -80,8 +107,10 @@ private:
     }
 
     bool cut(const Basin& a, const Basin& b, std::uint32_t at) const {
-        if (!a.name.empty() && !b.name.empty()) return a.name != b.name;
-        const double s = wide_m(at), peak = std::min(a.peak_m, b.peak_m), least = area(std::min(a.cells, b.cells)), both = area(a.cells + b.cells);
+        if (a.name != kNothing && b.name != kNothing)
+            return scene_.room_names[a.name].name != scene_.room_names[b.name].name;
+        const double s = wide_m(at), peak = std::min(a.peak_m, b.peak_m), least = area(std::min(a.cells, b.cells)),
+                     both = area(a.cells + b.cells);
         if (both > kHuge_m2 && s <= kHugeShare * peak && least >= kLeastOfHuge_m2) return true;
         const bool doorway = s < kDoorway_m && s <= kDoorwayShare * peak && least >= kLeastPiece_m2;
         const bool wide = s <= kWideShare * peak && least >= kLeastWide_m2;
@@ -92,17 +121,26 @@ private:
 
     // From the widest places down to the narrowest: what meets in a narrow place stays apart.
     void watershed() {
+        const std::vector<std::uint32_t> stated = scene_.stated
+                                                      ? stated_rooms_of(*scene_.stated, walls_)
+                                                      : std::vector<std::uint32_t>(walls_.spans.size(), kNothing);
+        const auto open = [&](std::uint32_t s) {
+            return plain(walls_.spans[s]) && stated[s] == kNothing;
+        };  // the file says nothing of it
         std::vector<std::uint32_t> order;
+        order.reserve(walls_.spans.size());
         for (std::uint32_t s = 0; s < walls_.spans.size(); ++s)
-            if (plain(walls_.spans[s])) order.push_back(s);
-        std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return wide_m(a) > wide_m(b); });
+            if (open(s)) order.push_back(s);
+        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return wide_m(a) != wide_m(b) ? wide_m(a) > wide_m(b) : a < b;
+        });
         parent_.resize(walls_.spans.size());
         std::iota(parent_.begin(), parent_.end(), 0U);
-        std::vector<Basin> basins(walls_.spans.size());
-        std::vector<bool> done(walls_.spans.size(), false);
-        for (const RoomName& given : scene_.room_names) {
+        std::unordered_map<std::uint32_t, std::uint32_t> given_at;  // of a span; looked up only
+        for (std::uint32_t k = 0; k < scene_.room_names.size(); ++k) {
+            const RoomName& given = scene_.room_names[k];
             std::uint32_t s = walls_.nearest(given.at_m, 1.5, 1.0, 3.0);
-            if (s == kNothing) continue;
+            if (s == kNothing || given.name.empty()) continue;
             for (bool higher = true; higher;) {  // to the widest place around
                 higher = false;
                 for (const std::uint32_t n : walls_.spans[s].next)
@@ -112,52 +150,104 @@ private:
                         break;
                     }
             }
-            if (basins[s].name.empty()) basins[s].name = given.name;
+            given_at.try_emplace(s, k);
         }
-        for (const std::uint32_t s : order) {
-            done[s] = true;
-            basins[s].peak_m = wide_m(s);
-            basins[s].cells = 1;
+        // Of each root its basin, of each other span that has been met kMet, until the labels stand here.
+        constexpr std::uint32_t kMet = kNothing - 1;
+        of_walls_.assign(walls_.spans.size(), kNothing);
+        std::vector<Basin> basins;
+        const auto basin = [&](std::uint32_t root) -> Basin& { return basins[of_walls_[root]]; };
+        for (std::size_t k = 0; k < order.size(); ++k) {
+            if ((k & 0xffff) == 0 && stop_.stop_requested()) return;
+            const std::uint32_t s = order[k];
+            const auto given = given_at.find(s);
+            const std::uint32_t name = given == given_at.end() ? kNothing : given->second;
             // First to the neighbour with most room, so that a border's cell goes where it belongs.
             std::array<std::uint32_t, 4> around = {kNothing, kNothing, kNothing, kNothing};
             std::size_t count = 0;
             for (const std::uint32_t n : walls_.spans[s].next)
-                if (n != kNothing && plain(walls_.spans[n]) && done[n]) around[count++] = root(n);
+                if (n != kNothing && open(n) && of_walls_[n] != kNothing) around[count++] = root(n);
             std::stable_sort(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(count),
-                             [&](std::uint32_t a, std::uint32_t b) { return basins[a].peak_m > basins[b].peak_m; });
-            bool first = true;
-            for (std::size_t i = 0; i < count; ++i) {
+                             [&](std::uint32_t a, std::uint32_t b) { return basin(a).peak_m > basin(b).peak_m; });
+            if (count == 0) {
+                of_walls_[s] = static_cast<std::uint32_t>(basins.size());
+                basins.push_back({wide_m(s), 1, name});
+                continue;
+            }
+            // Narrower than all before it, it goes to one of them.
+            of_walls_[s] = kMet;
+            parent_[s] = around[0];
+            basin(around[0]).cells += 1;
+            if (basin(around[0]).name == kNothing) basin(around[0]).name = name;
+            for (std::size_t i = 1; i < count; ++i) {
                 const std::uint32_t a = root(s), b = root(around[i]);
-                if (a == b) continue;
-                if (!first && cut(basins[a], basins[b], s)) continue;
+                if (a == b || cut(basin(a), basin(b), s)) continue;
                 // The one with more room goes on.
-                const std::uint32_t keep = basins[a].peak_m > basins[b].peak_m ? a : b, gone = keep == a ? b : a;
+                const std::uint32_t keep = basin(a).peak_m > basin(b).peak_m ? a : b, gone = keep == a ? b : a;
                 parent_[gone] = keep;
-                basins[keep].cells += basins[gone].cells;
-                if (basins[keep].name.empty()) basins[keep].name = basins[gone].name;
-                first = false;
+                basin(keep).cells += basin(gone).cells;
+                if (basin(keep).name == kNothing) basin(keep).name = basin(gone).name;
+                of_walls_[gone] = kMet;
             }
         }
-        std::map<std::uint32_t, std::uint32_t> number;
-        of_walls_.assign(walls_.spans.size(), kNothing);
+        std::vector<std::uint32_t>().swap(order);
+        std::vector<std::uint32_t> label(basins.size(), kNothing);  // of each basin, in the order of its first span
         for (std::uint32_t s = 0; s < walls_.spans.size(); ++s) {
-            if (!plain(walls_.spans[s])) continue;
-            const std::uint32_t r = root(s);
-            const auto [found, is_new] = number.try_emplace(r, static_cast<std::uint32_t>(kinds_.size()));
-            if (is_new) {
-                kinds_.push_back(RoomKind::Room);
-                names_.push_back(basins[r].name);
-            }
-            of_walls_[s] = found->second;
+            if (!open(s)) continue;
+            std::uint32_t& made = label[of_walls_[root(s)]];
+            if (made != kNothing) continue;
+            made = static_cast<std::uint32_t>(kinds_.size());
+            kinds_.push_back(RoomKind::Room);
+            const std::uint32_t name = basin(root(s)).name;
+            names_.push_back(name == kNothing ? std::string() : scene_.room_names[name].name);
         }
+        for (std::uint32_t s = 0; s < walls_.spans.size(); ++s) parent_[s] = root(s);
+        for (const bool roots : {false, true})
+            for (std::uint32_t s = 0; s < walls_.spans.size(); ++s)
+                if (open(s) && (parent_[s] == s) == roots) of_walls_[s] = label[of_walls_[parent_[s]]];
+        std::vector<std::uint32_t>().swap(parent_);
+        label_stated(stated);
         part_long_ones();
+        const double reach_m = 1.5 * space_.body.step_up_m;
         for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
             if (plain(space_.spans[s]))
-                if (const std::uint32_t under = walls_.at(space_.place_m(s)); under != kNothing) label_[s] = of_walls_[under];
+                if (const std::uint32_t under = walls_.nearest(space_.place_m(s), 0.0, reach_m, reach_m);
+                    under != kNothing)
+                    label_[s] = of_walls_[under];
     }
 
-    // A huge place that is nowhere wide is corridors: no wall comes together anywhere in it, but it turns and branches. Each straight stretch becomes a
-    // place of its own: a cell belongs to the longer of the two level runs through it, and a run never leaves the place.
+    // What the file states is a room as a whole, whatever stands in it; and the ground outside, that the reader added,
+    // is one place.
+    void label_stated(const std::vector<std::uint32_t>& stated) {
+        stated_label_.assign(scene_.stated ? scene_.stated->rooms.size() : 0, kNothing);
+        for (std::uint32_t s = 0; s < stated.size(); ++s) {
+            if (stated[s] == kNothing || !plain(walls_.spans[s])) continue;
+            std::uint32_t& made = stated_label_[stated[s]];
+            if (made == kNothing) {
+                made = static_cast<std::uint32_t>(kinds_.size());
+                kinds_.push_back(RoomKind::Room);
+                names_.push_back(scene_.stated->rooms[stated[s]].name);
+            }
+            of_walls_[s] = made;
+        }
+        const auto ground = std::find_if(scene_.features.begin(), scene_.features.end(), is_ground);
+        if (!scene_.stated || ground == scene_.features.end()) return;
+        for (std::uint32_t s = 0; s < stated.size(); ++s) {
+            if (of_walls_[s] == kNothing || stated[s] != kNothing ||
+                std::abs(walls_.place_m(s).z - ground->bounds_m.max_m.z) > 0.005)
+                continue;
+            if (outside_ == kNothing) {
+                outside_ = static_cast<std::uint32_t>(kinds_.size());
+                kinds_.push_back(RoomKind::Room);
+                names_.emplace_back();
+            }
+            of_walls_[s] = outside_;
+        }
+    }
+
+    // A huge place that is nowhere wide is corridors: no wall comes together anywhere in it, but it turns and branches.
+    // Each straight stretch becomes a place of its own: a cell belongs to the longer of the two level runs through it,
+    // and a run never leaves the place.
     void part_long_ones() {
         const std::size_t count = kinds_.size();
         std::vector<std::size_t> cells(count, 0);
@@ -165,10 +255,13 @@ private:
         for (std::uint32_t s = 0; s < of_walls_.size(); ++s)
             if (const std::uint32_t l = of_walls_[s]; l != kNothing) {
                 ++cells[l];
-                widest_m[l] = std::max(widest_m[l], 2.0 * (wide_m(s) + walls_.body.radius_m));
+                widest_m[l] = std::max(widest_m[l], 2.0 * (wide_m(s) + space_.body.radius_m));
             }
         std::vector<bool> parts(count, false);
-        for (std::size_t l = 0; l < count; ++l) parts[l] = names_[l].empty() && area(cells[l]) > kHuge_m2 && area(cells[l]) > kLong * widest_m[l] * widest_m[l];
+        for (std::size_t l = 0; l < count; ++l)
+            parts[l] = l != outside_ && names_[l].empty() && area(cells[l]) > kHuge_m2 &&
+                       area(cells[l]) > kLong * widest_m[l] * widest_m[l];
+        if (std::none_of(parts.begin(), parts.end(), [](bool p) { return p; }) || stop_.stop_requested()) return;
         const std::vector<std::uint32_t> east = runs(0, 2), north = runs(1, 3);
         const auto along = [&](std::uint32_t s) { return east[s] >= north[s]; };
         std::vector<std::uint32_t> stretch(of_walls_.size(), kNothing), open;
@@ -183,7 +276,8 @@ private:
                 open.pop_back();
                 ++size.back();
                 for (const std::uint32_t n : walls_.spans[here].next)
-                    if (n != kNothing && of_walls_[n] == of_walls_[s] && stretch[n] == kNothing && along(n) == along(s)) {
+                    if (n != kNothing && of_walls_[n] == of_walls_[s] && stretch[n] == kNothing &&
+                        along(n) == along(s)) {
                         stretch[n] = stretch[s];
                         open.push_back(n);
                     }
@@ -192,14 +286,16 @@ private:
         // Recesses and crumbs of slanting walls go to the longest border.
         std::vector<std::uint32_t> goes(size.size());
         std::iota(goes.begin(), goes.end(), 0U);
-        for (int round = 0; round < 8; ++round) {
+        for (int round = 0; round < 8 && !stop_.stop_requested(); ++round) {
             std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> border;
             std::fill(size.begin(), size.end(), 0);
             for (std::uint32_t s = 0; s < stretch.size(); ++s) {
                 if (stretch[s] == kNothing) continue;
                 ++size[stretch[s]];
                 for (const std::uint32_t n : walls_.spans[s].next)
-                    if (n != kNothing && stretch[n] != kNothing && stretch[n] != stretch[s] && of_walls_[n] == of_walls_[s]) ++border[{stretch[s], stretch[n]}];
+                    if (n != kNothing && stretch[n] != kNothing && stretch[n] != stretch[s] &&
+                        of_walls_[n] == of_walls_[s])
+                        ++border[{stretch[s], stretch[n]}];
             }
             bool any = false;
             for (std::uint32_t part = 0; part < size.size(); ++part) {
@@ -208,7 +304,9 @@ private:
                 std::size_t longest = 0;
                 for (auto it = border.lower_bound({part, 0}); it != border.end() && it->first.first == part; ++it) {
                     const std::uint32_t other = it->first.second;
-                    if (size[other] < size[part] || (size[other] == size[part] && other > part) || it->second <= longest) continue;
+                    if (size[other] < size[part] || (size[other] == size[part] && other > part) ||
+                        it->second <= longest)
+                        continue;
                     longest = it->second;
                     goes[part] = other;
                     any = true;
@@ -238,7 +336,8 @@ private:
     std::vector<std::uint32_t> runs(std::size_t way, std::size_t back) const {
         const auto on = [&](std::uint32_t s, std::size_t to) {
             const std::uint32_t n = walls_.spans[s].next[to];
-            return n != kNothing && of_walls_[n] == of_walls_[s] && walls_.spans[n].next[(to + 2) % 4] == s ? n : kNothing;
+            return n != kNothing && of_walls_[n] == of_walls_[s] && walls_.spans[n].next[(to + 2) % 4] == s ? n
+                                                                                                            : kNothing;
         };
         std::vector<std::uint32_t> length(of_walls_.size(), 0), row;
         for (std::uint32_t s = 0; s < of_walls_.size(); ++s) {
@@ -274,14 +373,15 @@ private:
 
     // What is too small to be a room goes to the neighbour it has the longest border with.
     void absorb_crumbs() {
-        for (int round = 0; round < 4; ++round) {
+        for (int round = 0; round < 4 && !stop_.stop_requested(); ++round) {
             std::vector<std::size_t> cells(kinds_.size(), 0);
             std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> border;
             for (std::uint32_t s = 0; s < space_.spans.size(); ++s) {
                 if (label_[s] == kNothing) continue;
                 ++cells[label_[s]];
                 for (const std::uint32_t n : space_.spans[s].next)
-                    if (n != kNothing && label_[n] != kNothing && label_[n] != label_[s]) ++border[{label_[s], label_[n]}];
+                    if (n != kNothing && label_[n] != kNothing && label_[n] != label_[s])
+                        ++border[{label_[s], label_[n]}];
             }
             std::vector<std::uint32_t> goes(kinds_.size());
             std::iota(goes.begin(), goes.end(), 0U);
@@ -292,7 +392,9 @@ private:
                 std::size_t longest = 0;
                 for (auto it = border.lower_bound({l, 0}); it != border.end() && it->first.first == l; ++it) {
                     const std::uint32_t other = it->first.second;
-                    if (goes[other] != other || cells[other] < cells[l] || (cells[other] == cells[l] && other > l) || it->second <= longest) continue;
+                    if (goes[other] != other || cells[other] < cells[l] || (cells[other] == cells[l] && other > l) ||
+                        it->second <= longest)
+                        continue;
                     longest = it->second;
                     goes[l] = other;
                     any = true;
@@ -312,6 +414,31 @@ private:
             for (const std::uint32_t n : space_.spans[s].next)
                 if (n != kNothing && label_[n] != kNothing) ++door_sides_[group][label_[n]];
         }
+        if (scene_.stated) take_stated_doors();
+    }
+
+    // What the file says of a door's two sides counts; of one with a room on one side only, the other is outside where
+    // nothing else was found there.
+    void take_stated_doors() {
+        for (const StatedPortal& stated : scene_.stated->portals) {
+            const auto mover = std::find_if(scene_.movers.begin(), scene_.movers.end(),
+                                            [&](const Mover& m) { return m.feature == stated.feature; });
+            if (stated.kind != StatedPortalKind::Door || mover == scene_.movers.end() || stated.rooms.empty() ||
+                stated.rooms.size() > 2)
+                continue;
+            std::map<std::uint32_t, std::size_t>& found = door_sides_[mover->group];
+            if (stated.rooms.size() == 1 && found.size() > 1) continue;
+            const std::uint32_t a = stated_label_[stated.rooms[0]],
+                                b = stated.rooms.size() == 2 ? stated_label_[stated.rooms[1]] : outside_;
+            if (a != kNothing && b != kNothing && !found.empty()) found = {{a, 1}, {b, 1}};
+        }
+    }
+    bool beside_stated_door(const std::pair<std::uint32_t, std::uint32_t>& rooms, const Vec3& at_m) const {
+        constexpr double kSame_m = 1.0;  // a doorway's border lies on one side of its leaf, as deep as a body
+        return scene_.stated && std::any_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& p) {
+                   return p.kind == PassageKind::Door && p.rooms[0] == rooms.first && p.rooms[1] == rooms.second &&
+                          glm::length(p.place_m - at_m) < kSame_m;
+               });
     }
 
     void spread_into_doors() {
@@ -330,14 +457,17 @@ private:
 
     void number_rooms() {
         std::vector<std::uint32_t> number(kinds_.size(), kNothing);
+        std::unordered_map<std::string_view, const OtherLanguages*> names_in;  // looked up only; the first that has any
+        for (const RoomName& given : scene_.room_names)
+            if (!given.name_in.empty()) names_in.try_emplace(given.name, &given.name_in);
         for (std::uint32_t& l : label_) {
             if (number[l] == kNothing) {
                 number[l] = static_cast<std::uint32_t>(graph_.rooms.size());
                 Room room;
                 room.kind = kinds_[l];
                 room.map_name = names_[l];
-                for (const RoomName& given : scene_.room_names)
-                    if (given.name == room.map_name && room.map_name_in.empty()) room.map_name_in = given.name_in;
+                if (const auto found = names_in.find(room.map_name); found != names_in.end())
+                    room.map_name_in = *found->second;
                 graph_.rooms.push_back(room);
             }
             l = number[l];
@@ -372,11 +502,14 @@ private:
             room.area_m2 = area(cells[r]) + static_cast<double>(rim[r]) * space_.cell_m * space_.body.radius_m;
             room.bounds_m.min_m -= Vec3(space_.body.radius_m, space_.body.radius_m, 0.0);
             room.bounds_m.max_m += Vec3(space_.body.radius_m, space_.body.radius_m, 0.0);
-            if (room.kind == RoomKind::Room && room.area_m2 < kNiche_m2 && room.map_name.empty()) room.kind = RoomKind::Niche;
+            if (room.kind == RoomKind::Room && room.area_m2 < kNiche_m2 && room.map_name.empty())
+                room.kind = RoomKind::Niche;
         }
         std::vector<std::size_t> by_height(graph_.rooms.size());
         std::iota(by_height.begin(), by_height.end(), std::size_t{0});
-        std::stable_sort(by_height.begin(), by_height.end(), [&](std::size_t a, std::size_t b) { return graph_.rooms[a].floor_m < graph_.rooms[b].floor_m; });
+        std::stable_sort(by_height.begin(), by_height.end(), [&](std::size_t a, std::size_t b) {
+            return graph_.rooms[a].floor_m < graph_.rooms[b].floor_m;
+        });
         double base = graph_.rooms.empty() ? 0.0 : graph_.rooms[by_height[0]].floor_m;
         for (const std::size_t r : by_height) {
             Room& room = graph_.rooms[r];
@@ -389,19 +522,27 @@ private:
     }
 
     void join() {
+        struct Leaves {
+            Aabb box;
+            FeatureId first = kNoFeature;
+        };
+        std::map<std::uint32_t, Leaves> leaves_of;  // group
+        for (const Mover& mover : scene_.movers) {
+            Leaves& leaves = leaves_of[mover.group];
+            leaves.box.include(scene_.features[mover.feature.value].bounds_m);
+            if (!leaves.first) leaves.first = mover.feature;
+        }
         for (const auto& [group, sides] : door_sides_) {
             if (sides.size() < 2) continue;
             std::vector<std::pair<std::uint32_t, std::size_t>> by_border(sides.begin(), sides.end());
-            std::stable_sort(by_border.begin(), by_border.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+            std::stable_sort(by_border.begin(), by_border.end(),
+                             [](const auto& a, const auto& b) { return a.second > b.second; });
             Portal portal;
             portal.kind = PassageKind::Door;
-            portal.rooms = {std::min(by_border[0].first, by_border[1].first), std::max(by_border[0].first, by_border[1].first)};
-            Aabb box;
-            for (const Mover& mover : scene_.movers) {
-                if (mover.group != group) continue;
-                box.include(scene_.features[mover.feature.value].bounds_m);
-                if (!portal.feature) portal.feature = mover.feature;
-            }
+            portal.rooms = {std::min(by_border[0].first, by_border[1].first),
+                            std::max(by_border[0].first, by_border[1].first)};
+            const Aabb& box = leaves_of[group].box;
+            portal.feature = leaves_of[group].first;
             const Vec3 centre = box.centre_m();
             portal.width_m = std::max(box.size_m().x, box.size_m().y);
             portal.place_m = {centre.x, centre.y, box.min_m.z};
@@ -445,20 +586,24 @@ private:
             for (const Stretch& stretch : stretches) {
                 Portal portal;
                 portal.rooms = {rooms.first, rooms.second};
-                const bool stairs = graph_.rooms[rooms.first].kind == RoomKind::Stairs || graph_.rooms[rooms.second].kind == RoomKind::Stairs;
+                const bool stairs = graph_.rooms[rooms.first].kind == RoomKind::Stairs ||
+                                    graph_.rooms[rooms.second].kind == RoomKind::Stairs;
                 portal.kind = stairs ? PassageKind::Stairs : PassageKind::Opening;
                 portal.place_m = stretch.sum / static_cast<double>(stretch.cells);
-                portal.width_m = std::hypot(stretch.box.size_m().x, stretch.box.size_m().y) + 2.0 * space_.body.radius_m;
+                if (beside_stated_door(rooms, portal.place_m)) continue;
+                portal.width_m =
+                    std::hypot(stretch.box.size_m().x, stretch.box.size_m().y) + 2.0 * space_.body.radius_m;
                 graph_.portals.push_back(portal);
             }
+        std::set<std::tuple<PassageKind, std::uint32_t, std::uint32_t, std::uint32_t>>
+            known;  // drops between two rooms are one, others one for each feature
         for (const WalkLink& link : space_.links) {
             const std::uint32_t a = label_[link.from], b = label_[link.to];
-            const bool known =
-                a == b || std::any_of(graph_.portals.begin(), graph_.portals.end(), [&](const Portal& p) {
-                    return p.kind == link.kind && p.rooms[0] == a && p.rooms[1] == b && (link.kind == PassageKind::Drop || p.feature == link.feature);
-                });
-            if (known) continue;
-            graph_.portals.push_back({link.kind, {a, b}, space_.place_m(link.from), 1.0, link.feature, !link.both_ways});
+            if (a == b ||
+                !known.emplace(link.kind, a, b, link.kind == PassageKind::Drop ? kNothing : link.feature.value).second)
+                continue;
+            graph_.portals.push_back(
+                {link.kind, {a, b}, space_.place_m(link.from), 1.0, link.feature, !link.both_ways});
         }
     }
 
@@ -468,16 +613,22 @@ private:
         for (const Feature& feature : scene_.features) {
             if (!feature.landmark || feature.bounds_m.empty() || feature.kind == FeatureKind::Door) continue;
             const Vec3 c = feature.bounds_m.centre_m(), size = feature.bounds_m.size_m();
-            const std::uint32_t s = space_.nearest({c.x, c.y, feature.bounds_m.min_m.z}, 0.5 * std::max(size.x, size.y) + 1.0, 0.6, 2.0);
+            if (stop_.stop_requested()) return;
+            const double beside_m = std::min(0.5 * std::max(size.x, size.y) + 1.0, kMostBeside_m);
+            const std::uint32_t s = space_.nearest({c.x, c.y, feature.bounds_m.min_m.z}, beside_m, 0.6, 2.0);
             if (s != kNothing && content[label_[s]].thing.empty()) content[label_[s]] = by_thing(feature);
         }
         std::vector<Aabb> levels(static_cast<std::size_t>(levels_));
         for (const Room& room : graph_.rooms) levels[static_cast<std::size_t>(room.level)].include(room.bounds_m);
+        const std::vector<const Feature*> grounds = grounds_of_stairs();
         for (std::uint32_t r = 0; r < graph_.rooms.size(); ++r) {
             Room& room = graph_.rooms[r];
             if (!room.map_name.empty()) continue;
-            if (room.kind == RoomKind::Stairs) room.made = ground_name(r);
+            if (room.kind == RoomKind::Stairs)
+                room.made = grounds[r] ? by_thing(*grounds[r]) : MadeRoomName{.thing = "stairs", .thing_made = true};
             else if (room.kind == RoomKind::Liquid) room.made = liquid_name(r);
+            else if (const Feature* ground = scene_.stated ? ground_at_middle(room) : nullptr)
+                room.made = by_thing(*ground);
             else if (content[r].thing.empty()) room.made = by_size(room, levels[static_cast<std::size_t>(room.level)]);
             else {
                 room.made = content[r];
@@ -493,17 +644,32 @@ private:
         }
     }
 
-    MadeRoomName ground_name(std::uint32_t room) const {
-        for (std::uint32_t s = 0; s < label_.size(); ++s)
-            if (label_[s] == room && space_.spans[s].ground < space_.obstacle_features.size())
-                if (const Feature* feature = scene_.find(space_.obstacle_features[space_.spans[s].ground]);
-                    feature && feature->kind == FeatureKind::Object && !feature->name.empty())
-                    return by_thing(*feature);
-        return {.thing = "stairs", .thing_made = true};
+    // The ground outside that a building brings, where a room is on it.
+    const Feature* ground_at_middle(const Room& room) const {
+        const std::uint32_t s = space_.at(room.middle_m);
+        const std::uint32_t ground = s == kNothing ? kNothing : space_.spans[s].ground;
+        const Feature* feature =
+            ground < space_.obstacle_features.size() ? scene_.find(space_.obstacle_features[ground]) : nullptr;
+        return feature && is_ground(*feature) ? feature : nullptr;
+    }
+
+    // Of each flight of stairs the first thing with a name that one stands on there.
+    std::vector<const Feature*> grounds_of_stairs() const {
+        std::vector<const Feature*> grounds(graph_.rooms.size(), nullptr);
+        for (std::uint32_t s = 0; s < label_.size(); ++s) {
+            const std::uint32_t room = label_[s], ground = space_.spans[s].ground;
+            if (grounds[room] || graph_.rooms[room].kind != RoomKind::Stairs ||
+                ground >= space_.obstacle_features.size())
+                continue;
+            const Feature* feature = scene_.find(space_.obstacle_features[ground]);
+            if (feature && feature->kind == FeatureKind::Object && !feature->name.empty()) grounds[room] = feature;
+        }
+        return grounds;
     }
     MadeRoomName liquid_name(std::uint32_t room) const {
         for (const Solid& solid : scene_.solids)
-            if (solid.role == SolidRole::Liquid && solid.feature && contains(solid.shape, graph_.rooms[room].middle_m + Vec3(0.0, 0.0, 0.3)))
+            if (solid.role == SolidRole::Liquid && solid.feature &&
+                contains(solid.shape, graph_.rooms[room].middle_m + Vec3(0.0, 0.0, 0.3)))
                 return by_thing(scene_.features[solid.feature.value]);
         return {.thing = "water", .thing_made = true};
     }
@@ -511,25 +677,30 @@ private:
         const Vec3 size = room.bounds_m.size_m(), all = level.size_m(), off = room.middle_m - level.centre_m();
         const double least = std::min(size.x, size.y), most = std::max(size.x, size.y);
         MadeRoomName made;
-        made.look = room.kind == RoomKind::Niche        ? RoomLook::Niche
+        made.look = room.kind == RoomKind::Niche                         ? RoomLook::Niche
                     : most > 3.0 * least && (least < 2.5 || most > 12.0) ? RoomLook::Corridor
-                    : room.area_m2 < 6.0                ? RoomLook::SmallRoom
-                    : room.area_m2 > 250.0              ? RoomLook::Hall
-                    : room.area_m2 > 80.0               ? RoomLook::LargeRoom
-                                                        : RoomLook::Room;
+                    : room.area_m2 < 6.0                                 ? RoomLook::SmallRoom
+                    : room.area_m2 > 250.0                               ? RoomLook::Hall
+                    : room.area_m2 > 80.0                                ? RoomLook::LargeRoom
+                                                                         : RoomLook::Room;
         made.wide_m = static_cast<int>(std::nearbyint(std::max(1.0, size.x)));
         made.deep_m = static_cast<int>(std::nearbyint(std::max(1.0, size.y)));
-        if (std::abs(off.x) >= 0.15 * all.x || std::abs(off.y) >= 0.15 * all.y) made.side_rad = std::atan2(off.x, off.y);
+        if (std::abs(off.x) >= 0.15 * all.x || std::abs(off.y) >= 0.15 * all.y)
+            made.side_rad = std::atan2(off.x, off.y);
         made.level = room.level;
         made.levels = levels_;
         return made;
     }
 
     const Scene& scene_;
-    const WalkSpace &space_, &walls_;
+    const WalkSpace& space_;
+    const SpanGrid<WallSpan>& walls_;
+    std::stop_token stop_;
     std::vector<std::uint32_t> label_, parent_;
     std::vector<std::uint32_t> of_walls_;  // label of each span of walls_
     std::vector<RoomKind> kinds_;
+    std::vector<std::uint32_t> stated_label_;  // of each of StatedBuilding::rooms
+    std::uint32_t outside_ = kNothing;         // label of the ground that a reader added
     std::vector<std::string> names_;
     std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> door_sides_;
     int levels_ = 1;
@@ -538,11 +709,19 @@ private:
 
 }  // namespace
 
-RoomGraph make_rooms(const Scene& scene, const WalkSpace& space) {
-    WalkBody body = space.body;
-    body.walls_only = true;
-    const Result<WalkSpace> walls = make_walk_space(scene, body);
-    return Builder(scene, space, walls ? *walls : space).build();
+RoomGraph make_rooms(const Scene& scene, const WalkSpace& space, const std::stop_token& stop) {
+    if (space.walls) return Builder(scene, space, *space.walls, stop).build();
+    // Where nobody can stand without furniture, or the walls were let go.
+    SpanGrid<WallSpan> as_it_is{space.origin_m, space.cell_m, space.width, space.depth, space.first, {}};
+    for (const WalkSpan& s : space.spans)
+        as_it_is.spans.push_back({s.floor_m,
+                                  {s.next[0], s.next[1], s.next[2], s.next[3]},
+                                  s.clearance_m,
+                                  s.cell & 0x1fffffffU,
+                                  s.door != kNothing ? 1U : 0U,
+                                  s.liquid ? 1U : 0U,
+                                  s.stairs ? 1U : 0U});
+    return Builder(scene, space, as_it_is, stop).build();
 }
 
 std::string own_name(const Room& room) {
@@ -581,7 +760,8 @@ std::vector<std::string> give_names(RoomGraph& graph, const WalkSpace& space, co
     return homeless;
 }
 
-std::vector<std::uint32_t> exits_of(const RoomGraph& graph, std::uint32_t room, const Vec3& feet_m, double heading_rad) {
+std::vector<std::uint32_t> exits_of(const RoomGraph& graph, std::uint32_t room, const Vec3& feet_m,
+                                    double heading_rad) {
     std::vector<std::pair<double, std::uint32_t>> exits;
     for (std::uint32_t p = 0; p < graph.portals.size(); ++p) {
         const Portal& portal = graph.portals[p];

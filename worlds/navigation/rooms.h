@@ -1,4 +1,5 @@
-// Rooms and what joins them: one graph for every kind of world, derived from the walkable space where the file does not say. Pure functions; any thread.
+// Rooms and what joins them: one graph for every kind of world, derived from the walkable space where the file does not
+// say. Pure functions; any thread.
 #pragma once
 
 #include <array>
@@ -20,15 +21,15 @@ struct MadeRoomName {
     OtherLanguages thing_in = {};
     bool with_thing = false;  // "room with Stove"; else the room is called as the thing is
     RoomLook look = RoomLook::Room;
-    int wide_m = 0, deep_m = 0;      // else by size and place
+    int wide_m = 0, deep_m = 0;           // else by size and place
     std::optional<double> side_rad = {};  // of its storey it is on; none: in the middle
     int level = 0, levels = 1;
 };
 
 struct Room {
     RoomKind kind = RoomKind::Room;
-    // Lower case unless it is a name: "Kitchen", "large room, 12 by 8 metres, north". One that no person gave is in the language that was spoken when the
-    // graph was made: see say_room_names. No file knows a room by it.
+    // Lower case unless it is a name: "Kitchen", "large room, 12 by 8 metres, north". One that no person gave is in the
+    // language that was spoken when the graph was made: see say_room_names. No file knows a room by it.
     std::string name;
     bool given = false;    // `name` comes from a person
     std::string map_name;  // empty: the map gives none, and it is called by what is known of it
@@ -64,9 +65,10 @@ struct RoomGraph {
     std::string language;                     // the one that the names are in
 };
 
-// Rooms are cut at doors, stairs, liquids and where walls come together; furniture makes none. Names of Scene::room_names cut apart what no wall does, at
-// the narrowest place between them.
-RoomGraph make_rooms(const Scene& scene, const WalkSpace& space);
+// Rooms are cut at doors, stairs, liquids and where walls come together; furniture makes none. Names of
+// Scene::room_names cut apart what no wall does, at the narrowest place between them. Time goes with the spans. `stop`
+// is asked every few milliseconds; stopped, there are no rooms in it.
+RoomGraph make_rooms(const Scene& scene, const WalkSpace& space, const std::stop_token& stop = {});
 
 // What a room is called where no person gave it a name, in the language spoken.
 std::string own_name(const Room& room);
@@ -79,10 +81,12 @@ void say_room_names(RoomGraph& graph);
 // The room somebody stands in; kNothing where that is no walkable place.
 std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m);
 
-// Gives the names of a person to the rooms around their places. The names for which there is no room any more, or no longer one of their own.
+// Gives the names of a person to the rooms around their places. The names for which there is no room any more, or no
+// longer one of their own.
 std::vector<std::string> give_names(RoomGraph& graph, const WalkSpace& space, const std::vector<GivenName>& names);
 
-// Places in RoomGraph::portals that lead out of a room, clockwise as somebody at that place sees them who faces that way.
+// Places in RoomGraph::portals that lead out of a room, clockwise as somebody at that place sees them who faces that
+// way.
 std::vector<std::uint32_t> exits_of(const RoomGraph& graph, std::uint32_t room, const Vec3& feet_m, double heading_rad);
 
 }  // namespace handrail

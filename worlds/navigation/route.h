@@ -1,5 +1,5 @@
-// A way for a walking body from one place to another, as plain values: what guidance, words and the wall-side of a route are made of. World metres; points
-// are where the soles stand.
+// A way for a walking body from one place to another, as plain values: what guidance, words and the wall-side of a
+// route are made of. World metres; points are where the soles stand.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,8 @@ struct RoutePassage {
 };
 
 struct Route {
-    std::vector<Vec3> points_m;          // from the start to the goal, or to the nearest place that can be reached; empty when one cannot stand at the start
+    std::vector<Vec3> points_m;  // from the start to the goal, or to the nearest place that can be reached; empty when
+                                 // one cannot stand at the start
     std::vector<RoutePassage> passages;  // in the order in which one meets them
     double length_m = 0.0;               // along the points, rise included; a lift, drop or teleporter counts nothing
     bool reaches = false;                // the last point is the goal

@@ -1,12 +1,15 @@
-// Where a body of a certain size can stand and walk in a Scene: upright columns through its solids, each grown by the body, so that a place is free exactly
-// when the body there overlaps nothing. The same growth and slopes as walking itself uses. Built by flooding from where a designer put something, so
-// its size goes with what can be reached, not with the world's. Immutable afterwards. Deterministic. Any thread.
+// Where a body of a certain size can stand and walk in a Scene: upright columns through its solids, each grown by the
+// body, so that a place is free exactly when the body there overlaps nothing. The same growth and slopes as walking
+// itself uses. Built by flooding from where a designer put something, so its size goes with what can be reached, not
+// with the world's. Immutable afterwards. Deterministic. Any thread.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -21,8 +24,7 @@ struct WalkBody {
     double height_m = 1.8;
     double step_up_m = 0.25;
     double most_drop_m = 1.0;  // farther down nobody is led
-    bool walls_only = false;   // furniture is left out: things lower than a wall; for finding rooms, never for ways
-    double cell_m = 0.05;      // of the columns; grows by itself where a world is too large for it
+    double cell_m = 0.05;      // of the columns; larger where there is too much floor for it
 };
 
 // No span, no obstacle, no room.
@@ -33,15 +35,26 @@ struct WalkSpan {
     float floor_m = 0.0F;    // above WalkSpace::origin_m.z
     float ceiling_m = 0.0F;  // where the soles could at most be
     std::uint32_t cell = 0;
-    std::uint32_t next[4] = {kNothing, kNothing, kNothing, kNothing};  // the span one walks to: east, north, west, south
-    std::uint32_t ground = kNothing;                                   // obstacle one stands on
-    std::uint32_t door = kNothing;                                     // place in Scene::movers of the door that hangs here
-    float clearance_m = 0.0F;                                          // from here to where the body would touch something or step off an edge
-    std::uint32_t beside = kNothing;                                   // the obstacle that is nearest; kNothing: an edge
-    bool near_edge = false;                                            // nearest is an edge that one would fall from
+    std::uint32_t next[4] = {kNothing, kNothing, kNothing,
+                             kNothing};  // the span one walks to: east, north, west, south
+    std::uint32_t ground = kNothing;     // obstacle one stands on
+    std::uint32_t door = kNothing;       // place in Scene::movers of the door that hangs here
+    float clearance_m = 0.0F;            // from here to where the body would touch something or step off an edge
+    std::uint32_t beside = kNothing;     // the obstacle that is nearest; kNothing: an edge
+    bool near_edge = false;              // nearest is an edge that one would fall from
     bool liquid = false;
     bool stairs = false;
 };
+
+// The same where furniture is left out, things lower than a wall: only what finding rooms looks at.
+struct WallSpan {
+    float floor_m = 0.0F;
+    std::uint32_t next[4] = {kNothing, kNothing, kNothing, kNothing};
+    float clearance_m = 0.0F;
+    std::uint32_t cell : 29 = 0;  // a grid has far fewer
+    std::uint32_t door : 1 = 0, liquid : 1 = 0, stairs : 1 = 0;
+};
+static_assert(sizeof(WallSpan) == 28);  // there are millions
 
 // A way that walking alone does not make.
 struct WalkLink {
@@ -51,31 +64,45 @@ struct WalkLink {
     FeatureId feature = kNoFeature;
 };
 
-struct WalkSpace {
+// Columns side by side, each with its spans from below.
+template <class Span>
+struct SpanGrid {
     Vec3 origin_m{0.0};  // corner of cell 0
     double cell_m = 0.05;
     std::uint32_t width = 0, depth = 0;  // cells to the east and to the north
-    WalkBody body;
-    std::vector<std::uint32_t> first;  // of each cell the first span; size width x depth + 1
-    std::vector<WalkSpan> spans;
-    std::vector<WalkLink> links;
-    std::vector<FeatureId> obstacle_features;  // of each obstacle the feature it is, kNoFeature for the building itself
-    std::vector<std::string> said;             // sentences about what was simplified
+    std::vector<std::uint32_t> first;    // of each cell the first span; size width x depth + 1
+    std::vector<Span> spans;
 
     Vec3 place_m(std::uint32_t span) const {
         const std::uint32_t x = spans[span].cell % width, y = spans[span].cell / width;
         return origin_m + Vec3((x + 0.5) * cell_m, (y + 0.5) * cell_m, static_cast<double>(spans[span].floor_m));
     }
-    // The span whose middle is nearest, at most that far level and up or down; kNothing: none.
+    // The span whose middle is nearest, at most that far level and up or down; kNothing: none. Costs a look at the
+    // cells nearer than it, and never at more than the grid has.
     std::uint32_t nearest(const Vec3& feet_m, double level_m, double up_m, double down_m) const;
-    // The span of the column at that place whose floor is nearest in height; kNothing where there is none within a step and a half.
+};
+extern template struct SpanGrid<WalkSpan>;
+extern template struct SpanGrid<WallSpan>;
+
+struct WalkSpace : SpanGrid<WalkSpan> {
+    WalkBody body;
+    std::vector<WalkLink> links;
+    std::vector<FeatureId> obstacle_features;  // of each obstacle the feature it is, kNoFeature for the building itself
+    std::vector<std::string> said;             // sentences about what was simplified
+    std::shared_ptr<const SpanGrid<WallSpan>> walls;  // without furniture, for make_rooms; may be let go after that
+
+    // The span of the column at that place whose floor is nearest in height; kNothing where there is none within a step
+    // and a half.
     std::uint32_t at(const Vec3& feet_m) const;
-    // True when one walks straight from one place to the other without leaving the spans. `touched` is told every span on the way, in order.
+    // True when one walks straight from one place to the other without leaving the spans. `touched` is told every span
+    // on the way, in order.
     bool straight(const Vec3& from_m, const Vec3& to_m, const std::function<void(std::uint32_t)>& touched = {}) const;
     double cell_area_m2() const { return cell_m * cell_m; }
 };
 
-// Fails with a sentence where there is nothing to walk on. `progress` may be empty; `stop` is asked now and then, true ends it with a failure.
-Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, const std::function<bool()>& stop = {});
+// Fails with a sentence where there is nothing to walk on, where there is too much of it, and where `stop` ends it: it
+// is asked every few milliseconds. One flood gives both the space and its walls. At most 150 bytes for each span while
+// it is made.
+Result<WalkSpace> make_walk_space(const Scene& scene, const WalkBody& body, const std::stop_token& stop = {});
 
 }  // namespace handrail

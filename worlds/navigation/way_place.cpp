@@ -36,7 +36,8 @@ WayPlace nearest_on_way(std::span<const Vec3> points_m, const Vec3& from_m) {
     return nearest;
 }
 
-WayPlace near_on_way(std::span<const Vec3> points_m, const Vec3& from_m, double along_m, double height_counts, const std::function<bool(const Vec3&)>& sees) {
+WayPlace near_on_way(std::span<const Vec3> points_m, const Vec3& from_m, double along_m, double height_counts,
+                     const std::function<bool(const Vec3&)>& sees) {
     contract_pre(!points_m.empty());
     const auto off = [&](Vec3 way) {
         way.z *= height_counts;

@@ -10,11 +10,13 @@ std::string excerpt(std::string_view found, std::size_t most) {
     return text;
 }
 
-tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world) {
+tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file,
+                                       std::string_view world) {
     if (diagnostics.kept().empty()) return fail(phrase("reader.nothing_to_touch", {{"world", world}}), file);
     const Diagnostic& first = diagnostics.kept().front();
-    return fail(phrase("reader.only_problems", {{"world", world}, {"count", diagnostics.in_all()}, {"problem", first.message}}), file, first.line,
-                first.column);
+    return fail(
+        phrase("reader.only_problems", {{"world", world}, {"count", diagnostics.in_all()}, {"problem", first.message}}),
+        file, first.line, first.column);
 }
 
 }  // namespace handrail

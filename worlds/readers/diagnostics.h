@@ -14,7 +14,8 @@
 
 namespace handrail {
 
-inline constexpr double kFarthestM = 1e6;  // no coordinate in a file may lie further out: replay and rendering take positions up to here
+inline constexpr double kFarthestM =
+    1e6;  // no coordinate in a file may lie further out: replay and rendering take positions up to here
 
 struct TextPlace {
     int line = 0;
@@ -32,10 +33,13 @@ public:
     void warn(TextPlace place, std::string_view action, std::string_view message, Values values = {}) {
         add(Severity::Warning, place, action, message, values);
     }
-    void error(TextPlace place, std::string_view action, std::string_view message, Values values = {}) { add(Severity::Error, place, action, message, values); }
+    void error(TextPlace place, std::string_view action, std::string_view message, Values values = {}) {
+        add(Severity::Error, place, action, message, values);
+    }
     // What somebody else said, in its own words.
     void pass_on(TextPlace place, std::string_view action, const std::string& words) {
-        if (++in_all_ <= static_cast<int>(kMostKept)) kept_.push_back({Severity::Warning, file_, place.line, place.column, words, phrase(action)});
+        if (++in_all_ <= static_cast<int>(kMostKept))
+            kept_.push_back({Severity::Warning, file_, place.line, place.column, words, phrase(action)});
     }
 
     const std::vector<Diagnostic>& kept() const { return kept_; }
@@ -60,8 +64,8 @@ private:
 // At most `most` bytes of what was found, fit for a message: bytes that are no printable ASCII become question marks.
 std::string excerpt(std::string_view found, std::size_t most = 24);
 
-// The failure of a file that holds nothing usable, with the first problem where there was one: "... in this map. It holds no brushes."
-// `world`: "map" or "mesh".
+// The failure of a file that holds nothing usable, with the first problem where there was one: "... in this map. It
+// holds no brushes." `world`: "map" or "mesh".
 tl::unexpected<Error> nothing_to_touch(const Diagnostics& diagnostics, const std::string& file, std::string_view world);
 
 }  // namespace handrail

@@ -15,7 +15,11 @@ constexpr std::array<std::string_view, 4> kPulls{"point", "line", "surface", "ob
 class EffectReader {
 public:
     EffectReader(const MapEntity& entity, std::string name, double units, Diagnostics& diagnostics)
-        : entity_(entity), name_(std::move(name)), units_(units), diagnostics_(diagnostics), keys_(diagnostics, units) {}
+        : entity_(entity),
+          name_(std::move(name)),
+          units_(units),
+          diagnostics_(diagnostics),
+          keys_(diagnostics, units) {}
 
     bool read(Effect& effect) {
         const MapKey* kind = entity_.find("effect");
@@ -25,7 +29,8 @@ public:
         if (!spec) {
             std::vector<std::string> names;
             for (const EffectSpec& row : effect_table()) names.emplace_back(row.name);
-            diagnostics_.warn(kind->place, "map.then_left_out", "map.no_effect", {{"value", excerpt(kind->value)}, {"nearest", nearest_name(word, names)}});
+            diagnostics_.warn(kind->place, "map.then_left_out", "map.no_effect",
+                              {{"value", excerpt(kind->value)}, {"nearest", nearest_name(word, names)}});
             return false;
         }
         effect.kind = spec->kind;
@@ -35,19 +40,28 @@ public:
         effect.width_hand_m = spec->width_hand_m;
         effect.edge_hand_m = spec->edge_hand_m;
         if (spec->most_n > 0.0)
-            effect.strength_n = keys_.number_of(entity_, "strength", spec->least_n, spec->most_n, "map.range_newtons").value_or(effect.strength_n);
+            effect.strength_n = keys_.number_of(entity_, "strength", spec->least_n, spec->most_n, "map.range_newtons")
+                                    .value_or(effect.strength_n);
         if (spec->most_hand_m > 0.0) {
             if (!has_size("width", "map.effect_no_width")) return false;
             effect.width_hand_m =
-                keys_.number_of(entity_, "width", spec->least_hand_m, spec->most_hand_m, "map.range_hand_metres").value_or(effect.width_hand_m);
+                keys_.number_of(entity_, "width", spec->least_hand_m, spec->most_hand_m, "map.range_hand_metres")
+                    .value_or(effect.width_hand_m);
         }
-        effect.edge_hand_m = keys_.number_of(entity_, "edge", kLeastEdge_hand_m, kMostEdge_hand_m, "map.range_hand_metres").value_or(effect.edge_hand_m);
-        effect.frequency_hz = keys_.number_of(entity_, "frequency", kLeastVibration_hz, kMostVibration_hz, "map.range_hertz").value_or(effect.frequency_hz);
-        effect.mass_kg = keys_.number_of(entity_, "mass", kLeastMass_kg, kMostMass_kg, "map.range_kilograms").value_or(effect.mass_kg);
+        effect.edge_hand_m =
+            keys_.number_of(entity_, "edge", kLeastEdge_hand_m, kMostEdge_hand_m, "map.range_hand_metres")
+                .value_or(effect.edge_hand_m);
+        effect.frequency_hz =
+            keys_.number_of(entity_, "frequency", kLeastVibration_hz, kMostVibration_hz, "map.range_hertz")
+                .value_or(effect.frequency_hz);
+        effect.mass_kg = keys_.number_of(entity_, "mass", kLeastMass_kg, kMostMass_kg, "map.range_kilograms")
+                             .value_or(effect.mass_kg);
         if (const std::optional<Vec3> direction = keys_.vector_of(entity_, "direction", "map.then_up")) {
             const double length = glm::length(*direction);
             if (length > 0.0) effect.direction = *direction / length;
-            else diagnostics_.warn(entity_.find("direction")->place, "map.then_up", "map.effect_direction", {{"name", name_}});
+            else
+                diagnostics_.warn(entity_.find("direction")->place, "map.then_up", "map.effect_direction",
+                                  {{"name", name_}});
         }
         if (const MapKey* pull = entity_.find("pull")) {
             const std::string value = lower_ascii(trimmed(pull->value).substr(0, 32));
@@ -70,7 +84,8 @@ public:
         }
         if (!entity_.find("radius")) return refuse(entity_.place, "map.effect_point");
         if (!has_size("radius", "map.effect_no_radius")) return false;
-        const std::optional<double> radius = keys_.number_of(entity_, "radius", 0.0, kFarthestM / units_, "map.range_length");
+        const std::optional<double> radius =
+            keys_.number_of(entity_, "radius", 0.0, kFarthestM / units_, "map.range_length");
         if (!radius) return false;
         const std::optional<Vec3> end = keys_.vector_of(entity_, "end", "map.then_ball");
         if (end && *end != *origin) effect.where = EffectCapsule{*origin * units_, *end * units_, *radius * units_};
@@ -102,8 +117,9 @@ private:
 
 }  // namespace
 
-std::vector<ReadEffect> read_effects(const MapEntity& entity, int index, const std::string& name, double metres_per_unit,
-                                     const std::function<BuiltSolid(const MapBrush&)>& built, Diagnostics& diagnostics) {
+std::vector<ReadEffect> read_effects(const MapEntity& entity, int index, const std::string& name,
+                                     double metres_per_unit, const std::function<BuiltSolid(const MapBrush&)>& built,
+                                     Diagnostics& diagnostics) {
     std::vector<ReadEffect> effects;
     EffectReader reader(entity, name, metres_per_unit, diagnostics);
     ReadEffect one;
@@ -142,10 +158,14 @@ void attach_effects(std::vector<ReadEffect>& effects, Scene& scene, Diagnostics&
             }
             if (!effect.belongs_to)
                 diagnostics.warn(read.target_place, "map.then_stays", "map.effect_target",
-                                 {{"name", effect.name}, {"target", excerpt(read.target)}, {"nearest", nearest_name(read.target, names)}});
+                                 {{"name", effect.name},
+                                  {"target", excerpt(read.target)},
+                                  {"nearest", nearest_name(read.target, names)}});
         }
         if (effect.pull == MagnetPull::Object && !effect.belongs_to) {
-            if (read.target.empty()) diagnostics.warn({effect.source.line, 0}, "map.then_point", "map.effect_no_target", {{"name", effect.name}});
+            if (read.target.empty())
+                diagnostics.warn({effect.source.line, 0}, "map.then_point", "map.effect_no_target",
+                                 {{"name", effect.name}});
             effect.pull = MagnetPull::Point;
         }
         scene.effects.push_back(std::move(effect));

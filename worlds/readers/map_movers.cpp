@@ -9,7 +9,9 @@ namespace handrail {
 namespace {
 
 // Defaults of the game of 1996, in units.
-constexpr double kDoorSpeed_units_per_s = 100.0, kLiftSpeed_units_per_s = 150.0, kButtonSpeed_units_per_s = 40.0;
+constexpr double kDoorSpeed_units_per_s = 100.0, kLiftSpeed_units_per_s = 150.0, kButtonSpeed_units_per_s = 40.0,
+                 kTrainSpeed_units_per_s = 100.0;
+constexpr double kTurn_deg_per_s = 100.0, kMostTurn_deg_per_s = 720.0;
 constexpr double kDoorLip_units = 8.0, kButtonLip_units = 4.0, kLiftLip_units = 8.0;
 constexpr double kNearDoor_units = 60.0, kAboveDoor_units = 8.0;  // where a body sets a door going
 constexpr double kDoorWait_s = 3.0, kButtonWait_s = 1.0, kLiftWait_s = 3.0;
@@ -17,9 +19,17 @@ constexpr double kLeastTravel_s = 0.1, kMostTravel_s = 60.0;
 // Doors of a building.
 constexpr double kLeafTravel_s = 1.2;
 constexpr double kQuarterTurn_rad = kPi / 2.0;
-constexpr int kStartsOpen = 1, kDoNotLink = 4, kStays = 32;  // bits of a door's spawnflags
+constexpr int kStartsOpen = 1, kDoNotLink = 4, kStays = 32;           // bits of a door's spawnflags
+constexpr int kStartsOn = 1, kReverse = 2, kAboutX = 4, kAboutY = 8;  // bits of a turning part's
+constexpr double kLiftDoorWait_s = 5.0;                               // of a lift's door in a building
+constexpr double kLiftSpeedInBuilding_units_per_s = 24.0,
+                 kHandAbove_m = 1.1;  // three quarters of a metre a second; of a button above its floor
+constexpr double kStandingRoom_m = 1.8;
+constexpr std::size_t kMostStops = 1000;
 
-std::string name_of_key(const MapEntity& entity, std::string_view key) { return lower_ascii(trimmed(entity.value(key)).substr(0, 256)); }
+std::string name_of_key(const MapEntity& entity, std::string_view key) {
+    return lower_ascii(trimmed(entity.value(key)).substr(0, 256));
+}
 
 int flags_of(const MapEntity& entity) {
     double flags = 0.0;
@@ -35,7 +45,9 @@ Vec3 direction_of_angle(double angle_deg) {
     return {clean(std::cos(radians_from_degrees(angle_deg))), clean(std::sin(radians_from_degrees(angle_deg))), 0.0};
 }
 
-double travel_s(double way_m, double speed_m_per_s) { return std::clamp(way_m / std::max(speed_m_per_s, 1e-6), kLeastTravel_s, kMostTravel_s); }
+double travel_s(double way_m, double speed_m_per_s) {
+    return std::clamp(way_m / std::max(speed_m_per_s, 1e-6), kLeastTravel_s, kMostTravel_s);
+}
 
 // The way along `direction` that uncovers a box but for the lip.
 Vec3 slide_of(const Aabb& bounds_m, const Vec3& direction, double lip_m) {
@@ -54,7 +66,8 @@ void hang(ReadMover& read, const std::string& hinge) {
     const Aabb& box = read.bounds_m;
     const Vec3 size = box.size_m();
     const bool along_x = size.x >= size.y;  // how the closed leaf runs
-    const bool at_far_end = along_x ? hinge.find("east") != std::string::npos || hinge == "right" : hinge.find("north") != std::string::npos || hinge == "left";
+    const bool at_far_end = along_x ? hinge.find("east") != std::string::npos || hinge == "right"
+                                    : hinge.find("north") != std::string::npos || hinge == "left";
     const bool to_far_side = read.wish.empty() || read.wish == (along_x ? "north" : "east");
     Mover& mover = read.mover;
     mover.pivot_m = box.min_m;
@@ -71,16 +84,80 @@ void hang(ReadMover& read, const std::string& hinge) {
     mover.travel_s = kLeafTravel_s;
 }
 
+// A lift's top at that part of its way.
+double top_m(const ReadMover& lift, double part) { return lift.bounds_m.max_m.z + lift.mover.slide_m.z * part; }
+// The end of a lift's way that is at that height.
+double end_near(const ReadMover& lift, double floor_m) {
+    return std::abs(top_m(lift, 0.0) - floor_m) <= std::abs(top_m(lift, 1.0) - floor_m) ? 0.0 : 1.0;
+}
+
+// The stops of a train from corner to corner, until a corner comes again or there is none. The least corner of its box
+// goes there.
+void lay_track(ReadMover& read, const std::vector<ReadCorner>& corners, double unit_m, Diagnostics& diagnostics) {
+    std::vector<std::size_t> seen;
+    std::string next = read.target;
+    Mover& mover = read.mover;
+    while (!next.empty() && seen.size() < kMostStops) {
+        const auto corner =
+            std::find_if(corners.begin(), corners.end(), [&](const ReadCorner& c) { return c.name == next; });
+        if (corner == corners.end()) break;
+        const auto index = static_cast<std::size_t>(corner - corners.begin());
+        if (const auto again = std::find(seen.begin(), seen.end(), index); again != seen.end()) {
+            mover.after_last = static_cast<int>(again - seen.begin());
+            break;
+        }
+        seen.push_back(index);
+        mover.stops.push_back({corner->at_units * unit_m, corner->wait_s});
+        next = corner->target;
+    }
+    if (mover.stops.size() > 1) {
+        mover.pivot_m = read.bounds_m.min_m;
+        mover.speed_m_per_s = std::max(read.speed_units, 1.0) * unit_m;
+        return;
+    }
+    mover.stops.clear();
+    mover.after_last = -1;
+    diagnostics.warn(read.target_place, "map.then_stands", "map.train_target");
+}
+
 }  // namespace
 
 void note_name(ReadMovers& found, const MapEntity& entity) {
     if (std::string name = name_of_key(entity, "targetname"); !name.empty()) found.names.insert(std::move(name));
 }
 
-void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature, const MapKeys& keys) {
-    const bool door = class_name.starts_with("func_door"), lift = class_name.starts_with("func_plat"), button = class_name == "func_button";
-    if (!door && !lift && !button) return;
+void note_corner(ReadMovers& found, const MapEntity& entity, const MapKeys& keys) {
+    const std::optional<Vec3> at = keys.vector_of(entity, "origin");
+    ReadCorner corner{name_of_key(entity, "targetname"), name_of_key(entity, "target"), at.value_or(Vec3(0.0)),
+                      keys.number_of(entity, "wait", -1.0, 3600.0, "map.range_wait").value_or(0.0)};
+    if (at && !corner.name.empty()) found.corners.push_back(std::move(corner));
+}
+
+void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view class_name, FeatureId feature,
+                const MapKeys& keys, const std::optional<Vec3>& origin_units) {
+    const bool door = class_name.starts_with("func_door"), lift = class_name.starts_with("func_plat"),
+               button = class_name == "func_button";
+    const bool train = class_name == "func_train", turns = class_name == "func_rotating";
+    if (!door && !lift && !button && !train && !turns) return;
     ReadMover read;
+    read.train = train;
+    read.turns = turns;
+    read.turns_about_units = origin_units;
+    read.target_place = entity.place;
+    if (turns) {
+        const int flags = flags_of(entity);
+        const double degrees =
+            keys.number_of(entity, "speed", 0.0, kMostTurn_deg_per_s, "map.range_turn").value_or(kTurn_deg_per_s);
+        read.mover.turn_rad_per_s = radians_from_degrees((flags & kReverse) != 0 ? -degrees : degrees);
+        if ((flags & kAboutX) != 0) read.mover.turn_axis = {1.0, 0.0, 0.0};
+        else if ((flags & kAboutY) != 0) read.mover.turn_axis = {0.0, 1.0, 0.0};
+        read.starts_on = (flags & kStartsOn) != 0;
+    }
+    if (train || turns) read.mover.by_hand = false;
+    if (const MapKey* key = entity.find("lift"); key && door) {
+        read.of_lift = name_of_key(entity, "lift");
+        read.of_lift_place = key->place;
+    }
     read.mover.feature = feature;
     read.door = door;
     read.lift = lift;
@@ -92,12 +169,20 @@ void note_mover(ReadMovers& found, const MapEntity& entity, std::string_view cla
     read.linked = (flags_of(entity) & kDoNotLink) == 0;
     read.has_angle = entity.find("angle") != nullptr;
     read.angle_deg = keys.number_of(entity, "angle", -360.0, 360.0, "map.range_door_angle").value_or(0.0);
-    read.speed_units = keys.number_of(entity, "speed", 0.0, 1e5, "map.range_speed")
-                           .value_or(lift     ? kLiftSpeed_units_per_s
+    const double usual_speed_units = lift     ? kLiftSpeed_units_per_s
                                      : button ? kButtonSpeed_units_per_s
-                                              : kDoorSpeed_units_per_s);
+                                     : train  ? kTrainSpeed_units_per_s
+                                              : kDoorSpeed_units_per_s;
+    if (!turns) {
+        const std::optional<double> speed_units = keys.number_of(entity, "speed", 0.0, 1e5, "map.range_speed");
+        read.has_speed = speed_units.has_value();
+        read.speed_units = speed_units.value_or(usual_speed_units);
+    }
     if (read.speed_units <= 0.0) read.speed_units = kButtonSpeed_units_per_s;  // the game's way of saying "as usual"
-    read.lip_units = keys.number_of(entity, "lip", -1e5, 1e5, "map.range_units").value_or(lift ? kLiftLip_units : button ? kButtonLip_units : kDoorLip_units);
+    read.lip_units = keys.number_of(entity, "lip", -1e5, 1e5, "map.range_units")
+                         .value_or(lift     ? kLiftLip_units
+                                   : button ? kButtonLip_units
+                                            : kDoorLip_units);
     read.height_units = keys.number_of(entity, "height", 0.0, 1e5, "map.range_units").value_or(0.0);
     const std::optional<double> wait_s = keys.number_of(entity, "wait", -1.0, 3600.0, "map.range_wait");
     read.has_wait = wait_s.has_value();
@@ -119,7 +204,8 @@ void note_switch(ReadMovers& found, const MapEntity& entity, std::string_view cl
 }
 
 void note_destination(ReadMovers& found, const MapEntity& entity, const Vec3& feet_m, double heading_rad) {
-    if (std::string name = name_of_key(entity, "targetname"); !name.empty()) found.destinations.push_back({std::move(name), feet_m, heading_rad});
+    if (std::string name = name_of_key(entity, "targetname"); !name.empty())
+        found.destinations.push_back({std::move(name), feet_m, heading_rad});
 }
 
 void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
@@ -130,9 +216,24 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
         Mover& mover = read.mover;
         const Feature& feature = scene.features[mover.feature.value];
         read.bounds_m = feature.bounds_m;
-        if (read.bounds_m.empty()) continue;
         mover.group = static_cast<std::uint32_t>(i);
+        if (read.bounds_m.empty()) {
+            mover.turn_rad_per_s = 0.0;
+            continue;
+        }
         mover.pivot_m = read.bounds_m.centre_m();
+        if (read.train) {
+            lay_track(read, found.corners, unit_m, diagnostics);
+            continue;
+        }
+        if (read.turns) {
+            if (read.turns_about_units) mover.pivot_m = *read.turns_about_units * unit_m;
+            continue;
+        }
+        // In a building one calls a lift that has a name, and it stays where it was sent.
+        const bool called = read.lift && !scene.game_map && !read.name.empty();
+        if (called && !read.has_wait) mover.wait_s = -1.0;
+        if (called && !read.has_speed) read.speed_units = kLiftSpeedInBuilding_units_per_s;
         const bool flat = read.bounds_m.size_m().z < 0.5 * std::min(read.bounds_m.size_m().x, read.bounds_m.size_m().y);
         static const std::vector<std::string> kWishes{"north", "east", "south", "west", "up", "down", "slide"};
         if (!read.wish.empty() && std::find(kWishes.begin(), kWishes.end(), read.wish) == kWishes.end()) {
@@ -140,21 +241,24 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
             diagnostics.warn(read.wish_place, "map.then_word", "map.door_wish", {{"taken", nearest}});
             read.wish = nearest;
         }
-        const bool swings = read.door && !flat && !scene.game_map && !read.has_angle && read.wish != "up" && read.wish != "down" && read.wish != "slide" &&
-                            feature.hinge != "top" && feature.hinge != "bottom";
+        const bool swings = read.door && !flat && !scene.game_map && !read.has_angle && read.wish != "up" &&
+                            read.wish != "down" && read.wish != "slide" && feature.hinge != "top" &&
+                            feature.hinge != "bottom";
         if (swings) {
             hang(read, feature.hinge);
             if (!read.has_wait) mover.wait_s = -1.0;  // the person shuts it again
         } else if (read.lift) {
-            const double way_m = read.height_units > 0.0 ? read.height_units * unit_m : read.bounds_m.size_m().z - read.lip_units * unit_m;
+            const double way_m = read.height_units > 0.0 ? read.height_units * unit_m
+                                                         : read.bounds_m.size_m().z - read.lip_units * unit_m;
             if (way_m > 0.0) mover.slide_m = {0.0, 0.0, -way_m};
-            mover.rests_far = read.name.empty();  // waits below until somebody steps on
+            mover.rests_far = read.name.empty() || called;  // waits below until somebody steps on or calls it
             mover.travel_s = travel_s(way_m, read.speed_units * unit_m);
         } else {
             Vec3 direction = direction_of_angle(read.angle_deg);
             if (read.wish == "up") direction = {0.0, 0.0, 1.0};
             if (read.wish == "down") direction = {0.0, 0.0, -1.0};
-            if (!read.has_angle && read.wish == "slide" && read.bounds_m.size_m().y > read.bounds_m.size_m().x) direction = {0.0, 1.0, 0.0};
+            if (!read.has_angle && read.wish == "slide" && read.bounds_m.size_m().y > read.bounds_m.size_m().x)
+                direction = {0.0, 1.0, 0.0};
             mover.slide_m = slide_of(read.bounds_m, direction, read.lip_units * unit_m);
             mover.travel_s = travel_s(glm::length(mover.slide_m), read.speed_units * unit_m);
             if (!scene.game_map && !read.has_wait) mover.wait_s = -1.0;
@@ -164,11 +268,13 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
     for (std::size_t i = 0; i < movers.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
             const ReadMover &a = movers[i], &b = movers[j];
-            if (!a.door || !b.door || !a.linked || !b.linked || a.mover.swing_rad != 0.0 || b.mover.swing_rad != 0.0) continue;
+            if (!a.door || !b.door || !a.linked || !b.linked || a.mover.swing_rad != 0.0 || b.mover.swing_rad != 0.0)
+                continue;
             const Aabb near = grown_by(a.bounds_m, Vec3(unit_m));
             const Vec3 gap = glm::max(near.min_m - b.bounds_m.max_m, b.bounds_m.min_m - near.max_m);
             if (std::max({gap.x, gap.y, gap.z}) > 0.0) continue;
-            const std::uint32_t from = std::max(a.mover.group, b.mover.group), to = std::min(a.mover.group, b.mover.group);
+            const std::uint32_t from = std::max(a.mover.group, b.mover.group),
+                                to = std::min(a.mover.group, b.mover.group);
             for (ReadMover& other : movers)
                 if (other.mover.group == from) other.mover.group = to;
         }
@@ -186,10 +292,12 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
         read.act.sets_going = targets(read.target);
         want(read.act.sets_going);
         if (!read.teleports) continue;
-        const auto to = std::find_if(found.destinations.begin(), found.destinations.end(), [&](const ReadDestination& d) { return d.name == read.target; });
+        const auto to = std::find_if(found.destinations.begin(), found.destinations.end(),
+                                     [&](const ReadDestination& d) { return d.name == read.target; });
         if (to == found.destinations.end()) {
             if (!found.names.contains(read.target))
-                diagnostics.warn(read.place, "map.then_nowhere", "map.teleporter_target", {{"target", excerpt(read.target)}});
+                diagnostics.warn(read.place, "map.then_nowhere", "map.teleporter_target",
+                                 {{"target", excerpt(read.target)}});
             continue;
         }
         read.act.leads_elsewhere = true;
@@ -200,7 +308,37 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
         read.mover.sets_going = targets(read.target);
         want(read.mover.sets_going);
     }
-    // In a game a door without a name goes by itself when a body comes near, all its leaves together; one with a name waits for its button.
+    for (std::size_t i = 0; i < movers.size(); ++i) {
+        ReadMover& read = movers[i];
+        // What has one name is meant to go together, whatever the ways.
+        for (std::size_t j = 0; j <= i && !read.name.empty() && read.mover.passes == kNoMover; ++j)
+            if (movers[j].name == read.name) read.mover.passes = static_cast<std::uint32_t>(j);
+        if (read.train || read.turns) read.mover.starts_going = read.starts_on || !wanted[i];
+        const auto is_lift = [&](std::uint32_t other) { return movers[other].lift && movers[other].mover.moves(); };
+        // A button calls a building's lift to where the button is.
+        if (!read.door && !scene.game_map && !read.bounds_m.empty())
+            for (const std::uint32_t other : read.mover.sets_going)
+                if (is_lift(other))
+                    read.mover.sends_to = end_near(movers[other], read.bounds_m.centre_m().z - kHandAbove_m);
+        if (read.of_lift.empty()) continue;
+        const auto lift = std::find_if(movers.begin(), movers.end(), [&](const ReadMover& other) {
+            return other.lift && other.name == read.of_lift;
+        });
+        if (lift == movers.end() || !lift->mover.moves()) {
+            diagnostics.warn(read.of_lift_place, "map.then_any_door", "map.lift_name",
+                             {{"name", excerpt(read.of_lift)}});
+            continue;
+        }
+        read.mover.lift = static_cast<std::uint32_t>(lift - movers.begin());
+        read.mover.lift_part = end_near(*lift, read.bounds_m.min_m.z);
+        if (!read.has_wait) read.mover.wait_s = kLiftDoorWait_s;
+        // Nobody is shut in by it.
+        read.mover.approach_m = lift->bounds_m;
+        read.mover.approach_m.min_m.z = top_m(*lift, read.mover.lift_part);
+        read.mover.approach_m.max_m.z = read.mover.approach_m.min_m.z + kStandingRoom_m;
+    }
+    // In a game a door without a name goes by itself when a body comes near, all its leaves together; one with a name
+    // waits for its button.
     for (std::size_t i = 0; i < movers.size(); ++i) {
         ReadMover& read = movers[i];
         if (read.mover.moves() && read.lift && read.name.empty()) {
@@ -210,7 +348,7 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
             shaft.min_m.z = read.bounds_m.min_m.z + read.mover.slide_m.z;
             read.mover.approach_m = shaft;
         }
-        if (!read.door || !scene.game_map || read.mover.rests_far) continue;
+        if (!read.door || !scene.game_map || read.mover.rests_far || read.mover.lift != kNoMover) continue;
         Aabb all;
         bool alone = true;
         for (std::size_t j = 0; j < movers.size(); ++j)
@@ -218,11 +356,13 @@ void attach_movers(ReadMovers& found, Scene& scene, Diagnostics& diagnostics) {
                 all.include(movers[j].bounds_m);
                 alone = alone && movers[j].name.empty();
             }
-        if (alone) read.mover.approach_m = grown_by(all, Vec3(kNearDoor_units, kNearDoor_units, kAboveDoor_units) * unit_m);
+        if (alone)
+            read.mover.approach_m = grown_by(all, Vec3(kNearDoor_units, kNearDoor_units, kAboveDoor_units) * unit_m);
     }
     for (std::size_t i = 0; i < movers.size(); ++i) {
         // A door that its button opens is not opened by hand, where there is such a button.
-        if (movers[i].door && scene.game_map && wanted[i]) movers[i].mover.by_hand = false;
+        if (movers[i].door && scene.game_map && wanted[i] && movers[i].mover.lift == kNoMover)
+            movers[i].mover.by_hand = false;
         scene.movers.push_back(movers[i].mover);
     }
     for (ReadSwitch& read : found.switches)

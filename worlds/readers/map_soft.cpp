@@ -41,27 +41,35 @@ std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_
             diagnostics.warn(depth->place, "map.then_hard", "map.soft_no_depth");
             return std::nullopt;
         }
-        wish.face.depth_m = keys.number_of(entity, "soft_depth", 0.0, kFarthestM, "map.range_length").value_or(0.0) * metres_per_unit;
+        wish.face.depth_m =
+            keys.number_of(entity, "soft_depth", 0.0, kFarthestM, "map.range_length").value_or(0.0) * metres_per_unit;
     }
     wish.face.stiffness_fraction =
-        keys.number_of(entity, "soft_stiffness", kLeastStiffness, kMostStiffness, "map.range").value_or(wish.face.stiffness_fraction);
-    wish.face.recovery_s = keys.number_of(entity, "soft_recovery", kShortestRecoveryS, kLongestRecoveryS, "map.range_seconds").value_or(wish.face.recovery_s);
-    wish.face.yield_n = keys.number_of(entity, "soft_yield", kLeastYieldN, kMostYieldN, "map.range_newtons").value_or(wish.face.yield_n);
+        keys.number_of(entity, "soft_stiffness", kLeastStiffness, kMostStiffness, "map.range")
+            .value_or(wish.face.stiffness_fraction);
+    wish.face.recovery_s =
+        keys.number_of(entity, "soft_recovery", kShortestRecoveryS, kLongestRecoveryS, "map.range_seconds")
+            .value_or(wish.face.recovery_s);
+    wish.face.yield_n = keys.number_of(entity, "soft_yield", kLeastYieldN, kMostYieldN, "map.range_newtons")
+                            .value_or(wish.face.yield_n);
     if (const MapKey* side = entity.find("soft_side")) {
         const std::string value = lower_ascii(trimmed(side->value).substr(0, 32));
-        const auto found = std::find_if(kSides.begin(), kSides.end(), [&](const SideRow& row) { return row.name == value; });
+        const auto found =
+            std::find_if(kSides.begin(), kSides.end(), [&](const SideRow& row) { return row.name == value; });
         if (found != kSides.end()) {
             wish.side = found->direction;
         } else {
             std::vector<std::string> names;
             for (const SideRow& row : kSides) names.emplace_back(row.name);
-            diagnostics.warn(side->place, "map.then_top", "map.soft_side", {{"value", excerpt(side->value)}, {"nearest", nearest_name(value, names)}});
+            diagnostics.warn(side->place, "map.then_top", "map.soft_side",
+                             {{"value", excerpt(side->value)}, {"nearest", nearest_name(value, names)}});
         }
     }
     return wish;
 }
 
-std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name, Diagnostics& diagnostics) {
+std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name,
+                                     Diagnostics& diagnostics) {
     const std::string what = name.empty() ? phrase("map.this_thing") : name;
     SoftFace soft = wish.face;
     double best = kFacesThatWay;
@@ -78,7 +86,8 @@ std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& sh
     }
     double lowest = 0.0;  // of all corners, under the face
     for (const Polygon& face : shape.faces)
-        for (const Vec3& corner : face.points_m) lowest = std::min(lowest, signed_distance(shape.planes[soft.face], corner));
+        for (const Vec3& corner : face.points_m)
+            lowest = std::min(lowest, signed_distance(shape.planes[soft.face], corner));
     const double most = kMostOfThickness * -lowest;
     if (soft.depth_m <= 0.0) soft.depth_m = 0.5 * -lowest;
     if (soft.depth_m > most) {

@@ -21,6 +21,7 @@ struct SoftWish {
 std::optional<SoftWish> soft_wish_of(const MapEntity& entity, double metres_per_unit, Diagnostics& diagnostics);
 
 // For one brush. A depth that leaves nothing underneath is made less.
-std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name, Diagnostics& diagnostics);
+std::optional<SoftFace> soft_face_of(const SoftWish& wish, const ConvexSolid& shape, const std::string& name,
+                                     Diagnostics& diagnostics);
 
 }  // namespace handrail

@@ -49,7 +49,8 @@ public:
         return token_;
     }
 
-    // A texture's name runs to the next white space, whatever is in it, unless it is quoted. Nothing may have been peeked.
+    // A texture's name runs to the next white space, whatever is in it, unless it is quoted. Nothing may have been
+    // peeked.
     Token take_texture() {
         while (at_ < bytes_.size() && is_blank(bytes_[at_])) step();
         Token token{TokenKind::Word, {}, here()};
@@ -100,7 +101,9 @@ private:
     }
 
     bool stands_alone() const {
-        const auto separates = [](char c) { return is_blank(c) || c == '{' || c == '}' || c == '(' || c == ')' || c == '"'; };
+        const auto separates = [](char c) {
+            return is_blank(c) || c == '{' || c == '}' || c == '(' || c == ')' || c == '"';
+        };
         return (at_ == 0 || separates(bytes_[at_ - 1])) && (at_ + 1 >= bytes_.size() || separates(bytes_[at_ + 1]));
     }
 
@@ -141,7 +144,8 @@ private:
         return token;
     }
 
-    // A quote after a backslash belongs to the string, unless white space and then a quote, a brace or the line's end follow it: "c:\a\".
+    // A quote after a backslash belongs to the string, unless white space and then a quote, a brace or the line's end
+    // follow it: "c:\a\".
     bool closes_after_backslash(std::size_t quote) const {
         std::size_t i = quote + 1;
         while (i < bytes_.size() && is_blank(bytes_[i]) && !is_line_end(bytes_[i])) ++i;
@@ -178,16 +182,19 @@ public:
     static constexpr double kMostPatchPoints = 1025;  // along one side; editors stop at 31
     static constexpr std::size_t kMostKeys = 1000;    // per entity; real ones have under 20
 
-    Parser(std::string_view bytes, Diagnostics& diagnostics) : lexer_(bytes, diagnostics), diagnostics_(diagnostics) {}
+    Parser(std::string_view bytes, Diagnostics& diagnostics, const std::stop_token& stop)
+        : lexer_(bytes, diagnostics), diagnostics_(diagnostics), stop_(stop) {}
 
     MapFile parse() {
         for (;;) {
+            if (stop_.stop_requested()) return std::move(file_);
             const Token token = lexer_.take();
             if (token.kind == TokenKind::End) return std::move(file_);
             if (token.is('{')) read_entity(token.place);
             else if (!complained_outside_) {
                 complained_outside_ = true;  // once: a file of another kind would give thousands
-                diagnostics_.error(token.place, "map.then_passed_over", "map.no_entity", {{"found", excerpt(token.text)}, {"end", is_end(token)}});
+                diagnostics_.error(token.place, "map.then_passed_over", "map.no_entity",
+                                   {{"found", excerpt(token.text)}, {"end", is_end(token)}});
             }
         }
     }
@@ -200,7 +207,7 @@ private:
         MapEntity entity;
         entity.place = place;
         bool complained = false;
-        for (;;) {
+        while (!stop_.stop_requested()) {
             const Token token = lexer_.peek();
             if (token.is('(')) {  // faces right here: the file, or this part of it, holds brushes without an entity
                 if (!complained_bare_) diagnostics_.warn(token.place, "map.then_building", "map.bare_brushes");
@@ -221,11 +228,16 @@ private:
                 add_key(entity, token, lexer_.take());
             } else if (!complained) {
                 complained = true;
-                if (token.kind == TokenKind::Quoted) diagnostics_.warn(token.place, "map.then_key_left_out", "map.no_value", {{"key", excerpt(token.text)}});
-                else diagnostics_.error(token.place, "map.then_passed_over", "map.no_key", {{"found", excerpt(token.text)}, {"end", is_end(token)}});
+                if (token.kind == TokenKind::Quoted)
+                    diagnostics_.warn(token.place, "map.then_key_left_out", "map.no_value",
+                                      {{"key", excerpt(token.text)}});
+                else
+                    diagnostics_.error(token.place, "map.then_passed_over", "map.no_key",
+                                       {{"found", excerpt(token.text)}, {"end", is_end(token)}});
             }
         }
-        if (!entity.keys.empty() || !entity.brushes.empty() || !entity.patches.empty()) file_.entities.push_back(std::move(entity));
+        if (!entity.keys.empty() || !entity.brushes.empty() || !entity.patches.empty())
+            file_.entities.push_back(std::move(entity));
     }
 
     void add_key(MapEntity& entity, const Token& key, const Token& value) {
@@ -263,7 +275,8 @@ private:
         read_faces(entity, place);
     }
 
-    // patchDef2 { texture ( width height ... ) ( width rows of ( height points of ( x y z u v ) ) ) } and the brush's own closing brace.
+    // patchDef2 { texture ( width height ... ) ( width rows of ( height points of ( x y z u v ) ) ) } and the brush's
+    // own closing brace.
     void read_patch(MapEntity& entity, TextPlace place) {
         lexer_.take();
         MapPatch patch;
@@ -275,12 +288,14 @@ private:
             entity.patches.push_back(std::move(patch));
         } else {
             ++file_.curves_damaged;
-            diagnostics_.error(found.place, "map.then_patch_left_out", wrong, {{"found", excerpt(found.text)}, {"end", is_end(found)}});
+            diagnostics_.error(found.place, "map.then_patch_left_out", wrong,
+                               {{"found", excerpt(found.text)}, {"end", is_end(found)}});
         }
         for (; open_braces > 0; --open_braces) lexer_.skip_block();
     }
 
-    // The text about what was expected where the patch is damaged, and what was found there; empty when all of it was read. Braces still open are counted.
+    // The text about what was expected where the patch is damaged, and what was found there; empty when all of it was
+    // read. Braces still open are counted.
     std::string_view patch_fault(MapPatch& patch, int& open_braces, Token& found) {
         const auto take = [&](char c) {
             found = lexer_.peek();
@@ -332,7 +347,8 @@ private:
         return {};
     }
 
-    // Faces up to and with the closing brace, plain ones or those of brushDef. One damaged face costs the brush, not the map.
+    // Faces up to and with the closing brace, plain ones or those of brushDef. One damaged face costs the brush, not
+    // the map.
     void read_faces(MapEntity& entity, TextPlace place, bool primitive = false) {
         MapBrush brush;
         brush.place = place;
@@ -355,7 +371,8 @@ private:
                 break;
             }
             if (token.kind == TokenKind::End) {
-                diagnostics_.error(token.place, "map.then_brush_left_out", "map.open_brush", {{"line", place.line}, {"before", brushes_before()}});
+                diagnostics_.error(token.place, "map.then_brush_left_out", "map.open_brush",
+                                   {{"line", place.line}, {"before", brushes_before()}});
                 damaged = true;
                 break;
             }
@@ -365,7 +382,10 @@ private:
             }
             if (!damaged)
                 diagnostics_.error(token.place, "map.then_brush_left_out", "map.no_face",
-                                   {{"line", place.line}, {"found", excerpt(token.text)}, {"end", is_end(token)}, {"before", brushes_before()}});
+                                   {{"line", place.line},
+                                    {"found", excerpt(token.text)},
+                                    {"end", is_end(token)},
+                                    {"before", brushes_before()}});
             damaged = true;
             if (token.is('{')) {  // braces within braces: nothing here can be a brush
                 lexer_.take();
@@ -386,13 +406,17 @@ private:
 
     int brushes_before() const { return file_.brushes - file_.brushes_damaged - 1; }
 
-    // "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then numbers, or two axes in square brackets and numbers. Games add numbers: none is required.
+    // "( x y z ) ( x y z ) ( x y z ) TEXTURE" and then numbers, or two axes in square brackets and numbers. Games add
+    // numbers: none is required.
     bool read_face(MapFace& face, bool silent, bool primitive) {
         face.place = lexer_.peek().place;
         const auto refuse = [&](const Token& found, std::string_view what, int point = 0) {
             if (!silent)
                 diagnostics_.error(found.place, "map.then_brush_left_out", what,
-                                   {{"found", excerpt(found.text)}, {"end", is_end(found)}, {"point", point}, {"before", brushes_before()}});
+                                   {{"found", excerpt(found.text)},
+                                    {"end", is_end(found)},
+                                    {"point", point},
+                                    {"before", brushes_before()}});
             return false;
         };
         for (int point = 0; point < 3; ++point) {
@@ -400,7 +424,8 @@ private:
             lexer_.take();
             for (int axis = 0; axis < 3; ++axis) {
                 const Token& number = lexer_.peek();
-                if (number.kind != TokenKind::Word || !parse_finite(number.text, face.points_units[static_cast<std::size_t>(point)][axis]))
+                if (number.kind != TokenKind::Word ||
+                    !parse_finite(number.text, face.points_units[static_cast<std::size_t>(point)][axis]))
                     return refuse(number, "map.face_number", point + 1);
                 lexer_.take();
             }
@@ -439,6 +464,7 @@ private:
 
     Lexer lexer_;
     Diagnostics& diagnostics_;
+    std::stop_token stop_;
     MapFile file_;
     bool complained_outside_ = false;
     bool complained_bare_ = false;
@@ -467,6 +493,8 @@ std::string unquoted(std::string_view raw) {
     return text;
 }
 
-MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics) { return Parser(bytes, diagnostics).parse(); }
+MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics, const std::stop_token& stop) {
+    return Parser(bytes, diagnostics, stop).parse();
+}
 
 }  // namespace handrail

@@ -1,9 +1,10 @@
-// The grammar of Quake-family .map files, without its meaning: entities with keys brushes of three-point faces, Standard or Valve 220 per
-// face or within brushDef, and curved patches.
-// Takes any bytes: damage is reported and what is complete is kept. No recursion. Time and memory are proportional to the file.
+// The grammar of Quake-family .map files, without its meaning: entities with keys brushes of three-point faces,
+// Standard or Valve 220 per face or within brushDef, and curved patches. Takes any bytes: damage is reported and what
+// is complete is kept. No recursion. Time and memory are proportional to the file.
 #pragma once
 
 #include <array>
+#include <stop_token>
 #include <string_view>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct MapBrush {
     TextPlace place;
 };
 
-// A curved surface, patchDef2 or patchDef3: control points in units. The splits that patchDef3 names are left to the reader's own error bound.
+// A curved surface, patchDef2 or patchDef3: control points in units. The splits that patchDef3 names are left to the
+// reader's own error bound.
 struct MapPatch {
     PatchGrid grid_units;
     std::string_view texture;
@@ -55,7 +57,8 @@ struct MapFile {
     int primitives = 0;       // brushDef3 and other forms: left out
 };
 
-MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics);
+// Stopped in the middle it gives what it has by then.
+MapFile parse_map(std::string_view bytes, Diagnostics& diagnostics, const std::stop_token& stop = {});
 
 // What a quoted string says: \" becomes ", everything else stays.
 std::string unquoted(std::string_view raw);

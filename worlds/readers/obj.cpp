@@ -1,5 +1,5 @@
-// Wavefront .obj meshes: triangles as sheets, two-sided unless a comment "#touch_side front" or "back" says otherwise for the faces below it. Damage is
-// reported by line and the rest loads.
+// Wavefront .obj meshes: triangles as sheets, two-sided unless a comment "#touch_side front" or "back" says otherwise
+// for the faces below it. Damage is reported by line and the rest loads.
 #include <charconv>
 #include <map>
 
@@ -14,33 +14,40 @@ namespace {
 
 constexpr std::size_t kMostCorners = 4096;  // of one polygon; splitting a larger one would take minutes
 
-double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
-// Cuts a polygon into triangles of corner numbers: an ear at a time, so that concave ones come out right. What has no ears left (twisted or without
-// area) is cut as a fan. Always corners - 2 triangles. O(corners squared) for convex polygons.
-std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec3>& corners_m) {
+// Cuts a polygon into triangles of corner numbers: an ear at a time, so that concave ones come out right. What has no
+// ears left (twisted or without area) is cut as a fan. Always corners - 2 triangles. O(corners squared) for convex
+// polygons.
+std::vector<std::array<std::size_t, 3>> triangles_of(const std::vector<Vec3>& corners_m, const std::stop_token& stop) {
     Vec3 normal{0.0};
-    for (std::size_t i = 1; i + 1 < corners_m.size(); ++i) normal += glm::cross(corners_m[i] - corners_m[0], corners_m[i + 1] - corners_m[0]);
+    for (std::size_t i = 1; i + 1 < corners_m.size(); ++i)
+        normal += glm::cross(corners_m[i] - corners_m[0], corners_m[i + 1] - corners_m[0]);
     // Seen along the axis nearest to the normal, from the side where the corners run counter-clockwise.
     const Vec3 size = glm::abs(normal);
     const int axis = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
     std::vector<Vec2> flat;
-    for (const Vec3& p : corners_m) flat.emplace_back(p[(axis + 1) % 3], p[(axis + 2) % 3] * (normal[axis] < 0.0 ? -1.0 : 1.0));
+    for (const Vec3& p : corners_m)
+        flat.emplace_back(p[(axis + 1) % 3], p[(axis + 2) % 3] * (normal[axis] < 0.0 ? -1.0 : 1.0));
 
     std::vector<std::size_t> ring(corners_m.size());
     for (std::size_t i = 0; i < ring.size(); ++i) ring[i] = i;
     std::vector<std::array<std::size_t, 3>> triangles;
     const auto is_ear = [&](std::size_t at) {
-        const std::size_t a = ring[(at + ring.size() - 1) % ring.size()], b = ring[at], c = ring[(at + 1) % ring.size()];
+        const std::size_t a = ring[(at + ring.size() - 1) % ring.size()], b = ring[at],
+                          c = ring[(at + 1) % ring.size()];
         if (twice_area(flat[a], flat[b], flat[c]) <= 0.0) return false;
         return std::none_of(ring.begin(), ring.end(), [&](std::size_t p) {
             if (p == a || p == b || p == c) return false;
-            return twice_area(flat[a], flat[b], flat[p]) >= 0.0 && twice_area(flat[b], flat[c], flat[p]) >= 0.0 && twice_area(flat[c], flat[a], flat[p]) >= 0.0;
+            return twice_area(flat[a], flat[b], flat[p]) >= 0.0 && twice_area(flat[b], flat[c], flat[p]) >= 0.0 &&
+                   twice_area(flat[c], flat[a], flat[p]) >= 0.0;
         });
     };
-    while (ring.size() > 3) {
+    while (ring.size() > 3 && !stop.stop_requested()) {
         std::size_t ear = 1;  // without any ear: the next corner, which makes a fan
-        for (std::size_t at = 0; at < ring.size(); ++at) {
+        for (std::size_t at = 0; at < ring.size() && !stop.stop_requested(); ++at) {
             if (!is_ear(at)) continue;
             ear = at;
             break;
@@ -60,18 +67,22 @@ public:
         scene_.name = words_of_name(file_name);
         scene_.materials.emplace_back();
         scene_.report.format = "obj";
+        scene_.metres_per_unit = options.obj_metres_per_unit;
     }
 
     Result<Scene> build() {
         if (bytes_.starts_with("\xEF\xBB\xBF")) at_ = 3;
-        while (next_line()) read_line();
+        while (next_line() && !options_.stop.stop_requested()) read_line();
+        if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), scene_.source_file);
         if (scene_.triangles.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "mesh");
         ReadReport& report = scene_.report;
         report.polygons_kept = report.polygons;
         report.triangles = static_cast<int>(scene_.triangles.size());
         if (curves_ > 0) report.left_out.push_back(phrase("obj.curves_left_out", {{"n", curves_}}));
         if (faces_left_out_ > 0) report.left_out.push_back(phrase("obj.faces_left_out", {{"n", faces_left_out_}}));
-        for (const auto& [material, from] : guessed_from_) report.guessed.push_back(phrase("obj.guessed", {{"material", spoken_material(material)}, {"name", excerpt(from)}}));
+        for (const auto& [material, from] : guessed_from_)
+            report.guessed.push_back(
+                phrase("obj.guessed", {{"material", spoken_material(material)}, {"name", excerpt(from)}}));
         name_main_materials();
         diagnostics_.move_into(report);
         if (options_.progress) options_.progress(1.0);
@@ -88,12 +99,15 @@ private:
         for (bool more = true; more;) {
             const std::size_t end = std::min(bytes_.find_first_of("\r\n", begin), bytes_.size());
             std::string_view text = bytes_.substr(begin, end - begin);
-            if (constexpr std::string_view kSide = "#touch_side"; text.starts_with(kSide)) read_side(text.substr(kSide.size()));
+            if (constexpr std::string_view kSide = "#touch_side"; text.starts_with(kSide))
+                read_side(text.substr(kSide.size()));
             text = text.substr(0, text.find('#'));
             more = text.ends_with('\\') && end < bytes_.size();
             if (more) text.remove_suffix(1);
             add_words(text);
-            begin = end < bytes_.size() && bytes_[end] == '\r' && end + 1 < bytes_.size() && bytes_[end + 1] == '\n' ? end + 2 : end + 1;
+            begin = end < bytes_.size() && bytes_[end] == '\r' && end + 1 < bytes_.size() && bytes_[end + 1] == '\n'
+                        ? end + 2
+                        : end + 1;
             ++next_line_;
         }
         at_ = begin;
@@ -103,7 +117,9 @@ private:
     // A comment, so that other programs pass it over.
     void read_side(std::string_view word) {
         if (const std::optional<TouchSide> side = touch_side_named(word)) side_ = *side;
-        else diagnostics_.warn({next_line_, 1}, "map.then_passed_over", "obj.touch_side", {{"value", excerpt(trimmed(word))}});
+        else
+            diagnostics_.warn({next_line_, 1}, "map.then_passed_over", "obj.touch_side",
+                              {{"value", excerpt(trimmed(word))}});
     }
 
     struct Word {
@@ -135,7 +151,8 @@ private:
         else if (what == "o" || what == "g") name_ = rest_of_line();
         else if (what == "usemtl") material_ = material_of(rest_of_line());
         else if (what == "l" || what == "p" || what == "curv" || what == "surf") ++curves_;
-        else if (what != "vt" && what != "vn" && what != "vp" && what != "s" && what != "mtllib" && !complained_unknown_) {
+        else if (what != "vt" && what != "vn" && what != "vp" && what != "s" && what != "mtllib" &&
+                 !complained_unknown_) {
             complained_unknown_ = true;  // once: a file of another kind would give thousands
             diagnostics_.warn(place(0), "map.then_passed_over", "obj.no_statement", {{"word", excerpt(what)}});
         }
@@ -143,7 +160,8 @@ private:
 
     std::string rest_of_line() const {
         std::string text;
-        for (std::size_t i = 1; i < words_.size() && text.size() < 256; ++i) text += (i > 1 ? " " : "") + std::string(words_[i].text.substr(0, 256));
+        for (std::size_t i = 1; i < words_.size() && text.size() < 256; ++i)
+            text += (i > 1 ? " " : "") + std::string(words_[i].text.substr(0, 256));
         return text;
     }
 
@@ -153,8 +171,12 @@ private:
         if (!vertex.good) diagnostics_.warn(place(0), "obj.then_its_faces", "obj.short_point");
         for (int axis = 0; vertex.good && axis < 3; ++axis) {
             const Word& word = words_[static_cast<std::size_t>(axis) + 1];
-            vertex.good = parse_finite(word.text, vertex.at_m[axis]) && std::abs(vertex.at_m[axis]) <= kFarthestM;
-            if (!vertex.good) diagnostics_.warn({line_, word.column}, "obj.then_point_faces", "obj.bad_number", {{"found", excerpt(word.text)}});
+            vertex.good = parse_finite(word.text, vertex.at_m[axis]) &&
+                          std::abs(vertex.at_m[axis] * scene_.metres_per_unit) <= kFarthestM;
+            vertex.at_m[axis] *= scene_.metres_per_unit;
+            if (!vertex.good)
+                diagnostics_.warn({line_, word.column}, "obj.then_point_faces", "obj.bad_number",
+                                  {{"found", excerpt(word.text)}});
         }
         vertices_.push_back(vertex);
     }
@@ -166,7 +188,8 @@ private:
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
         const auto count = static_cast<long long>(vertices_.size());
         const auto refuse = [&](std::string_view why, long long point = 0) -> const Vec3* {
-            diagnostics_.warn({line_, word.column}, "obj.then_face", why, {{"found", excerpt(word.text)}, {"point", point}, {"count", count}});
+            diagnostics_.warn({line_, word.column}, "obj.then_face", why,
+                              {{"found", excerpt(word.text)}, {"point", point}, {"count", count}});
             return nullptr;
         };
         if (error != std::errc{} || end != text.data() + text.size()) return refuse("obj.no_number");
@@ -180,7 +203,9 @@ private:
     void read_face() {
         std::vector<Vec3> corners_m;
         const bool fits = words_.size() >= 4 && words_.size() <= kMostCorners + 1;
-        if (!fits) diagnostics_.warn(place(0), "map.then_left_out", "obj.corners", {{"n", words_.size() - 1}, {"most", kMostCorners}});
+        if (!fits)
+            diagnostics_.warn(place(0), "map.then_left_out", "obj.corners",
+                              {{"n", words_.size() - 1}, {"most", kMostCorners}});
         for (std::size_t i = 1; fits && i < words_.size(); ++i) {
             const Vec3* at_m = corner(words_[i]);
             if (!at_m) break;
@@ -193,7 +218,7 @@ private:
         ++scene_.report.polygons;
         const FeatureId id = feature_of(name_);
         Feature& feature = scene_.features[id.value];
-        for (const auto& [a, b, c] : triangles_of(corners_m)) {
+        for (const auto& [a, b, c] : triangles_of(corners_m, options_.stop)) {
             scene_.triangles.push_back({corners_m[a], corners_m[b], corners_m[c], id, material_, side_});
             const double area = 0.5 * glm::length(glm::cross(corners_m[b] - corners_m[a], corners_m[c] - corners_m[a]));
             feature.area_m2 += area;
@@ -206,7 +231,8 @@ private:
     }
 
     FeatureId feature_of(const std::string& name) {
-        const auto [found, is_new] = features_.try_emplace(name, FeatureId{static_cast<std::uint32_t>(scene_.features.size())});
+        const auto [found, is_new] =
+            features_.try_emplace(name, FeatureId{static_cast<std::uint32_t>(scene_.features.size())});
         if (!is_new) return found->second;
         Feature feature;
         feature.kind = FeatureKind::Object;

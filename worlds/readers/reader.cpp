@@ -1,4 +1,5 @@
 #include "worlds/readers/reader.h"
+#include "worlds/readers/units.h"
 
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
@@ -14,6 +15,11 @@ bool ends_in(const fs::path& path, std::string_view ending) { return lower_ascii
 constexpr std::array kReaders{
     MapReader{"map", [](const fs::path& path, std::string_view) { return ends_in(path, ".map"); }, read_quake_map},
     MapReader{"obj", [](const fs::path& path, std::string_view) { return ends_in(path, ".obj"); }, read_obj},
+    MapReader{"ifc",
+              [](const fs::path& path, std::string_view bytes) {
+                  return ends_in(path, ".ifc") || bytes.starts_with("ISO-10303-21");
+              },
+              read_ifc},
 };
 
 // Files that are often given by mistake, told by their first bytes, and what to do then.
@@ -34,7 +40,6 @@ constexpr std::array kForeign{
     ForeignFile{"\x1F\x8B", "reader.compressed"},
     ForeignFile{"%PDF", "reader.document"},
     ForeignFile{"\x89PNG", "reader.picture"},
-    ForeignFile{"ISO-10303-21", "reader.ifc"},
     ForeignFile{"<?xml", "reader.xml"},
     ForeignFile{"glTF", "reader.gltf"},
     ForeignFile{"ply\n", "reader.ply"},
@@ -43,19 +48,20 @@ constexpr std::array kForeign{
 // Worldcraft's own format begins with a number and then three letters.
 bool is_rmf(std::string_view bytes) { return bytes.size() > 7 && bytes.substr(4, 3) == "RMF"; }
 
+constexpr std::size_t kLargestWorld_bytes = std::size_t{1} << 30;
 constexpr std::size_t kLargestBeside_bytes = std::size_t{1} << 27;
 
 // A world may bring files of its own folder and those below, and no others.
-Result<std::string> read_beside(const fs::path& world, const std::string& other) {
+Result<std::string> read_beside(const fs::path& world, const std::string& other, const std::stop_token& stop) {
     const fs::path name = fs::path(other).lexically_normal();
     if (name.empty() || name.is_absolute() || *name.begin() == "..") return fail(phrase("reader.elsewhere"), other);
-    return read_whole_file(world.parent_path() / name, kLargestBeside_bytes);
+    return read_whole_file(world.parent_path() / name, kLargestBeside_bytes, stop);
 }
 
 }  // namespace
 
 Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
-    const Result<std::string> bytes = read_whole_file(path);
+    const Result<std::string> bytes = read_whole_file(path, kLargestWorld_bytes, options.stop);
     if (!bytes) return tl::unexpected(bytes.error());
     const std::string name = path.filename().string();
     if (bytes->empty()) return fail(phrase("reader.empty"), name);
@@ -63,9 +69,14 @@ Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
         if (bytes->starts_with(foreign.first_bytes)) return fail(phrase(foreign.says), name);
     if (is_rmf(*bytes)) return fail(phrase("reader.worldcraft"), name);
     ReadOptions with_folder = options;
-    if (!with_folder.read_beside) with_folder.read_beside = [&path](const std::string& other) { return read_beside(path, other); };
+    if (!with_folder.read_beside)
+        with_folder.read_beside = [&](const std::string& other) { return read_beside(path, other, options.stop); };
     for (const MapReader& reader : kReaders)
-        if (reader.accepts(path, *bytes)) return reader.read(*bytes, name, with_folder);
+        if (reader.accepts(path, *bytes)) {
+            Result<Scene> scene = reader.read(*bytes, name, with_folder);
+            if (scene && !options.unit_is_known) ask_about_unit(*scene);
+            return scene;
+        }
     return fail(phrase("reader.other_ending"), name);
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -14,10 +15,16 @@ namespace handrail {
 
 struct ReadOptions {
     double map_metres_per_unit = 1.0 / 32.0;  // for .map files (Quake: 1/32)
-    bool guess_materials = true;              // from texture names; exploring yes, replay no
-    // Another file of the world, by its name relative to the world's own, such as a height picture; empty: there is none to be had.
+    double obj_metres_per_unit = 1.0;         // for .obj files
+    bool unit_is_known =
+        false;  // a person said it: read_world asks no more whether a very wide or narrow world is meant so
+    bool guess_materials = true;  // from texture names; exploring yes, replay no
+    // Another file of the world, by its name relative to the world's own, such as a height picture; empty: there is
+    // none to be had.
     std::function<Result<std::string>(const std::string& name)> read_beside;
     std::function<void(double fraction)> progress;  // 0 to 1, called from the reading thread; may be empty
+    std::stop_token stop;  // looked at many times a second, whatever the file holds; the reading fails then, and nobody
+                           // needs its sentence
 };
 
 // One map format: which files it takes and how it reads them. A table row, the MapReader seam.
@@ -29,25 +36,33 @@ struct MapReader {
 
 // Quake-family .map, Standard and Valve 220. Keys of our own, on any entity that has brushes unless said otherwise:
 //   name       spoken name; on worldspawn the world's. All brushes of an entity with a name are one thing.
-//   material   a name of material_library(); stiffness 0 to 1 of what the device can render; friction 0 to 2 (Coulomb's mu)
-//   friction_static 0 to 2; damping 0 to 10 Ns/m of hand speed
-//   texture_wave sine, square or none; texture_period 1 to 100 mm, texture_depth 0 to 5 mm, friction_wave 0 to 0.3, texture_angle in degrees;
-//   texture_picture, a PNG beside the map, with texture_size in units
-//   landmark, clue   0 or 1;   hinge, handle   north, north-east, ... or left, right, top, bottom (doors)
-//   message    a longer description; of a trigger: spoken on entering it
-//   cs_name    liquid, dynamic_box, dynamic_sphere, dynamic_cylinder; else a name;   viscosity 0 to 100 Ns/m of hand speed (liquids)
-//   shape      box, sphere, cylinder, cone or capsule: one exact shape in the box around the entity's brushes; axis   x, y, z, -x, -y or -z: its direction
-//   sound      makes the entity a sound source (with an origin, or at the middle of its brushes); ambient_* classes and particles (particle*, torches,
+//   material   a name of material_library(); stiffness 0 to 1 of what the device can render; friction 0 to 2 (Coulomb's
+//   mu) friction_static 0 to 2; damping 0 to 10 Ns/m of hand speed texture_wave sine, square or none; texture_period 1
+//   to 100 mm, texture_depth 0 to 5 mm, friction_wave 0 to 0.3, texture_angle in degrees; texture_picture, a PNG beside
+//   the map, with texture_size in units landmark, clue   0 or 1;   hinge, handle   north, north-east, ... or left,
+//   right, top, bottom (doors) message    a longer description; of a trigger: spoken on entering it cs_name    liquid,
+//   dynamic_box, dynamic_sphere, dynamic_cylinder; else a name;   viscosity 0 to 100 Ns/m of hand speed (liquids) shape
+//   box, sphere, cylinder, cone or capsule: one exact shape in the box around the entity's brushes; axis   x, y, z, -x,
+//   -y or -z: its direction sound      makes the entity a sound source (with an origin, or at the middle of its
+//   brushes); ambient_* classes and particles (particle*, torches,
 //              flames, env_fire, env_spark*, env_steam, env_smoke*) are sources without it;   volume   0 to 1
-//   building   on worldspawn: 1 a building with the body of a person, 0 a game map. Without it a map with game things (wad or worldtype on
-//              worldspawn; lights, items, monsters, weapons, ambients, deathmatch starts) is a game map, unless it has a `thing` or a cs_name.
+//   building   on worldspawn: 1 a building with the body of a person, 0 a game map. Without it a map with game things
+//   (wad or worldtype on
+//              worldspawn; lights, items, monsters, weapons, ambients, deathmatch starts) is a game map, unless it has
+//              a `thing` or a cs_name.
 // A start's origin lies 24 units above the soles; info_player_start is the base, else the first start.
 Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
-// Wavefront .obj: z up, metres. `o` and `g` name features, `usemtl` materials. Fills Scene::triangles, not Scene::surfaces.
+// Wavefront .obj: z up, in metres unless the options say otherwise. `o` and `g` name features, `usemtl` materials.
+// Fills Scene::triangles, not Scene::surfaces.
 Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
-// Reads any file that one of the readers accepts. Fails with one sentence fit to be spoken when it is missing, unreadable,
-// of a kind we do not read (named where recognised, with what to do), or holds nothing usable.
+// IFC, whatever unit the file states: a building with rooms and doors as the file has them (worlds/ifc).
+Result<Scene> read_ifc(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
+
+// Reads any file that one of the readers accepts. Fails with one sentence fit to be spoken when it is missing,
+// unreadable, of a kind we do not read (named where recognised, with what to do), or holds nothing usable. Where
+// neither file nor options say what a unit is, and the world would be over 2 km or under 2 m wide, its first warning
+// says so and how wide it would be in millimetres, inches and feet.
 Result<Scene> read_world(const std::filesystem::path& path, const ReadOptions& options = {});
 
 }  // namespace handrail

@@ -34,7 +34,9 @@ std::string spoken_text(std::string_view raw) {
         const auto c = static_cast<unsigned char>(cut[i]);
         if (c == '\\' && i + 1 < cut.size() && cut[i + 1] == 'n') {
             while (!text.empty() && text.back() == ' ') text.pop_back();
-            if (const auto last = static_cast<unsigned char>(text.empty() ? '.' : text.back()); last >= 0x80 || std::isalnum(last)) text += ',';
+            if (const auto last = static_cast<unsigned char>(text.empty() ? '.' : text.back());
+                last >= 0x80 || std::isalnum(last))
+                text += ',';
             blank();
             ++i;
         } else if (c <= ' ' || c == 0x7F || (!utf8 && c >= 0x80 && c < 0xA0)) {
@@ -52,7 +54,8 @@ std::string spoken_text(std::string_view raw) {
 std::string words_of_name(std::string_view name) {
     std::string text = spoken_text(name);
     if (const std::size_t slash = text.find_last_of("/\\"); slash != std::string::npos) text.erase(0, slash + 1);
-    if (const std::size_t dot = text.rfind('.'); dot != std::string::npos && dot > 0 && text.size() - dot <= 5) text.erase(dot);
+    if (const std::size_t dot = text.rfind('.'); dot != std::string::npos && dot > 0 && text.size() - dot <= 5)
+        text.erase(dot);
     std::replace(text.begin(), text.end(), '_', ' ');
     std::replace(text.begin(), text.end(), '-', ' ');
     return spoken_text(text);

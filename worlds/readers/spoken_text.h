@@ -6,7 +6,8 @@
 
 namespace handrail {
 
-// UTF-8 from bytes that are UTF-8 or else Latin-1; the two characters \n and control characters become pauses; blanks are joined; at most 1,000 bytes.
+// UTF-8 from bytes that are UTF-8 or else Latin-1; the two characters \n and control characters become pauses; blanks
+// are joined; at most 1,000 bytes.
 std::string spoken_text(std::string_view raw);
 
 // "north_corridor.map" -> "north corridor": a file's or object's name as words, without ending and numbering.

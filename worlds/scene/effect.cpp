@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -25,11 +26,13 @@ std::span<const EffectSpec> effect_table() { return kEffects; }
 
 const EffectSpec* find_effect(std::string_view name) {
     const std::string wanted = lower_ascii(name);
-    const auto found = std::find_if(kEffects.begin(), kEffects.end(), [&](const EffectSpec& row) { return row.name == wanted; });
+    const auto found =
+        std::find_if(kEffects.begin(), kEffects.end(), [&](const EffectSpec& row) { return row.name == wanted; });
     return found == kEffects.end() ? nullptr : &*found;
 }
 
 const EffectSpec& effect_spec(EffectKind kind) {
+    contract_pre(static_cast<std::size_t>(kind) < effect_table().size());
     return *std::find_if(kEffects.begin(), kEffects.end(), [kind](const EffectSpec& row) { return row.kind == kind; });
 }
 

@@ -1,4 +1,5 @@
-// Effects as the world gives them: forces that hang in space, without visible geometry. haptic/compile turns them into laws. The table is data.
+// Effects as the world gives them: forces that hang in space, without visible geometry. haptic/compile turns them into
+// laws. The table is data.
 #pragma once
 
 #include <span>

@@ -18,12 +18,14 @@ bool reaches(double a, double b, double least) { return ratio(a, b) >= least * (
 
 bool textures_differ(const Finish& a, const Finish& b) {
     if (a.picture != b.picture) return true;
-    const bool a_wave = a.wave.depth_hand_m > 0.0 && a.wave.shape != WaveShape::Level, b_wave = b.wave.depth_hand_m > 0.0 && b.wave.shape != WaveShape::Level;
+    const bool a_wave = a.wave.depth_hand_m > 0.0 && a.wave.shape != WaveShape::Level,
+               b_wave = b.wave.depth_hand_m > 0.0 && b.wave.shape != WaveShape::Level;
     if (a_wave != b_wave) return true;
     return a_wave && reaches(a.wave.period_hand_m, b.wave.period_hand_m, kPeriodApart);
 }
 
-// A change that would do: the softer made softer still where that stays in range, else the slipperier made more slippery.
+// A change that would do: the softer made softer still where that stays in range, else the slipperier made more
+// slippery.
 std::string advice(const Finish& a, const Finish& b) {
     const Finish& soft = a.stiffness_fraction <= b.stiffness_fraction ? a : b;
     const Finish& hard = a.stiffness_fraction <= b.stiffness_fraction ? b : a;
@@ -31,7 +33,10 @@ std::string advice(const Finish& a, const Finish& b) {
     const Finish& rough = a.friction_mu <= b.friction_mu ? b : a;
     const double softer = std::floor(hard.stiffness_fraction / kStiffnessApart * 100.0) / 100.0;
     const double rougher = std::ceil(slippery.friction_mu * kFrictionApart * 100.0) / 100.0;
-    return phrase("lint.advice", {{"soft", spoken_material(soft.name)}, {"stiffness", softer}, {"rough", spoken_material(rough.name)}, {"friction", rougher}});
+    return phrase("lint.advice", {{"soft", spoken_material(soft.name)},
+                                  {"stiffness", softer},
+                                  {"rough", spoken_material(rough.name)},
+                                  {"friction", rougher}});
 }
 
 // The materials that show, each with the boxes of its surfaces.
@@ -66,7 +71,9 @@ double distance_in_plan(const Aabb& box, const Vec3& p) {
 
 }  // namespace
 
-Finish finish_of(const MaterialSpec& spec) { return {std::string(spec.name), spec.stiffness_fraction, spec.friction_mu, spec.wave, nullptr}; }
+Finish finish_of(const MaterialSpec& spec) {
+    return {std::string(spec.name), spec.stiffness_fraction, spec.friction_mu, spec.wave, nullptr};
+}
 
 Finish finish_of(const Material& material) {
     Finish finish;
@@ -80,8 +87,8 @@ Finish finish_of(const Material& material) {
 }
 
 bool can_be_told_apart(const Finish& a, const Finish& b) {
-    return reaches(a.stiffness_fraction, b.stiffness_fraction, kStiffnessApart) || reaches(a.friction_mu, b.friction_mu, kFrictionApart) ||
-           textures_differ(a, b);
+    return reaches(a.stiffness_fraction, b.stiffness_fraction, kStiffnessApart) ||
+           reaches(a.friction_mu, b.friction_mu, kFrictionApart) || textures_differ(a, b);
 }
 
 std::string crowded_view(const Scene& scene) {
@@ -95,7 +102,9 @@ std::string crowded_view(const Scene& scene) {
             std::set<std::string> names;
             for (const std::size_t i : used)
                 if (!names.contains(scene.materials[i].name) &&
-                    std::any_of(boxes[i].begin(), boxes[i].end(), [&](const Aabb& near) { return distance_in_plan(near, box.centre_m()) <= 0.5 * kView_m; }))
+                    std::any_of(boxes[i].begin(), boxes[i].end(), [&](const Aabb& near) {
+                        return distance_in_plan(near, box.centre_m()) <= 0.5 * kView_m;
+                    }))
                     names.insert(scene.materials[i].name);
             if (names.size() <= most.size()) continue;
             most = names;
@@ -107,7 +116,11 @@ std::string crowded_view(const Scene& scene) {
         const std::string material = spoken_material(name);
         list = list.empty() ? material : phrase("words.joined", {{"one", list}, {"other", material}});
     }
-    return phrase("lint.crowded", {{"count", most.size()}, {"east", where.x}, {"north", where.y}, {"materials", list}, {"most", kMostMaterialsInView}});
+    return phrase("lint.crowded", {{"count", most.size()},
+                                   {"east", where.x},
+                                   {"north", where.y},
+                                   {"materials", list},
+                                   {"most", kMostMaterialsInView}});
 }
 
 LintReport lint_materials(const Scene& scene) {
@@ -119,7 +132,8 @@ LintReport lint_materials(const Scene& scene) {
         for (std::size_t b = 0; b < a; ++b) {
             const Finish one = finish_of(scene.materials[used[b]]), other = finish_of(scene.materials[used[a]]);
             if (one.name == other.name || can_be_told_apart(one, other)) continue;
-            if (!told.insert(one.name < other.name ? one.name + "/" + other.name : other.name + "/" + one.name).second) continue;
+            if (!told.insert(one.name < other.name ? one.name + "/" + other.name : other.name + "/" + one.name).second)
+                continue;
             report.problems.push_back(phrase("lint.alike", {{"one", capitalised(spoken_material(one.name))},
                                                             {"other", spoken_material(other.name)},
                                                             {"stiffness", one.stiffness_fraction},

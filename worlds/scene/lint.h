@@ -1,6 +1,7 @@
 // Whether a hand can tell a world's materials apart. Pure functions over a Scene; loading thread.
-// Thresholds: compliance differs noticeably from 15 % on and force from 10 % (Bergmann Tiest & Kappers), so what is meant to differ must differ by
-// twice that or more: 30 % in stiffness, 50 % in friction, or in texture. Sound is no substitute: a texture or material may be met in silence.
+// Thresholds: compliance differs noticeably from 15 % on and force from 10 % (Bergmann Tiest & Kappers), so what is
+// meant to differ must differ by twice that or more: 30 % in stiffness, 50 % in friction, or in texture. Sound is no
+// substitute: a texture or material may be met in silence.
 #pragma once
 
 #include <string>
@@ -33,7 +34,8 @@ struct LintReport {
     std::vector<std::string> problems;  // pairs that cannot be told apart, and what to change
     std::vector<std::string> warnings;  // places with too many materials, stick-slip
 };
-// A sentence where more than kMostMaterialsInView named materials lie within one view, about the fullest one; empty where none is so full.
+// A sentence where more than kMostMaterialsInView named materials lie within one view, about the fullest one; empty
+// where none is so full.
 std::string crowded_view(const Scene& scene);
 // Over the named materials that a hand can reach in this world.
 LintReport lint_materials(const Scene& scene);

@@ -7,9 +7,10 @@
 namespace handrail {
 namespace {
 
-// Stiffness as a fraction of what the device can render, friction as Coulomb's mu. Four steps of stiffness, each a third or more above the one below: more
-// cannot be told apart on a device of 3 N. Within a step friction differs by a half, or one has a texture (test: every_two_can_be_told_apart_by_touch).
-// Plaster is the wall that most rooms have. Depths and periods are hand travel.
+// Stiffness as a fraction of what the device can render, friction as Coulomb's mu. Four steps of stiffness, each a
+// third or more above the one below: more cannot be told apart on a device of 3 N. Within a step friction differs by a
+// half, or one has a texture (test: every_two_can_be_told_apart_by_touch). Plaster is the wall that most rooms have.
+// Depths and periods are hand travel.
 constexpr TextureWave kBars{WaveShape::Square, 0.4e-3, 10e-3};
 constexpr TextureWave kJoints{WaveShape::Sine, 0.2e-3, 7e-3};
 constexpr TextureWave kTufts{WaveShape::Sine, 0.3e-3, 5e-3};
@@ -40,21 +41,34 @@ struct TextureRule {
     bool at_start = false;  // the texture's name must begin with it
 };
 
-// First match wins, so that "wizwood" is wood before "wiz" could say anything and "plaster" is plaster before "plat" is metal.
-// The game's own sets: tech, slip, comp, base, key and m5 are panels of metal, cop and ecop copper, uwall, city and church cut stone.
+// First match wins, so that "wizwood" is wood before "wiz" could say anything and "plaster" is plaster before "plat" is
+// metal. The game's own sets: tech, slip, comp, base, key and m5 are panels of metal, cop and ecop copper, uwall, city
+// and church cut stone.
 constexpr std::array kTextureRules{
-    TextureRule{"plaster", "plaster"},     TextureRule{"stucco", "plaster"},    TextureRule{"plastic", "plastic"},     TextureRule{"wood", "wood"},
-    TextureRule{"crate", "wood"},          TextureRule{"plank", "wood"},        TextureRule{"brick", "brick"},         TextureRule{"carpet", "carpet"},
-    TextureRule{"rug", "carpet", true},    TextureRule{"curtain", "cloth"},     TextureRule{"cloth", "cloth"},         TextureRule{"concrete", "concrete"},
-    TextureRule{"cement", "concrete"},     TextureRule{"glass", "glass"},       TextureRule{"window", "glass"},        TextureRule{"grass", "grass"},
-    TextureRule{"sand", "sand", true},     TextureRule{"ground", "earth"},      TextureRule{"dirt", "earth"},          TextureRule{"rock", "stone"},
-    TextureRule{"stone", "stone"},         TextureRule{"marble", "stone"},      TextureRule{"grille", "steel grille"}, TextureRule{"grate", "steel grille"},
-    TextureRule{"tile", "tile"},           TextureRule{"rubber", "rubber"},     TextureRule{"ice", "ice", true},       TextureRule{"met", "metal"},
-    TextureRule{"steel", "metal"},         TextureRule{"iron", "metal", true},  TextureRule{"sfloor", "metal", true},  TextureRule{"tech", "metal", true},
-    TextureRule{"slip", "metal", true},    TextureRule{"comp", "metal", true},  TextureRule{"plat_", "metal", true},   TextureRule{"cop", "metal", true},
-    TextureRule{"ecop", "metal", true},    TextureRule{"edoor", "metal", true}, TextureRule{"m5_", "metal", true},     TextureRule{"basebutn", "metal", true},
-    TextureRule{"basebtn", "metal", true}, TextureRule{"city", "stone", true},  TextureRule{"church", "stone", true},  TextureRule{"uwall", "stone", true},
-    TextureRule{"twall", "metal", true},   TextureRule{"wall", "stone", true},  TextureRule{"dem", "stone", true},     TextureRule{"wiz", "stone", true},
+    TextureRule{"plaster", "plaster"},     TextureRule{"stucco", "plaster"},
+    TextureRule{"plastic", "plastic"},     TextureRule{"wood", "wood"},
+    TextureRule{"crate", "wood"},          TextureRule{"plank", "wood"},
+    TextureRule{"brick", "brick"},         TextureRule{"carpet", "carpet"},
+    TextureRule{"rug", "carpet", true},    TextureRule{"curtain", "cloth"},
+    TextureRule{"cloth", "cloth"},         TextureRule{"concrete", "concrete"},
+    TextureRule{"cement", "concrete"},     TextureRule{"glass", "glass"},
+    TextureRule{"window", "glass"},        TextureRule{"grass", "grass"},
+    TextureRule{"sand", "sand", true},     TextureRule{"ground", "earth"},
+    TextureRule{"dirt", "earth"},          TextureRule{"rock", "stone"},
+    TextureRule{"stone", "stone"},         TextureRule{"marble", "stone"},
+    TextureRule{"grille", "steel grille"}, TextureRule{"grate", "steel grille"},
+    TextureRule{"tile", "tile"},           TextureRule{"rubber", "rubber"},
+    TextureRule{"ice", "ice", true},       TextureRule{"met", "metal"},
+    TextureRule{"steel", "metal"},         TextureRule{"iron", "metal", true},
+    TextureRule{"sfloor", "metal", true},  TextureRule{"tech", "metal", true},
+    TextureRule{"slip", "metal", true},    TextureRule{"comp", "metal", true},
+    TextureRule{"plat_", "metal", true},   TextureRule{"cop", "metal", true},
+    TextureRule{"ecop", "metal", true},    TextureRule{"edoor", "metal", true},
+    TextureRule{"m5_", "metal", true},     TextureRule{"basebutn", "metal", true},
+    TextureRule{"basebtn", "metal", true}, TextureRule{"city", "stone", true},
+    TextureRule{"church", "stone", true},  TextureRule{"uwall", "stone", true},
+    TextureRule{"twall", "metal", true},   TextureRule{"wall", "stone", true},
+    TextureRule{"dem", "stone", true},     TextureRule{"wiz", "stone", true},
     TextureRule{"ceiling", "plaster"},
 };
 

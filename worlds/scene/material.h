@@ -13,7 +13,8 @@
 
 namespace handrail {
 
-// How a material sounds; audio-cues/plan turns this into a synthesised contact, slide and footstep sound. Every named material has one of its own.
+// How a material sounds; audio-cues/plan turns this into a synthesised contact, slide and footstep sound. Every named
+// material has one of its own.
 enum class SoundClass {
     Plaster,
     Wood,
@@ -36,7 +37,8 @@ enum class SoundClass {
     Generic
 };
 
-// A texture that repeats along one direction. Lengths are hand travel, so that it feels alike at every zoom. What it does to the force: haptic/render/relief.h.
+// A texture that repeats along one direction. Lengths are hand travel, so that it feels alike at every zoom. What it
+// does to the force: haptic/render/relief.h.
 enum class WaveShape { Level, Sine, Square };  // Level: no depth, only friction may vary
 struct TextureWave {
     WaveShape shape = WaveShape::Level;
@@ -53,7 +55,8 @@ struct HeightPicture {
     std::vector<float> depths;
 };
 
-// A picture laid on: its lower left corner in that of the box, however a face of it is looked at, and repeated both ways.
+// A picture laid on: its lower left corner in that of the box, however a face of it is looked at, and repeated both
+// ways.
 struct TexturePicture {
     std::shared_ptr<const HeightPicture> heights;
     double depth_hand_m = 0.0;
@@ -61,8 +64,8 @@ struct TexturePicture {
     double turn_rad = 0.0;
     Aabb box_m;  // of the thing it lies on
     bool operator==(const TexturePicture& other) const {
-        return heights == other.heights && depth_hand_m == other.depth_hand_m && size_m == other.size_m && turn_rad == other.turn_rad &&
-               box_m.min_m == other.box_m.min_m && box_m.max_m == other.box_m.max_m;
+        return heights == other.heights && depth_hand_m == other.depth_hand_m && size_m == other.size_m &&
+               turn_rad == other.turn_rad && box_m.min_m == other.box_m.min_m && box_m.max_m == other.box_m.max_m;
     }
 };
 
@@ -95,7 +98,8 @@ struct MaterialSpec {
     TextureWave wave{};
 };
 
-// Every named material, fixed order. Names are what the map key `material` takes. Every two can be told apart by touch alone (see lint.h).
+// Every named material, fixed order. Names are what the map key `material` takes. Every two can be told apart by touch
+// alone (see lint.h).
 std::span<const MaterialSpec> material_library();
 // Exact, case-insensitive; nullptr when there is none of that name.
 const MaterialSpec* find_material(std::string_view name);

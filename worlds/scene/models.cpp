@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -26,11 +27,13 @@ void draw_placed(Scene& world, const PlacedModel& placed) {
     const PlacedFrame frame(placed.at);
     const auto add = [&](std::vector<Vec3> points, const Vec3& normal) {
         for (Vec3& p : points) p = frame.to_world(p);
-        world.surfaces.push_back({Polygon{std::move(points)}, frame.turned(normal), placed.feature, placed.material, SolidRole::Solid});
+        world.surfaces.push_back(
+            {Polygon{std::move(points)}, frame.turned(normal), placed.feature, placed.material, SolidRole::Solid});
     };
     for (const Solid& solid : placed.model->solids)
         if (solid.role == SolidRole::Solid || solid.role == SolidRole::Mover)
-            for (std::size_t face = 0; face < solid.shape.faces.size(); ++face) add(solid.shape.faces[face].points_m, solid.shape.planes[face].normal);
+            for (std::size_t face = 0; face < solid.shape.faces.size(); ++face)
+                add(solid.shape.faces[face].points_m, solid.shape.planes[face].normal);
     for (const MeshTriangle& t : placed.model->triangles) {
         const Vec3 area = glm::cross(t.b_m - t.a_m, t.c_m - t.a_m);
         if (const double length = glm::length(area); length > 0.0) add({t.a_m, t.b_m, t.c_m}, area / length);
@@ -66,8 +69,8 @@ Aabb placed_bounds(const Aabb& own, const Placement& at) {
     const PlacedFrame frame(at);
     Aabb bounds;
     for (int corner = 0; corner < 8; ++corner)
-        bounds.include(
-            frame.to_world({(corner & 1 ? own.max_m : own.min_m).x, (corner & 2 ? own.max_m : own.min_m).y, (corner & 4 ? own.max_m : own.min_m).z}));
+        bounds.include(frame.to_world({(corner & 1 ? own.max_m : own.min_m).x, (corner & 2 ? own.max_m : own.min_m).y,
+                                       (corner & 4 ? own.max_m : own.min_m).z}));
     return bounds;
 }
 
@@ -97,23 +100,28 @@ Result<std::shared_ptr<const Scene>> box_model(const Vec3& size_m) {
 int find_placed(const Scene& world, const std::string& name) {
     const std::string wanted = lower_ascii(name);
     for (std::size_t i = 0; i < world.placed.size(); ++i)
-        if (const Feature* feature = world.find(world.placed[i].feature); feature && lower_ascii(feature->name) == wanted) return static_cast<int>(i);
+        if (const Feature* feature = world.find(world.placed[i].feature);
+            feature && lower_ascii(feature->name) == wanted)
+            return static_cast<int>(i);
     return -1;
 }
 
-Result<Scene> with_placed(const Scene& world, const std::string& name, std::shared_ptr<const Scene> model, const Placement& at, const std::string& material) {
+Result<Scene> with_placed(const Scene& world, const std::string& name, std::shared_ptr<const Scene> model,
+                          const Placement& at, const std::string& material) {
     if (name.empty()) return fail(phrase("worlds.thing_needs_name"));
     if (find_placed(world, name) >= 0) return fail(phrase("worlds.thing_there", {{"name", name}}));
     const Aabb own = model ? touchable_bounds(*model) : Aabb{};
     if (own.empty()) return fail(phrase("worlds.nothing_to_touch", {{"name", name}}));
-    if (!is_finite(at.position_m) || !std::isfinite(at.scale) || !(at.scale > 0.0)) return fail(phrase("worlds.thing_place_no_number", {{"name", name}}));
+    if (!is_finite(at.position_m) || !std::isfinite(at.scale) || !(at.scale > 0.0))
+        return fail(phrase("worlds.thing_place_no_number", {{"name", name}}));
     Material made;
     if (!material.empty()) {
         const MaterialSpec* spec = find_material(material);
         if (!spec) {
             std::vector<std::string> names;
             for (const MaterialSpec& row : material_library()) names.emplace_back(row.name);
-            return fail(phrase("worlds.no_material", {{"material", material}, {"nearest", nearest_name(material, names)}}));
+            return fail(
+                phrase("worlds.no_material", {{"material", material}, {"nearest", nearest_name(material, names)}}));
         }
         made.name = spec->name;
         made.sound = spec->sound;
@@ -134,6 +142,8 @@ Result<Scene> with_placed(const Scene& world, const std::string& name, std::shar
 }
 
 void move_placed(Scene& world, std::size_t thing, const Placement& at) {
+    contract_pre(thing < world.placed.size() && world.placed[thing].model != nullptr);
+    contract_pre(at.scale > 0.0 && is_finite(at.position_m));
     PlacedModel& placed = world.placed[thing];
     if (placed.at == at) return;
     placed.at = at;
@@ -146,6 +156,9 @@ Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector
     Scene scene = world;
     thing_of_mover.assign(world.movers.size(), -1);
     std::vector<bool> leaves(world.features.size(), false);
+    std::vector<std::uint32_t> movable;  // of the solids, which are many more
+    for (std::uint32_t s = 0; s < world.solids.size(); ++s)
+        if (world.solids[s].role == SolidRole::Mover) movable.push_back(s);
     for (std::size_t i = 0; i < world.movers.size(); ++i) {
         const Mover& mover = world.movers[i];
         if (!mover.moves() || scene.placed.size() >= most_things) continue;
@@ -154,15 +167,17 @@ Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector
         model->materials.emplace_back();
         model->features.push_back(world.features[mover.feature.value]);
         MaterialId material = kDefaultMaterial;
-        for (const Solid& solid : world.solids) {
-            if (!own(solid.feature) || solid.role != SolidRole::Mover) continue;
+        for (const std::uint32_t s : movable) {
+            const Solid& solid = world.solids[s];
+            if (!own(solid.feature)) continue;
             if (!solid.face_materials.empty()) material = solid.face_materials.front();
             model->solids.push_back(seen_from(solid, mover.pivot_m));
             model->solids.back().feature = FeatureId{0};
         }
         for (const MeshTriangle& t : world.triangles)
             if (own(t.feature))
-                model->triangles.push_back({t.a_m - mover.pivot_m, t.b_m - mover.pivot_m, t.c_m - mover.pivot_m, FeatureId{0}, kDefaultMaterial, t.side});
+                model->triangles.push_back({t.a_m - mover.pivot_m, t.b_m - mover.pivot_m, t.c_m - mover.pivot_m,
+                                            FeatureId{0}, kDefaultMaterial, t.side});
         if (model->solids.empty() && model->triangles.empty()) continue;
         model->bounds_m = touchable_bounds(*model);
         thing_of_mover[i] = static_cast<int>(scene.placed.size());
@@ -170,7 +185,8 @@ Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector
         scene.placed.push_back({mover.feature, std::move(model), material, mover.at(mover.rests_far ? 1.0 : 0.0)});
     }
     const auto left = [&](FeatureId feature) { return feature.value < leaves.size() && leaves[feature.value]; };
-    std::erase_if(scene.solids, [&](const Solid& solid) { return solid.role == SolidRole::Mover && left(solid.feature); });
+    std::erase_if(scene.solids,
+                  [&](const Solid& solid) { return solid.role == SolidRole::Mover && left(solid.feature); });
     std::erase_if(scene.triangles, [&](const MeshTriangle& t) { return left(t.feature); });
     std::erase_if(scene.surfaces, [&](const SurfacePolygon& surface) { return left(surface.feature); });
     for (const int thing : thing_of_mover) {
@@ -187,7 +203,8 @@ Result<Scene> without_placed(const Scene& world, const std::string& name) {
     if (index < 0) return fail(phrase("worlds.none_to_take", {{"name", name}}));
     Scene scene = world;
     undraw(scene, scene.placed[static_cast<std::size_t>(index)].feature);
-    scene.placed.erase(scene.placed.begin() + index);  // its name stays, so that what was said of it can still be looked up
+    scene.placed.erase(scene.placed.begin() +
+                       index);  // its name stays, so that what was said of it can still be looked up
     return scene;
 }
 

@@ -20,13 +20,16 @@ bool differ(double a, double b) { return std::abs(a - b) > 1e-9 * std::max(std::
 std::string refusal(const Primitive& p, const Vec3& size) {
     const std::string name = spoken_kind(kPrimitiveNames[static_cast<std::size_t>(p.kind)]);
     const Rotation& q = p.at.rotation;
-    if (!is_finite(size) || !is_finite(p.at.position_m) || !std::isfinite(p.at.scale) || !std::isfinite(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z))
+    if (!is_finite(size) || !is_finite(p.at.position_m) || !std::isfinite(p.at.scale) ||
+        !std::isfinite(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z))
         return phrase("worlds.shape_no_number", {{"shape", name}});
     if (!(std::min({p.size_m.x, p.size_m.y, p.size_m.z, p.stretch.x, p.stretch.y, p.stretch.z, p.at.scale}) > 0.0))
         return phrase("worlds.shape_above_zero", {{"shape", name}});
     if (p.kind == PrimitiveKind::Box) return {};
-    if (differ(size.x, size.y) || (p.kind == PrimitiveKind::Sphere && differ(size.x, size.z))) return phrase("worlds.shape_stays_round", {{"shape", name}});
-    if (p.kind == PrimitiveKind::Capsule && size.z < size.x && differ(size.x, size.z)) return phrase("worlds.capsule_long");
+    if (differ(size.x, size.y) || (p.kind == PrimitiveKind::Sphere && differ(size.x, size.z)))
+        return phrase("worlds.shape_stays_round", {{"shape", name}});
+    if (p.kind == PrimitiveKind::Capsule && size.z < size.x && differ(size.x, size.z))
+        return phrase("worlds.capsule_long");
     return {};
 }
 
@@ -35,8 +38,12 @@ std::vector<Plane> planes_of(PrimitiveKind kind, const Vec3& size) {
     std::vector<Plane> planes;
     const double radius = 0.5 * size.x, half = 0.5 * size.z;
     const auto around = [](int k, int sides) { return 2.0 * kPi * k / sides; };
-    const auto exact = [](double v) { return std::abs(v) < 1e-15 ? 0.0 : std::abs(std::abs(v) - 1.0) < 1e-15 ? std::copysign(1.0, v) : v; };
-    const auto direction = [&](double turn, double out, double up) { return Vec3(exact(out * std::cos(turn)), exact(out * std::sin(turn)), up); };
+    const auto exact = [](double v) {
+        return std::abs(v) < 1e-15 ? 0.0 : std::abs(std::abs(v) - 1.0) < 1e-15 ? std::copysign(1.0, v) : v;
+    };
+    const auto direction = [&](double turn, double out, double up) {
+        return Vec3(exact(out * std::cos(turn)), exact(out * std::sin(turn)), up);
+    };
     if (kind == PrimitiveKind::Box) {
         for (int axis = 0; axis < 3; ++axis)
             for (const double side : {-1.0, 1.0}) {
@@ -50,8 +57,9 @@ std::vector<Plane> planes_of(PrimitiveKind kind, const Vec3& size) {
         planes.push_back({{0, 0, -1}, half});
         if (!cone) planes.push_back({{0, 0, 1}, half});
         for (int k = 0; k < kSides; ++k)
-            planes.push_back(cone ? Plane{direction(around(k, kSides), profile.slant_out, profile.slant_up), half * profile.slant_up}
-                                  : Plane{direction(around(k, kSides), 1.0, 0.0), radius});
+            planes.push_back(
+                cone ? Plane{direction(around(k, kSides), profile.slant_out, profile.slant_up), half * profile.slant_up}
+                     : Plane{direction(around(k, kSides), 1.0, 0.0), radius});
     } else {
         const double straight = kind == PrimitiveKind::Capsule ? std::max(0.0, half - radius) : 0.0;
         for (int band = 0; band <= kSphereBands; ++band) {
@@ -59,7 +67,8 @@ std::vector<Plane> planes_of(PrimitiveKind kind, const Vec3& size) {
             const bool pole = band == 0 || band == kSphereBands;
             for (int k = 0; k < (pole ? 1 : kSphereSides); ++k) {
                 const Vec3 normal =
-                    pole ? Vec3(0, 0, band == 0 ? -1 : 1) : glm::normalize(direction(around(k, kSphereSides), std::cos(tilt), exact(std::sin(tilt))));
+                    pole ? Vec3(0, 0, band == 0 ? -1 : 1)
+                         : glm::normalize(direction(around(k, kSphereSides), std::cos(tilt), exact(std::sin(tilt))));
                 planes.push_back({normal, radius + straight * std::abs(normal.z)});
             }
         }
@@ -97,9 +106,11 @@ Result<Solid> make_solid(const Primitive& primitive, MaterialId material) {
     // Faces are found at size 1, where the tolerances fit, and brought to their place then.
     const double unit = std::max({size.x, size.y, size.z});
     BuiltSolid built = solid_from_planes(planes_of(primitive.kind, size / unit), Vec3(0.0), 4.0);
-    if (built.fault != SolidFault::None) built = solid_from_planes(planes_of(PrimitiveKind::Box, size / unit), Vec3(0.0), 4.0, {0.0, 0.0});
     if (built.fault != SolidFault::None)
-        return fail(phrase("worlds.shape_too_thin", {{"shape", spoken_kind(kPrimitiveNames[static_cast<std::size_t>(primitive.kind)])}}));
+        built = solid_from_planes(planes_of(PrimitiveKind::Box, size / unit), Vec3(0.0), 4.0, {0.0, 0.0});
+    if (built.fault != SolidFault::None)
+        return fail(phrase("worlds.shape_too_thin",
+                           {{"shape", spoken_kind(kPrimitiveNames[static_cast<std::size_t>(primitive.kind)])}}));
     Solid solid;
     solid.shape = std::move(built.solid);
     solid.shape.bounds_m = {};

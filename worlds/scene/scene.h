@@ -29,7 +29,8 @@ struct Feature {
     FeatureKind kind = FeatureKind::Wall;
     std::string name;        // without the material: "north wall", "Table"; what files and scenarios know it by
     OtherLanguages name_in;  // what it is called in others than the map's own
-    bool made_name = false;  // the map gave none: one of our own English names, said by spoken_name in the person's language
+    bool made_name =
+        false;  // the map gave none: one of our own English names, said by spoken_name in the person's language
     MaterialId material = kDefaultMaterial;
     Vec3 normal{0.0};  // outward, for walls, floors, ceilings and slopes; zero for objects
     Aabb bounds_m;
@@ -40,8 +41,8 @@ struct Feature {
     std::string message;    // spoken on entering a trigger; for others a longer description
     OtherLanguages message_in;
     bool made_message = false;  // the map gave none: `message` is the key of one of our own texts
-    std::string hinge;      // side of a door's hinge: "north", "east", ... or empty
-    std::string handle;     // side of a door's handle, likewise
+    std::string hinge;          // side of a door's hinge: "north", "east", ... or empty
+    std::string handle;         // side of a door's handle, likewise
     SourcePlace source;
 };
 
@@ -69,14 +70,15 @@ struct SoftFace {
 struct Solid {
     ConvexSolid shape;
     SolidRole role = SolidRole::Solid;
-    RoundShape round;                          // what the hand feels, where it is no solid of flat faces; `shape` then stands around it
+    RoundShape round;  // what the hand feels, where it is no solid of flat faces; `shape` then stands around it
     FeatureId feature = kNoFeature;            // for objects, movers and volumes: the whole; else kNoFeature
     std::vector<FeatureId> face_features;      // size == shape.planes.size(); the name of what one touches there
     std::vector<MaterialId> face_materials;    // size == shape.planes.size()
     std::vector<bool> face_hidden;             // size == shape.planes.size(); wholly covered by other solids
     std::optional<double> viscosity_ns_per_m;  // liquids only, of hand speed; none: no drag
-    double buoyancy_n = 0.0, film_n = 0.0;     // liquids only: what lifts a hand in it, what its surface holds back at most
-    Vec3 flow_hand_m_per_s{0.0};               // liquids only: a stream, in hand speed
+    double buoyancy_n = 0.0,
+           film_n = 0.0;          // liquids only: what lifts a hand in it, what its surface holds back at most
+    Vec3 flow_hand_m_per_s{0.0};  // liquids only: a stream, in hand speed
     std::optional<SoftFace> soft;
     SourcePlace source;
 };
@@ -124,8 +126,8 @@ struct RoomName {
 
 struct Scene;
 
-// A thing with a world of its own, set down in this one: it may be moved, turned, added and removed while it is touched. One model may stand in
-// several places.
+// A thing with a world of its own, set down in this one: it may be moved, turned, added and removed while it is
+// touched. One model may stand in several places.
 struct PlacedModel {
     FeatureId feature = kNoFeature;  // of this scene: all of the thing goes by this name
     std::shared_ptr<const Scene> model;
@@ -133,19 +135,21 @@ struct PlacedModel {
     Placement at;
 };
 
+struct StatedBuilding;
+
 // What the reader understood, for the honesty report and `handrail info`. Counts as defined for `info --json`.
 struct ReadReport {
-    std::string format;  // "map", "obj"
+    std::string format;  // "map", "obj", "ifc"
     int brushes = 0, polygons = 0, polygons_kept = 0, polygons_hidden = 0, triangles = 0;
     int liquids = 0, movers = 0, doors = 0, starts = 0;
-    int patches = 0;                                         // curved patches that were read; their triangles are not counted above
+    int patches = 0;  // curved patches that were read; their triangles are not counted above
     std::vector<std::string> guessed, simplified, left_out;  // sentences
     std::vector<Diagnostic> warnings;                        // at most 20
     int warnings_in_all = 0;                                 // all that were met
 };
 
 struct Scene {
-    std::string name;         // fit to be spoken: the world's message, else the file name in words
+    std::string name;  // fit to be spoken: the world's message, else the file name in words
     OtherLanguages name_in;
     std::string source_file;  // as given
     bool game_map = false;    // game sizes for the body: 1.7 m tall, 0.57 m steps
@@ -163,27 +167,32 @@ struct Scene {
     std::vector<Effect> effects;  // forces that hang in space
     std::vector<Mover> movers;    // which of the solids above can go where
     std::vector<Switch> switches;
+    std::shared_ptr<const StatedBuilding>
+        stated;  // rooms and doors as the file itself says them (worlds/scene/stated_building.h); null: it says none
     ReadReport report;
 
     const Feature* find(FeatureId id) const { return id.value < features.size() ? &features[id.value] : nullptr; }
     const Material& material(MaterialId id) const { return materials[id < materials.size() ? id : kDefaultMaterial]; }
 };
 
-// "north wall, plaster" or "Table": the feature's name with its material where it has one, as it is said in the language spoken. A name that the map
-// gives is said as the map has it, in the language spoken where it has that too. Empty for kNoFeature.
+// "north wall, plaster" or "Table": the feature's name with its material where it has one, as it is said in the
+// language spoken. A name that the map gives is said as the map has it, in the language spoken where it has that too.
+// Empty for kNoFeature.
 std::string spoken_name(const Scene& scene, FeatureId id);
 // The same without the material.
 std::string spoken_name(const Feature& feature);
 std::string spoken_name(const SoundSource& sound);
 std::string spoken_name(const Scene& scene);
 std::string spoken_message(const Feature& feature);
-// One of our own names ("north wall", "low block"), or a material's, as it is said; a name that is none of ours stays as it is.
+// One of our own names ("north wall", "low block"), or a material's, as it is said; a name that is none of ours stays
+// as it is.
 std::string spoken_kind(std::string_view name);
 std::string spoken_material(std::string_view name);
 // "north wall, plaster" in English and unchanged, whatever is spoken: for tables and to be compared.
 std::string stored_name(const Scene& scene, FeatureId id);
 
-// The number of this material in the scene, which gets it if it is new. Readers only. The default wall once there are too many to count.
+// The number of this material in the scene, which gets it if it is new. Readers only. The default wall once there are
+// too many to count.
 MaterialId material_id(Scene& scene, const Material& material);
 
 // Checks sizes, indices and finiteness of a Scene that a reader or code built; says the first thing that is wrong.

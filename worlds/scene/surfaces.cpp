@@ -2,17 +2,21 @@
 
 #include <map>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/geometry/exposed_surface.h"
 
 namespace handrail {
 namespace {
 
-std::string_view compass_point(const Vec3& direction) noexcept { return handrail::compass_point(std::atan2(direction.x, direction.y)); }
+std::string_view compass_point(const Vec3& direction) noexcept {
+    return handrail::compass_point(std::atan2(direction.x, direction.y));
+}
 
 bool is_touchable(SolidRole role) { return role == SolidRole::Solid || role == SolidRole::Mover; }
 
-// Kind and name of a face of the building by the way it faces. Within 10 degrees of level is level, steeper than 80 degrees is a wall.
+// Kind and name of a face of the building by the way it faces. Within 10 degrees of level is level, steeper than 80
+// degrees is a wall.
 constexpr double kLevel = 0.985;
 constexpr double kSteep = 0.174;
 
@@ -60,19 +64,18 @@ struct Surface {
 
 class SurfaceBuilder {
 public:
-    SurfaceBuilder(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit)
-        : scene_(scene), looks_(looks), unit_m_(metres_per_unit), index_(boxes_of(scene)) {}
+    SurfaceBuilder(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit,
+                   const std::stop_token& stop)
+        : scene_(scene), looks_(looks), unit_m_(metres_per_unit), stop_(stop), index_(boxes_of(scene)) {}
 
     void build() {
-        expose();
-        look_outside();
-        find_things();
-        join();
-        fold_outer_sides();
-        join_steps();
-        name_surfaces();
-        name_hidden_faces();
-        finish();
+        for (const auto step :
+             {&SurfaceBuilder::expose, &SurfaceBuilder::look_outside, &SurfaceBuilder::find_things,
+              &SurfaceBuilder::join, &SurfaceBuilder::fold_outer_sides, &SurfaceBuilder::join_steps,
+              &SurfaceBuilder::name_surfaces, &SurfaceBuilder::name_hidden_faces, &SurfaceBuilder::finish}) {
+            if (stop_.stop_requested()) return;
+            (this->*step)();
+        }
     }
 
 private:
@@ -87,10 +90,15 @@ private:
         scene_.features.push_back(std::move(feature));
         return {static_cast<std::uint32_t>(scene_.features.size() - 1)};
     }
-    bool is_building(std::uint32_t solid) const { return scene_.solids[solid].role == SolidRole::Solid && !scene_.solids[solid].feature; }
-    const Plane& plane_of(const ExposedPiece& piece) const { return scene_.solids[piece.solid].shape.planes[piece.face]; }
+    bool is_building(std::uint32_t solid) const {
+        return scene_.solids[solid].role == SolidRole::Solid && !scene_.solids[solid].feature;
+    }
+    const Plane& plane_of(const ExposedPiece& piece) const {
+        return scene_.solids[piece.solid].shape.planes[piece.face];
+    }
 
-    // 1. What of each face nothing covers. Things that move cover only themselves: what is behind them may come to light.
+    // 1. What of each face nothing covers. Things that move cover only themselves: what is behind them may come to
+    // light.
     void expose() {
         std::vector<SurfaceSolid> solids;
         for (const Solid& solid : scene_.solids) {
@@ -100,7 +108,7 @@ private:
             input.covers = is_touchable(solid.role);
             input.rank = solid.feature ? 1 : 0;
         }
-        pieces_ = exposed_surface(solids, index_, {1e-4 * unit_m_, 1e-3 * unit_m_});
+        pieces_ = exposed_surface(solids, index_, {1e-4 * unit_m_, 1e-3 * unit_m_}, stop_);
         for (const ExposedPiece& piece : pieces_) areas_m2_.push_back(area_m2(piece.polygon));
         first_piece_.assign(scene_.solids.size() + 1, 0);
         for (const ExposedPiece& piece : pieces_) ++first_piece_[piece.solid + 1];
@@ -138,17 +146,19 @@ private:
         });
     }
 
-    // 2. Which pieces look away from the building: a line straight out, or straight up where the start has a roof overhead, meets nothing.
+    // 2. Which pieces look away from the building: a line straight out, or straight up where the start has a roof
+    // overhead, meets nothing.
     void look_outside() {
         bool roofed = false;
         for (const Start& start : scene_.starts) {
             if (!start.base) continue;
             const Vec3 eye_m = start.feet_m + Vec3{0.0, 0.0, 40.0 * unit_m_};
             roofed = !escapes(eye_m, {0, 0, 1});
-            for (const Vec3& side : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}}) roofed = roofed && !escapes(eye_m, side);
+            for (const Vec3& side : {Vec3{1, 0, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}})
+                roofed = roofed && !escapes(eye_m, side);
         }
         outside_.assign(pieces_.size(), false);
-        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        for (std::size_t i = 0; i < pieces_.size() && !stop_.stop_requested(); ++i) {
             if (!is_touchable(scene_.solids[pieces_[i].solid].role)) continue;
             const Vec3& normal = plane_of(pieces_[i]).normal;
             const Vec3 middle_m = centre_of(pieces_[i].polygon);
@@ -157,7 +167,8 @@ private:
                 return escapes(before_m, normal) || (roofed && normal.z > -kSteep && escapes(before_m, {0, 0, 1}));
             };
             outside_[i] = looks_out(middle_m);
-            for (const Vec3& corner : pieces_[i].polygon.points_m) outside_[i] = outside_[i] && looks_out(middle_m + 0.8 * (corner - middle_m));
+            for (const Vec3& corner : pieces_[i].polygon.points_m)
+                outside_[i] = outside_[i] && looks_out(middle_m + 0.8 * (corner - middle_m));
         }
     }
 
@@ -169,7 +180,7 @@ private:
         };
         DisjointSets clusters(scene_.solids.size());
         std::vector<std::uint32_t> near;
-        for (std::uint32_t s = 0; s < scene_.solids.size(); ++s) {
+        for (std::uint32_t s = 0; s < scene_.solids.size() && !stop_.stop_requested(); ++s) {
             if (!small(s)) continue;
             index_.find(grown(scene_.solids[s].shape.bounds_m, 0.01 * unit_m_), near);
             for (const std::uint32_t other : near)
@@ -194,7 +205,8 @@ private:
                 top = top || n.z > kLevel;
                 bottom = bottom || n.z < -kLevel;
                 sky = sky || look_of(pieces_[i]) == kSkyLook;
-                if (std::abs(n.z) >= kLevel || glm::dot(n, centre_of(pieces_[i].polygon) - box.centre_m()) <= 0.0) continue;
+                if (std::abs(n.z) >= kLevel || glm::dot(n, centre_of(pieces_[i].polygon) - box.centre_m()) <= 0.0)
+                    continue;
                 sides_m.include(bounds_of(pieces_[i].polygon));
                 const std::array<double, 4> facing{n.x, -n.x, n.y, -n.y};
                 for (std::size_t k = 0; k < 4; ++k) seen_m2[k] += std::max(0.0, facing[k]) * areas_m2_[i];
@@ -202,8 +214,10 @@ private:
         }
         if (sides_m.empty() || sky) return;
         const double height_m = sides_m.size_m().z;
-        const int shown = static_cast<int>(seen_m2[0] > 0.6 * size.y * height_m) + static_cast<int>(seen_m2[1] > 0.6 * size.y * height_m) +
-                          static_cast<int>(seen_m2[2] > 0.6 * size.x * height_m) + static_cast<int>(seen_m2[3] > 0.6 * size.x * height_m);
+        const int shown = static_cast<int>(seen_m2[0] > 0.6 * size.y * height_m) +
+                          static_cast<int>(seen_m2[1] > 0.6 * size.y * height_m) +
+                          static_cast<int>(seen_m2[2] > 0.6 * size.x * height_m) +
+                          static_cast<int>(seen_m2[3] > 0.6 * size.x * height_m);
         if (shown < 3) return;
         Feature thing;
         thing.kind = FeatureKind::Object;
@@ -232,7 +246,7 @@ private:
             flat.push_back({&pieces_[i].polygon, plane_of(pieces_[i]), look_of(pieces_[i]), face});
             which.push_back(i);
         }
-        const std::vector<std::uint32_t> number = joined_surfaces(flat, 4e-3 * unit_m_);
+        const std::vector<std::uint32_t> number = joined_surfaces(flat, 4e-3 * unit_m_, stop_);
         surface_of_piece_.assign(pieces_.size(), kNone);
         for (std::size_t k = 0; k < number.size(); ++k) {
             const std::uint32_t i = which[k];
@@ -256,7 +270,8 @@ private:
         surface.material = scene_.solids[pieces_[i].solid].face_materials[pieces_[i].face];
     }
 
-    // 5. The outer side of a wall is that wall, not another one: its pieces go to the largest inner surface of the same solid.
+    // 5. The outer side of a wall is that wall, not another one: its pieces go to the largest inner surface of the same
+    // solid.
     void fold_outer_sides() {
         std::vector<Surface> rest(surfaces_.size());
         for (std::uint32_t g = 0; g < surfaces_.size(); ++g) {
@@ -302,9 +317,11 @@ private:
                 if (!within(std::min(top.size_m().x, top.size_m().y), kStepDepth)) continue;
                 for (std::uint32_t r = first_piece_[s]; r < first_piece_[s + 1]; ++r) {
                     const std::uint32_t riser = surface_of_piece_[r];
-                    if (riser == kNone || surfaces_[riser].kind != FeatureKind::Wall || folded_into_.contains(r)) continue;
+                    if (riser == kNone || surfaces_[riser].kind != FeatureKind::Wall || folded_into_.contains(r))
+                        continue;
                     const Aabb& front = surfaces_[riser].bounds_m;
-                    if (!within(front.size_m().z, kStepHeight) || std::abs(front.max_m.z - top.max_m.z) > 0.1 * unit_m_) continue;
+                    if (!within(front.size_m().z, kStepHeight) || std::abs(front.max_m.z - top.max_m.z) > 0.1 * unit_m_)
+                        continue;
                     sets.join(tread, riser);
                     step_[tread] = step_[riser] = true;
                 }
@@ -330,7 +347,10 @@ private:
             if (surface.pieces.empty()) continue;
             Feature feature;
             feature.kind = step_[g] ? FeatureKind::Object : surface.kind;
-            feature.name = step_[g] ? "step" : surface.sky ? "sky" : name_of_surface(surface.kind, surface.normal, surface.bounds_m, surface.area_m2);
+            feature.name = step_[g] ? "step"
+                           : surface.sky
+                               ? "sky"
+                               : name_of_surface(surface.kind, surface.normal, surface.bounds_m, surface.area_m2);
             feature.made_name = true;
             if (!step_[g]) feature.normal = surface.normal;
             feature.material = surface.sky ? kDefaultMaterial : surface.material;
@@ -340,21 +360,25 @@ private:
             surface.feature = add_feature(std::move(feature));
         }
         for (std::uint32_t i = 0; i < pieces_.size(); ++i)
-            if (surface_of_piece_[i] != kNone) scene_.solids[pieces_[i].solid].face_features[pieces_[i].face] = surfaces_[surface_of_piece_[i]].feature;
+            if (surface_of_piece_[i] != kNone)
+                scene_.solids[pieces_[i].solid].face_features[pieces_[i].face] =
+                    surfaces_[surface_of_piece_[i]].feature;
     }
 
-    // 8. A hand that slides over a seam may meet a hidden face's edge: it then hears the surface that covers it, or else the solid's largest.
+    // 8. A hand that slides over a seam may meet a hidden face's edge: it then hears the surface that covers it, or
+    // else the solid's largest.
     void name_hidden_faces() {
         std::vector<Aabb> boxes;
         for (const ExposedPiece& piece : pieces_) boxes.push_back(bounds_of(piece.polygon));
         const BoxIndex piece_index(boxes);
         const double near_m = 4e-3 * unit_m_;
-        for (std::uint32_t s = 0; s < scene_.solids.size(); ++s) {
+        for (std::uint32_t s = 0; s < scene_.solids.size() && !stop_.stop_requested(); ++s) {
             if (!is_building(s)) continue;
             Solid& solid = scene_.solids[s];
             FeatureId largest = kNoFeature;
             for (const FeatureId id : solid.face_features)
-                if (id && (!largest || scene_.features[id.value].area_m2 > scene_.features[largest.value].area_m2)) largest = id;
+                if (id && (!largest || scene_.features[id.value].area_m2 > scene_.features[largest.value].area_m2))
+                    largest = id;
             for (std::uint32_t f = 0; f < solid.shape.planes.size(); ++f) {
                 if (solid.face_features[f]) continue;
                 solid.face_features[f] = largest;
@@ -392,13 +416,15 @@ private:
                     thing.material = material;
                 }
             }
-            scene_.surfaces.push_back({std::move(piece.polygon), plane_of(piece).normal, solid.face_features[piece.face], material, solid.role});
+            scene_.surfaces.push_back({std::move(piece.polygon), plane_of(piece).normal,
+                                       solid.face_features[piece.face], material, solid.role});
         }
         for (const Solid& solid : scene_.solids) {
             if (solid.feature) scene_.features[solid.feature.value].bounds_m.include(solid.shape.bounds_m);
             // The faces around a round solid are none of the file's.
             if (is_touchable(solid.role) && std::holds_alternative<std::monostate>(solid.round))
-                scene_.report.polygons_hidden += static_cast<int>(std::count(solid.face_hidden.begin(), solid.face_hidden.end(), true));
+                scene_.report.polygons_hidden +=
+                    static_cast<int>(std::count(solid.face_hidden.begin(), solid.face_hidden.end(), true));
         }
         scene_.report.polygons_kept = scene_.report.polygons - scene_.report.polygons_hidden;
         for (Feature& feature : scene_.features)
@@ -413,6 +439,7 @@ private:
     Scene& scene_;
     std::span<const std::vector<FaceLook>> looks_;
     double unit_m_ = 1.0;
+    std::stop_token stop_;
     BoxIndex index_;  // over the solids
     Aabb all_m_;
     std::vector<ExposedPiece> pieces_;
@@ -429,11 +456,13 @@ private:
 }  // namespace
 
 std::string_view compass_point(double heading_rad) noexcept {
-    constexpr std::array<std::string_view, 8> kWords{"north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"};
+    constexpr std::array<std::string_view, 8> kWords{"north", "north-east", "east", "south-east",
+                                                     "south", "south-west", "west", "north-west"};
     return kWords[nearest_eighth(heading_rad)];
 }
 
 std::string compass_word(double heading_rad) {
+    contract_pre(std::isfinite(heading_rad));
     constexpr std::array kWords{"compass.north", "compass.north_east", "compass.east", "compass.south_east",
                                 "compass.south", "compass.south_west", "compass.west", "compass.north_west"};
     return phrase(kWords[nearest_eighth(heading_rad)]);
@@ -451,8 +480,11 @@ std::string shape_name(const Aabb& bounds_m) {
     return size.z <= 1.2 ? "block" : "large block";
 }
 
-void derive_surfaces(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit) {
-    SurfaceBuilder(scene, looks, metres_per_unit).build();
+void derive_surfaces(Scene& scene, std::span<const std::vector<FaceLook>> looks, double metres_per_unit,
+                     const std::stop_token& stop) {
+    contract_pre(looks.size() == scene.solids.size());
+    contract_pre(metres_per_unit > 0.0);
+    SurfaceBuilder(scene, looks, metres_per_unit, stop).build();
 }
 
 }  // namespace handrail

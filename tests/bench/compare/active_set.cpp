@@ -1,7 +1,8 @@
-// Active-set god-object with exact time of impact: the planes of all obstacles the ball touches make a quadratic programme whose active set (at most three,
-// multipliers not negative) gives the next sub-goal; the ball is swept there until it touches something new; and so on. The god-object of
-// Zilles and Salisbury (A constraint-based god-object method for haptic display, IROS 1995) with the finite ball of Ruspini et al. (1997) and the contact-set
-// solution of Ortega, Redon and Coquillart (A six degree-of-freedom god-object method, 2006) for three degrees of freedom.
+// Active-set god-object with exact time of impact: the planes of all obstacles the ball touches make a quadratic
+// programme whose active set (at most three, multipliers not negative) gives the next sub-goal; the ball is swept there
+// until it touches something new; and so on. The god-object of Zilles and Salisbury (A constraint-based god-object
+// method for haptic display, IROS 1995) with the finite ball of Ruspini et al. (1997) and the contact-set solution of
+// Ortega, Redon and Coquillart (A six degree-of-freedom god-object method, 2006) for three degrees of freedom.
 #include "tests/bench/compare/contestant.h"
 #include "tests/bench/compare/nearby.h"
 #include "tests/bench/compare/swept.h"
@@ -13,7 +14,10 @@ namespace {
 class ActiveSet {
 public:
     ActiveSet(const BenchWorld& world, double most_rounds)
-        : scene_(*world.scene), radius_m_(world.radius_m), most_rounds_(static_cast<int>(most_rounds)), nearby_(scene_) {}
+        : scene_(*world.scene),
+          radius_m_(world.radius_m),
+          most_rounds_(static_cast<int>(most_rounds)),
+          nearby_(scene_) {}
 
     TickOutcome tick(const Vec3& goal_m) {
         constexpr double kArrived_m = 1e-9;
@@ -36,7 +40,8 @@ public:
             touched = touched || !walls_.empty();
             ProjectionBasis basis;
             const bool solved = project_on_half_spaces(
-                goal - ball_, static_cast<int>(walls_.size()), [this](int i) { return walls_[static_cast<std::size_t>(i)]; }, basis);
+                goal - ball_, static_cast<int>(walls_.size()),
+                [this](int i) { return walls_[static_cast<std::size_t>(i)]; }, basis);
             const Vec3 way = basis.point_m;
             if (!solved || glm::dot(way, way) < kArrived_m * kArrived_m) break;
             double first = kNoHit;
@@ -64,7 +69,8 @@ private:
 
 Contestant active_set(int most_rounds) {
     if (most_rounds == 64) return contestant<ActiveSet>("active_set", "Active-set god-object", "rounds", 64);
-    return contestant<ActiveSet>(fmt::format("active_set_{}", most_rounds), fmt::format("Active-set god-object, at most {} rounds", most_rounds), "rounds",
+    return contestant<ActiveSet>(fmt::format("active_set_{}", most_rounds),
+                                 fmt::format("Active-set god-object, at most {} rounds", most_rounds), "rounds",
                                  most_rounds);
 }
 

@@ -4,11 +4,14 @@
 #include <fstream>
 #include <utility>
 
+#include "tests/support/worst_cases.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/text.h"
 
 namespace handrail::bench {
 namespace {
+
+constexpr const char* kWorst = "worst";  // the family that is no comparison
 
 // A scene that is made when its turn comes and dropped after it: a million triangles are not kept beside the rest.
 struct Planned {
@@ -23,7 +26,8 @@ std::vector<Planned> plan(const BenchOptions& options, std::vector<std::string>&
     for (int seed = 0; seed <= seeds; ++seed) {
         auto cases = std::make_shared<std::vector<BenchWorld>>(hard_case_worlds(static_cast<std::uint32_t>(seed)));
         for (std::size_t i = 0; i < cases->size(); ++i)
-            all.push_back({(*cases)[i].name, (*cases)[i].family, [cases, i]() -> Result<BenchWorld> { return std::move((*cases)[i]); }});
+            all.push_back({(*cases)[i].name, (*cases)[i].family,
+                           [cases, i]() -> Result<BenchWorld> { return std::move((*cases)[i]); }});
     }
     const auto add = [&](const std::string& family, int seed, std::function<Result<BenchWorld>()> make) {
         all.push_back({seed == 0 ? family : fmt::format("{}, seed {}", family, seed), family, std::move(make)});
@@ -31,21 +35,31 @@ std::vector<Planned> plan(const BenchOptions& options, std::vector<std::string>&
     for (const int frequency : options.quick ? std::vector<int>{7, 22} : std::vector<int>{7, 22, 71, 224})
         for (int seed = 0; seed <= (options.quick ? 0 : std::min(seeds, 1)); ++seed)
             add(fmt::format("sphere of {} triangles", 20 * frequency * frequency), seed,
-                [=, quick = options.quick]() -> Result<BenchWorld> { return sphere_world(frequency, quick ? 1000 : 6000, static_cast<std::uint32_t>(seed)); });
+                [=, quick = options.quick]() -> Result<BenchWorld> {
+                    return sphere_world(frequency, quick ? 1000 : 6000, static_cast<std::uint32_t>(seed));
+                });
+    for (const int sectors : options.quick ? std::vector<int>{200} : std::vector<int>{200, 500, 1000, 2000})
+        add(fmt::format("pole of a sphere, {} triangles", sectors), 0,
+            [=, quick = options.quick]() -> Result<BenchWorld> { return pole_world(sectors, quick ? 1000 : 4000); });
     for (const double within_m : options.quick ? std::vector<double>{} : std::vector<double>{1e-3, 1.5e-3, 2e-3, 3e-3})
         for (int seed = 0; seed <= std::min(seeds, 1); ++seed)
             add(fmt::format("simplified sphere of 9680 triangles, within {:g} mm", within_m * 1e3), seed,
-                [=]() -> Result<BenchWorld> { return sphere_world(22, 6000, static_cast<std::uint32_t>(seed), within_m); });
+                [=]() -> Result<BenchWorld> {
+                    return sphere_world(22, 6000, static_cast<std::uint32_t>(seed), within_m);
+                });
     for (const std::filesystem::path& map : options.maps)
         for (int seed = 0; seed <= (options.quick ? 0 : std::min(seeds, 1)); ++seed)
-            add("map " + map.stem().string(), seed,
-                [=, quick = options.quick] { return map_world(map, quick ? 4000 : 10000, static_cast<std::uint32_t>(seed)); });
+            add("map " + map.stem().string(), seed, [=, quick = options.quick] {
+                return map_world(map, quick ? 4000 : 10000, static_cast<std::uint32_t>(seed));
+            });
     if (!options.only.empty()) {
         const std::string wanted = lower_ascii(options.only);
         std::erase_if(all, [&](const Planned& p) {
-            return lower_ascii(p.name).find(wanted) == std::string::npos && lower_ascii(p.family).find(wanted) == std::string::npos;
+            return lower_ascii(p.name).find(wanted) == std::string::npos &&
+                   lower_ascii(p.family).find(wanted) == std::string::npos;
         });
-        if (all.empty()) left_out.push_back(fmt::format("No scene is named like \"{}\".", options.only));
+        if (all.empty() && wanted != kWorst)
+            left_out.push_back(fmt::format("No scene is named like \"{}\".", options.only));
     }
     return all;
 }
@@ -76,22 +90,37 @@ BenchReport run_bench(const BenchOptions& options) {
         }
         const BenchWorld& world = *made;
         const Truth truth = truth_of(world, options.quick ? 2e7 : 2e10);
-        report.scenes.push_back({world.name, world.family, world.scene->obstacles.size(), world.goals_m.size(), world.build_s, world.bytes_per_obstacle,
-                                 !truth.reference_m.empty(), world.simplify_bound_m, world.simplify_measured_m});
-        // The knobs' curves come from the scenes as they stand and one random lie each; a quick run has the main renderers alone.
-        for (const Contestant& contestant : options.quick || world.seed > 1 ? main_contestants() : knobbed_contestants()) {
+        report.scenes.push_back({world.name, world.family, world.scene->obstacles.size(), world.goals_m.size(),
+                                 world.build_s, world.bytes_per_obstacle, !truth.reference_m.empty(),
+                                 world.simplify_bound_m, world.simplify_measured_m});
+        // The knobs' curves come from the scenes as they stand and one random lie each; a quick run has the main
+        // renderers alone.
+        for (const Contestant& contestant :
+             options.quick || world.seed > 1 ? main_contestants() : knobbed_contestants()) {
             if (contestant.key == "handrail_uncapped" && !world.hard_case) continue;
-            report.results.push_back(measure(world, truth, contestant, options.quick ? 1 : 4, options.quick ? 1e6 : 1e8));
+            report.results.push_back(
+                measure(world, truth, contestant, options.quick ? 1 : 4, options.quick ? 1e6 : 1e8));
         }
         if (world.hard_case && (options.quick || world.seed > 1))
-            report.results.push_back(measure(world, truth, handrail_uncapped(), options.quick ? 1 : 4, options.quick ? 1e6 : 1e8));
-        say(fmt::format("{}: {} obstacles, {} ticks, {:.0f} s so far.", world.name, world.scene->obstacles.size(), world.goals_m.size(),
-                        clock.now_s() - begun_s));
+            report.results.push_back(
+                measure(world, truth, handrail_uncapped(), options.quick ? 1 : 4, options.quick ? 1e6 : 1e8));
+        say(fmt::format("{}: {} obstacles, {} ticks, {:.0f} s so far.", world.name, world.scene->obstacles.size(),
+                        world.goals_m.size(), clock.now_s() - begun_s));
     }
+    if (options.only.empty() || lower_ascii(options.only) == kWorst)
+        for (int number = 0; number < test::kWorstCases; ++number) {
+            // In a quick run those alone that are built at once.
+            if (options.quick && number != 1) continue;
+            report.worst.push_back(run_worst_case(number, options.quick ? 200 : 2000, options.quick ? 1 : 3));
+            say(fmt::format("{}, {:.0f} s so far.", report.worst.back().scene, clock.now_s() - begun_s));
+        }
     if (options.only.empty()) {
-        for (const std::string& wall : options.quick ? std::vector<std::string>{"flat wall"}
-                                                     : std::vector<std::string>{"flat wall", "three objects that overlap", "groove of 20 degrees"})
-            for (const Contestant& contestant : main_contestants()) report.stability.push_back(stable_stiffness(contestant, wall, options.quick ? 1.5 : 1.1));
+        for (const std::string& wall :
+             options.quick
+                 ? std::vector<std::string>{"flat wall"}
+                 : std::vector<std::string>{"flat wall", "three objects that overlap", "groove of 20 degrees"})
+            for (const Contestant& contestant : main_contestants())
+                report.stability.push_back(stable_stiffness(contestant, wall, options.quick ? 1.5 : 1.1));
         const double seconds = options.quick ? std::min(options.servo_s, 1.0) : options.servo_s;
         if (seconds > 0.0) {
             say(fmt::format("The servo thread, {:g} seconds.", seconds));
@@ -105,6 +134,7 @@ BenchReport run_bench(const BenchOptions& options) {
 std::vector<std::string> scene_names(const BenchOptions& options) {
     std::vector<std::string> names, left_out;
     for (const Planned& planned : plan(options, left_out)) names.push_back(planned.name);
+    if (options.only.empty() || lower_ascii(options.only) == kWorst) names.emplace_back(kWorst);
     return names;
 }
 

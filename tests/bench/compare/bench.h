@@ -1,5 +1,6 @@
-// `handrail bench`: every renderer on every scene family, speed against error; the stiffest wall a hand can lean on with each; and the servo thread.
-// Off the real-time path, one thread (and the servo's own). Sources of the renderers stand in their files.
+// `handrail bench`: every renderer on every scene family, speed against error; the stiffest wall a hand can lean on
+// with each; and the servo thread. Off the real-time path, one thread (and the servo's own). Sources of the renderers
+// stand in their files.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +17,8 @@ struct BenchOptions {
     std::vector<std::filesystem::path> maps;
     std::string only;  // scenes whose name or family holds this, without regard to case; empty: all
     bool quick = false;
-    int seeds = 2;                                     // random lies of every family besides the scene as it stands; quick: 0
-    double servo_s = 60.0;                             // quick: 1; 0: leave the servo thread out
+    int seeds = 2;          // random lies of every family besides the scene as it stands; quick: 0
+    double servo_s = 60.0;  // quick: 1; 0: leave the servo thread out
     std::function<void(const std::string&)> progress;  // one sentence per scene; may be empty
 };
 
@@ -29,7 +30,8 @@ struct SceneCost {
     double simplify_bound_m = 0.0, simplify_measured_m = 0.0;  // 0: not simplified
 };
 
-// The stiffest wall that a hand of 0.3 kg and 3 Ns/m holds when it presses with 6 N (haptic/loop), delay 1 ms, no damping by the renderer.
+// The stiffest wall that a hand of 0.3 kg and 3 Ns/m holds when it presses with 6 N (haptic/loop), delay 1 ms, no
+// damping by the renderer.
 struct Stability {
     std::string wall, renderer, title;
     double stiffness_n_per_m = 0.0;
@@ -42,12 +44,23 @@ struct ServoThread {
     std::string scheduling;
 };
 
+// A place where more is near the ball than a tick has time for (tests/support/worst_cases), with our own renderer.
+struct WorstTicks {
+    std::string scene;
+    std::size_t ticks = 0;
+    double mean_s = 0.0, p999_s = 0.0, worst_s = 0.0;
+    int most_work = 0, most_looks = 0;  // ProxySolver::work() and looks() of one tick
+    std::size_t waits = 0;              // ticks that ended with something left to do
+    double instructions = -1.0;         // mean; < 0: not counted
+};
+
 struct BenchReport {
     bool quick = false;
     std::string machine;
     std::vector<Measured> results;
     std::vector<SceneCost> scenes;
     std::vector<Stability> stability;
+    std::vector<WorstTicks> worst;
     std::vector<ServoThread> servo;     // none or one
     std::vector<std::string> left_out;  // sentences: what was asked for and could not be run
     double took_s = 0.0;
@@ -55,12 +68,14 @@ struct BenchReport {
 
 BenchReport run_bench(const BenchOptions& options);
 
-// Which scenes these options choose, by name; and the ticks of one renderer on one of them alone, for counting instructions.
+// Which scenes these options choose, by name; and the ticks of one renderer on one of them alone, for counting
+// instructions.
 std::vector<std::string> scene_names(const BenchOptions& options);
 Result<double> count_once(const BenchOptions& options, const std::string& renderer, std::size_t& ticks);
 
 // Parts of run_bench.
 Stability stable_stiffness(const Contestant& contestant, const std::string& wall, double factor);
 ServoThread run_servo_thread(double seconds);
+WorstTicks run_worst_case(int number, int ticks, int passes);
 
 }  // namespace handrail::bench

@@ -42,7 +42,9 @@ Stability stable_stiffness(const Contestant& contestant, const std::string& wall
     settings.tremor_m = 0.05e-3;
     const auto render = [&](double stiffness) -> ClosedLoop::Render {
         const std::shared_ptr<void> state(contestant.make(world, contestant.knob_value), contestant.drop);
-        return [=, tick = contestant.tick](const Vec3& measured_m, double, double) { return (tick(state.get(), measured_m).tool_m - measured_m) * stiffness; };
+        return [=, tick = contestant.tick](const Vec3& measured_m, double, double) {
+            return (tick(state.get(), measured_m).tool_m - measured_m) * stiffness;
+        };
     };
     return {wall, contestant.key, contestant.title, stable_stiffness_n_per_m(settings, render, 6.0, 2.0, factor)};
 }

@@ -1,4 +1,5 @@
-// A renderer as the comparison sees it: three plain functions and a knob. What a renderer keeps from tick to tick is its own business.
+// A renderer as the comparison sees it: three plain functions and a knob. What a renderer keeps from tick to tick is
+// its own business.
 #pragma once
 
 #include <string>
@@ -28,7 +29,8 @@ struct Contestant {
 
 // From a class with State(const BenchWorld&, double) and tick(goal).
 template <class State>
-Contestant contestant(std::string key, std::string title, std::string knob = {}, double knob_value = 0.0, bool has_ball = true) {
+Contestant contestant(std::string key, std::string title, std::string knob = {}, double knob_value = 0.0,
+                      bool has_ball = true) {
     return {std::move(key),
             std::move(title),
             std::move(knob),

@@ -15,7 +15,9 @@ TouchTuning plain_tuning(const BenchWorld& world) {
 
 class Touch {
 public:
-    Touch(const BenchWorld& world, double slide_cap_m) : scene_(*world.scene), tuning_(plain_tuning(world)) { tuning_.slide_cap_hand_m = slide_cap_m; }
+    Touch(const BenchWorld& world, double slide_cap_m) : scene_(*world.scene), tuning_(plain_tuning(world)) {
+        tuning_.slide_cap_hand_m = slide_cap_m;
+    }
     TickOutcome tick(const Vec3& goal_m) {
         const TouchResult r = touch_tick(state_, scene_, tuning_, goal_m, 1e-3);
         return {r.proxy_m, r.contacts.iterations};
@@ -27,14 +29,15 @@ private:
     TouchState state_;
 };
 
-// On hard cases as good as none, so that the knobs' curves show the knobs and not slip-offs; on large worlds the program's own, or candidates would
-// have to be gathered for a way that no hand makes.
+// On hard cases as good as none, so that the knobs' curves show the knobs and not slip-offs; on large worlds the
+// program's own, or candidates would have to be gathered for a way that no hand makes.
 constexpr double kNoCap_m = 0.1;
 double path_cap_m(const BenchWorld& world) { return world.hard_case ? kNoCap_m : TouchTuning{}.slide_cap_hand_m; }
 
 class Solver {
 public:
-    Solver(const BenchWorld& world, double most_rounds, double margin_m, double cap_m) : scene_(*world.scene), path_cap_m_(cap_m) {
+    Solver(const BenchWorld& world, double most_rounds, double margin_m, double cap_m)
+        : scene_(*world.scene), path_cap_m_(cap_m) {
         request_.radius_m = world.radius_m;
         request_.margin_m = margin_m;
         request_.growth_m = 2e-5;
@@ -64,22 +67,28 @@ struct Rounds : Solver {
     Rounds(const BenchWorld& world, double most) : Solver(world, most, 0.02, path_cap_m(world)) {}
 };
 struct Margin : Solver {
-    Margin(const BenchWorld& world, double margin_m) : Solver(world, ProxySolver::kMaxIterations, margin_m, TouchTuning{}.slide_cap_hand_m) {}
+    Margin(const BenchWorld& world, double margin_m)
+        : Solver(world, ProxySolver::kMaxIterations, margin_m, TouchTuning{}.slide_cap_hand_m) {}
 };
 
 }  // namespace
 
 Contestant handrail_touch() { return contestant<Touch>("handrail", "Handrail", "", TouchTuning{}.slide_cap_hand_m); }
-Contestant handrail_uncapped() { return contestant<Touch>("handrail_uncapped", "Handrail without the slide cap", "", kNoCap_m); }
+Contestant handrail_uncapped() {
+    return contestant<Touch>("handrail_uncapped", "Handrail without the slide cap", "", kNoCap_m);
+}
 Contestant handrail_rounds(int most) {
-    return contestant<Rounds>(fmt::format("rounds_{}", most), fmt::format("Handrail's solver, at most {} rounds", most), "rounds", most);
+    return contestant<Rounds>(fmt::format("rounds_{}", most), fmt::format("Handrail's solver, at most {} rounds", most),
+                              "rounds", most);
 }
 Contestant handrail_margin(double margin_m) {
-    return contestant<Margin>(fmt::format("margin_{:g}_mm", margin_m * 1e3), fmt::format("Handrail's solver, margin {:g} mm", margin_m * 1e3), "margin_m",
-                              margin_m);
+    return contestant<Margin>(fmt::format("margin_{:g}_mm", margin_m * 1e3),
+                              fmt::format("Handrail's solver, margin {:g} mm", margin_m * 1e3), "margin_m", margin_m);
 }
 
-std::vector<Contestant> main_contestants() { return {handrail_touch(), penalty_sum(), sequential_planes(), active_set(64), single_precision()}; }
+std::vector<Contestant> main_contestants() {
+    return {handrail_touch(), penalty_sum(), sequential_planes(), active_set(64), single_precision()};
+}
 
 std::vector<Contestant> knobbed_contestants() {
     std::vector<Contestant> all = main_contestants();

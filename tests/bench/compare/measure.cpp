@@ -51,7 +51,8 @@ std::uint64_t counter_cost() {
 
 class Playing {
 public:
-    Playing(const Contestant& contestant, const BenchWorld& world) : contestant_(contestant), state_(contestant.make(world, contestant.knob_value)) {}
+    Playing(const Contestant& contestant, const BenchWorld& world)
+        : contestant_(contestant), state_(contestant.make(world, contestant.knob_value)) {}
     ~Playing() { contestant_.drop(state_); }
     Playing(const Playing&) = delete;
     Playing& operator=(const Playing&) = delete;
@@ -92,7 +93,9 @@ void time_it(const BenchWorld& world, const Contestant& contestant, int passes, 
     }
     std::sort(least.begin(), least.end());
     const auto at = [&](double share) {
-        return static_cast<double>(least[std::min(ticks - 1, static_cast<std::size_t>(share * static_cast<double>(ticks)))]) * seconds_per_count();
+        return static_cast<double>(
+                   least[std::min(ticks - 1, static_cast<std::size_t>(share * static_cast<double>(ticks)))]) *
+               seconds_per_count();
     };
     out.mean_s = best_s / static_cast<double>(ticks);
     out.p50_s = at(0.5);
@@ -104,7 +107,8 @@ void time_it(const BenchWorld& world, const Contestant& contestant, int passes, 
 
 Truth truth_of(const BenchWorld& world, double most_work) { return {reference_walk(world, most_work)}; }
 
-Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& contestant, int passes, double judging_work) {
+Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& contestant, int passes,
+                 double judging_work) {
     constexpr double kOff_m = 1e-5, kHeld_m = 0.5e-3, kStep_m = 1e-6;
     Measured out;
     out.scene = world.name;
@@ -132,7 +136,8 @@ Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& 
     bool was_wrong = false;
     std::vector<double> errors;
     out.referenced = truth.reference_m.size() == ticks;
-    const auto stride = static_cast<std::size_t>(1.0 + static_cast<double>(ticks) * world.judging_work() / judging_work);
+    const auto stride =
+        static_cast<std::size_t>(1.0 + static_cast<double>(ticks) * world.judging_work() / judging_work);
     for (std::size_t i = 0; i < ticks; ++i) {
         const Vec3& goal = world.goals_m[i];
         const Vec3 pull = outcomes[i].tool_m - goal;
@@ -155,8 +160,9 @@ Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& 
             out.wrong_holds += wrong && !was_wrong;
             was_wrong = wrong;
         }
-        if (const double far = glm::length(goal);
-            world.sphere_radius_m > 0.0 && world.sphere_radius_m + world.radius_m - far > kHeld_m && glm::length(pull) > 0.0) {
+        if (const double far = glm::length(goal); world.sphere_radius_m > 0.0 &&
+                                                  world.sphere_radius_m + world.radius_m - far > kHeld_m &&
+                                                  glm::length(pull) > 0.0) {
             const double angle = std::atan2(glm::length(glm::cross(pull, goal)), glm::dot(pull, goal));
             angle2 += angle * angle;
             largest_angle = std::max(largest_angle, angle);
@@ -164,7 +170,8 @@ Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& 
         }
         if (out.has_ball && i % stride == 0)
             out.penetration_m =
-                std::max(out.penetration_m, static_cast<double>(static_cast<long double>(world.radius_m) - world.judge.distance(outcomes[i].tool_m, 0.02L)));
+                std::max(out.penetration_m, static_cast<double>(static_cast<long double>(world.radius_m) -
+                                                                world.judge.distance(outcomes[i].tool_m, 0.02L)));
     }
     out.mean_rounds = rounds / static_cast<double>(ticks);
     if (closed) out.given_j = energy_j;

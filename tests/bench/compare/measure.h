@@ -1,5 +1,6 @@
-// Time and error of one renderer on one scene. Times are this thread's own; the least of several passes for each tick, so that what other programs do to
-// the machine is left out and what a tick needs is not. Everything else is the same on every machine.
+// Time and error of one renderer on one scene. Times are this thread's own; the least of several passes for each tick,
+// so that what other programs do to the machine is left out and what a tick needs is not. Everything else is the same
+// on every machine.
 #pragma once
 
 #include <optional>
@@ -22,12 +23,14 @@ struct Measured {
     // Against the reference. At 1 kN/m a millimetre is a newton.
     bool referenced = false;
     double error_rms_m = 0.0, error_p99_m = 0.0, error_max_m = 0.0;
-    double off_share = 0.0;         // ticks that are off by more than 10 um
-    int wrong_holds = 0;            // times it began to let go of, or to push through, what the reference holds with half a newton
-    double penetration_m = 0.0;     // deepest of the ball in anything
-    double largest_jump_n = 0.0;    // of the force between two ticks
-    double largest_gain = 0.0;      // change of the force over stiffness times the hand's step, ticks with steps over a micrometre
-    std::optional<double> given_j;  // on closed paths: work on the hand
+    double off_share = 0.0;  // ticks that are off by more than 10 um
+    int wrong_holds =
+        0;  // times it began to let go of, or to push through, what the reference holds with half a newton
+    double penetration_m = 0.0;   // deepest of the ball in anything
+    double largest_jump_n = 0.0;  // of the force between two ticks
+    double largest_gain =
+        0.0;  // change of the force over stiffness times the hand's step, ticks with steps over a micrometre
+    std::optional<double> given_j;                                           // on closed paths: work on the hand
     std::optional<double> direction_error_rms_rad, direction_error_max_rad;  // spheres: against the exact one
     std::optional<double> instructions;
 };
@@ -40,7 +43,8 @@ struct Truth {
 Truth truth_of(const BenchWorld& world, double most_work);
 
 // judging_work: comparisons that looking for penetration may take; ticks are left out evenly beyond it.
-Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& contestant, int passes, double judging_work);
+Measured measure(const BenchWorld& world, const Truth& truth, const Contestant& contestant, int passes,
+                 double judging_work);
 
 // The ticks alone, for counting instructions; returns a number that depends on all of them.
 double counted_ticks(const BenchWorld& world, const Contestant& contestant);

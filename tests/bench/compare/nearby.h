@@ -1,5 +1,6 @@
-// The broad phase that all rivals share, so that none is judged by the lack of one: the obstacles near a place, gathered once from the scene's
-// own hierarchy and kept, nearest first, until the place has moved by the margin; which shrinks where they crowd, as ours does.
+// The broad phase that all rivals share, so that none is judged by the lack of one: the obstacles near a place,
+// gathered once from the scene's own hierarchy and kept, nearest first, until the place has moved by the margin; which
+// shrinks where they crowd, as ours does.
 #pragma once
 
 #include <algorithm>
@@ -44,8 +45,9 @@ private:
             const double distance_m = scene_.closest(item, at).distance_m;
             if (distance_m <= reach_m) near_.push_back({item, distance_m});
         });
-        std::sort(near_.begin(), near_.end(),
-                  [](const Near& a, const Near& b) { return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.obstacle < b.obstacle; });
+        std::sort(near_.begin(), near_.end(), [](const Near& a, const Near& b) {
+            return a.distance_m != b.distance_m ? a.distance_m < b.distance_m : a.obstacle < b.obstacle;
+        });
         centre_ = at;
         known_m_ = reach_m;
     }

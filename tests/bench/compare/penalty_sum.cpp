@@ -1,5 +1,6 @@
-// Penalty: no memory. Each object pushes out along its deepest contact, K times the depth, and the objects are summed: the way of the program that
-// Handrail grew out of, and of many since. Solids are objects; triangles that share corners are one.
+// Penalty: no memory. Each object pushes out along its deepest contact, K times the depth, and the objects are summed:
+// the way of the program that Handrail grew out of, and of many since. Solids are objects; triangles that share corners
+// are one.
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -37,7 +38,8 @@ std::vector<std::uint32_t> objects_of(const BenchWorld& world) {
 
 class PenaltySum {
 public:
-    PenaltySum(const BenchWorld& world, double) : scene_(*world.scene), radius_m_(world.radius_m), object_(objects_of(world)), nearby_(scene_) {}
+    PenaltySum(const BenchWorld& world, double)
+        : scene_(*world.scene), radius_m_(world.radius_m), object_(objects_of(world)), nearby_(scene_) {}
 
     TickOutcome tick(const Vec3& goal_m) {
         const Vec3 at = goal_m - scene_.origin_m;

@@ -6,7 +6,8 @@ namespace handrail::bench {
 
 std::vector<Vec3> reference_walk(const BenchWorld& world, double most_work) {
     std::vector<Vec3> balls;
-    if (!world.judged || world.goals_m.empty() || world.judge.distance(world.goals_m.front(), 1.0L) < world.radius_m) return balls;
+    if (!world.judged || world.goals_m.empty() || world.judge.distance(world.goals_m.front(), 1.0L) < world.radius_m)
+        return balls;
     test::ReferenceProxy proxy(world.judge, world.goals_m.front(), world.radius_m);
     balls.reserve(world.goals_m.size());
     for (const Vec3& goal : world.goals_m) {

@@ -1,4 +1,5 @@
-// Where the ball truly goes on every tick of a world: tests/support/reference_proxy, long double and brute force, which shares nothing with any renderer.
+// Where the ball truly goes on every tick of a world: tests/support/reference_proxy, long double and brute force, which
+// shares nothing with any renderer.
 #pragma once
 
 #include <vector>

@@ -18,14 +18,18 @@ constexpr double kLeastError_m = 1e-12;
 // Families of spheres are named "sphere of N triangles"; made coarser, "simplified sphere of N triangles, within E mm".
 constexpr std::string_view kSphere = "sphere of ", kSimplified = "simplified ";
 
-bool hard_case(const std::string& family) { return family.size() > 1 && family[0] == 'T' && family[1] >= '0' && family[1] <= '9'; }
+bool hard_case(const std::string& family) {
+    return family.size() > 1 && family[0] == 'T' && family[1] >= '0' && family[1] <= '9';
+}
 
 template <class Chosen>
 std::vector<Summary> summarise(const BenchReport& report, bool by_family, Chosen&& chosen) {
     std::vector<Summary> all;
     for (const Measured& m : report.results) {
         if (!chosen(m)) continue;
-        auto found = std::find_if(all.begin(), all.end(), [&](const Summary& s) { return s.renderer == m.renderer && (!by_family || s.family == m.family); });
+        auto found = std::find_if(all.begin(), all.end(), [&](const Summary& s) {
+            return s.renderer == m.renderer && (!by_family || s.family == m.family);
+        });
         if (found == all.end()) {
             all.push_back({});
             found = all.end() - 1;
@@ -100,8 +104,9 @@ std::string energy_words(double joules) {
 
 // The cells of one row, for text and Markdown alike.
 const std::vector<std::string>& columns() {
-    static const std::vector<std::string> names{"Renderer",          "Mean tick",   "99.9 %",      "Worst tick", "Error, rms", "Largest",
-                                                "Off by over 10 um", "Penetration", "Wrong holds", "Force jump", "Work given", "Instructions"};
+    static const std::vector<std::string> names{
+        "Renderer",          "Mean tick",   "99.9 %",      "Worst tick", "Error, rms", "Largest",
+        "Off by over 10 um", "Penetration", "Wrong holds", "Force jump", "Work given", "Instructions"};
     return names;
 }
 std::vector<std::string> cells(const Summary& s) {
@@ -172,15 +177,16 @@ std::string family_words(const BenchReport& report, const std::string& family) {
             bytes = std::max(bytes, c.bytes_per_obstacle);
         }
     return fmt::format("{}{}: {} scene{}, up to {} obstacle{}, {} ticks; built in {}, {:.0f} bytes each", family,
-                       simplified_m > 0.0 ? fmt::format(" (measured: {})", length_words(simplified_m)) : "", scenes, scenes == 1 ? "" : "s", obstacles,
-                       obstacles == 1 ? "" : "s", ticks, time_words(build_s), bytes);
+                       simplified_m > 0.0 ? fmt::format(" (measured: {})", length_words(simplified_m)) : "", scenes,
+                       scenes == 1 ? "" : "s", obstacles, obstacles == 1 ? "" : "s", ticks, time_words(build_s), bytes);
 }
 
 std::string direction_words(const std::vector<Summary>& rows) {
     std::string words;
     for (const Summary& s : rows)
         if (s.direction_rms_rad >= 0.0)
-            words += fmt::format("{}{} {:.3g} degrees rms, {:.3g} at most", words.empty() ? "Direction of the force against the exact sphere: " : "; ", s.title,
+            words += fmt::format("{}{} {:.3g} degrees rms, {:.3g} at most",
+                                 words.empty() ? "Direction of the force against the exact sphere: " : "; ", s.title,
                                  degrees_from_radians(s.direction_rms_rad), degrees_from_radians(s.direction_max_rad));
     return words.empty() ? words : words + ".\n";
 }
@@ -188,10 +194,13 @@ std::string direction_words(const std::vector<Summary>& rows) {
 void tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
     const std::vector<Summary> hard = hard_case_summary(report);
     const auto only = [](std::vector<Summary> rows, bool main, const std::string& family, bool any_family) {
-        std::erase_if(rows, [&](const Summary& s) { return is_main(s) != main || (!any_family && s.family != family); });
+        std::erase_if(rows,
+                      [&](const Summary& s) { return is_main(s) != main || (!any_family && s.family != family); });
         return rows;
     };
-    const auto heading = [&](const std::string& words) { out << (markdown ? "\n### " + words + "\n\n" : "\n" + words + "\n"); };
+    const auto heading = [&](const std::string& words) {
+        out << (markdown ? "\n### " + words + "\n\n" : "\n" + words + "\n");
+    };
     if (!hard.empty()) {
         heading("All hard cases together");
         table(out, only(hard, true, "", true), markdown);
@@ -207,6 +216,25 @@ void tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
         table(out, rows, markdown);
         const std::string directions = direction_words(rows);
         if (!directions.empty()) out << (markdown ? "\n" : "  ") << directions;
+    }
+    if (!report.worst.empty()) {
+        heading("The worst ticks: places where more is near the ball than a tick has time for");
+        if (markdown)
+            out << "| Place | Mean tick | 99.9 % | Worst tick | Most work | Most looks | Ticks that waited | "
+                   "Instructions, mean |\n|---|---|---|---|---|---|---|---|\n";
+        for (const WorstTicks& w : report.worst) {
+            const std::string waited = fmt::format("{} of {}", w.waits, w.ticks),
+                              counted = w.instructions >= 0.0 ? fmt::format("{:.0f}", w.instructions) : "-";
+            if (markdown)
+                out << fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", w.scene, time_words(w.mean_s),
+                                   time_words(w.p999_s), time_words(w.worst_s), w.most_work, w.most_looks, waited,
+                                   counted);
+            else
+                out << fmt::format(
+                    "  {}: mean {}, 99.9 % {}, worst {}; at most {} of work and {} looks; {} ticks waited{}\n", w.scene,
+                    time_words(w.mean_s), time_words(w.p999_s), time_words(w.worst_s), w.most_work, w.most_looks,
+                    waited, w.instructions >= 0.0 ? "; " + counted + " instructions in the mean" : "");
+        }
     }
     if (!report.stability.empty()) {
         heading("Stiffest wall that a hand holds with each renderer (0.3 kg, 3 Ns/m, 6 N, delay 1 ms, no damping)");
@@ -227,14 +255,18 @@ void tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
                 out << '\n';
             }
         } else {
-            for (const Stability& s : report.stability) out << fmt::format("  {}, {}: {:.0f} N/m\n", s.wall, s.title, s.stiffness_n_per_m);
+            for (const Stability& s : report.stability)
+                out << fmt::format("  {}, {}: {:.0f} N/m\n", s.wall, s.title, s.stiffness_n_per_m);
         }
     }
     for (const ServoThread& s : report.servo) {
         heading(fmt::format("The servo thread, {:g} s with a simulated Falcon in two walls", s.seconds));
-        out << fmt::format("{}{} ticks; period up to {} in half and {} in 99 % of them, worst {}; a tick up to {} in 99 % of them, worst {}; {} overruns. {}\n",
-                           markdown ? "" : "  ", s.ticks, time_words(s.period_p50_s), time_words(s.period_p99_s), time_words(s.period_worst_s),
-                           time_words(s.tick_p99_s), time_words(s.tick_worst_s), s.overruns, s.scheduling);
+        out << fmt::format(
+            "{}{} ticks; period up to {} in half and {} in 99 % of them, worst {}; a tick up to {} in 99 % of them, "
+            "worst {}; {} overruns. {}\n",
+            markdown ? "" : "  ", s.ticks, time_words(s.period_p50_s), time_words(s.period_p99_s),
+            time_words(s.period_worst_s), time_words(s.tick_p99_s), time_words(s.tick_worst_s), s.overruns,
+            s.scheduling);
     }
 }
 
@@ -243,14 +275,18 @@ void at_a_glance(std::ostringstream& out, const BenchReport& report) {
     const std::vector<Summary> all = summaries(report);
     std::vector<Summary> titles;
     for (const Summary& s : all)
-        if (is_main(s) && std::none_of(titles.begin(), titles.end(), [&](const Summary& t) { return t.renderer == s.renderer; })) titles.push_back(s);
+        if (is_main(s) &&
+            std::none_of(titles.begin(), titles.end(), [&](const Summary& t) { return t.renderer == s.renderer; }))
+            titles.push_back(s);
     const auto one_table = [&](const std::string& heading, auto&& belongs, auto&& cell) {
         std::string rows;
         for (const std::string& family : families_of(all)) {
             if (!belongs(family)) continue;
             rows += "| " + family + " |";
             for (const Summary& t : titles) {
-                const auto found = std::find_if(all.begin(), all.end(), [&](const Summary& s) { return s.family == family && s.renderer == t.renderer; });
+                const auto found = std::find_if(all.begin(), all.end(), [&](const Summary& s) {
+                    return s.family == family && s.renderer == t.renderer;
+                });
                 rows += " " + (found == all.end() ? std::string("-") : cell(*found)) + " |";
             }
             rows += '\n';
@@ -264,18 +300,22 @@ void at_a_glance(std::ostringstream& out, const BenchReport& report) {
     };
     one_table(
         "mean tick and error, rms", [](const std::string& f) { return f.find("sphere") == std::string::npos; },
-        [](const Summary& s) { return time_words(s.mean_s) + (s.referenced > 0 ? ", " + length_words(s.error_rms_m) : ""); });
+        [](const Summary& s) {
+            return time_words(s.mean_s) + (s.referenced > 0 ? ", " + length_words(s.error_rms_m) : "");
+        });
     one_table(
         "sliding over a sphere of 0.5 m; mean and worst tick, direction of the force, instructions",
         [](const std::string& f) { return f.find("sphere") != std::string::npos; },
         [](const Summary& s) {
-            return fmt::format("{}, {}, {:.2g} degrees rms{}", time_words(s.mean_s), time_words(s.worst_s), degrees_from_radians(s.direction_rms_rad),
+            return fmt::format("{}, {}, {:.2g} degrees rms{}", time_words(s.mean_s), time_words(s.worst_s),
+                               degrees_from_radians(s.direction_rms_rad),
                                s.instructions >= 0.0 ? fmt::format(", {:.0f} instructions", s.instructions) : "");
         });
 }
 
 // Points of the main renderers, and the curves that the knobs draw.
-Plot plot_of(const std::string& title, const std::vector<Summary>& rows, double Summary::*error, const std::string& error_title, double least) {
+Plot plot_of(const std::string& title, const std::vector<Summary>& rows, double Summary::*error,
+             const std::string& error_title, double least) {
     Plot plot{title, "mean time of one tick, nanoseconds", error_title, 0.0, least, {}};
     std::vector<PlotSeries> curves;
     for (const Summary& s : rows) {
@@ -286,13 +326,16 @@ Plot plot_of(const std::string& title, const std::vector<Summary>& rows, double 
         } else {
             const std::string name = s.renderer.starts_with("active_set") ? "Active-set god-object, by rounds"
                                      : s.knob == "rounds"                 ? "Handrail's solver alone, by rounds"
-                                                                          : "Handrail's solver alone, by candidate margin";
-            auto found = std::find_if(curves.begin(), curves.end(), [&](const PlotSeries& c) { return c.name == name; });
+                                                          : "Handrail's solver alone, by candidate margin";
+            auto found =
+                std::find_if(curves.begin(), curves.end(), [&](const PlotSeries& c) { return c.name == name; });
             if (found == curves.end()) {
                 curves.push_back({name, {}, true});
                 found = curves.end() - 1;
             }
-            found->points.push_back({point.x, point.y, s.knob == "rounds" ? fmt::format("{:g}", s.knob_value) : fmt::format("{:g} mm", s.knob_value * 1e3)});
+            found->points.push_back(
+                {point.x, point.y,
+                 s.knob == "rounds" ? fmt::format("{:g}", s.knob_value) : fmt::format("{:g} mm", s.knob_value * 1e3)});
         }
     }
     plot.series.insert(plot.series.end(), curves.begin(), curves.end());
@@ -316,8 +359,9 @@ std::vector<Summary> hard_case_summary(const BenchReport& report) {
 
 std::string text_of(const BenchReport& report) {
     std::ostringstream out;
-    out << fmt::format("Speed against error, on {}, in {:.0f} seconds{}. At 1 kN/m a millimetre of error is a newton.\n", report.machine, report.took_s,
-                       report.quick ? ", quickly: times are rough" : "");
+    out << fmt::format(
+        "Speed against error, on {}, in {:.0f} seconds{}. At 1 kN/m a millimetre of error is a newton.\n",
+        report.machine, report.took_s, report.quick ? ", quickly: times are rough" : "");
     for (const std::string& sentence : report.left_out) out << sentence << '\n';
     tables(out, report, false);
     return out.str();
@@ -326,7 +370,8 @@ std::string text_of(const BenchReport& report) {
 std::string markdown_of(const BenchReport& report) {
     std::ostringstream out;
     out << fmt::format(
-        "<!-- Made by `handrail bench --markdown`; do not edit. -->\n# Speed against error\n\nMeasured on {}{}. [results.md](results.md#speed-against-error) "
+        "<!-- Made by `handrail bench --markdown`; do not edit. -->\n# Speed against error\n\nMeasured on {}{}. "
+        "[results.md](results.md#speed-against-error) "
         "says how to read this.\n",
         report.machine, report.quick ? ", quickly: times are rough" : "");
     for (const std::string& sentence : report.left_out) out << '\n' << sentence << '\n';
@@ -382,7 +427,8 @@ std::string json_of(const BenchReport& report) {
                           {"simplify_bound_m", c.simplify_bound_m},
                           {"simplify_measured_m", c.simplify_measured_m}});
     for (const Stability& s : report.stability)
-        stability.push_back({{"wall", s.wall}, {"renderer", s.renderer}, {"stable_stiffness_n_per_m", s.stiffness_n_per_m}});
+        stability.push_back(
+            {{"wall", s.wall}, {"renderer", s.renderer}, {"stable_stiffness_n_per_m", s.stiffness_n_per_m}});
     for (const ServoThread& s : report.servo)
         servo.push_back({{"seconds_s", s.seconds},
                          {"ticks", s.ticks},
@@ -393,12 +439,24 @@ std::string json_of(const BenchReport& report) {
                          {"tick_worst_s", s.tick_worst_s},
                          {"overruns", s.overruns},
                          {"scheduling", s.scheduling}});
+    Json worst = Json::array();
+    for (const WorstTicks& w : report.worst)
+        worst.push_back({{"scene", w.scene},
+                         {"ticks", w.ticks},
+                         {"mean_s", w.mean_s},
+                         {"p999_s", w.p999_s},
+                         {"worst_s", w.worst_s},
+                         {"most_work", w.most_work},
+                         {"most_looks", w.most_looks},
+                         {"waits", w.waits},
+                         {"instructions", w.instructions >= 0.0 ? Json(w.instructions) : Json(nullptr)}});
     const Json all{{"machine", report.machine},
                    {"quick", report.quick},
                    {"stiffness_n_per_m", kStiffness_n_per_m},
                    {"took_s", report.took_s},
                    {"results", std::move(results)},
                    {"scenes", std::move(scenes)},
+                   {"worst", std::move(worst)},
                    {"stability", std::move(stability)},
                    {"servo_thread", servo.empty() ? Json(nullptr) : servo[0]},
                    {"left_out", report.left_out}};
@@ -409,17 +467,23 @@ std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& rep
     std::vector<std::pair<std::string, std::string>> files;
     const std::string error = "error of the ball's place, rms, metres";
     if (const std::vector<Summary> hard = hard_case_summary(report); !hard.empty())
-        files.emplace_back("bench-hard-cases.svg",
-                           svg_of(plot_of("Speed against error over all hard cases", hard, &Summary::error_rms_m, error, kLeastError_m)));
+        files.emplace_back("bench-hard-cases.svg", svg_of(plot_of("Speed against error over all hard cases", hard,
+                                                                  &Summary::error_rms_m, error, kLeastError_m)));
     const std::vector<Summary> by_family = summaries(report);
-    Plot cost{"What the density of a mesh costs", "triangles of a sphere of half a metre", "time of one tick, nanoseconds: mean, and worst", 0.0, 0.0, {}};
+    Plot cost{"What the density of a mesh costs",
+              "triangles of a sphere of half a metre",
+              "time of one tick, nanoseconds: mean, and worst",
+              0.0,
+              0.0,
+              {}};
     for (const std::string& family : families_of(by_family)) {
         std::vector<Summary> rows = by_family;
         std::erase_if(rows, [&](const Summary& s) { return s.family != family; });
         if (family.starts_with("sphere")) {
-            files.emplace_back("bench-" + file_word(family) + ".svg",
-                               svg_of(plot_of("Speed against direction of the force, " + family, rows, &Summary::direction_rms_rad,
-                                              "error of the force's direction, rms, radians", 0.0)));
+            files.emplace_back(
+                "bench-" + file_word(family) + ".svg",
+                svg_of(plot_of("Speed against direction of the force, " + family, rows, &Summary::direction_rms_rad,
+                               "error of the force's direction, rms, radians", 0.0)));
             double triangles = 0.0;
             for (const SceneCost& c : report.scenes)
                 if (c.family == family) triangles = static_cast<double>(c.obstacles);
@@ -428,7 +492,8 @@ std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& rep
                 for (const bool worst : {false, true}) {
                     const std::string name = s.title + (worst ? ", worst" : ", mean");
                     if (worst && s.renderer != "handrail") continue;
-                    auto found = std::find_if(cost.series.begin(), cost.series.end(), [&](const PlotSeries& c) { return c.name == name; });
+                    auto found = std::find_if(cost.series.begin(), cost.series.end(),
+                                              [&](const PlotSeries& c) { return c.name == name; });
                     if (found == cost.series.end()) {
                         cost.series.push_back({name, {}, true});
                         found = cost.series.end() - 1;
@@ -436,9 +501,11 @@ std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& rep
                     found->points.push_back({triangles, (worst ? s.worst_s : s.mean_s) * 1e9, {}});
                 }
             }
-        } else if (!family.starts_with(kSimplified) && std::any_of(rows.begin(), rows.end(), [](const Summary& s) { return s.referenced > 0; })) {
-            files.emplace_back("bench-" + file_word(family) + ".svg",
-                               svg_of(plot_of("Speed against error, " + family, rows, &Summary::error_rms_m, error, kLeastError_m)));
+        } else if (!family.starts_with(kSimplified) &&
+                   std::any_of(rows.begin(), rows.end(), [](const Summary& s) { return s.referenced > 0; })) {
+            files.emplace_back(
+                "bench-" + file_word(family) + ".svg",
+                svg_of(plot_of("Speed against error, " + family, rows, &Summary::error_rms_m, error, kLeastError_m)));
         }
     }
     if (!cost.series.empty()) files.emplace_back("bench-triangles.svg", svg_of(cost));
@@ -450,14 +517,16 @@ std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& rep
         // "9680" of a sphere as it is, "0.3 mm" of one made coarser.
         const bool coarser = s.family.starts_with(kSimplified);
         const std::size_t digits = coarser ? s.family.find("within ") + 7 : kSphere.size();
-        const std::string label = s.family.substr(digits, coarser ? std::string::npos : s.family.find(" triangles") - digits);
+        const std::string label =
+            s.family.substr(digits, coarser ? std::string::npos : s.family.find(" triangles") - digits);
         std::vector<PlotSeries>& series = coarser ? simplified.series : density.series;
         auto found = std::find_if(series.begin(), series.end(), [&](const PlotSeries& c) { return c.name == s.title; });
         if (found == series.end()) {
             series.push_back({s.title, {}, true});
             found = series.end() - 1;
         }
-        found->points.push_back({s.mean_s * 1e9, degrees_from_radians(s.direction_rms_rad), s.renderer == "handrail" ? label : ""});
+        found->points.push_back(
+            {s.mean_s * 1e9, degrees_from_radians(s.direction_rms_rad), s.renderer == "handrail" ? label : ""});
     }
     if (!density.series.empty()) files.emplace_back("bench-density.svg", svg_of(density));
     if (!simplified.series.empty()) files.emplace_back("bench-simplified.svg", svg_of(simplified));
@@ -470,7 +539,13 @@ std::size_t merge_instructions(BenchReport& report, const std::string& lines) {
     for (std::string line; std::getline(in, line);) {
         const std::size_t first = line.find('\t'), second = line.find('\t', first + 1);
         double value = 0.0;
-        if (first == std::string::npos || second == std::string::npos || !parse_finite(line.substr(second + 1), value)) continue;
+        if (first == std::string::npos || second == std::string::npos || !parse_finite(line.substr(second + 1), value))
+            continue;
+        for (WorstTicks& w : report.worst)
+            if (w.scene == line.substr(0, first)) {
+                w.instructions = value;
+                ++merged;
+            }
         for (Measured& m : report.results)
             if (m.scene == line.substr(0, first) && m.renderer == line.substr(first + 1, second - first - 1)) {
                 m.instructions = value;

@@ -1,4 +1,5 @@
-// What the comparison found, as text to be read out, as one JSON object, as Markdown tables and as SVG plots. Pure functions of the report.
+// What the comparison found, as text to be read out, as one JSON object, as Markdown tables and as SVG plots. Pure
+// functions of the report.
 #pragma once
 
 #include <string>
@@ -9,14 +10,15 @@
 
 namespace handrail::bench {
 
-// One renderer over all scenes of a family: times and errors as means of the scenes, except the worst, the deepest and the largest.
+// One renderer over all scenes of a family: times and errors as means of the scenes, except the worst, the deepest and
+// the largest.
 struct Summary {
     std::string family, renderer, title, knob;
     double knob_value = 0.0;
     bool has_ball = true;
     int scenes = 0, referenced = 0, wrong_holds = 0;
-    double mean_s = 0.0, p999_s = 0.0, worst_s = 0.0, error_rms_m = 0.0, error_max_m = 0.0, off_share = 0.0, penetration_m = 0.0, largest_jump_n = 0.0,
-           largest_gain = 0.0;
+    double mean_s = 0.0, p999_s = 0.0, worst_s = 0.0, error_rms_m = 0.0, error_max_m = 0.0, off_share = 0.0,
+           penetration_m = 0.0, largest_jump_n = 0.0, largest_gain = 0.0;
     double given_j = 0.0;  // most of all scenes; closed paths
     bool closed = false;
     double direction_rms_rad = -1.0, direction_max_rad = -1.0;
@@ -32,7 +34,8 @@ std::string markdown_of(const BenchReport& report);
 // File names and their contents.
 std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& report);
 
-// Lines "SCENE<tab>RENDERER<tab>INSTRUCTIONS" as tests/bench/compare.sh writes them: per tick. Returns how many found their result.
+// Lines "SCENE<tab>RENDERER<tab>INSTRUCTIONS" as tests/bench/compare.sh writes them: per tick. Returns how many found
+// their result.
 std::size_t merge_instructions(BenchReport& report, const std::string& lines);
 
 }  // namespace handrail::bench

@@ -1,7 +1,8 @@
-// Sequential constraint planes: the sphere runs towards the goal until it touches, exactly; the plane of the contact is added as an equality; the way goes
-// on along one plane, along the line of two, and ends at three. Planes are released only between ticks. A simplification of the virtual proxy of
-// Ruspini, Kolarov and Khatib (The haptic display of complex graphical environments, SIGGRAPH 1997), which solves a small quadratic programme for
-// each sub-goal instead and so lets go of planes that only press from behind.
+// Sequential constraint planes: the sphere runs towards the goal until it touches, exactly; the plane of the contact is
+// added as an equality; the way goes on along one plane, along the line of two, and ends at three. Planes are released
+// only between ticks. A simplification of the virtual proxy of Ruspini, Kolarov and Khatib (The haptic display of
+// complex graphical environments, SIGGRAPH 1997), which solves a small quadratic programme for each sub-goal instead
+// and so lets go of planes that only press from behind.
 #include <array>
 
 #include "tests/bench/compare/contestant.h"
@@ -13,7 +14,8 @@ namespace {
 
 class SequentialPlanes {
 public:
-    SequentialPlanes(const BenchWorld& world, double) : scene_(*world.scene), radius_m_(world.radius_m), nearby_(scene_) {}
+    SequentialPlanes(const BenchWorld& world, double)
+        : scene_(*world.scene), radius_m_(world.radius_m), nearby_(scene_) {}
 
     TickOutcome tick(const Vec3& goal_m) {
         const Vec3 goal = goal_m - scene_.origin_m;
@@ -71,6 +73,8 @@ private:
 
 }  // namespace
 
-Contestant sequential_planes() { return contestant<SequentialPlanes>("sequential_planes", "Sequential constraint planes"); }
+Contestant sequential_planes() {
+    return contestant<SequentialPlanes>("sequential_planes", "Sequential constraint planes");
+}
 
 }  // namespace handrail::bench

@@ -27,7 +27,9 @@ ServoThread run_servo_thread(double seconds) {
     // The hand goes round through both walls once a second.
     while (clock.now_s() - begun_s < seconds) {
         const double turn = 2.0 * kPi * (clock.now_s() - begun_s);
-        hand->command.publish({HandMode::Follow, Vec3(0.03 * std::sin(turn), 0.01 * std::cos(turn), 0.03 * std::cos(turn)), 0.0, Vec3(0.0), 0});
+        hand->command.publish({HandMode::Follow,
+                               Vec3(0.03 * std::sin(turn), 0.01 * std::cos(turn), 0.03 * std::cos(turn)), 0.0,
+                               Vec3(0.0), 0});
         clock.sleep_until_s(clock.now_s() + 0.016);
     }
     loop.stop();

@@ -1,6 +1,7 @@
-// The free-cell proxy in single precision: the same projection, the same lazy renewal of cuts with one look ahead, all coordinates, closest points and cuts
-// in 32 bits, relative to the scene's origin as meshes for drawing are. Left out: the arc step around edges of solids. Triangles by three plane
-// tests and clamped edges, solids by projection; round solids are asked in double precision and rounded.
+// The free-cell proxy in single precision: the same projection, the same lazy renewal of cuts with one look ahead, all
+// coordinates, closest points and cuts in 32 bits, relative to the scene's origin as meshes for drawing are. Left out:
+// the arc step around edges of solids. Triangles by three plane tests and clamped edges, solids by projection; round
+// solids are asked in double precision and rounded.
 #include <array>
 
 #include "tests/bench/compare/contestant.h"
@@ -33,7 +34,8 @@ struct Shape {
 
 class SinglePrecision {
 public:
-    SinglePrecision(const BenchWorld& world, double) : world_(world), scene_(*world.scene), radius_(static_cast<float>(world.radius_m)) {}
+    SinglePrecision(const BenchWorld& world, double)
+        : world_(world), scene_(*world.scene), radius_(static_cast<float>(world.radius_m)) {}
 
     TickOutcome tick(const Vec3& goal_m) {
         const F3 goal(goal_m - scene_.origin_m);
@@ -44,8 +46,10 @@ public:
         const float reach = static_cast<float>(world_.radius_m) + glm::length(goal - ball_);
         if (!(glm::length(ball_ - centre_) + reach <= known_)) {
             gather(reach + margin_);
-            if (cuts_.size() > Nearby::kComfortable) margin_ = std::max(static_cast<float>(Nearby::kLeastMargin_m), 0.5F * margin_);
-            if (cuts_.size() < Nearby::kComfortable / 3) margin_ = std::min(static_cast<float>(Nearby::kMargin_m), 2.0F * margin_);
+            if (cuts_.size() > Nearby::kComfortable)
+                margin_ = std::max(static_cast<float>(Nearby::kLeastMargin_m), 0.5F * margin_);
+            if (cuts_.size() < Nearby::kComfortable / 3)
+                margin_ = std::min(static_cast<float>(Nearby::kMargin_m), 2.0F * margin_);
         }
         ++tick_;
         int rounds = 0;
@@ -94,7 +98,8 @@ private:
         if (thing && !thing->planes.empty()) {
             shape.kind = Shape::Kind::Solid;
             for (const Plane& plane : thing->planes)
-                shape.planes.push_back({F3(plane.normal), static_cast<float>(plane.offset_m - glm::dot(plane.normal, scene_.origin_m))});
+                shape.planes.push_back(
+                    {F3(plane.normal), static_cast<float>(plane.offset_m - glm::dot(plane.normal, scene_.origin_m))});
         } else if (thing && !thing->solid && scene_.obstacles[obstacle].kind == ObstacleKind::Triangle) {
             shape.kind = Shape::Kind::Triangle;
             shape.a = local(thing->a), shape.b = local(thing->b), shape.c = local(thing->c);
@@ -120,10 +125,12 @@ private:
                 Closest best;
                 best.distance = std::numeric_limits<float>::infinity();
                 for (const auto& [from_corner, to_corner] : edges) {
-                    if (!flat && glm::dot(p - from_corner, glm::cross(to_corner - from_corner, s.normal)) <= 0.0F) continue;
+                    if (!flat && glm::dot(p - from_corner, glm::cross(to_corner - from_corner, s.normal)) <= 0.0F)
+                        continue;
                     const F3 edge = to_corner - from_corner;
                     const float length2 = glm::dot(edge, edge);
-                    const float t = length2 > 0.0F ? std::clamp(glm::dot(p - from_corner, edge) / length2, 0.0F, 1.0F) : 0.0F;
+                    const float t =
+                        length2 > 0.0F ? std::clamp(glm::dot(p - from_corner, edge) / length2, 0.0F, 1.0F) : 0.0F;
                     const Closest one = from(from_corner + edge * t, p, flat ? F3(0.0F, 0.0F, 1.0F) : s.normal);
                     if (one.distance < best.distance) best = one;
                 }
@@ -194,7 +201,8 @@ private:
                 looked_ahead_[i] = tick_;
                 closest = nearest(shapes_[i], ahead[static_cast<std::size_t>(k)]);
                 const Cut further{closest.normal, glm::dot(closest.normal, closest.point)};
-                if (closest.distance > 1e-12F && glm::dot(further.normal, ball_) - further.offset_m >= radius_ - kProjectionToleranceOf<float>)
+                if (closest.distance > 1e-12F &&
+                    glm::dot(further.normal, ball_) - further.offset_m >= radius_ - kProjectionToleranceOf<float>)
                     cuts_[i] = further;
             }
             const F3 turn = cuts_[i].normal - old;
@@ -219,6 +227,8 @@ private:
 
 }  // namespace
 
-Contestant single_precision() { return contestant<SinglePrecision>("single_precision", "Handrail's solver in single precision"); }
+Contestant single_precision() {
+    return contestant<SinglePrecision>("single_precision", "Handrail's solver in single precision");
+}
 
 }  // namespace handrail::bench

@@ -1,5 +1,6 @@
-// A plot with two logarithmic axes as an SVG picture: black on white, a shape of its own for every series and its name beside it, so that nothing hangs
-// on colour; a title and a description in words for those who hear it. Plain text in, plain text out.
+// A plot with two logarithmic axes as an SVG picture: black on white, a shape of its own for every series and its name
+// beside it, so that nothing hangs on colour; a title and a description in words for those who hear it. Plain text in,
+// plain text out.
 #pragma once
 
 #include <string>

@@ -41,8 +41,8 @@ int main() {
                 mix(hash, r.proxy_m);
                 mix(hash, r.force_n);
                 if (i % 200 == 0)
-                    std::printf("%s %g %zu %a %a %a %a %a %a\n", c.name.c_str(), scale, i, r.proxy_m.x, r.proxy_m.y, r.proxy_m.z, r.force_n.x, r.force_n.y,
-                                r.force_n.z);
+                    std::printf("%s %g %zu %a %a %a %a %a %a\n", c.name.c_str(), scale, i, r.proxy_m.x, r.proxy_m.y,
+                                r.proxy_m.z, r.force_n.x, r.force_n.y, r.force_n.z);
             }
             std::printf("%s %g %016llx\n", c.name.c_str(), scale, static_cast<unsigned long long>(hash));
         }

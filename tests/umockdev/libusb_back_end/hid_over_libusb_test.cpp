@@ -1,4 +1,5 @@
-// A DualSense and a SpaceMouse through hidapi's libusb back end, on a bus that umockdev plays: what a system without hidraw has.
+// A DualSense and a SpaceMouse through hidapi's libusb back end, on a bus that umockdev plays: what a system without
+// hidraw has.
 #include "tests/emulators/hid_claims.h"
 #include "tests/support/precompiled.h"
 #include "tests/umockdev/mock_usb.h"
@@ -8,7 +9,9 @@ namespace {
 
 class OverHidapiLibusb : public testing::Test {
 protected:
-    void SetUp() override { ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0"; }
+    void SetUp() override {
+        ASSERT_TRUE(umockdev_in_mock_environment()) << "this program needs LD_PRELOAD=libumockdev-preload.so.0";
+    }
 
     std::unique_ptr<HidLink> open(std::uint16_t vendor) {
         for (const HidDeviceInfo& info : list_hid_devices())

@@ -1,9 +1,17 @@
 #include "worlds/base/files.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/time.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <ctime>
 
 #include "tests/support/temporary_folder.h"
 
@@ -14,7 +22,9 @@ using test::content_of;
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
-std::size_t files_in(const fs::path& folder) { return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator{})); }
+std::size_t files_in(const fs::path& folder) {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator{}));
+}
 
 TEST(ReadWholeFile, gives_every_byte_as_it_is) {
     const TemporaryFolder folder;
@@ -27,10 +37,86 @@ TEST(ReadWholeFile, gives_every_byte_as_it_is) {
 
 TEST(ReadWholeFile, names_the_file_and_says_why_it_cannot) {
     const TemporaryFolder folder;
-    EXPECT_THAT(read_whole_file(folder.path() / "none.map").error().sentence(), testing::StartsWith("none.map: This file cannot be opened: No such file"));
+    EXPECT_THAT(read_whole_file(folder.path() / "none.map").error().sentence(),
+                testing::StartsWith("none.map: This file cannot be opened: No such file"));
     EXPECT_THAT(read_whole_file(folder.path()).error().message, HasSubstr("folder"));
     EXPECT_EQ(read_whole_file(folder.write("long", std::string(5, 'x')), 5).value().size(), 5U);
     EXPECT_THAT(read_whole_file(folder.write("long", std::string(6, 'x')), 5).error().message, HasSubstr("larger"));
+}
+
+// A pipe that nobody writes would be waited for, a device read for ever.
+TEST(ReadWholeFile, opens_ordinary_files_only_and_waits_for_nothing) {
+    const TemporaryFolder folder;
+    const fs::path fifo = folder.path() / "fifo.map";
+    ASSERT_EQ(::mkfifo(fifo.c_str(), 0600), 0);
+    const fs::path socket = folder.path() / "socket.map";
+    const int listener = ::socket(AF_UNIX, SOCK_STREAM, 0);
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    std::snprintf(address.sun_path, sizeof address.sun_path, "%s", socket.c_str());
+    ASSERT_EQ(::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+    fs::create_symlink(fifo, folder.path() / "link.map");
+    for (const fs::path& path :
+         {fifo, socket, folder.path() / "link.map", fs::path("/dev/zero"), fs::path("/dev/null")}) {
+        const auto content = read_whole_file(path);
+        ASSERT_FALSE(content) << path;
+        EXPECT_THAT(content.error().sentence(), HasSubstr("no ordinary file")) << path;
+        const auto saved = write_file_atomically(path, "x");
+        ASSERT_FALSE(saved) << path;
+        EXPECT_THAT(saved.error().sentence(), HasSubstr("no ordinary file")) << path;
+    }
+    EXPECT_TRUE(fs::is_fifo(fifo)) << "and it is still one";
+    ::close(listener);
+}
+
+TEST(ReadWholeFile, ends_where_it_is_stopped) {
+    const TemporaryFolder folder;
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(read_whole_file(folder.write("some", "bytes"), 100, stop.get_token()));
+}
+
+// A signal that arrives again and again, whose handler does nothing and which restarts no call.
+TEST(WriteFileAtomically, takes_an_interruption_for_no_damage) {
+    struct sigaction action {
+    }, before{};
+    action.sa_handler = [](int) {};
+    ASSERT_EQ(::sigaction(SIGALRM, &action, &before), 0);
+    const itimerval often{{0, 200}, {0, 200}}, never{};
+    ASSERT_EQ(::setitimer(ITIMER_REAL, &often, nullptr), 0);
+    const TemporaryFolder folder;
+    const std::string big(4'000'000, 'x');
+    for (int i = 0; i < 20; ++i) {
+        const auto written = write_file_atomically(folder.path() / "big", big);
+        EXPECT_TRUE(written) << written.error().sentence();
+        const auto read = read_whole_file(folder.path() / "big");
+        EXPECT_TRUE(read && *read == big);
+    }
+    ::setitimer(ITIMER_REAL, &never, nullptr);
+    ::sigaction(SIGALRM, &before, nullptr);
+}
+
+TEST(WriteFileAtomically, sweeps_up_what_a_program_that_was_ended_in_the_middle_left) {
+    const TemporaryFolder folder;
+    const auto made = [&](const char* name, int seconds_ago) {
+        const fs::path file = folder.write(name, "half");
+        const timespec then{::time(nullptr) - seconds_ago, 0};
+        const timespec times[2]{then, then};
+        ::utimensat(AT_FDCWD, file.c_str(), times, 0);
+        return file;
+    };
+    const fs::path stale = made("file.new-AbC123", 3600), young = made("file.new-Zyx987", 0),
+                   busy = made("file.new-Busy00", 3600);
+    const fs::path others = made("other.new-AbC123", 3600), longer = made("file.new-AbC1234", 3600);
+    const int held = ::open(busy.c_str(), O_RDONLY | O_CLOEXEC);
+    ASSERT_EQ(::flock(held, LOCK_EX), 0);
+    ASSERT_TRUE(write_file_atomically(folder.path() / "file", "new"));
+    EXPECT_FALSE(fs::exists(stale));
+    for (const fs::path& file : {young, busy, others, longer}) EXPECT_TRUE(fs::exists(file)) << file;
+    ::close(held);
+    ASSERT_TRUE(write_file_atomically(folder.path() / "file", "newer"));
+    EXPECT_FALSE(fs::exists(busy)) << "whoever held it is gone";
+    EXPECT_EQ(content_of(folder.path() / "file"), "newer");
 }
 
 TEST(WriteFileAtomically, replaces_the_whole_file_and_leaves_nothing_beside_it) {
@@ -58,7 +144,8 @@ TEST(WriteFileAtomically, keeps_permission_bits_and_gives_new_files_ordinary_one
     ASSERT_TRUE(write_file_atomically(secret, "new"));
     EXPECT_EQ(fs::status(secret).permissions(), fs::perms::owner_read | fs::perms::owner_write);
     ASSERT_TRUE(write_file_atomically(folder.path() / "fresh", "new"));
-    EXPECT_EQ(fs::status(folder.path() / "fresh").permissions() & fs::perms::owner_all, fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_EQ(fs::status(folder.path() / "fresh").permissions() & fs::perms::owner_all,
+              fs::perms::owner_read | fs::perms::owner_write);
 }
 
 TEST(WriteFileAtomically, follows_a_symbolic_link_so_that_it_stays_a_link) {

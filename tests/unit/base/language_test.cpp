@@ -4,16 +4,21 @@
 #include "tests/support/environment.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
+#include "worlds/base/typist.h"
 
 namespace handrail {
 namespace {
 
-void write(const std::filesystem::path& path, std::string_view content) { std::ofstream(path, std::ios::binary) << content; }
+void write(const std::filesystem::path& path, std::string_view content) {
+    std::ofstream(path, std::ios::binary) << content;
+}
 
 TEST(Phrase, puts_values_in_and_keeps_to_the_language_spoken) {
-    EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}), "There is no language \"xx\"; there are: en, de.");
+    EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}),
+              "There is no language \"xx\"; there are: en, de.");
     const test::InLanguage german("de");
-    EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}), "Die Sprache „xx“ gibt es nicht; es gibt: en, de.");
+    EXPECT_EQ(phrase("language.unknown", {{"code", "xx"}, {"codes", "en, de"}}),
+              "Die Sprache „xx“ gibt es nicht; es gibt: en, de.");
     EXPECT_EQ(spoken_language(), "de");
 }
 
@@ -24,7 +29,8 @@ TEST(Phrase, says_the_key_where_no_language_has_it) {
 }
 
 TEST(Phrase, keeps_curly_brackets_and_apostrophes_of_values) {
-    EXPECT_EQ(phrase("language.unknown_key", {{"key", "it's {odd} '{'"}}), "\"it's {odd} '{'\" is no text of Handrail; it is left out.");
+    EXPECT_EQ(phrase("language.unknown_key", {{"key", "it's {odd} '{'"}}),
+              "\"it's {odd} '{'\" is no text of Handrail; it is left out.");
 }
 
 TEST(InSpokenLanguage, gives_a_text_that_outlives_what_it_was_made_of) {
@@ -38,7 +44,8 @@ TEST(BundledLanguages, are_english_first_and_name_themselves) {
     ASSERT_GE(names.size(), 2U);
     EXPECT_EQ(names[0].code, "en");
     EXPECT_EQ(names[0].name, "English");
-    EXPECT_TRUE(std::any_of(names.begin(), names.end(), [](const LanguageName& l) { return l.code == "de" && l.name == "Deutsch"; }));
+    EXPECT_TRUE(std::any_of(names.begin(), names.end(),
+                            [](const LanguageName& l) { return l.code == "de" && l.name == "Deutsch"; }));
 }
 
 TEST(SpeakLanguage, takes_a_file_of_ones_own_and_falls_back_to_english_for_what_it_lacks) {
@@ -65,7 +72,8 @@ TEST(SpeakLanguage, replaces_single_texts_of_a_bundled_language) {
 TEST(SpeakLanguage, names_every_text_that_does_not_fit_and_uses_the_bundled_one_instead) {
     const test::TemporaryFolder folder;
     write(folder.path() / "de.toml",
-          "[error]\nline = \"Zeile {lien}\"\ncolumn = \"Spalte {column\"\nerror = 3\nwarning = \"Achtung: \"\nnothing = \"nichts\"\n");
+          "[error]\nline = \"Zeile {lien}\"\ncolumn = \"Spalte {column\"\nerror = 3\nwarning = \"Achtung: \"\nnothing "
+          "= \"nichts\"\n");
     const auto spoken = speak_language("de", folder.path());
     ASSERT_TRUE(spoken) << spoken.error().sentence();
     std::vector<int> lines;
@@ -103,7 +111,8 @@ TEST(SpeakLanguage, changes_nothing_for_a_damaged_file_and_says_where_it_is_dama
 
 TEST(SpeakLanguage, survives_a_file_cut_at_every_byte) {
     const test::TemporaryFolder folder;
-    const std::string whole = "[language]\nname = \"Français\"\n[error]\nline = \"ligne {line, plural, one {#} other {#}}\"\n";
+    const std::string whole =
+        "[language]\nname = \"Français\"\n[error]\nline = \"ligne {line, plural, one {#} other {#}}\"\n";
     for (std::size_t length = 0; length <= whole.size(); ++length) {
         write(folder.path() / "fr.toml", whole.substr(0, length));
         (void)speak_language("fr", folder.path());
@@ -140,7 +149,10 @@ TEST(Phrase, said_again_with_other_values_is_as_if_it_were_said_first_on_every_t
     const test::TemporaryFolder folder;
     write(folder.path() / "nl.toml", "[learning]\nseconds = \"{seconds, plural, one {# tel} other {# tellen}}\"\n");
     ASSERT_TRUE(speak_language("nl", folder.path()));
-    for (const int seconds : {1, 2, 1, 1000}) EXPECT_EQ(phrase("learning.seconds", {{"seconds", seconds}}), seconds == 1 ? "1 tel" : seconds == 2 ? "2 tellen" : "1.000 tellen");
+    for (const int seconds : {1, 2, 1, 1000})
+        EXPECT_EQ(phrase("learning.seconds", {{"seconds", seconds}}), seconds == 1   ? "1 tel"
+                                                                      : seconds == 2 ? "2 tellen"
+                                                                                     : "1.000 tellen");
     write(folder.path() / "nl.toml", "[learning]\nseconds = \"{seconds} s\"\n");
     ASSERT_TRUE(speak_language("nl", folder.path()));
     EXPECT_EQ(phrase("learning.seconds", {{"seconds", 2}}), "2 s") << "the file is another one by now";
@@ -149,10 +161,26 @@ TEST(Phrase, said_again_with_other_values_is_as_if_it_were_said_first_on_every_t
     std::atomic<int> wrong = 0;
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([&, t] {
-            for (int i = 0; i < 300; ++i) wrong += phrase("learning.seconds", {{"seconds", 2 + t}}) != std::to_string(2 + t) + " seconds";
+            for (int i = 0; i < 300; ++i)
+                wrong += phrase("learning.seconds", {{"seconds", 2 + t}}) != std::to_string(2 + t) + " seconds";
         });
     for (std::thread& thread : threads) thread.join();
     EXPECT_EQ(wrong, 0);
+}
+
+TEST(Phrase, has_a_second_form_for_who_types_words_in_every_language) {
+    const std::string for_keys = phrase("session.begin_with_keys");
+    speak_to_typist(true);
+    EXPECT_EQ(phrase("session.begin_with_keys"), "Type forward to walk a step.");
+    EXPECT_EQ(phrase("error.line", {{"line", 3}}), "line 3") << "the same where it names no key";
+    speak_to_typist(false);
+    EXPECT_EQ(phrase("session.begin_with_keys"), for_keys);
+    for (const char* code : {"en", "de"})
+        for (const auto& [key, text] : bundled_texts(code)) {
+            if (!key.ends_with("_typed")) continue;
+            for (const char* named : {"Enter", "Escape", "F1", "F2", "Krafttaste", "force key", "Pfeil"})
+                EXPECT_EQ(text.find(named), std::string::npos) << code << " " << key;
+        }
 }
 
 TEST(LanguageOfEnvironment, is_a_bundled_one_or_one_with_a_file_of_its_own_and_opens_no_file) {

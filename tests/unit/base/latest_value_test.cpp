@@ -1,5 +1,9 @@
 #include "worlds/base/latest_value.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
 #include <thread>
 
 #include "tests/support/scale.h"
@@ -54,6 +58,38 @@ TEST(LatestValue, hands_whole_values_in_order_from_one_thread_to_another_and_nev
     EXPECT_EQ(torn, 0U);
     EXPECT_EQ(backwards, 0U);
     EXPECT_FALSE(value.refresh());
+}
+
+// In memory that two processes share, the other one may write anything.
+TEST(LatestValue, touches_nothing_outside_whatever_stands_in_its_indices) {
+    struct Slot {
+        std::array<std::uint64_t, 4> words{};
+    };
+    using Value = LatestValue<Slot>;
+    struct Room {
+        std::array<std::byte, 4096> before{};
+        Value value;
+        std::array<std::byte, 4096> after{};
+    };
+    const auto room = std::make_unique<Room>();
+    auto* bytes = reinterpret_cast<unsigned char*>(&room->value);
+    const auto* begin = reinterpret_cast<const unsigned char*>(&room->value);
+    constexpr std::size_t kSlotBytes = 4 * sizeof(Slot);
+    for (int index = 0; index < 256; ++index) {
+        for (std::size_t i = kSlotBytes; i < sizeof(Value); ++i) bytes[i] = static_cast<unsigned char>(index);
+        const auto* shown = reinterpret_cast<const unsigned char*>(&room->value.read());
+        EXPECT_TRUE(shown >= begin && shown + sizeof(Slot) <= begin + kSlotBytes) << index;
+        Slot full;
+        full.words.fill(~std::uint64_t{0});
+        room->value.publish(full);
+        room->value.refresh();
+        shown = reinterpret_cast<const unsigned char*>(&room->value.read());
+        EXPECT_TRUE(shown >= begin && shown + sizeof(Slot) <= begin + kSlotBytes) << index;
+    }
+    const auto untouched = [](const auto& wall) {
+        return std::all_of(wall.begin(), wall.end(), [](std::byte b) { return b == std::byte{0}; });
+    };
+    EXPECT_TRUE(untouched(room->before) && untouched(room->after));
 }
 
 TEST(SpscRing, keeps_everything_in_order_between_two_threads_and_refuses_when_full) {

@@ -15,7 +15,8 @@ TEST(Error, names_only_the_parts_of_the_place_that_are_known) {
 }
 
 TEST(Diagnostic, says_severity_message_and_what_was_done) {
-    EXPECT_EQ((Diagnostic{Severity::Error, "house.map", 4752, 41, "a face ends early.", "This brush was left out."}.sentence()),
+    EXPECT_EQ((Diagnostic{Severity::Error, "house.map", 4752, 41, "a face ends early.", "This brush was left out."}
+                   .sentence()),
               "house.map, line 4752, column 41: error: a face ends early. This brush was left out.");
     EXPECT_EQ((Diagnostic{Severity::Warning, "", 0, 0, "no start.", ""}.sentence()), "warning: no start.");
 }
@@ -29,7 +30,8 @@ TEST(Fail, carries_place_and_sentence_into_any_result) {
 TEST(ContractPre, ends_the_program_naming_file_line_and_condition_but_no_folder) {
     contract_pre(1 + 1 == 2);
     GTEST_FLAG_SET(death_test_style, "threadsafe");
-    EXPECT_DEATH(contract_pre(1 + 1 == 3), "^Handrail has a fault of its own at result_test.cpp line [0-9]+: 1 \\+ 1 == 3 does not hold");
+    EXPECT_DEATH(contract_pre(1 + 1 == 3),
+                 "^Handrail has a fault of its own at result_test.cpp line [0-9]+: 1 \\+ 1 == 3 does not hold");
 }
 
 TEST(VirtualClock, moves_only_when_told_to_and_never_back) {

@@ -10,31 +10,50 @@ TEST(NearestName, finds_the_closest_spelling_and_keeps_the_first_of_equals) {
     EXPECT_EQ(nearest_name("x", {}), "");
 }
 
+TEST(NearestKey, is_of_the_same_table_where_there_is_one) {
+    const std::vector<std::string> keys{"sound.volume", "speech.rate", "speech.voice", "keys.where"};
+    EXPECT_EQ(nearest_key("speech.volume", keys), "speech.voice");
+    EXPECT_EQ(nearest_key("Speech.rate", keys), "speech.rate");
+    EXPECT_EQ(nearest_key("sond.volume", keys), "sound.volume");
+    EXPECT_EQ(nearest_key("where", keys), "keys.where");
+    EXPECT_EQ(nearest_key("speech.x", {}), "");
+}
+
 TEST(ParseFinite, takes_whole_numbers_only_and_refuses_nan_and_infinity) {
     double value = 7.0;
     EXPECT_TRUE(parse_finite("+1.5e2", value));
     EXPECT_EQ(value, 150.0);
     EXPECT_TRUE(parse_finite("3.", value));
     EXPECT_TRUE(parse_finite("-0", value));
-    for (const char* bad : {"", "nan", "inf", "1e999", "1,5", "12x", "--1", " 1"}) EXPECT_FALSE(parse_finite(bad, value)) << bad;
+    for (const char* bad : {"", "nan", "inf", "1e999", "1,5", "12x", "--1", " 1"})
+        EXPECT_FALSE(parse_finite(bad, value)) << bad;
 }
 
 TEST(LowerAscii, leaves_bytes_beyond_ascii_alone) { EXPECT_EQ(lower_ascii("AbZ\xC3\x89[`"), "abz\xC3\x89[`"); }
 
 TEST(IsUtf8, takes_every_valid_length_and_refuses_every_kind_of_damage) {
-    for (const char* good : {"", "plain", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80", "\xED\x9F\xBF", "\xF4\x8F\xBF\xBF"})
+    for (const char* good :
+         {"", "plain", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9F\x98\x80", "\xED\x9F\xBF", "\xF4\x8F\xBF\xBF"})
         EXPECT_TRUE(is_utf8(good)) << good;
     // Stray continuation, cut short, overlong forms, a surrogate, above U+10FFFF, bytes that never occur.
-    for (const char* bad : {"\x80", "\xC3", "\xE2\x82", "a\xF0\x9F\x98", "\xC3(", "\xC0\xAF", "\xE0\x80\xAF", "\xF0\x80\x80\xAF", "\xED\xA0\x80",
-                            "\xF4\x90\x80\x80", "\xFE", "\xFF"})
+    for (const char* bad : {"\x80", "\xC3", "\xE2\x82", "a\xF0\x9F\x98", "\xC3(", "\xC0\xAF", "\xE0\x80\xAF",
+                            "\xF0\x80\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xFE", "\xFF"})
         EXPECT_FALSE(is_utf8(bad)) << testing::PrintToString(std::string(bad));
+}
+
+TEST(OneLine, leaves_text_and_takes_away_what_no_voice_says_and_what_would_steer_a_terminal) {
+    EXPECT_EQ(one_line("T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x"), "T\xC3\xBCr, \xE2\x82\xAC 5, \xC2\xA0x");
+    EXPECT_EQ(one_line(std::string("a\0b\n\tc\x1B[2J\x7F", 11)), "a b  c [2J ");
+    EXPECT_EQ(one_line("a\xC2\x9Bz"), "a z");  // as a terminal's escape too, in one character
+    EXPECT_EQ(one_line("\xFFx\xC3"), "\xEF\xBF\xBDx\xEF\xBF\xBD");
+    EXPECT_EQ(one_line(""), "");
 }
 
 // Twin: the textbook recursion without any cleverness.
 std::size_t plain_distance(std::string_view a, std::string_view b) {
     if (a.empty() || b.empty()) return a.size() + b.size();
-    return std::min(
-        {plain_distance(a.substr(1), b) + 1, plain_distance(a, b.substr(1)) + 1, plain_distance(a.substr(1), b.substr(1)) + (a[0] == b[0] ? 0U : 1U)});
+    return std::min({plain_distance(a.substr(1), b) + 1, plain_distance(a, b.substr(1)) + 1,
+                     plain_distance(a.substr(1), b.substr(1)) + (a[0] == b[0] ? 0U : 1U)});
 }
 
 TEST(NearestName, agrees_with_a_plain_recursion_on_all_short_words) {

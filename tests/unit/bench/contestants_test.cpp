@@ -10,7 +10,8 @@
 namespace handrail::bench {
 namespace {
 
-BenchWorld world_of(const test::TouchWorld& world, const std::vector<Vec3>& way_points, double speed_m_per_s, std::uint32_t seed = 0, double radius_m = 0.005) {
+BenchWorld world_of(const test::TouchWorld& world, const std::vector<Vec3>& way_points, double speed_m_per_s,
+                    std::uint32_t seed = 0, double radius_m = 0.005) {
     std::mt19937 random(seed);
     const test::Motion motion = seed == 0 ? test::Motion{} : test::random_turn(random);
     BenchWorld out;
@@ -29,7 +30,8 @@ test::TouchWorld three_boxes() {
     world.box({-.06, .02, -.05}, {.06, .06, .05});
     return world;
 }
-const std::vector<Vec3> kIntoCorner{{-.02, 0, .02}, {-.02, 0, -.004}, {.015, .001, -.004}, {.015, .025, -.004}, {-.02, 0, .02}};
+const std::vector<Vec3> kIntoCorner{
+    {-.02, 0, .02}, {-.02, 0, -.004}, {.015, .001, -.004}, {.015, .025, -.004}, {-.02, 0, .02}};
 
 TEST(Contestants, that_keep_a_ball_outside_agree_in_a_corner_of_three_boxes) {
     for (const std::uint32_t seed : {0U, 1U, 2U}) {
@@ -38,7 +40,8 @@ TEST(Contestants, that_keep_a_ball_outside_agree_in_a_corner_of_three_boxes) {
         ASSERT_EQ(truth.reference_m.size(), world.goals_m.size());
         for (const Contestant& contestant : main_contestants()) {
             const Measured m = measure(world, truth, contestant, 1, 1e7);
-            SCOPED_TRACE(fmt::format("{}, seed {}: error {} rms, {} at most", m.title, seed, m.error_rms_m, m.error_max_m));
+            SCOPED_TRACE(
+                fmt::format("{}, seed {}: error {} rms, {} at most", m.title, seed, m.error_rms_m, m.error_max_m));
             if (!contestant.has_ball) continue;
             EXPECT_EQ(m.wrong_holds, 0);
             EXPECT_LE(m.penetration_m, m.renderer == "single_precision" ? 1e-6 : 1e-9);
@@ -51,11 +54,15 @@ TEST(Contestants, slide_over_a_plane_of_many_triangles_as_over_a_plane) {
     test::TouchWorld world;
     for (int i = 0; i < 8; ++i)
         for (int k = 0; k < 8; ++k)
-            world.quad({i * .01, k * .01, 0}, {i * .01 + .01, k * .01, 0}, {i * .01 + .01, k * .01 + .01, 0}, {i * .01, k * .01 + .01, 0});
-    const BenchWorld built = world_of(world, {{.02, .02, .01}, {.02, .02, -.003}, {.06, .05, -.003}, {.02, .02, .01}}, 0.1);
+            world.quad({i * .01, k * .01, 0}, {i * .01 + .01, k * .01, 0}, {i * .01 + .01, k * .01 + .01, 0},
+                       {i * .01, k * .01 + .01, 0});
+    const BenchWorld built =
+        world_of(world, {{.02, .02, .01}, {.02, .02, -.003}, {.06, .05, -.003}, {.02, .02, .01}}, 0.1);
     Truth exact;
-    for (const Vec3& goal : built.goals_m) exact.reference_m.emplace_back(goal.x, goal.y, std::max(goal.z, built.radius_m));
-    const Measured ours = measure(built, exact, handrail_touch(), 1, 1e7), active = measure(built, exact, active_set(64), 1, 1e7);
+    for (const Vec3& goal : built.goals_m)
+        exact.reference_m.emplace_back(goal.x, goal.y, std::max(goal.z, built.radius_m));
+    const Measured ours = measure(built, exact, handrail_touch(), 1, 1e7),
+                   active = measure(built, exact, active_set(64), 1, 1e7);
     EXPECT_LE(ours.error_max_m, 1e-5) << "one tick on a corner of six triangles may stop a few micrometres short";
     EXPECT_LE(ours.error_p99_m, 1e-12);
     ASSERT_TRUE(ours.given_j);
@@ -64,7 +71,8 @@ TEST(Contestants, slide_over_a_plane_of_many_triangles_as_over_a_plane) {
     EXPECT_LE(active.error_rms_m, 5e-6);
     const std::vector<Vec3> walked = reference_walk(built, 1e9);
     ASSERT_EQ(walked.size(), exact.reference_m.size());
-    for (std::size_t i = 0; i < walked.size(); ++i) ASSERT_LE(glm::length(walked[i] - exact.reference_m[i]), 1e-5) << "the reference's own step";
+    for (std::size_t i = 0; i < walked.size(); ++i)
+        ASSERT_LE(glm::length(walked[i] - exact.reference_m[i]), 1e-5) << "the reference's own step";
 }
 
 TEST(Contestants, a_penalty_pops_through_a_thin_wall_and_a_proxy_does_not) {
@@ -112,14 +120,16 @@ TEST(TimeOfImpact, is_the_first_touch_found_by_small_steps) {
         if (i % 2) world.random_triangles(random, 1, .01, .03);
         else world.random_brush(random, Vec3(0.0), .02, 4);
         const auto scene = world.scene();
-        const Vec3 from(0.08 * unit() - .04, 0.08 * unit() - .04, 0.07), way(0.08 * unit() - .04, 0.08 * unit() - .04, -0.2 * unit());
+        const Vec3 from(0.08 * unit() - .04, 0.08 * unit() - .04, 0.07),
+            way(0.08 * unit() - .04, 0.08 * unit() - .04, -0.2 * unit());
         constexpr double kRadius = 0.004;
         Vec3 normal;
         const double part = time_of_impact(*scene, 0, from, way, kRadius, normal);
         constexpr int kSteps = 4000;
         double first = kNoHit;
         for (int k = 0; k <= kSteps && first > 1.0; ++k)
-            if (scene->closest(0, from + way * (static_cast<double>(k) / kSteps)).distance_m < kRadius) first = static_cast<double>(k) / kSteps;
+            if (scene->closest(0, from + way * (static_cast<double>(k) / kSteps)).distance_m < kRadius)
+                first = static_cast<double>(k) / kSteps;
         if (first > 1.0) {
             // A graze may be missed by the steps, not by more than their sagitta.
             if (part <= 1.0) {
@@ -145,7 +155,9 @@ TEST(Reference, follows_a_circle_round_an_edge) {
     for (std::size_t i = 0; i < balls.size(); ++i) {
         const Vec3 goal = world.goals_m[i];
         Vec3 wanted = goal.z < .005 ? Vec3(goal.x, 0, .005) : goal;
-        if (goal.z < .005 && goal.x > .05) wanted = Vec3(.05, 0, 0) + (goal - Vec3(.05, 0, 0)) * (.005 / std::max(.005, glm::length(goal - Vec3(.05, 0, 0))));
+        if (goal.z < .005 && goal.x > .05)
+            wanted = Vec3(.05, 0, 0) +
+                     (goal - Vec3(.05, 0, 0)) * (.005 / std::max(.005, glm::length(goal - Vec3(.05, 0, 0))));
         if (goal.z < .005 && goal.x > .05 && glm::length(goal - Vec3(.05, 0, 0)) < .005)
             wanted = Vec3(.05, 0, 0) + glm::normalize(goal - Vec3(.05, 0, 0)) * .005;
         EXPECT_LE(glm::length(balls[i] - wanted), 1e-9) << i;
@@ -160,8 +172,9 @@ TEST(Nearby, gives_everything_within_reach_wherever_it_is_asked) {
     Nearby nearby(*scene);
     Vec3 at(0.0);
     for (int i = 0; i < 400; ++i) {
-        at +=
-            Vec3(static_cast<double>(random() % 2001) - 1000, static_cast<double>(random() % 2001) - 1000, static_cast<double>(random() % 2001) - 1000) * 1e-5;
+        at += Vec3(static_cast<double>(random() % 2001) - 1000, static_cast<double>(random() % 2001) - 1000,
+                   static_cast<double>(random() % 2001) - 1000) *
+              1e-5;
         const double reach = 1e-3 * static_cast<double>(random() % 30);
         std::vector<bool> given(scene->obstacles.size(), false);
         nearby.within(at, reach, [&](std::uint32_t obstacle) { given[obstacle] = true; });

@@ -37,12 +37,15 @@ TEST(BenchReport, holds_every_renderer_on_every_scene_with_speed_and_error) {
         EXPECT_TRUE(one["error_rms_m"].is_number()) << one["scene"];
     }
     for (const auto& scene : json["scenes"])
-        for (const Contestant& c : main_contestants()) EXPECT_TRUE(seen.contains({scene["scene"].get<std::string>(), c.key})) << scene["scene"] << ' ' << c.key;
+        for (const Contestant& c : main_contestants())
+            EXPECT_TRUE(seen.contains({scene["scene"].get<std::string>(), c.key})) << scene["scene"] << ' ' << c.key;
     EXPECT_EQ(json["stability"].size(), 1U);
     for (const auto& [key, value] : json["results"][0].items())
-        if (value.is_number_float() && key != "knob_value" && key != "mean_rounds" && key != "share_off_by_10_um" && key != "largest_gain" &&
-            key != "instructions_per_tick") {
-            EXPECT_TRUE(key.ends_with("_s") || key.ends_with("_m") || key.ends_with("_n") || key.ends_with("_j") || key.ends_with("_rad")) << key;
+        if (value.is_number_float() && key != "knob_value" && key != "mean_rounds" && key != "share_off_by_10_um" &&
+            key != "largest_gain" && key != "instructions_per_tick") {
+            EXPECT_TRUE(key.ends_with("_s") || key.ends_with("_m") || key.ends_with("_n") || key.ends_with("_j") ||
+                        key.ends_with("_rad"))
+                << key;
         }
 }
 
@@ -53,7 +56,9 @@ TEST(BenchReport, says_the_same_in_words_and_in_markdown) {
 
 TEST(BenchReport, takes_counted_instructions) {
     BenchReport report = small_report();
-    EXPECT_EQ(merge_instructions(report, "nonsense\nT6 box edge, solid\thandrail\t1234.5\nT6 box edge, solid\tnobody\t1\n"), 1U);
+    EXPECT_EQ(
+        merge_instructions(report, "nonsense\nT6 box edge, solid\thandrail\t1234.5\nT6 box edge, solid\tnobody\t1\n"),
+        1U);
     EXPECT_NE(json_of(report).find("1234.5"), std::string::npos);
 }
 
@@ -70,7 +75,8 @@ TEST(BenchPlots, have_a_title_words_for_all_points_and_axes_with_units) {
     ASSERT_GE(files.size(), 3U);
     for (const auto& [name, svg] : files) {
         EXPECT_TRUE(name.ends_with(".svg"));
-        for (const char* part : {"<title id=\"title\">", "<desc id=\"words\">", "role=\"img\"", "nanoseconds", "</svg>"})
+        for (const char* part :
+             {"<title id=\"title\">", "<desc id=\"words\">", "role=\"img\"", "nanoseconds", "</svg>"})
             EXPECT_NE(svg.find(part), std::string::npos) << name << ' ' << part;
         EXPECT_EQ(svg.find("nan "), std::string::npos) << name;
         EXPECT_EQ(svg.find("\"nan"), std::string::npos) << name;
@@ -81,7 +87,9 @@ TEST(BenchPlots, have_a_title_words_for_all_points_and_axes_with_units) {
 }
 
 TEST(BenchPlots, survive_empty_and_zero_series_and_names_with_markup) {
-    Plot plot{"a < b & c", "x", "y", 0.0, 1e-12, {{"none", {}, true}, {"zero", {{0.0, 0.0, ""}}, false}, {"<one>", {{1.0, 1.0, "k"}}, true}}};
+    Plot plot{"a < b & c", "x",
+              "y",         0.0,
+              1e-12,       {{"none", {}, true}, {"zero", {{0.0, 0.0, ""}}, false}, {"<one>", {{1.0, 1.0, "k"}}, true}}};
     const std::string svg = svg_of(plot);
     EXPECT_NE(svg.find("a &lt; b &amp; c"), std::string::npos);
     EXPECT_NE(svg.find("&lt;one&gt;"), std::string::npos);
@@ -98,7 +106,8 @@ TEST(BenchCommand, writes_tables_and_plots_and_names_what_is_missing) {
         return std::tuple(status, out.str(), err.str());
     };
     const auto [status, out, err] =
-        run({"--quick", "--scene", "T11a", "--seconds", "0", "--svg", (folder.path() / "plots").string(), "--markdown", (folder.path() / "bench.md").string()});
+        run({"--quick", "--scene", "T11a", "--seconds", "0", "--svg", (folder.path() / "plots").string(), "--markdown",
+             (folder.path() / "bench.md").string()});
     EXPECT_EQ(status, 0) << err;
     EXPECT_NE(out.find("T11"), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "plots" / "bench-t11.svg"));

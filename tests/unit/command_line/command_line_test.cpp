@@ -39,8 +39,9 @@ std::string refused(const Words& words) {
 }
 
 TEST(CommandLine, explores_a_world_with_every_option) {
-    const auto call = parsed_as<ExploreCall>({"my.map", "--no-window", "--device", "none", "--set", "workspace.scale=40", "--set=walk.turn_deg=45",
-                                              "--settings", "mine.toml", "--map-scale", "0.025"});
+    const auto call =
+        parsed_as<ExploreCall>({"my.map", "--no-window", "--device", "none", "--set", "workspace.scale=40",
+                                "--set=walk.turn_deg=45", "--settings", "mine.toml", "--map-scale", "0.025"});
     EXPECT_EQ(call.arguments.world, "my.map");
     EXPECT_TRUE(call.arguments.no_window);
     EXPECT_EQ(call.arguments.device, "none");
@@ -54,14 +55,16 @@ TEST(CommandLine, explores_a_world_with_every_option) {
     EXPECT_EQ(call.settings.file, "mine.toml");
     EXPECT_EQ(call.settings.assignments, (Words{"workspace.scale=40", "walk.turn_deg=45"}));
     EXPECT_FALSE(parsed_as<ExploreCall>({}).arguments.world);
-    EXPECT_EQ(parsed_as<ExploreCall>({"--set", "workspace.scale=40", "my.map"}).arguments.world, "my.map") << "--set takes one word only";
+    EXPECT_EQ(parsed_as<ExploreCall>({"--set", "workspace.scale=40", "my.map"}).arguments.world, "my.map")
+        << "--set takes one word only";
 }
 
 TEST(CommandLine, calibrates_all_parts_or_those_that_are_named) {
     const auto all = parsed_as<ExploreCall>({"calibrate"});
     ASSERT_TRUE(all.arguments.calibrate);
     EXPECT_EQ(all.arguments.calibrate->size(), wizard_parts().size());
-    const auto some = parsed_as<ExploreCall>({"calibrate", "--only", "reach,headphones", "--device", "falcon", "--no-window", "--settings", "mine.toml"});
+    const auto some = parsed_as<ExploreCall>(
+        {"calibrate", "--only", "reach,headphones", "--device", "falcon", "--no-window", "--settings", "mine.toml"});
     EXPECT_EQ(*some.arguments.calibrate, (std::vector{WizardPart::Headphones, WizardPart::Reach}));
     EXPECT_EQ(some.arguments.device, "falcon");
     EXPECT_EQ(some.settings.file, "mine.toml");
@@ -108,23 +111,28 @@ TEST(CommandLine, gives_info_touch_scenario_and_settings_their_arguments) {
     EXPECT_EQ(touch.scale_world_m_per_hand_m, 60.0);
     EXPECT_EQ(touch.device, "falcon");
     EXPECT_EQ(touch.common.map_scale_m_per_unit, 0.1);
-    const auto scenario = parsed_as<ScenarioArguments>({"scenario", "a.toml", "folder", "--junit", "out.xml", "--map-scale", "0.025"});
+    const auto scenario = parsed_as<ScenarioArguments>(
+        {"scenario", "a.toml", "folder", "--junit", "out.xml", "--transcripts", "texts", "--map-scale", "0.025"});
     EXPECT_EQ(scenario.paths.size(), 2U);
     EXPECT_EQ(scenario.junit, "out.xml");
+    EXPECT_EQ(scenario.transcripts, "texts");
     EXPECT_EQ(scenario.common.map_scale_m_per_unit, 0.025);
     EXPECT_TRUE(parsed_as<SettingsCall>({"settings", "--explain"}).arguments.explain);
 }
 
 TEST(CommandLine, lets_one_friction_option_set_both) {
-    const auto touch = parsed_as<TouchArguments>({"touch", "a", "--path", "i", "--out", "o", "--friction-kinetic", "0.4"});
+    const auto touch =
+        parsed_as<TouchArguments>({"touch", "a", "--path", "i", "--out", "o", "--friction-kinetic", "0.4"});
     EXPECT_EQ(touch.friction_static, 0.4);
     EXPECT_FALSE(parsed_as<TouchArguments>({"touch", "a", "--path", "i", "--out", "o"}).friction_static);
-    EXPECT_THAT(refused({"touch", "a", "--path", "i", "--out", "o", "--friction-static", "0.3", "--friction-kinetic", "0.4"}),
-                HasSubstr("--friction-static (0.3)"));
+    EXPECT_THAT(
+        refused({"touch", "a", "--path", "i", "--out", "o", "--friction-static", "0.3", "--friction-kinetic", "0.4"}),
+        HasSubstr("--friction-static (0.3)"));
 }
 
 TEST(CommandLine, refuses_numbers_that_are_negative_or_not_finite_or_no_numbers) {
-    for (const char* option : {"--radius", "--stiffness", "--damping", "--friction-static", "--friction-kinetic", "--scale", "--map-scale"})
+    for (const char* option :
+         {"--radius", "--stiffness", "--damping", "--friction-static", "--friction-kinetic", "--scale", "--map-scale"})
         for (const char* word : {"-1", "nan", "inf", "1e999", "1,5", "x", ""})
             EXPECT_THAT(refused({"touch", "a", "--path", "i", "--out", "o", option, word}), HasSubstr(option));
     EXPECT_THAT(refused({"touch", "a", "--path", "i", "--out", "o", "--scale", "0"}), HasSubstr("above 0"));
@@ -145,7 +153,12 @@ TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_
 }
 
 TEST(CommandLine, helps_with_every_command_and_says_its_version) {
-    for (const Words& words : {Words{"--help"}, {"info", "--help"}, {"touch", "-h"}, {"scenario", "--help"}, {"settings", "--help"}, {"--version"}}) {
+    for (const Words& words : {Words{"--help"},
+                               {"info", "--help"},
+                               {"touch", "-h"},
+                               {"scenario", "--help"},
+                               {"settings", "--help"},
+                               {"--version"}}) {
         std::ostringstream out, err;
         EXPECT_EQ(run_command_line(words, out, err), 0);
         EXPECT_THAT(out.str(), HasSubstr("handrail"));
@@ -166,8 +179,11 @@ TEST(SettingsCommand, explains_every_setting_and_prints_problems_of_the_file) {
     const std::string file = folder.write("mine.toml", "[workspace]\nscale = 30\nscael = 1\n").string();
     std::ostringstream out, err;
     EXPECT_EQ(run_command_line({"settings", "--explain", "--settings", file, "--set", "speech.voice=de"}, out, err), 0);
-    EXPECT_THAT(out.str(), HasSubstr("workspace.scale = 30.0 world metres per hand metre (1 to 500), from: your settings file " + file + ":2."));
-    EXPECT_THAT(out.str(), HasSubstr("speech.voice = \"de\" (auto, an espeak-ng voice or language), from: command line --set."));
+    EXPECT_THAT(out.str(),
+                HasSubstr("workspace.scale = 30.0 world metres per hand metre (1 to 500), from: your settings file " +
+                          file + ":2."));
+    EXPECT_THAT(out.str(),
+                HasSubstr("speech.voice = \"de\" (auto, an espeak-ng voice or language), from: command line --set."));
     EXPECT_THAT(err.str(), StartsWith("mine.toml, line 3"));
     const std::string text = out.str();
     EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')), SettingsStore{}.explain().size());
@@ -176,13 +192,15 @@ TEST(SettingsCommand, explains_every_setting_and_prints_problems_of_the_file) {
 TEST(CommandLine, helps_and_refuses_in_german_while_its_words_stay) {
     const test::InLanguage german("de");
     const auto help = std::get<PrintedText>(parse_command_line({"touch", "--help"})).text;
-    for (const char* line : {"Aufruf: handrail touch [OPTIONEN] WORLD", "Angaben:", "--path IN.csv NÖTIG", "Radius der Kugel in Metern der Welt"})
+    for (const char* line : {"Aufruf: handrail touch [OPTIONEN] WORLD", "Angaben:", "--path IN.csv NÖTIG",
+                             "Radius der Kugel in Metern der Welt"})
         EXPECT_THAT(help, HasSubstr(line));
     EXPECT_THAT(std::get<PrintedText>(parse_command_line({"--help"})).text, HasSubstr("Befehle:\n  info "));
     const auto refusal = [](const Words& words) { return std::get<UsageError>(parse_command_line(words)).sentence; };
     EXPECT_EQ(refusal({"info"}), "WORLD fehlt. Mehr sagt --help dieses Befehls.");
     EXPECT_EQ(refusal({"bench", "--map"}), "--map: FILE fehlt. Mehr sagt --help dieses Befehls.");
-    EXPECT_EQ(refusal({"info", "a.map", "--lint", "--json"}), "--json und --lint schließen einander aus. Mehr sagt --help dieses Befehls.");
+    EXPECT_EQ(refusal({"info", "a.map", "--lint", "--json"}),
+              "--json und --lint schließen einander aus. Mehr sagt --help dieses Befehls.");
     EXPECT_EQ(refusal({"info", "x.map", "--jsno"}), "Die Option --jsno gibt es nicht; am nächsten kommt --json.");
 }
 
@@ -194,12 +212,19 @@ TEST(CommandLine, opens_a_language_file_of_ones_own_once_and_tells_once_what_is_
     const test::WithEnvironment folder("XDG_DATA_HOME", data.path().c_str()), locale("LC_ALL", "de_DE.UTF-8");
     for (const char* language : {"auto", "de"}) {
         const Descriptor watch(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
-        ASSERT_GE(::inotify_add_watch(watch.get(), (data.path() / "handrail/languages/de.toml").c_str(), IN_OPEN | IN_CLOSE_NOWRITE), 0);
+        ASSERT_GE(::inotify_add_watch(watch.get(), (data.path() / "handrail/languages/de.toml").c_str(),
+                                      IN_OPEN | IN_CLOSE_NOWRITE),
+                  0);
         std::ostringstream out, err;
-        EXPECT_EQ(run_command_line({"settings", "--settings", settings, "--set", std::string("speech.language=") + language}, out, err), 0);
+        EXPECT_EQ(
+            run_command_line({"settings", "--settings", settings, "--set", std::string("speech.language=") + language},
+                             out, err),
+            0);
         alignas(inotify_event) std::array<char, 4096> opened{};
-        EXPECT_EQ(::read(watch.get(), opened.data(), opened.size()), static_cast<ssize_t>(2 * sizeof(inotify_event))) << "once, by speech.language=" << language;
-        EXPECT_EQ(err.str(), "de.toml, Zeile 1: Warnung: " + phrase("language.unknown_key", {{"key", "error.nothing"}}) + "\n");
+        EXPECT_EQ(::read(watch.get(), opened.data(), opened.size()), static_cast<ssize_t>(2 * sizeof(inotify_event)))
+            << "once, by speech.language=" << language;
+        EXPECT_EQ(err.str(),
+                  "de.toml, Zeile 1: Warnung: " + phrase("language.unknown_key", {{"key", "error.nothing"}}) + "\n");
     }
     ASSERT_TRUE(speak_language("en"));
 }

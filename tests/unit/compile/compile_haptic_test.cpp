@@ -4,7 +4,8 @@
 namespace handrail {
 namespace {
 
-Solid box_solid(const Vec3& low, const Vec3& high, SolidRole role, FeatureId feature, MaterialId material = kDefaultMaterial) {
+Solid box_solid(const Vec3& low, const Vec3& high, SolidRole role, FeatureId feature,
+                MaterialId material = kDefaultMaterial) {
     Solid solid;
     solid.role = role;
     solid.feature = feature;
@@ -25,8 +26,8 @@ TEST(CompileHaptic, makes_obstacles_of_solids_and_movers_volumes_of_liquids_and_
     Scene scene;
     scene.materials.resize(1);
     scene.features.resize(10);
-    for (const SolidRole role :
-         {SolidRole::Solid, SolidRole::Mover, SolidRole::BodyClip, SolidRole::Liquid, SolidRole::Trigger, SolidRole::Teleport, SolidRole::Illusion})
+    for (const SolidRole role : {SolidRole::Solid, SolidRole::Mover, SolidRole::BodyClip, SolidRole::Liquid,
+                                 SolidRole::Trigger, SolidRole::Teleport, SolidRole::Illusion})
         scene.solids.push_back(box_solid({0, 0, 0}, {1, 1, 1}, role, FeatureId{static_cast<std::uint32_t>(role)}));
     scene.solids[3].viscosity_ns_per_m = 2.5;
     scene.triangles.push_back({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, FeatureId{9}, 0});
@@ -55,7 +56,8 @@ TEST(CompileHaptic, keeps_the_side_from_which_sheets_are_touched_also_where_they
         EXPECT_EQ(compiled->one_sided_sheets, side != TouchSide::Both);
     }
     scene.triangles[1].side = TouchSide::Front;
-    EXPECT_EQ(compile_haptic(scene, MaterialSource::KeysOnly)->obstacles.size(), 2U) << "different sides are different surfaces";
+    EXPECT_EQ(compile_haptic(scene, MaterialSource::KeysOnly)->obstacles.size(), 2U)
+        << "different sides are different surfaces";
 }
 
 TEST(CompileHaptic, lays_textures_and_shading_on_what_moves_as_on_what_stands) {
@@ -92,7 +94,8 @@ TEST(CompileHaptic, lays_textures_and_shading_on_what_moves_as_on_what_stands) {
         const BodyPose pose{Placement{moved_m}, true};
         TouchResult r;
         for (int i = 0; i < 300; ++i)
-            r = touch_tick(state, *felt, tuning, moved_m + Vec3(0.115 - 6e-5 * i, 0.003, 0.0531), 1e-3, Vec3(0.0), {std::span(&pose, 1), 1});
+            r = touch_tick(state, *felt, tuning, moved_m + Vec3(0.115 - 6e-5 * i, 0.003, 0.0531), 1e-3, Vec3(0.0),
+                           {std::span(&pose, 1), 1});
         EXPECT_GT(glm::length(r.force_n), 1.0);
         return r.force_n;
     };
@@ -121,7 +124,8 @@ TEST(CompileHaptic, takes_only_written_keys_for_replay_and_library_values_below_
     Scene scene;
     scene.materials.resize(3);
     scene.materials[1].stiffness_fraction = 0.25;
-    const MaterialSpec& row = material_library().empty() ? throw std::runtime_error("no materials") : material_library().front();
+    const MaterialSpec& row =
+        material_library().empty() ? throw std::runtime_error("no materials") : material_library().front();
     scene.materials[2].name = std::string(row.name);
     scene.materials[2].friction_mu = 0.77;
     const auto keys = compile_haptic(scene, MaterialSource::KeysOnly);
@@ -157,7 +161,8 @@ TEST(CompileHaptic, brings_the_librarys_texture_and_damping_only_for_exploring_a
     EXPECT_EQ(library->reliefs[0].period_hand_m, 0.01);
     EXPECT_EQ(library->reliefs[1].kind, ReliefKind::Sine);
     scene.materials.resize(1);
-    EXPECT_FALSE(compile_haptic(scene, MaterialSource::Library)->has_fields()) << "nothing is paid for what no surface has";
+    EXPECT_FALSE(compile_haptic(scene, MaterialSource::Library)->has_fields())
+        << "nothing is paid for what no surface has";
 }
 
 TEST(CompileHaptic, moves_the_origin_only_into_buildings_far_away) {

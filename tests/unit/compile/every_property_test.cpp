@@ -15,7 +15,8 @@ protected:
     static void SetUpTestSuite() {
         ReadOptions options;
         options.guess_materials = false;
-        Result<Scene> read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/scenarios/worlds/every_property.map", options);
+        Result<Scene> read = read_world(
+            std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/scenarios/worlds/every_property.map", options);
         ASSERT_TRUE(read.has_value()) << read.error().sentence();
         scene = std::make_unique<Scene>(std::move(*read));
         haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
@@ -25,12 +26,14 @@ protected:
         scene.reset();
     }
 
-    // The force on a hand that has been at a place for a while, then has moved on by a step per tick for some ticks. As `touch` feels it: scale 1.
+    // The force on a hand that has been at a place for a while, then has moved on by a step per tick for some ticks. As
+    // `touch` feels it: scale 1.
     static Vec3 felt(const Vec3& at_m, int rest_ticks = 1, const Vec3& step_m = Vec3(0.0), int move_ticks = 0) {
         TouchState state;
         TouchResult r;
         for (int i = 0; i < rest_ticks; ++i) r = touch_tick(state, *haptic, TouchTuning{}, at_m, 1e-3);
-        for (int i = 1; i <= move_ticks; ++i) r = touch_tick(state, *haptic, TouchTuning{}, at_m + step_m * double(i), 1e-3);
+        for (int i = 1; i <= move_ticks; ++i)
+            r = touch_tick(state, *haptic, TouchTuning{}, at_m + step_m * double(i), 1e-3);
         return r.force_n;
     }
 
@@ -48,10 +51,14 @@ TEST_F(EveryProperty, liquids_drag_lift_hold_and_stream) {
     EXPECT_NEAR(felt({3, 3, -0.6}, 1, step, 400).x, -4.0 * 0.2, 1e-6);
     EXPECT_NEAR(felt({7.5, 3.5, -0.6}, 200).z, 0.6, 1e-9);
     EXPECT_EQ(felt({7.5, 3.5, -0.6}, 200, step, 100).x, 0.0) << "no viscosity, no drag";
-    EXPECT_NEAR(felt({7.5, 3.5, 0.0}, 200).z, 0.3, 1e-9) << "half of the buoyancy at the surface, where the film is at rest";
-    const double off = 0.004 / std::sqrt(2.0), lift = 0.6 * (smooth_step(0.5 + off / 0.02) - smooth_step(0.5 - off / 0.02));
-    EXPECT_NEAR(felt({7.5, 3.5, -off}, 200).z - felt({7.5, 3.5, off}, 200).z, 2.0 * 0.3 + lift, 1e-6) << "and draws back from both sides";
-    EXPECT_NEAR(felt({11.5, 3.5, -0.6}, 400).x, 0.8, 1e-6) << "eight newton seconds per metre, a tenth of a metre per second";
+    EXPECT_NEAR(felt({7.5, 3.5, 0.0}, 200).z, 0.3, 1e-9)
+        << "half of the buoyancy at the surface, where the film is at rest";
+    const double off = 0.004 / std::sqrt(2.0),
+                 lift = 0.6 * (smooth_step(0.5 + off / 0.02) - smooth_step(0.5 - off / 0.02));
+    EXPECT_NEAR(felt({7.5, 3.5, -off}, 200).z - felt({7.5, 3.5, off}, 200).z, 2.0 * 0.3 + lift, 1e-6)
+        << "and draws back from both sides";
+    EXPECT_NEAR(felt({11.5, 3.5, -0.6}, 400).x, 0.8, 1e-6)
+        << "eight newton seconds per metre, a tenth of a metre per second";
 }
 
 TEST_F(EveryProperty, each_effect_is_felt_as_its_keys_say) {
@@ -85,12 +92,14 @@ TEST_F(EveryProperty, soft_sides_give_way_as_their_keys_say) {
     EXPECT_EQ(felt({17, 3, 1.0 + radius + 0.001}), Vec3(0.0));
     // Clay, south side at y = 2: 400 N/m up to half a newton, then it yields.
     EXPECT_NEAR(felt({21, 2.0 - radius + 0.001, 1}).y, -400.0 * 0.001, 0.01);
-    EXPECT_LT(std::abs(felt({21, 2.0 - radius + 0.02, 1}, 300).y), 3.5) << "it has given way, and 8 newtons would be the spring's";
+    EXPECT_LT(std::abs(felt({21, 2.0 - radius + 0.02, 1}, 300).y), 3.5)
+        << "it has given way, and 8 newtons would be the spring's";
     EXPECT_EQ(haptic->soft_patches.size(), 2U);
 }
 
 TEST_F(EveryProperty, an_effect_belongs_to_the_thing_that_is_named) {
-    const auto magnet = std::find_if(scene->effects.begin(), scene->effects.end(), [](const Effect& e) { return e.pull == MagnetPull::Object; });
+    const auto magnet = std::find_if(scene->effects.begin(), scene->effects.end(),
+                                     [](const Effect& e) { return e.pull == MagnetPull::Object; });
     ASSERT_NE(magnet, scene->effects.end());
     EXPECT_EQ(scene->find(magnet->belongs_to)->name, "Pillar");
 }

@@ -1,5 +1,6 @@
-// Meshes made ready for touch: what is joined covers what was there, what is dropped is covered by others, what is coarser is as near as it says. Random
-// triangulations of planes, boxes, prisms and terrain, turned, moved and shuffled.
+// Meshes made ready for touch: what is joined covers what was there, what is dropped is covered by others, what is
+// coarser is as near as it says. Random triangulations of planes, boxes, prisms and terrain, turned, moved and
+// shuffled.
 #include "haptic/compile/prepare_mesh.h"
 
 #include <random>
@@ -23,13 +24,15 @@ using Soup = std::vector<Vec3>;  // three corners for each triangle
 
 void triangle(Soup& soup, const Vec3& a, const Vec3& b, const Vec3& c) { soup.insert(soup.end(), {a, b, c}); }
 
-// A sheet of n by m cells with random inner points, each cell cut along a random diagonal; `holes` of the cells are missing. Height by a function.
+// A sheet of n by m cells with random inner points, each cell cut along a random diagonal; `holes` of the cells are
+// missing. Height by a function.
 template <class Height>
 void grid(Soup& soup, std::mt19937& random, int n, int m, int holes, const Height& height) {
     std::vector<Vec3> points;
     for (int y = 0; y <= m; ++y)
         for (int x = 0; x <= n; ++x) {
-            const double dx = x == 0 || x == n ? 0.0 : between(random, -0.3, 0.3), dy = y == 0 || y == m ? 0.0 : between(random, -0.3, 0.3);
+            const double dx = x == 0 || x == n ? 0.0 : between(random, -0.3, 0.3),
+                         dy = y == 0 || y == m ? 0.0 : between(random, -0.3, 0.3);
             const Vec2 p{(x + dx) * 0.1, (y + dy) * 0.1};
             points.emplace_back(p.x, p.y, height(p));
         }
@@ -67,7 +70,8 @@ void prism(Soup& soup, int sides, double height) {
 
 void box(Soup& soup, const Vec3& low, const Vec3& high) {
     const auto v = [&](int i) { return Vec3(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z); };
-    for (const auto& f : {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+    for (const auto& f :
+         {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
         triangle(soup, v(f[0]), v(f[1]), v(f[2]));
         triangle(soup, v(f[0]), v(f[2]), v(f[3]));
     }
@@ -86,7 +90,9 @@ Soup stirred(const Soup& soup, std::mt19937& random, const Motion& motion) {
     return out;
 }
 
-PreparedMesh prepared(const Soup& soup, const MeshOptions& options = {}) { return prepare_mesh(soup, std::vector<std::uint32_t>(soup.size() / 3, 7), options); }
+PreparedMesh prepared(const Soup& soup, const MeshOptions& options = {}) {
+    return prepare_mesh(soup, std::vector<std::uint32_t>(soup.size() / 3, 7), options);
+}
 
 // Sheets as the judge of touch sees them, without a hierarchy: polygons as fans.
 Soup sheets_of(const PreparedMesh& prepared_mesh) {
@@ -94,14 +100,16 @@ Soup sheets_of(const PreparedMesh& prepared_mesh) {
     for (const Corners& t : prepared_mesh.mesh.triangles)
         for (const std::uint32_t corner : t) sheets.push_back(prepared_mesh.mesh.points_m[corner]);
     for (const FlatPolygon& polygon : prepared_mesh.polygons)
-        for (std::size_t i = 1; i + 1 < polygon.points_m.size(); ++i) triangle(sheets, polygon.points_m[0], polygon.points_m[i], polygon.points_m[i + 1]);
+        for (std::size_t i = 1; i + 1 < polygon.points_m.size(); ++i)
+            triangle(sheets, polygon.points_m[0], polygon.points_m[i], polygon.points_m[i + 1]);
     return sheets;
 }
 
 double distance_to(const Soup& soup, const Vec3& p) {
     long double nearest = 1e30L;
     for (std::size_t i = 0; i < soup.size(); i += 3)
-        nearest = std::min(nearest, nearest_on_triangle(LVec(soup[i]), LVec(soup[i + 1]), LVec(soup[i + 2]), LVec(p)).distance);
+        nearest = std::min(nearest,
+                           nearest_on_triangle(LVec(soup[i]), LVec(soup[i + 1]), LVec(soup[i + 2]), LVec(p)).distance);
     return static_cast<double>(nearest);
 }
 
@@ -120,7 +128,8 @@ double farthest(const Soup& from, const Soup& to, std::mt19937& random, int samp
 
 double area_of(const Soup& soup) {
     double area = 0.0;
-    for (std::size_t i = 0; i < soup.size(); i += 3) area += 0.5 * glm::length(glm::cross(soup[i + 1] - soup[i], soup[i + 2] - soup[i]));
+    for (std::size_t i = 0; i < soup.size(); i += 3)
+        area += 0.5 * glm::length(glm::cross(soup[i + 1] - soup[i], soup[i + 2] - soup[i]));
     return area;
 }
 
@@ -128,7 +137,8 @@ void expect_convex(const FlatPolygon& polygon, double rounding) {
     const std::size_t n = polygon.points_m.size();
     ASSERT_GE(n, 3U);
     Vec3 normal(0.0);
-    for (std::size_t i = 1; i + 1 < n; ++i) normal += glm::cross(polygon.points_m[i] - polygon.points_m[0], polygon.points_m[i + 1] - polygon.points_m[0]);
+    for (std::size_t i = 1; i + 1 < n; ++i)
+        normal += glm::cross(polygon.points_m[i] - polygon.points_m[0], polygon.points_m[i + 1] - polygon.points_m[0]);
     normal = glm::normalize(normal);
     for (std::size_t i = 0; i < n; ++i) {
         const Vec3 a = polygon.points_m[i], b = polygon.points_m[(i + 1) % n];
@@ -159,9 +169,12 @@ std::vector<Family> families(std::mt19937& random) {
     box(add("box", 1e-9, 6), {-0.1, -0.2, 0}, {0.3, 0.1, 0.2});
     prism(add("prism of 9 sides", 1e-9, 11), 9, 0.3);
     prism(add("prism of 60 sides", 1e-9, 62), 60, 0.3);
-    grid(add("terrain", 1e-9, 288), random, 12, 12, 0, [](const Vec2& p) { return 0.05 * std::sin(7 * p.x) * std::cos(5 * p.y); });
-    grid(add("terrain within 2 mm", 2e-3, 250), random, 12, 12, 0, [](const Vec2& p) { return 0.05 * std::sin(7 * p.x) * std::cos(5 * p.y); });
-    grid(add("noisy plane within 0.1 mm", 1e-4, 1), random, 12, 12, 0, [&](const Vec2&) { return between(random, -2e-5, 2e-5); });
+    grid(add("terrain", 1e-9, 288), random, 12, 12, 0,
+         [](const Vec2& p) { return 0.05 * std::sin(7 * p.x) * std::cos(5 * p.y); });
+    grid(add("terrain within 2 mm", 2e-3, 250), random, 12, 12, 0,
+         [](const Vec2& p) { return 0.05 * std::sin(7 * p.x) * std::cos(5 * p.y); });
+    grid(add("noisy plane within 0.1 mm", 1e-4, 1), random, 12, 12, 0,
+         [&](const Vec2&) { return between(random, -2e-5, 2e-5); });
     Soup& steps = add("steps", 1e-9, 12);
     for (int i = 0; i < 5; ++i) {
         const double x = 0.3 * i, z = 0.17 * i;
@@ -220,7 +233,8 @@ TEST(PrepareMesh, joins_only_triangles_of_one_surface) {
         Soup fan;
         for (std::size_t k = 1; k + 1 < mesh.polygons[i].points_m.size(); ++k)
             triangle(fan, mesh.polygons[i].points_m[0], mesh.polygons[i].points_m[k], mesh.polygons[i].points_m[k + 1]);
-        const Soup same(soup.begin() + (mesh.polygon_surfaces[i] == 1 ? 0 : 60), mesh.polygon_surfaces[i] == 1 ? soup.begin() + 60 : soup.end());
+        const Soup same(soup.begin() + (mesh.polygon_surfaces[i] == 1 ? 0 : 60),
+                        mesh.polygon_surfaces[i] == 1 ? soup.begin() + 60 : soup.end());
         EXPECT_LE(farthest(fan, same, random, 50), 1e-9);
     }
 }
@@ -232,7 +246,8 @@ TEST(PrepareMesh, welds_like_a_comparison_of_all_with_all) {
             Soup soup;
             for (int i = 0; i < 60; ++i) {
                 Vec3 p(static_cast<double>(random() % 4), static_cast<double>(random() % 3), i % 2 == 0 ? 0.0 : -0.0);
-                if (round % 2 == 0) p += Vec3(between(random, -1, 1), between(random, -1, 1), between(random, -1, 1)) * 2e-3;
+                if (round % 2 == 0)
+                    p += Vec3(between(random, -1, 1), between(random, -1, 1), between(random, -1, 1)) * 2e-3;
                 soup.push_back(p);
             }
             MeshReport report;
@@ -243,7 +258,8 @@ TEST(PrepareMesh, welds_like_a_comparison_of_all_with_all) {
                 std::size_t nearest = kept.size();
                 double least = tolerance;
                 for (std::size_t k = 0; k < kept.size(); ++k)
-                    if (const double d = glm::length(kept[k] - soup[i]); d < least || (d == least && nearest == kept.size())) {
+                    if (const double d = glm::length(kept[k] - soup[i]);
+                        d < least || (d == least && nearest == kept.size())) {
                         least = d;
                         nearest = k;
                     }
@@ -276,7 +292,8 @@ TEST(PrepareMesh, drops_triangles_without_area_only_where_neighbours_cover_them)
     EXPECT_TRUE(all.report.sentences().empty());
 }
 
-// Three sheets at one edge, two that only share a corner, the same face twice, the same face turned over: nothing of it may be lost.
+// Three sheets at one edge, two that only share a corner, the same face twice, the same face turned over: nothing of it
+// may be lost.
 Soup untidy() {
     Soup soup;
     triangle(soup, {0, 0, 0}, {1, 0, 0}, {0.5, 1, 0});
@@ -315,7 +332,8 @@ TEST(PrepareMesh, makes_curves_coarser_within_the_bound_and_says_how_far_off_the
         EXPECT_GT(mesh.report.simplified, soup.size() / 3 / 3) << "a third of 2,000 triangles should go at " << bound;
         EXPECT_GT(mesh.report.simplify_measured_m, 0.0);
         EXPECT_LE(mesh.report.simplify_measured_m, bound);
-        const double allowed = mesh.report.simplify_measured_m + mesh.report.simplify_spacing_m / std::sqrt(3.0) + mesh.report.flat_measured_m;
+        const double allowed = mesh.report.simplify_measured_m + mesh.report.simplify_spacing_m / std::sqrt(3.0) +
+                               mesh.report.flat_measured_m;
         const Soup sheets = sheets_of(mesh);
         EXPECT_LE(farthest(soup, sheets, random, 200), allowed);
         EXPECT_LE(farthest(sheets, soup, random, 200), allowed);
@@ -344,7 +362,8 @@ TEST(PrepareMesh, leaves_touch_within_a_micrometre_of_the_mesh_as_filed) {
         if (family.bound_m > 1e-9) continue;
         SCOPED_TRACE(fmt::format("{}, seed {}", family.name, kSeed));
         const Soup soup = stirred(family.soup, random, {});
-        const auto raw = scene_of(prepared(soup, {.tidy = false, .merge = false})), merged = scene_of(prepared(soup, kExactMesh));
+        const auto raw = scene_of(prepared(soup, {.tidy = false, .merge = false})),
+                   merged = scene_of(prepared(soup, kExactMesh));
         TouchState raw_state, merged_state;
         TouchTuning tuning;
         long compared = 0, touching = 0;
@@ -352,13 +371,17 @@ TEST(PrepareMesh, leaves_touch_within_a_micrometre_of_the_mesh_as_filed) {
         for (int press = 0; press < scaled(12); ++press) {
             const std::size_t t = 3 * (random() % (soup.size() / 3));
             const Vec3 normal = glm::normalize(glm::cross(soup[t + 1] - soup[t], soup[t + 2] - soup[t]));
-            const Vec3 at = (soup[t] + soup[t + 1] + soup[t + 2]) / 3.0, along = glm::cross(normal, glm::normalize(Vec3(0.3, 0.5, 0.81))) * 0.05;
+            const Vec3 at = (soup[t] + soup[t + 1] + soup[t + 2]) / 3.0,
+                       along = glm::cross(normal, glm::normalize(Vec3(0.3, 0.5, 0.81))) * 0.05;
             raw_state.reset();
             merged_state.reset();
             bool same = true;
-            for (const Vec3& goal : hand_path({at + normal * 0.02, at + normal * 0.003, at + normal * 0.003 + along}, 0.2)) {
-                const TouchResult a = touch_tick(raw_state, *raw, tuning, goal, 1e-3), b = touch_tick(merged_state, *merged, tuning, goal, 1e-3);
-                same = same && a.contacts.converged && !a.contacts.capped;  // a ball that triangles stopped early may stand elsewhere from then on
+            for (const Vec3& goal :
+                 hand_path({at + normal * 0.02, at + normal * 0.003, at + normal * 0.003 + along}, 0.2)) {
+                const TouchResult a = touch_tick(raw_state, *raw, tuning, goal, 1e-3),
+                                  b = touch_tick(merged_state, *merged, tuning, goal, 1e-3);
+                same = same && a.contacts.converged &&
+                       !a.contacts.capped;  // a ball that triangles stopped early may stand elsewhere from then on
                 if (!same) break;
                 ++compared;
                 touching += b.contacts.count > 0;
@@ -393,8 +416,13 @@ TEST(PrepareMesh, makes_a_plane_of_slivers_feel_like_a_plane) {
             TouchTuning tuning;
             tuning.radius_m = r;
             int pressed = 0, most = 0;
-            for (const Vec3& goal :
-                 hand_path({{-.04, -.02, .02}, {-.04, -.02, -.01}, {.04, .02, -.01}, {.0, -.002, -.01}, {.0, .002, -.01}, {-.04, -.02, .02}}, 0.1)) {
+            for (const Vec3& goal : hand_path({{-.04, -.02, .02},
+                                               {-.04, -.02, -.01},
+                                               {.04, .02, -.01},
+                                               {.0, -.002, -.01},
+                                               {.0, .002, -.01},
+                                               {-.04, -.02, .02}},
+                                              0.1)) {
                 const TouchResult result = touch_tick(state, *scene, tuning, goal, 1e-3);
                 most = std::max<int>(most, result.contacts.iterations);
                 if (goal.z > r - 1e-9) continue;

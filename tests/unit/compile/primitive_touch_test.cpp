@@ -1,4 +1,5 @@
-// Exact shapes from the scene to the hand: each becomes the obstacle it is, and moved, turned and scaled it feels as it did, moved, turned and scaled.
+// Exact shapes from the scene to the hand: each becomes the obstacle it is, and moved, turned and scaled it feels as it
+// did, moved, turned and scaled.
 #include <random>
 
 #include "haptic/compile/compile_haptic.h"
@@ -24,7 +25,8 @@ Scene scene_of(const Primitive& primitive) {
 }
 
 TEST(CompileHaptic, makes_every_exact_shape_the_obstacle_it_is_standing_or_as_a_body) {
-    const std::array kinds{ObstacleKind::Box, ObstacleKind::Sphere, ObstacleKind::Cylinder, ObstacleKind::Cone, ObstacleKind::Capsule};
+    const std::array kinds{ObstacleKind::Box, ObstacleKind::Sphere, ObstacleKind::Cylinder, ObstacleKind::Cone,
+                           ObstacleKind::Capsule};
     for (std::size_t k = 0; k < kinds.size(); ++k) {
         const Primitive primitive{static_cast<PrimitiveKind>(k), Vec3(1.0), Vec3(1.0), {{3, 4, 5}, {}, 1.0}};
         Scene scene = scene_of(primitive);
@@ -39,7 +41,8 @@ TEST(CompileHaptic, makes_every_exact_shape_the_obstacle_it_is_standing_or_as_a_
     }
     Primitive turned{PrimitiveKind::Box, Vec3(1.0), Vec3(1.0), {}};
     turned.at.rotation = rotation_about({0, 0, 1}, 0.3);
-    EXPECT_EQ(compile_haptic(scene_of(turned), MaterialSource::KeysOnly)->obstacles.at(0).kind, ObstacleKind::Brush) << "a turned box is a brush";
+    EXPECT_EQ(compile_haptic(scene_of(turned), MaterialSource::KeysOnly)->obstacles.at(0).kind, ObstacleKind::Brush)
+        << "a turned box is a brush";
 }
 
 // Force and ball of a hand path, for a shape that stands somewhere, turned back into the shape's own frame.
@@ -63,16 +66,19 @@ TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_as_they_did_moved_turned
         // The hand is scaled with the world, so that both make the same way.
         TouchTuning tuning, scaled_tuning;
         tuning.slide_cap_hand_m = scaled_tuning.slide_cap_hand_m = 1.0;
-        tuning.default_friction_static = tuning.default_friction_kinetic = scaled_tuning.default_friction_static = scaled_tuning.default_friction_kinetic = 0.3;
+        tuning.default_friction_static = tuning.default_friction_kinetic = scaled_tuning.default_friction_static =
+            scaled_tuning.default_friction_kinetic = 0.3;
         scaled_tuning.radius_m = tuning.radius_m * s;
         scaled_tuning.world_m_per_hand_m = s;
-        const auto scene = compile_haptic(scene_of(here), MaterialSource::KeysOnly), moved = compile_haptic(scene_of(there), MaterialSource::KeysOnly);
+        const auto scene = compile_haptic(scene_of(here), MaterialSource::KeysOnly),
+                   moved = compile_haptic(scene_of(there), MaterialSource::KeysOnly);
         const PlacedFrame frame(there.at);
         TouchState a, b;
         double worst_n = 0.0, worst_m = 0.0;
         std::size_t differ = 0;
         for (const Vec3& goal : goals) {
-            const TouchResult one = touch_tick(a, *scene, tuning, goal, 1e-3), other = touch_tick(b, *moved, scaled_tuning, frame.to_world(goal), 1e-3);
+            const TouchResult one = touch_tick(a, *scene, tuning, goal, 1e-3),
+                              other = touch_tick(b, *moved, scaled_tuning, frame.to_world(goal), 1e-3);
             touched += one.contacts.count > 0 ? 1 : 0;
             if (!one.contacts.converged || !other.contacts.converged) continue;
             const double difference_n = glm::length(frame.turned_back(other.force_n) - one.force_n);
@@ -80,9 +86,11 @@ TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_as_they_did_moved_turned
             differ += difference_n > 1e-5 ? 1 : 0;
             worst_m = std::max(worst_m, glm::length(frame.to_own(other.proxy_m) - one.proxy_m));
         }
-        // Rounds end at 1e-8 m of the world, and friction carries that along; a rim or tip, and a hand about to slip off, multiply it.
+        // Rounds end at 1e-8 m of the world, and friction carries that along; a rim or tip, and a hand about to slip
+        // off, multiply it.
         const bool edges = kind != PrimitiveKind::Sphere && kind != PrimitiveKind::Capsule;
-        EXPECT_LE(worst_n, 0.1) << "seed " << seed0 + static_cast<std::uint32_t>(round) << " kind " << static_cast<int>(kind);
+        EXPECT_LE(worst_n, 0.1) << "seed " << seed0 + static_cast<std::uint32_t>(round) << " kind "
+                                << static_cast<int>(kind);
         EXPECT_LE(worst_m, 1e-4);
         EXPECT_LE(differ, goals.size() / (edges ? 5 : 50))
             << "seed " << seed0 + static_cast<std::uint32_t>(round) << " kind " << static_cast<int>(kind);

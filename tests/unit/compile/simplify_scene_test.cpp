@@ -17,9 +17,11 @@ constexpr double kBuilding = 254.0;  // a gap is felt from 1.6256 m on, a thing 
 
 SimplifyOptions at_scale(double scale) { return {scale, {}, {}}; }
 
-// Two rooms of 8 by 6 metres, one south and one north of a wall of 0.2 m, with a doorway of 0.9 m and a door in it. Lintel at 2.1 m, ceiling at 2.6 m.
+// Two rooms of 8 by 6 metres, one south and one north of a wall of 0.2 m, with a doorway of 0.9 m and a door in it.
+// Lintel at 2.1 m, ceiling at 2.6 m.
 struct TwoRooms {
-    explicit TwoRooms(double door_low_m = 3.5, const Vec3& at_m = Vec3(0.0), bool with_door = true) : low_m(door_low_m), zero_m(at_m) {
+    explicit TwoRooms(double door_low_m = 3.5, const Vec3& at_m = Vec3(0.0), bool with_door = true)
+        : low_m(door_low_m), zero_m(at_m) {
         wall({0, 0, -0.3}, {8, 12.2, 0}, FeatureKind::Floor);
         wall({0, 0, 2.6}, {8, 12.2, 2.8}, FeatureKind::Ceiling);
         wall({-0.2, 0, 0}, {0, 12.2, 2.6});
@@ -29,12 +31,16 @@ struct TwoRooms {
         wall({0, 6, 0}, {low_m, 6.2, 2.6});
         wall({low_m + 0.9, 6, 0}, {8, 6.2, 2.6});
         wall({low_m, 6, 2.1}, {low_m + 0.9, 6.2, 2.6});
-        if (with_door) door = builder.box(Vec3(low_m, 6.0, 0) + zero_m, Vec3(low_m + 0.9, 6.05, 2.08) + zero_m, "Door", SolidRole::Mover, "wood", FeatureKind::Door);
+        if (with_door)
+            door = builder.box(Vec3(low_m, 6.0, 0) + zero_m, Vec3(low_m + 0.9, 6.05, 2.08) + zero_m, "Door",
+                               SolidRole::Mover, "wood", FeatureKind::Door);
     }
     FeatureId wall(const Vec3& low, const Vec3& high, FeatureKind kind = FeatureKind::Wall) {
         return builder.box(low + zero_m, high + zero_m, "wall", SolidRole::Solid, "plaster", kind);
     }
-    FeatureId thing(const Vec3& low, const Vec3& high, const std::string& name) { return builder.box(low + zero_m, high + zero_m, name); }
+    FeatureId thing(const Vec3& low, const Vec3& high, const std::string& name) {
+        return builder.box(low + zero_m, high + zero_m, name);
+    }
     Scene& scene() {
         Scene& made = builder.scene();
         made.bounds_m = {};
@@ -53,6 +59,30 @@ bool is_solid(const Scene& scene, const Vec3& p, bool with_leaves = true) {
         const Feature* feature = scene.find(solid.feature);
         return (with_leaves || !feature || feature->kind != FeatureKind::Door) && contains(solid.shape, p);
     });
+}
+
+// Doors, openings without one, and many small things, of which each is looked at more than once.
+TEST(SimplifyScene, looks_at_nothing_more_once_it_is_not_wanted_wherever_that_comes) {
+    TwoRooms rooms;
+    for (int i = 0; i < 30; ++i)
+        rooms.thing({0.2 * i, 1.0, 0.0}, {0.2 * i + 0.1, 1.1, 0.5}, "cup " + std::to_string(i));
+    SimplifyOptions options = at_scale(kBuilding);
+    options.openings_m = {Vec3(4.0, 6.1, 0.0), Vec3(2.0, 3.0, 0.0)};
+    const Scene& scene = rooms.scene();
+    std::size_t all = 0;
+    const Simplification plan = plan_simplification(scene, options, {}, [&] { ++all; });
+    EXPECT_FALSE(plan.changes_nothing());
+    EXPECT_EQ(plan, plan_simplification(scene, options));
+    ASSERT_GT(all, 100U);
+    for (std::size_t wanted = 1; wanted <= all; ++wanted) {
+        std::stop_source stop;
+        std::size_t looks = 0;
+        const Simplification stopped = plan_simplification(scene, options, stop.get_token(), [&] {
+            if (++looks == wanted) stop.request_stop();
+        });
+        ASSERT_EQ(looks, wanted) << "what was begun is all that was done after it";
+        ASSERT_EQ(stopped, Simplification{}) << wanted;
+    }
 }
 
 TEST(SimplifyScene, widens_a_doorway_to_both_sides_and_its_leaf_with_it) {
@@ -90,11 +120,15 @@ TEST(SimplifyScene, does_nothing_where_everything_can_be_felt) {
 
 TEST(SimplifyScene, leaves_out_what_is_under_an_eighth_of_an_inch_and_not_wanted) {
     TwoRooms rooms;
-    const FeatureId stool = rooms.thing({1, 1, 0}, {1.3, 1.2, 0.5}, "stool"), pole = rooms.thing({2, 1, 0}, {2.1, 1.1, 2.5}, "pole");
-    const FeatureId shelf = rooms.thing({3, 0, 0}, {5, 0.3, 1}, "shelf"), fountain = rooms.thing({5, 3, 0}, {5.4, 3.4, 1}, "fountain");
-    const FeatureId clue = rooms.thing({6, 3, 0}, {6.4, 3.4, 1}, "clue"), marked = rooms.thing({7, 3, 0}, {7.4, 3.4, 1}, "marked");
+    const FeatureId stool = rooms.thing({1, 1, 0}, {1.3, 1.2, 0.5}, "stool"),
+                    pole = rooms.thing({2, 1, 0}, {2.1, 1.1, 2.5}, "pole");
+    const FeatureId shelf = rooms.thing({3, 0, 0}, {5, 0.3, 1}, "shelf"),
+                    fountain = rooms.thing({5, 3, 0}, {5.4, 3.4, 1}, "fountain");
+    const FeatureId clue = rooms.thing({6, 3, 0}, {6.4, 3.4, 1}, "clue"),
+                    marked = rooms.thing({7, 3, 0}, {7.4, 3.4, 1}, "marked");
     const FeatureId ticks = rooms.thing({7, 5, 0}, {7.4, 5.4, 1}, "clock");
-    const FeatureId button = rooms.builder.box({1, 3, 0}, {1.1, 3.1, 1}, "button", SolidRole::Solid, "", FeatureKind::Button);
+    const FeatureId button =
+        rooms.builder.box({1, 3, 0}, {1.1, 3.1, 1}, "button", SolidRole::Solid, "", FeatureKind::Button);
     rooms.scene().features[fountain.value].landmark = true;
     rooms.scene().features[clue.value].clue = true;
     rooms.scene().sounds.push_back({{7.2, 5.2, 1.1}, "tick", "tick", 1.0});
@@ -103,8 +137,10 @@ TEST(SimplifyScene, leaves_out_what_is_under_an_eighth_of_an_inch_and_not_wanted
     const Simplification plan = plan_simplification(rooms.scene(), options);
     EXPECT_EQ(plan.left_out, (std::vector<FeatureId>{stool, pole}));
     const Scene felt = simplified(rooms.scene(), plan);
-    for (const FeatureId out : {stool, pole}) EXPECT_FALSE(is_solid(felt, rooms.scene().features[out.value].bounds_m.centre_m()));
-    for (const FeatureId in : {shelf, fountain, clue, marked, ticks, button}) EXPECT_TRUE(is_solid(felt, rooms.scene().features[in.value].bounds_m.centre_m()));
+    for (const FeatureId out : {stool, pole})
+        EXPECT_FALSE(is_solid(felt, rooms.scene().features[out.value].bounds_m.centre_m()));
+    for (const FeatureId in : {shelf, fountain, clue, marked, ticks, button})
+        EXPECT_TRUE(is_solid(felt, rooms.scene().features[in.value].bounds_m.centre_m()));
     // 0.3 m at 1:60 are 5 mm of the hand.
     EXPECT_EQ(plan_simplification(rooms.scene(), at_scale(60.0)).left_out, std::vector<FeatureId>{pole});
 }
@@ -125,10 +161,14 @@ TEST(SimplifyScene, leaves_no_hole_in_a_wall_where_a_window_or_a_piece_of_the_wa
     rooms.wall({6, 6, 1.6}, {6.5, 6.2, 2.6});
     const FeatureId window = rooms.thing({6, 6.05, 1.0}, {6.5, 6.1, 1.6}, "Window");
     // Beside the east wall, and in a corner.
-    const FeatureId bin = rooms.thing({7.6, 3, 0}, {8, 3.4, 0.5}, "Bin"), stand = rooms.thing({7.6, 0, 0}, {8, 0.4, 0.5}, "Stand");
-    const FeatureId stub = rooms.wall({1.0, 6.2, 0}, {1.4, 6.6, 2.6}, FeatureKind::Object), pillar = rooms.wall({1.0, 9.2, 0}, {1.4, 9.6, 2.6}, FeatureKind::Object);
+    const FeatureId bin = rooms.thing({7.6, 3, 0}, {8, 3.4, 0.5}, "Bin"),
+                    stand = rooms.thing({7.6, 0, 0}, {8, 0.4, 0.5}, "Stand");
+    const FeatureId stub = rooms.wall({1.0, 6.2, 0}, {1.4, 6.6, 2.6}, FeatureKind::Object),
+                    pillar = rooms.wall({1.0, 9.2, 0}, {1.4, 9.6, 2.6}, FeatureKind::Object);
     for (const FeatureId made : {stub, pillar}) rooms.scene().features[made.value].made_name = true;
-    EXPECT_EQ(plan_simplification(rooms.scene(), at_scale(kBuilding)).left_out, (std::vector<FeatureId>{bin, stand, pillar})) << window.value << stub.value;
+    EXPECT_EQ(plan_simplification(rooms.scene(), at_scale(kBuilding)).left_out,
+              (std::vector<FeatureId>{bin, stand, pillar}))
+        << window.value << stub.value;
 }
 
 TEST(SimplifyScene, stops_at_a_wall_that_stands_across_and_widens_the_other_way) {
@@ -166,7 +206,8 @@ TEST(SimplifyScene, does_not_cut_into_what_is_a_thing_of_its_own) {
 TEST(SimplifyScene, keeps_a_piece_of_wall_between_two_doorways) {
     TwoRooms rooms(3.5);
     // Another doorway from 5.0 to 5.9 in the same wall.
-    std::erase_if(rooms.scene().solids, [](const Solid& s) { return s.shape.bounds_m.min_m.x == 4.4 && s.shape.bounds_m.min_m.y == 6.0; });
+    std::erase_if(rooms.scene().solids,
+                  [](const Solid& s) { return s.shape.bounds_m.min_m.x == 4.4 && s.shape.bounds_m.min_m.y == 6.0; });
     rooms.wall({4.4, 6, 0}, {5.4, 6.2, 2.6});
     rooms.wall({6.3, 6, 0}, {8, 6.2, 2.6});
     rooms.wall({5.4, 6, 2.1}, {6.3, 6.2, 2.6});
@@ -269,7 +310,9 @@ TEST(SimplifyScene, widens_doorways_that_stand_aslant_as_those_that_do_not) {
         EXPECT_NEAR(plan.openings[0].width_m(), 0.9, 1e-6) << degrees;
         EXPECT_NEAR(plan.openings[0].felt_width_m(), 0.0064 * kBuilding, 1e-6) << degrees;
         const Scene felt = simplified(scene, plan);
-        const auto at = [&](double x, double y) { return Vec3(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, 1.0); };
+        const auto at = [&](double x, double y) {
+            return Vec3(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, 1.0);
+        };
         EXPECT_TRUE(is_solid(scene, at(4.8, 6.1))) << degrees;
         EXPECT_FALSE(is_solid(felt, at(4.8, 6.1))) << degrees;
         EXPECT_TRUE(is_solid(felt, at(4.8, 6.02))) << "the leaf, " << degrees;
@@ -289,7 +332,8 @@ TEST(SimplifyScene, leaves_doors_alone_that_are_no_doorways) {
     // A corridor 0.9 m wide and 6 m long, with a door in its middle.
     builder.box({4, 10, 0}, {8, 16, 3}, "rock", SolidRole::Solid, "", FeatureKind::Wall);
     builder.box({8.9, 10, 0}, {13, 16, 3}, "rock", SolidRole::Solid, "", FeatureKind::Wall);
-    const FeatureId deep = builder.box({8, 13, 0}, {8.9, 13.05, 2}, "in a corridor", SolidRole::Mover, "", FeatureKind::Door);
+    const FeatureId deep =
+        builder.box({8, 13, 0}, {8.9, 13.05, 2}, "in a corridor", SolidRole::Mover, "", FeatureKind::Door);
     const Simplification plan = plan_simplification(builder.scene(), at_scale(kBuilding));
     EXPECT_EQ(plan.widened(), 0U);
     EXPECT_EQ(plan.staying_narrow(), 1U) << "it is told of";
@@ -299,15 +343,18 @@ TEST(SimplifyScene, leaves_doors_alone_that_are_no_doorways) {
 
 TEST(SimplifyScene, takes_two_leaves_in_one_doorway_for_one) {
     TwoRooms rooms(3.5, Vec3(0.0), false);
-    const FeatureId west = rooms.builder.box({3.5, 6.0, 0}, {3.95, 6.05, 2.08}, "West leaf", SolidRole::Mover, "wood", FeatureKind::Door);
-    const FeatureId east = rooms.builder.box({3.95, 6.0, 0}, {4.4, 6.05, 2.08}, "East leaf", SolidRole::Mover, "wood", FeatureKind::Door);
+    const FeatureId west =
+        rooms.builder.box({3.5, 6.0, 0}, {3.95, 6.05, 2.08}, "West leaf", SolidRole::Mover, "wood", FeatureKind::Door);
+    const FeatureId east =
+        rooms.builder.box({3.95, 6.0, 0}, {4.4, 6.05, 2.08}, "East leaf", SolidRole::Mover, "wood", FeatureKind::Door);
     const Simplification plan = plan_simplification(rooms.scene(), at_scale(kBuilding));
     ASSERT_EQ(plan.openings.size(), 1U);
     EXPECT_EQ(plan.openings[0].doors, (std::vector<FeatureId>{west, east}));
     EXPECT_NEAR(plan.openings[0].width_m(), 0.9, 1e-9);
     const Scene felt = simplified(rooms.scene(), plan);
     const auto leaf = [&](FeatureId id) {
-        return std::find_if(felt.solids.begin(), felt.solids.end(), [&](const Solid& s) { return s.feature == id; })->shape.bounds_m;
+        return std::find_if(felt.solids.begin(), felt.solids.end(), [&](const Solid& s) { return s.feature == id; })
+            ->shape.bounds_m;
     };
     EXPECT_NEAR(leaf(west).max_m.x, leaf(east).min_m.x, 1e-9) << "they still meet";
     EXPECT_NEAR(leaf(east).max_m.x - leaf(west).min_m.x, 0.0064 * kBuilding, 1e-9);
@@ -340,19 +387,27 @@ TEST(SimplifyScene, changes_nothing_but_what_is_in_a_cut_a_leaf_or_left_out) {
         std::vector<Plane> cut;
         if (plan.widened() > 0) cut = plan.openings[0].cut();
         for (int i = 0; i < 4000; ++i) {
-            const Vec3 p = far + Vec3(-0.5 + 9.0 * unit(random), (i % 2 ? 5.7 + 0.8 * unit(random) : 13.0 * unit(random)), -0.5 + 3.5 * unit(random));
-            const auto left_out = [&](const Solid& s) { return std::find(plan.left_out.begin(), plan.left_out.end(), s.feature) != plan.left_out.end(); };
+            const Vec3 p =
+                far + Vec3(-0.5 + 9.0 * unit(random), (i % 2 ? 5.7 + 0.8 * unit(random) : 13.0 * unit(random)),
+                           -0.5 + 3.5 * unit(random));
+            const auto left_out = [&](const Solid& s) {
+                return std::find(plan.left_out.begin(), plan.left_out.end(), s.feature) != plan.left_out.end();
+            };
             bool near_border = false, wanted = false;
-            const auto in_cut = !cut.empty() && std::all_of(cut.begin(), cut.end(), [&](const Plane& plane) { return signed_distance(plane, p) < 0.0; });
+            const auto in_cut = !cut.empty() && std::all_of(cut.begin(), cut.end(), [&](const Plane& plane) {
+                return signed_distance(plane, p) < 0.0;
+            });
             for (const Plane& plane : cut) near_border = near_border || std::abs(signed_distance(plane, p)) < 1e-5;
             for (const Solid& solid : whole.solids) {
                 if (solid.feature == rooms.door || left_out(solid)) continue;
-                for (const Plane& plane : solid.shape.planes) near_border = near_border || std::abs(signed_distance(plane, p)) < 1e-5;
+                for (const Plane& plane : solid.shape.planes)
+                    near_border = near_border || std::abs(signed_distance(plane, p)) < 1e-5;
                 const bool wall = whole.features[solid.feature.value].kind == FeatureKind::Wall;
                 wanted = wanted || (contains(solid.shape, p) && !(wall && in_cut));
             }
             if (near_border) continue;
-            EXPECT_EQ(is_solid(felt, p, false), wanted) << "round " << round << " at " << p.x - far.x << " " << p.y - far.y << " " << p.z - far.z;
+            EXPECT_EQ(is_solid(felt, p, false), wanted)
+                << "round " << round << " at " << p.x - far.x << " " << p.y - far.y << " " << p.z - far.z;
             EXPECT_EQ(is_solid(felt_shuffled, p, false), wanted);
             // The leaf closes the opening from jamb to jamb, at its own depth and height.
             const bool in_leaf = in_cut && p.y > far.y + 6.0 && p.y < far.y + 6.05 && p.z < far.z + 2.08;
@@ -385,16 +440,19 @@ TEST(SimplifyScene, widens_every_door_of_the_house_at_the_scale_of_the_whole_bui
     const Simplification plan = plan_simplification(*house, at_scale(kBuilding));
     EXPECT_EQ(plan.openings.size(), 11U);
     for (const NarrowOpening& o : plan.openings) {
-        EXPECT_TRUE(o.widened() && !o.stays_narrow()) << house->features[o.doors[0].value].name << " " << o.felt_width_m();
+        EXPECT_TRUE(o.widened() && !o.stays_narrow())
+            << house->features[o.doors[0].value].name << " " << o.felt_width_m();
         EXPECT_NEAR(o.top_m - o.floor_m, 2.1, 0.01);
         EXPECT_NEAR(o.back_m - o.front_m, o.along.x == 1.0 ? 0.4 : 0.3, 1e-6) << "the wall and its frames";
     }
     const auto names_at = [&](double scale) {
         std::vector<std::string> names;
-        for (const FeatureId id : plan_simplification(*house, at_scale(scale)).left_out) names.push_back(house->features[id.value].name);
+        for (const FeatureId id : plan_simplification(*house, at_scale(scale)).left_out)
+            names.push_back(house->features[id.value].name);
         return names;
     };
-    EXPECT_EQ(names_at(kBuilding), (std::vector<std::string>{"Coat stand", "Filing cabinet", "Globe's stand", "Toilet", "Upper basin", "Music stand"}));
+    EXPECT_EQ(names_at(kBuilding), (std::vector<std::string>{"Coat stand", "Filing cabinet", "Globe's stand", "Toilet",
+                                                             "Upper basin", "Music stand"}));
     EXPECT_EQ(names_at(60.0), std::vector<std::string>{"Globe's stand"});
     EXPECT_TRUE(names_at(15.0).empty());
 }

@@ -50,7 +50,8 @@ TEST(CompileReports, are_whole_sentences_in_german_too) {
     mesh.flat_bound_m = 0.00125;
     EXPECT_THAT(mesh.sentences(),
                 ElementsAre("Ein Punkt wurde um höchstens 0,12 Millimeter auf einen anderen verschoben.",
-                            "1200 Dreiecke wurden zu einem ebenen Vieleck verbunden, höchstens 0 Millimeter aus der Ebene (Grenze 1,25 Millimeter)."));
+                            "1200 Dreiecke wurden zu einem ebenen Vieleck verbunden, höchstens 0 Millimeter aus der "
+                            "Ebene (Grenze 1,25 Millimeter)."));
     RoundingReport rounding;
     rounding.radius_m = 0.05;
     rounding.rounded = 2;
@@ -58,7 +59,8 @@ TEST(CompileReports, are_whole_sentences_in_german_too) {
     rounding.too_thin = 3;
     rounding.thin_names = {"Tisch", "Stuhl"};
     EXPECT_THAT(rounding.sentences(),
-                ElementsAre("Kanten von 2 Körpern fühlen sich um 0,05 Meter der Welt gerundet an, 1 davon um weniger, weil sie dünn sind.",
+                ElementsAre("Kanten von 2 Körpern fühlen sich um 0,05 Meter der Welt gerundet an, 1 davon um weniger, "
+                            "weil sie dünn sind.",
                             "3 Körper behalten scharfe Kanten: zu dünn zum Runden (Tisch, Stuhl und andere)."));
 }
 

@@ -1,4 +1,4 @@
-#include "app/core/app_core.h"
+#include "app/core/session/app_core.h"
 
 #include "haptic/render/free_place.h"
 
@@ -27,7 +27,9 @@ std::shared_ptr<const Scene> room() {
 }
 
 struct Session {
-    explicit Session(bool device = false) : app(Settings{}, facts(device)) { app.enter_world(room(), 0.0); }
+    explicit Session(bool device = false) : app(Settings{}, facts(device)) {
+        app.apply(WorldEntered{make_ready(room())}, 0.0);
+    }
     static HandFacts facts(bool device) {
         HandFacts f;
         f.present = f.simulated = device;
@@ -42,9 +44,9 @@ struct Session {
         }
     }
     void tap(Command command) {
-        app.press(command, now);
+        app.apply(CommandDown{command}, now);
         run(0.1);
-        app.release(command);
+        app.apply(CommandUp{command}, now);
     }
     std::vector<std::string> said() const {
         std::vector<std::string> lines;
@@ -53,7 +55,8 @@ struct Session {
         return lines;
     }
     int count(CueRequestKind kind) const {
-        return static_cast<int>(std::count_if(cues.begin(), cues.end(), [&](const CueRequest& cue) { return cue.kind == kind; }));
+        return static_cast<int>(
+            std::count_if(cues.begin(), cues.end(), [&](const CueRequest& cue) { return cue.kind == kind; }));
     }
     AppCore app;
     ToolState tool;
@@ -72,11 +75,12 @@ TEST(AppCore, says_once_on_entering_where_many_materials_crowd_unless_that_is_sw
         for (const bool hint : {true, false}) {
             settings.speech.crowding_hint = hint;
             AppCore app(settings, Session::facts(false));
-            app.enter_world(std::make_shared<Scene>(scene), 0.0);
+            app.apply(WorldEntered{make_ready(std::make_shared<Scene>(scene))}, 0.0);
             int told = 0;
             for (double now = 0.0; now < 1.0; now += 0.1) {
                 app.tick(now, ToolState{});
-                for (const CueRequest& cue : app.take_cues()) told += cue.text.find("6 materials within one view") != std::string::npos;
+                for (const CueRequest& cue : app.take_cues())
+                    told += cue.text.find("6 materials within one view") != std::string::npos;
             }
             EXPECT_EQ(told, hint && scene.triangles.size() == 6 ? 1 : 0);
         }
@@ -86,7 +90,7 @@ TEST(AppCore, says_once_on_entering_where_many_materials_crowd_unless_that_is_sw
 TEST(AppCore, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sharp_at_scales_for_details) {  // G7
     Settings settings;
     AppCore app(settings, Session::facts(true));
-    app.enter_world(room(), 0.0);
+    app.apply(WorldEntered{make_ready(room())}, 0.0);
     const auto largest = [&] {
         const auto& all = app.haptic_scene()->roundings_m;
         return *std::max_element(all.begin(), all.end());
@@ -94,15 +98,15 @@ TEST(AppCore, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sha
     EXPECT_NEAR(largest(), 0.09, 1e-12) << "1.5 millimetres at 1:60: the table";
     const std::uint32_t world = app.haptic_scene()->world;
     settings.workspace.scale = 120.0;
-    app.change_settings(settings, 1.0);
+    app.apply(SettingsChanged{settings}, 1.0);
     EXPECT_GT(largest(), 0.1);
     EXPECT_EQ(app.haptic_scene()->world, world) << "the same world, so nothing ramps but the scale";
     settings.workspace.scale = 15.0;
-    app.change_settings(settings, 2.0);
+    app.apply(SettingsChanged{settings}, 2.0);
     EXPECT_EQ(largest(), 0.0);
     settings.workspace.scale = 60.0;
     settings.haptic.edge_rounding_mm = 0.0;
-    app.change_settings(settings, 3.0);
+    app.apply(SettingsChanged{settings}, 3.0);
     EXPECT_EQ(largest(), 0.0);
 }
 
@@ -111,7 +115,8 @@ TEST(AppCore, says_on_entering_what_how_large_where_which_way_and_what_to_try) {
     s.run(0.1);
     ASSERT_FALSE(s.said().empty());
     const std::string line = s.said().front();
-    for (const char* part : {"Test room", "6 by 4 metres, 9 by 6 steps", "at the base", "facing north", "Ahead: north wall, plaster, 5 steps", "Press Up"})
+    for (const char* part : {"Test room", "6 by 4 metres, 9 by 6 steps", "at the base", "facing north",
+                             "Ahead: north wall, plaster, 5 steps", "Press Up"})
         EXPECT_THAT(line, testing::HasSubstr(part));
 }
 
@@ -121,9 +126,9 @@ TEST(AppCore, a_tap_is_one_step_and_a_bump_names_the_wall_once) {
     s.run(1.0);
     EXPECT_NEAR(s.app.feet_m().y, 1.2, 1e-3);
     EXPECT_EQ(s.count(CueRequestKind::Footstep), 1);
-    s.app.press(Command::Forward, s.now);
+    s.app.apply(CommandDown{Command::Forward}, s.now);
     s.run(5.0);
-    s.app.release(Command::Forward);
+    s.app.apply(CommandUp{Command::Forward}, s.now);
     EXPECT_NEAR(s.app.feet_m().y, 3.75, 1e-3);
     EXPECT_EQ(s.count(CueRequestKind::Bump), 1);
     s.tap(Command::Forward);
@@ -155,18 +160,18 @@ TEST(AppCore, turns_snap_to_notches_and_the_body_follows_at_a_bounded_rate) {
 
 TEST(AppCoreSteering, a_stick_walks_as_fast_as_it_is_pushed_and_stops_when_let_go) {
     Session s;
-    s.app.steer({.ahead = 0.5});
+    s.app.apply(Steered{{.ahead = 0.5}}, s.now);
     s.run(1.0);
     EXPECT_NEAR(s.app.feet_m().y, 1.0, 0.02);
-    s.app.steer({.right = 1.0});
+    s.app.apply(Steered{{.right = 1.0}}, s.now);
     s.run(1.0);
     EXPECT_NEAR(s.app.feet_m().x, 4.0, 0.02);
     EXPECT_NEAR(s.app.feet_m().y, 1.0, 0.02);
-    s.app.steer({.ahead = 1.0, .right = 1.0});
+    s.app.apply(Steered{{.ahead = 1.0, .right = 1.0}}, s.now);
     const Vec3 before = s.app.feet_m();
     s.run(0.5);
     EXPECT_NEAR(glm::length(s.app.feet_m() - before), 0.5, 0.02) << "aslant no faster";
-    s.app.steer({});
+    s.app.apply(Steered{{}}, s.now);
     const Vec3 at = s.app.feet_m();
     s.run(1.0);
     EXPECT_EQ(s.app.feet_m(), at);
@@ -174,11 +179,11 @@ TEST(AppCoreSteering, a_stick_walks_as_fast_as_it_is_pushed_and_stops_when_let_g
 
 TEST(AppCoreSteering, a_stick_turns_at_90_degrees_a_second_and_tells_where_to_once_it_rests) {
     Session s;
-    s.app.steer({.turn_right = 1.0});
+    s.app.apply(Steered{{.turn_right = 1.0}}, s.now);
     s.run(0.5);
     EXPECT_NEAR(s.app.heading_rad(), 0.8, 0.02);
     EXPECT_EQ(s.said().size(), 1U) << "only what was said on entering";
-    s.app.steer({});
+    s.app.apply(Steered{{}}, s.now);
     s.run(0.1);
     EXPECT_EQ(s.said().back(), "North-east");
     EXPECT_EQ(s.said().size(), 2U);
@@ -187,12 +192,14 @@ TEST(AppCoreSteering, a_stick_turns_at_90_degrees_a_second_and_tells_where_to_on
 TEST(AppCoreSteering, what_is_no_number_is_rest_and_a_lost_keyboard_lets_go) {
     Session s;
     const Vec3 at = s.app.feet_m();
-    s.app.steer({std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()});
+    s.app.apply(
+        Steered{{std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}},
+        s.now);
     s.run(0.5);
     EXPECT_EQ(s.app.feet_m(), at);
     EXPECT_EQ(s.app.heading_rad(), 0.0);
-    s.app.steer({.ahead = 1.0});
-    s.app.set_focus(false);
+    s.app.apply(Steered{{.ahead = 1.0}}, s.now);
+    s.app.apply(FocusChanged{false}, s.now);
     s.run(0.5);
     EXPECT_EQ(s.app.feet_m(), at);
 }
@@ -230,7 +237,7 @@ TEST(AppCore, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
     settings.damaged_profiles.insert("sim-t 8");
     const auto core_of = [&](const std::string& serial) {
         AppCore core(settings, HandFacts{true, true, *find_device_spec("sim-t"), serial});
-        core.enter_world(room(), 0.0);
+        core.apply(WorldEntered{make_ready(room())}, 0.0);
         return std::pair(core.tuning(), core.pose().origin_m - core.feet_m());
     };
     const auto [tuning, middle_m] = core_of("7");
@@ -239,7 +246,8 @@ TEST(AppCore, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
     EXPECT_NEAR(middle_m.y, 0.02 * 30.0, 1e-12);
     EXPECT_NEAR(middle_m.z, 1.0 + 0.01 * 30.0, 1e-12);
     EXPECT_EQ(core_of("8").first.force_ceiling_n, kLightCeiling_n) << "a damaged profile is no reason for full force";
-    EXPECT_EQ(core_of("8").first.touch.world_m_per_hand_m, 90.0) << "what was written for devices of that name still holds";
+    EXPECT_EQ(core_of("8").first.touch.world_m_per_hand_m, 90.0)
+        << "what was written for devices of that name still holds";
     EXPECT_EQ(core_of("9").first.force_ceiling_n, find_device_spec("sim-t")->peak_force_n);
 }
 
@@ -281,8 +289,8 @@ TEST(AppCore, f12_raises_panic_until_f_confirms) {
 
 TEST(AppCore, a_stop_seen_by_the_servos_switch_is_followed_and_only_f_lets_it_go) {
     Session s(true);
-    s.app.know_stops(1, s.now);
-    s.app.press(Command::StopEverything, s.now);  // the window tells of the same press
+    s.app.apply(Stopped{1}, s.now);
+    s.app.apply(CommandDown{Command::StopEverything}, s.now);  // the window tells of the same press
     s.run(0.1);
     EXPECT_TRUE(s.app.tuning().panic);
     EXPECT_EQ(s.app.tuning().stops_let_go, 0U);
@@ -319,21 +327,21 @@ TEST(AppCore, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
 
 TEST(AppCore, losing_the_keyboard_is_handed_to_the_servo_and_lets_keys_go) {
     Session s(true);
-    s.app.press(Command::Forward, s.now);
-    s.app.set_focus(false);
+    s.app.apply(CommandDown{Command::Forward}, s.now);
+    s.app.apply(FocusChanged{false}, s.now);
     EXPECT_FALSE(s.app.tuning().focused);
     EXPECT_TRUE(s.app.tuning().forces_on) << "the person still wants them";
     s.run(1.0);
     const double y = s.app.feet_m().y;
     s.run(1.0);
     EXPECT_EQ(s.app.feet_m().y, y);
-    s.app.set_focus(true);
+    s.app.apply(FocusChanged{true}, s.now);
     EXPECT_TRUE(s.app.tuning().focused);
 }
 
 TEST(AppCore, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key) {
     Session s(false);
-    s.app.offer_hand("Falcon", s.now);
+    s.app.apply(HandOffered{"Falcon"}, s.now);
     s.run(0.1);
     EXPECT_EQ(s.said().back(), "I found a Falcon. Press F or the grave key to use it.");
     EXPECT_FALSE(s.app.offer_taken());
@@ -344,7 +352,7 @@ TEST(AppCore, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key)
     const Vec3 feet = s.app.feet_m();
     s.tool.contact_s = 500.0;
     s.run(0.1);
-    s.app.set_hand(Session::facts(true), Settings{}, s.now);
+    s.app.apply(HandChanged{Session::facts(true), Settings{}}, s.now);
     s.tool = ToolState{};
     s.tap(Command::ToggleForces);
     EXPECT_FALSE(s.app.tuning().forces_on) << "now it is the force key again";
@@ -358,7 +366,8 @@ TEST(AppCore, hints_at_a_break_once_for_each_quarter_hour_of_contact) {
     Session s(true);
     const auto hints = [&] {
         const auto lines = s.said();
-        return std::count_if(lines.begin(), lines.end(), [](const std::string& l) { return l.find("break") != std::string::npos; });
+        return std::count_if(lines.begin(), lines.end(),
+                             [](const std::string& l) { return l.find("break") != std::string::npos; });
     };
     s.tool.contact_s = 899.0;
     s.run(0.2);
@@ -389,7 +398,7 @@ TEST(AppCore, the_ball_is_four_per_cent_of_a_six_metre_room_and_never_too_big_fo
     SceneBuilder b;
     b.box({0, 0, 0}, {0.6, 0.1, 2}, "Door", SolidRole::Mover, "wood", FeatureKind::Door);
     AppCore narrow(Settings{}, Session::facts(true));
-    narrow.enter_world(b.share(), 0.0);
+    narrow.apply(WorldEntered{make_ready(b.share())}, 0.0);
     EXPECT_NEAR(narrow.tuning().touch.radius_m, 0.1, 1e-12);
 }
 
@@ -400,13 +409,13 @@ TEST(AppCore, falling_out_of_the_world_brings_one_back_to_the_base) {
     Settings settings;
     settings.walk.stop_at_drops = false;
     AppCore app(settings, Session::facts(false));
-    app.enter_world(b.share(), 0.0);
-    app.press(Command::Forward, 0.0);
+    app.apply(WorldEntered{make_ready(b.share())}, 0.0);
+    app.apply(CommandDown{Command::Forward}, 0.0);
     double lowest = 0.0;
     for (int i = 1; i < 60 * 6; ++i) {
         app.tick(i / 60.0, ToolState{});
         lowest = std::min(lowest, app.feet_m().z);
-        if (lowest < -15.0) app.release(Command::Forward);
+        if (lowest < -15.0) app.apply(CommandUp{Command::Forward}, 0.0);
     }
     EXPECT_LT(lowest, -15.0);
     EXPECT_NEAR(app.feet_m().z, 0.0, 1e-3);
@@ -434,7 +443,7 @@ TEST(AppCore, sets_things_down_moves_and_removes_them_while_everything_goes_on) 
     ASSERT_TRUE(s.app.add_thing("crate", *box, {Vec3(3, 2, 0.25), {}, 1.0}, "wood", s.now));
     EXPECT_EQ(s.app.haptic_scene()->world, world) << "the same world: force goes on";
     ASSERT_EQ(s.app.haptic_scene()->bodies.size(), 1U);
-    EXPECT_EQ(s.app.bodies().scene, s.app.haptic_scene()->generation);
+    EXPECT_EQ(s.app.bodies().scene(), s.app.haptic_scene()->generation);
     EXPECT_EQ(spoken_name(*s.app.scene(), s.app.haptic_scene()->bodies[0].feature), "crate, wood");
     EXPECT_FALSE(s.app.add_thing("Crate", *box, {}, "", s.now)) << "the name is taken";
     const auto unknown = s.app.add_thing("chest", *box, {}, "wod", s.now);
@@ -445,21 +454,21 @@ TEST(AppCore, sets_things_down_moves_and_removes_them_while_everything_goes_on) 
     EXPECT_FALSE(s.app.send_thing("crate", {}, 0.0));
 
     // The body walks into it where it stands, and where it went.
-    s.app.place({3, 0.6, 0}, 0.0, s.now);
-    s.app.press(Command::Forward, s.now);
+    s.app.apply(Placed{{3, 0.6, 0}, 0.0}, s.now);
+    s.app.apply(CommandDown{Command::Forward}, s.now);
     s.run(3.0);
-    s.app.release(Command::Forward);
+    s.app.apply(CommandUp{Command::Forward}, s.now);
     EXPECT_NEAR(s.app.feet_m().y, 1.5, 0.01);
-    const std::uint64_t number = s.app.bodies().number;
+    const std::uint64_t number = s.app.bodies().number();
     ASSERT_TRUE(s.app.send_thing("crate", {Vec3(1, 2, 0.25), {}, 1.0}, 1.0));
     s.run(1.0);
     EXPECT_NEAR(s.app.thing_at("crate")->position_m.x, 2.0, 0.05);
-    EXPECT_GT(s.app.bodies().number, number + 30);
+    EXPECT_GT(s.app.bodies().number(), number + 30);
     s.run(1.5);
     EXPECT_EQ(s.app.thing_at("crate")->position_m, Vec3(1, 2, 0.25));
-    s.app.press(Command::Forward, s.now);
+    s.app.apply(CommandDown{Command::Forward}, s.now);
     s.run(4.0);
-    s.app.release(Command::Forward);
+    s.app.apply(CommandUp{Command::Forward}, s.now);
     EXPECT_NEAR(s.app.feet_m().y, 3.75, 0.01) << "the way is free up to the north wall";
     ASSERT_TRUE(s.app.remove_thing("crate", s.now));
     EXPECT_TRUE(s.app.haptic_scene()->bodies.empty());
@@ -479,7 +488,7 @@ TEST(AppCore, brings_body_and_hand_out_of_what_they_are_in) {
     EXPECT_NE(s.said().back().find("Your hand was in Table"), std::string::npos) << s.said().back();
     const Vec3 hand = s.tool.hip_m + s.app.pose().origin_m - before;
     EXPECT_GE(surrounding_of(*s.app.haptic_scene(), {}, hand, 1.0).distance_m, s.app.tuning().touch.radius_m);
-    s.app.place({3, 2, 0}, 0.0, s.now);
+    s.app.apply(Placed{{3, 2, 0}, 0.0}, s.now);
     const auto box = box_model({2.0, 2.0, 2.0});
     ASSERT_TRUE(s.app.add_thing("block", *box, {Vec3(3, 2, 1), {}, 1.0}, "", s.now));
     s.tool.hip_m = Vec3(0.5, 0.5, 1.0);
@@ -499,11 +508,12 @@ TEST(AppCore, says_the_scale_first_and_keeps_the_place_under_the_hand) {
     s.run(0.1);
     s.cues.clear();
     for (const auto& [command, sentence, scale] :
-         {std::tuple{Command::ScaleDetail, "Detail, 2.4 metres wide, 3 steps", 15.0}, std::tuple{Command::ScaleFloor, "Floor, 19 metres wide, 25 steps", 120.0},
+         {std::tuple{Command::ScaleDetail, "Detail, 2.4 metres wide, 3 steps", 15.0},
+          std::tuple{Command::ScaleFloor, "Floor, 19 metres wide, 25 steps", 120.0},
           std::tuple{Command::ScaleRoom, "Room, 9.6 metres wide, 14 steps", 60.0}}) {
         const std::uint32_t jump = s.app.pose().jump;
-        s.app.press(command, s.now);
-        s.app.release(command);
+        s.app.apply(CommandDown{command}, s.now);
+        s.app.apply(CommandUp{command}, s.now);
         EXPECT_EQ(s.app.tuning().touch.world_m_per_hand_m, scale);
         EXPECT_NEAR(glm::length(s.app.pose().origin_m + s.tool.hand_m * scale - s.tool.proxy_m), 0.0, 1e-9);
         EXPECT_EQ(s.app.pose().jump, jump + 1);
@@ -524,7 +534,7 @@ TEST(AppCore, building_scale_lays_the_building_round_the_hand_and_not_the_hand_i
     s.tool.hand_m = Vec3(0.0, 0.035, 0.0);
     s.tool.proxy_m = s.app.pose().origin_m + s.tool.hand_m * 60.0;
     s.run(0.1);
-    s.app.press(Command::ScaleBuilding, s.now);
+    s.app.apply(CommandDown{Command::ScaleBuilding}, s.now);
     const double scale = s.app.tuning().touch.world_m_per_hand_m;
     EXPECT_NEAR(scale, 0.5 * std::hypot(6.4, 4.4) / (0.8 * 0.08), 1e-9);
     const Vec3 hand = s.app.pose().origin_m + s.tool.hand_m * scale;
@@ -536,7 +546,7 @@ TEST(AppCore, workspace_stays_when_it_does_not_follow_the_walk) {
     Session s(true);
     Settings own;
     own.workspace.follows_walk = false;
-    s.app.change_settings(own, s.now);
+    s.app.apply(SettingsChanged{own}, s.now);
     s.run(0.1);
     const Vec3 before = s.app.pose().origin_m;
     s.tap(Command::Forward);
@@ -550,8 +560,9 @@ TEST(AppCore, workspace_stays_when_it_does_not_follow_the_walk) {
 TEST(AppCore, grabbing_by_key_ends_with_the_key_the_stop_key_and_a_lost_window) {
     Session s(true);
     s.run(0.1);
-    for (const auto& end : std::vector<std::function<void()>>{[&] { s.tap(Command::Grab); }, [&] { s.tap(Command::StopEverything); },
-                                                              [&] { s.app.set_focus(false); }, [&] { s.tap(Command::Home); }}) {
+    for (const auto& end : std::vector<std::function<void()>>{
+             [&] { s.tap(Command::Grab); }, [&] { s.tap(Command::StopEverything); },
+             [&] { s.app.apply(FocusChanged{false}, s.now); }, [&] { s.tap(Command::Home); }}) {
         s.tap(Command::Grab);
         EXPECT_TRUE(s.app.tuning().workspace.grab_key);
         end();
@@ -566,12 +577,12 @@ TEST(AppCore, the_ways_to_move_the_workspace_are_the_persons_choice) {
     Settings own;
     own.workspace.rim = false;
     own.workspace.grab_button = 3;
-    s.app.change_settings(own, s.now);
+    s.app.apply(SettingsChanged{own}, s.now);
     EXPECT_FALSE(s.app.tuning().workspace.rim);
     EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 4U);
     own.workspace.grab_button = 1;
     own.haptic.button_to_feel = true;
-    s.app.change_settings(own, s.now);
+    s.app.apply(SettingsChanged{own}, s.now);
     EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 0U) << "the button that is held to feel anything does not grab";
 }
 
@@ -580,15 +591,15 @@ TEST(AppCore, two_hands_have_their_own_limits_and_go_along_with_each_others_work
     HandFacts left;
     left.present = left.simulated = true;
     left.spec = *find_device_spec("sim-t");
-    s.app.set_left_hand(left, s.now);
+    s.app.apply(LeftHandChanged{left}, s.now);
     s.run(0.1);
     Settings own;
     own.haptic.ceiling = ForceCeiling::Full;
-    s.app.change_settings(own, s.now);
+    s.app.apply(SettingsChanged{own}, s.now);
     EXPECT_EQ(s.app.left_tuning().force_ceiling_n, 3.3);
     EXPECT_EQ(s.app.left_tuning().touch.rated_stiffness_n_per_m, 400.0);
     own.profiles[profile_key("sim-t", "")].ceiling_n = 0.9;
-    s.app.change_settings(own, s.now);
+    s.app.apply(SettingsChanged{own}, s.now);
     EXPECT_EQ(s.app.left_tuning().force_ceiling_n, 0.9) << "what was found comfortable with this device";
     EXPECT_EQ(s.app.tuning().force_ceiling_n, ideal_device_spec().peak_force_n) << "and not with that one";
     EXPECT_EQ(s.app.tuning().touch.rated_stiffness_n_per_m, ideal_device_spec().rated_stiffness_n_per_m);
@@ -600,7 +611,8 @@ TEST(AppCore, two_hands_have_their_own_limits_and_go_along_with_each_others_work
     s.app.tick(s.now += 0.02, right_tool, left_tool);
     // Each servo adds its own: both workspaces lie at the sum.
     EXPECT_LT(glm::length(s.app.pose().origin_m + right_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)), 1e-3);
-    EXPECT_LT(glm::length(s.app.left_pose().origin_m + left_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)), 1e-3);
+    EXPECT_LT(glm::length(s.app.left_pose().origin_m + left_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)),
+              1e-3);
 }
 
 }  // namespace

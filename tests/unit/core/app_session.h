@@ -1,4 +1,5 @@
-// A person before the app alone, without servo and voices: what they press and type, and what is to be said. For tests of what the session does and says.
+// A person before the app alone, without servo and voices: what they press and type, and what is to be said. For tests
+// of what the session does and says.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/app_core.h"
+#include "app/core/session/app_core.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
@@ -21,7 +22,9 @@ inline std::shared_ptr<const Scene> world_in(const std::filesystem::path& file) 
     return scene ? std::make_shared<const Scene>(std::move(*scene)) : std::make_shared<const Scene>();
 }
 
-inline std::shared_ptr<const Scene> our_world(const char* file) { return world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file); }
+inline std::shared_ptr<const Scene> our_world(const char* file) {
+    return world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / file);
+}
 
 struct AppSession {
     explicit AppSession(const Settings& settings = {}, const HandFacts& hand = {}) : app(settings, hand) {}
@@ -41,19 +44,29 @@ struct AppSession {
     }
     // What was said last when the command has been given.
     std::string ask(Command command) {
-        app.press(command, now);
-        app.release(command);
+        app.apply(CommandDown{command}, now);
+        app.apply(CommandUp{command}, now);
         listen();
         return said.empty() ? std::string() : said.back();
     }
     void hold(Command command, double seconds) {
-        app.press(command, now);
+        app.apply(CommandDown{command}, now);
         run(seconds);
-        app.release(command);
+        app.apply(CommandUp{command}, now);
+    }
+    // As a finger does, and what comes of it then.
+    void tap(Command command, double then_s = 0.1) {
+        hold(command, 0.05);
+        run(then_s);
+    }
+    // Straight on, until one stands.
+    void walk(double seconds) {
+        hold(Command::Forward, seconds);
+        run(0.2);
     }
     // To the open list or question, as a terminal gives it.
     std::string line(const std::string& text) {
-        EXPECT_TRUE(app.take_line(text, now)) << text;
+        EXPECT_TRUE(app.apply(LineTyped{text}, now)) << text;
         listen();
         return said.empty() ? std::string() : said.back();
     }
@@ -63,7 +76,8 @@ struct AppSession {
         return fmt::format("{}", fmt::join(std::exchange(said, {}), " | "));
     }
     bool heard(const std::string& part) const {
-        return std::any_of(said.begin(), said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
+        return std::any_of(said.begin(), said.end(),
+                           [&](const std::string& s) { return s.find(part) != std::string::npos; });
     }
     int count(SoundKind kind) const { return static_cast<int>(std::count(sounds.begin(), sounds.end(), kind)); }
     AppCore app;

@@ -1,10 +1,11 @@
-// The house and the school as places to learn: every door leads from room to room, every room has a landmark, and nobody gets out of the grounds.
+// The house and the school as places to learn: every door leads from room to room, every room has a landmark, and
+// nobody gets out of the grounds.
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "app/core/hunt.h"
-#include "app/core/learning.h"
+#include "app/core/learning/hunt.h"
+#include "app/core/learning/learning.h"
 #include "tests/support/spoken_language.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/readers/reader.h"
@@ -52,43 +53,51 @@ TEST_P(BundledPlaces, every_door_leads_on_and_every_room_has_a_landmark) {
     EXPECT_FALSE(beside.contains(kNothing));
     std::vector<Place> rooms;
     for (const std::uint32_t room : beside) rooms.push_back(place_of_room(shut_world, *space, graph, room));
-    std::cout << GetParam() << ": " << doors << " doors, " << rooms.size() << " rooms, " << ground.size() << " places to stand\n";
+    std::cout << GetParam() << ": " << doors << " doors, " << rooms.size() << " rooms, " << ground.size()
+              << " places to stand\n";
     EXPECT_GE(doors, 11);
     EXPECT_GE(rooms.size(), 10U);
     for (const Place& room : rooms) {
         const auto stands_in = [&](const Feature& feature) {
             if (!feature.landmark || feature.kind == FeatureKind::Door || feature.bounds_m.empty()) return false;
-            if (feature.bounds_m.min_m.z > room.origin_m.z + 2.5 || feature.bounds_m.max_m.z < room.origin_m.z - 0.3) return false;  // stairs end a riser below
+            if (feature.bounds_m.min_m.z > room.origin_m.z + 2.5 || feature.bounds_m.max_m.z < room.origin_m.z - 0.3)
+                return false;  // stairs end a riser below
             for (int y = 0; y < room.deep; ++y)
                 for (int x = 0; x < room.wide; ++x) {
                     if (!room.is_free(x, y)) continue;
                     const Vec3 cell = room.middle_m(x, y);
-                    const double dx = std::max({feature.bounds_m.min_m.x - cell.x, 0.0, cell.x - feature.bounds_m.max_m.x});
-                    const double dy = std::max({feature.bounds_m.min_m.y - cell.y, 0.0, cell.y - feature.bounds_m.max_m.y});
+                    const double dx =
+                        std::max({feature.bounds_m.min_m.x - cell.x, 0.0, cell.x - feature.bounds_m.max_m.x});
+                    const double dy =
+                        std::max({feature.bounds_m.min_m.y - cell.y, 0.0, cell.y - feature.bounds_m.max_m.y});
                     if (dx + dy < 0.16) return true;
                 }
             return false;
         };
         EXPECT_TRUE(std::any_of(shut->features.begin(), shut->features.end(), stands_in))
-            << "no landmark in the room of " << room.area_m2() << " m2 from " << room.origin_m.x << ", " << room.origin_m.y << ", " << room.origin_m.z;
+            << "no landmark in the room of " << room.area_m2() << " m2 from " << room.origin_m.x << ", "
+            << room.origin_m.y << ", " << room.origin_m.z;
     }
     // Nobody gets out of the grounds.
     const Aabb all = shut->bounds_m;
     for (double s = 0.0; s <= 1.0; s += 0.05) {
         const Vec3 along = all.min_m + all.size_m() * s;
-        for (const Vec3& outside : {Vec3(along.x, all.min_m.y - 0.9, 0.0), Vec3(along.x, all.max_m.y + 0.9, 0.0), Vec3(all.min_m.x - 0.9, along.y, 0.0),
-                                    Vec3(all.max_m.x + 0.9, along.y, 0.0)})
+        for (const Vec3& outside : {Vec3(along.x, all.min_m.y - 0.9, 0.0), Vec3(along.x, all.max_m.y + 0.9, 0.0),
+                                    Vec3(all.min_m.x - 0.9, along.y, 0.0), Vec3(all.max_m.x + 0.9, along.y, 0.0)})
             EXPECT_FALSE(ground.way_m(outside));
     }
 }
 
-// Texts that the map gives have one in every language that comes with the program; two things called apart in English are called apart there.
+// Texts that the map gives have one in every language that comes with the program; two things called apart in English
+// are called apart there.
 TEST_P(BundledPlaces, names_are_there_in_every_bundled_language) {
     const auto read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);
     const auto has_all = [](const std::string& text, const OtherLanguages& others) {
         for (const LanguageName& language : bundled_languages())
-            EXPECT_TRUE(language.code == "en" || std::any_of(others.begin(), others.end(), [&](const TextIn& o) { return o.language == language.code; }))
+            EXPECT_TRUE(
+                language.code == "en" ||
+                std::any_of(others.begin(), others.end(), [&](const TextIn& o) { return o.language == language.code; }))
                 << text << " lacks " << language.code;
     };
     has_all(read->name, read->name_in);
@@ -107,12 +116,14 @@ TEST_P(BundledPlaces, names_are_there_in_every_bundled_language) {
         std::map<std::string, std::string> of_doors;
         for (const Feature& feature : read->features) {
             if (feature.kind != FeatureKind::Door) continue;
-            EXPECT_EQ(of_doors.try_emplace(spoken_name(feature), feature.name).first->second, feature.name) << spoken_name(feature) << " names two doors";
+            EXPECT_EQ(of_doors.try_emplace(spoken_name(feature), feature.name).first->second, feature.name)
+                << spoken_name(feature) << " names two doors";
         }
     }
 }
 
-// Wherever somebody gets from the base, on foot, by stairs or over an edge, the base can be walked to again: no pond or pit holds anybody.
+// Wherever somebody gets from the base, on foot, by stairs or over an edge, the base can be walked to again: no pond or
+// pit holds anybody.
 TEST_P(BundledPlaces, the_base_is_reached_again_from_wherever_one_gets_to) {
     const auto read = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / GetParam());
     ASSERT_TRUE(read);

@@ -1,10 +1,10 @@
-#include "app/core/command.h"
+#include "app/core/dialogue/command.h"
 
 #include <map>
 #include <set>
 #include <sstream>
 
-#include "app/core/key_map.h"
+#include "app/core/dialogue/key_map.h"
 
 namespace handrail {
 namespace {
@@ -21,8 +21,9 @@ TEST(CommandTable, lists_every_command_once_in_order) {
 // The original's demo keys keep their meaning for ever.
 TEST(KeyMap, keeps_the_keys_of_the_original) {
     const KeyMap keys({});
-    const std::map<std::string, Command> original{{"Left", Command::TurnLeft},  {"Right", Command::TurnRight}, {"Up", Command::Forward},
-                                                  {"Down", Command::Back},      {"PageUp", Command::TiltUp},   {"PageDown", Command::TiltDown},
+    const std::map<std::string, Command> original{{"Left", Command::TurnLeft},  {"Right", Command::TurnRight},
+                                                  {"Up", Command::Forward},     {"Down", Command::Back},
+                                                  {"PageUp", Command::TiltUp},  {"PageDown", Command::TiltDown},
                                                   {"F", Command::ToggleForces}, {"Escape", Command::Leave}};
     for (const auto& [key, command] : original) EXPECT_EQ(keys.find(key), command) << key;
 }
@@ -36,7 +37,8 @@ TEST(KeyMap, needs_no_key_that_screen_readers_keep) {
             std::istringstream names(keys.words_of_keys(row.command));
             bool needs = false, other = false;
             for (std::string name; names >> name;) {
-                const bool kept = name.find("Insert") != std::string::npos || name.find("CapsLock") != std::string::npos || name.starts_with("Keypad");
+                const bool kept = name.find("Insert") != std::string::npos ||
+                                  name.find("CapsLock") != std::string::npos || name.starts_with("Keypad");
                 needs = needs || kept;
                 other = other || !kept;
             }

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "app/core/key_map.h"
+#include "app/core/dialogue/key_map.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/base/text.h"
@@ -45,7 +45,8 @@ TEST(CommandTexts, are_said_in_german_with_the_names_of_german_keys) {
     EXPECT_EQ(keys.keys_of(Command::Repeat), "Leertaste oder Q");
     EXPECT_EQ(keys.keys_of(Command::ToggleForces), "F oder die Taste links neben der 1");
     EXPECT_EQ(keys.words_of_keys(Command::Repeat), "Space Q");
-    EXPECT_EQ(keys.problems().front(), "Die Einstellungen geben „wheer“ eine Taste, aber das ist kein Befehl. War „where“ gemeint?");
+    EXPECT_EQ(keys.problems().front(),
+              "Die Einstellungen geben „wheer“ eine Taste, aber das ist kein Befehl. War „where“ gemeint?");
 }
 
 }  // namespace

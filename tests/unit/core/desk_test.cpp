@@ -1,12 +1,12 @@
 // The desk: what lies where, and that hand and keys change everything on it alike.
-#include "app/core/desk.h"
+#include "app/core/desk/desk.h"
 
 #include <fmt/format.h>
 
 #include <functional>
 
-#include "app/core/desk_panel.h"
-#include "app/core/marks.h"
+#include "app/core/desk/desk_panel.h"
+#include "app/core/kept/marks.h"
 #include "haptic/servo/personal_space.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/spoken_language.h"
@@ -29,17 +29,17 @@ std::shared_ptr<const Scene> open_ground() {
 // A session in virtual time, with the hand of a device or without any.
 class DeskSession : public test::Explorer {
 public:
-    explicit DeskSession(const char* device, const Settings& settings = {}) : Explorer(open_ground(), device, settings, furnish) {}
-    static void furnish(AppCore& app) {
-        app.set_worlds({std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps", {}});
-        SideFile additions;
+    explicit DeskSession(const char* device, const Settings& settings = {})
+        : Explorer(open_ground(), device, settings, furnish) {}
+    static void furnish(AppCore& app, WorldEntered& world) {
+        app.apply(WorldsKnown{{std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps", {}}}, 0.0);
+        SideFile& additions = world.additions.emplace();
         std::vector<Mark> marks(2);
         marks[0].name = "Bench";
         marks[0].place_m = {5, 9, 0};
         marks[1].name = "Well";
         marks[1].place_m = {-7, 3, 0};
         write_marks(additions, marks);
-        app.use_side_file(std::move(additions));
     }
     void go(const Vec3& to_m, double speed_m_per_s = 0.15) { hold(to_m, speed_m_per_s); }
     void pull_through() {
@@ -52,7 +52,7 @@ public:
     }
     // Before the control, then so far off its face; below zero it is pressed.
     bool reach(const std::string& name, double across_m, double up_m, double off_m) {
-        const auto place = app().desk_place_m(name);
+        const auto place = app().desk_visit().place_m(name);
         if (!place) return false;
         const Vec3 before = *place + Vec3(across_m, -0.012, up_m);
         go({at_m().x, before.y, at_m().z});
@@ -63,19 +63,22 @@ public:
     }
     // Turns pages until the control lies there.
     void find(const std::string& name) {
-        for (int i = 0; i < 12 && !app().desk_place_m(name); ++i) press("Next page");
-        ASSERT_TRUE(app().desk_place_m(name)) << name;
+        for (int i = 0; i < 12 && !app().desk_visit().place_m(name); ++i) press("Next page");
+        ASSERT_TRUE(app().desk_visit().place_m(name)) << name;
     }
     double deep_m() const { return 1.5 / effective_stiffness_n_per_m(spec(), 1e-3, 5.0) / 0.8 * 1.05; }
     void touch(const std::string& name) {
-        const DeskKind kind = app().desk().controls()[*app().desk().find(name)].kind;
-        const bool knob = kind == DeskKind::Knob, list = kind == DeskKind::List;  // beside the post of the one and the notch of the other
-        // And beside the ridge in the middle of a slider with an even number of positions, which would be pressed deeper.
+        const DeskKind kind = app().desk_visit().desk().controls()[*app().desk_visit().desk().find(name)].kind;
+        const bool knob = kind == DeskKind::Knob,
+                   list = kind == DeskKind::List;  // beside the post of the one and the notch of the other
+        // And beside the ridge in the middle of a slider with an even number of positions, which would be pressed
+        // deeper.
         double across = 0.0;
         if (kind == DeskKind::Slider) {
             const DeskGrid grid = desk_grid(spec());
-            const std::size_t i = *app().desk().find(name);
-            const DeskPanel panel = lay_out_desk(app().desk().controls(), spec(), desk_pages(app().desk().controls(), grid)[i]);
+            const std::size_t i = *app().desk_visit().desk().find(name);
+            const DeskPanel panel = lay_out_desk(app().desk_visit().desk().controls(), spec(),
+                                                 desk_pages(app().desk_visit().desk().controls(), grid)[i]);
             across = panel.of(i)->x_of(panel.of(i)->positions / 2) - panel.of(i)->x_m;
         }
         ASSERT_TRUE(reach(name, knob ? 0.0045 : across, list ? 0.004 : 0.0, -0.2 * deep_m()));
@@ -95,10 +98,10 @@ TEST(DeskPanel, controls_are_large_enough_far_enough_apart_within_reach_and_all_
     AppCore app(Settings{}, HandFacts{});
     for (const DeviceSpec& spec : device_specs()) {
         SCOPED_TRACE(spec.name);
-        std::vector<int> seen(app.desk().controls().size(), 0);
+        std::vector<int> seen(app.desk_visit().desk().controls().size(), 0);
         std::size_t pages = 1;
         for (std::size_t page = 0; page < pages; ++page) {
-            const DeskPanel panel = lay_out_desk(app.desk().controls(), spec, page);
+            const DeskPanel panel = lay_out_desk(app.desk_visit().desk().controls(), spec, page);
             pages = panel.pages;
             EXPECT_TRUE(validate(*panel.scene)) << validate(*panel.scene).error().message;
             for (std::size_t i = 0; i < panel.placed.size(); ++i) {
@@ -116,12 +119,14 @@ TEST(DeskPanel, controls_are_large_enough_far_enough_apart_within_reach_and_all_
                 }
                 for (std::size_t j = 0; j < i; ++j) {
                     const PlacedControl& b = panel.placed[j];
-                    const double across = std::abs(a.x_m - b.x_m) - 0.5 * (a.width_m + b.width_m), up = std::abs(a.z_m - b.z_m) - 0.5 * (a.height_m + b.height_m);
+                    const double across = std::abs(a.x_m - b.x_m) - 0.5 * (a.width_m + b.width_m),
+                                 up = std::abs(a.z_m - b.z_m) - 0.5 * (a.height_m + b.height_m);
                     EXPECT_GE(std::max(across, up), 0.0064 - 1e-12);
                 }
             }
         }
-        for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], 1) << app.desk().controls()[i].name;
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            EXPECT_EQ(seen[i], 1) << app.desk_visit().desk().controls()[i].name;
     }
 }
 
@@ -129,9 +134,9 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
     DeskSession s("sim-t");
     s.pull_through();
     ASSERT_TRUE(s.app().at_desk());
-    const auto control = s.app().desk().find("Speech rate");
+    const auto control = s.app().desk_visit().desk().find("Speech rate");
     ASSERT_TRUE(control);
-    const DeskPanel panel = lay_out_desk(s.app().desk().controls(), *find_device_spec("sim-t"), 0);
+    const DeskPanel panel = lay_out_desk(s.app().desk_visit().desk().controls(), *find_device_spec("sim-t"), 0);
     const PlacedControl* slider = panel.of(*control);
     ASSERT_NE(slider, nullptr);
     // Slid along under a light press, the ball rises over a ridge between each two positions.
@@ -153,7 +158,7 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
 TEST(DeskPanel, a_control_has_one_number_whichever_page_lies_there) {
     // What is still pressed while the page turns would else be taken for another control of the new page.
     AppCore app(Settings{}, HandFacts{});
-    const auto controls = app.desk().controls();
+    const auto controls = app.desk_visit().desk().controls();
     const DeviceSpec& spec = *find_device_spec("sim-f");
     const DeskPanel first = lay_out_desk(controls, spec, 0);
     ASSERT_GE(first.pages, 3U);
@@ -180,22 +185,23 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
         ASSERT_TRUE(by_hand.app().at_desk()) << device;
         EXPECT_TRUE(by_hand.heard("Your desk")) << by_hand.all_heard(0);
         by_keys.key("F10");
-        const Desk& desk = by_hand.app().desk();
+        const Desk& desk = by_hand.app().desk_visit().desk();
         for (std::size_t i = 0; i < desk.controls().size(); ++i) {
             const DeskControl control = desk.controls()[i];
             SCOPED_TRACE(fmt::format("{}, {}", device, control.name));
-            EXPECT_EQ(by_keys.app().desk().controls()[i].name, control.name);
+            EXPECT_EQ(by_keys.app().desk_visit().desk().controls()[i].name, control.name);
             // Read.
             by_hand.find(control.name);
             std::size_t from = by_hand.lines();
             by_hand.touch(control.name);
-            EXPECT_TRUE(by_hand.heard(desk.words(i), from)) << by_hand.all_heard(from) << " instead of " << desk.words(i);
+            EXPECT_TRUE(by_hand.heard(desk.words(i), from))
+                << by_hand.all_heard(from) << " instead of " << desk.words(i);
             const DialogueView view = by_keys.app().dialogue().view();
             ASSERT_EQ(view.kind, DialogueView::Kind::List);
             ASSERT_EQ(view.at, i);
             EXPECT_EQ(view.items[i].name, control.name);
-            EXPECT_EQ(view.items[i].value, by_keys.app().desk().value(i));
-            EXPECT_EQ(by_keys.app().desk().value(i), desk.value(i));
+            EXPECT_EQ(view.items[i].value, by_keys.app().desk_visit().desk().value(i));
+            EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
             // Change.
             from = by_hand.lines();
             const int before = control.count() > 0 ? control.position() : 0;
@@ -203,7 +209,9 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
             const char* key = step > 0 ? "Right" : "Left";
             switch (control.kind) {
                 case DeskKind::Slider: {
-                    const DeskPanel panel = lay_out_desk(desk.controls(), *find_device_spec(device), desk_pages(desk.controls(), desk_grid(*find_device_spec(device)))[i]);
+                    const DeskPanel panel =
+                        lay_out_desk(desk.controls(), *find_device_spec(device),
+                                     desk_pages(desk.controls(), desk_grid(*find_device_spec(device)))[i]);
                     const PlacedControl& on = *panel.of(i);
                     by_hand.press(control.name, on.x_of(before + step) - on.x_m);
                     by_keys.key(key);
@@ -220,9 +228,11 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                     // Round the knob until one position is heard to be passed; anticlockwise: down.
                     ASSERT_TRUE(by_hand.reach("Volume knob", 0.0, 0.0045, -by_hand.deep_m()));
                     const Vec3 top = by_hand.at_m();
-                    for (int deg = 3; deg <= 120 && control.position() == before; deg += 3) {  // the soft hand drags behind
+                    for (int deg = 3; deg <= 120 && control.position() == before;
+                         deg += 3) {  // the soft hand drags behind
                         const double turn = radians_from_degrees(deg);
-                        by_hand.slide_to(top + Vec3(0.0045 * step * std::sin(turn), 0.0, 0.0045 * (std::cos(turn) - 1.0)));
+                        by_hand.slide_to(top +
+                                         Vec3(0.0045 * step * std::sin(turn), 0.0, 0.0045 * (std::cos(turn) - 1.0)));
                     }
                     by_hand.withdraw();
                     by_keys.key("Enter");
@@ -230,7 +240,8 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
                     break;
                 }
                 case DeskKind::Knob: {
-                    ASSERT_TRUE(by_hand.reach(control.name, 0.0045, 0.0, -by_hand.deep_m()));  // at three o'clock, clockwise: up
+                    ASSERT_TRUE(by_hand.reach(control.name, 0.0045, 0.0,
+                                              -by_hand.deep_m()));  // at three o'clock, clockwise: up
                     const Vec3 right = by_hand.at_m();
                     const std::string knob_before = desk.value(i);
                     for (int deg = 3; deg <= 120 && desk.value(i) == knob_before; deg += 3) {
@@ -255,13 +266,15 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
             if (control.count() > 0) {
                 EXPECT_EQ(control.position(), before + step);
             }
-            EXPECT_EQ(by_keys.app().desk().value(i), desk.value(i));
+            EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
             if (control.kind != DeskKind::Indicator && control.kind != DeskKind::Knob) {
                 EXPECT_TRUE(by_hand.heard(desk.value(i), from)) << by_hand.all_heard(from);
             }
             for (const DeskSetting& row : desk_settings()) {
                 if (row.key == "workspace.scale") continue;
-                EXPECT_EQ(*setting_text(by_hand.app().settings(), row.key), *setting_text(by_keys.app().settings(), row.key)) << row.key;
+                EXPECT_EQ(*setting_text(by_hand.app().settings(), row.key),
+                          *setting_text(by_keys.app().settings(), row.key))
+                    << row.key;
             }
             by_keys.key("Down");
         }
@@ -278,123 +291,134 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
 TEST(Desk, a_world_is_chosen_from_its_list_and_gone_to_by_the_button_beside_it) {
     DeskSession s(nullptr);
     AppCore& app = s.app();
-    const std::size_t world = *app.desk().find("World"), go = *app.desk().find("Go to that world");
+    const std::size_t world = *app.desk_visit().desk().find("World"),
+                      go = *app.desk_visit().desk().find("Go to that world");
     EXPECT_FALSE(app.take_world_request());
-    const std::string first = app.desk().value(world), second = app.step_control(world, 1);
+    const std::string first = app.desk_visit().desk().value(world), second = app.desk_visit().step(world, 1);
     EXPECT_NE(first, second);
     EXPECT_FALSE(app.take_world_request()) << "looking through the list goes nowhere";
-    EXPECT_EQ(app.press_control(go), "Going to " + second + ".");
+    EXPECT_EQ(app.desk_visit().press(go), "Going to " + second + ".");
     const auto wanted = app.take_world_request();
     ASSERT_TRUE(wanted);
     EXPECT_EQ(name_of_file(*wanted), second);
     EXPECT_TRUE(std::filesystem::exists(*wanted));
-    app.set_worlds({});
-    EXPECT_EQ(app.desk().value(world), "none");
-    EXPECT_EQ(app.step_control(world, 1), "none");
-    EXPECT_EQ(app.press_control(go), "There is no world to go to.");
+    app.apply(WorldsKnown{{}}, s.now_s());
+    EXPECT_EQ(app.desk_visit().desk().value(world), "none");
+    EXPECT_EQ(app.desk_visit().step(world, 1), "none");
+    EXPECT_EQ(app.desk_visit().press(go), "There is no world to go to.");
     EXPECT_FALSE(app.take_world_request());
 }
 
 TEST(Desk, a_beacon_is_put_on_the_mark_of_its_list_and_taken_off_again) {
     DeskSession s(nullptr);
     AppCore& app = s.app();
-    const std::size_t mark = *app.desk().find("Mark"), beacon = *app.desk().find("Beacon on that mark");
-    EXPECT_EQ(app.desk().value(mark), "Bench");
-    EXPECT_EQ(app.step_control(mark, 1), "Well");
-    EXPECT_EQ(app.desk().value(beacon), "off");
-    EXPECT_EQ(app.press_control(beacon).rfind("Beacon on Well, ", 0), 0U);
-    EXPECT_EQ(app.desk().value(beacon), "Well");
-    EXPECT_EQ(app.guiding().beacon.name(), "Well");
-    EXPECT_EQ(app.step_control(mark, -1), "Bench");
-    app.press_control(beacon);
-    EXPECT_EQ(app.guiding().beacon.name(), "Bench") << "another mark is taken at once";
-    EXPECT_EQ(app.press_control(beacon), "Beacon off");
-    EXPECT_FALSE(app.guiding().beacon.on());
-    app.enter_world(open_ground(), 1.0);  // without marks
-    EXPECT_EQ(app.desk().value(mark), "none yet");
-    EXPECT_EQ(app.press_control(beacon), "There are no marks yet. Insert or Shift+M sets one.");
+    const std::size_t mark = *app.desk_visit().desk().find("Mark"),
+                      beacon = *app.desk_visit().desk().find("Beacon on that mark");
+    EXPECT_EQ(app.desk_visit().desk().value(mark), "Bench");
+    EXPECT_EQ(app.desk_visit().step(mark, 1), "Well");
+    EXPECT_EQ(app.desk_visit().desk().value(beacon), "off");
+    EXPECT_EQ(app.desk_visit().press(beacon).rfind("Beacon on Well, ", 0), 0U);
+    EXPECT_EQ(app.desk_visit().desk().value(beacon), "Well");
+    EXPECT_EQ(app.guide().beacon().name(), "Well");
+    EXPECT_EQ(app.desk_visit().step(mark, -1), "Bench");
+    app.desk_visit().press(beacon);
+    EXPECT_EQ(app.guide().beacon().name(), "Bench") << "another mark is taken at once";
+    EXPECT_EQ(app.desk_visit().press(beacon), "Beacon off");
+    EXPECT_FALSE(app.guide().beacon().on());
+    app.apply(WorldEntered{make_ready(open_ground())}, 1.0);  // without marks
+    EXPECT_EQ(app.desk_visit().desk().value(mark), "none yet");
+    EXPECT_EQ(app.desk_visit().press(beacon), "There are no marks yet. Insert or Shift+M sets one.");
 }
 
 TEST(Desk, steps_or_metres_where_one_is_and_what_is_explored_are_told_there) {
     DeskSession s(nullptr);
     AppCore& app = s.app();
-    const std::size_t units = *app.desk().find("Steps or metres"), where = *app.desk().find("Where am I");
-    EXPECT_EQ(app.desk().value(units), "steps");
-    EXPECT_EQ(app.press_control(units), "Distances in metres");
+    const std::size_t units = *app.desk_visit().desk().find("Steps or metres"),
+                      where = *app.desk_visit().desk().find("Where am I");
+    EXPECT_EQ(app.desk_visit().desk().value(units), "steps");
+    EXPECT_EQ(app.desk_visit().press(units), "Distances in metres");
     EXPECT_FALSE(app.settings().speech.distances_in_steps);
-    EXPECT_EQ(app.desk().value(units), "metres");
-    EXPECT_EQ(app.press_control(where), app.where_am_i());
-    const std::size_t explored = *app.desk().find("Explored");
-    const std::string before = app.desk().value(explored);
+    EXPECT_EQ(app.desk_visit().desk().value(units), "metres");
+    EXPECT_EQ(app.desk_visit().press(where), app.where_am_i());
+    const std::size_t explored = *app.desk_visit().desk().find("Explored");
+    const std::string before = app.desk_visit().desk().value(explored);
     EXPECT_EQ(before.rfind("Walls ", 0), 0U) << before;
     s.key("Up");
     s.run(8.0);
-    app.press(Command::Forward, 8.2);
+    app.apply(CommandDown{Command::Forward}, 8.2);
     s.run(12.0);
-    app.release(Command::Forward);
-    EXPECT_NE(app.desk().value(explored), before);
+    app.apply(CommandUp{Command::Forward}, 8.2);
+    EXPECT_NE(app.desk_visit().desk().value(explored), before);
 }
 
 TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
     const test::InLanguage german("en");  // and English again in the end
     AppCore app(Settings{}, HandFacts{});
-    ASSERT_TRUE(app.desk().find("Speech volume"));
+    ASSERT_TRUE(app.desk_visit().desk().find("Speech volume"));
     Settings settings;
     settings.speech.language = "de";
-    app.change_settings(settings, 0.0);
-    const auto volume = app.desk().find("Lautstärke der Sprache"), force = app.desk().find("Stärkste Kraft");
+    app.apply(SettingsChanged{settings}, 0.0);
+    const auto volume = app.desk_visit().desk().find("Lautstärke der Sprache"),
+               force = app.desk_visit().desk().find("Stärkste Kraft");
     ASSERT_TRUE(volume && force);
-    EXPECT_EQ(app.step_control(*volume, -1), "90 Prozent");
-    EXPECT_EQ(app.desk().words(*force), "Stärkste Kraft, normal, 2,5 Newton");
+    EXPECT_EQ(app.desk_visit().step(*volume, -1), "90 Prozent");
+    EXPECT_EQ(app.desk_visit().desk().words(*force), "Stärkste Kraft, normal, 2,5 Newton");
     Dialogue dialogue;
     ListSpec list;
     list.title = "Welten";
     list.items = {{"Haus", {}, false}, {"Schule", {}, false}};
     EXPECT_EQ(dialogue.open(std::move(list)), "Welten. Haus, 1 von 2");
     LessonRun first(first_minutes(), false, "Orca");
-    EXPECT_EQ(first.begin().instruction, "Willkommen. Handrail spricht mit Orca. Enter beginnt, Leertaste sagt es noch einmal, Escape verlässt.");
+    EXPECT_EQ(first.begin().instruction,
+              "Willkommen. Handrail spricht mit Orca. Enter beginnt, Leertaste sagt es noch einmal, Escape verlässt.");
 }
 
 // As a screen reader sets it: to the nearest position, so that hand, keys and tree come to the same values.
 TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
     AppCore app(Settings{}, HandFacts{});
-    const Desk& desk = app.desk();
+    const Desk& desk = app.desk_visit().desk();
     const auto find = [&](const char* name) { return *desk.find(name); };
-    const std::size_t volume = find("Sound volume"), knob = find("Volume knob"), rate = find("Speech rate"), force = find("Strongest force");
+    const std::size_t volume = find("Sound volume"), knob = find("Volume knob"), rate = find("Speech rate"),
+                      force = find("Strongest force");
     EXPECT_EQ(desk.number(knob), ItemNumber{}) << "nothing is on it";
-    EXPECT_EQ(app.put_control_number(knob, 0.5), desk.value(knob));
-    EXPECT_EQ(app.put_control_number(volume, 0.43), "40 percent");
+    EXPECT_EQ(app.desk_visit().put_number(knob, 0.5), desk.value(knob));
+    EXPECT_EQ(app.desk_visit().put_number(volume, 0.43), "40 percent");
     ASSERT_TRUE(desk.number(volume));
     EXPECT_NEAR(desk.number(volume)->now, 0.4, 1e-12);
     EXPECT_NEAR(desk.number(volume)->step, 0.1, 1e-9);
     EXPECT_EQ(desk.number(volume)->least, 0.0);
     EXPECT_EQ(desk.number(volume)->most, 1.0);
-    app.press_control(volume);
+    app.desk_visit().press(volume);
     EXPECT_EQ(desk.number(knob), desk.number(volume));
-    EXPECT_EQ(app.put_control_number(knob, 7.0), "100 percent, Sound volume") << "beyond the end is the end";
+    EXPECT_EQ(app.desk_visit().put_number(knob, 7.0), "100 percent, Sound volume") << "beyond the end is the end";
     EXPECT_EQ(desk.value(volume), "100 percent");
-    EXPECT_EQ(app.put_control_number(rate, 262.0), "250 words per minute");
+    EXPECT_EQ(app.desk_visit().put_number(rate, 262.0), "250 words per minute");
     EXPECT_EQ(desk.number(rate)->step, 25.0);
-    EXPECT_EQ(app.put_control_number(force, 2.0), "full, all that the device can do") << "a slider of words counts its positions";
+    EXPECT_EQ(app.desk_visit().put_number(force, 2.0), "full, all that the device can do")
+        << "a slider of words counts its positions";
     EXPECT_EQ(desk.number(force)->most, 2.0);
-    for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL}) EXPECT_EQ(app.put_control_number(rate, none), "250 words per minute");
+    for (const double none : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+        EXPECT_EQ(app.desk_visit().put_number(rate, none), "250 words per minute");
     // Every slider, volume and knob is one; what is on or off, chosen or pressed is none.
     for (std::size_t i = 0; i < desk.controls().size(); ++i) {
         const DeskControl& control = desk.controls()[i];
         const bool number = desk.number(i).has_value();
-        const bool worked_along = control.kind == DeskKind::Slider || control.kind == DeskKind::Assign || control.kind == DeskKind::Knob;
+        const bool worked_along =
+            control.kind == DeskKind::Slider || control.kind == DeskKind::Assign || control.kind == DeskKind::Knob;
         EXPECT_TRUE(number || !worked_along) << control.name;
-        EXPECT_FALSE(number && (control.kind == DeskKind::Button || control.kind == DeskKind::Indicator || control.many)) << control.name;
+        EXPECT_FALSE(number &&
+                     (control.kind == DeskKind::Button || control.kind == DeskKind::Indicator || control.many))
+            << control.name;
         if (!number || control.kind == DeskKind::Knob) continue;
         // Its ends, and each position by its number, are what steps lead to.
-        app.put_control_number(i, desk.number(i)->least);
+        app.desk_visit().put_number(i, desk.number(i)->least);
         for (int position = 0; position < control.count(); ++position) {
             EXPECT_EQ(control.position(), position) << control.name;
             const ItemNumber there = *desk.number(i);
-            app.step_control(i, 1);
-            app.put_control_number(i, there.now + 0.3 * there.step);
+            app.desk_visit().step(i, 1);
+            app.desk_visit().put_number(i, there.now + 0.3 * there.step);
             EXPECT_EQ(desk.number(i)->now, there.now) << control.name;
-            app.step_control(i, 1);
+            app.desk_visit().step(i, 1);
         }
         EXPECT_EQ(desk.number(i)->now, desk.number(i)->most) << control.name;
     }
@@ -402,12 +426,12 @@ TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
 
 TEST(Desk, grooves_are_switched_there_and_felt_in_the_world) {
     AppCore app(Settings{}, HandFacts{});
-    const std::size_t grooves = *app.desk().find("Grooves in the floor");
-    EXPECT_EQ(app.desk().value(grooves), "off");
-    EXPECT_EQ(app.step_control(grooves, 1), "on");
+    const std::size_t grooves = *app.desk_visit().desk().find("Grooves in the floor");
+    EXPECT_EQ(app.desk_visit().desk().value(grooves), "off");
+    EXPECT_EQ(app.desk_visit().step(grooves, 1), "on");
     EXPECT_TRUE(app.settings().guidance.grooves);
     EXPECT_EQ(app.take_setting_changes().back(), (std::pair<std::string, std::string>("guidance.grooves", "true")));
-    EXPECT_EQ(app.step_control(grooves, -1), "off");
+    EXPECT_EQ(app.desk_visit().step(grooves, -1), "off");
     EXPECT_FALSE(app.settings().guidance.grooves);
 }
 
@@ -415,9 +439,9 @@ TEST(Desk, the_device_button_presses_what_the_hand_touches) {
     DeskSession s("sim-t");
     s.pull_through();
     ASSERT_TRUE(s.reach("Sound volume", 0.0, 0.0, -0.2 * s.deep_m()));
-    EXPECT_FALSE(s.app().desk().on_knob());
+    EXPECT_FALSE(s.app().desk_visit().desk().on_knob());
     s.button(true);
-    EXPECT_EQ(s.app().desk().on_knob(), s.app().desk().find("Sound volume"));
+    EXPECT_EQ(s.app().desk_visit().desk().on_knob(), s.app().desk_visit().desk().find("Sound volume"));
     s.button(false);
 }
 
@@ -458,17 +482,17 @@ TEST(Desk, a_value_between_two_positions_goes_to_the_next_one_either_way) {
     Settings settings;
     settings.sound.volume = 0.83;
     AppCore app(settings, HandFacts{});
-    const std::size_t volume = *app.desk().find("Sound volume");
-    EXPECT_EQ(app.desk().value(volume), "83 percent");
-    EXPECT_EQ(app.step_control(volume, 1), "90 percent");
+    const std::size_t volume = *app.desk_visit().desk().find("Sound volume");
+    EXPECT_EQ(app.desk_visit().desk().value(volume), "83 percent");
+    EXPECT_EQ(app.desk_visit().step(volume, 1), "90 percent");
     settings.sound.volume = 0.83;
-    app.change_settings(settings, 0.0);
-    EXPECT_EQ(app.step_control(volume, -1), "80 percent");
-    EXPECT_EQ(app.step_control(volume, -20), "0 percent");
-    EXPECT_EQ(app.step_control(volume, -1), "0 percent");
-    EXPECT_EQ(app.put_control(volume, 99), "100 percent");
-    const std::size_t force = *app.desk().find("Strongest force");
-    EXPECT_EQ(app.step_control(force, 1), "full, all that the device can do");
+    app.apply(SettingsChanged{settings}, 0.0);
+    EXPECT_EQ(app.desk_visit().step(volume, -1), "80 percent");
+    EXPECT_EQ(app.desk_visit().step(volume, -20), "0 percent");
+    EXPECT_EQ(app.desk_visit().step(volume, -1), "0 percent");
+    EXPECT_EQ(app.desk_visit().put(volume, 99), "100 percent");
+    const std::size_t force = *app.desk_visit().desk().find("Strongest force");
+    EXPECT_EQ(app.desk_visit().step(force, 1), "full, all that the device can do");
     EXPECT_EQ(app.settings().haptic.ceiling, ForceCeiling::Full);
     const auto changes = app.take_setting_changes();
     ASSERT_FALSE(changes.empty());

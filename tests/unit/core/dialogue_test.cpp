@@ -1,8 +1,8 @@
-#include "app/core/dialogue.h"
+#include "app/core/dialogue/dialogue.h"
 
 #include <gmock/gmock.h>
 
-#include "app/core/app_core.h"
+#include "app/core/session/app_core.h"
 #include "tests/support/box_scene.h"
 #include "worlds/base/text.h"
 
@@ -99,7 +99,8 @@ TEST(Dialogue, may_be_changed_by_what_was_chosen) {
     list.items = {{"one", {}, true}, {"two", {}}};
     list.stays_open = true;
     list.chosen = [&](std::size_t) {
-        for (int i = 0; i < 20; ++i) dialogue.open({.title = "Inner", .items = {{"a", {}}}, .chosen = [](std::size_t) {}});
+        for (int i = 0; i < 20; ++i)
+            dialogue.open({.title = "Inner", .items = {{"a", {}}}, .chosen = [](std::size_t) {}});
     };
     list.adjusted = [&](std::size_t, int) {
         dialogue.close_all();
@@ -123,7 +124,9 @@ TEST(Dialogue, says_that_a_list_is_empty_and_opens_nothing) {
 TEST(Dialogue, takes_text_of_any_letters_and_deletes_whole_ones) {
     Dialogue dialogue;
     std::string typed;
-    EXPECT_EQ(dialogue.ask({.question = "Name?", .text = "", .done = [&](std::string text) { typed = std::move(text); }}), "Name?");
+    EXPECT_EQ(
+        dialogue.ask({.question = "Name?", .text = "", .done = [&](std::string text) { typed = std::move(text); }}),
+        "Name?");
     EXPECT_TRUE(dialogue.typing());
     EXPECT_TRUE(dialogue.key("Enter", 0.0).denied) << "nothing typed";
     for (const std::string& c : characters_of(" Kü洞𝄞x")) dialogue.typed(c, 0.0);
@@ -182,7 +185,7 @@ struct Open {
         test::SceneBuilder b;
         b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
         b.start({3, 0.5, 0}, 0.0);
-        app.enter_world(b.share(), 0.0);
+        app.apply(WorldEntered{make_ready(b.share())}, 0.0);
     }
     std::vector<std::string> said() {
         std::vector<std::string> lines;
@@ -195,16 +198,16 @@ struct Open {
 
 TEST(AppCoreLists, hold_everything_that_can_be_done_and_do_it) {
     Open s;
-    s.app.press(Command::Menu, 0.0);
-    s.app.release(Command::Menu);
-    EXPECT_TRUE(s.app.take_key("Enter", 0.0));  // what I can do
-    EXPECT_TRUE(s.app.take_key("Enter", 0.0));  // all of it
+    s.app.apply(CommandDown{Command::Menu}, 0.0);
+    s.app.apply(CommandUp{Command::Menu}, 0.0);
+    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // what I can do
+    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.0));  // all of it
     ASSERT_EQ(s.app.dialogue().view().items.size(), command_table().size());
     s.said();
-    EXPECT_TRUE(s.app.take_text("w", 0.0));  // "Where am I ..." or "Which way ...", whichever comes first
-    EXPECT_TRUE(s.app.take_text("h", 0.1));
-    EXPECT_TRUE(s.app.take_text("i", 0.2));
-    EXPECT_TRUE(s.app.take_key("Enter", 0.3));
+    EXPECT_TRUE(s.app.apply(TextTyped{"w"}, 0.0));  // "Where am I ..." or "Which way ...", whichever comes first
+    EXPECT_TRUE(s.app.apply(TextTyped{"h"}, 0.1));
+    EXPECT_TRUE(s.app.apply(TextTyped{"i"}, 0.2));
+    EXPECT_TRUE(s.app.apply(KeyTapped{"Enter"}, 0.3));
     EXPECT_FALSE(s.app.dialogue().is_open());
     EXPECT_THAT(s.said().back(), HasSubstr("Facing north"));
 }
@@ -212,17 +215,17 @@ TEST(AppCoreLists, hold_everything_that_can_be_done_and_do_it) {
 TEST(AppCoreLists, never_keep_the_keys_that_stop_force_sound_or_speech) {
     Open s;
     s.app.open_list({.title = "List", .items = {{"one", {}}}, .chosen = [](std::size_t) {}}, 0.0);
-    for (const char* key : {"F12", "Control", "Grave"}) EXPECT_FALSE(s.app.take_key(key, 0.0)) << key;
-    for (const char* key : {"Up", "F", "W", "F2"}) EXPECT_TRUE(s.app.take_key(key, 0.0)) << key;
-    EXPECT_FALSE(s.app.take_line("stop", 0.0));
-    EXPECT_TRUE(s.app.take_line("forward", 0.0));
-    s.app.enter_world(s.app.scene(), 1.0);
+    for (const char* key : {"F12", "Control", "Grave"}) EXPECT_FALSE(s.app.apply(KeyTapped{key}, 0.0)) << key;
+    for (const char* key : {"Up", "F", "W", "F2"}) EXPECT_TRUE(s.app.apply(KeyTapped{key}, 0.0)) << key;
+    EXPECT_FALSE(s.app.apply(LineTyped{"stop"}, 0.0));
+    EXPECT_TRUE(s.app.apply(LineTyped{"forward"}, 0.0));
+    s.app.apply(WorldEntered{make_ready(s.app.scene())}, 1.0);
     EXPECT_FALSE(s.app.dialogue().is_open()) << "in another world the list may mean nothing";
 }
 
 TEST(AppCoreLists, let_go_of_what_was_held) {
     Open s;
-    s.app.press(Command::Forward, 0.0);
+    s.app.apply(CommandDown{Command::Forward}, 0.0);
     s.app.open_list({.title = "List", .items = {{"one", {}}}, .chosen = [](std::size_t) {}}, 0.0);
     for (double now = 0.0; now < 1.0; now += 0.02) s.app.tick(now, ToolState{});
     EXPECT_NEAR(s.app.feet_m().y, 0.5, 0.05);

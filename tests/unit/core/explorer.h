@@ -1,5 +1,5 @@
-// A person in virtual time, with the simulated hand of a device or with keys only: what they press, choose and feel for, and what they hear. For tests that
-// play the whole program without a window.
+// A person in virtual time, with the simulated hand of a device or with keys only: what they press, choose and feel
+// for, and what they hear. For tests that play the whole program without a window.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "app/core/headless_session.h"
+#include "app/core/session/headless_session.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "tests/unit/core/app_session.h"
 
@@ -17,10 +17,12 @@ namespace handrail::test {
 class Explorer {
 public:
     // device: null for keys only. `before` is done before the world is entered.
-    Explorer(std::shared_ptr<const Scene> scene, const char* device, const Settings& settings = {}, const std::function<void(AppCore&)>& before = {})
+    Explorer(std::shared_ptr<const Scene> scene, const char* device, const Settings& settings = {},
+             const std::function<void(AppCore&, WorldEntered&)>& before = {})
         : session_(settings, facts(device), audio_, speech_) {
-        if (before) before(app());
-        app().enter_world(std::move(scene), 0.0);
+        WorldEntered world{make_ready(std::move(scene))};
+        if (before) before(app(), world);
+        app().apply(std::move(world), 0.0);
         run(0.1);
         if (!device) return;
         hold({0.0, 0.0, 0.005});
@@ -52,7 +54,7 @@ public:
 
     void tap(Command command, double then_s = 0.05) {
         session_.press(command);
-        app().release(command);
+        app().apply(CommandUp{command}, now_s());
         run(then_s);
     }
     void key(const std::string& name) {
@@ -60,17 +62,18 @@ public:
         run(0.05);
     }
     void line(const std::string& text) {
-        EXPECT_TRUE(app().take_line(text, now_s())) << text;
+        EXPECT_TRUE(app().apply(LineTyped{text}, now_s())) << text;
         run(0.05);
     }
-    // Chooses the thing in the list of everything that has a name, as deep in it as need be, and stays in the list of ways to find it.
+    // Chooses the thing in the list of everything that has a name, as deep in it as need be, and stays in the list of
+    // ways to find it.
     bool choose(const std::string& name, FeatureId feature) {
         tap(Command::Find);
         const std::vector<ListItem> items = app().dialogue().view().items;
         for (std::size_t i = 0; i < items.size(); ++i) {
             if (items[i].name != name) continue;
             line(std::to_string(i + 1));
-            if (app().guiding().goal && app().guiding().goal->feature == feature) return true;
+            if (app().guide().goal() && app().guide().goal()->feature == feature) return true;
             key("Escape");
             tap(Command::Find);
         }

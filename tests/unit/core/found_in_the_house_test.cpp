@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/core/hand_way.h"
-#include "app/core/words.h"
+#include "app/core/dialogue/words.h"
+#include "app/core/wayfinding/hand_way.h"
 #include "audio-cues/plan/speakable.h"
 #include "tests/support/scale.h"
 #include "tests/unit/core/explorer.h"
@@ -67,16 +67,19 @@ TEST(FoundInTheHouse, by_a_hand_that_is_taken_there_from_the_front_door) {
     fmt::print("{} things: taken to each in {:.1f} s at most\n", things.size(), longest_s);
 }
 
-// Where somebody stands on the way to a thing, at most so far before it, as far off as nothing stands between: who is farther off is taken there, or walks.
+// Where somebody stands on the way to a thing, at most so far before it, as far off as nothing stands between: who is
+// farther off is taken there, or walks.
 class Approach {
 public:
     explicit Approach(const std::shared_ptr<const Scene>& scene)
         : scene_(scene), world_(scene), navigation_(*Navigation::make(*scene, walk_body(*scene, 0.25, 1.7, 0.2))) {}
     std::optional<Vec3> before(const NamedThing& thing, double most_m) {
-        const Route route = walk_to_thing(*navigation_, world_, scene_->starts.front().feet_m, thing.bounds_m, thing.feature);
+        const Route route =
+            walk_to_thing(*navigation_, world_, scene_->starts.front().feet_m, thing.bounds_m, thing.feature);
         if (!route.reaches) return std::nullopt;
         double length_m = 0.0;
-        for (std::size_t i = 1; i < route.points_m.size(); ++i) length_m += glm::length(route.points_m[i] - route.points_m[i - 1]);
+        for (std::size_t i = 1; i < route.points_m.size(); ++i)
+            length_m += glm::length(route.points_m[i] - route.points_m[i - 1]);
         for (double off_m = most_m; off_m > 0.0; off_m -= 0.25) {
             const Vec3 feet = place_along(route.points_m, std::max(0.0, length_m - off_m));
             const Vec3 hand = feet + Vec3(0.0, 0.0, kHandHeight_m);
@@ -111,7 +114,7 @@ Settings free_reach() {
 void stand(Explorer& p, const Vec3& feet_m) {
     p.leave_lists();
     p.hold(Vec3(0.0));
-    p.app().place(feet_m, 0.0, p.now_s());
+    p.app().apply(Placed{feet_m, 0.0}, p.now_s());
     p.run(1.2);
 }
 
@@ -123,8 +126,8 @@ void stand_at_the_front_door(Explorer& p) {
     p.run(1.2);
 }
 
-// A hand that goes where its person wants, takes the world along where its reach ends, as one lifts a mouse, does not press on against what holds it back, and
-// opens the doors it is told of.
+// A hand that goes where its person wants, takes the world along where its reach ends, as one lifts a mouse, does not
+// press on against what holds it back, and opens the doors it is told of.
 class SeekingHand {
 public:
     SeekingHand(Explorer& p, std::size_t heard_from) : p_(p), door_(heard_from) {}
@@ -146,7 +149,8 @@ public:
     }
 
     void let_go_of_it() { p_.hold(p_.hand_m() - pressed()); }
-    // So far, and where it presses more than that against something, back to so little. How far it presses then, hand metres.
+    // So far, and where it presses more than that against something, back to so little. How far it presses then, hand
+    // metres.
     Vec3 press(const Vec3& by_m, double speed_m_per_s, double most_m) {
         p_.hold(p_.hand_m() + by_m, speed_m_per_s);
         const Vec3 pressed_m = pressed();
@@ -202,8 +206,10 @@ struct Search {
 };
 
 // Level and upright, and those between them.
-const std::vector<Vec3> kSides{{0, 1, 0}, {1, 0, 0}, {-1, 0, 0}, {0, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-const std::vector<Vec3> kSlanting{{0, 1, 1}, {1, 0, 1}, {-1, 0, 1}, {0, -1, 1}, {0, 1, -1}, {1, 0, -1}, {-1, 0, -1}, {0, -1, -1}};
+const std::vector<Vec3> kSides{{0, 1, 0},  {1, 0, 0},  {-1, 0, 0},  {0, -1, 0}, {1, 1, 0},
+                               {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}, {0, 0, 1},  {0, 0, -1}};
+const std::vector<Vec3> kSlanting{{0, 1, 1},  {1, 0, 1},  {-1, 0, 1},  {0, -1, 1},
+                                  {0, 1, -1}, {1, 0, -1}, {-1, 0, -1}, {0, -1, -1}};
 
 // The hand goes on and gives way to what it feels; where it is held back it feels round for where nothing does.
 TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
@@ -226,7 +232,8 @@ TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
             Vec3 best(0.0);
             double least_n = 1e9;
             hand.have_room(0.008);
-            for (int i = 0; i < 20 && felt() != Vec3(0.0) && hand.go(0.0005 * glm::normalize(felt()), 0.1); ++i) {  // back to where it rests
+            for (int i = 0; i < 20 && felt() != Vec3(0.0) && hand.go(0.0005 * glm::normalize(felt()), 0.1);
+                 ++i) {  // back to where it rests
             }
             // Every way but back; the slanting ones only where none of the others is free.
             static constexpr double kFree_n = 0.02;
@@ -249,7 +256,8 @@ TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
         while (!search.over()) {
             const Vec3 step = kSpeed_m_per_s * kStep_s * (way + felt() / 0.15);
             const bool free = hand.go(step, std::max(glm::length(step) / kStep_s, 0.01));
-            if (glm::length(step) > 0.2 * kSpeed_m_per_s * kStep_s) way = glm::normalize(way + 0.25 * step / glm::length(step));
+            if (glm::length(step) > 0.2 * kSpeed_m_per_s * kStep_s)
+                way = glm::normalize(way + 0.25 * step / glm::length(step));
             places.push_back(p.tool().hip_m);
             for (std::size_t i = places.size(); i-- > 0;)
                 if (const Vec3 along = places.back() - places[i]; glm::length(along) > 0.01 * 60.0) {
@@ -268,8 +276,8 @@ TEST(FoundInTheHouse, by_a_hand_that_follows_the_lines_from_the_front_door) {
     fmt::print("{} things: the lines followed to each in {:.1f} s at most\n", things.size(), longest_s);
 }
 
-// Whoever seeks along one axis after the other for where the push of a line turns round has the place. The hand is a strong one: it goes on through walls,
-// which the lines go through too.
+// Whoever seeks along one axis after the other for where the push of a line turns round has the place. The hand is a
+// strong one: it goes on through walls, which the lines go through too.
 TEST(FoundInTheHouse, by_a_hand_along_the_lines_that_cross_there) {
     constexpr double kReach_m = 0.07;
     const auto house = test::our_world("house.map");
@@ -301,19 +309,20 @@ TEST(FoundInTheHouse, by_a_hand_along_the_lines_that_cross_there) {
             EXPECT_TRUE(turned) << told(thing) << ", axis " << axis;
             at[axis] = from[axis];
         }
-        const double took_s = p.now_s() - begins_s, off_m = glm::length(p.tool().hip_m - thing.bounds_m.centre_m()) / 60.0;
+        const double took_s = p.now_s() - begins_s,
+                     off_m = glm::length(p.tool().hip_m - thing.bounds_m.centre_m()) / 60.0;
         EXPECT_LE(off_m, 0.001) << told(thing);
         EXPECT_LE(took_s, kWithin_s) << told(thing);
         longest_s = std::max(longest_s, took_s);
         farthest_m = std::max(farthest_m, off_m);
         p.tap(Command::CrossLines);
     }
-    fmt::print("{} things: each found along its lines in {:.1f} s at most, its middle to {:.1f} mm of the hand\n", things.size(), longest_s,
-               1000.0 * farthest_m);
+    fmt::print("{} things: each found along its lines in {:.1f} s at most, its middle to {:.1f} mm of the hand\n",
+               things.size(), longest_s, 1000.0 * farthest_m);
 }
 
-// What somebody makes of how directly each little movement came nearer: which way leads on, and how sure that is along each axis. A Kalman filter over the
-// ticks: the older they are, the less they count.
+// What somebody makes of how directly each little movement came nearer: which way leads on, and how sure that is along
+// each axis. A Kalman filter over the ticks: the older they are, the less they count.
 class SenseOfWay {
 public:
     void hear(const Vec3& went, double nearer) {
@@ -336,11 +345,12 @@ private:
     glm::mat<3, 3, double> sure_{1.0};  // covariance
 };
 
-// A hand that weaves its way: on where it believes to come nearer, and to the side of which it knows least, so that every tick tells something. What holds it
-// back it feels round.
+// A hand that weaves its way: on where it believes to come nearer, and to the side of which it knows least, so that
+// every tick tells something. What holds it back it feels round.
 class WarmerHand {
 public:
-    explicit WarmerHand(const Search& search) : p_(search.p), search_(search), hand_(p_, search.from), heard_(p_.sounds().size()) {}
+    explicit WarmerHand(const Search& search)
+        : p_(search.p), search_(search), hand_(p_, search.from), heard_(p_.sounds().size()) {}
 
     void seek() {
         before_m_ = proxy();
@@ -391,7 +401,8 @@ private:
         std::vector<Vec3> ways;
         for (const auto& sides : {kSides, kSlanting})
             for (const Vec3& side : sides) ways.push_back(glm::normalize(side));
-        std::sort(ways.begin(), ways.end(), [&](const Vec3& a, const Vec3& b) { return glm::dot(wished, a) > glm::dot(wished, b); });
+        std::sort(ways.begin(), ways.end(),
+                  [&](const Vec3& a, const Vec3& b) { return glm::dot(wished, a) > glm::dot(wished, b); });
         for (const Vec3& way : ways) {
             if (search_.over()) break;
             hand_.let_go_of_it();
@@ -405,7 +416,9 @@ private:
     std::optional<HeardNearer> nearer_heard() {
         std::optional<double> pitch;
         for (; heard_ < p_.sounds().size(); ++heard_)
-            if (const SoundCue& cue = p_.sounds()[heard_].cue; cue.kind == SoundKind::Warmer || cue.kind == SoundKind::Colder) pitch = cue.pitch;
+            if (const SoundCue& cue = p_.sounds()[heard_].cue;
+                cue.kind == SoundKind::Warmer || cue.kind == SoundKind::Colder)
+                pitch = cue.pitch;
         if (!pitch) return std::nullopt;
         interval_s_ = p_.now_s() - std::exchange(ticked_s_, p_.now_s());
         const Vec3 went = proxy() - std::exchange(before_m_, proxy());
@@ -438,11 +451,13 @@ TEST(FoundInTheHouse, by_a_hand_that_listens_to_warmer_and_colder_from_the_front
         p.choose(told(thing), thing.feature);
         p.line("Warmer and colder");  // off
     }
-    fmt::print("{} things: each found by warmer and colder from the front door in {:.1f} s at most\n", things.size(), longest_s);
+    fmt::print("{} things: each found by warmer and colder from the front door in {:.1f} s at most\n", things.size(),
+               longest_s);
 }
 
-// Keys only, in a hurry: 2 m/s by the setting of the walking speed. Nothing but which of its sounds the beacon makes and from which side it comes,
-// and the doors that are told: turns while walking, stands still to turn farther. What is bumped into is stepped round.
+// Keys only, in a hurry: 2 m/s by the setting of the walking speed. Nothing but which of its sounds the beacon makes
+// and from which side it comes, and the doors that are told: turns while walking, stands still to turn farther. What is
+// bumped into is stepped round.
 TEST(FoundInTheHouse, by_somebody_who_walks_by_keys_to_where_the_beacon_rings_from_the_front_door) {
     constexpr double kHurried_m_per_s = 2.0;
     Settings settings;
@@ -456,12 +471,17 @@ TEST(FoundInTheHouse, by_somebody_who_walks_by_keys_to_where_the_beacon_rings_fr
         std::size_t heard = p.sounds().size(), door = search.from;
         bool walking = false;
         const auto walk = [&](bool on) {
-            if (on != std::exchange(walking, on)) on ? p.app().press(Command::Forward, p.now_s()) : p.app().release(Command::Forward);
+            if (on != std::exchange(walking, on))
+                on ? p.app().apply(CommandDown{Command::Forward}, p.now_s())
+                   : p.app().apply(CommandUp{Command::Forward}, p.now_s());
         };
-        // To where it was heard, to five degrees: by notches, and the rest by the keys for free turning, 5 degrees a tap.
+        // To where it was heard, to five degrees: by notches, and the rest by the keys for free turning, 5 degrees a
+        // tap.
         const auto turn = [&](double right_deg) {
-            const int notches = static_cast<int>(right_deg / 22.5), rest = static_cast<int>(std::lround((right_deg - 22.5 * notches) / 5.0));
-            for (int i = 0; i < std::abs(notches); ++i) p.tap(notches > 0 ? Command::TurnRight : Command::TurnLeft, 0.03);
+            const int notches = static_cast<int>(right_deg / 22.5),
+                      rest = static_cast<int>(std::lround((right_deg - 22.5 * notches) / 5.0));
+            for (int i = 0; i < std::abs(notches); ++i)
+                p.tap(notches > 0 ? Command::TurnRight : Command::TurnLeft, 0.03);
             for (int i = 0; i < std::abs(rest); ++i) p.tap(rest > 0 ? Command::FreeRight : Command::FreeLeft, 0.03);
         };
         int bumps = 0;
@@ -493,7 +513,8 @@ TEST(FoundInTheHouse, by_somebody_who_walks_by_keys_to_where_the_beacon_rings_fr
             if (!beat) continue;
             const Listener& ears = p.ears();
             const Vec3 way = beat->position_m - ears.ears_m;
-            const double right_deg = 5.0 * std::lround(degrees_from_radians(wrap_angle(std::atan2(way.x, way.y) - ears.heading_rad)) / 5.0);
+            const double right_deg =
+                5.0 * std::lround(degrees_from_radians(wrap_angle(std::atan2(way.x, way.y) - ears.heading_rad)) / 5.0);
             if (std::abs(right_deg) > 30.0) walk(false);
             turn(right_deg);
             if (std::abs(right_deg) > 30.0) p.run(std::abs(right_deg) / 150.0);
@@ -503,13 +524,15 @@ TEST(FoundInTheHouse, by_somebody_who_walks_by_keys_to_where_the_beacon_rings_fr
         longest_s = std::max(longest_s, search.found());
         if (!search.here()) p.tap(Command::MuteBeacon);
     }
-    fmt::print("{} things: walked to each by the beacon from the front door in {:.1f} s at most\n", things.size(), longest_s);
+    fmt::print("{} things: walked to each by the beacon from the front door in {:.1f} s at most\n", things.size(),
+               longest_s);
 }
 
 // From the front door to the music room upstairs, and half a second on the way.
 void lead_to_piano(Explorer& p) {
     const auto& features = p.app().scene()->features;
-    const auto piano = std::find_if(features.begin(), features.end(), [](const Feature& feature) { return feature.name == "Piano"; });
+    const auto piano =
+        std::find_if(features.begin(), features.end(), [](const Feature& feature) { return feature.name == "Piano"; });
     ASSERT_TRUE(p.ask("Piano", FeatureId{static_cast<std::uint32_t>(piano - features.begin())}, "Take me there"));
     EXPECT_TRUE(p.heard("Taking your hand to Piano")) << p.all_heard(0);
     EXPECT_TRUE(p.heard("By way of Stairs, 2.9 metres up, Music room door.")) << p.all_heard(0);
@@ -526,9 +549,9 @@ TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_
         const std::uint32_t first = p.app().guidance().number;
         if (how == std::string("walks")) {
             p.hold(p.hand_m());
-            p.app().press(Command::Back, p.now_s());
+            p.app().apply(CommandDown{Command::Back}, p.now_s());
             p.run(1.5);
-            p.app().release(Command::Back);
+            p.app().apply(CommandUp{Command::Back}, p.now_s());
         } else if (how == std::string("home")) {
             p.tap(Command::Home);
         } else {
@@ -541,7 +564,8 @@ TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_
             continue;
         }
         EXPECT_FALSE(p.heard("Let go", from)) << how << ": " << p.all_heard(from);
-        EXPECT_TRUE(p.heard("You have left the way. Taking your hand to Piano", from)) << how << ": " << p.all_heard(from);
+        EXPECT_TRUE(p.heard("You have left the way. Taking your hand to Piano", from))
+            << how << ": " << p.all_heard(from);
         EXPECT_GT(p.app().guidance().number, first) << how;
         EXPECT_EQ(p.tool().guidance.phase, GuidancePhase::Acts) << how;
     }
@@ -552,28 +576,31 @@ TEST(TakenAlongAWay, beacon_and_warmer_are_each_planned_anew_when_something_stan
     Explorer p(test::our_world("house.map"), nullptr);
     const auto& features = p.app().scene()->features;
     for (const auto& [name, tool] : {std::pair{"Piano", "Beacon"}, std::pair{"Desk", "Warmer and colder"}}) {
-        const auto thing = std::find_if(features.begin(), features.end(), [&](const Feature& feature) { return feature.name == name; });
+        const auto thing = std::find_if(features.begin(), features.end(),
+                                        [&](const Feature& feature) { return feature.name == name; });
         ASSERT_TRUE(p.ask(name, FeatureId{static_cast<std::uint32_t>(thing - features.begin())}, tool));
     }
     p.run(1.5);
-    const Guiding& guiding = p.app().guiding();
-    const auto before = guiding.beacon_along.planned_in;
+    const Seek& seek = p.app().guide().seek();
+    const auto before = seek.beacon_along().planned_in;
     ASSERT_TRUE(before);
     p.tap(Command::Use, 4.0);
     EXPECT_TRUE(p.heard("Front door opens")) << p.all_heard();
-    EXPECT_NE(guiding.beacon_along.planned_in, before);
-    EXPECT_EQ(guiding.beacon_along.planned_in, p.app().scene());
-    EXPECT_EQ(guiding.warmer_along.planned_in, p.app().scene());
+    EXPECT_NE(seek.beacon_along().planned_in, before);
+    EXPECT_EQ(seek.beacon_along().planned_in, p.app().scene());
+    EXPECT_EQ(seek.warmer_along().planned_in, p.app().scene());
 }
 
 // It has come off the door while one hears which it is; nearer to the body stands another.
 TEST(TakenAlongAWay, a_hand_opens_the_door_that_it_was_told_of_a_moment_ago) {
     Explorer p(test::our_world("house.map"), "sim-t");
     const auto& features = p.app().scene()->features;
-    const auto desk = std::find_if(features.begin(), features.end(), [](const Feature& feature) { return feature.name == "Desk"; });
+    const auto desk =
+        std::find_if(features.begin(), features.end(), [](const Feature& feature) { return feature.name == "Desk"; });
     ASSERT_TRUE(p.ask("Desk", FeatureId{static_cast<std::uint32_t>(desk - features.begin())}, "Take me there"));
     p.push();
-    ASSERT_TRUE(p.wait_for([&] { return p.heard("Study door, wood is shut. Enter opens it."); }, 15.0)) << p.all_heard(0);
+    ASSERT_TRUE(p.wait_for([&] { return p.heard("Study door, wood is shut. Enter opens it."); }, 15.0))
+        << p.all_heard(0);
     p.hold(p.hand_m() - Vec3(0.006, 0.0, 0.0));
     ASSERT_EQ(p.tool().contacts.count, 0U);
     const std::size_t from = p.lines();

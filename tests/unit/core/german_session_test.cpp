@@ -1,5 +1,5 @@
-// A short session in German: what is said is whole German sentences, with the names that the map has in German, and follows a change of the language
-// with the next sentence.
+// A short session in German: what is said is whole German sentences, with the names that the map has in German, and
+// follows a change of the language with the next sentence.
 #include "tests/support/box_scene.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
@@ -7,7 +7,9 @@
 namespace handrail {
 namespace {
 
-std::shared_ptr<const Scene> world(const char* file) { return test::world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file); }
+std::shared_ptr<const Scene> world(const char* file) {
+    return test::world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file);
+}
 
 struct Session : test::AppSession {
     explicit Session(const Settings& settings = {}) : AppSession(settings, hand()) {}
@@ -19,7 +21,8 @@ struct Session : test::AppSession {
     }
     void touch(const std::string& name) {
         const auto& features = app.scene()->features;
-        const auto found = std::find_if(features.begin(), features.end(), [&](const Feature& feature) { return feature.name == name; });
+        const auto found = std::find_if(features.begin(), features.end(),
+                                        [&](const Feature& feature) { return feature.name == name; });
         ASSERT_NE(found, features.end()) << name;
         tool.contacts.count = 1;
         tool.contacts.strongest = 0;
@@ -31,18 +34,24 @@ struct Session : test::AppSession {
 TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentences) {
     const test::InLanguage german("de");
     Session s;
-    s.app.enter_world(world("worlds/maps/house.map"), 0.0);
+    s.app.apply(WorldEntered{make_ready(world("worlds/maps/house.map"))}, 0.0);
     s.run(0.1);
     const std::string here =
-        "An der Tür, am Ausgangspunkt, Blick nach Norden. Haustür, 1 Schritt nach hinten. Standuhr, 4 Schritte, 20 Grad rechts. "
+        "An der Tür, am Ausgangspunkt, Blick nach Norden. Haustür, 1 Schritt nach hinten. Standuhr, 4 Schritte, 20 "
+        "Grad rechts. "
         "Vorn: Nordwand, Ziegel, 12 Schritte. Rechts: Ostwand, Putz, 2 Schritte. Links: Westwand, Putz, 2 Schritte. "
         "Treppe, 6 Schritte, 10 Grad links. Fußmatte, ganz nah, hinten.";
-    EXPECT_EQ(s.said.front(), "Haus mit Garten. Der freie Raum ringsum misst 2,5 mal 9 Meter, 3 mal 13 Schritte. Das Ganze misst 20 mal 23 Meter. " + here +
-                                  " Pfeil hoch geht einen Schritt, I und K bewegen die simulierte Hand. F2 sagt den Standort, F1 die Tasten.");
+    EXPECT_EQ(s.said.front(),
+              "Haus mit Garten. Der freie Raum ringsum misst 2,5 mal 9 Meter, 3 mal 13 Schritte. Das Ganze misst 20 "
+              "mal 23 Meter. " +
+                  here +
+                  " Pfeil hoch geht einen Schritt, I und K bewegen die simulierte Hand. F2 sagt den Standort, F1 die "
+                  "Tasten.");
     EXPECT_EQ(s.ask(Command::WhereAmI), "Flur. " + here);
-    EXPECT_EQ(s.ask(Command::AroundMe),
-              "Vorn: Wohnzimmertür, 3 Schritte, 45 Grad links. Rechts: Tür zum Arbeitszimmer, 3 Schritte, 45 Grad rechts. "
-              "Hinten: Fußmatte, ganz nah, hinten. Links: Garderobenständer, 1 Schritt, 100 Grad links.");
+    EXPECT_EQ(
+        s.ask(Command::AroundMe),
+        "Vorn: Wohnzimmertür, 3 Schritte, 45 Grad links. Rechts: Tür zum Arbeitszimmer, 3 Schritte, 45 Grad rechts. "
+        "Hinten: Fußmatte, ganz nah, hinten. Links: Garderobenständer, 1 Schritt, 100 Grad links.");
     EXPECT_EQ(s.ask(Command::AheadOfMe),
               "Wohnzimmertür, 3 Schritte, 45 Grad links. Standuhr, 4 Schritte, 20 Grad rechts. "
               "Tickende Uhr, 4 Schritte, 20 Grad rechts. Handlauf, 5 Schritte geradeaus.");
@@ -56,15 +65,19 @@ TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentenc
     s.ask(Command::Forward);
     s.run(1.0);
     EXPECT_EQ(s.ask(Command::Coordinates),
-              "6,0 Ost, 1,4 Nord, Höhe 0,0 Meter, auf dem Boden. Die Hand: 0,0 Ost, 0,0 Nord, Höhe 0,0 Meter, darunter ist nichts.");
+              "6,0 Ost, 1,4 Nord, Höhe 0,0 Meter, auf dem Boden. Die Hand: 0,0 Ost, 0,0 Nord, Höhe 0,0 Meter, darunter "
+              "ist nichts.");
     EXPECT_EQ(s.ask(Command::ScaleBar),
               "5 Schritte, 3,5 Meter, sind unter der Hand 5,8 Zentimeter. "
               "Norden ist für die Hand vom Körper weg, für die Füße vorn.");
     EXPECT_EQ(s.ask(Command::ScaleRoom), "Raum, 9,6 Meter breit, 14 Schritte");
     const std::string exits =
-        "Gartentür, 11 Schritte, 5 Grad rechts, führt zu: Garten. Tür zum Hauswirtschaftsraum, 9 Schritte, 10 Grad rechts, führt zu: Hauswirtschaftsraum. "
-        "Badezimmertür, 6 Schritte, 15 Grad rechts, führt zu: Badezimmer. Tür zum Arbeitszimmer, 2 Schritte, 65 Grad rechts, führt zu: Arbeitszimmer. "
-        "Haustür, 2 Schritte nach hinten, führt zu: Garten. Wohnzimmertür, 2 Schritte, 65 Grad links, führt zu: Wohnzimmer. "
+        "Gartentür, 11 Schritte, 5 Grad rechts, führt zu: Garten. Tür zum Hauswirtschaftsraum, 9 Schritte, 10 Grad "
+        "rechts, führt zu: Hauswirtschaftsraum. "
+        "Badezimmertür, 6 Schritte, 15 Grad rechts, führt zu: Badezimmer. Tür zum Arbeitszimmer, 2 Schritte, 65 Grad "
+        "rechts, führt zu: Arbeitszimmer. "
+        "Haustür, 2 Schritte nach hinten, führt zu: Garten. Wohnzimmertür, 2 Schritte, 65 Grad links, führt zu: "
+        "Wohnzimmer. "
         "Treppe, 2 Schritte, 10 Grad links.";
     EXPECT_EQ(s.ask(Command::Exits), "Flur. 7 Ausgänge. " + exits);
     EXPECT_EQ(s.ask(Command::UnvisitedExits), "Flur. 7 noch unbenutzte Ausgänge. " + exits);
@@ -85,41 +98,48 @@ std::shared_ptr<const Scene> platform() {
 TEST(GermanSession, warns_of_a_drop_and_holds_at_its_edge_in_german) {
     const test::InLanguage german("de");
     Session s;
-    s.app.enter_world(platform(), 0.0);
+    s.app.apply(WorldEntered{make_ready(platform())}, 0.0);
     s.run(0.1);
     s.said.clear();
     s.hold(Command::Forward, 6.0);
-    EXPECT_EQ(s.said,
-              (std::vector<std::string>{"Absturzkante vorn, 3 Schritte", "Absturzkante, 1,2 Meter tief. Noch einmal drücken, um darüber hinauszugehen."}));
+    EXPECT_EQ(s.said, (std::vector<std::string>{
+                          "Absturzkante vorn, 3 Schritte",
+                          "Absturzkante, 1,2 Meter tief. Noch einmal drücken, um darüber hinauszugehen."}));
 }
 
 TEST(GermanSession, tells_what_of_a_place_was_learnt_and_what_is_left_in_german) {
     const test::InLanguage german("de");
     Session s;
-    s.app.enter_world(world("tests/scenarios/worlds/two_rooms_door.map"), 0.0);
+    s.app.apply(WorldEntered{make_ready(world("tests/scenarios/worlds/two_rooms_door.map"))}, 0.0);
     s.run(0.1);
     EXPECT_EQ(s.ask(Command::LearnPlace),
-              "Lernen: Raum, darin Bookcase. Hier ist der Ausgangspunkt. Zuerst die Wände: Umschalt+Pfeil links halten, um an ihnen entlangzugehen. 8 sagt den "
+              "Lernen: Raum, darin Bookcase. Hier ist der Ausgangspunkt. Zuerst die Wände: Umschalt+Pfeil links "
+              "halten, um an ihnen entlangzugehen. 8 sagt den "
               "Stand, 7 was noch fehlt.");
     s.hold(Command::TrailLeft, 6.0);
     EXPECT_EQ(s.ask(Command::ProgressReport),
-              "Wände 23 Prozent, Boden 23 Prozent, 0 von 1 Tür. 6 Sekunden. Berührt: Westwand, Putz, Südwand, Putz, Bookcase, Holz.");
+              "Wände 23 Prozent, Boden 23 Prozent, 0 von 1 Tür. 6 Sekunden. Berührt: Westwand, Putz, Südwand, Putz, "
+              "Bookcase, Holz.");
     EXPECT_EQ(s.ask(Command::Unexplored), "Noch nicht erkundet: Boden, 1 Schritt, 170 Grad rechts");
-    EXPECT_EQ(s.ask(Command::Hunt), "Eine Uhr ist versteckt und tickt schnell, mit Kuckucksruf. Jetzt suchen: hingehen oder nach ihr greifen. 0 gibt einen Tipp.");
+    EXPECT_EQ(s.ask(Command::Hunt),
+              "Eine Uhr ist versteckt und tickt schnell, mit Kuckucksruf. Jetzt suchen: hingehen oder nach ihr "
+              "greifen. 0 gibt einen Tipp.");
     EXPECT_EQ(s.ask(Command::Hunt), "Weiter: 3 Schritte, 125 Grad rechts. Zu Fuß bis zur Uhr: 9 Schritte.");
     EXPECT_EQ(s.ask(Command::SquareUp), "Gerade ausgerichtet. Blick nach Westen. Bookcase, Holz, 1 Schritt geradeaus");
     EXPECT_EQ(s.ask(Command::LearnPlace),
-              "Das Lernen endet. Wände 23 Prozent, Boden 23 Prozent, 0 von 1 Tür. 6 Sekunden. Berührt: Westwand, Putz, Südwand, Putz, Bookcase, Holz.");
+              "Das Lernen endet. Wände 23 Prozent, Boden 23 Prozent, 0 von 1 Tür. 6 Sekunden. Berührt: Westwand, Putz, "
+              "Südwand, Putz, Bookcase, Holz.");
 }
 
 TEST(GermanSession, made_names_of_rooms_and_walls_follow_the_language_and_the_maps_own_names_do_not) {
     Session s;
-    s.app.enter_world(world("tests/scenarios/worlds/two_rooms_door.map"), 0.0);
+    s.app.apply(WorldEntered{make_ready(world("tests/scenarios/worlds/two_rooms_door.map"))}, 0.0);
     s.run(0.1);
     const std::string english = s.ask(Command::WhereAmI);
-    EXPECT_EQ(english,
-              "Room with Bookcase. You are at the base, facing north. Bookcase, 2 steps to the left. Door, 4 steps ahead. "
-              "Right: east wall, plaster, 3 steps. Behind: south wall, plaster, 1 step.");
+    EXPECT_EQ(
+        english,
+        "Room with Bookcase. You are at the base, facing north. Bookcase, 2 steps to the left. Door, 4 steps ahead. "
+        "Right: east wall, plaster, 3 steps. Behind: south wall, plaster, 1 step.");
     {
         const test::InLanguage german("de");
         s.run(0.1);

@@ -1,5 +1,5 @@
 // Grooves on the floor: where they run, and what a hand feels of them in a session.
-#include "app/core/grooves.h"
+#include "app/core/wayfinding/grooves.h"
 
 #include <limits>
 
@@ -49,7 +49,8 @@ TEST(Grooves, are_off_unless_wished_for_and_then_hold_a_hand_in_a_doorway) {
         // Before the living room's door, in the hall, a ball on the floor 15 cm aside of the middle of the doorway.
         const auto portal = [&] {
             const auto& features = p.app().scene()->features;
-            const auto door = std::find_if(features.begin(), features.end(), [](const Feature& f) { return f.name == "Living room door"; });
+            const auto door = std::find_if(features.begin(), features.end(),
+                                           [](const Feature& f) { return f.name == "Living room door"; });
             return door->bounds_m.centre_m();
         }();
         p.run(1.0);

@@ -44,23 +44,24 @@ struct Person : test::AppSession {
         return f;
     }
     void enter(const fs::path& world = {}, std::shared_ptr<const Scene> scene = room()) {
-        if (!world.empty()) app.use_side_file(SideFile::of_world(world, {}));
-        app.enter_world(std::move(scene), now);
+        WorldEntered entered{make_ready(std::move(scene))};
+        if (!world.empty()) entered.additions = SideFile::of_world(world, {});
+        app.apply(std::move(entered), now);
         run(0.1);
     }
     void tap(Command command) {
         said.clear();
-        app.press(command, now);
+        app.apply(CommandDown{command}, now);
         run(0.1);
-        app.release(command);
+        app.apply(CommandUp{command}, now);
     }
     void key(const char* name) {
         said.clear();
-        app.take_key(name, now);
+        app.apply(KeyTapped{name}, now);
         run(0.05);
     }
     void type(const char* text) {
-        app.take_text(text, now);
+        app.apply(TextTyped{text}, now);
         run(0.05);
     }
     void hand_at(const Vec3& world_m) {
@@ -69,7 +70,7 @@ struct Person : test::AppSession {
         tool.workspace_jump = app.pose().jump;
     }
     void stand_at(const Vec3& feet_m, double heading_rad = 0.0) {
-        app.place(feet_m, heading_rad, now);
+        app.apply(Placed{feet_m, heading_rad}, now);
         run(0.05);
     }
 };
@@ -87,24 +88,24 @@ TEST(Marks, are_set_named_kept_found_again_and_deleted) {
         p.stand_at({2.5, 2.9, 0.0});
         p.tap(Command::DropMark);
         EXPECT_TRUE(p.heard("Mark 2, near Table")) << testing::PrintToString(p.said);
-        for (int i = 0; i < 30; ++i) p.app.take_key("Backspace", p.now);
+        for (int i = 0; i < 30; ++i) p.app.apply(KeyTapped{"Backspace"}, p.now);
         p.type("Książki 本");
         p.key("Enter");
         EXPECT_TRUE(p.heard("Książki 本"));
-        ASSERT_EQ(p.app.guiding().marks.size(), 2U);
-        EXPECT_EQ(p.app.guiding().marks[1].name, "Książki 本");
+        ASSERT_EQ(p.app.world().marks.size(), 2U);
+        EXPECT_EQ(p.app.world().marks[1].name, "Książki 本");
     }
     Person p;
     p.enter(world);
-    EXPECT_EQ(p.app.guiding().marks.size(), 2U);
+    EXPECT_EQ(p.app.world().marks.size(), 2U);
     EXPECT_FALSE(p.heard("no longer fit"));
     p.tap(Command::DeleteMark);
     p.key("Enter");
     EXPECT_TRUE(p.heard("deleted"));
     Person again;
     again.enter(world);
-    ASSERT_EQ(again.app.guiding().marks.size(), 1U);
-    EXPECT_EQ(again.app.guiding().marks[0].name, "Książki 本");
+    ASSERT_EQ(again.app.world().marks.size(), 1U);
+    EXPECT_EQ(again.app.world().marks[0].name, "Książki 本");
 }
 
 TEST(Marks, are_set_and_found_in_german_near_what_the_world_stores_in_english) {
@@ -114,13 +115,15 @@ TEST(Marks, are_set_and_found_in_german_near_what_the_world_stores_in_english) {
     Person p;
     p.enter({}, std::make_shared<const Scene>(std::move(scene)));
     p.tap(Command::DeleteMark);
-    EXPECT_TRUE(p.heard("Es gibt noch keine Marken. Einfügen oder Umschalt+M setzt eine.")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.heard("Es gibt noch keine Marken. Einfügen oder Umschalt+M setzt eine."))
+        << testing::PrintToString(p.said);
     p.stand_at({0.5, 1.0, 0.0});
     p.tap(Command::DropMark);
-    EXPECT_TRUE(p.heard("Marke 1, bei Westwand gesetzt. Anderen Namen tippen oder Enter drücken")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.heard("Marke 1, bei Westwand gesetzt. Anderen Namen tippen oder Enter drücken"))
+        << testing::PrintToString(p.said);
     p.key("Enter");
-    ASSERT_EQ(p.app.guiding().marks.size(), 1U);
-    EXPECT_EQ(p.app.guiding().marks[0].near, "west wall");
+    ASSERT_EQ(p.app.world().marks.size(), 1U);
+    EXPECT_EQ(p.app.world().marks[0].near, "west wall");
     p.stand_at({3.0, 0.5, 0.0});
     p.tap(Command::Marks);
     EXPECT_TRUE(p.heard("Marken und Signal")) << testing::PrintToString(p.said);
@@ -161,8 +164,9 @@ TEST(Marks, of_an_edited_world_that_no_longer_fit_are_told) {
     EXPECT_FALSE(same.heard("no longer fit")) << "edited elsewhere; what the marks stand by is where it was";
     Person p(false, settings);
     p.enter(world, room(4.5));
-    EXPECT_TRUE(p.heard("This world has changed since you set marks. 1 of 2 no longer fits: Mark 1, near Table.")) << testing::PrintToString(p.said);
-    EXPECT_EQ(p.app.guiding().marks.size(), 2U);
+    EXPECT_TRUE(p.heard("This world has changed since you set marks. 1 of 2 no longer fits: Mark 1, near Table."))
+        << testing::PrintToString(p.said);
+    EXPECT_EQ(p.app.world().marks.size(), 2U);
     p.tap(Command::Marks);
     EXPECT_THAT(p.app.dialogue().view().items[2].value, HasSubstr("may no longer fit"));
 }
@@ -174,17 +178,20 @@ TEST(Marks, that_are_damaged_are_put_aside_and_told) {
     Person p;
     p.enter(world);
     EXPECT_TRUE(p.heard("kept as room.map.handrail.toml.damaged"));
-    EXPECT_TRUE(p.app.guiding().marks.empty());
-    folder.write("room.map.handrail.toml", "[[mark]]\nname = \"a\"\n[[mark]]\nname = \"b\"\nplace_m = [1.0, 1.0, 0.0]\n");
+    EXPECT_TRUE(p.app.world().marks.empty());
+    folder.write("room.map.handrail.toml",
+                 "[[mark]]\nname = \"a\"\n[[mark]]\nname = \"b\"\nplace_m = [1.0, 1.0, 0.0]\n");
     Person q;
     q.enter(world);
     EXPECT_TRUE(
-        q.heard("room.map.handrail.toml, line 1: the mark a needs place_m with three decimal numbers, such as [1.0, 2.5, 0.0]. Write them, or "
+        q.heard("room.map.handrail.toml, line 1: the mark a needs place_m with three decimal numbers, such as [1.0, "
+                "2.5, 0.0]. Write them, or "
                 "delete the entry. The rest of your additions is there."))
         << testing::PrintToString(q.said);
-    ASSERT_EQ(q.app.guiding().marks.size(), 1U);
+    ASSERT_EQ(q.app.world().marks.size(), 1U);
     q.tap(Command::DropMark);
-    EXPECT_THAT(test::content_of(folder.path() / "room.map.handrail.toml"), HasSubstr("name = \"a\"")) << "what could not be read stays in the file";
+    EXPECT_THAT(test::content_of(folder.path() / "room.map.handrail.toml"), HasSubstr("name = \"a\""))
+        << "what could not be read stays in the file";
 }
 
 TEST(Marks, are_set_where_the_hand_is_by_the_devices_button_too_and_told_once_when_near) {
@@ -200,8 +207,8 @@ TEST(Marks, are_set_where_the_hand_is_by_the_devices_button_too_and_told_once_wh
     p.tool.buttons = 0;
     p.run(0.1);
     EXPECT_TRUE(p.heard("Mark 1, near Table set"));
-    ASSERT_EQ(p.app.guiding().marks.size(), 1U);
-    EXPECT_EQ(p.app.guiding().marks[0].place_m, Vec3(1.5, 2.9, 0.4));
+    ASSERT_EQ(p.app.world().marks.size(), 1U);
+    EXPECT_EQ(p.app.world().marks[0].place_m, Vec3(1.5, 2.9, 0.4));
     p.sounds.clear();
     p.said.clear();
     p.hand_at({4.0, 1.0, 1.0});
@@ -214,7 +221,7 @@ TEST(Marks, are_set_where_the_hand_is_by_the_devices_button_too_and_told_once_wh
     // The first button grabs; where it is asked for it sets marks only if it does not.
     p.tool.buttons = 1;
     p.run(0.2);
-    EXPECT_EQ(p.app.guiding().marks.size(), 1U);
+    EXPECT_EQ(p.app.world().marks.size(), 1U);
 }
 
 TEST(Landmarks, and_clues_sound_different_when_touched_or_passed) {
@@ -228,11 +235,13 @@ TEST(Landmarks, and_clues_sound_different_when_touched_or_passed) {
     p.run(0.5);
     EXPECT_EQ(p.count(SoundKind::Clue), 1);
     p.stand_at({3.0, 0.5, 0.0});
-    const auto table = std::find_if(p.app.scene()->features.begin(), p.app.scene()->features.end(), [](const Feature& f) { return f.name == "Table"; });
+    const auto table = std::find_if(p.app.scene()->features.begin(), p.app.scene()->features.end(),
+                                    [](const Feature& f) { return f.name == "Table"; });
     p.hand_at({1.5, 2.95, 0.4});
     p.tool.contacts.count = 1;
     p.tool.contacts.strongest = 0;
-    p.tool.contacts.contacts[0].feature = FeatureId{static_cast<std::uint32_t>(table - p.app.scene()->features.begin())};
+    p.tool.contacts.contacts[0].feature =
+        FeatureId{static_cast<std::uint32_t>(table - p.app.scene()->features.begin())};
     p.run(0.5);
     EXPECT_EQ(p.count(SoundKind::Landmark), 2);
 }
@@ -293,12 +302,13 @@ TEST(BeaconTest, is_set_on_what_is_ahead_muted_and_brought_back) {
 void seek(Person& p, const std::string& thing, const std::string& way) {
     p.tap(Command::Find);
     const std::vector<ListItem> items = p.app.dialogue().view().items;
-    const auto found = std::find_if(items.begin(), items.end(), [&](const ListItem& item) { return item.name == thing; });
+    const auto found =
+        std::find_if(items.begin(), items.end(), [&](const ListItem& item) { return item.name == thing; });
     ASSERT_NE(found, items.end()) << thing;
-    ASSERT_TRUE(p.app.take_line(std::to_string(found - items.begin() + 1), p.now));
+    ASSERT_TRUE(p.app.apply(LineTyped{std::to_string(found - items.begin() + 1)}, p.now));
     p.run(0.05);
     p.said.clear();
-    ASSERT_TRUE(p.app.take_line(way, p.now));
+    ASSERT_TRUE(p.app.apply(LineTyped{way}, p.now));
     p.run(0.05);
 }
 
@@ -317,9 +327,11 @@ TEST(BeaconTest, calls_from_the_way_round_what_one_sees_over_and_cannot_walk_thr
 }
 
 TEST(WarmerTest, ticks_the_faster_the_nearer_is_silent_while_stopped_and_ends_on_the_thing) {
-    for (double felt_m = 0.0; felt_m < 0.3; felt_m += 0.001) EXPECT_LE(Warmer::interval_s(felt_m), Warmer::interval_s(felt_m + 0.001)) << felt_m;
+    for (double felt_m = 0.0; felt_m < 0.3; felt_m += 0.001)
+        EXPECT_LE(Warmer::interval_s(felt_m), Warmer::interval_s(felt_m + 0.001)) << felt_m;
     for (double felt_m = 0.005; felt_m < 0.3; felt_m += 0.005)
-        EXPECT_GT(Warmer::interval_s(2.0 * felt_m), 1.09 * Warmer::interval_s(felt_m)) << "twice as far is heard, " << felt_m;
+        EXPECT_GT(Warmer::interval_s(2.0 * felt_m), 1.09 * Warmer::interval_s(felt_m))
+            << "twice as far is heard, " << felt_m;
     EXPECT_GE(Warmer::interval_s(0.0), 0.06) << "single ticks, no buzz";
     EXPECT_LE(Warmer::interval_s(9.0), 0.5) << "never lost";
 
@@ -327,7 +339,8 @@ TEST(WarmerTest, ticks_the_faster_the_nearer_is_silent_while_stopped_and_ends_on
     double now_s = 0.0;
     const auto ticks_in_10_s = [&](double felt_m, bool heard) {
         int ticks = 0;
-        for (int i = 0; i < 10000; ++i, now_s += 0.001) ticks += warmer.tick(felt_m, Vec3(0.0), false, heard, now_s).sound;
+        for (int i = 0; i < 10000; ++i, now_s += 0.001)
+            ticks += warmer.tick(felt_m, Vec3(0.0), false, heard, now_s).sound;
         return ticks;
     };
     EXPECT_EQ(ticks_in_10_s(0.02, true), 0) << "nothing is sought";
@@ -414,7 +427,8 @@ TEST(WarmerTest, tells_by_its_pitch_how_directly_one_came_nearer_or_went_away) {
     EXPECT_NEAR(goes_to({0.085, 0.0, 0}), 0.73, 0.05) << "half round to it";
 }
 
-// An L of two legs; whoever goes round its corner hears the distance of the walk, and where the way is planned anew nothing jumps.
+// An L of two legs; whoever goes round its corner hears the distance of the walk, and where the way is planned anew
+// nothing jumps.
 TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuous_where_it_is_planned_anew) {
     SoughtWay way;
     const auto follow = [&](const Vec3& at_m) { way.follow(at_m, kHeightCountsForWalkers, {}); };
@@ -440,7 +454,8 @@ TEST(SoughtWayTest, measures_the_walk_calls_from_the_turning_and_stays_continuou
     EXPECT_NEAR(way.left_m(), 7.5 + SoughtWay::kSlope * 0.3 * 0.3 / 1.2, 1e-9);
     way.follow({3, 11.5, 0}, kHeightCountsForWalkers, [](const Vec3&) { return false; });
     EXPECT_TRUE(way.wants_plan(false, 5.0));
-    // The new way is 4 m longer. Told is what was told, and comes nearer to it only by going, so that nearer is never told as farther.
+    // The new way is 4 m longer. Told is what was told, and comes nearer to it only by going, so that nearer is never
+    // told as farther.
     before_m = way.told_m();
     way.plan({{3, 11.5, 0}, {3, 16, 0}, {10, 16, 0}}, {}, 1.0, {3, 11.5, 0}, 6.0);
     EXPECT_NEAR(way.told_m(), before_m, 1e-9);
@@ -532,9 +547,10 @@ TEST(TakeMe, leads_round_what_stands_between_along_the_planned_way_and_by_ear_wh
     ASSERT_GT(path.count, 2U);
     EXPECT_EQ(path.points_m[0], Vec3(1.2, 3.7, 0.3));
     const BodyWorld world(p.app.scene());
-    for (std::uint32_t i = 0; i + 2 < path.count; ++i) EXPECT_TRUE(world.crossings(path.points_m[i], path.points_m[i + 1]).empty()) << i;
+    for (std::uint32_t i = 0; i + 2 < path.count; ++i)
+        EXPECT_TRUE(world.crossings(path.points_m[i], path.points_m[i + 1]).empty()) << i;
     EXPECT_NEAR(path.points_m[path.count - 1].x, 5.85, 0.06) << "on the radiator";
-    EXPECT_FALSE(p.app.guiding().beacon.on());
+    EXPECT_FALSE(p.app.guide().beacon().on());
     p.tap(Command::TakeMe);
     p.hand_at({3.0, 1.0, 1.0});
     p.tap(Command::ToggleForces);
@@ -546,7 +562,8 @@ TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_r
     // Behind a wall without a door.
     SceneBuilder b;
     b.box({0, 0, -0.2}, {10, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
-    for (const double x : {-0.2, 5.0, 10.0}) b.box({x, 0, 0}, {x + 0.2, 4, 2.6}, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+    for (const double x : {-0.2, 5.0, 10.0})
+        b.box({x, 0, 0}, {x + 0.2, 4, 2.6}, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
     b.box({-0.2, -0.2, 0}, {10.2, 0, 2.6}, "south wall", SolidRole::Solid, "brick", FeatureKind::Wall);
     b.box({-0.2, 4, 0}, {10.2, 4.2, 2.6}, "north wall", SolidRole::Solid, "brick", FeatureKind::Wall);
     b.box({8, 2, 0}, {8.5, 2.5, 0.7}, "Chest", SolidRole::Solid, "wood", FeatureKind::Object);
@@ -565,7 +582,9 @@ TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_r
     hand.hand_at({2.0, 2.0, 1.0});
     hand.run(0.1);
     ask(hand);
-    EXPECT_TRUE(hand.heard("No walking way found to Chest. Taking your hand to the nearest place that can be reached, ")) << testing::PrintToString(hand.said);
+    EXPECT_TRUE(
+        hand.heard("No walking way found to Chest. Taking your hand to the nearest place that can be reached, "))
+        << testing::PrintToString(hand.said);
     hand.run(1.1);
     const GuidancePath& path = hand.app.guidance();
     ASSERT_GE(path.count, 2U);
@@ -573,7 +592,8 @@ TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_r
     Person keys;
     keys.enter({}, scene);
     ask(keys);
-    EXPECT_TRUE(keys.heard("No walking way found to Chest. The nearest place you can reach is")) << testing::PrintToString(keys.said);
+    EXPECT_TRUE(keys.heard("No walking way found to Chest. The nearest place you can reach is"))
+        << testing::PrintToString(keys.said);
     EXPECT_TRUE(keys.heard("To the nearest place to Chest.")) << testing::PrintToString(keys.said);
     keys.stand_at({4.65, 2.2, 0.0});
     keys.run(0.2);
@@ -593,7 +613,7 @@ TEST(TakeMe, without_a_device_tells_the_way_follows_it_and_stops_when_asked_agai
     EXPECT_TRUE(p.heard("steps in all.")) << testing::PrintToString(p.said);
     p.tap(Command::TakeMe);
     EXPECT_TRUE(p.heard("No way is followed any more."));
-    EXPECT_FALSE(p.app.guiding().beacon.on());
+    EXPECT_FALSE(p.app.guide().beacon().on());
     p.tap(Command::TakeMe);
     EXPECT_TRUE(p.heard("To Radiator. "));
     p.stand_at({5.4, 1.5, 0.0});

@@ -1,4 +1,4 @@
-#include "app/core/hazards.h"
+#include "app/core/world/hazards.h"
 
 #include <cmath>
 #include <random>
@@ -18,7 +18,9 @@ struct Ground {
         world = std::make_unique<BodyWorld>(scene);
         rules = ground_rules(*scene, body_size(*scene, 0.25));
     }
-    GroundAhead ahead(const Vec3& feet, double heading, double range = 6.3) const { return ground_ahead(*world, feet, heading, rules, range); }
+    GroundAhead ahead(const Vec3& feet, double heading, double range = 6.3) const {
+        return ground_ahead(*world, feet, heading, rules, range);
+    }
     std::shared_ptr<const Scene> scene;
     std::unique_ptr<BodyWorld> world;
     GroundRules rules;
@@ -27,7 +29,8 @@ struct Ground {
 // Stairs of `risers` north of y0 on a floor of 40 by 40 metres around `at`.
 void stairs(SceneBuilder& b, const Vec3& at, double y0, int risers, double rise, double tread) {
     b.box(at + Vec3(-20, -20, -3), at + Vec3(20, 20, 0), "floor");
-    for (int i = 0; i < risers; ++i) b.box(at + Vec3(-1, y0 + i * tread, 0), at + Vec3(1, y0 + risers * tread + 2.0, (i + 1) * rise), "stair");
+    for (int i = 0; i < risers; ++i)
+        b.box(at + Vec3(-1, y0 + i * tread, 0), at + Vec3(1, y0 + risers * tread + 2.0, (i + 1) * rise), "stair");
 }
 
 TEST(Hazards, stairs_are_counted_and_measured_wherever_they_stand_and_however_steep) {

@@ -1,10 +1,10 @@
-#include "app/core/hunt.h"
+#include "app/core/learning/hunt.h"
 
 #include <cmath>
 #include <set>
 
-#include "app/core/app_core.h"
-#include "app/core/session_log.h"
+#include "app/core/scenario/session_log.h"
+#include "app/core/session/app_core.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/newcomer.h"
@@ -71,7 +71,8 @@ TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_tim
         test::Newcomer newcomer(house, folder.path());
         newcomer.wait(0.37 * game);
         newcomer.tap("X");
-        EXPECT_FALSE(newcomer.listen_to(SoundKind::Clock).empty()) << "the grandfather clock of the house ticks too, and sounds otherwise";
+        EXPECT_FALSE(newcomer.listen_to(SoundKind::Clock).empty())
+            << "the grandfather clock of the house ticks too, and sounds otherwise";
         EXPECT_TRUE(newcomer.listen_to(SoundKind::HiddenClock).empty());
         int followed = 0;  // the ticking, in vain so far
         newcomer.tap("0", 0.5);
@@ -94,7 +95,8 @@ TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_tim
             }
         }
         ASSERT_TRUE(newcomer.heard("You found the clock")) << "game " << game << ": " << newcomer.last_lines(20);
-        std::cout << "game " << game << ": " << by_ear << " times by ear, " << by_hint << " hints, " << newcomer.now_s() << " s\n";
+        std::cout << "game " << game << ": " << by_ear << " times by ear, " << by_hint << " hints, " << newcomer.now_s()
+                  << " s\n";
         by_ear_in_all += by_ear;
         EXPECT_EQ(newcomer.heard("That is the first time here"), game == 0);
         EXPECT_EQ(newcomer.heard("best time here"), game > 0);

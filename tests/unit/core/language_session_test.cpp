@@ -1,7 +1,7 @@
 // The language, chosen in a session and by settings.
 #include <fstream>
 
-#include "app/core/spoken_language.h"
+#include "app/core/kept/spoken_language.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/environment.h"
 #include "tests/support/spoken_language.h"
@@ -18,17 +18,17 @@ struct Person : test::AppSession {
         test::SceneBuilder b;
         b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
         b.start({3, 0.5, 0}, 0.0);
-        app.enter_world(b.share(), now);
+        app.apply(WorldEntered{make_ready(b.share())}, now);
         run(0.1);
     }
     ~Person() { (void)speak_language("en"); }
     std::string line(const std::string& text) {
         run(0.5);
         said.clear();
-        if (!app.take_line(text, now))
+        if (!app.apply(LineTyped{text}, now))
             if (const CommandInfo* row = find_command(text)) {
-                app.press(row->command, now);
-                app.release(row->command);
+                app.apply(CommandDown{row->command}, now);
+                app.apply(CommandUp{row->command}, now);
             }
         return news();
     }
@@ -66,14 +66,15 @@ TEST(Language, that_there_is_not_is_told_and_changes_nothing) {
     Settings wanted = p.app.settings();
     wanted.speech.language = "xx";
     p.said.clear();
-    p.app.change_settings(wanted, p.now);
+    p.app.apply(SettingsChanged{wanted}, p.now);
     EXPECT_THAT(p.news(), HasSubstr("There is no language \"xx\"; there are: "));
     EXPECT_EQ(spoken_language(), "en");
 }
 
 TEST(Language, is_the_environments_where_the_settings_name_none) {
     test::WithEnvironment environment("LC_ALL", nullptr);
-    for (const auto& [locale, code] : {std::pair{"de_AT.UTF-8", "de"}, std::pair{"en_GB", "en"}, std::pair{"xx_XX", "en"}, std::pair{"C", "en"}}) {
+    for (const auto& [locale, code] :
+         {std::pair{"de_AT.UTF-8", "de"}, std::pair{"en_GB", "en"}, std::pair{"xx_XX", "en"}, std::pair{"C", "en"}}) {
         environment.put(locale);
         EXPECT_TRUE(speak_as_set({}, {}).empty());
         EXPECT_EQ(spoken_language(), code) << locale;

@@ -1,12 +1,12 @@
-#include "app/core/learning.h"
+#include "app/core/learning/learning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <random>
 
-#include "app/core/app_core.h"
-#include "app/core/session_log.h"
+#include "app/core/scenario/session_log.h"
+#include "app/core/session/app_core.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
 #include "tests/unit/core/app_session.h"
@@ -47,14 +47,21 @@ struct Ground {
 struct DoorRoom : Ground {
     static SceneBuilder built(const Vec3& at, double wide, double deep, bool block) {
         SceneBuilder b;
-        b.box(at + Vec3(-1, -1, -0.2), at + Vec3(wide + 1, deep + 1, 0), "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
-        b.box(at + Vec3(-0.2, deep, 0), at + Vec3(wide + 0.2, deep + 0.2, 2.6), "north wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
-        b.box(at + Vec3(-0.2, -0.2, 0), at + Vec3(1, 0, 2.6), "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
-        b.box(at + Vec3(2, -0.2, 0), at + Vec3(wide + 0.2, 0, 2.6), "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+        b.box(at + Vec3(-1, -1, -0.2), at + Vec3(wide + 1, deep + 1, 0), "floor", SolidRole::Solid, "carpet",
+              FeatureKind::Floor);
+        b.box(at + Vec3(-0.2, deep, 0), at + Vec3(wide + 0.2, deep + 0.2, 2.6), "north wall", SolidRole::Solid,
+              "plaster", FeatureKind::Wall);
+        b.box(at + Vec3(-0.2, -0.2, 0), at + Vec3(1, 0, 2.6), "south wall", SolidRole::Solid, "plaster",
+              FeatureKind::Wall);
+        b.box(at + Vec3(2, -0.2, 0), at + Vec3(wide + 0.2, 0, 2.6), "south wall", SolidRole::Solid, "plaster",
+              FeatureKind::Wall);
         b.box(at + Vec3(1, -0.15, 0), at + Vec3(2, 0, 2.6), "Door", SolidRole::Solid, "wood", FeatureKind::Door);
-        b.box(at + Vec3(wide, 0, 0), at + Vec3(wide + 0.2, deep, 2.6), "east wall", SolidRole::Solid, "wood", FeatureKind::Wall);
-        b.box(at + Vec3(-0.2, 0, 0), at + Vec3(0, deep, 2.6), "west wall", SolidRole::Solid, "brick", FeatureKind::Wall);
-        if (block) b.box(at + Vec3(2, 2, 0), at + Vec3(2.8, 2.8, 0.9), "Table", SolidRole::Solid, "wood", FeatureKind::Object);
+        b.box(at + Vec3(wide, 0, 0), at + Vec3(wide + 0.2, deep, 2.6), "east wall", SolidRole::Solid, "wood",
+              FeatureKind::Wall);
+        b.box(at + Vec3(-0.2, 0, 0), at + Vec3(0, deep, 2.6), "west wall", SolidRole::Solid, "brick",
+              FeatureKind::Wall);
+        if (block)
+            b.box(at + Vec3(2, 2, 0), at + Vec3(2.8, 2.8, 0.9), "Table", SolidRole::Solid, "wood", FeatureKind::Object);
         b.start(at + Vec3(1.5, 0.5, 0), 0.0);
         return b;
     }
@@ -68,7 +75,8 @@ TEST(Learning, perimeter_and_floor_are_as_large_as_the_room_and_what_stands_free
     std::mt19937 random(test::seed_of_run());
     for (int run = 0; run < 20; ++run) {
         const auto between = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
-        const DoorRoom room(run % 3 == 0 ? Vec3(0.0) : Vec3(between(-900, 900), between(-900, 900), between(-9, 9)), between(4, 9), between(4, 9), run % 2 == 1);
+        const DoorRoom room(run % 3 == 0 ? Vec3(0.0) : Vec3(between(-900, 900), between(-900, 900), between(-9, 9)),
+                            between(4, 9), between(4, 9), run % 2 == 1);
         const Progress none = room.progress();
         const double perimeter = 2.0 * (room.wide_m + room.deep_m), table = run % 2 == 1 ? 0.64 : 0.0;
         EXPECT_NEAR(none.perimeter_m, perimeter, 0.02 * perimeter);
@@ -91,12 +99,15 @@ TEST(Learning, the_share_of_the_walls_that_was_touched_is_the_truth_within_two_p
         const struct {
             Vec3 from, along, normal;
             double length;
-        } walls[] = {{{0, room.deep_m, 0}, {1, 0, 0}, {0, -1, 0}, room.wide_m}, {{room.wide_m, 0, 0}, {0, 1, 0}, {-1, 0, 0}, room.deep_m},
+        } walls[] = {{{0, room.deep_m, 0}, {1, 0, 0}, {0, -1, 0}, room.wide_m},
+                     {{room.wide_m, 0, 0}, {0, 1, 0}, {-1, 0, 0}, room.deep_m},
                      {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, room.deep_m}};
         for (const auto& wall : walls) {
             const double begin = between(0, 0.6 * wall.length), end = between(begin, wall.length);
-            for (double s = begin; s <= end; s += 0.05) notes.touched(room.at_m + wall.from + wall.along * s + Vec3(0, 0, 1), wall.normal, reach);
-            truth_m += std::min(wall.length, begin + std::floor((end - begin) / 0.05) * 0.05 + reach) - std::max(0.0, begin - reach);
+            for (double s = begin; s <= end; s += 0.05)
+                notes.touched(room.at_m + wall.from + wall.along * s + Vec3(0, 0, 1), wall.normal, reach);
+            truth_m += std::min(wall.length, begin + std::floor((end - begin) / 0.05) * 0.05 + reach) -
+                       std::max(0.0, begin - reach);
         }
         const double perimeter = 2.0 * (room.wide_m + room.deep_m);
         EXPECT_NEAR(room.progress(notes).perimeter_share(), truth_m / perimeter, 0.02) << run;
@@ -126,7 +137,8 @@ TEST(Learning, the_share_of_the_floor_that_was_walked_is_the_truth_within_two_pe
             for (double y = 0.015; y < room.deep_m; y += 0.03) {
                 const Vec3 p = room.at_m + Vec3(x, y, 0.0);
                 ++all;
-                walked += std::any_of(way.begin(), way.end(), [&](const Vec3& w) { return glm::length(w - p) <= kFloorReach_m; });
+                walked += std::any_of(way.begin(), way.end(),
+                                      [&](const Vec3& w) { return glm::length(w - p) <= kFloorReach_m; });
             }
         EXPECT_NEAR(room.progress(notes).floor_share(), static_cast<double>(walked) / all, 0.02) << run;
     }
@@ -143,7 +155,8 @@ TEST(Learning, what_is_not_known_yet_is_found_nearest_first_and_nothing_is_left_
     left = nearest_unexplored(room.learnt(notes), feet);
     ASSERT_TRUE(left);
     EXPECT_TRUE(left->wall) << "the floor is done";
-    for (double s = 0.0; s <= 6.0; s += 0.05) notes.touched({s, 0, 1}, {0, 1, 0}, 0.1), notes.touched({s, 4, 1}, {0, -1, 0}, 0.1);
+    for (double s = 0.0; s <= 6.0; s += 0.05)
+        notes.touched({s, 0, 1}, {0, 1, 0}, 0.1), notes.touched({s, 4, 1}, {0, -1, 0}, 0.1);
     for (double s = 0.0; s <= 4.0; s += 0.05) notes.touched({0, s, 1}, {1, 0, 0}, 0.1);
     left = nearest_unexplored(room.learnt(notes), feet);
     ASSERT_TRUE(left);
@@ -184,7 +197,8 @@ struct Outline {
             const Vec3 a = corner(i), b = corner(i + 1);
             if ((a.y > p.y) != (b.y > p.y) && p.x < a.x) in = !in;
         }
-        return in && !(pillar && p.x > pillar->min_m.x && p.x < pillar->max_m.x && p.y > pillar->min_m.y && p.y < pillar->max_m.y);
+        return in && !(pillar && p.x > pillar->min_m.x && p.x < pillar->max_m.x && p.y > pillar->min_m.y &&
+                       p.y < pillar->max_m.y);
     }
     double perimeter_m() const {
         double sum_m = 0.0;
@@ -210,15 +224,18 @@ struct Outline {
         SceneBuilder b;
         b.box({-1, -1, -0.2}, {13, 13, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            const Vec3 from = corner(i), to = corner(i + 1), along = (to - from) / glm::length(to - from), out(along.y, -along.x, 0.0);
-            // A wall goes on round an outer corner; at an inner one it ends, and the next begins a little behind its face.
+            const Vec3 from = corner(i), to = corner(i + 1), along = (to - from) / glm::length(to - from),
+                       out(along.y, -along.x, 0.0);
+            // A wall goes on round an outer corner; at an inner one it ends, and the next begins a little behind its
+            // face.
             const Vec3 a = from - along * 0.2, c = to + along * 0.2;
             const auto turn = [](const Vec3& one, const Vec3& other) { return one.x * other.y - one.y * other.x; };
             const Vec3 before = from - corner(i + corners.size() - 1), after = corner(i + 2) - to;
-            const Vec3 begin = turn(before, along) > 0.0 ? a : from + along * 0.02, end = turn(along, after) > 0.0 ? c : to;
+            const Vec3 begin = turn(before, along) > 0.0 ? a : from + along * 0.02,
+                       end = turn(along, after) > 0.0 ? c : to;
             b.box(glm::min(glm::min(begin, end), glm::min(begin + out * 0.2, end + out * 0.2)),
-                  glm::max(glm::max(begin, end), glm::max(begin + out * 0.2, end + out * 0.2)) + Vec3(0, 0, 2.6), "wall " + std::to_string(i + 1),
-                  SolidRole::Solid, "plaster", FeatureKind::Wall);
+                  glm::max(glm::max(begin, end), glm::max(begin + out * 0.2, end + out * 0.2)) + Vec3(0, 0, 2.6),
+                  "wall " + std::to_string(i + 1), SolidRole::Solid, "plaster", FeatureKind::Wall);
         }
         if (pillar) b.box(pillar->min_m, pillar->max_m, "Pillar", SolidRole::Solid, "stone", FeatureKind::Object);
         b.start(start, 0.0);
@@ -226,13 +243,24 @@ struct Outline {
     }
 };
 const Outline kOblong{"oblong", {{0, 0, 0}, {6, 0, 0}, {6, 4, 0}, {0, 4, 0}}, {}, {1.5, 0.5, 0}, 26.0};
-const Outline kAngle{"angle", {{0, 0, 0}, {7, 0, 0}, {7, 3.2, 0}, {3.3, 3.2, 0}, {3.3, 7.4, 0}, {0, 7.4, 0}}, {}, {1.5, 0.5, 0}, 36.0};
-const Outline kPillared{"pillared", {{0, 0, 0}, {6, 0, 0}, {6, 5, 0}, {0, 5, 0}}, Aabb{{2.6, 2.1, 0}, {3.4, 2.9, 2.6}}, {1.5, 0.5, 0}, 28.0};
+const Outline kAngle{
+    "angle", {{0, 0, 0}, {7, 0, 0}, {7, 3.2, 0}, {3.3, 3.2, 0}, {3.3, 7.4, 0}, {0, 7.4, 0}}, {}, {1.5, 0.5, 0}, 36.0};
+const Outline kPillared{"pillared",
+                        {{0, 0, 0}, {6, 0, 0}, {6, 5, 0}, {0, 5, 0}},
+                        Aabb{{2.6, 2.1, 0}, {3.4, 2.9, 2.6}},
+                        {1.5, 0.5, 0},
+                        28.0};
 // The pillar stands against the east wall and is part of what bounds the room.
-const Outline kRecessed{"recessed", {{0, 0, 0}, {6, 0, 0}, {6, 1.8, 0}, {5.2, 1.8, 0}, {5.2, 2.9, 0}, {6, 2.9, 0}, {6, 5, 0}, {0, 5, 0}}, {}, {1.5, 0.5, 0}, 32.0};
+const Outline kRecessed{
+    "recessed",
+    {{0, 0, 0}, {6, 0, 0}, {6, 1.8, 0}, {5.2, 1.8, 0}, {5.2, 2.9, 0}, {6, 2.9, 0}, {6, 5, 0}, {0, 5, 0}},
+    {},
+    {1.5, 0.5, 0},
+    32.0};
 
 class Outlines : public testing::TestWithParam<Outline> {};
-INSTANTIATE_TEST_SUITE_P(Learning, Outlines, testing::Values(kOblong, kAngle, kPillared, kRecessed), [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Learning, Outlines, testing::Values(kOblong, kAngle, kPillared, kRecessed),
+                         [](const auto& test) { return test.param.name; });
 
 TEST_P(Outlines, are_as_long_and_as_large_as_they_are_within_two_percent) {
     const Outline& outline = GetParam();
@@ -243,7 +271,8 @@ TEST_P(Outlines, are_as_long_and_as_large_as_they_are_within_two_percent) {
     EXPECT_NEAR(none.perimeter_m / outline.perimeter_m(), 1.0, 0.02);
     EXPECT_NEAR(none.floor_m2 / (static_cast<double>(points) * 0.03 * 0.03), 1.0, 0.02);
     EXPECT_EQ(none.exits, 0);
-    EXPECT_EQ(std::count_if(none.walls.begin(), none.walls.end(), [](const WallProgress& wall) { return wall.length_m > 0.0; }),
+    EXPECT_EQ(std::count_if(none.walls.begin(), none.walls.end(),
+                            [](const WallProgress& wall) { return wall.length_m > 0.0; }),
               static_cast<std::ptrdiff_t>(outline.corners.size()));
     for (const WallProgress& wall : none.walls) {
         const std::size_t i = std::stoul(room.scene->features[wall.feature.value].name.substr(5)) - 1;
@@ -253,7 +282,7 @@ TEST_P(Outlines, are_as_long_and_as_large_as_they_are_within_two_percent) {
 
 // A person who presses keys, and where the feet were.
 struct Lap : test::AppSession {
-    explicit Lap(std::shared_ptr<const Scene> scene) { app.enter_world(std::move(scene), 0.0); }
+    explicit Lap(std::shared_ptr<const Scene> scene) { app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0); }
     void walk(double seconds) {
         for (const double until = now + seconds; now < until - 1e-9;) {
             run(1.0 / 60.0);
@@ -261,12 +290,13 @@ struct Lap : test::AppSession {
         }
     }
     void walk(Command command, double seconds) {
-        app.press(command, now);
+        app.apply(CommandDown{command}, now);
         walk(seconds);
-        app.release(command);
+        app.apply(CommandUp{command}, now);
     }
     bool told(const char* words) const {
-        return std::any_of(said.begin(), said.end(), [&](const std::string& line) { return words_in_order(words, line); });
+        return std::any_of(said.begin(), said.end(),
+                           [&](const std::string& line) { return words_in_order(words, line); });
     }
     std::vector<Vec3> feet;
 };
@@ -287,16 +317,19 @@ TEST_P(Outlines, a_lap_by_keys_is_told_as_it_was_within_two_percent_at_every_par
             touched += std::any_of(lap.feet.begin(), lap.feet.end(), [&](const Vec3& f) {
                 const Vec3 way = f - wall;
                 const double off = glm::dot(way, normal);
-                return off > 0.0 && off < 0.25 + Trail::kGap_m + 0.02 && std::abs(-way.x * normal.y + way.y * normal.x) <= 0.25;
+                return off > 0.0 && off < 0.25 + Trail::kGap_m + 0.02 &&
+                       std::abs(-way.x * normal.y + way.y * normal.x) <= 0.25;
             });
         });
         outline.over_floor([&](const Vec3& place) {
             ++floor;
-            walked += std::any_of(lap.feet.begin(), lap.feet.end(), [&](const Vec3& f) { return glm::length(f - place) <= kFloorReach_m; });
+            walked += std::any_of(lap.feet.begin(), lap.feet.end(),
+                                  [&](const Vec3& f) { return glm::length(f - place) <= kFloorReach_m; });
         });
         ASSERT_EQ(report.rfind("Walls ", 0), 0U) << report;
         EXPECT_NEAR(std::stod(report.substr(6)), 100.0 * touched / all, 2.0) << report << " of " << share;
-        EXPECT_NEAR(std::stod(report.substr(report.find("floor ") + 6)), 100.0 * walked / floor, 2.0) << report << " of " << share;
+        EXPECT_NEAR(std::stod(report.substr(report.find("floor ") + 6)), 100.0 * walked / floor, 2.0)
+            << report << " of " << share;
         if (share < 1.0) continue;
         EXPECT_GT(100.0 * touched / all, 95.0);
         EXPECT_TRUE(lap.told("Wall 1 done"));
@@ -338,7 +371,8 @@ TEST(Learning, the_place_is_the_room_of_the_graph_and_its_portals_are_the_exits)
     EXPECT_EQ(study.graph.rooms[study.room].name, "Study");
     for (const Ground* one : {&study, &kitchen}) {
         const Progress none = one->progress();
-        // Three walls and the fourth with a gap of a metre; how much of the jambs belongs to either room is for the graph to say.
+        // Three walls and the fourth with a gap of a metre; how much of the jambs belongs to either room is for the
+        // graph to say.
         EXPECT_NEAR(none.perimeter_m, 2.0 * (one == &study ? 5.0 : 4.8) + 8.0 - 1.0 + 0.2, 0.4);
         EXPECT_NEAR(none.floor_m2, (one == &study ? 5.0 : 4.8) * 4.0, 0.5);
         EXPECT_EQ(none.exits, 1);
@@ -360,12 +394,12 @@ TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_ro
     const std::string before = lap.ask(Command::ProgressReport);
     const auto percents = [](const std::string& report) { return report.substr(0, report.find(" percent, floor")); };
     // To the other room, by a leap, so that nothing more is touched on the way.
-    lap.app.place({8, 2, 0}, 0.0, lap.now);
+    lap.app.apply(Placed{{8, 2, 0}, 0.0}, lap.now);
     lap.run(1.5);
     EXPECT_TRUE(lap.told("Next to learn Kitchen Base here")) << lap.said.back();
     EXPECT_TRUE(words_in_order("Walls 0 percent", lap.ask(Command::ProgressReport))) << lap.said.back();
     lap.walk(Command::TrailLeft, 2.0);
-    lap.app.press(Command::LearntRooms, lap.now);
+    lap.app.apply(CommandDown{Command::LearntRooms}, lap.now);
     lap.run(0.1);
     const DialogueView list = lap.app.dialogue().view();
     EXPECT_EQ(list.title, "Rooms learnt: 0 of 2");
@@ -373,8 +407,8 @@ TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_ro
     EXPECT_EQ(list.items[0].name, "Kitchen");
     EXPECT_EQ(list.items[1].name, "Study");
     EXPECT_EQ("W" + list.items[1].value.substr(1, list.items[1].value.find(" percent, floor") - 1), percents(before));
-    lap.app.take_key("Escape", lap.now);
-    lap.app.place({2, 1, 0}, 0.0, lap.now);
+    lap.app.apply(KeyTapped{"Escape"}, lap.now);
+    lap.app.apply(Placed{{2, 1, 0}, 0.0}, lap.now);
     lap.run(1.5);
     EXPECT_TRUE(lap.told("Learning goes on Study")) << lap.said.back();
     EXPECT_EQ(percents(lap.ask(Command::ProgressReport)), percents(before));
@@ -382,7 +416,7 @@ TEST(Learning, what_is_known_of_a_room_is_kept_while_one_is_elsewhere_and_all_ro
 
 TEST(Learning, a_room_of_which_nothing_is_known_is_listed_as_such) {
     Lap lap(two_rooms().share());
-    lap.app.press(Command::LearntRooms, lap.now);
+    lap.app.apply(CommandDown{Command::LearntRooms}, lap.now);
     lap.run(0.1);
     EXPECT_EQ(lap.app.dialogue().view().items.at(1).value, "nothing yet");
 }

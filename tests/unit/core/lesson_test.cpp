@@ -1,8 +1,8 @@
-#include "app/core/lesson.h"
+#include "app/core/lessons/lesson.h"
 
-#include "app/core/app_core.h"
-#include "worlds/base/language.h"
+#include "app/core/session/app_core.h"
 #include "tests/support/box_scene.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -105,29 +105,29 @@ TEST(Lessons, of_the_beacon_lead_a_body_to_the_thing_it_chose) {
         }
     };
     const auto press = [&](Command command) {
-        app.press(command, now);
-        app.release(command);
+        app.apply(CommandDown{command}, now);
+        app.apply(CommandUp{command}, now);
         run(0.1);
     };
-    app.enter_world(w.scene, now);
+    app.apply(WorldEntered{make_ready(w.scene)}, now);
     press(Command::Lessons);
-    for (const char* key : {"End", "Up", "Enter"}) app.take_key(key, now);
+    for (const char* key : {"End", "Up", "Enter"}) app.apply(KeyTapped{key}, now);
     run(0.2);
     EXPECT_THAT(text, HasSubstr("Press Shift+H"));
     press(Command::Find);
     const auto at = [&] { return app.dialogue().view().items.at(app.dialogue().view().at).name; };
-    for (int i = 0; i < 9 && at() != "Radiator"; ++i) app.take_key("Down", now);
+    for (int i = 0; i < 9 && at() != "Radiator"; ++i) app.apply(KeyTapped{"Down"}, now);
     ASSERT_EQ(at(), "Radiator");
-    app.take_key("Enter", now);
-    app.take_key("Enter", now);
+    app.apply(KeyTapped{"Enter"}, now);
+    app.apply(KeyTapped{"Enter"}, now);
     run(2.0);
     EXPECT_THAT(text, HasSubstr("Beacon on Radiator"));
     EXPECT_THAT(text, HasSubstr("rings clear"));
     press(Command::TurnRight);
     run(0.5);
-    app.press(Command::Forward, now);
+    app.apply(CommandDown{Command::Forward}, now);
     run(6.0);
-    app.release(Command::Forward);
+    app.apply(CommandUp{Command::Forward}, now);
     run(3.0);
     EXPECT_THAT(text, HasSubstr("Here: Radiator"));
     EXPECT_THAT(text, HasSubstr("That was the lesson."));
@@ -164,26 +164,26 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
         }
         return text;
     };
-    app.begin_first_minutes("a voice", true, now);
+    app.apply(FirstMinutesBegun{"a voice", true}, now);
     EXPECT_THAT(said(), HasSubstr("Handrail is speaking with a voice"));
-    app.enter_world(w.scene, now);
+    app.apply(WorldEntered{make_ready(w.scene)}, now);
     EXPECT_TRUE(app.greeting_waits());
     EXPECT_EQ(said(), "") << "the world's own greeting waits";
-    app.press(Command::Use, now += 0.1);
-    app.release(Command::Use);
+    app.apply(CommandDown{Command::Use}, now += 0.1);
+    app.apply(CommandUp{Command::Use}, now);
     EXPECT_THAT(run(1.0), HasSubstr("your headphones"));
     EXPECT_TRUE(app.take_first_set_up());
     EXPECT_TRUE(app.take_calibration_request());
     EXPECT_FALSE(app.take_calibration_request());
-    app.know_set_up_over();
+    app.apply(SetUpOver{}, now);
     EXPECT_THAT(run(1.0), HasSubstr("You are in a small room"));
     EXPECT_EQ(saved["welcome.step"], "3");
 
     Settings next;
     next.welcome.step = 3;
     AppCore later(next, HandFacts{});
-    later.begin_first_minutes("a voice", true, 0.0);
-    later.enter_world(w.scene, 0.0);
+    later.apply(FirstMinutesBegun{"a voice", true}, 0.0);
+    later.apply(WorldEntered{make_ready(w.scene)}, 0.0);
     std::string text;
     for (const CueRequest& cue : later.take_cues())
         if (cue.kind == CueRequestKind::Say) text += cue.text + " ";
@@ -191,10 +191,10 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
     EXPECT_THAT(text, HasSubstr("You are in a small room"));
 
     // Escape explains, and leaves at the second press; nothing asks again.
-    app.press(Command::Leave, now += 10.0);
+    app.apply(CommandDown{Command::Leave}, now += 10.0);
     EXPECT_THAT(said(), HasSubstr("Press Escape again to leave it"));
-    app.release(Command::Leave);
-    app.press(Command::Leave, now += 1.0);
+    app.apply(CommandUp{Command::Leave}, now);
+    app.apply(CommandDown{Command::Leave}, now += 1.0);
     EXPECT_THAT(said(), HasSubstr("The introduction is left"));
     EXPECT_EQ(saved["welcome.done"], "true");
     EXPECT_FALSE(app.wants_to_leave());
@@ -203,11 +203,11 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
 TEST(FirstMinutes, are_skipped_by_whoever_does_something_else_and_the_world_greets_then) {
     const World w;
     AppCore app(Settings{}, HandFacts{});
-    app.begin_first_minutes("a voice", true, 0.0);
-    app.enter_world(w.scene, 0.0);
+    app.apply(FirstMinutesBegun{"a voice", true}, 0.0);
+    app.apply(WorldEntered{make_ready(w.scene)}, 0.0);
     app.take_cues();
-    app.press(Command::Forward, 0.5);
-    app.release(Command::Forward);
+    app.apply(CommandDown{Command::Forward}, 0.5);
+    app.apply(CommandUp{Command::Forward}, 0.5);
     std::string text;
     for (const CueRequest& cue : app.take_cues())
         if (cue.kind == CueRequestKind::Say) text += cue.text + " ";

@@ -25,24 +25,24 @@ std::shared_ptr<const Scene> room() {
 
 struct Person : test::AppSession {
     explicit Person(const Settings& settings = {}) : AppSession(settings) {
-        app.enter_world(room(), now);
+        app.apply(WorldEntered{make_ready(room())}, now);
         run(0.1);
     }
     // As a window does it; what is said to it.
     std::string key(const std::string& name) {
         run(0.5);
         said.clear();
-        if (!app.take_key(name, now))
+        if (!app.apply(KeyTapped{name}, now))
             if (const auto command = app.keys().find(name)) {
-                app.press(*command, now);
-                app.release(*command);
+                app.apply(CommandDown{*command}, now);
+                app.apply(CommandUp{*command}, now);
             }
         return news();
     }
     std::string line(const std::string& text) {
         run(0.5);
         said.clear();
-        return app.take_line(text, now) ? news() : "not taken";
+        return app.apply(LineTyped{text}, now) ? news() : "not taken";
     }
     std::map<std::string, std::string> saved() {
         std::map<std::string, std::string> all;
@@ -62,7 +62,8 @@ TEST(Menu, leads_to_every_command_by_topic_each_with_its_key) {
         p.line(std::to_string(topic));
         const std::string all = p.line("list");
         for (const CommandInfo& row : command_table())
-            if (all.find(row.help().substr(0, row.help().size() - 1)) != std::string::npos) told.insert(std::string(row.word));
+            if (all.find(row.help().substr(0, row.help().size() - 1)) != std::string::npos)
+                told.insert(std::string(row.word));
         p.line("escape");
     }
     for (const CommandInfo& row : command_table()) EXPECT_TRUE(told.contains(std::string(row.word))) << row.word;
@@ -131,7 +132,7 @@ TEST(Rebinding, tells_conflicts_and_lets_the_person_decide_and_gives_the_built_i
     EXPECT_THAT(p.line("what key?"), HasSubstr("is no key's name"));
     leave();
     ask_for("another");
-    EXPECT_FALSE(p.app.take_key("F12", p.now)) << "the stop key stops, whatever is asked";
+    EXPECT_FALSE(p.app.apply(KeyTapped{"F12"}, p.now)) << "the stop key stops, whatever is asked";
 }
 
 TEST(InputHelp, explains_keys_and_does_nothing_until_it_is_pressed_again) {
@@ -143,7 +144,7 @@ TEST(InputHelp, explains_keys_and_does_nothing_until_it_is_pressed_again) {
     EXPECT_THAT(p.line("scale-bar"), StartsWith("scale-bar: How long five steps are"));
     EXPECT_TRUE(p.app.idle());
     EXPECT_EQ(p.app.settings().workspace.frame, FrameChoice::Map);
-    EXPECT_FALSE(p.app.take_key("F12", p.now));
+    EXPECT_FALSE(p.app.apply(KeyTapped{"F12"}, p.now));
     EXPECT_THAT(p.key("Shift+F1"), StartsWith("Input help off."));
     EXPECT_THAT(p.key("Pause"), "") << "an unknown key says nothing";
     p.key("F4");
@@ -276,7 +277,7 @@ TEST(WorldsMenu, offers_what_comes_along_what_was_visited_and_any_folder) {
     const test::TemporaryFolder other;
     other.write("museum.obj", "");
     Person p;
-    p.app.set_worlds({folder.path(), {other.path() / "museum.obj"}});
+    p.app.apply(WorldsKnown{{folder.path(), {other.path() / "museum.obj"}}}, p.now);
     p.key("Tab");
     EXPECT_THAT(p.line("worlds"), HasSubstr("Museum, visited before, 1 of 4"));
     EXPECT_THAT(p.line("list"), HasSubstr("My house, comes with Handrail. 3: Old school"));
@@ -313,7 +314,8 @@ TEST(RecentWorlds, are_kept_between_sessions_and_a_damaged_file_is_set_aside_and
     ASSERT_EQ(again.worlds().size(), RecentWorlds::kMost);
     EXPECT_EQ(again.worlds()[0], "/worlds/\xC3\xA9t\xC3\xA9.map");
     EXPECT_EQ(again.worlds()[1], "/worlds/5.map");
-    for (const std::string& damaged : {std::string("\xff\xfe\x00junk", 7), std::string("no path\n"), std::string("/a\x01/b.map\n"), std::string(70000, 'x')}) {
+    for (const std::string& damaged : {std::string("\xff\xfe\x00junk", 7), std::string("no path\n"),
+                                       std::string("/a\x01/b.map\n"), std::string(70000, 'x')}) {
         std::ofstream(file, std::ios::binary | std::ios::trunc) << damaged;
         RecentWorlds recent(file);
         EXPECT_TRUE(recent.worlds().empty());

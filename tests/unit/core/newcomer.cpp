@@ -3,7 +3,7 @@
 #include <cmath>
 #include <regex>
 
-#include "app/core/session_log.h"
+#include "app/core/scenario/session_log.h"
 
 namespace handrail::test {
 namespace {
@@ -19,8 +19,10 @@ std::string entry_of(std::string spoken) {
 }  // namespace
 
 std::optional<Direction> direction_in(const std::string& text) {
-    static const std::regex pattern("(\\d+) steps?(?:,? (\\d+) degrees (right|left)|,? (?:to the )?(ahead|behind|right|left)( right| left)?)");
-    static const std::regex close("close by,? (?:(\\d+) degrees (right|left)|(?:to the )?(ahead|behind|right|left)( right| left)?)");
+    static const std::regex pattern(
+        "(\\d+) steps?(?:,? (\\d+) degrees (right|left)|,? (?:to the )?(ahead|behind|right|left)( right| left)?)");
+    static const std::regex close(
+        "close by,? (?:(\\d+) degrees (right|left)|(?:to the )?(ahead|behind|right|left)( right| left)?)");
     std::smatch found;
     Direction direction;
     std::string degrees, degrees_side, word, half;
@@ -36,7 +38,10 @@ std::optional<Direction> direction_in(const std::string& text) {
         direction.right_deg = std::stod(degrees) * (degrees_side == "right" ? 1.0 : -1.0);
     } else {
         const double side = half == " right" ? 1.0 : half == " left" ? -1.0 : 0.0;
-        direction.right_deg = word == "right" ? 90.0 : word == "left" ? -90.0 : word == "behind" ? (side == 0.0 ? 180.0 : side * 135.0) : side * 45.0;
+        direction.right_deg = word == "right"    ? 90.0
+                              : word == "left"   ? -90.0
+                              : word == "behind" ? (side == 0.0 ? 180.0 : side * 135.0)
+                                                 : side * 45.0;
     }
     return direction;
 }
@@ -44,7 +49,7 @@ std::optional<Direction> direction_in(const std::string& text) {
 Newcomer::Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records) {
     session_ = std::make_unique<HeadlessSession>(Settings{}, HandFacts{}, audio_, speech_);
     if (!records.empty()) session_->app().keep_records_in(records);
-    session_->app().enter_world(std::move(world), 0.0);
+    session_->app().apply(WorldEntered{make_ready(std::move(world))}, 0.0);
     wait(1.0);
 }
 
@@ -62,7 +67,7 @@ void Newcomer::hold(const std::string& key, double seconds) {
     if (!command) return;
     session_->press(*command);
     wait(seconds);
-    session_->app().release(*command);
+    session_->app().apply(CommandUp{*command}, session_->now_s());
     wait(0.2);
 }
 
@@ -232,7 +237,8 @@ bool Newcomer::go_to_thing(const std::string& thing) {
         wait(1.3);
         std::optional<double> right_deg;
         for (std::size_t i = sounds; i < audio_.sounds().size(); ++i)
-            if (is_beacon(audio_.sounds()[i].cue.kind)) right_deg = right_of_ears_deg(audio_.sounds()[i].cue.position_m);
+            if (is_beacon(audio_.sounds()[i].cue.kind))
+                right_deg = right_of_ears_deg(audio_.sounds()[i].cue.position_m);
         if (!right_deg) continue;
         turn(*right_deg);
         if (walk(3)) get_round();
@@ -248,7 +254,8 @@ double Newcomer::right_of_ears_deg(const Vec3& place_m) const {
 std::vector<Newcomer::Heard> Newcomer::listen_to(SoundKind kind) const {
     std::vector<Heard> all;
     for (const SoundCue& cue : audio_.world_sounds())
-        if (cue.kind == kind && cue.loudness > 0.0) all.push_back({cue.source, right_of_ears_deg(cue.position_m), cue.muffled_db});
+        if (cue.kind == kind && cue.loudness > 0.0)
+            all.push_back({cue.source, right_of_ears_deg(cue.position_m), cue.muffled_db});
     return all;
 }
 

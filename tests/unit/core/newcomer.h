@@ -1,5 +1,6 @@
-// Somebody who has never been there and sees nothing: presses keys by their names and knows what was spoken and what was heard, in the order in which it came.
-// Never looks into the scene or at where the body is. The sounds tell what ears tell: which sound, from which side, how muffled.
+// Somebody who has never been there and sees nothing: presses keys by their names and knows what was spoken and what
+// was heard, in the order in which it came. Never looks into the scene or at where the body is. The sounds tell what
+// ears tell: which sound, from which side, how muffled.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/headless_session.h"
+#include "app/core/session/headless_session.h"
 #include "audio-cues/sinks/recording_sinks.h"
 
 namespace handrail::test {
@@ -32,7 +33,8 @@ public:
     void turn(double right_deg);
     // So many steps ahead; less where something is met, and then true. Doors that are met are opened and gone through.
     bool walk(int steps);  // an edge counts as met, unless the way that was told leads over it
-    // Obeys one direction, "5 steps, 30 degrees right": turns and walks most of it. False: it says neither distance nor direction.
+    // Obeys one direction, "5 steps, 30 degrees right": turns and walks most of it. False: it says neither distance nor
+    // direction.
     bool obey(const std::string& direction);
 
     // All entries of a list that a key opens, read one after the other; the list is left again.
@@ -40,8 +42,8 @@ public:
     // Opens the list and chooses the first entry that begins so. What is said then; empty: there is none.
     std::string choose(const std::string& key, const std::string& begin);
 
-    // To a room by its name: chosen from the list of ways, then asked again and again where the way goes on. True when it is told that one is there;
-    // false before a locked door too, which `locked` then tells of.
+    // To a room by its name: chosen from the list of ways, then asked again and again where the way goes on. True when
+    // it is told that one is there; false before a locked door too, which `locked` then tells of.
     bool go_to_room(const std::string& room);
     // To a thing by its name, in words as to a room: the second of the ways to find it.
     bool go_by_words_to_thing(const std::string& thing);
@@ -54,7 +56,8 @@ public:
     };
     const std::optional<Locked>& locked() const { return locked_; }
 
-    // How the world's own sounds of a kind come to the ears: which of them, degrees to the right, and decibels lost on the way through walls.
+    // How the world's own sounds of a kind come to the ears: which of them, degrees to the right, and decibels lost on
+    // the way through walls.
     struct Heard {
         std::uint32_t which = 0;
         double right_deg = 0.0, muffled_db = 0.0;

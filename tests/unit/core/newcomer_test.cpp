@@ -3,7 +3,7 @@
 
 #include <set>
 
-#include "app/core/session_log.h"
+#include "app/core/scenario/session_log.h"
 #include "tests/support/real_worlds.h"
 #include "worlds/readers/reader.h"
 
@@ -51,7 +51,8 @@ TEST(ANewcomer, walks_the_first_tutorial_map_from_its_start_to_its_exit_through_
 TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button_presses_it_and_goes_through_the_door) {
     const auto world = real("agtut05.map");
     if (!world) GTEST_SKIP() << "agtut05.map is not here";
-    const auto door = std::find_if(world->movers.begin(), world->movers.end(), [](const Mover& mover) { return !mover.by_hand; });
+    const auto door =
+        std::find_if(world->movers.begin(), world->movers.end(), [](const Mover& mover) { return !mover.by_hand; });
     ASSERT_NE(door, world->movers.end());
     const Aabb leaf = world->features[door->feature.value].bounds_m;
     Newcomer n(world);
@@ -64,7 +65,8 @@ TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button
     EXPECT_EQ(n.locked()->button.rfind("Button", 0), 0U) << n.locked()->button;
     EXPECT_TRUE(direction_in(n.locked()->where)) << n.locked()->where;
     EXPECT_LT(n.feet_m().x, leaf.min_m.x) << "the start is west of the door, the exit east of it";
-    std::cout << n.locked()->door << " locked, " << n.locked()->button << " " << n.locked()->where << ": after " << n.now_s() << " s\n";
+    std::cout << n.locked()->door << " locked, " << n.locked()->button << " " << n.locked()->where << ": after "
+              << n.now_s() << " s\n";
     const std::string exits = n.ask("X", 1.0);
     EXPECT_TRUE(words_in_order("Door to " + exit_room + " locked", exits)) << exits;
     // By the name that was told, as the list of things has it.
@@ -85,7 +87,8 @@ TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button
     std::cout << "the exit after " << n.now_s() << " s\n";
 }
 
-// Three things, each in another room than the one before: the way to the room is asked for, then what is there, then it is walked to by ear.
+// Three things, each in another room than the one before: the way to the room is asked for, then what is there, then it
+// is walked to by ear.
 void reaches_three_things(const char* map) {
     const auto world = real(map);
     if (!world) GTEST_SKIP() << map << " is not here";
@@ -108,8 +111,12 @@ void reaches_three_things(const char* map) {
     EXPECT_EQ(found.size(), 3U) << n.last_lines(30);
 }
 
-TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_melee_that_it_found_by_asking) { reaches_three_things("agdm01.map"); }
-TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_by_asking) { reaches_three_things("office.map"); }
+TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_melee_that_it_found_by_asking) {
+    reaches_three_things("agdm01.map");
+}
+TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_by_asking) {
+    reaches_three_things("office.map");
+}
 
 }  // namespace
 }  // namespace handrail

@@ -1,4 +1,5 @@
-// Ways past open doors in the house: a leaf that stands in a way is gone round, as it stands when one sets out and as it comes to stand on the way.
+// Ways past open doors in the house: a leaf that stands in a way is gone round, as it stands when one sets out and as
+// it comes to stand on the way.
 #include <map>
 
 #include "tests/support/map_text.h"
@@ -8,16 +9,18 @@
 namespace handrail {
 namespace {
 
-constexpr std::size_t kPairStride = static_cast<std::size_t>(1.0 / test::kSanitizerScale + 0.5);  // instrumented builds walk every tenth pair
+constexpr std::size_t kPairStride =
+    static_cast<std::size_t>(1.0 / test::kSanitizerScale + 0.5);  // instrumented builds walk every tenth pair
 
 struct HouseWalker : test::AppSession {
     HouseWalker() {
-        app.enter_world(test::our_world("house.map"), 0.0);
+        app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
         run(0.1);
         ask(Command::Routes);
         for (const ListItem& item : app.dialogue().view().items)
-            if (item.name != "Pond" && item.name != "Pond steps" && item.name != "Stairs") rooms.push_back(item.name);  // at their edge one is asked; no places to stay
-        app.take_key("Escape", now);
+            if (item.name != "Pond" && item.name != "Pond steps" && item.name != "Stairs")
+                rooms.push_back(item.name);  // at their edge one is asked; no places to stay
+        app.apply(KeyTapped{"Escape"}, now);
     }
     // True when it gets there; `bumped` holds what it met on the way.
     bool go_to(const std::string& room) { return test::go_to_room(*this, room, 60.0); }
@@ -28,15 +31,17 @@ struct HouseWalker : test::AppSession {
         Vec3 side = leaf.size_m().x < leaf.size_m().y ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
         if (glm::dot(side, open - shut) > 0.0) side = -side;
         const Vec3 feet = Vec3(shut.x, shut.y, leaf.min_m.z) + 0.6 * side;
-        app.place(feet, std::atan2(-side.x, -side.y), now);
+        app.apply(Placed{feet, std::atan2(-side.x, -side.y)}, now);
         run(0.1);
         said.clear();
         ask(Command::Use);
         run(2.0);
-        EXPECT_TRUE(heard("opens")) << app.scene()->features[door.feature.value].name << ": " << testing::PrintToString(said);
+        EXPECT_TRUE(heard("opens")) << app.scene()->features[door.feature.value].name << ": "
+                                    << testing::PrintToString(said);
     }
     int bumps_into(const std::string& door) const {
-        return static_cast<int>(std::count_if(bumped.begin(), bumped.end(), [&](FeatureId id) { return app.scene()->features[id.value].name == door; }));
+        return static_cast<int>(std::count_if(
+            bumped.begin(), bumped.end(), [&](FeatureId id) { return app.scene()->features[id.value].name == door; }));
     }
     std::vector<std::string> rooms;
 };
@@ -44,7 +49,8 @@ struct HouseWalker : test::AppSession {
 std::vector<std::string> doors_of(const Scene& scene) {
     std::vector<std::string> doors;
     for (const Mover& mover : scene.movers)
-        if (const Feature& feature = scene.features[mover.feature.value]; feature.kind == FeatureKind::Door) doors.push_back(feature.name);
+        if (const Feature& feature = scene.features[mover.feature.value]; feature.kind == FeatureKind::Door)
+            doors.push_back(feature.name);
     return doors;
 }
 
@@ -60,9 +66,10 @@ TEST(OpenDoors, stand_in_no_way_between_two_rooms_of_the_house) {
     std::map<std::string, Vec3> places{{"Hall", {6.0, 0.7, 0.0}}};
     const auto walk = [&](const std::string& from, const std::string& to) {
         SCOPED_TRACE(from + " to " + to);
-        p.app.place(places.at(from), 0.0, p.now);
+        p.app.apply(Placed{places.at(from), 0.0}, p.now);
         p.run(0.1);
-        EXPECT_TRUE(p.go_to(to)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " " << p.app.feet_m().z;
+        EXPECT_TRUE(p.go_to(to)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " "
+                                 << p.app.feet_m().z;
         for (const std::string& door : doors) EXPECT_EQ(p.bumps_into(door), 0) << door;
     };
     for (const std::string& room : p.rooms) {
@@ -81,9 +88,11 @@ TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
     for (const std::string& room : first.rooms) {
         SCOPED_TRACE(room);
         HouseWalker p;
-        EXPECT_TRUE(p.go_to(room)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " " << p.app.feet_m().z;
+        EXPECT_TRUE(p.go_to(room)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " "
+                                   << p.app.feet_m().z;
         for (const std::string& door : doors) EXPECT_LE(p.bumps_into(door), 1) << door;  // while it was shut
-        EXPECT_TRUE(p.go_to("Hall")) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " " << p.app.feet_m().z;
+        EXPECT_TRUE(p.go_to("Hall")) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " "
+                                     << p.app.feet_m().z;
         for (const std::string& door : doors) EXPECT_EQ(p.bumps_into(door), 0) << door;
     }
 }
@@ -91,20 +100,23 @@ TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
 TEST(OpenDoors, that_stand_open_from_the_begin_are_gone_round_from_the_begin) {
     using test::box_brush;
     using test::key;
-    // Two rooms with a gap of a metre in the wall between them; the door in it is hinged at its south and stands open into the eastern room. What one goes to
-    // stands behind its leaf.
+    // Two rooms with a gap of a metre in the wall between them; the door in it is hinged at its south and stands open
+    // into the eastern room. What one goes to stands behind its leaf.
     auto scene = read_quake_map(
         test::entity("worldspawn", key("building", "1"),
-                     test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, 64, 96) + box_brush(196, 96, 0, 204, 160, 96)) +
-            test::entity("func_door", key("name", "Door") + key("hinge", "south") + key("opens", "east") + key("spawnflags", "1"),
+                     test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, 64, 96) +
+                         box_brush(196, 96, 0, 204, 160, 96)) +
+            test::entity("func_door",
+                         key("name", "Door") + key("hinge", "south") + key("opens", "east") + key("spawnflags", "1"),
                          box_brush(199, 64, 0, 201, 96, 80)) +
-            test::entity("func_wall", key("name", "Stool"), box_brush(208, 8, 0, 224, 24, 16)) + test::entity("info_player_start", key("origin", "40 80 24")),
+            test::entity("func_wall", key("name", "Stool"), box_brush(208, 8, 0, 224, 24, 16)) +
+            test::entity("info_player_start", key("origin", "40 80 24")),
         "two_rooms.map");
     ASSERT_TRUE(scene) << scene.error().sentence();
     ASSERT_EQ(scene->movers.size(), 1U);
     ASSERT_TRUE(scene->movers[0].rests_far);
     test::AppSession p;
-    p.app.enter_world(std::make_shared<const Scene>(std::move(*scene)), 0.0);
+    p.app.apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*scene)))}, 0.0);
     p.run(0.1);
     p.ask(Command::Exits);  // from here on the ways are known
     p.ask(Command::Find);
@@ -121,25 +133,26 @@ TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {
     const auto way = [&] {
         p.ask(Command::Routes);
         p.line("Music room");
-        return p.app.guiding().way_m;
+        return p.app.guide().way_m();
     };
     const std::vector<Mover> movers = p.app.scene()->movers;
-    const auto door =
-        std::find_if(movers.begin(), movers.end(), [&](const Mover& m) { return p.app.scene()->features[m.feature.value].name == "Music room door"; });
+    const auto door = std::find_if(movers.begin(), movers.end(), [&](const Mover& m) {
+        return p.app.scene()->features[m.feature.value].name == "Music room door";
+    });
     ASSERT_NE(door, movers.end());
-    p.app.place({6.0, 8.0, 2.9}, 0.0, p.now);
+    p.app.apply(Placed{{6.0, 8.0, 2.9}, 0.0}, p.now);
     p.run(0.1);
     const std::vector<Vec3> shut = way();
     p.open(*door);
     const Vec3 before = p.app.feet_m();
-    p.app.place({6.0, 8.0, 2.9}, 0.0, p.now);
+    p.app.apply(Placed{{6.0, 8.0, 2.9}, 0.0}, p.now);
     p.run(0.1);
     EXPECT_NE(way(), shut);
-    p.app.place(before, kPi / 2.0, p.now);
+    p.app.apply(Placed{before, kPi / 2.0}, p.now);
     p.run(0.1);
     p.ask(Command::Use);
     p.run(2.0);
-    p.app.place({6.0, 8.0, 2.9}, 0.0, p.now);
+    p.app.apply(Placed{{6.0, 8.0, 2.9}, 0.0}, p.now);
     p.run(0.1);
     EXPECT_EQ(way(), shut);
 }

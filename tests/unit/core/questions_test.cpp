@@ -1,9 +1,9 @@
-#include "app/core/questions.h"
+#include "app/core/world/questions.h"
 
 #include <random>
 #include <set>
 
-#include "app/core/app_core.h"
+#include "app/core/session/app_core.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
 
@@ -14,7 +14,8 @@ using test::SceneBuilder;
 using testing::HasSubstr;
 using testing::Not;
 
-// 8 by 8 metres, the base in the middle facing north; a cupboard in each quarter, one behind a screen, a low bench ahead, a clock that ticks.
+// 8 by 8 metres, the base in the middle facing north; a cupboard in each quarter, one behind a screen, a low bench
+// ahead, a clock that ticks.
 SceneBuilder hall() {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {8, 8, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
@@ -66,7 +67,8 @@ TEST(Questions, a_quarter_with_nothing_in_it_tells_of_its_wall_or_that_it_is_ope
 
 TEST(Questions, ahead_of_me_is_at_most_four_by_distance_and_the_wall) {
     SceneBuilder b = hall();
-    for (int i = 0; i < 4; ++i) b.box({3.2 + 0.5 * i, 6.6 + 0.35 * i, 0}, {3.3 + 0.5 * i, 6.7 + 0.35 * i, 1.5}, fmt::format("Post {}", i));
+    for (int i = 0; i < 4; ++i)
+        b.box({3.2 + 0.5 * i, 6.6 + 0.35 * i, 0}, {3.3 + 0.5 * i, 6.7 + 0.35 * i, 1.5}, fmt::format("Post {}", i));
     const BodyWorld world(b.share());
     const auto sights = ahead({world, {4, 4, 0}, 0.0});
     EXPECT_THAT(names(sights), testing::ElementsAre("Bench", "Post 0", "Post 1", "Post 2"));
@@ -128,7 +130,8 @@ TEST(Questions, tell_of_nothing_that_no_line_reaches_and_of_everything_whose_mid
                 bool any = false;
                 for (int x = 0; x <= 12 && !any; ++x)
                     for (int y = 0; y <= 12 && !any; ++y)
-                        for (int z = 0; z <= 12 && !any; ++z) any = reached(i, boxes[i].min_m + boxes[i].size_m() * Vec3(x / 12.0, y / 12.0, z / 12.0));
+                        for (int z = 0; z <= 12 && !any; ++z)
+                            any = reached(i, boxes[i].min_m + boxes[i].size_m() * Vec3(x / 12.0, y / 12.0, z / 12.0));
                 if (!any) {
                     EXPECT_FALSE(told.contains(name)) << name << " round " << round;
                 }
@@ -180,7 +183,8 @@ TEST(ScaleBar, is_five_steps_under_a_roof_and_25_metres_outdoors_with_north) {
     Telling how;
     how.heading_rad = kPi / 2.0;
     EXPECT_EQ(scale_bar_words(false, how, 60.0, 0.0),
-              "5 steps, 3.5 metres, are 5.8 centimetres under your hand. North is away from you for your hand, and left for your feet.");
+              "5 steps, 3.5 metres, are 5.8 centimetres under your hand. North is away from you for your hand, and "
+              "left for your feet.");
     EXPECT_EQ(scale_bar_words(true, how, 0.0, 0.0), "25 metres, 36 steps. North is left.");
     how.directions = DirectionChoice::Clock;
     EXPECT_THAT(scale_bar_words(true, how, 0.0, 0.0), HasSubstr("North is at 9 o'clock."));
@@ -207,12 +211,12 @@ TEST(AppCoreQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_l
     Settings settings;
     settings.speech.directions = DirectionChoice::Clock;
     AppCore app(settings, HandFacts{});
-    app.enter_world(hall().share(), 0.0);
+    app.apply(WorldEntered{make_ready(hall().share())}, 0.0);
     double now = 0.0;
     const auto ask = [&](Command command) {
         app.take_cues();
-        app.press(command, now += 1.0);
-        app.release(command);
+        app.apply(CommandDown{command}, now += 1.0);
+        app.apply(CommandUp{command}, now);
         std::string said;
         for (const CueRequest& cue : app.take_cues())
             if (cue.kind == CueRequestKind::Say) said += cue.text;
@@ -227,13 +231,13 @@ TEST(AppCoreQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_l
     EXPECT_THAT(ask(Command::ScaleBar), HasSubstr("25 metres"));
     settings.speech.verbosity = 1;
     settings.speech.directions = DirectionChoice::Compass;
-    app.change_settings(settings, now);
+    app.apply(SettingsChanged{settings}, now);
     EXPECT_EQ(ask(Command::AroundMe), "North: Bench. East: Cupboard. South: Screen. West: Clock.");
     settings.speech.verbosity = 4;
-    app.change_settings(settings, now);
+    app.apply(SettingsChanged{settings}, now);
     EXPECT_THAT(ask(Command::AheadOfMe), HasSubstr("Bench: it is 3 steps north. It is made of wood."));
     settings.speech.distances_in_steps = false;
-    app.change_settings(settings, now);
+    app.apply(SettingsChanged{settings}, now);
     EXPECT_THAT(ask(Command::AheadOfMe), HasSubstr("2 metres north"));
     EXPECT_THAT(ask(Command::WhereAmI), Not(HasSubstr("steps")));
 }

@@ -1,4 +1,5 @@
-// Names that a person gives to rooms: asked for by key and by word, kept beside the world, and told of where they do not fit any more.
+// Names that a person gives to rooms: asked for by key and by word, kept beside the world, and told of where they do
+// not fit any more.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -14,19 +15,20 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-// Two rooms of 6 by 5 m, a gap of so many units in the wall between them (160: no wall is left); one starts in the western one.
+// Two rooms of 6 by 5 m, a gap of so many units in the wall between them (160: no wall is left); one starts in the
+// western one.
 std::string two_rooms(double gap_units = 32.0) {
     using test::box_brush;
     const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
     return test::entity("worldspawn", test::key("building", "1"),
-                        test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, low, 96) + box_brush(196, high, 0, 204, 160, 96)) +
+                        test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, low, 96) +
+                            box_brush(196, high, 0, 204, 160, 96)) +
            test::entity("info_player_start", test::key("origin", "40 80 24"));
 }
 
 struct Person : test::AppSession {
     explicit Person(const fs::path& world) {
-        app.use_side_file(SideFile::of_world(world, {}));
-        app.enter_world(test::world_in(world), now);
+        app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
         run(0.1);
         ask(Command::Exits);  // from here on the rooms are known
     }
@@ -34,8 +36,8 @@ struct Person : test::AppSession {
     std::string name(const std::string& typed) {
         EXPECT_EQ(app.keys().find("Control+N"), Command::NameRoom);
         ask(Command::NameRoom);
-        app.take_text(typed, now);
-        app.take_key("Enter", now);
+        app.apply(TextTyped{typed}, now);
+        app.apply(KeyTapped{"Enter"}, now);
         listen();
         return said.back();
     }
@@ -60,7 +62,7 @@ TEST(NamesOfRooms, are_typed_told_everywhere_and_kept_for_the_next_time) {
         EXPECT_EQ(p.name(sign), "This room is now called " + sign + ".");
         EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith(sign + ". "));
         EXPECT_THAT(p.ask(Command::Exits), testing::StartsWith(sign + ". "));
-        p.app.place({9.0, 2.5, 0.0}, 0.0, p.now);
+        p.app.apply(Placed{{9.0, 2.5, 0.0}, 0.0}, p.now);
         p.run(0.1);
         EXPECT_THAT(p.ask(Command::Exits), HasSubstr("to " + sign));
         EXPECT_EQ(p.name("Study"), "This room is now called Study.");
@@ -78,7 +80,7 @@ TEST(NamesOfRooms, are_typed_in_a_terminal_by_word_and_line) {
     const CommandInfo* row = find_command("name-room");
     ASSERT_TRUE(row);
     EXPECT_THAT(p.ask(row->command), HasSubstr("Type another name for this room"));
-    EXPECT_TRUE(p.app.take_line("Workshop", p.now));
+    EXPECT_TRUE(p.app.apply(LineTyped{"Workshop"}, p.now));
     p.listen();
     EXPECT_EQ(p.said.back(), "This room is now called Workshop.");
 }
@@ -89,13 +91,13 @@ TEST(NamesOfRooms, may_have_200_bytes_and_no_more_and_are_not_given_twice) {
     const std::string longest(200, 'a');
     EXPECT_EQ(p.name(longest), "This room is now called " + longest + ".");
     p.ask(Command::NameRoom);
-    p.app.take_line(std::string(201, 'b'), p.now);
+    p.app.apply(LineTyped{std::string(201, 'b')}, p.now);
     p.listen();
     EXPECT_THAT(p.said.back(), HasSubstr("At most 200 bytes"));
-    p.app.take_key("Escape", p.now);
+    p.app.apply(KeyTapped{"Escape"}, p.now);
     p.listen();
     EXPECT_EQ(p.said.back(), "The name stays.");
-    p.app.place({9.0, 2.5, 0.0}, 0.0, p.now);
+    p.app.apply(Placed{{9.0, 2.5, 0.0}, 0.0}, p.now);
     p.run(0.1);
     EXPECT_THAT(p.name(std::string(200, 'A')), HasSubstr("Another room is called"));
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Room, 6 by 5 metres, east. "));
@@ -115,7 +117,7 @@ TEST(NamesOfRooms, of_a_world_that_was_edited_are_told_where_they_no_longer_fit)
     {
         Person p(world.path);
         p.name("Shop");
-        p.app.place({9.0, 2.5, 0.0}, 0.0, p.now);
+        p.app.apply(Placed{{9.0, 2.5, 0.0}, 0.0}, p.now);
         p.run(0.1);
         p.name("Larder");
     }
@@ -149,12 +151,14 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
         EXPECT_EQ(p.name("Shop"), "This room is now called Shop.");
     }
     // Two entries that cannot be used, in a file that can be read: told, and still there after something was saved.
-    ASSERT_TRUE(write_file_atomically(world.beside(),
-                                      "[[room_name]]\nname = \"Shop\"\nplace_m = [1.0, 2.5, 0.0]\n[[room_name]]\nname = \"Attic\"\nplace_m = [1.0]\n"
-                                      "[[room_name]]\nplace_m = [1.0, 2.5, 0.0]\n"));
+    ASSERT_TRUE(write_file_atomically(
+        world.beside(),
+        "[[room_name]]\nname = \"Shop\"\nplace_m = [1.0, 2.5, 0.0]\n[[room_name]]\nname = \"Attic\"\nplace_m = [1.0]\n"
+        "[[room_name]]\nplace_m = [1.0, 2.5, 0.0]\n"));
     Person p(world.path);
     EXPECT_TRUE(
-        p.heard("flat.map.handrail.toml, line 4: the name of a room Attic needs place_m with three decimal numbers, such as [1.0, 2.5, 0.0]. Write them, or "
+        p.heard("flat.map.handrail.toml, line 4: the name of a room Attic needs place_m with three decimal numbers, "
+                "such as [1.0, 2.5, 0.0]. Write them, or "
                 "delete the entry. 1 more name of a room cannot be read."))
         << testing::PrintToString(p.said);
     EXPECT_THAT(p.ask(Command::WhereAmI), testing::StartsWith("Shop. "));

@@ -1,7 +1,9 @@
-// Rooms and ways in a session: the room's name, its exits, the way to another room, in words and along it; on a thread and when asked.
+// Rooms and ways in a session: the room's name, its exits, the way to another room, in words and along it; on a thread
+// and when asked.
 #include <chrono>
 #include <filesystem>
 
+#include "tests/support/map_text.h"
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
@@ -15,9 +17,35 @@ struct Session : test::AppSession {
     }
 };
 
+TEST(RoomsInASession, tell_on_entering_which_room_one_cannot_walk_to) {
+    using test::box_brush, test::entity, test::key;
+    const auto world = [](const std::string& wall) {
+        const std::string room = test::room_brushes(0, 0, 0, 320, 640, 128) + box_brush(0, 400, 0, 144, 410, 128) +
+                                 box_brush(176, 400, 0, 320, 410, 128) + wall;
+        const std::string names = entity("info_room", key("name", "Hall") + key("origin", "160 100 24")) +
+                                  entity("info_room", key("name", "Vault") + key("origin", "160 540 24"));
+        const std::string chest = entity("func_wall", key("name", "chest"), box_brush(150, 530, 0, 170, 550, 20));
+        auto scene = read_quake_map(entity("worldspawn", key("building", "1"), room) +
+                                        entity("info_player_start", key("origin", "160 32 24")) + names + chest,
+                                    "v.map", {});
+        EXPECT_TRUE(scene);
+        return std::make_shared<const Scene>(std::move(*scene));
+    };
+    for (const bool open : {false, true}) {
+        Session s;
+        s.app.apply(WorldEntered{make_ready(
+                        world(open ? box_brush(144, 400, 70, 176, 410, 128) : box_brush(144, 400, 0, 176, 410, 128)))},
+                    0.0);
+        s.run(0.1);
+        s.ask(Command::Exits);
+        s.run(0.1);
+        EXPECT_EQ(s.heard("Vault cannot be reached on foot."), !open);
+    }
+}
+
 TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
     Session s;
-    s.app.enter_world(house(), 0.0);
+    s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
     EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall. You are ")) << s.said.back();
     const std::string exits = s.ask(Command::Exits);
@@ -40,12 +68,12 @@ TEST(RoomsInASession, tell_the_name_on_entering_another_one_unless_switched_off)
         Settings settings;
         settings.speech.rooms = told;
         Session s;
-        s.app.enter_world(house(), 0.0);
-        s.app.change_settings(settings, 0.0);
+        s.app.apply(WorldEntered{make_ready(house())}, 0.0);
+        s.app.apply(SettingsChanged{settings}, 0.0);
         s.run(0.1);
         s.ask(Command::Exits);
         s.said.clear();
-        s.app.place({9.5, 3.0, 0.0}, 0.0, s.now);
+        s.app.apply(Placed{{9.5, 3.0, 0.0}, 0.0}, s.now);
         s.run(0.2);
         EXPECT_EQ(std::count(s.said.begin(), s.said.end(), "Study"), told ? 1 : 0);
         EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Study. "));
@@ -54,11 +82,11 @@ TEST(RoomsInASession, tell_the_name_on_entering_another_one_unless_switched_off)
 
 TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     Session s;
-    s.app.enter_world(house(), 0.0);
+    s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
     s.ask(Command::Routes);
     EXPECT_TRUE(s.said.back().starts_with("Way to")) << s.said.back();
-    ASSERT_TRUE(s.app.take_line("Music room", s.now));
+    ASSERT_TRUE(s.app.apply(LineTyped{"Music room"}, s.now));
     s.listen();
     const std::string words = s.said.back();
     EXPECT_TRUE(words.starts_with("To Music room. ")) << words;
@@ -67,17 +95,17 @@ TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
     // Carried along the way, every feature is heard, and the arrival.
     s.said.clear();
     for (const Vec3& place : {Vec3(6.3, 2.0, 0.0), Vec3(5.3, 2.7, 0.0)}) {
-        s.app.place(place, 0.0, s.now);
+        s.app.apply(Placed{place, 0.0}, s.now);
         s.run(0.3);
     }
     EXPECT_TRUE(s.heard("Stairs")) << words;
     // Carried far off, a new way is told.
-    s.app.place({6.0, -4.0, 0.0}, 0.0, s.now);
+    s.app.apply(Placed{{6.0, -4.0, 0.0}, 0.0}, s.now);
     s.run(0.3);
     EXPECT_TRUE(s.heard("You have left the way."));
     EXPECT_TRUE(s.heard("To Music room. "));
     s.ask(Command::Routes);
-    ASSERT_TRUE(s.app.take_line("Stop following the way", s.now));
+    ASSERT_TRUE(s.app.apply(LineTyped{"Stop following the way"}, s.now));
     s.listen();
     EXPECT_EQ(s.said.back(), "No way is followed any more.");
 }
@@ -121,27 +149,30 @@ TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
                                 "balcony.map");
     ASSERT_TRUE(scene);
     Session s;
-    s.app.enter_world(std::make_shared<const Scene>(std::move(*scene)), 0.0);
+    s.app.apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*scene)))}, 0.0);
     s.run(0.1);
     s.ask(Command::Routes);
-    ASSERT_TRUE(s.app.take_line("Balcony", s.now));
+    ASSERT_TRUE(s.app.apply(LineTyped{"Balcony"}, s.now));
     s.listen();
-    EXPECT_TRUE(s.said.back().starts_with("No walking way found to Balcony. The nearest place you can reach is in ")) << s.said.back();
+    EXPECT_TRUE(s.said.back().starts_with("No walking way found to Balcony. The nearest place you can reach is in "))
+        << s.said.back();
 }
 
 TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
     Session s(true);
-    s.app.enter_world(house(), 0.0);
+    s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     // Another world gives up what was being looked for.
-    s.app.enter_world(house(), 0.0);
+    s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (s.ask(Command::Exits).starts_with("The rooms of this world are still") && std::chrono::steady_clock::now() < until) s.run(0.1);
+    while (s.ask(Command::Exits).starts_with("The rooms of this world are still") &&
+           std::chrono::steady_clock::now() < until)
+        s.run(0.1);
     EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
 }
 
 TEST(RoomsInASession, are_drawn_on_the_plan_by_the_names_they_go_by_and_cost_nothing_without_it) {
     Session s;
-    s.app.enter_world(house(), 0.0);
+    s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.ask(Command::Exits);
     s.run(0.1);
     EXPECT_FALSE(s.app.view({}, "").rooms);
@@ -155,7 +186,7 @@ TEST(RoomsInASession, are_drawn_on_the_plan_by_the_names_they_go_by_and_cost_not
     s.run(0.5);
     EXPECT_EQ(s.app.view({}, "").rooms, plan.rooms) << "made once";
     s.ask(Command::NameRoom);
-    s.app.take_line("Vestibule", s.now);
+    s.app.apply(LineTyped{"Vestibule"}, s.now);
     s.run(0.1);
     EXPECT_EQ((*s.app.view({}, "").rooms)[plan.room].name, "Vestibule");
     s.ask(Command::PlanView);

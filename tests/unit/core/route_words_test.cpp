@@ -1,5 +1,5 @@
 // Routes in words and along them.
-#include "app/core/route_words.h"
+#include "app/core/wayfinding/route_words.h"
 
 #include <gmock/gmock.h>
 
@@ -23,17 +23,34 @@ Route corner() {
     return route;
 }
 std::vector<RouteNode> nodes(const Route& route) {
-    return nodes_of(route, "Kitchen", [](const RoutePassage& p) { return std::string(p.kind == PassageKind::Door ? "blue door" : "stairs"); });
+    return nodes_of(route, "Kitchen", [](const RoutePassage& p) {
+        return std::string(p.kind == PassageKind::Door ? "blue door" : "stairs");
+    });
 }
 
 TEST(RouteWords, tell_every_leg_with_the_next_feature_and_the_turn_there) {
     const Route route = corner();
     EXPECT_EQ(route_words(route, nodes(route), 0.0, kSteps),
-              "45 steps in all. 14 steps to blue door, turn right. 15 steps, then turn half right. 14 steps to Kitchen.");
+              "45 steps in all. 14 steps to blue door. Turn right. 15 steps. Turn half right. 14 steps to Kitchen.");
     // Who faces west turns right first.
-    EXPECT_THAT(route_words(route, nodes(route), -kPi / 2.0, kSteps), HasSubstr("in all. Turn right. 14 steps to blue door"));
+    EXPECT_THAT(route_words(route, nodes(route), -kPi / 2.0, kSteps),
+                HasSubstr("in all. Turn right. 14 steps to blue door"));
     EXPECT_THAT(route_words(route, nodes(route), kPi, kSteps), HasSubstr("Turn round."));
     EXPECT_EQ(route_words(Route{}, {}, 0.0, kSteps), "You are there.");
+}
+
+TEST(RouteWords, tell_how_far_to_turn_by_the_notches_of_the_turning_key) {
+    const auto first_turn = [](double deg) {
+        const Route route = corner();
+        return route_words(route, nodes(route), radians_from_degrees(-deg), kSteps);
+    };
+    EXPECT_THAT(first_turn(0.0), HasSubstr("in all. 14 steps to blue door."));
+    EXPECT_THAT(first_turn(22.5), HasSubstr("in all. Turn slightly right. 14 steps to blue door."));
+    EXPECT_THAT(first_turn(-22.5), HasSubstr("in all. Turn slightly left. 14 steps"));
+    EXPECT_THAT(first_turn(-45.0), HasSubstr("in all. Turn half left. 14 steps"));
+    EXPECT_THAT(first_turn(-90.0), HasSubstr("in all. Turn left. 14 steps"));
+    EXPECT_THAT(first_turn(135.0), HasSubstr("in all. Turn sharp right. 14 steps"));
+    EXPECT_THAT(first_turn(180.0), HasSubstr("in all. Turn round. 14 steps"));
 }
 
 struct Walked {
@@ -59,8 +76,9 @@ TEST(RouteFollower, announces_features_6_m_ahead_and_at_them_and_arrives) {
     RouteFollower follower;
     follower.follow(route, nodes(route));
     const Walked walked = walk(follower, route.points_m);
-    EXPECT_THAT(walked.said, ElementsAre("Blue door, 9 steps", "Blue door, turn right, then 15 steps", "Turn half right, 9 steps",
-                                         "Turn half right, then 14 steps to Kitchen", "Kitchen, 9 steps", "Kitchen. You are there."));
+    EXPECT_THAT(walked.said, ElementsAre("Blue door, 9 steps", "Blue door, turn right, then 15 steps",
+                                         "Turn half right, 9 steps", "Turn half right, then 14 steps to Kitchen",
+                                         "Kitchen, 9 steps", "Kitchen. You are there."));
     EXPECT_TRUE(walked.arrived);
     EXPECT_FALSE(follower.following());
 }
@@ -69,14 +87,17 @@ TEST(RouteWords, are_german_sentences_before_the_way_and_along_it) {
     const test::InLanguage german("de");
     const Route route = corner();
     EXPECT_EQ(route_words(route, nodes(route), -kPi / 2.0, kSteps),
-              "45 Schritte insgesamt. Rechts abbiegen. 14 Schritte bis blue door, rechts abbiegen. 15 Schritte, dann halb rechts abbiegen. "
+              "45 Schritte insgesamt. Rechts abbiegen. 14 Schritte bis blue door. Rechts abbiegen. 15 Schritte. Halb "
+              "rechts abbiegen. "
               "14 Schritte bis Kitchen.");
     EXPECT_EQ(route_words(Route{}, {}, 0.0, kSteps), "Das Ziel ist erreicht.");
     RouteFollower follower;
     follower.follow(route, nodes(route));
-    EXPECT_THAT(walk(follower, route.points_m).said,
-                ElementsAre("Blue door, noch 9 Schritte", "Blue door, rechts abbiegen, dann 15 Schritte", "Halb rechts abbiegen, noch 9 Schritte",
-                            "Halb rechts abbiegen, dann 14 Schritte bis Kitchen", "Kitchen, noch 9 Schritte", "Kitchen. Das Ziel ist erreicht."));
+    EXPECT_THAT(
+        walk(follower, route.points_m).said,
+        ElementsAre("Blue door, noch 9 Schritte", "Blue door, rechts abbiegen, dann 15 Schritte",
+                    "Halb rechts abbiegen, noch 9 Schritte", "Halb rechts abbiegen, dann 14 Schritte bis Kitchen",
+                    "Kitchen, noch 9 Schritte", "Kitchen. Das Ziel ist erreicht."));
 }
 
 TEST(RouteFollower, says_every_10_m_that_one_is_on_the_way) {

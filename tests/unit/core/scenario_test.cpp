@@ -1,8 +1,9 @@
-#include "app/core/scenario.h"
+#include "app/core/scenario/scenario.h"
 
 #include <fstream>
 
-#include "app/core/headless_session.h"
+#include "app/core/scenario/scenario_run.h"
+#include "app/core/session/headless_session.h"
 #include "tests/support/box_scene.h"
 
 namespace handrail {
@@ -13,7 +14,8 @@ namespace fs = std::filesystem;
 class ScenarioFile : public testing::Test {
 protected:
     void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / ("handrail_scenario_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        folder_ = fs::path(testing::TempDir()) /
+                  ("handrail_scenario_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
         fs::remove_all(folder_);
         fs::create_directories(folder_);
         std::ofstream(folder_ / "w.map") << "{\n\"classname\" \"worldspawn\"\n}\n";
@@ -33,9 +35,10 @@ protected:
 constexpr const char* kHead = "title = \"t\"\nworld = \"w.map\"\n";
 
 TEST_F(ScenarioFile, reads_actions_and_expectations_with_their_windows) {
-    const auto s = read(std::string(kHead) +
-                        "[[do]]\nname = \"go\"\nhold = \"forward\"\nfor_s = 2\n[[do]]\nmove_to = [1, 2, 3.5]\nmeanwhile = true\n"
-                        "[[expect]]\nsay = \"wall\"\nafter = \"go ends\"\nwithin_s = 0.5\ntimes = 1\n");
+    const auto s =
+        read(std::string(kHead) +
+             "[[do]]\nname = \"go\"\nhold = \"forward\"\nfor_s = 2\n[[do]]\nmove_to = [1, 2, 3.5]\nmeanwhile = true\n"
+             "[[expect]]\nsay = \"wall\"\nafter = \"go ends\"\nwithin_s = 0.5\ntimes = 1\n");
     ASSERT_TRUE(s) << s.error().sentence();
     ASSERT_EQ(s->actions.size(), 2U);
     EXPECT_EQ(std::get<HoldCommand>(s->actions[0].step).command, Command::Forward);
@@ -46,9 +49,9 @@ TEST_F(ScenarioFile, reads_actions_and_expectations_with_their_windows) {
 }
 
 TEST_F(ScenarioFile, a_sweep_is_three_moves_for_each_direction) {
-    const auto s =
-        read(std::string(kHead) +
-             "[[do]]\nname = \"w\"\nsweep_at = [0, 0, 1]\nfrom_deg = 0\nto_deg = 90\nangles = 2\nreach_m = 1\ndepth_m = 0.5\n[[expect]]\nfree = true\n");
+    const auto s = read(std::string(kHead) +
+                        "[[do]]\nname = \"w\"\nsweep_at = [0, 0, 1]\nfrom_deg = 0\nto_deg = 90\nangles = 2\nreach_m = "
+                        "1\ndepth_m = 0.5\n[[expect]]\nfree = true\n");
     ASSERT_TRUE(s) << s.error().sentence();
     ASSERT_EQ(s->actions.size(), 6U);
     EXPECT_EQ(std::get<MoveHand>(s->actions[1].step).to_m, Vec3(0, -0.5, 1));
@@ -62,7 +65,8 @@ TEST_F(ScenarioFile, says_what_is_wrong_and_where) {
     EXPECT_THAT(error("title = \"t\"\n"), testing::HasSubstr("needs \"world\""));
     EXPECT_THAT(error("title = \"t\"\nworld = \"gone.map\"\n"), testing::HasSubstr("line 2"));
     EXPECT_THAT(error(head), testing::HasSubstr("expects nothing"));
-    EXPECT_THAT(error(head + "[[do]]\npress = \"forwrad\"\n"), testing::AllOf(testing::HasSubstr("line 4"), testing::HasSubstr("\"forward\"")));
+    EXPECT_THAT(error(head + "[[do]]\npress = \"forwrad\"\n"),
+                testing::AllOf(testing::HasSubstr("line 4"), testing::HasSubstr("\"forward\"")));
     EXPECT_THAT(error(head + "[[do]]\nhold = \"forward\"\n"), testing::HasSubstr("for_s"));
     EXPECT_THAT(error(head + "[[do]]\nwait_s = -1\n"), testing::HasSubstr("from 0 to"));
     EXPECT_THAT(error(head + "[[do]]\nwait_s = 1\npress = \"forward\"\n"), testing::HasSubstr("exactly one"));
@@ -78,9 +82,9 @@ TEST_F(ScenarioFile, says_what_is_wrong_and_where) {
 }
 
 TEST_F(ScenarioFile, survives_being_cut_at_every_byte) {
-    const std::string whole =
-        std::string(kHead) +
-        "[settings]\n\"workspace.scale\" = 30\n[[do]]\nname = \"a\"\npush_n = [0, 1, 0]\nfor_s = 1\n[[expect]]\nsay = \"x\"\nbefore = \"a\"\n";
+    const std::string whole = std::string(kHead) +
+                              "[settings]\n\"workspace.scale\" = 30\n[[do]]\nname = \"a\"\npush_n = [0, 1, 0]\nfor_s = "
+                              "1\n[[expect]]\nsay = \"x\"\nbefore = \"a\"\n";
     ASSERT_TRUE(read(whole));
     for (std::size_t n = 0; n < whole.size(); ++n) {
         const auto cut = read(whole.substr(0, n));

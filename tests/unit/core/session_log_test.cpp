@@ -1,4 +1,4 @@
-#include "app/core/session_log.h"
+#include "app/core/scenario/session_log.h"
 
 #include "tests/support/box_scene.h"
 
@@ -64,7 +64,9 @@ TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_s
         s.expectations.push_back(e);
         return failures(s, log, b.scene());
     };
-    const auto holds = [&](Check check, auto&& fill) { EXPECT_THAT(run(check, fill), testing::IsEmpty()) << static_cast<int>(check); };
+    const auto holds = [&](Check check, auto&& fill) {
+        EXPECT_THAT(run(check, fill), testing::IsEmpty()) << static_cast<int>(check);
+    };
     const auto fails = [&](Check check, auto&& fill) {
         const auto found = run(check, fill);
         ASSERT_EQ(found.size(), 1U) << static_cast<int>(check);
@@ -76,6 +78,8 @@ TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_s
     fails(Check::NotSay, [](Expectation& e) { e.text = "plaster"; });
     holds(Check::Sound, [](Expectation& e) { e.text = "contact", e.material = "plaster", e.high = 15; });
     fails(Check::Sound, [](Expectation& e) { e.text = "contact", e.high = 5; });
+    fails(Check::Sound, [](Expectation& e) { e.text = "contact", e.high = 0; });
+    holds(Check::Sound, [](Expectation& e) { e.text = "contact", e.high = -1; });
     fails(Check::Sound, [](Expectation& e) { e.text = "contact", e.material = "wood"; });
     fails(Check::NotSound, [](Expectation& e) { e.text = "contact"; });
     holds(Check::SoundRising, [](Expectation& e) { e.text = "wall tone"; });
@@ -85,13 +89,20 @@ TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_s
     holds(Check::ForceStep, [](Expectation& e) { e.high = 0.00101; });
     fails(Check::ForceStep, [](Expectation& e) { e.high = 0.0009; });
     fails(Check::ForceBand, [](Expectation& e) { e.high = 0.0, e.from_hz = 1, e.to_hz = 10; });
-    holds(Check::ForceSpike, [](Expectation& e) { e.high = 1.2, e.from.offset_s = 0.6, e.to.offset_s = 0.61, e.has_to = true; });
+    holds(Check::ForceSpike,
+          [](Expectation& e) { e.high = 1.2, e.from.offset_s = 0.6, e.to.offset_s = 0.61, e.has_to = true; });
     fails(Check::ForceSpike, [](Expectation& e) { e.high = 1.2, e.from.offset_s = 0.6; });
     fails(Check::ForceSpike, [](Expectation& e) { e.high = 1.2, e.from.offset_s = 2.0; });
     holds(Check::ForceRising, [](Expectation&) {});
-    holds(Check::SlideRatio, [](Expectation& e) { e.low = 0, e.high = 0.1, e.vector = {0, -1, 0}, e.from.offset_s = 0.6; });
-    fails(Check::SlideRatio, [](Expectation& e) { e.low = 0.1, e.high = 0.2, e.vector = {0, -1, 0}, e.from.offset_s = 0.6; });
-    fails(Check::SlideRatio, [](Expectation& e) { e.low = 0, e.high = 0.1, e.vector = {0, 1, 0}, e.from.offset_s = 0.6; });
+    holds(Check::SlideRatio, [](Expectation& e) {
+        e.low = 0, e.high = 0.1, e.vector = {0, -1, 0}, e.from.offset_s = 0.6;
+    });
+    fails(Check::SlideRatio, [](Expectation& e) {
+        e.low = 0.1, e.high = 0.2, e.vector = {0, -1, 0}, e.from.offset_s = 0.6;
+    });
+    fails(Check::SlideRatio, [](Expectation& e) {
+        e.low = 0, e.high = 0.1, e.vector = {0, 1, 0}, e.from.offset_s = 0.6;
+    });
     holds(Check::ToldApart, [](Expectation&) {});
     fails(Check::NotToldApart, [](Expectation& e) { e.text = "wood and rubber"; });
     holds(Check::HipAt, [](Expectation& e) { e.vector = {0, 0.9, 1}, e.tolerance = 1e-6; });
@@ -103,9 +114,12 @@ TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_s
     fails(Check::Touching, [](Expectation& e) { e.text = "north wall"; });
     fails(Check::Free, [](Expectation&) {});
     for (LoggedTick& t : log.ticks) t.force_n.z = 0.2 * std::sin(2.0 * kPi * 5.0 * t.time_s);
-    holds(Check::StrongestLine, [](Expectation& e) { e.low = 4.8, e.high = 5.2, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.15; });
-    fails(Check::StrongestLine, [](Expectation& e) { e.low = 4.8, e.high = 5.2, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.3; });
-    fails(Check::StrongestLine, [](Expectation& e) { e.low = 9.0, e.high = 11.0, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.01; });
+    holds(Check::StrongestLine,
+          [](Expectation& e) { e.low = 4.8, e.high = 5.2, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.15; });
+    fails(Check::StrongestLine,
+          [](Expectation& e) { e.low = 4.8, e.high = 5.2, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.3; });
+    fails(Check::StrongestLine,
+          [](Expectation& e) { e.low = 9.0, e.high = 11.0, e.from_hz = 2, e.to_hz = 100, e.tolerance = 0.01; });
     log.ticks.back().proxy_m.y = 0.95;  // 5 cm into the wall
     fails(Check::Penetration, [](Expectation& e) { e.high = 0.04; });
     log.ticks.back().force_n = Vec3(0.0);

@@ -1,5 +1,5 @@
 // What a person adds to a world: kept beside it, never lost, never read wrong.
-#include "app/core/side_file.h"
+#include "app/core/kept/side_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
-SideEntry mark(const std::string& name, double x) { return {{"name", name}, {"place_m", std::vector<double>{x, 0.1, -3.25}}, {"near_m", 0.1 + 0.2}}; }
+SideEntry mark(const std::string& name, double x) {
+    return {{"name", name}, {"place_m", std::vector<double>{x, 0.1, -3.25}}, {"near_m", 0.1 + 0.2}};
+}
 
 TEST(SideFile, keeps_entries_and_tables_beside_the_world_to_the_last_bit) {
     const TemporaryFolder folder;
@@ -43,7 +45,8 @@ TEST(SideFile, keeps_what_it_does_not_know) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "");
     folder.write("a.map.handrail.toml",
-                 "later = 2031-01-02\n[[mark]]\nname = \"m\"\nof_a_later_version = { deep = [1, \"x\"] }\nwhole = [1, 2]\n[other.part]\nkey = 3\n");
+                 "later = 2031-01-02\n[[mark]]\nname = \"m\"\nof_a_later_version = { deep = [1, \"x\"] }\nwhole = [1, "
+                 "2]\n[other.part]\nkey = 3\n");
     SideFile file = SideFile::of_world(world, {});
     auto marks = file.entries("mark");
     ASSERT_EQ(marks.size(), 1U);
@@ -51,7 +54,8 @@ TEST(SideFile, keeps_what_it_does_not_know) {
     file.set_entries("mark", marks);
     ASSERT_TRUE(file.save());
     const std::string text = test::content_of(folder.path() / "a.map.handrail.toml");
-    for (const char* part : {"2031-01-02", "of_a_later_version", "deep", "[ 1, \"x\" ]", "whole = [ 1, 2 ]", "[other.part]", "key = 3", "new"})
+    for (const char* part : {"2031-01-02", "of_a_later_version", "deep", "[ 1, \"x\" ]", "whole = [ 1, 2 ]",
+                             "[other.part]", "key = 3", "new"})
         EXPECT_THAT(text, HasSubstr(part));
     EXPECT_EQ(SideFile::of_world(world, {}).entries("mark"), marks);
 }
@@ -149,7 +153,8 @@ TEST(SideFile, in_memory_takes_and_gives_and_writes_nothing) {
 
 TEST(SideFile, keeps_the_file_aside_before_it_writes_over_what_is_no_list_of_entries) {
     const auto own_name = [](const SideEntry& entry) -> Result<std::string> { return text_of(entry, "name"); };
-    for (const std::string& odd : {std::string("mark = 3\n"), std::string("mark = [{ name = \"a\" }, 3]\n"), std::string("[mark]\nname = \"a\"\n")}) {
+    for (const std::string& odd : {std::string("mark = 3\n"), std::string("mark = [{ name = \"a\" }, 3]\n"),
+                                   std::string("[mark]\nname = \"a\"\n")}) {
         const TemporaryFolder folder;
         const fs::path world = folder.write("a.map", "x"), kept = folder.path() / "a.map.handrail.toml.damaged";
         const std::string text = "# mine\n" + odd + "[[way]]\nname = \"w\"\n";
@@ -160,10 +165,10 @@ TEST(SideFile, keeps_the_file_aside_before_it_writes_over_what_is_no_list_of_ent
         EXPECT_TRUE(faults.empty());
         read_list(file, "mark", own_name, faults);
         ASSERT_EQ(faults.size(), 1U) << odd;
-        EXPECT_EQ(
-            faults[0].sentence(),
-            "a.map.handrail.toml, line 2: mark is no list of entries, each under [[mark]]. Mend it; before something else is kept there, the whole file is "
-            "kept aside as a.map.handrail.toml.damaged.");
+        EXPECT_EQ(faults[0].sentence(),
+                  "a.map.handrail.toml, line 2: mark is no list of entries, each under [[mark]]. Mend it; before "
+                  "something else is kept there, the whole file is "
+                  "kept aside as a.map.handrail.toml.damaged.");
         file.set_entries("way", file.entries("way"));
         ASSERT_TRUE(file.save());
         EXPECT_FALSE(fs::exists(kept)) << "it is still there";
@@ -188,7 +193,8 @@ TEST(SideFile, keeps_the_file_aside_before_it_writes_over_what_is_no_list_of_ent
 TEST(SideFile, reads_wrong_kinds_as_missing) {
     const TemporaryFolder folder;
     const fs::path world = folder.write("a.map", "x");
-    folder.write("a.map.handrail.toml", "mark = 3\nnames = [1]\n[[spot]]\nname = 7\nplace_m = [1.0, nan, 2.0]\nnear_m = inf\n");
+    folder.write("a.map.handrail.toml",
+                 "mark = 3\nnames = [1]\n[[spot]]\nname = 7\nplace_m = [1.0, nan, 2.0]\nnear_m = inf\n");
     const SideFile file = SideFile::of_world(world, {});
     EXPECT_TRUE(file.entries("mark").empty());
     EXPECT_TRUE(file.table("names").empty());
@@ -201,7 +207,8 @@ TEST(SideFile, reads_wrong_kinds_as_missing) {
 TEST(GoodName, takes_any_utf8_line_up_to_200_bytes) {
     EXPECT_EQ(*good_name("  Bücher — 本  "), "Bücher — 本");
     EXPECT_EQ(good_name(std::string(200, 'x'))->size(), 200U);
-    for (const std::string& bad : {std::string(), std::string("  \n"), std::string(201, 'x'), std::string("a\nb"), std::string("\xff"), std::string("a\0b", 3)})
+    for (const std::string& bad : {std::string(), std::string("  \n"), std::string(201, 'x'), std::string("a\nb"),
+                                   std::string("\xff"), std::string("a\0b", 3)})
         EXPECT_FALSE(good_name(bad)) << bad;
 }
 

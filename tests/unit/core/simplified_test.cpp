@@ -30,17 +30,19 @@ FeatureId feature_named(const Scene& scene, const std::string& name) {
 }
 
 bool is_felt(const HapticScene& scene, FeatureId feature) {
-    return std::any_of(scene.labels.begin(), scene.labels.end(), [&](const SurfaceLabel& label) { return label.feature == feature; });
+    return std::any_of(scene.labels.begin(), scene.labels.end(),
+                       [&](const SurfaceLabel& label) { return label.feature == feature; });
 }
 
 double room_round(const AppCore& app, const Vec3& at_m) {
-    return surrounding_of(*app.haptic_scene(), std::span(app.bodies().poses).first(app.bodies().count), at_m, 1.0).distance_m;
+    return surrounding_of(*app.haptic_scene(), app.bodies().poses(), at_m, 1.0).distance_m;
 }
 
 TEST(Simplified, is_told_with_each_scale_where_it_differs_and_undone_on_the_way_back) {
     Explorer p(test::our_world("house.map"), "sim-t");
     EXPECT_TRUE(p.heard("Simplified: 1 small thing left out.")) << p.all_heard();
-    const FeatureId stand = feature_named(*p.app().scene(), "Globe's stand"), coats = feature_named(*p.app().scene(), "Coat stand");
+    const FeatureId stand = feature_named(*p.app().scene(), "Globe's stand"),
+                    coats = feature_named(*p.app().scene(), "Coat stand");
     std::size_t from = p.lines();
     p.tap(Command::ScaleBuilding, 0.2);
     EXPECT_TRUE(p.heard("Simplified: ", from)) << p.all_heard(from);
@@ -52,7 +54,8 @@ TEST(Simplified, is_told_with_each_scale_where_it_differs_and_undone_on_the_way_
     from = p.lines();
     p.tap(Command::ScaleFloor, 0.2);
     p.tap(Command::ScaleRoom, 0.2);
-    EXPECT_TRUE(p.heard("Room, 9 metres wide, 13 steps. Simplified: 1 small thing left out.", from)) << p.all_heard(from);
+    EXPECT_TRUE(p.heard("Room, 9 metres wide, 13 steps. Simplified: 1 small thing left out.", from))
+        << p.all_heard(from);
     EXPECT_TRUE(is_felt(*p.app().haptic_scene(), coats));
     EXPECT_FALSE(is_felt(*p.app().haptic_scene(), stand));
     EXPECT_LT(room_round(p.app(), {4.78, 1.3, 1.0}), 0.0);
@@ -63,7 +66,9 @@ TEST(Simplified, is_told_with_each_scale_where_it_differs_and_undone_on_the_way_
     p.tap(Command::ScaleDetail, 0.2);
     EXPECT_TRUE(p.heard("3 steps. Nothing is simplified.", from)) << p.all_heard(from);
     EXPECT_TRUE(is_felt(*p.app().haptic_scene(), stand));
-    EXPECT_EQ(p.app().scene()->solids.size(), Explorer(test::our_world("house.map"), nullptr).app().scene()->solids.size()) << "the true scene stays";
+    EXPECT_EQ(p.app().scene()->solids.size(),
+              Explorer(test::our_world("house.map"), nullptr).app().scene()->solids.size())
+        << "the true scene stays";
 }
 
 TEST(Simplified, lists_what_it_is_and_leads_to_each) {
@@ -72,7 +77,8 @@ TEST(Simplified, lists_what_it_is_and_leads_to_each) {
     p.key("Shift+6");
     const std::vector<ListItem> items = p.app().dialogue().view().items;
     const auto item = [&](const std::string& name) {
-        const auto found = std::find_if(items.begin(), items.end(), [&](const ListItem& one) { return one.name == name; });
+        const auto found =
+            std::find_if(items.begin(), items.end(), [&](const ListItem& one) { return one.name == name; });
         return found == items.end() ? std::string("none") : found->value;
     };
     EXPECT_THAT(item("Front door"), HasSubstr("felt 1.7 metres wide, truly 1 metre, "));
@@ -80,8 +86,8 @@ TEST(Simplified, lists_what_it_is_and_leads_to_each) {
     EXPECT_THAT(item("Coat stand"), HasSubstr("left out, "));
     EXPECT_EQ(item("Grandfather clock"), "none") << "a landmark stays";
     p.line("Coat stand");
-    ASSERT_TRUE(p.app().guiding().goal);
-    EXPECT_EQ(p.app().guiding().goal->feature, feature_named(*p.app().scene(), "Coat stand"));
+    ASSERT_TRUE(p.app().guide().goal());
+    EXPECT_EQ(p.app().guide().goal()->feature, feature_named(*p.app().scene(), "Coat stand"));
     p.leave_lists();
     p.tap(Command::ScaleDetail, 0.2);
     const std::size_t from = p.lines();
@@ -103,7 +109,7 @@ TEST(Simplified, is_off_by_a_setting_at_once_and_says_so) {
     EXPECT_TRUE(p.heard("Simplifying is switched off: everything is felt as it is.", from));
     Settings settings = p.app().settings();
     settings.haptic.simplify = true;
-    p.app().change_settings(settings, p.now_s());
+    p.app().apply(SettingsChanged{settings}, p.now_s());
     EXPECT_FALSE(is_felt(*p.app().haptic_scene(), coats));
 }
 
@@ -115,14 +121,15 @@ TEST(Simplified, needs_a_hand_and_keeps_what_bears_a_mark) {
     EXPECT_GT(keys.lines(), from);
     Explorer p(test::our_world("house.map"), "sim-t");
     EXPECT_FALSE(keys.heard("Simplified"));
-    p.app().place({5.8, 1.4, 0.0}, 0.0, p.now_s());
+    p.app().apply(Placed{{5.8, 1.4, 0.0}, 0.0}, p.now_s());
     p.run(0.2);
-    const Vec3 stand = p.app().scene()->features[feature_named(*p.app().scene(), "Coat stand").value].bounds_m.centre_m();
+    const Vec3 stand =
+        p.app().scene()->features[feature_named(*p.app().scene(), "Coat stand").value].bounds_m.centre_m();
     const double scale = p.app().tuning().touch.world_m_per_hand_m;
     p.hold((stand + Vec3(0.3, 0.1, 0.2) - p.app().pose().origin_m) / scale);
     p.tap(Command::DropMark);
     p.leave_lists();
-    ASSERT_EQ(p.app().guiding().marks.size(), 1U);
+    ASSERT_EQ(p.app().world().marks.size(), 1U);
     p.tap(Command::ScaleBuilding, 0.2);
     EXPECT_TRUE(is_felt(*p.app().haptic_scene(), feature_named(*p.app().scene(), "Coat stand")));
 }
@@ -130,11 +137,11 @@ TEST(Simplified, needs_a_hand_and_keeps_what_bears_a_mark) {
 TEST(Simplified, knows_the_marks_of_a_world_and_no_others_before_it_is_compiled_once) {
     const auto house = test::our_world("house.map");
     AppCore app({}, Explorer::facts("sim-t"));
-    app.enter_world(house, 0.0);
+    app.apply(WorldEntered{make_ready(house)}, 0.0);
     const FeatureId stand = feature_named(*app.scene(), "Globe's stand");
     EXPECT_FALSE(is_felt(*app.haptic_scene(), stand));
     std::uint64_t before = app.haptic_scene()->generation;
-    app.enter_world(house, 0.0);
+    app.apply(WorldEntered{make_ready(house)}, 0.0);
     const std::uint64_t each = app.haptic_scene()->generation - before;
 
     SideFile additions;
@@ -142,13 +149,12 @@ TEST(Simplified, knows_the_marks_of_a_world_and_no_others_before_it_is_compiled_
     mark.name = "Globe";
     mark.place_m = app.scene()->features[stand.value].bounds_m.centre_m();
     write_marks(additions, {mark});
-    app.use_side_file(std::move(additions));
     before = app.haptic_scene()->generation;
-    app.enter_world(house, 0.0);
-    ASSERT_EQ(app.guiding().marks.size(), 1U);
+    app.apply(WorldEntered{make_ready(house), std::move(additions)}, 0.0);
+    ASSERT_EQ(app.world().marks.size(), 1U);
     EXPECT_TRUE(is_felt(*app.haptic_scene(), stand));
     EXPECT_EQ(app.haptic_scene()->generation - before, each);
-    app.enter_world(house, 0.0);
+    app.apply(WorldEntered{make_ready(house)}, 0.0);
     EXPECT_FALSE(is_felt(*app.haptic_scene(), stand)) << "the mark was in the other world";
 }
 
@@ -192,8 +198,8 @@ std::shared_ptr<const Scene> open_rooms() {
 TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) {
     AppCore app({}, Explorer::facts("sim-t"));
     app.find_rooms_beside();
-    app.enter_world(open_rooms(), 0.0);
-    app.press(Command::ScaleBuilding, 0.0);
+    app.apply(WorldEntered{make_ready(open_rooms())}, 0.0);
+    app.apply(CommandDown{Command::ScaleBuilding}, 0.0);
     std::string said;
     double now = 0.0;
     // The thread that looks for rooms takes real time; sessions go on meanwhile.
@@ -204,16 +210,110 @@ TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) 
     }
     EXPECT_THAT(said, HasSubstr("Simplified: 1 doorway widened.")) << said;
     EXPECT_GT(room_round(app, {2.85, 6.1, 1.0}), 0.0);
-    app.press(Command::Simplified, now);
+    app.apply(CommandDown{Command::Simplified}, now);
     ASSERT_EQ(app.dialogue().view().items.size(), 1U);
     EXPECT_THAT(app.dialogue().view().items[0].name, HasSubstr("Opening between "));
+}
+
+// Until all that is made beside is there; real time, since it is made on a thread.
+std::string wait_for_touch(AppCore& app, double& now) {
+    std::string said;
+    for (int frame = 0; frame < 20000 && (app.works_beside() || frame < 2); ++frame) {
+        app.tick(now += 1.0 / 60.0, {});
+        for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    app.tick(now += 1.0 / 60.0, {});
+    for (const CueRequest& cue : app.take_cues()) said += cue.text + "\n";
+    EXPECT_FALSE(app.works_beside());
+    return said;
+}
+
+bool any_rounded(const HapticScene& scene) {
+    return std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
+                       [](const Obstacle& o) { return o.rounding != 0; });
+}
+
+// Beside the session the same is made as at once, to the bit; what there was is felt until then, and the entering
+// itself waits for nothing.
+TEST(Simplified, makes_beside_the_session_what_it_makes_at_once) {
+    const auto house = test::our_world("house.map");
+    AppCore beside({}, Explorer::facts("sim-t")), at_once({}, Explorer::facts("sim-t"));
+    beside.feel_beside();
+    beside.apply(WorldEntered{make_ready_to_touch(house)}, 0.0);
+    at_once.apply(WorldEntered{make_ready(house)}, 0.0);
+    EXPECT_FALSE(any_rounded(*beside.haptic_scene())) << "sharp at first";
+    EXPECT_TRUE(any_rounded(*at_once.haptic_scene()));
+    EXPECT_TRUE(beside.works_beside());
+    double now = 0.0;
+    std::mt19937 random(test::seed_of_run());
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    const auto compare = [&](const std::string& when) {
+        SCOPED_TRACE(when);
+        EXPECT_EQ(beside.haptic_scene()->obstacle_counts(), at_once.haptic_scene()->obstacle_counts());
+        EXPECT_EQ(any_rounded(*beside.haptic_scene()), any_rounded(*at_once.haptic_scene()));
+        EXPECT_EQ(beside.tuning().touch.radius_m, at_once.tuning().touch.radius_m);
+        ASSERT_EQ(beside.bodies().poses().size(), at_once.bodies().poses().size());
+        EXPECT_EQ(beside.bodies().scene(), beside.haptic_scene()->generation);
+        for (std::size_t i = 0; i < beside.bodies().poses().size(); ++i)
+            EXPECT_EQ(beside.bodies().poses()[i].at.position_m, at_once.bodies().poses()[i].at.position_m) << i;
+        for (int i = 0; i < 300; ++i) {
+            const Vec3 at =
+                house->bounds_m.min_m + house->bounds_m.size_m() * Vec3(part(random), part(random), part(random));
+            EXPECT_EQ(room_round(beside, at), room_round(at_once, at)) << "seed " << test::seed_of_run();
+        }
+    };
+    wait_for_touch(beside, now);
+    compare("entered");
+    for (const Command scale : kScales) {
+        const std::uint64_t felt = beside.haptic_scene()->generation;
+        beside.apply(CommandDown{scale}, now);
+        beside.apply(CommandUp{scale}, now);
+        EXPECT_EQ(beside.haptic_scene()->generation, felt) << "what there was, until the new is there";
+        const std::string said = wait_for_touch(beside, now);
+        at_once.apply(CommandDown{scale}, now);
+        at_once.apply(CommandUp{scale}, now);
+        (void)at_once.take_cues();
+        compare(fmt::format("scale {}", static_cast<int>(scale) - static_cast<int>(Command::ScaleBuilding)));
+        if (scale == Command::ScaleBuilding) {
+            EXPECT_THAT(said, HasSubstr("Simplified: ")) << "told when it is felt";
+        }
+    }
+    // Only the last of many changes counts, and a session that ends waits for none.
+    for (int i = 0; i < 12; ++i) {
+        beside.apply(CommandDown{kScales[static_cast<std::size_t>(i) % 4]}, now);
+        beside.apply(CommandUp{kScales[static_cast<std::size_t>(i) % 4]}, now);
+    }
+    wait_for_touch(beside, now);
+    compare("after many changes");
+}
+
+// A door that has been opened is found, seen and walked through where it is when that was made known beside the
+// session, too.
+TEST(Simplified, settles_beside_the_session_what_has_come_to_rest) {
+    const auto house = test::our_world("house.map");
+    AppCore app({}, Explorer::facts(nullptr));
+    app.feel_beside();
+    app.apply(WorldEntered{make_ready(house)}, 0.0);
+    double now = 0.0;
+    wait_for_touch(app, now);
+    const auto before = app.scene();
+    app.apply(CommandDown{Command::Use}, now);
+    app.apply(CommandUp{Command::Use}, now);
+    for (int frame = 0; frame < 600; ++frame) app.tick(now += 1.0 / 60.0, {});
+    wait_for_touch(app, now);
+    ASSERT_NE(app.scene(), before) << "the door at which one stands has opened";
+    bool moved = false;
+    for (std::size_t i = 0; i < before->placed.size(); ++i)
+        moved = moved || !(before->placed[i].at == app.scene()->placed[i].at);
+    EXPECT_TRUE(moved);
 }
 
 TEST(Simplified, looks_for_openings_on_entering_a_world_with_nothing_of_the_one_before) {
     Explorer p(test::our_world("house.map"), "sim-t");
     p.tap(Command::ScaleBuilding, 0.2);
     const std::size_t from = p.lines();
-    p.app().enter_world(open_rooms(), p.now_s());  // no door moves here; the house's have moved out
+    p.app().apply(WorldEntered{make_ready(open_rooms())}, p.now_s());  // no door moves here; the house's have moved out
     p.run(0.2);
     EXPECT_TRUE(p.heard("Simplified: 1 doorway widened.", from)) << p.all_heard(from);
 }
@@ -225,7 +325,8 @@ TEST(Simplified, holds_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
     settings.workspace.rim = false;
     for (const char* device : {"sim-t", "sim-f"}) {
         Explorer p(open_rooms(), device, settings);
-        const double scale = world_m_per_hand_m(NamedScale::Building, p.app().scene()->bounds_m, find_device_spec(device)->workspace_radius_m);
+        const double scale = world_m_per_hand_m(NamedScale::Building, p.app().scene()->bounds_m,
+                                                find_device_spec(device)->workspace_radius_m);
         EXPECT_LT(0.05 / scale, 0.3e-3);
         const Vec3 middle = p.app().scene()->bounds_m.centre_m();
         const auto there = [&](const Vec3& world_m) { return (world_m - Vec3(middle.x, middle.y, 1.0)) / scale; };
@@ -242,11 +343,14 @@ TEST(Simplified, holds_a_fast_hand_at_a_wall_of_a_fifth_of_a_millimetre) {
     }
 }
 
-// Whatever the hand is doing, in or outside walls and doorways, another scale leaves the ball outside of everything and is not felt.
+// Whatever the hand is doing, in or outside walls and doorways, another scale leaves the ball outside of everything and
+// is not felt.
 TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) {
     const auto house = test::our_world("house.map");
     const BodySize size = body_size(*house, Settings{}.walk.body_radius_m);
-    const std::vector<Room> rooms = make_rooms(*house, *make_walk_space(*house, walk_body(*house, size.radius_m, size.height_m, size.step_up_m))).rooms;
+    const std::vector<Room> rooms =
+        make_rooms(*house, *make_walk_space(*house, walk_body(*house, size.radius_m, size.height_m, size.step_up_m)))
+            .rooms;
     for (const char* device : {"sim-t", "sim-f"}) {
         std::mt19937 random(test::seed_of_run());
         std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -257,11 +361,13 @@ TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) 
         const double reach_m = find_device_spec(device)->workspace_radius_m;
         std::size_t widened = 0;
         for (int round = 0; round < test::scaled(60); ++round) {
-            if (round % 5 == 0) p.app().place(rooms[random() % rooms.size()].middle_m, unit(random) * kPi, p.now_s());
+            if (round % 5 == 0)
+                p.app().apply(Placed{rooms[random() % rooms.size()].middle_m, unit(random) * kPi}, p.now_s());
             const Vec3 goal = Vec3(unit(random), unit(random), unit(random)) * (0.55 * reach_m);
             p.hold(goal, 0.1);
             p.run(1.1);
-            const Command next = round == 0 ? Command::ScaleBuilding : kScales[static_cast<std::size_t>(random() % kScales.size())];
+            const Command next =
+                round == 0 ? Command::ScaleBuilding : kScales[static_cast<std::size_t>(random() % kScales.size())];
             p.tap(next, 0.0);
             double strongest_n = 0.0;
             for (int ms = 0; ms < 300; ++ms) {
@@ -270,20 +376,22 @@ TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) 
             }
             EXPECT_LT(strongest_n, 0.2) << device << " round " << round;
             EXPECT_FALSE(p.tool().contacts.ghosted) << device << " round " << round;
-            EXPECT_GT(room_round(p.app(), p.tool().proxy_m), -1e-9) << device << " round " << round << " at " << p.tool().proxy_m.x << " " << p.tool().proxy_m.y;
+            EXPECT_GT(room_round(p.app(), p.tool().proxy_m), -1e-9)
+                << device << " round " << round << " at " << p.tool().proxy_m.x << " " << p.tool().proxy_m.y;
             widened += p.heard("widened", p.lines() - std::min<std::size_t>(p.lines(), 3));
         }
         EXPECT_GT(widened, 0U);
     }
 }
 
-// Hands held still anywhere in their reach: another scale puts each ball outside of everything wherever the one workspace has room for both.
+// Hands held still anywhere in their reach: another scale puts each ball outside of everything wherever the one
+// workspace has room for both.
 TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
     Settings settings;
     settings.desk.use = false;
     AppCore app(settings, Explorer::facts("sim-t"));
-    app.set_left_hand(Explorer::facts("sim-t"), 0.0);
-    app.enter_world(open_rooms(), 0.0);
+    app.apply(LeftHandChanged{Explorer::facts("sim-t")}, 0.0);
+    app.apply(WorldEntered{make_ready(open_rooms())}, 0.0);
     std::mt19937 random(test::seed_of_run());
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     const double reach_m = 0.55 * find_device_spec("sim-t")->workspace_radius_m;
@@ -291,12 +399,14 @@ TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
     const auto at_m = [&](const ToolState& tool, const WorkspacePose& pose) {
         return frame_of(pose.origin_m, pose.heading_rad).to_world(tool.hand_m, app.tuning().touch.world_m_per_hand_m);
     };
-    const auto fits = [&](const Vec3& place_m) { return room_round(app, place_m) >= 0.998 * app.tuning().touch.radius_m; };
+    const auto fits = [&](const Vec3& place_m) {
+        return room_round(app, place_m) >= 0.998 * app.tuning().touch.radius_m;
+    };
     int left_free = 0;
     const int rounds = 200;
     double now_s = 0.0;
     for (int round = 0; round < rounds; ++round) {
-        app.place({10.0 + 9.0 * unit(random), 3.0 + 2.5 * unit(random), 0.0}, 0.0, now_s);
+        app.apply(Placed{{10.0 + 9.0 * unit(random), 3.0 + 2.5 * unit(random), 0.0}, 0.0}, now_s);
         for (ToolState* tool : {&right, &left}) {
             tool->ticks = 1;
             tool->hand_m = Vec3(unit(random), unit(random), unit(random)) * reach_m;
@@ -304,7 +414,7 @@ TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
             tool->proxy_m = at_m(*tool, app.pose());
         }
         app.tick(now_s += 1.0 / 60.0, right, left);
-        app.press(kScales[random() % kScales.size()], now_s);
+        app.apply(CommandDown{kScales[random() % kScales.size()]}, now_s);
         EXPECT_TRUE(fits(at_m(right, app.pose()))) << "round " << round;
         left_free += fits(at_m(left, app.left_pose()));
     }
@@ -327,7 +437,8 @@ TEST(Simplified, leaves_a_ball_that_goes_through_every_doorway_at_each_scale) {
                     const Feature& door = p.app().scene()->features[i];
                     if (door.kind != FeatureKind::Door) continue;
                     const NarrowOpening* widened = plan.of_door(FeatureId{i});
-                    const double width_m = widened ? widened->felt_width_m() : std::max(door.bounds_m.size_m().x, door.bounds_m.size_m().y);
+                    const double width_m = widened ? widened->felt_width_m()
+                                                   : std::max(door.bounds_m.size_m().x, door.bounds_m.size_m().y);
                     EXPECT_LE(ball_m, width_m / 3.0 + 1e-9) << file << " " << door.name;
                 }
             }

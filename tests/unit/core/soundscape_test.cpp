@@ -1,9 +1,9 @@
-#include "app/core/soundscape.h"
+#include "app/core/context/soundscape.h"
 
 #include <random>
 #include <set>
 
-#include "app/core/app_core.h"
+#include "app/core/session/app_core.h"
 #include "audio-cues/plan/sound_table.h"
 #include "tests/support/box_scene.h"
 
@@ -73,27 +73,34 @@ TEST(Muffling, what_the_source_stands_in_and_what_only_stops_bodies_take_nothing
 
 TEST(Crossings, agree_with_walking_along_the_line_in_small_steps) {
     std::mt19937 random(7);
-    const auto uniform = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967295.0; };
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random()) / 4294967295.0;
+    };
     SceneBuilder b;
     std::vector<Aabb> boxes;
     for (int i = 0; i < 30; ++i) {
-        const Vec3 low{uniform(-4, 3), uniform(-4, 3), uniform(-4, 3)}, high = low + Vec3(uniform(0.1, 2), uniform(0.1, 2), uniform(0.1, 2));
+        const Vec3 low{uniform(-4, 3), uniform(-4, 3), uniform(-4, 3)},
+            high = low + Vec3(uniform(0.1, 2), uniform(0.1, 2), uniform(0.1, 2));
         b.box(low, high);
         boxes.push_back({low, high});
     }
     const BodyWorld world(b.share());
     for (int i = 0; i < 300; ++i) {
-        const Vec3 from{uniform(-5, 5), uniform(-5, 5), uniform(-5, 5)}, to{uniform(-5, 5), uniform(-5, 5), uniform(-5, 5)};
+        const Vec3 from{uniform(-5, 5), uniform(-5, 5), uniform(-5, 5)},
+            to{uniform(-5, 5), uniform(-5, 5), uniform(-5, 5)};
         const auto inside = [](const Aabb& box, const Vec3& p) {
-            return p.x > box.min_m.x && p.y > box.min_m.y && p.z > box.min_m.z && p.x < box.max_m.x && p.y < box.max_m.y && p.z < box.max_m.z;
+            return p.x > box.min_m.x && p.y > box.min_m.y && p.z > box.min_m.z && p.x < box.max_m.x &&
+                   p.y < box.max_m.y && p.z < box.max_m.z;
         };
         double sampled = 0.0, found = 0.0;
         const int steps = 2000;
         for (const Aabb& box : boxes) {
             if (inside(box, from) || inside(box, to)) continue;
-            for (int k = 0; k < steps; ++k) sampled += inside(box, from + (to - from) * ((k + 0.5) / steps)) ? 1.0 / steps : 0.0;
+            for (int k = 0; k < steps; ++k)
+                sampled += inside(box, from + (to - from) * ((k + 0.5) / steps)) ? 1.0 / steps : 0.0;
         }
-        for (const Crossing& crossing : world.crossings(from, to)) found += (crossing.leave_m - crossing.enter_m) / glm::length(to - from);
+        for (const Crossing& crossing : world.crossings(from, to))
+            found += (crossing.leave_m - crossing.enter_m) / glm::length(to - from);
         EXPECT_NEAR(found, sampled, 0.01) << "seed 7, line " << i;
     }
 }
@@ -102,7 +109,8 @@ TEST(Crossings, agree_with_walking_along_the_line_in_small_steps) {
 SceneBuilder closed_room(const std::string& floor, const std::string& walls, const std::string& ceiling) {
     SceneBuilder b;
     b.box({-0.2, -0.2, -0.2}, {6.2, 4.2, 0}, "floor", SolidRole::Solid, floor, FeatureKind::Floor);
-    if (!ceiling.empty()) b.box({-0.2, -0.2, 2.6}, {6.2, 4.2, 2.8}, "ceiling", SolidRole::Solid, ceiling, FeatureKind::Ceiling);
+    if (!ceiling.empty())
+        b.box({-0.2, -0.2, 2.6}, {6.2, 4.2, 2.8}, "ceiling", SolidRole::Solid, ceiling, FeatureKind::Ceiling);
     b.box({-0.2, 4, 0}, {6.2, 4.2, 2.6}, "north wall", SolidRole::Solid, walls, FeatureKind::Wall);
     b.box({-0.2, -0.2, 0}, {6.2, 0, 2.6}, "south wall", SolidRole::Solid, walls, FeatureKind::Wall);
     b.box({6, 0, 0}, {6.2, 4, 2.6}, "east wall", SolidRole::Solid, walls, FeatureKind::Wall);
@@ -112,8 +120,10 @@ SceneBuilder closed_room(const std::string& floor, const std::string& walls, con
 
 TEST(Reverberation, is_that_of_sabine_within_10_percent_wherever_one_stands_in_the_room) {
     // V 62.4 cubic metres; floor 24, ceiling 24, walls 52 square metres.
-    const double carpeted_s = 0.161 * 62.4 / (24 * 0.35 + 24 * 0.05 + 52 * 0.05), tiled_s = 0.161 * 62.4 / (24 * 0.02 + 24 * 0.03 + 52 * 0.03);
-    const BodyWorld carpeted(closed_room("carpet", "plaster", "plaster").share()), tiled(closed_room("tile", "concrete", "concrete").share());
+    const double carpeted_s = 0.161 * 62.4 / (24 * 0.35 + 24 * 0.05 + 52 * 0.05),
+                 tiled_s = 0.161 * 62.4 / (24 * 0.02 + 24 * 0.03 + 52 * 0.03);
+    const BodyWorld carpeted(closed_room("carpet", "plaster", "plaster").share()),
+        tiled(closed_room("tile", "concrete", "concrete").share());
     for (const Vec3 ears : {Vec3(3, 2, 1.6), Vec3(0.5, 0.5, 1.6), Vec3(5.6, 3.0, 1.2)}) {
         EXPECT_NEAR(reverberation_s(carpeted, ears), carpeted_s, 0.1 * carpeted_s);
         EXPECT_NEAR(reverberation_s(tiled, ears), tiled_s, 0.1 * tiled_s);
@@ -190,7 +200,8 @@ TEST(Soundscape, sound_out_of_range_or_behind_two_walls_is_not_heard_and_another
 TEST(Soundscape, follows_sources_of_a_crowded_map_within_a_few_ticks_at_bounded_cost) {
     SceneBuilder b;
     b.box({-100, -100, -1}, {100, 100, 0}, "ground", SolidRole::Solid, "grass", FeatureKind::Floor);
-    for (int i = 0; i < 60; ++i) b.scene().sounds.push_back({{5.0 + 0.1 * i, 2.0, 1.6}, "lamp", "lamp", i == 59 ? 1.0 : 0.2});
+    for (int i = 0; i < 60; ++i)
+        b.scene().sounds.push_back({{5.0 + 0.1 * i, 2.0, 1.6}, "lamp", "lamp", i == 59 ? 1.0 : 0.2});
     const auto scene = b.share();
     const BodyWorld world(scene);
     Soundscape soundscape;
@@ -211,7 +222,7 @@ TEST(AppCoreSounds, ears_know_the_room_they_are_in) {
     SceneBuilder b = closed_room("tile", "concrete", "concrete");
     b.start({3, 2, 0}, 0.0);
     AppCore app(Settings{}, HandFacts{});
-    app.enter_world(b.share(), 0.0);
+    app.apply(WorldEntered{make_ready(b.share())}, 0.0);
     app.tick(0.1, ToolState{});
     EXPECT_NEAR(app.listener().reverberation_s, 3.6, 0.4);
 }
@@ -221,10 +232,11 @@ TEST(AppCoreSounds, session_tells_the_planner_what_the_world_sounds_like) {
     b.scene().sounds.push_back({{2.0, 3.0, 1.6}, "Clock", "clock_tick", 0.5});
     b.start({2, 1, 0}, 0.0);
     AppCore app(Settings{}, HandFacts{});
-    app.enter_world(b.share(), 0.0);
+    app.apply(WorldEntered{make_ready(b.share())}, 0.0);
     app.tick(0.1, ToolState{});
     const std::vector<CueRequest> cues = app.take_cues();
-    const auto sound = std::find_if(cues.begin(), cues.end(), [](const CueRequest& cue) { return cue.kind == CueRequestKind::WorldSound; });
+    const auto sound = std::find_if(cues.begin(), cues.end(),
+                                    [](const CueRequest& cue) { return cue.kind == CueRequestKind::WorldSound; });
     ASSERT_NE(sound, cues.end());
     EXPECT_EQ(sound->sound, SoundKind::Clock);
     EXPECT_EQ(sound->loudness, 0.5);

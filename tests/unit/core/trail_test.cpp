@@ -1,4 +1,4 @@
-#include "app/core/trail.h"
+#include "app/core/world/trail.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,8 @@ struct Trailed {
     double farthest_from_wall_m = 0.0;  // of its side, while it says that it touches
 };
 
-Trailed go(const BodyWorld& world, const BodySize& body, const Vec3& feet, double heading, TrailSide side, double seconds) {
+Trailed go(const BodyWorld& world, const BodySize& body, const Vec3& feet, double heading, TrailSide side,
+           double seconds) {
     Trailed result;
     Walker walker(world, body);
     walker.place(feet);
@@ -52,9 +53,12 @@ std::vector<std::string> words(const Scene& scene, const std::vector<TrailEvent>
 }
 
 void four_walls(SceneBuilder& b, const Vec3& at, double wide, double deep) {
-    b.box(at + Vec3(-9, -9, -0.2), at + Vec3(wide + 9, deep + 9, 0), "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
-    b.box(at + Vec3(-0.2, deep, 0), at + Vec3(wide + 0.2, deep + 0.2, 2.6), "north wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
-    b.box(at + Vec3(wide, 0, 0), at + Vec3(wide + 0.2, deep, 2.6), "east wall", SolidRole::Solid, "wood", FeatureKind::Wall);
+    b.box(at + Vec3(-9, -9, -0.2), at + Vec3(wide + 9, deep + 9, 0), "floor", SolidRole::Solid, "carpet",
+          FeatureKind::Floor);
+    b.box(at + Vec3(-0.2, deep, 0), at + Vec3(wide + 0.2, deep + 0.2, 2.6), "north wall", SolidRole::Solid, "plaster",
+          FeatureKind::Wall);
+    b.box(at + Vec3(wide, 0, 0), at + Vec3(wide + 0.2, deep, 2.6), "east wall", SolidRole::Solid, "wood",
+          FeatureKind::Wall);
     b.box(at + Vec3(-0.2, 0, 0), at + Vec3(0, deep, 2.6), "west wall", SolidRole::Solid, "brick", FeatureKind::Wall);
 }
 
@@ -66,12 +70,14 @@ TEST(Trail, rounds_a_room_both_ways_wherever_it_is_and_never_leaves_the_wall) {
         const double wide = between(2.0, 7.0), deep = between(2.0, 7.0);
         SceneBuilder b;
         four_walls(b, at, wide, deep);
-        b.box(at + Vec3(-0.2, -0.2, 0), at + Vec3(wide + 0.2, 0, 2.6), "south wall", SolidRole::Solid, "plaster", FeatureKind::Wall);
+        b.box(at + Vec3(-0.2, -0.2, 0), at + Vec3(wide + 0.2, 0, 2.6), "south wall", SolidRole::Solid, "plaster",
+              FeatureKind::Wall);
         const auto scene = b.share();
         const BodyWorld world(scene);
         const BodySize body = body_size(*scene, 0.25);
         const bool left = run % 2 == 0;
-        const Trailed lap = go(world, body, at + Vec3(0.5 * wide, 0.5, 0), 0.0, left ? TrailSide::Left : TrailSide::Right, 2.0 * (wide + deep) + 8.0);
+        const Trailed lap = go(world, body, at + Vec3(0.5 * wide, 0.5, 0), 0.0,
+                               left ? TrailSide::Left : TrailSide::Right, 2.0 * (wide + deep) + 8.0);
         const auto said = words(*scene, lap.events);
         std::vector<std::string> corners;
         for (const std::string& word : said) {
@@ -80,10 +86,12 @@ TEST(Trail, rounds_a_room_both_ways_wherever_it_is_and_never_leaves_the_wall) {
             if (word[0] == '*') corners.push_back(word.substr(1));
         }
         ASSERT_GE(corners.size(), 4u) << run;
-        const std::vector<std::string> order = left ? std::vector<std::string>{"west wall", "north wall", "east wall", "south wall"}
-                                                    : std::vector<std::string>{"east wall", "north wall", "west wall", "south wall"};
+        const std::vector<std::string> order =
+            left ? std::vector<std::string>{"west wall", "north wall", "east wall", "south wall"}
+                 : std::vector<std::string>{"east wall", "north wall", "west wall", "south wall"};
         const auto first = std::find(order.begin(), order.end(), corners.front()) - order.begin();
-        for (std::size_t i = 0; i < corners.size(); ++i) EXPECT_EQ(corners[i], order[(static_cast<std::size_t>(first) + i) % 4]) << run;
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            EXPECT_EQ(corners[i], order[(static_cast<std::size_t>(first) + i) % 4]) << run;
         // It has been along every wall: its way reaches each of them to the gap, and never leaves them by more.
         double least[4] = {9, 9, 9, 9};
         for (std::size_t i = 120; i < lap.feet_m.size(); ++i) {
@@ -107,7 +115,8 @@ TEST(Trail, passes_doorways_straight_on_and_tells_them_but_follows_wide_openings
         const BodyWorld world(scene);
         const BodySize body = body_size(*scene, 0.25);
         const Trailed way = go(world, body, {1.5, 0.4, 0}, kPi / 2.0, TrailSide::Right, 6.0);
-        const auto opening = std::find_if(way.events.begin(), way.events.end(), [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Opening; });
+        const auto opening = std::find_if(way.events.begin(), way.events.end(),
+                                          [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Opening; });
         double deepest = 9.0;
         for (const Vec3& p : way.feet_m) deepest = std::min(deepest, p.y);
         if (gap > Trail::kWidestOpening_m) {
@@ -141,7 +150,8 @@ TEST(Trail, goes_round_a_free_standing_block_outside_and_round_a_slanted_one) {
             EXPECT_LT(std::max(std::abs(p.x) - gap, std::abs(p.y)), 1.65) << "never away from it";
         }
         for (const bool passed : side) EXPECT_TRUE(passed);
-        EXPECT_TRUE(std::none_of(lap.events.begin(), lap.events.end(), [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Ends; }));
+        EXPECT_TRUE(std::none_of(lap.events.begin(), lap.events.end(),
+                                 [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Ends; }));
     }
 }
 
@@ -169,9 +179,12 @@ TEST(Trail, rounds_a_room_of_slanted_walls_at_a_constant_distance) {
         std::string walls;
         for (int i = 0; i < 6; ++i) {
             ring.push_back(corner(i, kRadius + 16.0));
-            walls += prism({corner(i, kRadius), corner(i, kRadius + 8.0), corner(i + 1, kRadius + 8.0), corner(i + 1, kRadius)}, 0, 96);
+            walls += prism(
+                {corner(i, kRadius), corner(i, kRadius + 8.0), corner(i + 1, kRadius + 8.0), corner(i + 1, kRadius)}, 0,
+                96);
         }
-        const auto scene = read_quake_map(test::entity("worldspawn", test::key("building", "1"), prism(ring, -16, 0) + walls), "hexagon.map");
+        const auto scene = read_quake_map(
+            test::entity("worldspawn", test::key("building", "1"), prism(ring, -16, 0) + walls), "hexagon.map");
         ASSERT_TRUE(scene);
         const auto shared = std::make_shared<const Scene>(*scene);
         const BodyWorld world(shared);
@@ -194,7 +207,9 @@ TEST(Trail, rounds_a_room_of_slanted_walls_at_a_constant_distance) {
             EXPECT_LT(nearest, 0.45) << "never away from the walls, turned by " << turned;
         }
         for (int wall = 0; wall < 6; ++wall) EXPECT_TRUE(passed[wall]) << "wall " << wall << " turned by " << turned;
-        EXPECT_GE(std::count_if(lap.events.begin(), lap.events.end(), [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Corner; }), 6);
+        EXPECT_GE(std::count_if(lap.events.begin(), lap.events.end(),
+                                [](const TrailEvent& e) { return e.kind == TrailEvent::Kind::Corner; }),
+                  6);
     }
 }
 
@@ -234,9 +249,11 @@ TEST(Trail, turns_round_and_says_where_there_is_no_wall) {
     const BodyWorld world(scene);
     ASSERT_TRUE(trail.start(world, {0.4, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), TrailSide::Left));
     std::vector<TrailEvent> events;
-    const double ahead = trail.tick(world, {0.28, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
+    const double ahead =
+        trail.tick(world, {0.28, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
     trail.turn_round();
-    const double back = trail.tick(world, {0.28, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
+    const double back =
+        trail.tick(world, {0.28, 2.0, 0.0}, 0.0, body_size(*scene, 0.25), 1.0, 0.02, events).heading_rad;
     EXPECT_NEAR(std::abs(std::remainder(ahead - back, 2.0 * kPi)), kPi, 1e-9);
     EXPECT_EQ(trail.side(), TrailSide::Right);
 }

@@ -1,4 +1,4 @@
-#include "app/core/walker.h"
+#include "app/core/world/walker.h"
 
 #include <random>
 
@@ -169,11 +169,13 @@ TEST(BodyWorld, trace_agrees_with_small_steps_for_random_rays) {
     const auto scene = some.share();
     const BodyWorld world(scene);
     for (int i = 0; i < 300; ++i) {
-        const Vec3 from{place(random) * 2, place(random) * 2, place(random) * 2}, to{place(random) * 2, place(random) * 2, place(random) * 2};
+        const Vec3 from{place(random) * 2, place(random) * 2, place(random) * 2},
+            to{place(random) * 2, place(random) * 2, place(random) * 2};
         const BodyShape body{i % 2 ? 0.25 : 0.0, i % 2 ? 0.5 : 0.0};
         if (world.blocked(from, body)) continue;
         const TraceHit hit = world.trace(from, to, body);
-        // Brute force: a thousand and one places along the way; the exact answer lies within one spacing of the first blocked one.
+        // Brute force: a thousand and one places along the way; the exact answer lies within one spacing of the first
+        // blocked one.
         double first = 1.0;
         const int parts = 1000;
         for (int k = 0; k <= parts; ++k)

@@ -1,8 +1,9 @@
 // Moving by ear as a session does it: keys, words and sounds.
 #include <algorithm>
 
-#include "app/core/app_core.h"
-#include "app/core/headless_session.h"
+#include "app/core/scenario/session_log.h"
+#include "app/core/session/app_core.h"
+#include "app/core/session/headless_session.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/real_worlds.h"
@@ -14,7 +15,9 @@ namespace {
 using test::SceneBuilder;
 
 struct Walk {
-    explicit Walk(std::shared_ptr<const Scene> scene, const Settings& settings = {}) : app(settings, HandFacts{}) { app.enter_world(std::move(scene), 0.0); }
+    explicit Walk(std::shared_ptr<const Scene> scene, const Settings& settings = {}) : app(settings, HandFacts{}) {
+        app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0);
+    }
     void run(double seconds) {
         for (const double until = now + seconds; now < until - 1e-9;) {
             now += 1.0 / 60.0;
@@ -23,20 +26,23 @@ struct Walk {
         }
     }
     void hold(Command command, double seconds) {
-        app.press(command, now);
+        app.apply(CommandDown{command}, now);
         run(seconds);
-        app.release(command);
+        app.apply(CommandUp{command}, now);
     }
     void tap(Command command, double then_s = 1.0) {
         hold(command, 0.1);
         run(then_s);
     }
     bool said(const std::string& words) const {
-        return std::any_of(cues.begin(), cues.end(), [&](const CueRequest& cue) { return cue.kind == CueRequestKind::Say && words_in_order(words, cue.text); });
+        return std::any_of(cues.begin(), cues.end(), [&](const CueRequest& cue) {
+            return cue.kind == CueRequestKind::Say && words_in_order(words, cue.text);
+        });
     }
     int sounds(SoundKind kind) const {
-        return static_cast<int>(
-            std::count_if(cues.begin(), cues.end(), [&](const CueRequest& cue) { return cue.kind == CueRequestKind::Play && cue.sound == kind; }));
+        return static_cast<int>(std::count_if(cues.begin(), cues.end(), [&](const CueRequest& cue) {
+            return cue.kind == CueRequestKind::Play && cue.sound == kind;
+        }));
     }
     AppCore app;
     double now = 0.0;
@@ -159,12 +165,12 @@ TEST(Walking, going_back_follows_the_way_one_came_to_its_beginning) {
     w.hold(Command::Forward, 1.5);
     const Vec3 turn(begin.x, begin.y + 2.0, 0.0);
     double nearest_turn = 9.0;
-    w.app.press(Command::Retrace, w.now);
+    w.app.apply(CommandDown{Command::Retrace}, w.now);
     for (int i = 0; i < 60; ++i) {
         w.run(0.1);
         nearest_turn = std::min(nearest_turn, glm::length(w.app.feet_m() - turn));
     }
-    w.app.release(Command::Retrace);
+    w.app.apply(CommandUp{Command::Retrace}, w.now);
     EXPECT_LT(nearest_turn, 0.3) << "round the corner, not across";
     EXPECT_LT(glm::length(w.app.feet_m() - begin), 0.05);
     EXPECT_TRUE(w.said("You are where your way began"));
@@ -211,7 +217,8 @@ TEST(Walking, callouts_go_off_and_on_by_their_key_and_stay_so) {
     EXPECT_TRUE(w.said("Callouts on"));
 }
 
-// In a level of steps half a metre high one walks a minute in every direction: few words that were not asked for, and the body gets about.
+// In a level of steps half a metre high one walks a minute in every direction: few words that were not asked for, and
+// the body gets about.
 TEST(Walking, game_levels_stay_walkable_and_quiet) {
     for (const char* name : {"agtut01.map", "quake-e1m1.map"}) {
         const auto file = test::real_world(name);
@@ -232,10 +239,12 @@ TEST(Walking, game_levels_stay_walkable_and_quiet) {
         int told = 0, edges = 0;
         for (const CueRequest& cue : w.cues)
             if (cue.kind == CueRequestKind::Say) {
-                told += words_in_order("Stairs ahead", cue.text) || words_in_order("Drop ahead", cue.text) || words_in_order("Ramp", cue.text);
+                told += words_in_order("Stairs ahead", cue.text) || words_in_order("Drop ahead", cue.text) ||
+                        words_in_order("Ramp", cue.text);
                 edges += words_in_order("Edge Drop", cue.text);
             }
-        std::cout << name << ": " << farthest << " m, " << told << " callouts, " << edges << " edges in " << w.now << " s\n";
+        std::cout << name << ": " << farthest << " m, " << told << " callouts, " << edges << " edges in " << w.now
+                  << " s\n";
         EXPECT_GT(farthest, 3.0) << name;
         EXPECT_LE(told, static_cast<int>(w.now / 5.0)) << name;
         EXPECT_LE(edges, 4) << name;

@@ -1,4 +1,5 @@
-// A body that does what it is told: walks along the way that was planned last, point after point, and opens what it stands before.
+// A body that does what it is told: walks along the way that was planned last, point after point, and opens what it
+// stands before.
 #pragma once
 
 #include <cmath>
@@ -18,32 +19,33 @@ inline bool walk_along(AppSession& person, const std::function<bool()>& there, d
     Vec3 was = app.feet_m();
     double moved_s = person.now;
     for (const double until = person.now + seconds; person.now < until && !there();) {
-        if (way != app.guiding().way_m) {
-            way = app.guiding().way_m;
+        if (way != app.guide().way_m()) {
+            way = app.guide().way_m();
             at = 0;
         }
         const auto level = [&](const Vec3& to) { return Vec3(to.x - app.feet_m().x, to.y - app.feet_m().y, 0.0); };
         while (at < way.size() && glm::length(level(way[at])) < kAtPoint_m) ++at;
         if (at >= way.size()) {
-            app.steer({});
+            app.apply(Steered{{}}, person.now);
             person.run(0.1);
             continue;
         }
         const Vec3 to = level(way[at]);
         const double right_rad = wrap_angle(std::atan2(to.x, to.y) - app.heading_rad());
-        app.steer({std::cos(right_rad), std::sin(right_rad), std::clamp(2.0 * right_rad, -1.0, 1.0)});
+        app.apply(Steered{{std::cos(right_rad), std::sin(right_rad), std::clamp(2.0 * right_rad, -1.0, 1.0)}},
+                  person.now);
         person.run(1.0 / 60.0);
         if (glm::length(app.feet_m() - was) > 0.05) {
             was = app.feet_m();
             moved_s = person.now;
         }
         if (person.now - moved_s < kStuck_s) continue;
-        app.steer({});
+        app.apply(Steered{{}}, person.now);
         person.ask(Command::Use);
         person.run(kDoorOpens_s);
         moved_s = person.now;
     }
-    app.steer({});
+    app.apply(Steered{{}}, person.now);
     return there();
 }
 
@@ -58,18 +60,20 @@ inline bool go_to_room(AppSession& person, const std::string& room, double secon
         person, [&] { return person.heard(there); }, seconds);
 }
 
-// Walks straight from place to place, whatever may be planned. `run(seconds)` lets time pass.
+// Walks straight from place to place, whatever may be planned. `run(seconds)` lets time pass and gives
+// what it is then.
 template <class Run>
 void steer_along(AppCore& app, const std::vector<Vec3>& places, Run run) {
+    double now_s = run(0.0);
     for (const Vec3& place : places)
         for (int frame = 0; frame < 600; ++frame) {
             const Vec3 off = place - app.feet_m();
             const double way_m = std::hypot(off.x, off.y);
             if (way_m < 0.1) break;
-            app.steer({off.y / way_m, off.x / way_m, 0.0});
-            run(1.0 / 60.0);
+            app.apply(Steered{{off.y / way_m, off.x / way_m, 0.0}}, now_s);
+            now_s = run(1.0 / 60.0);
         }
-    app.steer({});
+    app.apply(Steered{{}}, now_s);
     run(0.3);
 }
 

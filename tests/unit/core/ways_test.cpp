@@ -1,11 +1,12 @@
-// Kept ways: read and written, never lost or read wrong; looked up again in an edited world; planned through their stops; trails with few corners.
-#include "app/core/ways.h"
+// Kept ways: read and written, never lost or read wrong; looked up again in an edited world; planned through their
+// stops; trails with few corners.
+#include "app/core/kept/ways.h"
 
 #include <gmock/gmock.h>
 
 #include <random>
 
-#include "app/core/walker.h"
+#include "app/core/world/walker.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
 #include "tests/support/temporary_folder.h"
@@ -19,10 +20,15 @@ using test::SceneBuilder;
 using test::TemporaryFolder;
 using testing::HasSubstr;
 
-Stop stop(const std::string& name, const Vec3& place_m) { return {.name = name, .place_m = place_m, .thing = {}, .room = {}, .kept = {}}; }
+Stop stop(const std::string& name, const Vec3& place_m) {
+    return {.name = name, .place_m = place_m, .thing = {}, .room = {}, .kept = {}};
+}
 
 SavedWay tour() {
-    SavedWay way{"Tür zu 家, \"hinten\"", {stop("Door", {1, 1, 0}), stop("", {1e-17, 2, 0}), stop("Table", {3, 1, 0.1 + 0.2})}, "5f3a90c1", {}};
+    SavedWay way{"Tür zu 家, \"hinten\"",
+                 {stop("Door", {1, 1, 0}), stop("", {1e-17, 2, 0}), stop("Table", {3, 1, 0.1 + 0.2})},
+                 "5f3a90c1",
+                 {}};
     way.stops[0].room = "Kitchen";
     way.stops[2].thing = "table";
     way.stops[2].thing_m = 0.4;
@@ -53,7 +59,8 @@ TEST(Ways, are_kept_to_the_last_bit_beside_marks_with_what_is_not_known) {
     const fs::path world = folder.write("a.map", "x");
     folder.write("a.map.handrail.toml",
                  "[[mark]]\nname = \"Mark 1\"\nplace_m = [1.0, 2.0, 3.0]\n"
-                 "[[way]]\nname = \"Old\"\nlater = { a = 1 }\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\nsign = \"red\"\n"
+                 "[[way]]\nname = \"Old\"\nlater = { a = 1 }\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, "
+                 "0.0]\nsign = \"red\"\n"
                  "[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, 0.0]\n");
     SideFile file = SideFile::of_world(world, {});
     std::vector<Error> faults;
@@ -69,26 +76,34 @@ TEST(Ways, are_kept_to_the_last_bit_beside_marks_with_what_is_not_known) {
     EXPECT_TRUE(faults.empty());
     EXPECT_EQ(again.entries("mark").size(), 1U);
     const std::string text = test::content_of(folder.path() / "a.map.handrail.toml");
-    for (const char* part : {"later = {", "sign = ", "[[way.stop]]", "T\\u00FCr zu \\u5BB6"}) EXPECT_THAT(text, HasSubstr(part));
+    for (const char* part : {"later = {", "sign = ", "[[way.stop]]", "T\\u00FCr zu \\u5BB6"})
+        EXPECT_THAT(text, HasSubstr(part));
 }
 
 TEST(Ways, that_cannot_be_read_are_told_with_file_line_and_what_to_do_and_stay_in_the_file) {
-    const std::string two = "[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, 0.0]\n";
+    const std::string two =
+        "[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, "
+        "0.0]\n";
     const std::string good = "[[way]]\nname = \"Good\"\n" + two;
     const struct {
         std::string entry;
         const char* fault;
     } bad[] = {
         {"[[way]]\n" + two, "this way has no name of one line. Give it one under name, or delete the entry."},
-        {"[[way]]\nname = \"Short\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n", "the way Short needs 2 to 200 stops"},
+        {"[[way]]\nname = \"Short\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n",
+         "the way Short needs 2 to 200 stops"},
         {"[[way]]\nname = \"None\"\nstop = 3\n", "the way None needs 2 to 200 stops"},
-        {"[[way]]\nname = \"Flat\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, 0.0]\n",
+        {"[[way]]\nname = \"Flat\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0]\n[[way.stop]]\nname = "
+         "\"B\"\nplace_m = [1.0, 0.0, 0.0]\n",
          "the way Flat: stop 1 needs place_m with three decimal numbers"},
-        {"[[way]]\nname = \"Nan\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = [nan, 0.0, 0.0]\n",
+        {"[[way]]\nname = \"Nan\"\n[[way.stop]]\nname = \"A\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = "
+         "\"B\"\nplace_m = [nan, 0.0, 0.0]\n",
          "the way Nan: stop 2 needs place_m"},
-        {"[[way]]\nname = \"Mute\"\n[[way.stop]]\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, 0.0]\n",
+        {"[[way]]\nname = \"Mute\"\n[[way.stop]]\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = "
+         "[1.0, 0.0, 0.0]\n",
          "the first and the last stop of the way Mute need a name"},
-        {"[[way]]\nname = \"Odd\"\n[[way.stop]]\nname = \"A\\nB\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = \"B\"\nplace_m = [1.0, 0.0, 0.0]\n",
+        {"[[way]]\nname = \"Odd\"\n[[way.stop]]\nname = \"A\\nB\"\nplace_m = [0.0, 0.0, 0.0]\n[[way.stop]]\nname = "
+         "\"B\"\nplace_m = [1.0, 0.0, 0.0]\n",
          "the way Odd: stop 1 has a name that is not one line of text"},
     };
     for (const auto& one : bad) {
@@ -160,22 +175,27 @@ struct Flat {
     RoomGraph graph;
 };
 
-// 12 by 5 metres of floor, walls round it, a wall across the middle with a gap of a metre unless it is shut; a table in the west or elsewhere, or none.
+// 12 by 5 metres of floor, walls round it, a wall across the middle with a gap of a metre unless it is shut; a table in
+// the west or elsewhere, or none.
 Flat flat(const std::optional<Vec3>& table, bool shut = false, const std::optional<Vec3>& block = {}) {
     SceneBuilder b;
     b.box({0, 0, -0.2}, {12, 5, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
-    for (const auto& [low, high] : {std::pair{Vec3(-0.2, -0.2, 0), Vec3(12.2, 0, 2.6)}, std::pair{Vec3(-0.2, 5, 0), Vec3(12.2, 5.2, 2.6)},
-                                    std::pair{Vec3(-0.2, 0, 0), Vec3(0, 5, 2.6)}, std::pair{Vec3(12, 0, 0), Vec3(12.2, 5, 2.6)},
-                                    std::pair{Vec3(5.9, 0, 0), Vec3(6.1, 2, 2.6)}, std::pair{Vec3(5.9, shut ? 2.0 : 3.0, 0), Vec3(6.1, 5, 2.6)}})
+    for (const auto& [low, high] :
+         {std::pair{Vec3(-0.2, -0.2, 0), Vec3(12.2, 0, 2.6)}, std::pair{Vec3(-0.2, 5, 0), Vec3(12.2, 5.2, 2.6)},
+          std::pair{Vec3(-0.2, 0, 0), Vec3(0, 5, 2.6)}, std::pair{Vec3(12, 0, 0), Vec3(12.2, 5, 2.6)},
+          std::pair{Vec3(5.9, 0, 0), Vec3(6.1, 2, 2.6)}, std::pair{Vec3(5.9, shut ? 2.0 : 3.0, 0), Vec3(6.1, 5, 2.6)}})
         b.box(low, high, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
     if (table) b.box(*table, *table + Vec3(1.0, 0.6, 0.7), "table", SolidRole::Solid, "wood", FeatureKind::Object);
-    if (block) b.box(*block - Vec3(0.5, 0.5, 0.0), *block + Vec3(0.5, 0.5, 2.6), "pillar", SolidRole::Solid, "brick", FeatureKind::Wall);
+    if (block)
+        b.box(*block - Vec3(0.5, 0.5, 0.0), *block + Vec3(0.5, 0.5, 2.6), "pillar", SolidRole::Solid, "brick",
+              FeatureKind::Wall);
     b.start({1, 1, 0}, 0.0);
     b.start({11, 1, 0}, 0.0);
     Flat made;
     made.scene = b.share();
     const BodySize size = body_size(*made.scene, 0.25);
-    auto navigation = Navigation::make(*made.scene, walk_body(*made.scene, size.radius_m, size.height_m, size.step_up_m));
+    auto navigation =
+        Navigation::make(*made.scene, walk_body(*made.scene, size.radius_m, size.height_m, size.step_up_m));
     EXPECT_TRUE(navigation);
     made.navigation = *navigation;
     made.graph = make_rooms(*made.scene, made.navigation->space());
@@ -184,7 +204,11 @@ Flat flat(const std::optional<Vec3>& table, bool shut = false, const std::option
 }
 
 SavedWay to_the_table() {
-    SavedWay way{"There and in", {stop("Shop", {1, 1, 0}), stop("Table", {2, 3.5, 0}), stop("", {8.5, 4, 0}), stop("Far end", {11, 2.5, 0})}, "before", {}};
+    SavedWay way{
+        "There and in",
+        {stop("Shop", {1, 1, 0}), stop("Table", {2, 3.5, 0}), stop("", {8.5, 4, 0}), stop("Far end", {11, 2.5, 0})},
+        "before",
+        {}};
     way.stops[0].room = "Shop";
     way.stops[1].thing = "table";
     way.stops[1].thing_m = 0.4;
@@ -209,10 +233,12 @@ TEST(Ways, are_looked_up_again_and_what_no_longer_fits_is_told_by_name) {
     const FoundWay found = look_up(to_the_table(), *moved.scene, SideFile(), *moved.navigation, moved.graph);
     ASSERT_EQ(found.faults.size(), 1U);
     EXPECT_EQ(found.faults[0].kind, StopFault::Kind::ThingMoved);
-    EXPECT_NEAR(found.faults[0].moved_m, std::hypot(9.5 - 2.0, 3.5 - 0.9), 1e-9);  // from (2, 3.5) to its corner at (9.5, 0.9)
+    EXPECT_NEAR(found.faults[0].moved_m, std::hypot(9.5 - 2.0, 3.5 - 0.9),
+                1e-9);  // from (2, 3.5) to its corner at (9.5, 0.9)
     EXPECT_LT(glm::length(found.stops[1].place_m - Vec3(9.5, 0.9, 0)), 0.6);
     // A corner of a trail in a pillar is told by the stop behind it.
-    EXPECT_THAT(unfit(flat(table, false, Vec3(8.5, 4.0, 0))), HasSubstr("there is no place to stand on the way to Far end"));
+    EXPECT_THAT(unfit(flat(table, false, Vec3(8.5, 4.0, 0))),
+                HasSubstr("there is no place to stand on the way to Far end"));
 }
 
 TEST(Ways, know_rooms_by_each_of_their_names) {
@@ -253,7 +279,8 @@ TEST(Ways, through_several_places_are_the_legs_one_after_the_other) {
         }
         EXPECT_NEAR(all.length_m, sum, 1e-9);
         EXPECT_NEAR(length_of(all.points_m), sum, 0.05 * places.size());
-        for (std::size_t i = 1; i < all.passages.size(); ++i) EXPECT_LE(all.passages[i - 1].at_m, all.passages[i].at_m + 1e-9);
+        for (std::size_t i = 1; i < all.passages.size(); ++i)
+            EXPECT_LE(all.passages[i - 1].at_m, all.passages[i].at_m + 1e-9);
         std::shuffle(places.begin(), places.end(), random);
     }
     const Flat cut = flat(Vec3(2.4, 3.2, 0), true);
@@ -272,7 +299,8 @@ double farthest_off_m(const std::vector<Vec3>& trail, const std::vector<Vec3>& c
     for (const Vec3& p : trail) {
         double best = 1e300;
         for (std::size_t i = 0; i + 1 < corners.size(); ++i)
-            for (int k = 0; k <= 1000; ++k) best = std::min(best, glm::length(p - (corners[i] + (corners[i + 1] - corners[i]) * (k / 1000.0))));
+            for (int k = 0; k <= 1000; ++k)
+                best = std::min(best, glm::length(p - (corners[i] + (corners[i + 1] - corners[i]) * (k / 1000.0))));
         if (corners.size() == 1) best = glm::length(p - corners[0]);
         worst = std::max(worst, best);
     }

@@ -1,4 +1,4 @@
-#include "app/core/words.h"
+#include "app/core/dialogue/words.h"
 
 #include "tests/support/spoken_language.h"
 
@@ -41,10 +41,11 @@ TEST(DirectionWords, change_with_the_vocabulary_and_nothing_else) {
         double bearing_deg;
         const char *sides, *clock, *compass;
     };
-    for (const Case& c : {Case{45, "ahead", "at 12 o'clock", "north-east"}, Case{135, "right", "at 3 o'clock", "south-east"},
-                          Case{-45, "left", "at 9 o'clock", "north-west"}, Case{225, "behind", "at 6 o'clock", "south-west"},
-                          Case{75, "30 degrees right", "at 1 o'clock", "east"}, Case{22, "25 degrees left", "at 11 o'clock", "north"},
-                          Case{255, "150 degrees left", "at 7 o'clock", "west"}, Case{46, "ahead", "at 12 o'clock", "north-east"}}) {
+    for (const Case& c :
+         {Case{45, "ahead", "at 12 o'clock", "north-east"}, Case{135, "right", "at 3 o'clock", "south-east"},
+          Case{-45, "left", "at 9 o'clock", "north-west"}, Case{225, "behind", "at 6 o'clock", "south-west"},
+          Case{75, "30 degrees right", "at 1 o'clock", "east"}, Case{22, "25 degrees left", "at 11 o'clock", "north"},
+          Case{255, "150 degrees left", "at 7 o'clock", "west"}, Case{46, "ahead", "at 12 o'clock", "north-east"}}) {
         const double bearing = radians_from_degrees(c.bearing_deg);
         EXPECT_EQ(direction_words(bearing, north_east, DirectionChoice::Sides), c.sides) << c.bearing_deg;
         EXPECT_EQ(direction_words(bearing, north_east, DirectionChoice::Clock), c.clock) << c.bearing_deg;
@@ -63,8 +64,11 @@ TEST(DirectionWords, agree_with_each_other_all_the_way_round) {
             EXPECT_EQ(sides.find("right") != std::string::npos, turn > 0) << heading << ' ' << turn;
             EXPECT_EQ(sides.find("left") != std::string::npos, turn < 0) << heading << ' ' << turn;
             int hour = 0;
-            ASSERT_EQ(std::sscanf(direction_words(bearing, facing, DirectionChoice::Clock).c_str(), "at %d o'clock", &hour), 1);
-            EXPECT_LE(std::abs(degrees_from_radians(wrap_angle(radians_from_degrees(hour * 30.0 - turn)))), 15.0 + 1e-6) << heading << ' ' << turn;
+            ASSERT_EQ(
+                std::sscanf(direction_words(bearing, facing, DirectionChoice::Clock).c_str(), "at %d o'clock", &hour),
+                1);
+            EXPECT_LE(std::abs(degrees_from_radians(wrap_angle(radians_from_degrees(hour * 30.0 - turn)))), 15.0 + 1e-6)
+                << heading << ' ' << turn;
         }
 }
 
@@ -72,7 +76,8 @@ TEST(PlaceWords, put_distance_and_direction_together) {
     const DistanceWords steps{true, 0.7};
     const double right = kPi / 2.0;
     EXPECT_EQ(place_words(6.3, radians_from_degrees(25), 0.0, DirectionChoice::Clock, steps), "9 steps at 1 o'clock");
-    EXPECT_EQ(place_words(6.3, radians_from_degrees(25), 0.0, DirectionChoice::Sides, steps), "9 steps, 25 degrees right");
+    EXPECT_EQ(place_words(6.3, radians_from_degrees(25), 0.0, DirectionChoice::Sides, steps),
+              "9 steps, 25 degrees right");
     EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Sides, steps), "9 steps to the right");
     EXPECT_EQ(place_words(0.1, 0.0, 0.0, DirectionChoice::Sides, steps), "close by, ahead");
     EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Compass, steps), "9 steps east");
@@ -89,7 +94,8 @@ TEST(Words, are_german_in_german) {
     EXPECT_EQ(relative_words(0.0, kPi / 4.0), "vorn links");
     EXPECT_EQ(place_words(6.3, 0.0, 0.0, DirectionChoice::Sides, steps), "9 Schritte geradeaus");
     EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Sides, steps), "9 Schritte nach rechts");
-    EXPECT_EQ(place_words(6.3, radians_from_degrees(-25), 0.0, DirectionChoice::Sides, steps), "9 Schritte, 25 Grad links");
+    EXPECT_EQ(place_words(6.3, radians_from_degrees(-25), 0.0, DirectionChoice::Sides, steps),
+              "9 Schritte, 25 Grad links");
     EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Compass, steps), "9 Schritte nach Osten");
     EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Clock, steps), "9 Schritte auf 3 Uhr");
     EXPECT_EQ(place_words(0.1, right, 0.0, DirectionChoice::Compass, steps), "ganz nah, im Osten");

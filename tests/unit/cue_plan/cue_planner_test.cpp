@@ -39,7 +39,8 @@ std::shared_ptr<const Scene> room() {
     scene->materials[2].sound = SoundClass::Carpet;
     scene->materials[3].name = "wood";
     scene->materials[3].sound = SoundClass::Wood;
-    scene->features = {feature(FeatureKind::Wall, "north wall", 1, {0, 4, 0}, {6, 4.2, 2.6}), feature(FeatureKind::Floor, "floor", 2, {0, 0, -0.2}, {6, 4, 0}),
+    scene->features = {feature(FeatureKind::Wall, "north wall", 1, {0, 4, 0}, {6, 4.2, 2.6}),
+                       feature(FeatureKind::Floor, "floor", 2, {0, 0, -0.2}, {6, 4, 0}),
                        feature(FeatureKind::Door, "door", 3, {2.5, -0.2, 0}, {3.5, 0, 2}),
                        feature(FeatureKind::Liquid, "pool", kDefaultMaterial, {1, 1, -1}, {2, 2, 0}),
                        feature(FeatureKind::Object, "", kDefaultMaterial, {0, 0, 0}, {1, 1, 1})};
@@ -154,7 +155,8 @@ TEST_F(CuePlannerTest, second_touch_within_5_s_is_a_knock_without_speech) {
 TEST_F(CuePlannerTest, nothing_is_said_twice_within_5_s_whatever_happens) {
     std::uint64_t state = 7;
     const auto random = [&](std::uint64_t below) {
-        return static_cast<std::uint32_t>((state = state * 6364136223846793005ULL + 1442695040888963407ULL) >> 33U) % below;
+        return static_cast<std::uint32_t>((state = state * 6364136223846793005ULL + 1442695040888963407ULL) >> 33U) %
+               below;
     };
     for (int i = 0; i < 4000; ++i) {
         const auto id = static_cast<std::uint32_t>(random(4));
@@ -320,9 +322,23 @@ TEST_F(CuePlannerTest, fault_sounds_and_speaks_as_an_alarm) {
     EXPECT_THAT(heard(), ElementsAre(SoundKind::Alarm));
 }
 
+// A sink that takes time: what is said of a device that may push cuts what was said of it before, and does not wait
+// behind it.
+TEST_F(CuePlannerWithVoice, that_a_device_may_push_waits_for_no_other_alarm) {
+    ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
+    fault.fault = Fault::DeviceSilent;
+    tick({fault});
+    fault.fault = Fault::TooHot;
+    tick({fault});
+    fault.fault = Fault::MayPush;
+    tick({fault});
+    EXPECT_EQ(speech.lines().back().utterance.text, fault_sentence(Fault::MayPush));
+}
+
 TEST_F(CuePlannerTest, a_fault_that_waits_for_the_person_is_told_each_time_and_a_pause_is_no_alarm) {
     ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
-    for (const auto& [kind, times] : {std::pair{Fault::LateLoop, 2U}, std::pair{Fault::Stalled, 1U}, std::pair{Fault::ButtonReleased, 1U}}) {
+    for (const auto& [kind, times] :
+         {std::pair{Fault::LateLoop, 2U}, std::pair{Fault::Stalled, 1U}, std::pair{Fault::ButtonReleased, 1U}}) {
         wait(6.0);
         const std::size_t lines = speech.lines().size(), sounds = audio.sounds().size();
         fault.fault = kind;
@@ -359,7 +375,8 @@ TEST_F(CuePlannerTest, each_kind_of_sound_follows_its_own_volume) {
     });
     CueRequest tone = request(CueRequestKind::WallTone);
     tone.loudness = 0.5;
-    tick({event(ContactEventKind::Begin, kNorth, 1.0)}, {request(CueRequestKind::Footstep), tone, request(CueRequestKind::Play)});
+    tick({event(ContactEventKind::Begin, kNorth, 1.0)},
+         {request(CueRequestKind::Footstep), tone, request(CueRequestKind::Play)});
     ASSERT_THAT(heard(), ElementsAre(SoundKind::Contact, SoundKind::Footstep, SoundKind::Beep));
     EXPECT_DOUBLE_EQ(audio.sounds()[0].cue.loudness, 0.5 * 0.4);
     EXPECT_DOUBLE_EQ(audio.sounds()[1].cue.loudness, 0.5 * 0.2);
@@ -406,7 +423,8 @@ TEST_F(CuePlannerTest, steps_back_and_forward_through_the_last_fifty_messages) {
     CueRequest fresh = text("Something new.");
     fresh.time_s = now_s += 1.0;
     tick({}, {fresh});
-    EXPECT_EQ(press(CueRequestKind::HistoryBack), "Something new. 1 of 50.") << "what is new begins at the newest again";
+    EXPECT_EQ(press(CueRequestKind::HistoryBack), "Something new. 1 of 50.")
+        << "what is new begins at the newest again";
 }
 
 TEST_F(CuePlannerTest, higher_verbosity_says_more) {
@@ -415,9 +433,11 @@ TEST_F(CuePlannerTest, higher_verbosity_says_more) {
     EXPECT_EQ(describe_feature(*scene, door, 0), "");
     EXPECT_EQ(describe_feature(*scene, door, 1), "Door");
     EXPECT_EQ(describe_feature(*scene, door, 2), "Door, wood, handle on the east side");
-    EXPECT_EQ(describe_feature(*scene, door, 3), "Door, wood, handle on the east side, hinged on the west side. It leads to the yard.");
+    EXPECT_EQ(describe_feature(*scene, door, 3),
+              "Door, wood, handle on the east side, hinged on the west side. It leads to the yard.");
     EXPECT_EQ(describe_feature(*scene, door, 4),
-              "Door, wood, handle on the east side, hinged on the west side. 1 metre wide, 2 metres high. It leads to the yard.");
+              "Door, wood, handle on the east side, hinged on the west side. 1 metre wide, 2 metres high. It leads to "
+              "the yard.");
     EXPECT_EQ(describe_feature(*scene, wall, 4), "North wall, plaster. 6 metres wide, 2.6 metres high.");
     EXPECT_EQ(describe_feature(*scene, floor, 4), "Floor, carpet. 6 by 4 metres.");
     EXPECT_EQ(describe_feature(*scene, FeatureId{kNameless}, 4), "");
@@ -429,8 +449,8 @@ TEST_F(CuePlannerTest, repeat_says_the_last_line_word_for_word_at_once) {
     tick({}, {text("You are at the door, facing north")});
     tick({}, {request(CueRequestKind::Repeat)});
     tick({}, {request(CueRequestKind::Repeat)});
-    EXPECT_THAT(said(), ElementsAre("Nothing has been said yet.", "You are at the door, facing north", "You are at the door, facing north",
-                                    "You are at the door, facing north"));
+    EXPECT_THAT(said(), ElementsAre("Nothing has been said yet.", "You are at the door, facing north",
+                                    "You are at the door, facing north", "You are at the door, facing north"));
 }
 
 TEST_F(CuePlannerTest, repeatable_answers_are_not_held_back) {
@@ -499,9 +519,11 @@ TEST_F(CuePlannerTest, sounds_of_the_world_obey_volume_switch_and_silence_and_co
 TEST_F(CuePlannerTest, every_cue_but_an_alarm_can_be_switched_off) {
     set([](Settings& s) {
         Settings::Sound& sound = s.sound;
-        for (bool* on : {&sound.contact, &sound.slide, &sound.splash, &sound.door, &sound.footstep, &sound.bump, &sound.wall_tone, &sound.world, &sound.denied,
-                         &sound.forces, &sound.turn, &sound.frame, &sound.arrived, &sound.workspace, &sound.desk, &sound.corner, &sound.drop,
-                         &sound.ways, &sound.marks, &sound.beacon, &sound.guide})
+        for (bool* on :
+             {&sound.contact,   &sound.slide,     &sound.splash, &sound.door,   &sound.footstep, &sound.bump,
+              &sound.wall_tone, &sound.world,     &sound.denied, &sound.forces, &sound.turn,     &sound.frame,
+              &sound.arrived,   &sound.workspace, &sound.desk,   &sound.corner, &sound.drop,     &sound.ways,
+              &sound.marks,     &sound.beacon,    &sound.guide})
             *on = false;
     });
     for (const SoundInfo& row : sound_table()) {
@@ -548,7 +570,8 @@ TEST_F(CuePlannerWithVoice, sound_dictionary_names_first_and_plays_when_the_voic
 TEST(SoundTable, dictionary_holds_every_sound_with_its_name_and_meaning) {
     const std::vector<DictionaryEntry> entries = sound_dictionary();
     for (const SoundInfo& row : sound_table()) {
-        const auto known = std::count_if(entries.begin(), entries.end(), [&](const DictionaryEntry& e) { return e.kind == row.kind; });
+        const auto known =
+            std::count_if(entries.begin(), entries.end(), [&](const DictionaryEntry& e) { return e.kind == row.kind; });
         EXPECT_EQ(known, row.kind == SoundKind::Contact ? 18 : 1) << row.name;
     }
     for (const DictionaryEntry& entry : entries) {
@@ -590,7 +613,8 @@ TEST(SoundTable, distance_never_makes_louder_and_world_sounds_end_at_their_range
             EXPECT_EQ(last, 0.0);
         }
     }
-    EXPECT_NEAR(distance_gain(SoundKind::Hum, 4.0), 0.5 * distance_gain(SoundKind::Hum, 2.0), 1e-12) << "half at twice the distance, as in the open";
+    EXPECT_NEAR(distance_gain(SoundKind::Hum, 4.0), 0.5 * distance_gain(SoundKind::Hum, 2.0), 1e-12)
+        << "half at twice the distance, as in the open";
 }
 
 TEST_F(CuePlannerTest, keeps_the_last_500_lines) {
@@ -649,7 +673,8 @@ TEST_F(CuePlannerWithVoice, newer_answer_cuts_an_older_one_but_parts_of_one_repl
     wait(1.0);
     EXPECT_THAT(said(true), ElementsAre("One", "Two", "Three is a long answer", "Five"));
     EXPECT_TRUE(speech.lines()[2].cut);
-    EXPECT_THAT(said(), ElementsAre("One", "Two", "Three is a long answer", "Four", "Five")) << "what was not voiced is still written";
+    EXPECT_THAT(said(), ElementsAre("One", "Two", "Three is a long answer", "Four", "Five"))
+        << "what was not voiced is still written";
 }
 
 TEST_F(CuePlannerWithVoice, touch_never_cuts_an_answer_and_waits_while_the_hand_stays) {
@@ -724,9 +749,11 @@ TEST_F(CuePlannerTest, same_inputs_give_the_same_speech_and_sound) {
     run(audio2, speech2);
     ASSERT_EQ(speech.lines().size(), speech2.lines().size());
     ASSERT_GT(speech.lines().size(), 0U);
-    for (std::size_t i = 0; i < speech.lines().size(); ++i) EXPECT_EQ(speech.lines()[i].utterance.text, speech2.lines()[i].utterance.text);
+    for (std::size_t i = 0; i < speech.lines().size(); ++i)
+        EXPECT_EQ(speech.lines()[i].utterance.text, speech2.lines()[i].utterance.text);
     ASSERT_EQ(audio.sounds().size(), audio2.sounds().size());
-    for (std::size_t i = 0; i < audio.sounds().size(); ++i) EXPECT_EQ(audio.sounds()[i].cue.loudness, audio2.sounds()[i].cue.loudness);
+    for (std::size_t i = 0; i < audio.sounds().size(); ++i)
+        EXPECT_EQ(audio.sounds()[i].cue.loudness, audio2.sounds()[i].cue.loudness);
     EXPECT_EQ(audio.loop_changes().size(), audio2.loop_changes().size());
 }
 
@@ -739,7 +766,8 @@ TEST_F(CuePlannerTest, with_two_hands_says_which_one_touches_and_keeps_their_sou
     };
     tick({event(ContactEventKind::Begin, kNorth), of_left(event(ContactEventKind::Begin, kDoor), {-2.0, 0.0, 1.0})});
     wait(0.1);
-    EXPECT_THAT(said(), ElementsAre("Right hand: North wall, plaster", "Left hand: Door, wood, handle on the east side"));
+    EXPECT_THAT(said(),
+                ElementsAre("Right hand: North wall, plaster", "Left hand: Door, wood, handle on the east side"));
     ASSERT_EQ(audio.sounds().size(), 2U);
     EXPECT_EQ(audio.sounds()[0].cue.position_m, Vec3(1.0, 2.0, 3.0));
     EXPECT_EQ(audio.sounds()[1].cue.position_m, Vec3(-2.0, 0.0, 1.0)) << "where that hand is";

@@ -15,7 +15,8 @@ std::shared_ptr<const Scene> world() {
     scene->materials[kBrick].sound = SoundClass::Brick;
     scene->materials[kBrick].stiffness_fraction = 1.0;
     scene->materials[kSoft].stiffness_fraction = 0.2;
-    scene->materials[kRibbed].wave = TextureWave{.shape = WaveShape::Sine, .depth_hand_m = 0.0005, .period_hand_m = 0.002};
+    scene->materials[kRibbed].wave =
+        TextureWave{.shape = WaveShape::Sine, .depth_hand_m = 0.0005, .period_hand_m = 0.002};
     scene->features.resize(3);
     scene->features[kWall].material = kBrick;
     scene->features[kCushion].material = kSoft;
@@ -33,8 +34,10 @@ protected:
         made.feature = feature;
         return made;
     }
-    FingerCue tick(std::vector<CueRequest> requests = {}, const ToolState* tool = nullptr, double passage_width_m = 0.0) {
-        const FingerCue cue = planner.tick({.now_s = now_s, .requests = requests, .tool = tool, .passage_width_m = passage_width_m});
+    FingerCue tick(std::vector<CueRequest> requests = {}, const ToolState* tool = nullptr,
+                   double passage_width_m = 0.0) {
+        const FingerCue cue =
+            planner.tick({.now_s = now_s, .requests = requests, .tool = tool, .passage_width_m = passage_width_m});
         now_s += 1.0 / 60.0;
         return cue;
     }

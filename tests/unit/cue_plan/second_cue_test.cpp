@@ -59,7 +59,9 @@ TEST(SecondCue, changes_without_steps_from_tick_to_tick_and_place_to_place) {
         EXPECT_NEAR(second_cue(a, 1.23, true, true).gain, second_cue(b, 1.23, true, true).gain, 0.03);
         EXPECT_NEAR(second_cue(a, 1.23, true, true).pitch, second_cue(b, 1.23, true, true).pitch, 0.03);
     }
-    for (double t = 0.0; t < 3.0; t += 0.005) EXPECT_NEAR(second_cue({0, -1, 2}, t, true, true).gain, second_cue({0, -1, 2}, t + 0.005, true, true).gain, 0.12);
+    for (double t = 0.0; t < 3.0; t += 0.005)
+        EXPECT_NEAR(second_cue({0, -1, 2}, t, true, true).gain, second_cue({0, -1, 2}, t + 0.005, true, true).gain,
+                    0.12);
 }
 
 }  // namespace

@@ -31,7 +31,8 @@ TEST(SoundTexts, are_there_for_every_sound_and_material_and_for_nothing_else) {
 TEST(SoundTexts, are_said_in_german_while_scenarios_keep_their_names) {
     const test::InLanguage german("de");
     const auto all = sound_dictionary();
-    const auto tone = std::find_if(all.begin(), all.end(), [](const DictionaryEntry& entry) { return entry.kind == SoundKind::WallTone; });
+    const auto tone = std::find_if(all.begin(), all.end(),
+                                   [](const DictionaryEntry& entry) { return entry.kind == SoundKind::WallTone; });
     ASSERT_NE(tone, all.end());
     EXPECT_EQ(tone->text, "Wandton: Eine Wand ist nah, auf der Seite, auf der er klingt; je näher, desto lauter.");
     EXPECT_EQ(info(SoundKind::WallTone).name, "wall tone");

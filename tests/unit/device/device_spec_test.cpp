@@ -27,7 +27,8 @@ TEST(DeviceSpec, rows_have_unique_lower_case_names_and_sane_facts) {
 TEST(DeviceNames, stand_in_every_language_and_for_no_other_device) {
     for (const LanguageName& language : bundled_languages()) {
         const test::InLanguage spoken(language.code);
-        for (const DeviceSpec& spec : device_specs()) EXPECT_TRUE(has_phrase("device_name." + std::string(spec.name))) << language.code << ": " << spec.name;
+        for (const DeviceSpec& spec : device_specs())
+            EXPECT_TRUE(has_phrase("device_name." + std::string(spec.name))) << language.code << ": " << spec.name;
         for (const auto& [key, text] : bundled_texts(language.code)) {
             if (!key.starts_with("device_name.")) continue;
             EXPECT_NE(find_device_spec(key.substr(12)), nullptr) << language.code << ": " << key;
@@ -68,7 +69,8 @@ TEST(EffectiveStiffness, plaster_on_the_simulated_touch_is_300_newtons_per_metre
 
 TEST(EffectiveStiffness, follows_delay_damping_and_measured_period_below_the_rating) {
     const DeviceSpec& falcon = *find_device_spec("sim-f");
-    // b_eff = 0.2 + 1 + 0.7 * 5 = 4.7; 0.5 * 4.7 / 1.5 ms = 1566.7 N/m for the default wall, which is 0.8 of the result.
+    // b_eff = 0.2 + 1 + 0.7 * 5 = 4.7; 0.5 * 4.7 / 1.5 ms = 1566.7 N/m for the default wall, which is 0.8 of the
+    // result.
     EXPECT_NEAR(0.8 * effective_stiffness_n_per_m(falcon, 1e-3, 5.0), 1566.67, 0.01);
     // T = 2 ms: 0.5 * 4.7 / 2 ms = 1175.
     EXPECT_NEAR(0.8 * effective_stiffness_n_per_m(falcon, 2e-3, 5.0), 1175.0, 1e-9);
@@ -83,7 +85,8 @@ TEST(EffectiveStiffness, never_exceeds_the_rating) {
     for (const DeviceSpec& spec : device_specs())
         for (const double period_s : {1e-6, 2.5e-4, 1e-3, 1e-2})
             for (const double damping : {0.0, 5.0, 100.0})
-                EXPECT_LE(effective_stiffness_n_per_m(spec, period_s, damping), spec.rated_stiffness_n_per_m) << spec.name;
+                EXPECT_LE(effective_stiffness_n_per_m(spec, period_s, damping), spec.rated_stiffness_n_per_m)
+                    << spec.name;
 }
 
 }  // namespace

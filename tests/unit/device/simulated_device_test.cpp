@@ -95,7 +95,8 @@ TEST(SimulatedDevice, follows_its_target_with_little_overshoot) {
     for (int i = 0; i < 4000; ++i) farthest = std::max(farthest, bench.tick().position_m.x);
     EXPECT_NEAR(bench.truth().position_m.x, 0.02, 2e-4);
     EXPECT_GT(farthest, 0.019);
-    // Damping ratio 18 / (2 sqrt(300 * 0.4)) = 0.82: overshoot exp(-pi 0.82 / sqrt(1 - 0.82^2)) = 1.1 %, less what dry friction takes.
+    // Damping ratio 18 / (2 sqrt(300 * 0.4)) = 0.82: overshoot exp(-pi 0.82 / sqrt(1 - 0.82^2)) = 1.1 %, less what dry
+    // friction takes.
     EXPECT_LT(farthest, 0.02 * 1.012);
 }
 
@@ -169,7 +170,9 @@ TEST(SimulatedDevice, same_commands_give_the_same_samples_bit_for_bit) {
         Bench bench(*find_device_spec("sim-f"));
         std::vector<Vec3> seen;
         for (int i = 0; i < 2000; ++i) {
-            if (i % 17 == 0) bench.hand->command.publish({HandMode::Follow, Vec3(0.001 * (i % 13), 0.002 * (i % 5), 0), 0.0, Vec3(0.0), 0});
+            if (i % 17 == 0)
+                bench.hand->command.publish(
+                    {HandMode::Follow, Vec3(0.001 * (i % 13), 0.002 * (i % 5), 0), 0.0, Vec3(0.0), 0});
             seen.push_back(bench.tick(Vec3(0.1 * (i % 3), 0, -0.2)).position_m);
         }
         return seen;

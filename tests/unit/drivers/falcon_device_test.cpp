@@ -9,8 +9,8 @@
 #include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 #include "tests/support/servo_rig.h"
-#include "tests/support/world_axes.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/world_axes.h"
 
 namespace handrail {
 namespace {
@@ -65,7 +65,8 @@ TEST(FalconDevice, wakes_by_sending_its_firmware_and_comparing_every_echo) {
     EXPECT_FALSE(falcon.device->firmware_was_running());
     const auto image = test::boot_image(4000);
     EXPECT_EQ(falcon.emulator.firmware, image);
-    EXPECT_THAT(falcon.told, testing::ElementsAre(testing::HasSubstr("needs waking"), testing::HasSubstr("towards you")));
+    EXPECT_THAT(falcon.told,
+                testing::ElementsAre(testing::HasSubstr("needs waking"), testing::HasSubstr("towards you")));
     EXPECT_EQ(falcon.emulator.latency_ms, 1U);
 }
 
@@ -109,8 +110,9 @@ TEST(FalconDevice, refuses_in_one_sentence_what_cannot_be) {
     }
     const auto image = test::boot_image(4000);
     const std::string whole(image.begin(), image.end());
-    for (const auto& [content, words] :
-         {std::pair<std::string, std::string>{whole.substr(0, 2001), "cut off"}, {"GIF89a", "does not begin like one"}, {whole + "x", "after its end"}}) {
+    for (const auto& [content, words] : {std::pair<std::string, std::string>{whole.substr(0, 2001), "cut off"},
+                                         {"GIF89a", "does not begin like one"},
+                                         {whole + "x", "after its end"}}) {
         VirtualClock clock;
         FalconEmulator emulator;
         test::TemporaryFolder folder;
@@ -127,7 +129,8 @@ TEST(FalconDevice, refuses_in_one_sentence_what_cannot_be) {
     FalconDevice device(std::make_unique<DirectFalconLink>(emulator, clock), clock, {});
     const auto opened = device.open();
     ASSERT_FALSE(opened);
-    EXPECT_THAT(opened.error().sentence(), testing::AllOf(testing::HasSubstr("nvent_firmware.bin"), testing::HasSubstr("falcon")));
+    EXPECT_THAT(opened.error().sentence(),
+                testing::AllOf(testing::HasSubstr("nvent_firmware.bin"), testing::HasSubstr("falcon")));
 }
 
 TEST(FalconDevice, a_damaged_file_does_not_hide_a_sound_one) {
@@ -137,7 +140,8 @@ TEST(FalconDevice, a_damaged_file_does_not_hide_a_sound_one) {
     emulator.firmware_wanted = image.size();
     test::TemporaryFolder folder;
     FalconOptions options;
-    options.firmware_files = {folder.write("a.bin", "junk"), folder.write("b.bin", std::string(image.begin(), image.end()))};
+    options.firmware_files = {folder.write("a.bin", "junk"),
+                              folder.write("b.bin", std::string(image.begin(), image.end()))};
     FalconDevice device(std::make_unique<DirectFalconLink>(emulator, clock), clock, options);
     EXPECT_TRUE(device.open());
 }
@@ -160,7 +164,8 @@ TEST(FalconDevice, sends_no_force_before_all_legs_are_homed) {
 
 // S126: the axes of the hand are those of the world.
 TEST(FalconDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
-    const std::array<Vec3, 3> falcon_axes{Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, -1.0}, Vec3{0.0, 1.0, 0.0}};  // right, away from the person, up
+    const std::array<Vec3, 3> falcon_axes{Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, -1.0},
+                                          Vec3{0.0, 1.0, 0.0}};  // right, away from the person, up
     for (int axis = 0; axis < 3; ++axis) {
         Falcon falcon;
         falcon.emulator.grip_m = kFalconMiddleM;
@@ -218,7 +223,8 @@ TEST(FalconDevice, gives_the_asked_force_and_never_more_than_its_ceiling) {
     EXPECT_NEAR(glm::length(falcon.emulator.force_on_hand_n()), 0.95 * 3.0, 0.02);
 }
 
-// A wall of 1000 N/m across z = 0.130, pressed with 3 N less what the ceiling leaves: static answer force / stiffness behind it.
+// A wall of 1000 N/m across z = 0.130, pressed with 3 N less what the ceiling leaves: static answer force / stiffness
+// behind it.
 TEST(FalconDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
     constexpr double kStiffness = 1000.0, kPush = 2.0;
     const double wall_y = falcon_to_device({0.0, 0.0, 0.130}).y;
@@ -231,7 +237,8 @@ TEST(FalconDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer
     for (int i = 0; i < 1000; ++i) {
         const DeviceSample sample = falcon.exchange(force);
         ASSERT_TRUE(sample.fresh && sample.connected && sample.homed) << i;
-        ASSERT_LT(glm::length(sample.position_m - true_place(falcon.emulator)), 3.0 * kEncoderQuantumM) << i;  // it moved on during the answer
+        ASSERT_LT(glm::length(sample.position_m - true_place(falcon.emulator)), 3.0 * kEncoderQuantumM)
+            << i;  // it moved on during the answer
         force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - wall_y)), 0.0};
     }
     EXPECT_NEAR(true_place(falcon.emulator).y, wall_y + kPush / kStiffness, kEncoderQuantumM);
@@ -258,7 +265,8 @@ TEST_P(FalconWire, never_gives_a_wrong_position_or_too_much_force) {
     int failures = 0;
     Vec3 older = true_place(falcon.emulator), old = older;
     for (int i = 0; i < exchanges; ++i) {
-        falcon.emulator.grip_m = kFalconMiddleM + Vec3(0.02 * std::sin(0.01 * i), 0.02 * std::cos(0.007 * i), 0.01 * std::sin(0.013 * i));
+        falcon.emulator.grip_m =
+            kFalconMiddleM + Vec3(0.02 * std::sin(0.01 * i), 0.02 * std::cos(0.007 * i), 0.01 * std::sin(0.013 * i));
         const DeviceSample sample = falcon.exchange({9.0, -9.0, 4.0});
         const Vec3 now = true_place(falcon.emulator);
         ASSERT_TRUE(sample.connected);
@@ -266,7 +274,8 @@ TEST_P(FalconWire, never_gives_a_wrong_position_or_too_much_force) {
             ++failures;
         } else {
             // The place of this exchange or, where an answer was late, of the one or two before.
-            const double off = std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old), glm::length(sample.position_m - older)});
+            const double off = std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old),
+                                         glm::length(sample.position_m - older)});
             ASSERT_LT(off, kEncoderQuantumM) << GetParam().name << ", exchange " << i;
         }
         older = old;
@@ -280,22 +289,24 @@ TEST_P(FalconWire, never_gives_a_wrong_position_or_too_much_force) {
                 static_cast<unsigned long>(falcon.device->skipped_bytes()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Faults, FalconWire,
-                         testing::Values(WireFault{"sound", [](Falcon&) {}, 0}, WireFault{"fragments", [](Falcon& f) { f.link->in_fragments = true; }, 10},
-                                         WireFault{"garbage", [](Falcon& f) { f.emulator.garbage_before_every_nth = 10; }, 0},
-                                         WireFault{"lost_answers", [](Falcon& f) { f.emulator.lose_every_nth_answer = 50; }, 100},
-                                         WireFault{"torn_answers", [](Falcon& f) { f.emulator.torn_every_nth_answer = 50; }, 100},
-                                         WireFault{"late_answers", [](Falcon& f) { f.emulator.late_every_nth_answer = 50; }, 200},
-                                         WireFault{"everything_at_once",
-                                                   [](Falcon& f) {
-                                                       f.link->in_fragments = true;
-                                                       f.emulator.garbage_before_every_nth = 7;
-                                                       f.emulator.lose_every_nth_answer = 31;
-                                                       f.emulator.torn_every_nth_answer = 43;
-                                                       f.emulator.late_every_nth_answer = 57;
-                                                   },
-                                                   800}),
-                         [](const auto& fault) { return std::string(fault.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Faults, FalconWire,
+    testing::Values(WireFault{"sound", [](Falcon&) {}, 0},
+                    WireFault{"fragments", [](Falcon& f) { f.link->in_fragments = true; }, 10},
+                    WireFault{"garbage", [](Falcon& f) { f.emulator.garbage_before_every_nth = 10; }, 0},
+                    WireFault{"lost_answers", [](Falcon& f) { f.emulator.lose_every_nth_answer = 50; }, 100},
+                    WireFault{"torn_answers", [](Falcon& f) { f.emulator.torn_every_nth_answer = 50; }, 100},
+                    WireFault{"late_answers", [](Falcon& f) { f.emulator.late_every_nth_answer = 50; }, 200},
+                    WireFault{"everything_at_once",
+                              [](Falcon& f) {
+                                  f.link->in_fragments = true;
+                                  f.emulator.garbage_before_every_nth = 7;
+                                  f.emulator.lose_every_nth_answer = 31;
+                                  f.emulator.torn_every_nth_answer = 43;
+                                  f.emulator.late_every_nth_answer = 57;
+                              },
+                              800}),
+    [](const auto& fault) { return std::string(fault.param.name); });
 
 TEST(FalconDevice, is_unplugged_at_once_and_stays_so) {
     Falcon falcon;
@@ -324,8 +335,8 @@ TEST(FalconDevice, takes_its_force_back_after_20_ms_of_silence) {
     EXPECT_TRUE(falcon.exchange({0.0, 2.0, 0.0}).fresh);
 }
 
-// Three encoders for three directions: nothing but time can show that one stands still. The grip is off by a few millimetres until then, and the
-// force goes down before that.
+// Three encoders for three directions: nothing but time can show that one stands still. The grip is off by a few
+// millimetres until then, and the force goes down before that.
 TEST(FalconDevice, a_stuck_encoder_is_noticed_within_millimetres_and_ends_the_force) {
     for (int leg = 0; leg < 3; ++leg) {
         Falcon falcon;
@@ -348,8 +359,8 @@ TEST(FalconDevice, a_stuck_encoder_is_noticed_within_millimetres_and_ends_the_fo
         EXPECT_LT(force_until, farthest_off);
         EXPECT_FALSE(is_finite(sample.position_m));
         EXPECT_LT(farthest_off, 0.012);
-        std::printf("leg %d stuck: force goes down from %.1f mm off, is gone at %.1f, noticed at %.1f\n", leg, full_until * 1e3, force_until * 1e3,
-                    farthest_off * 1e3);
+        std::printf("leg %d stuck: force goes down from %.1f mm off, is gone at %.1f, noticed at %.1f\n", leg,
+                    full_until * 1e3, force_until * 1e3, farthest_off * 1e3);
         falcon.exchange({0.0, 2.0, 0.0});
         EXPECT_EQ(falcon.emulator.motors, (std::array<int, 3>{}));
     }
@@ -377,8 +388,8 @@ TEST(FalconDevice, a_line_along_which_a_leg_stands_still_costs_force_for_a_momen
     EXPECT_GT(last, 1.9);
 }
 
-// The whole chain over a wire where anything goes wrong at any time, for a hand that presses a wall: whatever comes over the wire, no place that is
-// believed is wrong, and no force is above the ceiling, with a stuck leg neither.
+// The whole chain over a wire where anything goes wrong at any time, for a hand that presses a wall: whatever comes
+// over the wire, no place that is believed is wrong, and no force is above the ceiling, with a stuck leg neither.
 TEST(FalconDevice, under_the_servo_no_fault_gives_a_wrong_place_or_a_force_above_the_ceiling) {
     const std::uint64_t seed = test::seed_of_run();
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -410,22 +421,27 @@ TEST(FalconDevice, under_the_servo_no_fault_gives_a_wrong_place_or_a_force_above
             if (i > 700 && random() % 400 == 0) falcon.emulator.stuck_leg = static_cast<int>(random() % 3);
             leg_was_stuck = leg_was_stuck || falcon.emulator.stuck_leg >= 0;
             if (random() % 50 == 0) ++rig.tuning.confirm;
-            falcon.emulator.grip_m = kFalconMiddleM + Vec3(0.01 * std::sin(0.011 * i), 0.01 * std::cos(0.007 * i), -0.02 * std::sin(0.005 * i));
+            falcon.emulator.grip_m = kFalconMiddleM + Vec3(0.01 * std::sin(0.011 * i), 0.01 * std::cos(0.007 * i),
+                                                           -0.02 * std::sin(0.005 * i));
             const DeviceSample sample = falcon.exchange(command.force_n);
             const Vec3 now = true_place(falcon.emulator);
             if (sample.fresh && sample.homed && is_finite(sample.position_m)) {
-                const double off =
-                    std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old), glm::length(sample.position_m - older)});
-                // A hand that moves so that only a stuck leg would turn cannot be told from one that rests; no place holds then.
-                ASSERT_TRUE(leg_was_stuck || off < 2.0 * kEncoderQuantumM) << "run " << run << ", exchange " << i << ", off by " << off;
+                const double off = std::min({glm::length(sample.position_m - now), glm::length(sample.position_m - old),
+                                             glm::length(sample.position_m - older)});
+                // A hand that moves so that only a stuck leg would turn cannot be told from one that rests; no place
+                // holds then.
+                ASSERT_TRUE(leg_was_stuck || off < 2.0 * kEncoderQuantumM)
+                    << "run " << run << ", exchange " << i << ", off by " << off;
             }
             older = old;
             old = now;
             rig.sample = sample;
             command = rig.tick_raw(sample.position_m, test::kTick);
             strongest_n = std::max(strongest_n, glm::length(command.force_n));
-            // What reaches the hand is turned by a leg's error as the place is: some more than was asked for, never more than the driver allows.
-            ASSERT_LE(falcon.emulator.largest_force_n, leg_was_stuck ? 3.0 : 1.05 * kCeilingN) << "run " << run << ", exchange " << i;
+            // What reaches the hand is turned by a leg's error as the place is: some more than was asked for, never
+            // more than the driver allows.
+            ASSERT_LE(falcon.emulator.largest_force_n, leg_was_stuck ? 3.0 : 1.05 * kCeilingN)
+                << "run " << run << ", exchange " << i;
         }
     }
     EXPECT_LE(strongest_n, kCeilingN * (1 + 1e-12));
@@ -441,7 +457,8 @@ TEST(FalconDevice, a_hand_that_rests_or_trembles_is_not_taken_for_a_stuck_encode
     Vec3 place = falcon.emulator.grip_m;
     for (int i = 0; i < test::scaled(4000); ++i) {
         if (i % 1000 > 500) place += Vec3(0.00002, -0.00001, -0.00003);
-        falcon.emulator.grip_m = place + (i % 1000 > 500 ? Vec3(tremor(random), tremor(random), tremor(random)) : Vec3(0.0));
+        falcon.emulator.grip_m =
+            place + (i % 1000 > 500 ? Vec3(tremor(random), tremor(random), tremor(random)) : Vec3(0.0));
         ASSERT_TRUE(is_finite(falcon.exchange(Vec3(0.0)).position_m)) << i;
     }
 }

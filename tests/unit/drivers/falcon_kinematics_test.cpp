@@ -20,7 +20,9 @@ Vec3 random_grip(std::mt19937& random) {
     }
 }
 
-int nearest_counts(double angle) { return static_cast<int>(std::lround((angle - radians_from_degrees(35.0)) / (14.25 / 110.0 * 2.0 * kPi / 1280.0))); }
+int nearest_counts(double angle) {
+    return static_cast<int>(std::lround((angle - radians_from_degrees(35.0)) / (14.25 / 110.0 * 2.0 * kPi / 1280.0)));
+}
 
 TEST(FalconKinematics, agrees_with_the_published_values_in_front_of_the_middle) {
     const Vec3 grip{0.0, 0.0, 0.12};
@@ -32,7 +34,8 @@ TEST(FalconKinematics, agrees_with_the_published_values_in_front_of_the_middle) 
     }
     const auto rows = falcon_jacobian(grip, *angles);
     ASSERT_TRUE(rows);
-    const std::array<Vec3, 3> expected{Vec3{3.202, -10.699, 13.281}, Vec3{-10.867, 2.577, 13.281}, Vec3{7.665, 8.122, 13.281}};
+    const std::array<Vec3, 3> expected{Vec3{3.202, -10.699, 13.281}, Vec3{-10.867, 2.577, 13.281},
+                                       Vec3{7.665, 8.122, 13.281}};
     for (std::size_t leg = 0; leg < 3; ++leg)
         for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR((*rows)[leg][axis], expected[leg][axis], 1e-3);
     EXPECT_NEAR(degrees_from_radians(falcon_inverse({0.0, 0.0, 0.15})->x), 47.24, 0.005);
@@ -83,7 +86,8 @@ TEST(FalconKinematics, jacobian_equals_numeric_differences) {
                                   (*falcon_inverse(grip + 2.0 * step) - *falcon_inverse(grip - 2.0 * step))) /
                                  (12.0 * h);
             for (std::size_t leg = 0; leg < 3; ++leg)
-                worst = std::max(worst, std::abs((*rows)[leg][axis] - numeric[static_cast<int>(leg)]) / glm::length((*rows)[leg]));
+                worst = std::max(
+                    worst, std::abs((*rows)[leg][axis] - numeric[static_cast<int>(leg)]) / glm::length((*rows)[leg]));
         }
     }
     EXPECT_LT(worst, 1e-6) << "relative to the row's length; seed " << seed;
@@ -96,7 +100,8 @@ TEST(FalconKinematics, inverse_agrees_with_bisection) {
     for (int i = 0; i < test::scaled(5000); ++i) {
         const Vec3 grip = random_grip(random);
         const Vec3 ours = *falcon_inverse(grip), theirs = FalconEmulator::leg_angles_at(grip);
-        for (int leg = 0; leg < 3; ++leg) ASSERT_NEAR(ours[leg], theirs[leg], 1e-9) << "seed " << seed << ", point " << i;
+        for (int leg = 0; leg < 3; ++leg)
+            ASSERT_NEAR(ours[leg], theirs[leg], 1e-9) << "seed " << seed << ", point " << i;
         EXPECT_EQ(falcon_encoder_counts(ours.x), nearest_counts(theirs.x));
     }
 }
@@ -110,7 +115,8 @@ TEST(FalconKinematics, torques_do_the_work_of_the_force) {
         const Vec3 torques = *falcon_torques(grip, *falcon_inverse(grip), force);
         // Counts so fine that rounding does not show.
         falcon.counts_per_nm = 1e6;
-        const std::array<int, 3> counts{static_cast<int>(-torques.x * 1e6), static_cast<int>(-torques.y * 1e6), static_cast<int>(-torques.z * 1e6)};
+        const std::array<int, 3> counts{static_cast<int>(-torques.x * 1e6), static_cast<int>(-torques.y * 1e6),
+                                        static_cast<int>(-torques.z * 1e6)};
         EXPECT_LT(glm::length(falcon.force_for(counts, grip) - force), 2e-4);
     }
 }
@@ -128,7 +134,8 @@ TEST(FalconKinematics, says_nothing_rather_than_something_wrong) {
     int places = 0;
     for (int i = 0; i < test::scaled(20000); ++i) {
         auto& range = i % 2 ? counts : near;
-        const Vec3 angles{falcon_leg_angle_rad(range(random)), falcon_leg_angle_rad(range(random)), falcon_leg_angle_rad(range(random))};
+        const Vec3 angles{falcon_leg_angle_rad(range(random)), falcon_leg_angle_rad(range(random)),
+                          falcon_leg_angle_rad(range(random))};
         const auto grip = falcon_forward(angles, random_grip(random));
         if (!grip) continue;
         ++places;

@@ -115,7 +115,9 @@ TEST(FalconMotorCounts, stay_in_range_and_keep_their_direction) {
         }
         // Within one count of the same direction: counts = -scale * torques.
         const double scale = std::min(4095.0 / largest, 10000.0);
-        for (int leg = 0; leg < 3; ++leg) ASSERT_NEAR(counts[static_cast<std::size_t>(leg)], -scale * torques[leg], 1.0) << "seed " << seed << ", " << i;
+        for (int leg = 0; leg < 3; ++leg)
+            ASSERT_NEAR(counts[static_cast<std::size_t>(leg)], -scale * torques[leg], 1.0)
+                << "seed " << seed << ", " << i;
     }
     const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
     for (const double odd : {inf, -inf, nan})

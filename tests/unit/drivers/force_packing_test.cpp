@@ -56,9 +56,11 @@ TEST(ForcePacking, any_force_stays_within_the_peak_and_keeps_its_direction) {
             continue;
         }
         const double scale = std::max({std::abs(held.x), std::abs(held.y), std::abs(held.z)}) / largest;
-        for (int axis = 0; axis < 3; ++axis) ASSERT_NEAR(held[axis], scale * force[axis], 1e-14) << "seed " << seed << ", " << i;
+        for (int axis = 0; axis < 3; ++axis)
+            ASSERT_NEAR(held[axis], scale * force[axis], 1e-14) << "seed " << seed << ", " << i;
     }
-    for (const double newtons : {1e9, 1e300, 1.7e308}) EXPECT_NEAR(glm::length(held_to({newtons, -newtons, newtons}, 3.0)), 3.0, 1e-14);
+    for (const double newtons : {1e9, 1e300, 1.7e308})
+        EXPECT_NEAR(glm::length(held_to({newtons, -newtons, newtons}, 3.0)), 3.0, 1e-14);
 }
 
 TEST(ForcePacking, what_is_no_number_is_no_force) {
@@ -67,7 +69,8 @@ TEST(ForcePacking, what_is_no_number_is_no_force) {
             Vec3 force{1.0, -2.0, 0.5};
             force[axis] = odd;
             EXPECT_EQ(held_to(force, 3.0), Vec3(0.0));
-            EXPECT_EQ(held_to({1.0, 0.0, 0.0}, odd > 0.0 ? 0.0 : odd), Vec3(0.0)) << "nor is there any where the peak is none";
+            EXPECT_EQ(held_to({1.0, 0.0, 0.0}, odd > 0.0 ? 0.0 : odd), Vec3(0.0))
+                << "nor is there any where the peak is none";
         }
 }
 

@@ -117,7 +117,8 @@ TEST(HandGuard, says_what_goes_on_and_exchanges_each_force_for_a_sample) {
     EXPECT_EQ(guard.message(), "nWaking it.");
     EXPECT_EQ(guard.message(), "r");
     guard.command({1.0, 2.0, 3.0});
-    ASSERT_TRUE(guard.life.wait([&] { return !guard.life.forces.empty() && guard.life.forces.back() == Vec3(1.0, 2.0, 3.0); }));
+    ASSERT_TRUE(
+        guard.life.wait([&] { return !guard.life.forces.empty() && guard.life.forces.back() == Vec3(1.0, 2.0, 3.0); }));
     for (int i = 0; i < 2000 && !guard.mailbox.answer.refresh(); ++i) std::this_thread::sleep_for(1ms);
     EXPECT_GT(guard.mailbox.answer.read().position_m.x, 0.0);
 }
@@ -126,11 +127,13 @@ TEST(HandGuard, zeroes_the_force_when_the_program_stops_commanding) {
     Guard guard;
     guard.start();
     guard.command({0.0, 2.0, 0.0});
-    ASSERT_TRUE(guard.life.wait([&] { return !guard.life.forces.empty() && guard.life.forces.back() == Vec3(0.0, 2.0, 0.0); }));
+    ASSERT_TRUE(
+        guard.life.wait([&] { return !guard.life.forces.empty() && guard.life.forces.back() == Vec3(0.0, 2.0, 0.0); }));
     ASSERT_TRUE(guard.life.wait([&] { return guard.life.forces.back() == Vec3(0.0); }));
     // At the very next exchange after the old force.
     const std::lock_guard lock(guard.life.mutex);
-    const auto last_force = std::find_if(guard.life.forces.rbegin(), guard.life.forces.rend(), [](const Vec3& f) { return f != Vec3(0.0); });
+    const auto last_force = std::find_if(guard.life.forces.rbegin(), guard.life.forces.rend(),
+                                         [](const Vec3& f) { return f != Vec3(0.0); });
     EXPECT_LE(last_force - guard.life.forces.rbegin(), 2);
     EXPECT_EQ(std::count(guard.life.forces.begin(), guard.life.forces.end(), Vec3(0.0, 2.0, 0.0)), 1);
 }
@@ -249,7 +252,8 @@ TEST(GuardedDevice, exchanges_with_a_process_of_its_own) {
     const auto opened = device.open();
     ASSERT_TRUE(opened) << opened.error().sentence();
     EXPECT_THAT(device.take_news(), testing::ElementsAre("Waking it."));
-    EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh && sample.position_m == Vec3(0.0, 0.002, 0.0); }));
+    EXPECT_TRUE(tick_until(
+        device, [](const DeviceSample& sample) { return sample.fresh && sample.position_m == Vec3(0.0, 0.002, 0.0); }));
     device.close();
     EXPECT_FALSE(device.read(0.0).connected);
     ASSERT_TRUE(device.open()) << "and again";
@@ -268,7 +272,8 @@ TEST(GuardedDevice, is_unplugged_when_its_guard_dies_or_ends_itself_over_a_drive
 TEST(GuardedDevice, hands_positions_that_are_no_numbers_to_the_servo_to_judge) {
     GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"nan"});
     ASSERT_TRUE(device.open());
-    EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh && !is_finite(sample.position_m); }));
+    EXPECT_TRUE(
+        tick_until(device, [](const DeviceSample& sample) { return sample.fresh && !is_finite(sample.position_m); }));
 }
 
 }  // namespace

@@ -40,12 +40,19 @@ TEST(HaplyDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer)
     }
     Vec3 force{0.0};
     DeviceSample sample;
-    int answers = 0;
+    int answers = 0, lost = 0;
     const double begun_s = clock.now_s();
     for (int i = 0; i < 20000 && answers < 1500; ++i) {
         (*device)->write({force});
         sample = (*device)->read(0.0);
-        ASSERT_TRUE(sample.connected);
+        if (!sample.connected) {  // ten exchanges without an answer: on a machine that is very busy the service gets no
+                                  // turn for so long
+            ASSERT_LE(++lost, 5);
+            device = open_haply_device(clock, service.port());
+            ASSERT_TRUE(device) << device.error().sentence();
+            force = Vec3(0.0);
+            continue;
+        }
         if (!sample.fresh) continue;  // a machine busy with other things
         ++answers;
         force = {0.0, std::min(0.0, -kStiffness * (sample.position_m.y - 0.01)), 0.0};
@@ -64,7 +71,8 @@ TEST(HaplyDevice, force_keeps_its_direction_and_stays_below_the_ceiling) {
     SteadyClock clock;
     auto device = open_haply_device(clock, service.port());
     ASSERT_TRUE(device);
-    for (const Vec3& asked : {Vec3(1e9, 0, 0), Vec3(0, 1e9, -1e9), Vec3(std::nan(""), 1, 1), Vec3(0, INFINITY, 0), Vec3(1, 0, 0)}) {
+    for (const Vec3& asked :
+         {Vec3(1e9, 0, 0), Vec3(0, 1e9, -1e9), Vec3(std::nan(""), 1, 1), Vec3(0, INFINITY, 0), Vec3(1, 0, 0)}) {
         for (int answer = 0; answer < 2; ++answer)  // the first may be to what was asked before
             do {
                 (*device)->read(0.0);
@@ -110,13 +118,7 @@ TEST(HaplyDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes
 
 TEST(HaplyDevice, says_in_one_sentence_what_is_missing) {
     SteadyClock clock;
-    std::uint16_t free_port = 0;
-    {
-        boost::asio::io_context io;
-        boost::asio::ip::tcp::acceptor nobody(io, {boost::asio::ip::address_v4::loopback(), 0});
-        free_port = nobody.local_endpoint().port();
-    }
-    const auto none = open_haply_device(clock, free_port);
+    const auto none = open_haply_device(clock, test::port_of_nobody());
     ASSERT_FALSE(none);
     EXPECT_THAT(none.error().sentence(), testing::HasSubstr("does not run"));
     StandInService empty(false);
@@ -178,15 +180,19 @@ TEST(HaplyDevice, uncalibrated_gets_no_force) {
 TEST(HaplyState, survives_any_text) {
     std::string id;
     DeviceSample sample;
-    const std::string whole = R"({"inverse3":[{"device_id":"A","state":{"cursor_position":{"x":0.1,"y":-0.2,"z":3e-2}},"status":{"calibrated":false}}]})";
+    const std::string whole =
+        R"({"inverse3":[{"device_id":"A","state":{"cursor_position":{"x":0.1,"y":-0.2,"z":3e-2}},)"
+        R"("status":{"calibrated":false}}]})";
     ASSERT_TRUE(parse_haply_state(whole, id, sample));
     EXPECT_EQ(sample.position_m, Vec3(0.1, -0.2, 0.03));
     EXPECT_FALSE(sample.homed);
     EXPECT_EQ(id, "A");
-    for (std::size_t cut = 0; cut < whole.size(); ++cut) EXPECT_FALSE(parse_haply_state(whole.substr(0, cut), id, sample)) << cut;
-    for (const char* odd : {"[]", "null", "{\"inverse3\":{}}", "{\"inverse3\":[1,null,[]]}", "{\"inverse3\":[{\"device_id\":7}]}",
-                            "{\"inverse3\":[{\"device_id\":\"A\",\"state\":{\"cursor_position\":{\"x\":1e999,\"y\":0,\"z\":0}}}]}",
-                            "{\"inverse3\":[{\"device_id\":\"B\",\"state\":{\"cursor_position\":{\"x\":1,\"y\":0,\"z\":0}}}]}"})
+    for (std::size_t cut = 0; cut < whole.size(); ++cut)
+        EXPECT_FALSE(parse_haply_state(whole.substr(0, cut), id, sample)) << cut;
+    for (const char* odd :
+         {"[]", "null", "{\"inverse3\":{}}", "{\"inverse3\":[1,null,[]]}", "{\"inverse3\":[{\"device_id\":7}]}",
+          "{\"inverse3\":[{\"device_id\":\"A\",\"state\":{\"cursor_position\":{\"x\":1e999,\"y\":0,\"z\":0}}}]}",
+          "{\"inverse3\":[{\"device_id\":\"B\",\"state\":{\"cursor_position\":{\"x\":1,\"y\":0,\"z\":0}}}]}"})
         EXPECT_FALSE(parse_haply_state(odd, id, sample)) << odd;
     const unsigned seed = 6;
     std::mt19937 random(seed);

@@ -75,7 +75,8 @@ TEST_P(Pad, believes_no_report_with_a_wrong_checksum_and_no_piece_of_one) {
     emulator.tell();
     const std::vector<std::uint8_t> whole = emulator.to_host.front();
     emulator.to_host.clear();
-    for (std::size_t cut = 0; cut < whole.size(); ++cut) EXPECT_FALSE(parse_pad_input(GetParam().model, GetParam().bus, std::span(whole).first(cut)));
+    for (std::size_t cut = 0; cut < whole.size(); ++cut)
+        EXPECT_FALSE(parse_pad_input(GetParam().model, GetParam().bus, std::span(whole).first(cut)));
     EXPECT_TRUE(parse_pad_input(GetParam().model, GetParam().bus, whole));
     std::mt19937 random(1);
     for (int i = 0; i < 20000; ++i) {
@@ -107,8 +108,10 @@ TEST_P(Pad, is_lost_when_unplugged) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, Pad,
-                         testing::Values(PadCase{PadModel::DualSense, PadBus::Usb}, PadCase{PadModel::DualSense, PadBus::Bluetooth},
-                                         PadCase{PadModel::DualShock4, PadBus::Usb}, PadCase{PadModel::DualShock4, PadBus::Bluetooth}));
+                         testing::Values(PadCase{PadModel::DualSense, PadBus::Usb},
+                                         PadCase{PadModel::DualSense, PadBus::Bluetooth},
+                                         PadCase{PadModel::DualShock4, PadBus::Usb},
+                                         PadCase{PadModel::DualShock4, PadBus::Bluetooth}));
 
 TEST(DualSense, asks_for_full_reports_over_bluetooth_and_reads_its_firmware) {
     PadEmulator emulator(true, true);
@@ -130,7 +133,8 @@ TEST(TriggerEffects, are_the_published_bytes) {
     EXPECT_EQ(trigger_clicks(2, 5, 8), (TriggerEffect{0x25, 0x24, 0x00, 7}));
     EXPECT_EQ(trigger_vibrates(9, 2, 40), (TriggerEffect{0x26, 0x00, 0x02, 0, 0, 0, 0x08, 0, 0, 40, 0}));
     for (const int odd : {-1000, -1, 0, 9, 1000})
-        for (const TriggerEffect& effect : {trigger_resists(odd, odd), trigger_clicks(odd, odd, odd), trigger_vibrates(odd, odd, odd)}) {
+        for (const TriggerEffect& effect :
+             {trigger_resists(odd, odd), trigger_clicks(odd, odd, odd), trigger_vibrates(odd, odd, odd)}) {
             EXPECT_TRUE(effect[0] == 0x21 || effect[0] == 0x25 || effect[0] == 0x26) << "never a factory mode";
             EXPECT_LE(effect[2], 3);
         }
@@ -168,7 +172,8 @@ TEST(SpaceMouse, right_forward_up_are_x_y_z_and_turns_follow_the_right_hand) {
     puck.emulator.tell(1, {0, 0, -350});
     EXPECT_EQ(puck.mouse.poll(0.0).move, Vec3(0.0, 0.0, 1.0));
     puck.emulator.tell(2, {0, 0, 350});
-    EXPECT_EQ(puck.mouse.poll(0.0).turn, Vec3(0.0, 0.0, -1.0)) << "about its own down axis, so clockwise seen from above";
+    EXPECT_EQ(puck.mouse.poll(0.0).turn, Vec3(0.0, 0.0, -1.0))
+        << "about its own down axis, so clockwise seen from above";
     puck.emulator.tell_all({350, 0, 0, 0, 0, -350});
     EXPECT_EQ(puck.mouse.poll(0.0).move, Vec3(1.0, 0.0, 0.0));
     EXPECT_EQ(puck.mouse.poll(0.0).turn, Vec3(0.0, 0.0, 1.0));
@@ -194,7 +199,8 @@ TEST(SpaceMouse, has_buttons_and_a_light_and_ignores_what_is_cut) {
     EXPECT_EQ(puck.mouse.poll(0.0).buttons, 0x80000002U);
     EXPECT_TRUE(puck.mouse.light(true));
     EXPECT_TRUE(puck.emulator.light);
-    for (const std::vector<std::uint8_t>& odd : {std::vector<std::uint8_t>{}, {1}, {1, 2, 3, 4, 5, 6}, {2, 0}, {0x17, 50}, {9, 9, 9, 9, 9, 9, 9, 9}})
+    for (const std::vector<std::uint8_t>& odd :
+         {std::vector<std::uint8_t>{}, {1}, {1, 2, 3, 4, 5, 6}, {2, 0}, {0x17, 50}, {9, 9, 9, 9, 9, 9, 9, 9}})
         EXPECT_FALSE(puck.mouse.take(odd, 0.0));
     puck.emulator.unplugged = true;
     EXPECT_EQ(puck.mouse.poll(0.0).buttons, 0U);

@@ -7,9 +7,11 @@ namespace {
 
 // What may be opened without being an administrator is what the drivers look for.
 TEST(UdevRule, names_every_device_that_a_driver_opens) {
-    const std::string rule = test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "haptic" / "drivers" / kUdevRule);
+    const std::string rule =
+        test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "haptic" / "drivers" / kUdevRule);
     ASSERT_FALSE(rule.empty());
-    for (const char* id : {"\"0403\"", "\"cb48\"", "\"054c\"", "0ce6", "0df2", "05c4", "09cc", "054C:0CE6", "\"256f\"", "\"046d\"", "\"1451\"", "\"2988\""})
+    for (const char* id : {"\"0403\"", "\"cb48\"", "\"054c\"", "0ce6", "0df2", "05c4", "09cc", "054C:0CE6", "\"256f\"",
+                           "\"046d\"", "\"1451\"", "\"2988\""})
         EXPECT_THAT(rule, testing::HasSubstr(id));
     EXPECT_LT(kUdevRule, "73-seat-late.rules") << "uaccess is carried out there";
     EXPECT_THAT(permission_advice(), testing::HasSubstr(std::string(kUdevRule)));

@@ -47,7 +47,8 @@ struct Dhd : StandIn {
     };
     Told told() const {
         Told t;
-        call<void(double*, double*, double*, int*, int*)>("standin_read")(&t.position.x, &t.force.x, &t.largest, &t.open, &t.watchdog);
+        call<void(double*, double*, double*, int*, int*)>("standin_read")(&t.position.x, &t.force.x, &t.largest,
+                                                                          &t.open, &t.watchdog);
         return t;
     }
 };
@@ -61,8 +62,8 @@ struct Hd : StandIn {
     };
     Told told() const {
         Told t;
-        call<void(double*, double*, double*, int*, int*, int*)>("standin_read")(&t.position_mm.x, &t.force.x, &t.largest, &t.ticks, &t.disabled,
-                                                                                &t.uncalibrated_with_force);
+        call<void(double*, double*, double*, int*, int*, int*)>("standin_read")(
+            &t.position_mm.x, &t.force.x, &t.largest, &t.ticks, &t.disabled, &t.uncalibrated_with_force);
         return t;
     }
 };
@@ -90,7 +91,8 @@ TEST(DhdDevice, wall_of_a_thousand_exchanges_rests_at_the_exact_static_answer) {
 
 // S126, both makers: x right, y forward, z up, for places and for forces.
 TEST(VendorDevices, hand_right_forward_up_is_east_north_up_and_a_force_east_pushes_right) {
-    const std::array<Vec3, 3> dhd_axes{Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1)}, hd_axes{Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)};
+    const std::array<Vec3, 3> dhd_axes{Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1)},
+        hd_axes{Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(0, 1, 0)};
     for (int axis = 0; axis < 3; ++axis) {
         Vec3 expected{0.0};
         expected[axis] = 1.0;
@@ -178,7 +180,8 @@ TEST(HdDevice, wall_rests_at_the_exact_static_answer_while_the_library_calls_fro
     hd.push(0.0, 0.0, -kPush);  // away from the person
     double y = 0.0;
     int answers = 0;
-    for (const auto end = std::chrono::steady_clock::now() + 20s; std::chrono::steady_clock::now() < end && !(answers > 1000 && std::abs(y - 0.012) < 1e-5);
+    for (const auto end = std::chrono::steady_clock::now() + 20s;
+         std::chrono::steady_clock::now() < end && !(answers > 1000 && std::abs(y - 0.012) < 1e-5);
          std::this_thread::sleep_for(200us)) {
         const DeviceSample sample = (*device)->read(0.0);
         ASSERT_TRUE(sample.connected);

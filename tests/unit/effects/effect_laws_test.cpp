@@ -1,5 +1,5 @@
-// T26: each law on 40 random smooth loops of 4 s, with and without an encoder's quantum: it gives the hand at most 5 microjoules or takes energy,
-// and force and slope stay within their bounds.
+// T26: each law on 40 random smooth loops of 4 s, with and without an encoder's quantum: it gives the hand at most 5
+// microjoules or takes energy, and force and slope stay within their bounds.
 #include <fmt/format.h>
 
 #include "haptic/render/effects.h"
@@ -36,8 +36,8 @@ ConvexRegion slanted(double half_m) {
 
 // Regions of each kind, half the loops' reach, so that the loops go in and out through every border.
 std::vector<EffectRegion> regions(double half_m) {
-    return {cube(half_m), SphereRegion{Vec3(0.1 * half_m), 1.2 * half_m}, CapsuleRegion{Vec3(-half_m, 0, 0), Vec3(half_m, half_m, 0), 0.7 * half_m},
-            slanted(0.7 * half_m)};
+    return {cube(half_m), SphereRegion{Vec3(0.1 * half_m), 1.2 * half_m},
+            CapsuleRegion{Vec3(-half_m, 0, 0), Vec3(half_m, half_m, 0), 0.7 * half_m}, slanted(0.7 * half_m)};
 }
 
 struct Law {
@@ -80,10 +80,12 @@ TEST(EffectLaws, give_no_energy_on_random_loops) {  // T26
                 const std::vector<Vec3> smooth = random_loop(seed, 0.08);
                 for (const bool quantum : {false, true}) {
                     const LoopOutcome out = go_round(*scene, tuning, quantum ? quantised(smooth) : smooth);
-                    EXPECT_LE(out.given_j, kAllowed_j) << law.name << ", seed " << seed << (quantum ? ", quantum" : "") << ", scale " << scale;
+                    EXPECT_LE(out.given_j, kAllowed_j)
+                        << law.name << ", seed " << seed << (quantum ? ", quantum" : "") << ", scale " << scale;
                     EXPECT_LE(out.largest_n, law.most_n + 1e-9) << law.name << ", seed " << seed;
                     if (!quantum && law.law.index() < 3) {
-                        EXPECT_LE(out.steepest_n_per_m, stiffness_bound_n_per_m(law.law) * 1.01) << law.name << ", seed " << seed << ", scale " << scale;
+                        EXPECT_LE(out.steepest_n_per_m, stiffness_bound_n_per_m(law.law) * 1.01)
+                            << law.name << ", seed " << seed << ", scale " << scale;
                     }
                     worst.given_j = std::max(worst.given_j, out.given_j);
                     worst.largest_n = std::max(worst.largest_n, out.largest_n);
@@ -96,8 +98,10 @@ TEST(EffectLaws, give_no_energy_on_random_loops) {  // T26
             if (law.law.index() >= 3) {
                 EXPECT_LE(worst.largest_step_n, 0.15) << law.name << " tears gently";
             }
-            std::cout << fmt::format("{:22} scale {:2}: {:+9.4f} mJ, {:.2f} N, {:5.0f} N/m, {:.3f} N a tick, felt {:.0f} %\n", law.name, scale,
-                                     worst.given_j * 1e3, worst.largest_n, worst.steepest_n_per_m, worst.largest_step_n, 100 * worst.felt);
+            std::cout << fmt::format(
+                "{:22} scale {:2}: {:+9.4f} mJ, {:.2f} N, {:5.0f} N/m, {:.3f} N a tick, felt {:.0f} %\n", law.name,
+                scale, worst.given_j * 1e3, worst.largest_n, worst.steepest_n_per_m, worst.largest_step_n,
+                100 * worst.felt);
         }
 }
 
@@ -115,7 +119,8 @@ LiquidVolume pool(double scale, double half_m = 0.3) {
     return liquid;
 }
 
-std::shared_ptr<const HapticScene> scene_of(const LiquidVolume& liquid, double scale, std::vector<EffectVolume> effects = {}) {
+std::shared_ptr<const HapticScene> scene_of(const LiquidVolume& liquid, double scale,
+                                            std::vector<EffectVolume> effects = {}) {
     HapticSceneBuilder builder;
     builder.add_liquid(liquid, {Vec3(-0.3, -0.3, -0.5) * scale, Vec3(0.3, 0.3, 0.0) * scale});
     for (EffectVolume& effect : effects) EXPECT_TRUE(builder.add_effect(std::move(effect)));
@@ -129,8 +134,9 @@ TEST(LiquidLaws, give_no_energy_on_random_loops_through_the_surface) {  // T26
         bool passive;
     };
     for (const double scale : {1.0, 60.0})
-        for (const Row& row : {Row{"drag 2 Ns/m", 2, 0, 0, true}, Row{"drag 8 Ns/m", 8, 0, 0, true}, Row{"buoyancy 1 N", 0, 1, 0, true},
-                               Row{"film 0.32 N", 0, 0, 0.32, true}, Row{"all of them", 4, 1, 0.5, true}}) {
+        for (const Row& row :
+             {Row{"drag 2 Ns/m", 2, 0, 0, true}, Row{"drag 8 Ns/m", 8, 0, 0, true}, Row{"buoyancy 1 N", 0, 1, 0, true},
+              Row{"film 0.32 N", 0, 0, 0.32, true}, Row{"all of them", 4, 1, 0.5, true}}) {
             LiquidVolume liquid = pool(scale);
             liquid.viscosity_ns_per_m = row.viscosity;
             liquid.buoyancy_n = row.buoyancy;
@@ -143,7 +149,8 @@ TEST(LiquidLaws, give_no_energy_on_random_loops_through_the_surface) {  // T26
                 const std::vector<Vec3> smooth = random_loop(seed, 0.08);
                 for (const bool quantum : {false, true}) {
                     const LoopOutcome out = go_round(*scene, tuning, quantum ? quantised(smooth) : smooth);
-                    EXPECT_LE(out.given_j, kAllowed_j) << row.name << ", seed " << seed << (quantum ? ", quantum" : "") << ", scale " << scale;
+                    EXPECT_LE(out.given_j, kAllowed_j)
+                        << row.name << ", seed " << seed << (quantum ? ", quantum" : "") << ", scale " << scale;
                     worst = std::max(worst, out.given_j);
                     if (!quantum) steepest = std::max(steepest, out.steepest_n_per_m);
                     felt += out.felt / (scale == 1.0 ? 80.0 : 16.0);
@@ -151,7 +158,8 @@ TEST(LiquidLaws, give_no_energy_on_random_loops_through_the_surface) {  // T26
             }
             EXPECT_GT(felt, 0.2) << row.name;
             EXPECT_LE(steepest, 583.0 * row.film + 75.0 * row.buoyancy + (row.viscosity > 0 ? 400.0 : 1.0)) << row.name;
-            std::cout << fmt::format("{:14} scale {:2}: {:+9.4f} mJ, {:4.0f} N/m\n", row.name, scale, worst * 1e3, steepest);
+            std::cout << fmt::format("{:14} scale {:2}: {:+9.4f} mJ, {:4.0f} N/m\n", row.name, scale, worst * 1e3,
+                                     steepest);
         }
 }
 
@@ -215,7 +223,8 @@ TEST(LiquidLaws, a_pressed_wall_of_the_pool_does_not_end_the_buoyancy) {
     const auto scene = builder.build();
     TouchState state;
     TouchResult r;
-    for (int i = 0; i <= 1000; ++i) r = touch_tick(state, *scene, TouchTuning{}, Vec3(0.2 + 0.108e-3 * i, 0, -0.2), kTick_s);
+    for (int i = 0; i <= 1000; ++i)
+        r = touch_tick(state, *scene, TouchTuning{}, Vec3(0.2 + 0.108e-3 * i, 0, -0.2), kTick_s);
     EXPECT_NEAR(r.force_n.z, 1.0, 1e-9);
     EXPECT_NEAR(r.force_n.x, -0.013 * 800.0, 1e-6);
     // Behind the wall, beside the pool, there is none.
@@ -306,8 +315,11 @@ TEST(EffectLaws, fly_paper_holds_until_it_tears_and_then_holds_again) {
         force = touch_tick(state, *scene, {}, Vec3(1e-4 * i, 0, 0), kTick_s).force_n;
         EXPECT_NEAR(force.x, -400.0 * 1e-4 * i, 1e-9);
     }
-    for (int i = 0; i < 5000; ++i) EXPECT_NEAR(touch_tick(state, *scene, {}, Vec3(0.0048, 0, 0), kTick_s).force_n.x, -1.92, 1e-9) << "stuck for ever";
-    for (int i = 49; i <= 60; ++i) largest = std::max(largest, glm::length(touch_tick(state, *scene, {}, Vec3(1e-4 * i, 0, 0), kTick_s).force_n));
+    for (int i = 0; i < 5000; ++i)
+        EXPECT_NEAR(touch_tick(state, *scene, {}, Vec3(0.0048, 0, 0), kTick_s).force_n.x, -1.92, 1e-9)
+            << "stuck for ever";
+    for (int i = 49; i <= 60; ++i)
+        largest = std::max(largest, glm::length(touch_tick(state, *scene, {}, Vec3(1e-4 * i, 0, 0), kTick_s).force_n));
     EXPECT_LE(largest, 2.0 + 1e-12);
     for (int i = 0; i < 300; ++i) force = touch_tick(state, *scene, {}, Vec3(0.006, 0, 0), kTick_s).force_n;
     EXPECT_LT(glm::length(force), 400.0 * 0.2e-3) << "torn, and stuck again here";
@@ -349,7 +361,8 @@ TEST(EffectLaws, magnets_meet_without_an_edge_between_their_targets) {
 }
 
 TEST(EffectLaws, many_at_one_place_stay_bounded_in_stiffness_and_force) {
-    // Everything at once in one place, several times over: no direction gets stiffer than the device allows, nothing pushes more than 4 N.
+    // Everything at once in one place, several times over: no direction gets stiffer than the device allows, nothing
+    // pushes more than 4 N.
     for (const double rated : {300.0, 1000.0}) {
         std::vector<EffectVolume> effects;
         for (const Law& law : passive_laws(1.0))
@@ -380,8 +393,10 @@ TEST(EffectLaws, many_at_one_place_stay_bounded_in_stiffness_and_force) {
 }
 
 TEST(EffectLaws, hang_on_a_body_and_go_with_it) {
-    // A crate with a magnet, a row of notches and fly-paper on it, moved, turned and grown: seen from the crate nothing has changed.
-    for (const EffectLaw& law : {EffectLaw(MagnetLaw{{{Vec3(0.01, 0, 0)}}}), EffectLaw(DetentLaw{Vec3(0.0), Vec3(0, 0, 1)}), EffectLaw(FlyPaperLaw{})}) {
+    // A crate with a magnet, a row of notches and fly-paper on it, moved, turned and grown: seen from the crate nothing
+    // has changed.
+    for (const EffectLaw& law : {EffectLaw(MagnetLaw{{{Vec3(0.01, 0, 0)}}}),
+                                 EffectLaw(DetentLaw{Vec3(0.0), Vec3(0, 0, 1)}), EffectLaw(FlyPaperLaw{})}) {
         const EffectVolume effect = effect_of(law, cube(0.05));
         const auto still = scene_of({effect});
         const auto crate = HapticSceneBuilder().build();
@@ -402,16 +417,20 @@ TEST(EffectLaws, hang_on_a_body_and_go_with_it) {
             const Placement at{Vec3(1.0 + 1e-3 * i, 2.0, -3.0), rotation_about(Vec3(0, 0, 1), 0.002 * i), 2.0};
             const PlacedFrame frame(at);
             const std::array<BodyPose, 1> poses{BodyPose{at, true}};
-            // The library's own magnet and edge are hand lengths; the crate's region is twice as large at twice the scale.
+            // The library's own magnet and edge are hand lengths; the crate's region is twice as large at twice the
+            // scale.
             const Vec3 expected = touch_tick(still_state, *still, one, own, kTick_s).force_n;
-            const TouchResult r =
-                touch_tick(moving_state, *moving, grown, frame.to_world(own), kTick_s, Vec3(0.0), BodyPoses{poses, static_cast<std::uint64_t>(i + 1)});
+            const TouchResult r = touch_tick(moving_state, *moving, grown, frame.to_world(own), kTick_s, Vec3(0.0),
+                                             BodyPoses{poses, static_cast<std::uint64_t>(i + 1)});
             // Beside obstacles, and a body may be one, effects have 0.6 of the device's stiffness: 600 N/m.
             const double share = std::min(1.0, 600.0 / stiffness_bound_n_per_m(law));
             EXPECT_LE(glm::length(frame.turned_back(r.force_n) - expected * share), 1e-9) << i;
         }
         const std::array<BodyPose, 1> gone{BodyPose{Placement{}, false}};
-        EXPECT_EQ(touch_tick(moving_state, *moving, one, Vec3(0.01, 0.01, 0.01), kTick_s, Vec3(0.0), BodyPoses{gone, 9999}).force_n, Vec3(0.0));
+        EXPECT_EQ(
+            touch_tick(moving_state, *moving, one, Vec3(0.01, 0.01, 0.01), kTick_s, Vec3(0.0), BodyPoses{gone, 9999})
+                .force_n,
+            Vec3(0.0));
     }
 }
 
@@ -440,7 +459,8 @@ TEST(EffectLaws, enter_and_leave_without_a_step) {
             for (int i = 0; i <= 4800; ++i) {  // straight through, 25 mm/s
                 const Vec3 at = Vec3(-0.06 + 2.5e-5 * i, 0.003, 0.007) * scale;
                 const Vec3 force = touch_tick(state, *scene, tuning, at, kTick_s).force_n;
-                EXPECT_LE(glm::length(force - last), law.law.index() < 3 ? 2.5e-5 * 1000.0 : 0.12) << law.name << ' ' << i;
+                EXPECT_LE(glm::length(force - last), law.law.index() < 3 ? 2.5e-5 * 1000.0 : 0.12)
+                    << law.name << ' ' << i;
                 if (std::abs(at.x) > 0.05 * scale) {
                     EXPECT_EQ(force, Vec3(0.0)) << law.name;
                 }
@@ -496,7 +516,8 @@ TEST(EffectLaws, feel_the_same_far_from_the_origin_and_in_any_order) {
     const auto near_scene = scene_of(here), far_scene = scene_of(there);
     TouchState near_state, far_state;
     for (const Vec3& p : random_loop(5, 0.08)) {
-        const Vec3 a = touch_tick(near_state, *near_scene, {}, p, kTick_s).force_n, b = touch_tick(far_state, *far_scene, {}, far + p, kTick_s).force_n;
+        const Vec3 a = touch_tick(near_state, *near_scene, {}, p, kTick_s).force_n,
+                   b = touch_tick(far_state, *far_scene, {}, far + p, kTick_s).force_n;
         EXPECT_LE(glm::length(a - b), 1e-6);
     }
 }
@@ -504,7 +525,9 @@ TEST(EffectLaws, feel_the_same_far_from_the_origin_and_in_any_order) {
 TEST(EffectLaws, refuse_what_has_no_size_or_no_number) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     HapticSceneBuilder builder;
-    const auto refused = [&](EffectLaw law, EffectRegion region) { return !builder.add_effect(effect_of(std::move(law), std::move(region))); };
+    const auto refused = [&](EffectLaw law, EffectRegion region) {
+        return !builder.add_effect(effect_of(std::move(law), std::move(region)));
+    };
     EXPECT_TRUE(refused(FlyPaperLaw{}, cube(0.0)));
     EXPECT_TRUE(refused(FlyPaperLaw{}, Aabb{}));
     EXPECT_TRUE(refused(FlyPaperLaw{}, cube(nan)));
@@ -537,7 +560,8 @@ TEST(TickMath, agrees_with_the_library) {
         EXPECT_NEAR(sine_of_turns(-u).cosine, std::cos(2.0 * kPi * u), 1e-11 + 1e-14 * u) << u;
         EXPECT_NEAR(smooth_step_area(u + 1e-6) - smooth_step_area(u), 1e-6 * smooth_step(u), 1e-11) << u;
     }
-    for (const double turns : {1e15, -1e15, 1e30, -1e300, 0.5, -0.5}) EXPECT_LE(std::abs(sine_of_turns(turns).sine), 1.0 + 1e-11) << turns;
+    for (const double turns : {1e15, -1e15, 1e30, -1e300, 0.5, -0.5})
+        EXPECT_LE(std::abs(sine_of_turns(turns).sine), 1.0 + 1e-11) << turns;
 }
 }  // namespace
 }  // namespace handrail::test

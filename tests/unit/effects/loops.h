@@ -26,7 +26,8 @@ inline std::vector<Vec3> random_loop(unsigned seed, double reach_hand_m) {
     for (int i = 0; i < kLoopTicks; ++i)
         for (int axis = 0; axis < 3; ++axis)
             for (int k = 0; k < 3; ++k)
-                loop[static_cast<std::size_t>(i)][axis] += size[axis][k] * std::sin(2.0 * kPi * (k + 1) * i / kLoopTicks + phase[axis][k]);
+                loop[static_cast<std::size_t>(i)][axis] +=
+                    size[axis][k] * std::sin(2.0 * kPi * (k + 1) * i / kLoopTicks + phase[axis][k]);
     return loop;
 }
 
@@ -45,8 +46,10 @@ struct LoopOutcome {
     double felt = 0.0;              // share of the ticks with a force
 };
 
-// Twice round, hand coordinates times the scale around `centre_m`; measured in the second round, when what began has settled.
-inline LoopOutcome go_round(const HapticScene& scene, TouchTuning tuning, const std::vector<Vec3>& loop, const Vec3& centre_m = Vec3(0.0)) {
+// Twice round, hand coordinates times the scale around `centre_m`; measured in the second round, when what began has
+// settled.
+inline LoopOutcome go_round(const HapticScene& scene, TouchTuning tuning, const std::vector<Vec3>& loop,
+                            const Vec3& centre_m = Vec3(0.0)) {
     TouchState state;
     LoopOutcome outcome;
     Vec3 last_force(0.0), last(0.0);
@@ -60,7 +63,8 @@ inline LoopOutcome go_round(const HapticScene& scene, TouchTuning tuning, const 
             outcome.given_j += glm::dot((r.force_n + last_force) * 0.5, step);
             outcome.largest_n = std::max(outcome.largest_n, glm::length(r.force_n));
             outcome.largest_step_n = std::max(outcome.largest_step_n, glm::length(change));
-            if (glm::length(step) > 2e-5) outcome.steepest_n_per_m = std::max(outcome.steepest_n_per_m, glm::length(change) / glm::length(step));
+            if (glm::length(step) > 2e-5)
+                outcome.steepest_n_per_m = std::max(outcome.steepest_n_per_m, glm::length(change) / glm::length(step));
             outcome.felt += (r.force_n != Vec3(0.0) ? 1.0 : 0.0) / kLoopTicks;
         }
         last_force = r.force_n;

@@ -27,12 +27,15 @@ SoftPatch patch_of(bool plastic, double scale = 1.0, const Vec3& at_m = Vec3(0.0
 std::shared_ptr<const HapticScene> scene_of(const SoftPatch& patch, bool with_base = false) {
     HapticSceneBuilder builder;
     const Vec3 far = patch.corner_m + patch.u * patch.size_u_m + patch.v * patch.size_v_m;
-    if (with_base) builder.add_box({patch.corner_m - patch.normal() * (2.0 * patch.depth_m), far - patch.normal() * patch.depth_m});
+    if (with_base)
+        builder.add_box(
+            {patch.corner_m - patch.normal() * (2.0 * patch.depth_m), far - patch.normal() * patch.depth_m});
     EXPECT_TRUE(builder.add_soft(patch));
     return builder.build();
 }
 
-// The law as the header states it, written down a second time: plain loops in long double, the dent by many small explicit steps.
+// The law as the header states it, written down a second time: plain loops in long double, the dent by many small
+// explicit steps.
 class Law {
 public:
     explicit Law(const SoftPatch& patch, double radius_m, double scale)
@@ -45,7 +48,8 @@ public:
         const long double e = radius_ - glm::dot(own, patch_.normal());
         const long double K = patch_.stiffness_fraction * kRated;
         const auto weight = [&](std::uint32_t iu, std::uint32_t iv) {
-            const long double x = (iu + 0.5L) * du - glm::dot(own, patch_.u), y = (iv + 0.5L) * dv - glm::dot(own, patch_.v);
+            const long double x = (iu + 0.5L) * du - glm::dot(own, patch_.u),
+                              y = (iv + 0.5L) * dv - glm::dot(own, patch_.v);
             const long double t = 1.0L - (x * x + y * y) / (footprint * footprint);
             return t > 0.0L ? t * t : 0.0L;
         };
@@ -60,14 +64,17 @@ public:
                         around += before[std::size_t(jv) * patch_.cells_u + std::size_t(ju)];
                         links += 1.0L;
                     };
-                    link(int(iu) - 1, int(iv)), link(int(iu) + 1, int(iv)), link(int(iu), int(iv) - 1), link(int(iu), int(iv) + 1);
+                    link(int(iu) - 1, int(iv)), link(int(iu) + 1, int(iv)), link(int(iu), int(iv) - 1),
+                        link(int(iu), int(iv) + 1);
                     long double& s = s_[iv * patch_.cells_u + iu];
-                    const long double w = std::max(0.0L, std::min<long double>(e, patch_.depth_m) - s), g = weight(iu, iv);
+                    const long double w = std::max(0.0L, std::min<long double>(e, patch_.depth_m) - s),
+                                      g = weight(iu, iv);
                     const long double drive = g * w + 0.5L * (around - links * s);
                     if (!patch_.plastic) {
                         s += (drive - s) * dt_s / patch_.recovery_s / steps;
                     } else if (const long double yield = patch_.yield_n / K * scale_; drive > yield) {
-                        s = std::min<long double>(patch_.depth_m, s + (drive - yield) / ((w > 0.0L ? g : 0.0L) + 0.5L * links));
+                        s = std::min<long double>(patch_.depth_m,
+                                                  s + (drive - yield) / ((w > 0.0L ? g : 0.0L) + 0.5L * links));
                     }
                 }
         }
@@ -78,12 +85,14 @@ public:
                 const long double k = 3.0L * du * dv / (3.14159265358979323846L * footprint * footprint);
                 // The slope along the face by differences of the energy, not by the formula.
                 const auto energy = [&](long double shift_u, long double shift_v) {
-                    const long double x = (iu + 0.5L) * du - glm::dot(own, patch_.u) - shift_u, y = (iv + 0.5L) * dv - glm::dot(own, patch_.v) - shift_v;
+                    const long double x = (iu + 0.5L) * du - glm::dot(own, patch_.u) - shift_u,
+                                      y = (iv + 0.5L) * dv - glm::dot(own, patch_.v) - shift_v;
                     const long double t = std::max(0.0L, 1.0L - (x * x + y * y) / (footprint * footprint));
                     return 0.5L * K * k * t * t * w * w / scale_;
                 };
                 const long double h = 1e-6L * footprint;
-                force += patch_.u * double((energy(-h, 0) - energy(h, 0)) / (2 * h)) + patch_.v * double((energy(0, -h) - energy(0, h)) / (2 * h));
+                force += patch_.u * double((energy(-h, 0) - energy(h, 0)) / (2 * h)) +
+                         patch_.v * double((energy(0, -h) - energy(0, h)) / (2 * h));
                 force += patch_.normal() * double(K * k * weight(iu, iv) * w / scale_);
             }
         return force;
@@ -111,9 +120,11 @@ TEST(SoftPatch, pushes_back_with_stiffness_times_depth_on_an_untouched_face) {
                 tuning.radius_m = (0.002 + 0.008 * unit()) * scale;
                 TouchState state;
                 const double depth = 0.01 * unit();
-                const Vec3 at = Vec3(0.04 + 0.12 * unit(), 0.04 + 0.08 * unit(), 0.0) * scale + Vec3(0, 0, tuning.radius_m - depth * scale);
+                const Vec3 at = Vec3(0.04 + 0.12 * unit(), 0.04 + 0.08 * unit(), 0.0) * scale +
+                                Vec3(0, 0, tuning.radius_m - depth * scale);
                 const TouchResult r = touch_tick(state, *scene, tuning, at, 1e-3);
-                EXPECT_NEAR(r.force_n.z, 200.0 * depth, 0.02 * 200.0 * depth) << "radius " << tuning.radius_m << " scale " << scale;
+                EXPECT_NEAR(r.force_n.z, 200.0 * depth, 0.02 * 200.0 * depth)
+                    << "radius " << tuning.radius_m << " scale " << scale;
                 EXPECT_LE(glm::length(Vec2(r.force_n)), 0.02 * 200.0 * depth);
                 EXPECT_EQ(r.soft, FeatureId{5});
                 EXPECT_EQ(r.contacts.count, 0) << "nothing hard is touched";
@@ -140,7 +151,8 @@ TEST(SoftPatch, follows_its_law_within_two_per_cent) {
             for (int i = 0; i < 1200; ++i) {
                 const Vec3 p = loop[static_cast<std::size_t>(i)];
                 const Vec3 goal = Vec3(0.1 + p.x, 0.08 + p.y, tuning.radius_m / scale + 0.3 * p.z - 0.004) * scale;
-                const Vec3 expected = law.tick(goal, 1e-3), force = touch_tick(state, *scene, tuning, goal, 1e-3).force_n;
+                const Vec3 expected = law.tick(goal, 1e-3),
+                           force = touch_tick(state, *scene, tuning, goal, 1e-3).force_n;
                 largest = std::max(largest, glm::length(expected));
                 worst = std::max(worst, glm::length(force - expected));
             }
@@ -164,20 +176,24 @@ TEST(SoftPatch, gives_no_energy_on_closed_loops) {
                 // Twice the same way, from the air into the patch, about in it, over its borders, and back.
                 const std::vector<Vec3> smooth = random_loop(seed, 0.06);
                 for (const bool quantum : {false, true}) {
-                    const LoopOutcome out = go_round(*scene, tuning, quantum ? quantised(smooth) : smooth, Vec3(0.1, 0.08, 0.02) * scale);
-                    EXPECT_LE(out.given_j, 1e-6) << (plastic ? "plastic" : "elastic") << ", seed " << seed << (quantum ? ", quantum" : "");
+                    const LoopOutcome out =
+                        go_round(*scene, tuning, quantum ? quantised(smooth) : smooth, Vec3(0.1, 0.08, 0.02) * scale);
+                    EXPECT_LE(out.given_j, 1e-6)
+                        << (plastic ? "plastic" : "elastic") << ", seed " << seed << (quantum ? ", quantum" : "");
                     worst = std::max(worst, out.given_j);
                 }
             }
     std::cout << fmt::format("worst loop {:+.4f} mJ\n", worst * 1e3);
 }
 
-// Presses straight down in the middle until the hand is `depth_m` under the face, rests, and leaves. The force while resting.
+// Presses straight down in the middle until the hand is `depth_m` under the face, rests, and leaves. The force while
+// resting.
 double press_middle(TouchState& state, const HapticScene& scene, double depth_m, int rest_ticks = 300) {
     double force = 0.0;
     const TouchTuning tuning;
     for (double z = 0.03; z > 0.005 - depth_m; z -= 1e-4) touch_tick(state, scene, tuning, {0.1, 0.08, z}, 1e-3);
-    for (int i = 0; i < rest_ticks; ++i) force = touch_tick(state, scene, tuning, {0.1, 0.08, 0.005 - depth_m}, 1e-3).force_n.z;
+    for (int i = 0; i < rest_ticks; ++i)
+        force = touch_tick(state, scene, tuning, {0.1, 0.08, 0.005 - depth_m}, 1e-3).force_n.z;
     for (double z = 0.005 - depth_m; z < 0.03; z += 1e-4) touch_tick(state, scene, tuning, {0.1, 0.08, z}, 1e-3);
     return force;
 }
@@ -185,7 +201,8 @@ double press_middle(TouchState& state, const HapticScene& scene, double depth_m,
 TEST(SoftPatch, a_dent_in_clay_stays_and_one_in_a_cushion_goes) {
     const auto clay = scene_of(patch_of(true)), cushion = scene_of(patch_of(false));
     TouchState in_clay, in_cushion;
-    const double first_clay = press_middle(in_clay, *clay, 0.02), first_cushion = press_middle(in_cushion, *cushion, 0.02);
+    const double first_clay = press_middle(in_clay, *clay, 0.02),
+                 first_cushion = press_middle(in_cushion, *cushion, 0.02);
     // Ten minutes elsewhere, a teleport and a fault between.
     for (TouchState* state : {&in_clay, &in_cushion}) {
         const auto& scene = state == &in_clay ? clay : cushion;
@@ -193,7 +210,8 @@ TEST(SoftPatch, a_dent_in_clay_stays_and_one_in_a_cushion_goes) {
         state->reset_filters();
         for (int i = 0; i < 10000; ++i) EXPECT_EQ(touch_tick(*state, *scene, {}, {5, 5, 5}, 0.06).force_n, Vec3(0.0));
     }
-    EXPECT_LT(press_middle(in_clay, *clay, 0.005), 0.2 * 200.0 * 0.005) << "the dent is there: of the newton of untouched clay only its rim is left";
+    EXPECT_LT(press_middle(in_clay, *clay, 0.005), 0.2 * 200.0 * 0.005)
+        << "the dent is there: of the newton of untouched clay only its rim is left";
     EXPECT_GT(first_clay, 1.0);
     EXPECT_NEAR(press_middle(in_cushion, *cushion, 0.02), first_cushion, 1e-6) << "the cushion is as before";
     // In another world everything is new; in the same one with something added the dent is kept.
@@ -212,12 +230,15 @@ TEST(SoftPatch, a_cushion_comes_back_with_its_time_constant) {
     const auto scene = scene_of(patch);
     TouchState state;
     press_middle(state, *scene, 0.01);  // rests 0.3 s
-    // A wide press has hardly any shear in its middle; this one has, so it comes back faster than the bare cells would, never slower.
+    // A wide press has hardly any shear in its middle; this one has, so it comes back faster than the bare cells would,
+    // never slower.
     const auto probe = [&](double after_s) {
         TouchState again;
         press_middle(again, *scene, 0.01);
-        for (int i = 0; i < static_cast<int>(after_s * 1e3); ++i) touch_tick(again, *scene, {}, {0.1, 0.08, 0.05}, 1e-3);
-        return 200.0 * 0.005 - touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;  // what a press of 5 mm lacks
+        for (int i = 0; i < static_cast<int>(after_s * 1e3); ++i)
+            touch_tick(again, *scene, {}, {0.1, 0.08, 0.05}, 1e-3);
+        return 200.0 * 0.005 -
+               touch_tick(again, *scene, {}, {0.1, 0.08, 0.0}, 1e-3).force_n.z;  // what a press of 5 mm lacks
     };
     const double early = probe(0.05), later = probe(0.25), late = probe(2.0);
     EXPECT_GT(early, 0.02);
@@ -252,14 +273,16 @@ TEST(SoftPatch, rests_on_its_hard_floor_and_leaves_everything_else_alone) {
     b.reset();
     bool on_floor = false;
     for (double z = 0.02; z > -0.028; z -= 1e-4) {
-        const TouchResult x = touch_tick(a, *soft, tuning, {0.1, 0.08, z}, 1e-3), y = touch_tick(b, *hard, tuning, {0.1, 0.08, z}, 1e-3);
+        const TouchResult x = touch_tick(a, *soft, tuning, {0.1, 0.08, z}, 1e-3),
+                          y = touch_tick(b, *hard, tuning, {0.1, 0.08, z}, 1e-3);
         EXPECT_EQ(x.contact_force_n, y.contact_force_n);
         on_floor = on_floor || x.contacts.count > 0;
     }
     EXPECT_TRUE(on_floor);
     // From below, through the floor, nothing is soft.
     a.reset();
-    for (double z = -0.1; z < -0.06; z += 1e-4) EXPECT_EQ(touch_tick(a, *soft, tuning, {0.1, 0.08, z}, 1e-3).soft, kNoFeature);
+    for (double z = -0.1; z < -0.06; z += 1e-4)
+        EXPECT_EQ(touch_tick(a, *soft, tuning, {0.1, 0.08, z}, 1e-3).soft, kNoFeature);
 }
 
 TEST(SoftPatch, bears_a_ball_larger_than_itself_and_any_place_and_step) {
@@ -297,7 +320,9 @@ TEST(SoftPatch, feels_the_same_far_away_and_turned) {
     for (const Vec3& p : random_loop(9, 0.05)) {
         const Vec3 own(0.1 + p.x, 0.08 + p.y, 0.3 * p.z);
         const Vec3 x = touch_tick(a, *here, {}, own, 1e-3).force_n;
-        const Vec3 y = touch_tick(b, *there, {}, far + turned.u * own.x + turned.v * own.y + turned.normal() * own.z, 1e-3).force_n;
+        const Vec3 y =
+            touch_tick(b, *there, {}, far + turned.u * own.x + turned.v * own.y + turned.normal() * own.z, 1e-3)
+                .force_n;
         EXPECT_LE(glm::length(y - (turned.u * x.x + turned.v * x.y + turned.normal() * x.z)), 1e-6);
     }
 }

@@ -7,7 +7,8 @@ namespace handrail {
 namespace {
 
 std::vector<Plane> box_planes(const Vec3& low, const Vec3& high) {
-    return {{{1, 0, 0}, high.x}, {{-1, 0, 0}, -low.x}, {{0, 1, 0}, high.y}, {{0, -1, 0}, -low.y}, {{0, 0, 1}, high.z}, {{0, 0, -1}, -low.z}};
+    return {{{1, 0, 0}, high.x},  {{-1, 0, 0}, -low.x}, {{0, 1, 0}, high.y},
+            {{0, -1, 0}, -low.y}, {{0, 0, 1}, high.z},  {{0, 0, -1}, -low.z}};
 }
 
 Vec3 random_direction(std::mt19937& random) {
@@ -27,16 +28,20 @@ std::vector<Vec3> corners_by_triples(const std::vector<Plane>& planes) {
                 const Vec3 jk = glm::cross(planes[j].normal, planes[k].normal);
                 const double det = glm::dot(planes[i].normal, jk);
                 if (std::abs(det) < 1e-9) continue;
-                const Vec3 p = (planes[i].offset_m * jk + planes[j].offset_m * glm::cross(planes[k].normal, planes[i].normal) +
-                                planes[k].offset_m * glm::cross(planes[i].normal, planes[j].normal)) /
-                               det;
-                if (std::all_of(planes.begin(), planes.end(), [&](const Plane& plane) { return signed_distance(plane, p) < 1e-7; })) corners.push_back(p);
+                const Vec3 p =
+                    (planes[i].offset_m * jk + planes[j].offset_m * glm::cross(planes[k].normal, planes[i].normal) +
+                     planes[k].offset_m * glm::cross(planes[i].normal, planes[j].normal)) /
+                    det;
+                if (std::all_of(planes.begin(), planes.end(),
+                                [&](const Plane& plane) { return signed_distance(plane, p) < 1e-7; }))
+                    corners.push_back(p);
             }
     return corners;
 }
 
 bool holds_near(const std::vector<Vec3>& points, const Vec3& wanted, double tolerance) {
-    return std::any_of(points.begin(), points.end(), [&](const Vec3& p) { return glm::length(p - wanted) < tolerance; });
+    return std::any_of(points.begin(), points.end(),
+                       [&](const Vec3& p) { return glm::length(p - wanted) < tolerance; });
 }
 
 TEST(SolidFromPlanes, gives_a_box_its_exact_corners) {
@@ -47,9 +52,11 @@ TEST(SolidFromPlanes, gives_a_box_its_exact_corners) {
     ASSERT_EQ(built.solid.faces.size(), 6U);
     for (std::size_t i = 0; i < 6; ++i) {
         EXPECT_EQ(built.solid.faces[i].points_m.size(), 4U);
-        EXPECT_GT(glm::dot(area_vector_m2(built.solid.faces[i].points_m), built.solid.planes[i].normal), 0.0) << "counter-clockwise from outside";
+        EXPECT_GT(glm::dot(area_vector_m2(built.solid.faces[i].points_m), built.solid.planes[i].normal), 0.0)
+            << "counter-clockwise from outside";
         for (const Vec3& p : built.solid.faces[i].points_m)
-            for (int axis = 0; axis < 3; ++axis) EXPECT_TRUE(p[axis] == built.solid.bounds_m.min_m[axis] || p[axis] == built.solid.bounds_m.max_m[axis]);
+            for (int axis = 0; axis < 3; ++axis)
+                EXPECT_TRUE(p[axis] == built.solid.bounds_m.min_m[axis] || p[axis] == built.solid.bounds_m.max_m[axis]);
     }
 }
 
@@ -69,7 +76,8 @@ TEST(SolidFromPlanes, agrees_with_brute_force_on_random_solids_in_any_order_of_p
         const BuiltSolid built = solid_from_planes(planes, middle, 200.0);
         ASSERT_EQ(built.fault, SolidFault::None);
         std::vector<Vec3> corners;
-        for (const Polygon& face : built.solid.faces) corners.insert(corners.end(), face.points_m.begin(), face.points_m.end());
+        for (const Polygon& face : built.solid.faces)
+            corners.insert(corners.end(), face.points_m.begin(), face.points_m.end());
         const std::vector<Vec3> wanted = corners_by_triples(planes);
         for (const Vec3& p : wanted) EXPECT_TRUE(holds_near(corners, p, 1e-4));
         for (const Vec3& p : corners) EXPECT_TRUE(holds_near(wanted, p, 1e-4));

@@ -15,7 +15,12 @@ ConvexSolid solid(const std::vector<Plane>& planes) {
 }
 
 ConvexSolid box(const Vec3& low, const Vec3& high) {
-    return solid({{{1, 0, 0}, high.x}, {{-1, 0, 0}, -low.x}, {{0, 1, 0}, high.y}, {{0, -1, 0}, -low.y}, {{0, 0, 1}, high.z}, {{0, 0, -1}, -low.z}});
+    return solid({{{1, 0, 0}, high.x},
+                  {{-1, 0, 0}, -low.x},
+                  {{0, 1, 0}, high.y},
+                  {{0, -1, 0}, -low.y},
+                  {{0, 0, 1}, high.z},
+                  {{0, 0, -1}, -low.z}});
 }
 
 std::vector<ExposedPiece> exposed(const std::vector<ConvexSolid>& shapes) {
@@ -65,11 +70,13 @@ TEST(ExposedSurface, loses_both_sides_of_a_contact_and_one_of_two_equal_faces) {
     // The same cube twice: one cube.
     EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1})})), 6.0);
     // A cube on a plate: the plate's top loses what the cube stands on, the cube its bottom.
-    EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {4, 4, 1}), box({1, 1, 1}, {2, 2, 2})})), 16.0 + 15.0 + 16.0 + 5.0);
+    EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {4, 4, 1}), box({1, 1, 1}, {2, 2, 2})})),
+                     16.0 + 15.0 + 16.0 + 5.0);
     // A cube wholly inside another shows nothing.
     EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2})})), 96.0);
     // Corners that meet in a point or an edge cover nothing.
-    EXPECT_DOUBLE_EQ(total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), box({1, 1, 0}, {2, 2, 1})})), 16.0);
+    EXPECT_DOUBLE_EQ(
+        total_area(exposed({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 1}, {2, 2, 2}), box({1, 1, 0}, {2, 2, 1})})), 16.0);
 }
 
 TEST(ExposedSurface, lets_doors_and_liquids_cover_nothing_of_the_wall) {
@@ -81,8 +88,8 @@ TEST(ExposedSurface, lets_doors_and_liquids_cover_nothing_of_the_wall) {
     EXPECT_DOUBLE_EQ(total_area(exposed_surface(water, BoxIndex(boxes), kTolerance)), 11.0);
 }
 
-// Brute-force twin over boxes on a coarse grid, where faces coincide by the dozen: a point of a face is exposed exactly once when the space right
-// before it is free of all solids, and never otherwise.
+// Brute-force twin over boxes on a coarse grid, where faces coincide by the dozen: a point of a face is exposed exactly
+// once when the space right before it is free of all solids, and never otherwise.
 TEST(ExposedSurface, agrees_with_brute_force_on_boxes_with_coinciding_faces) {
     const int rounds = test::scaled(60);
     for (int seed = 0; seed < rounds; ++seed) {
@@ -107,18 +114,21 @@ TEST(ExposedSurface, agrees_with_brute_force_on_boxes_with_coinciding_faces) {
                             p[(axis + 1) % 3] = j + 0.5;
                             p[(axis + 2) % 3] = k + 0.5;
                             const auto in_any = [&](const Vec3& q) {
-                                return std::any_of(shapes.begin(), shapes.end(), [&](const ConvexSolid& shape) { return contains(shape, q); });
+                                return std::any_of(shapes.begin(), shapes.end(),
+                                                   [&](const ConvexSolid& shape) { return contains(shape, q); });
                             };
                             const int expected = in_any(p - 0.1 * normal) && !in_any(p + 0.1 * normal) ? 1 : 0;
                             expected_area += expected;
                             int found = 0;
                             for (const ExposedPiece& piece : pieces) {
                                 const Plane& plane = shapes[piece.solid].planes[piece.face];
-                                if (glm::dot(plane.normal, normal) > 0.5 && std::abs(signed_distance(plane, p)) < 1e-9 &&
+                                if (glm::dot(plane.normal, normal) > 0.5 &&
+                                    std::abs(signed_distance(plane, p)) < 1e-9 &&
                                     depth_in(piece.polygon, normal, p) > 0.0)
                                     ++found;
                             }
-                            ASSERT_EQ(found, expected) << p.x << ' ' << p.y << ' ' << p.z << " axis " << axis << " sign " << sign;
+                            ASSERT_EQ(found, expected)
+                                << p.x << ' ' << p.y << ' ' << p.z << " axis " << axis << " sign " << sign;
                         }
         EXPECT_NEAR(total_area(pieces), expected_area, 1e-9);
         std::vector<ConvexSolid> shuffled = shapes;
@@ -174,7 +184,9 @@ TEST(ExposedSurface, agrees_with_brute_force_on_tilted_solids) {
     }
 }
 
-Polygon square(double x0, double y0, double x1, double y1) { return {{{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}}; }
+Polygon square(double x0, double y0, double x1, double y1) {
+    return {{{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}};
+}
 
 std::vector<std::uint32_t> joined(const std::vector<Polygon>& polygons, const std::vector<std::uint64_t>& looks = {}) {
     std::vector<FlatPiece> pieces;
@@ -187,6 +199,56 @@ std::vector<std::uint32_t> joined(const std::vector<Polygon>& polygons, const st
         pieces.push_back(piece);
     }
     return joined_surfaces(pieces, 1e-4);
+}
+
+// A floor on which hundreds of things stand: every place of it is either under one of them or in exactly one piece of
+// what is left.
+TEST(ExposedSurface, cuts_a_floor_by_all_that_stands_on_it) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(-10.0, 9.0), size(0.1, 0.9), anywhere(-10.0, 10.0);
+    std::vector<ConvexSolid> shapes{box({-10, -10, -1}, {10, 10, 0})};
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 low(place(random), place(random), i % 5 ? 0.0 : -0.5);  // some overlap, some stick into the floor
+        shapes.push_back(
+            i % 7 ? box(low, low + Vec3(size(random), size(random), 1.0))
+                  : solid({{glm::normalize(Vec3(1, 1, 0)), glm::dot(glm::normalize(Vec3(1, 1, 0)), low) + 0.5},
+                           {glm::normalize(Vec3(-1, 1, 0)), glm::dot(glm::normalize(Vec3(-1, 1, 0)), low) + 0.3},
+                           {{0, -1, 0}, -low.y + 0.2},
+                           {{0, 0, 1}, 1.0},
+                           {{0, 0, -1}, -low.z}}));
+    }
+    std::vector<ExposedPiece> top;
+    for (const ExposedPiece& piece : exposed(shapes))
+        if (piece.solid == 0 && shapes[0].planes[piece.face].normal.z > 0.5) top.push_back(piece);
+    ASSERT_GT(top.size(), 100U);
+    double area = 0.0;
+    for (const ExposedPiece& piece : top) area += area_m2(piece.polygon);
+    int free = 0;
+    const int points = test::scaled(20000);
+    for (int i = 0; i < points; ++i) {
+        const Vec3 p(anywhere(random), anywhere(random), 0.0);
+        bool near_border = false, covered = false;
+        for (std::size_t k = 1; k < shapes.size(); ++k) {
+            double out = -1e9;
+            for (const Plane& plane : shapes[k].planes)
+                if (std::abs(plane.normal.z) < 0.5) out = std::max(out, signed_distance(plane, p));
+            near_border = near_border || std::abs(out) < 1e-4;
+            covered = covered || out < 0.0;
+        }
+        if (!covered) ++free;
+        if (near_border) continue;
+        int in = 0;
+        bool at_edge = false;
+        for (const ExposedPiece& piece : top) {
+            const double depth = depth_in(piece.polygon, {0, 0, 1}, p);
+            at_edge = at_edge || std::abs(depth) < 1e-4;
+            in += depth > 0.0 ? 1 : 0;
+        }
+        if (!at_edge) {
+            ASSERT_EQ(in, covered ? 0 : 1) << p.x << ' ' << p.y;
+        }
+    }
+    EXPECT_NEAR(area, 400.0 * free / points, 400.0 * 4.0 / std::sqrt(points));
 }
 
 TEST(JoinedSurfaces, joins_along_edges_and_t_junctions_but_not_at_corners) {

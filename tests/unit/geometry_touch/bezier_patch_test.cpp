@@ -11,22 +11,26 @@
 namespace handrail::test {
 namespace {
 
-double number(std::mt19937& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+double number(std::mt19937& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
 
 // A sheet of about a metre, bent at random.
 PatchGrid random_grid(std::mt19937& random, double bend) {
     PatchGrid grid{3 + 2 * static_cast<int>(random() % 2), 3 + 2 * static_cast<int>(random() % 3), {}};
     for (int r = 0; r < grid.rows; ++r)
         for (int c = 0; c < grid.columns; ++c)
-            grid.points_m.emplace_back(0.5 * c + bend * number(random, -0.2, 0.2), 0.5 * r + bend * number(random, -0.2, 0.2),
-                                       bend * number(random, -1.0, 1.0));
+            grid.points_m.emplace_back(0.5 * c + bend * number(random, -0.2, 0.2),
+                                       0.5 * r + bend * number(random, -0.2, 0.2), bend * number(random, -1.0, 1.0));
     return grid;
 }
 
 double distance_to(const TriangleMesh& mesh, const Vec3& p) {
     double nearest = 1e9;
     for (const Corners& t : mesh.triangles)
-        nearest = std::min(nearest, closest_point(make_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]]), p).distance_m);
+        nearest = std::min(
+            nearest,
+            closest_point(make_triangle(mesh.points_m[t[0]], mesh.points_m[t[1]], mesh.points_m[t[2]]), p).distance_m);
     return nearest;
 }
 
@@ -43,7 +47,8 @@ TEST(BezierPatch, keeps_its_triangles_within_the_error_that_is_allowed_and_says_
         for (int s = 0; s < 60; ++s) {
             const int row = static_cast<int>(random() % static_cast<unsigned>(grid.rows / 2)),
                       column = static_cast<int>(random() % static_cast<unsigned>(grid.columns / 2));
-            worst = std::max(worst, distance_to(made.mesh, point_of_patch(grid, row, column, number(random, 0, 1), number(random, 0, 1))));
+            worst = std::max(worst, distance_to(made.mesh, point_of_patch(grid, row, column, number(random, 0, 1),
+                                                                          number(random, 0, 1))));
         }
         EXPECT_LE(worst, chord) << "seed " << kSeed << " round " << round;
         EXPECT_LE(worst, 1.35 * made.error_m + 1e-12) << "measured at 9 places of each cell";
@@ -58,11 +63,23 @@ TEST(BezierPatch, flat_ones_take_two_triangles_a_part_and_ones_without_area_none
     EXPECT_LE(tessellate(flat, 1e-3).error_m, 1e-15);
     const PatchMesh sheet = tessellate(flat, 1e-3);
     for (const Corners& t : sheet.mesh.triangles)
-        EXPECT_GT(make_triangle(sheet.mesh.points_m[t[0]], sheet.mesh.points_m[t[1]], sheet.mesh.points_m[t[2]]).normal.z, 0.0);
+        EXPECT_GT(
+            make_triangle(sheet.mesh.points_m[t[0]], sheet.mesh.points_m[t[1]], sheet.mesh.points_m[t[2]]).normal.z,
+            0.0);
     const PatchGrid point{3, 3, std::vector<Vec3>(9, Vec3(1, 2, 3))};
     EXPECT_TRUE(tessellate(point, 1e-3).mesh.triangles.empty());
     // A cone's tip: one row is one point.
-    PatchGrid cone{3, 3, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {0.5, 0, 0.5}, {0.5, 0.5, 0.5}, {0, 0.5, 0.5}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+    PatchGrid cone{3,
+                   3,
+                   {{0, 0, 1},
+                    {0, 0, 1},
+                    {0, 0, 1},
+                    {0.5, 0, 0.5},
+                    {0.5, 0.5, 0.5},
+                    {0, 0.5, 0.5},
+                    {1, 0, 0},
+                    {1, 1, 0},
+                    {0, 1, 0}}};
     const PatchMesh made = tessellate(cone, 1e-3);
     EXPECT_LE(made.error_m, 1e-3);
     EXPECT_LT(made.mesh.triangles.size(), triangles_of_patch(cone, 1e-3));
@@ -82,7 +99,8 @@ PatchGrid transposed(const PatchGrid& grid) {
 PatchGrid mirrored(const PatchGrid& grid) {
     PatchGrid out = grid;
     for (int r = 0; r < grid.rows; ++r)
-        for (int c = 0; c < grid.columns; ++c) out.points_m[static_cast<std::size_t>(r * grid.columns + c)] = grid.at(r, grid.columns - 1 - c);
+        for (int c = 0; c < grid.columns; ++c)
+            out.points_m[static_cast<std::size_t>(r * grid.columns + c)] = grid.at(r, grid.columns - 1 - c);
     return out;
 }
 
@@ -95,7 +113,9 @@ TEST(BezierPatch, neighbours_with_one_edge_in_common_meet_along_one_line_however
         PatchGrid b{3, a.columns, {}};
         for (int r = 2; r >= 0; --r)
             for (int c = 0; c < a.columns; ++c)
-                b.points_m.push_back(r == 0 ? a.at(0, c) : a.at(0, c) + Vec3(number(random, -0.5, 0.5), -0.5 * r, number(random, -3.0, 3.0)));
+                b.points_m.push_back(r == 0 ? a.at(0, c)
+                                            : a.at(0, c) +
+                                                  Vec3(number(random, -0.5, 0.5), -0.5 * r, number(random, -3.0, 3.0)));
         if (round % 4 == 1) b = mirrored(b);
         if (round % 4 == 2) b = transposed(b);
         if (round % 4 == 3) b = mirrored(transposed(b));
@@ -117,7 +137,8 @@ TEST(BezierPatch, neighbours_with_one_edge_in_common_meet_along_one_line_however
             for (const Vec3& p : *points) {
                 double nearest = 1e9;
                 for (std::size_t k = 0; k + 1 < line->size(); ++k)
-                    nearest = std::min(nearest, closest_point(make_triangle((*line)[k], (*line)[k + 1], (*line)[k]), p).distance_m);
+                    nearest = std::min(
+                        nearest, closest_point(make_triangle((*line)[k], (*line)[k + 1], (*line)[k]), p).distance_m);
                 EXPECT_LE(nearest, 1e-14) << "seed " << kSeed << " round " << round;
             }
     }

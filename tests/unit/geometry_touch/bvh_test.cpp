@@ -10,7 +10,9 @@ namespace {
 
 constexpr std::uint32_t kSeed = 20240712;
 
-double between(std::mt19937& random, double low, double high) { return low + (high - low) * (static_cast<double>(random()) / 4294967296.0); }
+double between(std::mt19937& random, double low, double high) {
+    return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+}
 Vec3 in_cube(std::mt19937& random, double half) {
     const double x = between(random, -half, half), y = between(random, -half, half), z = between(random, -half, half);
     return {x, y, z};
@@ -43,8 +45,10 @@ double nearest_of(const std::vector<Aabb>& boxes, const Vec3& p) {
     return std::sqrt(nearest2);
 }
 
-// Every query against its full scan. What is visited beyond the reach costs time only, so it is left out here and bounded in number.
-void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& random, const Vec3& around, const std::string& what) {
+// Every query against its full scan. What is visited beyond the reach costs time only, so it is left out here and
+// bounded in number.
+void expect_right(const Bvh& bvh, const std::vector<Aabb>& boxes, std::mt19937& random, const Vec3& around,
+                  const std::string& what) {
     constexpr int kPlenty = 1 << 20;
     Bvh::Queue queue(kPlenty), small(64);
     for (int query = 0; query < 50; ++query) {
@@ -127,7 +131,8 @@ TEST(Bvh, answers_like_a_full_scan_after_random_motion_and_refit) {
             const Vec3 together = round == 2 ? Vec3(1e4, -1e4, 50.0) : Vec3(0.0);
             for (Aabb& box : boxes) {
                 if (box.empty()) continue;
-                const Vec3 size = glm::abs(in_cube(random, 0.5)), at = together + (random() % 9 == 0 ? Vec3(1.0) : in_cube(random, round == 0 ? 0.1 : 5.0));
+                const Vec3 size = glm::abs(in_cube(random, 0.5)),
+                           at = together + (random() % 9 == 0 ? Vec3(1.0) : in_cube(random, round == 0 ? 0.1 : 5.0));
                 box = {at, at + size};
             }
             bvh.refit(boxes);
@@ -137,7 +142,8 @@ TEST(Bvh, answers_like_a_full_scan_after_random_motion_and_refit) {
 }
 
 TEST(Bvh, keeps_its_looks_where_everything_is_equally_near) {
-    // In the middle of a round room no order helps: 20,480 triangles at one distance. A hundred looks must do, and still tell that the room is there.
+    // In the middle of a round room no order helps: 20,480 triangles at one distance. A hundred looks must do, and
+    // still tell that the room is there.
     const TriangleMesh mesh = sphere_mesh(32, 0.006);
     std::vector<Aabb> boxes;
     for (const Corners& t : mesh.triangles) {

@@ -47,12 +47,14 @@ TEST(ClosestPointOfTriangle, agrees_with_brute_force_in_all_vertex_orders_degene
         const Vec3 p = shift + random_point(random, 0.2);
         const std::array<Vec3, 3> s{shift + t[0], shift + t[1], shift + t[2]};
         const double expected = as_double(nearest_on_triangle(LVec(s[0]), LVec(s[1]), LVec(s[2]), LVec(p)).distance);
-        for (const auto& [i, j, k] : {std::array<std::size_t, 3>{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}) {
+        for (const auto& [i, j, k] :
+             {std::array<std::size_t, 3>{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}) {
             const TriangleShape shape = make_triangle(s[i], s[j], s[k]);
             const ClosestPoint q = closest_point(shape, p);
             const ClosestPoint unprepared = closest_point_of_triangle(s[i], s[j], s[k], p);
             ASSERT_NEAR(unprepared.distance_m, q.distance_m, rounding);
-            ASSERT_LE(glm::length(unprepared.normal - q.normal), q.distance_m > 1e-6 ? 1e-6 + 3.0 * rounding / q.distance_m : 2.1);
+            ASSERT_LE(glm::length(unprepared.normal - q.normal),
+                      q.distance_m > 1e-6 ? 1e-6 + 3.0 * rounding / q.distance_m : 2.1);
             Vec3 support{0.0};
             const double apart = support_towards(s[i], s[j], s[k], p, support);
             ASSERT_LE(apart, expected + rounding) << "round " << round;
@@ -65,7 +67,8 @@ TEST(ClosestPointOfTriangle, agrees_with_brute_force_in_all_vertex_orders_degene
                 reach = std::max(reach, glm::length(corner - middle));
             }
             if (expected > reach + rounding) {
-                ASSERT_GT(apart, 0.0) << "from farther than the triangle reaches there is such a plane, round " << round;
+                ASSERT_GT(apart, 0.0) << "from farther than the triangle reaches there is such a plane, round "
+                                      << round;
             }
             SCOPED_TRACE(fmt::format("seed {} round {} degenerate {}", kSeed, round, shape.degenerate));
             ASSERT_NEAR(q.distance_m, expected, rounding + (shape.degenerate ? 1e-7 : 0.0));
@@ -97,8 +100,9 @@ TEST(ClosestPointOfBox, agrees_with_the_same_box_as_planes_and_with_brute_force)
         const double thin = round % 4 == 0 ? 1e-4 : 0.1;
         const Vec3 size = glm::abs(random_point(random, 1.0)) * Vec3(0.1, 0.1, thin);
         const Aabb box{low, low + size};
-        const std::vector<Plane> planes{{{1, 0, 0}, box.max_m.x},   {{-1, 0, 0}, -box.min_m.x}, {{0, 1, 0}, box.max_m.y},
-                                        {{0, -1, 0}, -box.min_m.y}, {{0, 0, 1}, box.max_m.z},   {{0, 0, -1}, -box.min_m.z}};
+        const std::vector<Plane> planes{{{1, 0, 0}, box.max_m.x}, {{-1, 0, 0}, -box.min_m.x},
+                                        {{0, 1, 0}, box.max_m.y}, {{0, -1, 0}, -box.min_m.y},
+                                        {{0, 0, 1}, box.max_m.z}, {{0, 0, -1}, -box.min_m.z}};
         const Vec3 p = random_point(random, 0.15);
         const double expected = as_double(nearest_on_solid(planes, LVec(p)).distance);
         for (const ClosestPoint& q : {closest_point(box, p), closest_point(std::span(planes), p)}) {
@@ -160,7 +164,8 @@ TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_warm_and_cold) {
             EXPECT_FALSE(solved);
             continue;
         }
-        if (!solved) {  // allowed only where the cell is thinner than rounding tells: then the strict problem has no solution either
+        if (!solved) {  // allowed only where the cell is thinner than rounding tells: then the strict problem has no
+                        // solution either
             EXPECT_FALSE(project_by_enumeration(long_walls, LVec(goal), -1e-7L)) << "gave up on a roomy cell";
             continue;
         }
@@ -168,7 +173,8 @@ TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_warm_and_cold) {
         Vec3 sum(0.0);
         for (int k = 0; k < basis.count; ++k) {
             EXPECT_GE(basis.multiplier_m[static_cast<std::size_t>(k)], 0.0);
-            sum += at(basis.index[static_cast<std::size_t>(k)]).normal * basis.multiplier_m[static_cast<std::size_t>(k)];
+            sum +=
+                at(basis.index[static_cast<std::size_t>(k)]).normal * basis.multiplier_m[static_cast<std::size_t>(k)];
         }
         EXPECT_LE(glm::length(sum - (basis.point_m - goal)), 1e-9);
         for (const HalfSpace& h : walls) EXPECT_GE(glm::dot(h.normal, basis.point_m), h.offset_m - 1e-9);

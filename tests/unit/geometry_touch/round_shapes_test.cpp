@@ -1,5 +1,5 @@
-// Spheres, capsules, cylinders and cones against long double of another design, and against what makes a closest point one: the plane there has the
-// whole shape behind it.
+// Spheres, capsules, cylinders and cones against long double of another design, and against what makes a closest point
+// one: the plane there has the whole shape behind it.
 #include "worlds/geometry/round_shapes.h"
 
 #include <random>
@@ -10,7 +10,9 @@
 namespace handrail::test {
 namespace {
 
-double number(std::mt19937& random, double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
+double number(std::mt19937& random, double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+}
 Vec3 point(std::mt19937& random, double half) {
     const double x = number(random, -half, half), y = number(random, -half, half), z = number(random, -half, half);
     return {x, y, z};
@@ -68,7 +70,8 @@ struct Shape {
 
 // Of size about 0.1, with every degenerate form in turn: no radius, no height, neither, needles, discs.
 Shape random_shape(Kind kind, int form, const Vec3& shift, std::mt19937& random) {
-    Shape shape{kind, shift + point(random, 0.05), random_turn(random).turn[0], number(random, 0.01, 0.2), number(random, 0.01, 0.1)};
+    Shape shape{kind, shift + point(random, 0.05), random_turn(random).turn[0], number(random, 0.01, 0.2),
+                number(random, 0.01, 0.1)};
     if (form % 8 == 1 || form % 8 == 3) shape.radius_m = 0.0;
     if (form % 8 == 2 || form % 8 == 3) shape.height_m = 0.0;
     if (form % 8 == 4) shape.radius_m = 1e-7;
@@ -99,7 +102,9 @@ TEST_P(RoundShape, agrees_with_brute_force_and_gives_a_supporting_plane_degenera
         // Nothing of the shape reaches further along the normal than the point does, and the point is of the shape.
         ASSERT_NEAR(glm::dot(q.normal, q.point_m - shape.from_m), shape.reach(q.normal), rounding);
         ASSERT_LE(std::abs(static_cast<double>(shape.twin(q.point_m).distance)), rounding);
-        if (round % 3 == 0) worst = std::max(worst, std::abs(static_cast<double>(static_cast<long double>(q.distance_m) - twin.distance)));
+        if (round % 3 == 0)
+            worst =
+                std::max(worst, std::abs(static_cast<double>(static_cast<long double>(q.distance_m) - twin.distance)));
     }
     std::cout << fmt::format("largest difference near the origin {:.1e} m\n", worst);
 }
@@ -124,14 +129,17 @@ TEST_P(RoundShape, supports_from_the_axis_and_a_hair_beside_it_and_says_the_same
 TEST_P(RoundShape, lies_within_its_bounds_and_touches_them) {
     for (int round = 0; round < scaled(500); ++round) {
         const Shape shape = random_shape(GetParam(), round, Vec3(0.0), random_);
-        const Aabb box = shape.kind == Kind::Sphere     ? bounds_of(SphereShape{shape.from_m, shape.radius_m})
-                         : shape.kind == Kind::Capsule  ? bounds_of(CapsuleShape{shape.from_m, shape.axis, shape.height_m, shape.radius_m})
-                         : shape.kind == Kind::Cylinder ? bounds_of(CylinderShape{shape.from_m, shape.axis, shape.height_m, shape.radius_m})
-                                                        : bounds_of(make_cone(shape.from_m, shape.axis, shape.height_m, shape.radius_m));
+        const Aabb box = shape.kind == Kind::Sphere ? bounds_of(SphereShape{shape.from_m, shape.radius_m})
+                         : shape.kind == Kind::Capsule
+                             ? bounds_of(CapsuleShape{shape.from_m, shape.axis, shape.height_m, shape.radius_m})
+                         : shape.kind == Kind::Cylinder
+                             ? bounds_of(CylinderShape{shape.from_m, shape.axis, shape.height_m, shape.radius_m})
+                             : bounds_of(make_cone(shape.from_m, shape.axis, shape.height_m, shape.radius_m));
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 n(0.0);
             n[axis] = 1.0;
-            ASSERT_NEAR(box.max_m[axis], shape.from_m[axis] + shape.reach(n), 1e-15) << "seed " << seed_ << " round " << round;
+            ASSERT_NEAR(box.max_m[axis], shape.from_m[axis] + shape.reach(n), 1e-15)
+                << "seed " << seed_ << " round " << round;
             ASSERT_NEAR(box.min_m[axis], shape.from_m[axis] - shape.reach(-n), 1e-15);
         }
     }
@@ -150,7 +158,8 @@ TEST(FaceTowards, names_side_and_ends) {
     EXPECT_EQ(face_towards(cone, {0.1, 0, -0.99}), 1);
 }
 
-// Convex polygons: points of an ellipse in order, with repeated ones and ones on an edge; needles; flat and single points.
+// Convex polygons: points of an ellipse in order, with repeated ones and ones on an edge; needles; flat and single
+// points.
 std::vector<Vec3> random_polygon(int form, const Vec3& shift, std::mt19937& random) {
     const glm::dmat3 turn = random_turn(random).turn;
     const int count = 3 + static_cast<int>(random() % 7);
@@ -218,7 +227,8 @@ TEST(ClosestPointOfPolygon, on_the_sheet_itself_gives_a_supporting_normal) {
         const std::vector<Vec3> corners = random_polygon(round, Vec3(0.0), random);
         std::vector<PolygonCorner> prepared;
         const PolygonShape polygon{make_polygon(corners, prepared), prepared};
-        for (const Vec3& p : {corners[0], 0.5 * (corners[0] + corners[1]), (corners[0] + corners[1] + corners[2]) / 3.0}) {
+        for (const Vec3& p :
+             {corners[0], 0.5 * (corners[0] + corners[1]), (corners[0] + corners[1] + corners[2]) / 3.0}) {
             const ClosestPoint q = closest_point(polygon, p);
             ASSERT_LE(q.distance_m, polygon.degenerate() ? 1e-7 : 1e-12);
             ASSERT_NEAR(glm::length(q.normal), 1.0, 1e-15);

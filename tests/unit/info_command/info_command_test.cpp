@@ -29,14 +29,17 @@ Outcome info(const std::filesystem::path& world, bool json, std::optional<double
 }
 
 const std::string kMap = test::entity("worldspawn", test::key("message", "A small room"),
-                                      test::room_brushes(0, 0, 0, 256, 192, 96, 16, "brick1") + test::box_brush(0, 0, 0, 64, 64, 8, "*water1") + "{\n}\n") +
+                                      test::room_brushes(0, 0, 0, 256, 192, 96, 16, "brick1") +
+                                          test::box_brush(0, 0, 0, 64, 64, 8, "*water1") + "{\n}\n") +
                          test::entity("func_door", {}, test::box_brush(100, 192, 0, 132, 208, 64, "wood1")) +
                          test::entity("info_player_start", test::key("origin", "128 96 24"));
 
 TEST(InfoCommand, tells_which_forces_hang_in_space) {
     const std::string world = std::string(HANDRAIL_SOURCE_DIR) + "/tests/scenarios/worlds/every_property.map";
-    EXPECT_THAT(info(world, false).out,
-                testing::HasSubstr("Forces hang in space: magnet 4, detent 1, button 1, fly-paper 1, inertia 1, force 3, vibration 1."));
+    EXPECT_THAT(
+        info(world, false).out,
+        testing::HasSubstr(
+            "Forces hang in space: magnet 4, detent 1, button 1, fly-paper 1, inertia 1, force 3, vibration 1."));
     EXPECT_EQ(nlohmann::json::parse(info(world, true).out)["effects"], 12);
 }
 
@@ -46,12 +49,15 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(run.err, "");
     const nlohmann::json json = nlohmann::json::parse(run.out);
-    for (const char* number :
-         {"brushes",  "polygons", "polygons_hidden", "polygons_kept",    "triangles", "liquids",          "movers",  "starts",
-          "spaces",   "doors",    "windows",         "stairs",           "storeys",   "furnishings",      "portals", "largest_connected_spaces",
-          "features", "openings", "openings_cut",    "scale_m_per_unit", "load_s",    "peak_memory_bytes"})
+    for (const char* number : {"brushes",   "polygons",    "polygons_hidden",  "polygons_kept",
+                               "triangles", "liquids",     "movers",           "starts",
+                               "spaces",    "doors",       "windows",          "stairs",
+                               "storeys",   "furnishings", "portals",          "largest_connected_spaces",
+                               "features",  "openings",    "openings_cut",     "scale_m_per_unit",
+                               "load_s",    "all_s",       "peak_memory_bytes"})
         EXPECT_TRUE(json.contains(number) && json[number].is_number()) << number;
-    for (const char* list : {"materials", "guessed", "simplified", "left_out", "warnings", "bounds_min_m", "bounds_max_m"})
+    for (const char* list :
+         {"materials", "guessed", "simplified", "left_out", "warnings", "bounds_min_m", "bounds_max_m"})
         EXPECT_TRUE(json.contains(list) && json[list].is_array()) << list;
     EXPECT_EQ(json["format"], "map");
     EXPECT_EQ(json["brushes"], 9);    // six walls, water, one empty, the door
@@ -70,18 +76,22 @@ TEST(InfoCommand, prints_every_key_as_one_json_object) {
     EXPECT_EQ(json["touch_model"]["boxes"], 7);  // six walls and the door; water is no obstacle
     EXPECT_EQ(json["touch_model"]["brushes"], 0);
     EXPECT_EQ(json["touch_model"]["triangles"], 0);
-    EXPECT_EQ(json["touch_model"]["bodies"], 0);
+    EXPECT_EQ(json["touch_model"]["bodies"], 1);  // the door is set apart, as on entering
     EXPECT_EQ(json["touch_model"]["liquids"], 1);
     EXPECT_EQ(json["touch_model"]["liquids_with_drag"], 0);
     EXPECT_EQ(json["touch_model"]["magnets"], 0);
     EXPECT_EQ(json["touch_model"]["materials_with_friction"], 2);  // brick and wood
-    EXPECT_THAT(json["touch_stages_on"].get<std::vector<std::string>>(), testing::Contains("liquids"));
-    EXPECT_THAT(json["touch_stages_off"].get<std::vector<std::string>>(), testing::IsSupersetOf({"bodies", "effects", "liquid surfaces"}));
+    EXPECT_THAT(json["touch_stages_on"].get<std::vector<std::string>>(), testing::IsSupersetOf({"liquids", "bodies"}));
+    EXPECT_THAT(json["touch_stages_off"].get<std::vector<std::string>>(),
+                testing::IsSupersetOf({"effects", "liquid surfaces"}));
     ASSERT_EQ(json["warnings"].size(), 1U);
     EXPECT_EQ(json["warnings"][0]["file"], "room.map");
-    EXPECT_EQ(json["warnings"][0]["line"], 60);  // after class and message three lines, seven boxes of eight lines, from line 4
+    EXPECT_EQ(json["warnings"][0]["line"],
+              60);  // after class and message three lines, seven boxes of eight lines, from line 4
     EXPECT_EQ(json["warnings"][0]["column"], 1);
     EXPECT_GT(json["peak_memory_bytes"].get<double>(), 1e5);
+    EXPECT_GT(json["all_s"].get<double>(), json["load_s"].get<double>())
+        << "rooms, ways and what is felt take time too";
     EXPECT_EQ(nlohmann::json::parse(info(folder.path() / "room.map", true, 0.01).out)["scale_m_per_unit"], 0.01);
 }
 
@@ -92,35 +102,66 @@ TEST(InfoCommand, tells_the_same_in_sentences) {
     for (const char* said :
          {"A small room, from room.map.\n", "9.0 metres from west to east, 7.0 from south to north, and 4.0 high",
           "8 things with a name to touch, 1 door, 1 moving part, 1 liquid, 1 start.", "Materials: brick, wood.",
-          "The hand meets: 7 boxes, 1 liquid, 1 texture, 3 touch materials", "Not modelled, since nothing here needs it: sheets of one side, bodies, ",
-          "The material brick was guessed", "1 problem:\n  room.map, line 60, column 1: warning: this brush has no faces. It was left out.", "Loaded in "})
+          "The hand meets: 7 boxes, 1 body that may move, 1 liquid, 1 texture, 3 touch materials",
+          "Not modelled, since nothing here needs it: sheets of one side, liquid surfaces, ",
+          "The material brick was guessed",
+          "1 problem:\n  room.map, line 60, column 1: warning: this brush has no faces. It was left out.", "Read in "})
         EXPECT_THAT(run.out, testing::HasSubstr(said));
 }
 
 TEST(InfoCommand, says_what_exploring_makes_of_a_mesh) {
     const test::TemporaryFolder folder;
     // A floor of four triangles, one of them twice, and a wall.
-    const std::filesystem::path file =
-        folder.write("hall.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nv 0 0 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 5\nf 1 2 6\n");
+    const std::filesystem::path file = folder.write(
+        "hall.obj",
+        "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nv 0 0 2\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 1 2 5\nf 1 2 6\n");
     const nlohmann::json json = nlohmann::json::parse(info(file, true).out);
     EXPECT_EQ(json["triangles"], 6);
-    EXPECT_EQ(json["simplified"],
-              nlohmann::json({"One triangle that repeats another was left out.",
-                              "4 triangles were joined to one flat polygon, at most 0 millimetres out of plane (bound 0.01 millimetres)."}));
+    EXPECT_EQ(json["simplified"], nlohmann::json({"One triangle that repeats another was left out.",
+                                                  "4 triangles were joined to one flat polygon, at most 0 millimetres "
+                                                  "out of plane (bound 0.01 millimetres)."}));
+}
+
+TEST(InfoCommand, counts_as_moving_only_what_can_go_somewhere) {
+    const test::TemporaryFolder folder;
+    // A door of 64 units that slides but for its lip, and one whose lip is as wide as it is: nothing of it would move.
+    const std::string world =
+        test::entity("worldspawn", test::key("building", "0"), test::box_brush(0, 0, -8, 512, 512, 0));
+    const std::string door = test::box_brush(100, 100, 0, 164, 108, 80);
+    EXPECT_EQ(nlohmann::json::parse(
+                  info(folder.write("a.map", world + test::entity("func_door", test::key("angle", "0"), door)), true)
+                      .out)["movers"],
+              1);
+    EXPECT_EQ(
+        nlohmann::json::parse(
+            info(folder.write("b.map", world + test::entity("func_door",
+                                                            test::key("angle", "0") + test::key("lip", "64"), door)),
+                 true)
+                .out)["movers"],
+        0);
+}
+
+TEST(InfoCommand, counts_sides_that_give_way) {
+    const std::filesystem::path world =
+        std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/scenarios/worlds/every_property.map";
+    EXPECT_GT(nlohmann::json::parse(info(world, true).out)["touch_model"]["soft_sides"], 0);
 }
 
 TEST(InfoCommand, says_which_edges_are_rounded_and_which_stay_sharp_and_why) {
     const test::TemporaryFolder folder;
-    // A block of a metre, a plate of a centimetre, and two blocks whose ends meet in part, so that neither covers the other's.
-    const std::filesystem::path file =
-        folder.write("edges.map", test::entity("worldspawn", "", test::box_brush(0, 0, 0, 100, 100, 100)) +
-                                      test::entity("func_wall", test::key("name", "Plate"), test::box_brush(300, 0, 0, 400, 100, 1)) +
-                                      test::entity("func_wall", test::key("name", "Left"), test::box_brush(600, 0, 0, 700, 100, 100)) +
-                                      test::entity("func_wall", test::key("name", "Right"), test::box_brush(700, 50, 0, 800, 150, 100)));
+    // A block of a metre, a plate of a centimetre, and two blocks whose ends meet in part, so that neither covers the
+    // other's.
+    const std::filesystem::path file = folder.write(
+        "edges.map",
+        test::entity("worldspawn", "", test::box_brush(0, 0, 0, 100, 100, 100)) +
+            test::entity("func_wall", test::key("name", "Plate"), test::box_brush(300, 0, 0, 400, 100, 1)) +
+            test::entity("func_wall", test::key("name", "Left"), test::box_brush(600, 0, 0, 700, 100, 100)) +
+            test::entity("func_wall", test::key("name", "Right"), test::box_brush(700, 50, 0, 800, 150, 100)));
     const nlohmann::json json = nlohmann::json::parse(info(file, true, 0.01).out);
     EXPECT_EQ(json["touch_model"]["rounded_solids"], 1);
     EXPECT_EQ(json["simplified"],
-              nlohmann::json({"Edges of 1 solid are felt rounded by 0.09 metres of the world.", "1 solid keeps sharp edges: too thin to be rounded (Plate).",
+              nlohmann::json({"Edges of 1 solid are felt rounded by 0.09 metres of the world.",
+                              "1 solid keeps sharp edges: too thin to be rounded (Plate).",
                               "2 solids keep sharp edges: a groove would open where they join others (Left, Right)."}));
 }
 
@@ -132,14 +173,16 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
         arguments.scale = scale;
         std::ostringstream out, err;
         const int status = run_info(arguments, out, err);
-        return std::tuple(status, status == 0 ? nlohmann::json::parse(out.str())["simplified"] : nlohmann::json(), err.str());
+        return std::tuple(status, status == 0 ? nlohmann::json::parse(out.str())["simplified"] : nlohmann::json(),
+                          err.str());
     };
     const auto [status, truly, nothing] = at("");
     EXPECT_EQ(status, 0);
     const nlohmann::json building = std::get<1>(at("Building"));
     EXPECT_THAT(building, testing::Contains("Front door: felt 1.7 metres wide, truly 1 metre."));
     EXPECT_THAT(building, testing::Contains("Coat stand: left out."));
-    EXPECT_THAT(building, testing::Contains("Opening between Living room and Kitchen: felt 1.7 metres wide, truly 1.6 metres."));
+    EXPECT_THAT(building,
+                testing::Contains("Opening between Living room and Kitchen: felt 1.7 metres wide, truly 1.6 metres."));
     EXPECT_EQ(building.size(), truly.size() + 18) << "11 doors, an opening and 6 things";
     EXPECT_EQ(std::get<1>(at("60")).back(), "Globe's stand: left out.");
     EXPECT_EQ(std::get<1>(at("detail")), truly);
@@ -147,6 +190,25 @@ TEST(InfoCommand, lists_what_is_too_small_to_feel_at_a_scale_when_asked) {
         EXPECT_EQ(std::get<0>(at(wrong)), 2) << wrong;
         EXPECT_THAT(std::get<2>(at(wrong)), testing::HasSubstr(wrong));
     }
+}
+
+TEST(InfoCommand, tells_of_rooms_that_nobody_comes_to_on_foot) {
+    const test::TemporaryFolder folder;
+    // Beside the room another one without a door, named by the map; first empty, then with a chest that a designer put.
+    const std::string vault = test::entity("func_group", {}, test::room_brushes(300, 0, 0, 460, 192, 96, 16)) +
+                              test::entity("info_room", test::key("name", "Vault") + test::key("origin", "380 96 24"));
+    const std::string chest =
+        test::entity("func_wall", test::key("name", "chest"), test::box_brush(320, 20, 0, 350, 50, 30));
+    for (const std::string& within : {std::string(), chest}) {
+        const auto path = folder.write("vault.map", kMap + vault + within);
+        EXPECT_THAT(info(path, false).out, testing::HasSubstr("Vault cannot be reached on foot."));
+        EXPECT_THAT(nlohmann::json::parse(info(path, true).out)["guessed"].dump(),
+                    testing::HasSubstr("Vault cannot be reached on foot."));
+    }
+    for (const char* ours : {"house.map", "school.map", "first_room.map"})
+        EXPECT_EQ(info(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps" / ours, false).out.find("on foot"),
+                  std::string::npos)
+            << ours;
 }
 
 TEST(InfoCommand, fails_with_one_sentence_and_nothing_on_stdout) {
@@ -167,8 +229,9 @@ TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
         int brushes, polygons, triangles, doors;
     };
     for (const Expected& expected :
-         {Expected{"quake-e1m1.map", 1257, 7523, 15006, 21}, Expected{"quake-start.map", 1274, 7578, 14990, 5}, Expected{"quake-dm3.map", 726, 4296, 8472, 0},
-          Expected{"office.map", 150, 896, 1784, 8}, Expected{"agtut05.map", 199, 1135, 2150, 4}}) {
+         {Expected{"quake-e1m1.map", 1257, 7523, 15006, 21}, Expected{"quake-start.map", 1274, 7578, 14990, 5},
+          Expected{"quake-dm3.map", 726, 4296, 8472, 0}, Expected{"office.map", 150, 896, 1784, 8},
+          Expected{"agtut05.map", 199, 1135, 2150, 4}}) {
         const auto path = test::real_world(expected.file);
         if (!path) GTEST_SKIP() << "the real worlds are not here";
         const nlohmann::json json = nlohmann::json::parse(info(*path, true).out);
@@ -179,7 +242,8 @@ TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
         EXPECT_EQ(json["warnings_in_all"], 0) << expected.file;
         // Between 16 and 43 percent of a map's surface is hidden; of polygons about a third.
         EXPECT_GT(json["polygons_hidden"].get<double>(), 0.2 * expected.polygons) << expected.file;
-        EXPECT_EQ(json["polygons_hidden"].get<int>() + json["polygons_kept"].get<int>(), expected.polygons) << expected.file;
+        EXPECT_EQ(json["polygons_hidden"].get<int>() + json["polygons_kept"].get<int>(), expected.polygons)
+            << expected.file;
     }
 }
 
@@ -187,9 +251,11 @@ TEST(InfoCommand, ends_with_status_1_and_names_the_pair_when_materials_cannot_be
     const test::TemporaryFolder folder;
     const auto lint = [&](const std::string& wood_stiffness) {
         InfoArguments arguments;
-        arguments.world =
-            folder.write("board.map", test::entity("func_wall", test::key("material", "wood") + wood_stiffness, test::box_brush(0, 0, 0, 20, 4, 20)) +
-                                          test::entity("func_wall", test::key("material", "rubber"), test::box_brush(32, 0, 0, 52, 4, 20)));
+        arguments.world = folder.write(
+            "board.map",
+            test::entity("func_wall", test::key("material", "wood") + wood_stiffness,
+                         test::box_brush(0, 0, 0, 20, 4, 20)) +
+                test::entity("func_wall", test::key("material", "rubber"), test::box_brush(32, 0, 0, 52, 4, 20)));
         arguments.lint = true;
         std::ostringstream out, err;
         const int status = run_info(arguments, out, err);

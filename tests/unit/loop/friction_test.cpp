@@ -36,7 +36,9 @@ Rub creep(const TiltedWall& wall, const TouchTuning& tuning, double speed_m_per_
     for (int i = 0; i < static_cast<int>(seconds * 1000); ++i) {
         const LoopTick tick = loop.tick(
             [&](double t) {
-                return HandIntent{rest - wall.out * (press_m * std::min(1.0, t / 0.5)) + wall.along * (speed_m_per_s * std::max(0.0, t - 1.0)), Vec3(0.0)};
+                return HandIntent{rest - wall.out * (press_m * std::min(1.0, t / 0.5)) +
+                                      wall.along * (speed_m_per_s * std::max(0.0, t - 1.0)),
+                                  Vec3(0.0)};
             },
             render);
         // Until the hand's spring is drawn out to the friction, it sticks.
@@ -82,8 +84,10 @@ TEST(Friction, of_a_hand_led_along_trembling_is_steady) {  // T24, open loop
                 return 0.05e-3 / std::sqrt(3.0) * sum;
             };
             const double depth_m = 0.010 * std::min(1.0, i / 500.0);
-            const Vec3 hand = encoded_m({tuning.radius_m - depth_m + tremor(0), 5e-6 * i + tremor(1), tremor(2)}, 0.06e-3);
-            const Vec3 force = wall.motion.back(touch_tick(state, *wall.scene, tuning, wall.to_world(hand), 1e-3).force_n);
+            const Vec3 hand =
+                encoded_m({tuning.radius_m - depth_m + tremor(0), 5e-6 * i + tremor(1), tremor(2)}, 0.06e-3);
+            const Vec3 force =
+                wall.motion.back(touch_tick(state, *wall.scene, tuning, wall.to_world(hand), 1e-3).force_n);
             if (i > 2000) along_n.push_back(force.y);
         }
         EXPECT_LE(rms_above(along_n, 30.0, 1e-3), 0.02) << "seed " << seed;
@@ -107,9 +111,11 @@ TEST(Friction, holds_against_a_steady_pull_and_tremor_for_a_minute) {  // T24, d
         for (int i = 0; i < ticks; ++i) {
             const LoopTick tick = loop.tick(
                 [&](double t) {
-                    const double pull = 2.0 * std::clamp(t - 0.5, 0.0, 1.0) + (t > 0.5 ? 0.2 * std::sin(2.0 * kPi * 10.0 * t) : 0.0);
-                    return HandIntent{Vec3(0.0),
-                                      wall.out * (-10.0 * std::min(1.0, t / 0.3) * (1.0 + 0.02 * std::sin(2.0 * kPi * 11.0 * t))) + wall.along * pull};
+                    const double pull =
+                        2.0 * std::clamp(t - 0.5, 0.0, 1.0) + (t > 0.5 ? 0.2 * std::sin(2.0 * kPi * 10.0 * t) : 0.0);
+                    return HandIntent{Vec3(0.0), wall.out * (-10.0 * std::min(1.0, t / 0.3) *
+                                                             (1.0 + 0.02 * std::sin(2.0 * kPi * 11.0 * t))) +
+                                                     wall.along * pull};
                 },
                 render);
             // Over whole periods of the tremor.
@@ -132,19 +138,24 @@ TEST(LightTouch, answers_the_smallest_movement_and_adds_nothing_to_noise) {
         TouchState state;
         const double depth_m = 0.5e-3;  // half a newton
         const auto force_at = [&](double deep_m, double way_m) {
-            return wall.motion.back(touch_tick(state, *wall.scene, tuning, wall.to_world({tuning.radius_m - deep_m, way_m, 0.0}), 1e-3).force_n);
+            return wall.motion.back(
+                touch_tick(state, *wall.scene, tuning, wall.to_world({tuning.radius_m - deep_m, way_m, 0.0}), 1e-3)
+                    .force_n);
         };
         for (int i = 0; i <= 100; ++i) force_at(depth_m * i / 100, 0.0);
         // No dead band: one micrometre along the wall is one millinewton, both ways, and through zero.
         for (int i = 0; i < 200; ++i) force_at(depth_m, 0.0);  // let the speed filter come to rest
-        for (const double way_m : {1e-6, 5e-6, 20e-6, 5e-6, -1e-6, -20e-6, 0.0}) EXPECT_NEAR(force_at(depth_m, way_m).y, -kStiffness * way_m, 1e-9) << mu;
-        // Sliding, it pulls with the whole cone; stopped, it sticks again where it is, and gives way like a spring at once.
+        for (const double way_m : {1e-6, 5e-6, 20e-6, 5e-6, -1e-6, -20e-6, 0.0})
+            EXPECT_NEAR(force_at(depth_m, way_m).y, -kStiffness * way_m, 1e-9) << mu;
+        // Sliding, it pulls with the whole cone; stopped, it sticks again where it is, and gives way like a spring at
+        // once.
         double way_m = 0.0;
         for (; way_m < 5e-3; way_m += 10e-6) force_at(depth_m, way_m);
         for (int i = 0; i < 50; ++i) force_at(depth_m, way_m);
         const double sliding = force_at(depth_m, way_m).y;
         EXPECT_NEAR(sliding, -mu * kStiffness * depth_m, 1e-9);
-        for (int i = 1; i <= 20; ++i) EXPECT_NEAR(force_at(depth_m, way_m - i * 1e-6).y, sliding + kStiffness * i * 1e-6, 1e-9) << "re-stick";
+        for (int i = 1; i <= 20; ++i)
+            EXPECT_NEAR(force_at(depth_m, way_m - i * 1e-6).y, sliding + kStiffness * i * 1e-6, 1e-9) << "re-stick";
     }
 }
 
@@ -170,7 +181,9 @@ TEST(LightTouch, does_not_chatter_with_tremor_and_white_noise) {
                 last_true = i == 0 ? rest : last_true;
                 const LoopTick tick = loop.tick(
                     [&](double t) {
-                        return HandIntent{rest - wall.out * (press_m * std::min(1.0, t)) + wall.along * (speed * std::max(0.0, t - 1.0)), Vec3(0.0)};
+                        return HandIntent{rest - wall.out * (press_m * std::min(1.0, t)) +
+                                              wall.along * (speed * std::max(0.0, t - 1.0)),
+                                          Vec3(0.0)};
                     },
                     render);
                 if (i > 1500) {
@@ -183,7 +196,8 @@ TEST(LightTouch, does_not_chatter_with_tremor_and_white_noise) {
             }
             SCOPED_TRACE(fmt::format("seed {}, {} m/s", seed, speed));
             // The sensor's own noise times the stiffness is all there may be, and the damping's share of it.
-            const double noise_out = rms_above(noise_out_n, 30.0, 1e-3), noise_along = rms_above(noise_along_n, 30.0, 1e-3);
+            const double noise_out = rms_above(noise_out_n, 30.0, 1e-3),
+                         noise_along = rms_above(noise_along_n, 30.0, 1e-3);
             EXPECT_LE(rms_above(along_n, 30.0, 1e-3), 1.1 * std::max(noise_out, noise_along));
             EXPECT_LE(rms_above(out_n, 30.0, 1e-3), 2.5 * noise_out);
             EXPECT_GT(*std::min_element(out_n.begin(), out_n.end()), 0.0) << "contact was lost";

@@ -42,7 +42,9 @@ inline TouchTuning loop_tuning(double stiffness_n_per_m, double damping_ns_per_m
 // The renderer of the program as the loop asks for it; keeps its own state.
 inline ClosedLoop::Render touch_renderer(std::shared_ptr<const HapticScene> scene, const TouchTuning& tuning) {
     auto state = std::make_shared<TouchState>();
-    return [=](const Vec3& measured_m, double, double since_s) { return touch_tick(*state, *scene, tuning, measured_m, since_s).force_n; };
+    return [=](const Vec3& measured_m, double, double since_s) {
+        return touch_tick(*state, *scene, tuning, measured_m, since_s).force_n;
+    };
 }
 
 // Half the highest stiffness that a light grip holds, with damping of the device and of the renderer.

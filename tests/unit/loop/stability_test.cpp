@@ -13,7 +13,8 @@ TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_stiffness_o
                 // The rule with and without damping by the renderer; then the guard has to keep what is left.
                 for (const double damping : {5.0, 0.0}) {
                     ++seed;
-                    SCOPED_TRACE(fmt::format("mass {} kg, grip {} Ns/m, delay {} s, damping {} Ns/m, seed {}", mass_kg, grip, delay_s, damping, seed));
+                    SCOPED_TRACE(fmt::format("mass {} kg, grip {} Ns/m, delay {} s, damping {} Ns/m, seed {}", mass_kg,
+                                             grip, delay_s, damping, seed));
                     const TiltedWall wall(seed);
                     LoopSettings settings;
                     settings.hand.mass_kg = mass_kg + 0.1;
@@ -62,7 +63,8 @@ TEST(Stability, holds_with_twice_the_stiffness_of_the_rule_and_is_lost_with_ten_
             },
             6.0, 4.0);
         const double rule = safe_stiffness_n_per_m(delay_s, 5.0);
-        RecordProperty(fmt::format("limit_at_delay_{}_us", delay_s * 1e6), fmt::format("{:.0f} N/m, rule {:.0f}", limit, rule));
+        RecordProperty(fmt::format("limit_at_delay_{}_us", delay_s * 1e6),
+                       fmt::format("{:.0f} N/m, rule {:.0f}", limit, rule));
         EXPECT_GT(limit, 1.5 * rule) << "delay " << delay_s;
         EXPECT_LT(limit, 10.0 * rule) << "delay " << delay_s << ": the loop cannot tell an unstable wall";
     }
@@ -88,13 +90,16 @@ TEST(PassivityGuard, lets_an_undamped_wall_be_stiffer_and_never_steps) {
             6.0, 6.0);
     EXPECT_GE(limit[1], 1.25 * limit[0]) << limit[0] << " without, " << limit[1] << " with";
 
-    // A clean sweep in and out, at encoder steps and without: what the guard adds changes no faster than the spring's own force.
+    // A clean sweep in and out, at encoder steps and without: what the guard adds changes no faster than the spring's
+    // own force.
     for (const double quantum_m : {0.0, 0.06e-3}) {
         TouchState plain, guarded;
         TouchTuning tuning = loop_tuning(1500.0, 0.0);
         std::vector<double> added;
         for (int i = 0; i < 4000; ++i) {
-            const Vec3 hand = encoded_m(Vec3(tuning.radius_m + 0.003 - 0.006 * (0.5 - 0.5 * std::cos(2.0 * kPi * 2e-3 * i)), 0.0, 0.0), quantum_m);
+            const Vec3 hand = encoded_m(
+                Vec3(tuning.radius_m + 0.003 - 0.006 * (0.5 - 0.5 * std::cos(2.0 * kPi * 2e-3 * i)), 0.0, 0.0),
+                quantum_m);
             tuning.passivity_guard = false;
             const double without = touch_tick(plain, *wall.scene, tuning, hand, 1e-3).force_n.x;
             tuning.passivity_guard = true;
@@ -115,7 +120,13 @@ TEST(PassivityGuard, leaves_damped_surfaces_alone_to_the_last_bit) {
         tuning.passivity_guard = guard;
         ClosedLoop loop(settings, wall.out * 0.01);
         const ClosedLoop::Render render = touch_renderer(wall.scene, tuning);
-        for (int i = 0; i < 1000; ++i) forces[guard].push_back(loop.tick([&](double) { return HandIntent{wall.out * -0.02, Vec3(0.0)}; }, render).commanded_n);
+        for (int i = 0; i < 1000; ++i)
+            forces[guard].push_back(loop.tick(
+                                            [&](double) {
+                                                return HandIntent{wall.out * -0.02, Vec3(0.0)};
+                                            },
+                                            render)
+                                        .commanded_n);
     }
     EXPECT_EQ(forces[0], forces[1]);
 }

@@ -1,4 +1,5 @@
-// The loop stops for a while, again and again, under a hand that presses in and out: the whole servo tick with its limiter.
+// The loop stops for a while, again and again, under a hand that presses in and out: the whole servo tick with its
+// limiter.
 #include "haptic/servo/servo_tick.h"
 #include "tests/unit/loop/loop_rig.h"
 
@@ -12,8 +13,8 @@ struct Sweep {
     double fastest_m_per_s = 0.0;
 };
 
-// Six seconds of a 2 Hz sweep by 20 mm, half of it in the wall; counted from the second second on. silent: the device gives no answer and the servo goes
-// on; otherwise the servo itself stops and the motor holds.
+// Six seconds of a 2 Hz sweep by 20 mm, half of it in the wall; counted from the second second on. silent: the device
+// gives no answer and the servo goes on; otherwise the servo itself stops and the motor holds.
 Sweep sweep(const TiltedWall& wall, double stall_s, bool silent, std::uint32_t seed) {
     DeviceSpec spec = *find_device_spec("sim-f");
     spec.peak_force_n = 1e9;  // a motor at its limit would hide the peaks
@@ -70,9 +71,11 @@ TEST(Stalls, neither_throw_the_hand_nor_feed_it) {  // T25
         for (const bool silent : {false, true})
             for (const double stall_s : {0.010, 0.020, 0.050}) {
                 const Sweep seen = sweep(wall, stall_s, silent, seed);
-                SCOPED_TRACE(fmt::format("{} of {} s, seed {}: peak {:.2f} N of {:.2f}, work {:.4f} J, step {:.2f} N, {:.2f} m/s of {:.2f}",
-                                         silent ? "silence of the device" : "stall of the loop", stall_s, seed, seen.peak_n, undisturbed.peak_n, seen.work_j,
-                                         seen.largest_step_n, seen.fastest_m_per_s, undisturbed.fastest_m_per_s));
+                SCOPED_TRACE(fmt::format(
+                    "{} of {} s, seed {}: peak {:.2f} N of {:.2f}, work {:.4f} J, step {:.2f} N, {:.2f} m/s of {:.2f}",
+                    silent ? "silence of the device" : "stall of the loop", stall_s, seed, seen.peak_n,
+                    undisturbed.peak_n, seen.work_j, seen.largest_step_n, seen.fastest_m_per_s,
+                    undisturbed.fastest_m_per_s));
                 EXPECT_LE(seen.peak_n, 1.5 * undisturbed.peak_n);
                 EXPECT_LE(seen.work_j, 0.0);
                 EXPECT_LE(seen.fastest_m_per_s, 1.5 * undisturbed.fastest_m_per_s);

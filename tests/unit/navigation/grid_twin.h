@@ -1,5 +1,6 @@
-// The brute-force twin of routes: a body walked from square to square through the world that walking itself uses (BodyWorld), by lifting it, moving it and
-// setting it down; then Dijkstra over the squares, straightened over all pairs of its squares. Shares no code with worlds/navigation and knows no Recast.
+// The brute-force twin of routes: a body walked from square to square through the world that walking itself uses
+// (BodyWorld), by lifting it, moving it and setting it down; then Dijkstra over the squares and the rides on lifts,
+// straightened over all pairs of its squares. Shares no code with worlds/navigation and knows no Recast.
 #pragma once
 
 #include <map>
@@ -8,9 +9,10 @@
 #include <tuple>
 #include <vector>
 
-#include "app/core/body_world.h"
-#include "app/core/walker.h"
+#include "app/core/world/body_world.h"
+#include "app/core/world/walker.h"
 #include "tests/support/scale.h"
+#include "worlds/navigation/route.h"
 
 namespace handrail::test {
 
@@ -21,7 +23,7 @@ public:
 
     // Everything that is reached on foot from there belongs to the grid; true when one can stand there.
     bool flood_from(const Vec3& feet_m);
-    // The metres from one place to all of `to`; none where it is not reached.
+    // The metres from one place to all of `to`, a ride on a lift counted as its height; none where it is not reached.
     std::vector<std::optional<double>> lengths(const Vec3& from_m, const std::vector<Vec3>& to_m) const;
     std::size_t size() const { return places_.size(); }
     // The nearest square's middle within reach.
@@ -36,13 +38,25 @@ private:
     std::unique_ptr<BodyWorld> world_;
     BodySize body_;
     double side_m_;
+    struct Ride {
+        Vec3 low_m{0.0}, high_m{0.0};
+    };
+    std::vector<Ride> rides_;  // the middle of each lift's top at both ends of its way
     std::vector<Vec3> places_;
     std::vector<std::array<int, 8>> next_;  // towards east, north-east, north, ...
     std::map<std::tuple<long, long, long>, int> known_;
 };
 
-// Which places are taken as beginnings of compared routes: every one, and every tenth in instrumented builds; always to all places.
+// Which places are taken as beginnings of compared routes: every one, and every tenth in instrumented builds; to each
+// place further on, and back.
 inline constexpr std::size_t kSourceStride = static_cast<std::size_t>(1.0 / kSanitizerScale + 0.5);
+
+inline std::vector<Vec3> from_on(const std::vector<Vec3>& places, std::size_t first) {
+    return {places.begin() + static_cast<std::ptrdiff_t>(first), places.end()};
+}
+
+// What a route counts where a ride on a lift counts as its height.
+double length_with_rides_m(const Route& route);
 
 // The scene without the leaves of its doors.
 std::shared_ptr<const Scene> without_doors(const Scene& scene);

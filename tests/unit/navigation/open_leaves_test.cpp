@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "app/core/walker.h"
+#include "app/core/world/walker.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
 #include "worlds/navigation/navigation.h"
@@ -16,7 +16,9 @@ using test::SceneBuilder;
 // A corridor 12 m long and so wide, from its corner on.
 std::shared_ptr<Navigation> corridor(double wide_m, const Vec3& at_m = Vec3(0.0)) {
     SceneBuilder b;
-    const auto box = [&](const Vec3& low, const Vec3& high, FeatureKind kind) { b.box(at_m + low, at_m + high, "wall", SolidRole::Solid, "brick", kind); };
+    const auto box = [&](const Vec3& low, const Vec3& high, FeatureKind kind) {
+        b.box(at_m + low, at_m + high, "wall", SolidRole::Solid, "brick", kind);
+    };
     box({0, 0, -0.2}, {12, wide_m, 0}, FeatureKind::Floor);
     box({0, -0.2, 0}, {12, 0, 2.6}, FeatureKind::Wall);
     box({0, wide_m, 0}, {12, wide_m + 0.2, 2.6}, FeatureKind::Wall);
@@ -42,9 +44,13 @@ TEST(OpenLeaves, take_the_places_at_which_a_body_overlaps_them) {
         const auto navigation = corridor(4.0, at);
         const WalkSpace& space = navigation->space();
         for (int round = 0; round < 8; ++round) {
-            const double up_m = round == 0 ? 1.9 : round == 1 ? -2.1 : round == 2 ? 0.3 : 0.0;  // over the head, under the floor, over the soles, on it
-            std::vector<OpenLeaf> leaves{leaf(at + Vec3(12.0 * part(), 4.0 * part(), up_m), 2.0 * kPi * part()),
-                                         leaf(at + Vec3(12.0 * part(), 4.0 * part(), up_m), 0.5 * kPi * static_cast<double>(random() % 4))};
+            const double up_m = round == 0   ? 1.9
+                                : round == 1 ? -2.1
+                                : round == 2 ? 0.3
+                                             : 0.0;  // over the head, under the floor, over the soles, on it
+            std::vector<OpenLeaf> leaves{
+                leaf(at + Vec3(12.0 * part(), 4.0 * part(), up_m), 2.0 * kPi * part()),
+                leaf(at + Vec3(12.0 * part(), 4.0 * part(), up_m), 0.5 * kPi * static_cast<double>(random() % 4))};
             const std::vector<std::uint8_t> marks = mark_leaves(space, leaves);
             std::swap(leaves[0], leaves[1]);
             EXPECT_EQ(mark_leaves(space, leaves), marks);
@@ -108,7 +114,8 @@ TEST(OpenLeaves, are_gone_round_where_there_is_room_and_through_where_there_is_n
             EXPECT_TRUE(over.reaches);
             EXPECT_FALSE(wide->meets_leaf(over.points_m));
             EXPECT_LT(glm::length(over.points_m.back() - (at + Vec3(6, 0.6, 0))), 0.6);
-            EXPECT_EQ(*wide->nearest_place(at + Vec3(6, 0.6, 0)), over.points_m.back()) << "which is where one can stand";
+            EXPECT_EQ(*wide->nearest_place(at + Vec3(6, 0.6, 0)), over.points_m.back())
+                << "which is where one can stand";
             // Shut again, all is as it was.
             wide->know_leaves({});
             EXPECT_FALSE(wide->meets_leaf(plain.points_m));

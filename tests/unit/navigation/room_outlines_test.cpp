@@ -52,8 +52,8 @@ int loops_around(const RoomOutline& outline, const Vec3& p) {
     return around;
 }
 
-// The twin: each place to stand lies within a loop of its room; loops have corners only, run with the room on the left and hold no more than its places and
-// what stands among them.
+// The twin: each place to stand lies within a loop of its room; loops have corners only, run with the room on the left
+// and hold no more than its places and what stands among them.
 void is_sound(const Floor& floor) {
     ASSERT_EQ(floor.outlines.size(), floor.graph.rooms.size());
     std::vector<int> inside(floor.outlines.size(), 0), all(floor.outlines.size(), 0);
@@ -72,7 +72,8 @@ void is_sound(const Floor& floor) {
             EXPECT_GE(loop.size(), 4U);
             EXPECT_GT(area_m2(loop), 0.0);
             for (std::size_t i = 0; i < loop.size(); ++i) {
-                const Vec2 one = loop[(i + 1) % loop.size()] - loop[i], next = loop[(i + 2) % loop.size()] - loop[(i + 1) % loop.size()];
+                const Vec2 one = loop[(i + 1) % loop.size()] - loop[i],
+                           next = loop[(i + 2) % loop.size()] - loop[(i + 1) % loop.size()];
                 const bool back = one.x * next.x + one.y * next.y < 0.0;  // round the end of a step
                 EXPECT_TRUE(back || std::abs(one.x * next.y - one.y * next.x) > 1e-6) << "a corner that is none";
             }
@@ -128,7 +129,9 @@ TEST(RoomOutlines, are_sound_in_the_house_with_its_storeys) {
     ASSERT_TRUE(scene);
     const Floor floor(*scene);
     is_sound(floor);
-    EXPECT_GE(std::count_if(floor.outlines.begin(), floor.outlines.end(), [](const RoomOutline& one) { return !one.loops_m.empty(); }), 10);
+    EXPECT_GE(std::count_if(floor.outlines.begin(), floor.outlines.end(),
+                            [](const RoomOutline& one) { return !one.loops_m.empty(); }),
+              10);
 }
 
 }  // namespace

@@ -32,16 +32,22 @@ World world_of(const std::filesystem::path& path) {
     return world;
 }
 
-std::filesystem::path bundled(const std::string& name) { return std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name; }
+std::filesystem::path bundled(const std::string& name) {
+    return std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name;
+}
 
 std::string described(const RoomGraph& graph) {
     std::string text;
     for (std::size_t r = 0; r < graph.rooms.size(); ++r)
-        text += fmt::format("{}: {} ({}), level {}, {:.1f} m2, z {:.1f}, middle {:.1f} {:.1f}\n", r, graph.rooms[r].name, static_cast<int>(graph.rooms[r].kind),
-                            graph.rooms[r].level, graph.rooms[r].area_m2, graph.rooms[r].floor_m, graph.rooms[r].middle_m.x, graph.rooms[r].middle_m.y);
+        text +=
+            fmt::format("{}: {} ({}), level {}, {:.1f} m2, z {:.1f}, middle {:.1f} {:.1f}\n", r, graph.rooms[r].name,
+                        static_cast<int>(graph.rooms[r].kind), graph.rooms[r].level, graph.rooms[r].area_m2,
+                        graph.rooms[r].floor_m, graph.rooms[r].middle_m.x, graph.rooms[r].middle_m.y);
     for (const Portal& portal : graph.portals)
-        text += fmt::format("  {} - {}: kind {}, {:.2f} m wide at {:.1f} {:.1f} {:.1f}\n", graph.rooms[portal.rooms[0]].name, graph.rooms[portal.rooms[1]].name,
-                            static_cast<int>(portal.kind), portal.width_m, portal.place_m.x, portal.place_m.y, portal.place_m.z);
+        text += fmt::format("  {} - {}: kind {}, {:.2f} m wide at {:.1f} {:.1f} {:.1f}\n",
+                            graph.rooms[portal.rooms[0]].name, graph.rooms[portal.rooms[1]].name,
+                            static_cast<int>(portal.kind), portal.width_m, portal.place_m.x, portal.place_m.y,
+                            portal.place_m.z);
     return text;
 }
 
@@ -83,9 +89,11 @@ TEST(Rooms, of_our_house_are_all_found_and_named_and_every_door_joins_two) {
     const auto joins = [&](const std::string& door, const std::string& a, const std::string& b) {
         const std::set<std::uint32_t> wanted{room(a), room(b)};
         const bool found = std::any_of(world.graph.portals.begin(), world.graph.portals.end(), [&](const Portal& p) {
-            return p.kind == PassageKind::Door && world.scene.find(p.feature)->name == door && std::set<std::uint32_t>{p.rooms[0], p.rooms[1]} == wanted;
+            return p.kind == PassageKind::Door && world.scene.find(p.feature)->name == door &&
+                   std::set<std::uint32_t>{p.rooms[0], p.rooms[1]} == wanted;
         });
-        EXPECT_TRUE(found) << door << " between " << a << " and " << b << " is missing among\n" << described(world.graph);
+        EXPECT_TRUE(found) << door << " between " << a << " and " << b << " is missing among\n"
+                           << described(world.graph);
     };
     joins("Front door", "Hall", "Garden");
     joins("Garden door", "Hall", "Garden");
@@ -105,12 +113,14 @@ TEST(Rooms, of_our_house_are_all_found_and_named_and_every_door_joins_two) {
     });
     ASSERT_NE(opening, world.graph.portals.end()) << described(world.graph);
     EXPECT_NEAR(opening->width_m, 1.6, 0.25);
-    EXPECT_TRUE(std::any_of(world.graph.rooms.begin(), world.graph.rooms.end(), [](const Room& r) { return r.kind == RoomKind::Stairs; }));
+    EXPECT_TRUE(std::any_of(world.graph.rooms.begin(), world.graph.rooms.end(),
+                            [](const Room& r) { return r.kind == RoomKind::Stairs; }));
 }
 
 // The same answer as a grid search for every pair of rooms, and lengths within 5 % and a square.
 TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_world) {
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
         SCOPED_TRACE(entry.path().filename().string());
         const World world = world_of(entry.path());
@@ -123,16 +133,19 @@ TEST(Rooms, are_joined_by_routes_as_a_grid_search_finds_them_in_every_bundled_wo
         for (const Vec3& middle : middles) EXPECT_TRUE(twin.flood_from(middle));
         for (std::size_t source = 0; source < middles.size(); source += test::kSourceStride) {
             const Vec3 from = middles[source];
-            const auto lengths = twin.lengths(from, middles);
-            for (std::size_t i = 0; i < middles.size(); ++i) {
-                const Route route = world.navigation->plan(from, middles[i], RouteWish::Shortest);
-                if (route.drops) continue;  // the twin never steps off an edge
-                EXPECT_EQ(route.reaches, lengths[i].has_value()) << described(world.graph);
-                if (route.reaches && lengths[i]) {
-                    EXPECT_NEAR(route.length_m, *lengths[i], 0.05 * *lengths[i] + kSide_m)
-                        << from.x << " " << from.y << " to " << middles[i].x << " " << middles[i].y;
+            const std::vector<Vec3> others = test::from_on(middles, source);
+            const auto lengths = twin.lengths(from, others);
+            for (std::size_t i = 0; i < others.size(); ++i)
+                for (const auto& [begin, end] : {std::pair(from, others[i]),
+                                                 std::pair(others[i], from)}) {  // to the twin it is the same both ways
+                    const Route route = world.navigation->plan(begin, end, RouteWish::Shortest);
+                    if (route.drops) continue;  // the twin never steps off an edge
+                    EXPECT_EQ(route.reaches, lengths[i].has_value()) << described(world.graph);
+                    if (route.reaches && lengths[i]) {
+                        EXPECT_NEAR(test::length_with_rides_m(route), *lengths[i], 0.05 * *lengths[i] + kSide_m)
+                            << begin.x << " " << begin.y << " to " << end.x << " " << end.y;
+                    }
                 }
-            }
         }
     }
 }
@@ -142,28 +155,33 @@ TEST(Rooms, of_real_maps_are_many_and_joined_through_their_doors) {
         const char* file;
         std::size_t least_rooms, most_rooms, least_doors;
     };
-    for (const Expected& expected : {Expected{"agtut01.map", 2, 8, 1}, Expected{"agdm01.map", 9, 12, 4}, Expected{"office.map", 4, 60, 2}}) {
+    for (const Expected& expected :
+         {Expected{"agtut01.map", 2, 8, 1}, Expected{"agdm01.map", 9, 12, 4}, Expected{"office.map", 4, 60, 2}}) {
         const auto path = test::real_world(expected.file);
         if (!path) GTEST_SKIP() << expected.file << " is not here";
         SCOPED_TRACE(expected.file);
         const World world = world_of(*path);
         is_sound(world);
         const auto rooms =
-            static_cast<std::size_t>(std::count_if(world.graph.rooms.begin(), world.graph.rooms.end(), [](const Room& r) { return r.kind == RoomKind::Room; }));
-        const auto doors = static_cast<std::size_t>(
-            std::count_if(world.graph.portals.begin(), world.graph.portals.end(), [](const Portal& p) { return p.kind == PassageKind::Door; }));
+            static_cast<std::size_t>(std::count_if(world.graph.rooms.begin(), world.graph.rooms.end(),
+                                                   [](const Room& r) { return r.kind == RoomKind::Room; }));
+        const auto doors =
+            static_cast<std::size_t>(std::count_if(world.graph.portals.begin(), world.graph.portals.end(),
+                                                   [](const Portal& p) { return p.kind == PassageKind::Door; }));
         EXPECT_GE(rooms, expected.least_rooms) << described(world.graph);
         EXPECT_LE(rooms, expected.most_rooms) << described(world.graph);
         EXPECT_GE(doors, expected.least_doors) << described(world.graph);
     }
 }
 
-// Two rooms of 6 by 5 m and a wall between them with a gap; a low table beside a wall leaves a passage as narrow as a door.
+// Two rooms of 6 by 5 m and a wall between them with a gap; a low table beside a wall leaves a passage as narrow as a
+// door.
 std::string two_rooms(double gap_units, const std::string& more = {}) {
     using test::box_brush;
     const double low = 80.0 - 0.5 * gap_units, high = 80.0 + 0.5 * gap_units;
     return test::entity("worldspawn", test::key("building", "1"),
-                        test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, low, 96) + box_brush(196, high, 0, 204, 160, 96)) +
+                        test::room_brushes(0, 0, 0, 400, 160, 96) + box_brush(196, 0, 0, 204, low, 96) +
+                            box_brush(196, high, 0, 204, 160, 96)) +
            more + test::entity("info_player_start", test::key("origin", "40 80 24"));
 }
 RoomGraph rooms_of(const std::string& map, Scene* keep = nullptr, WalkSpace* space = nullptr) {
@@ -186,53 +204,64 @@ TEST(Rooms, part_where_walls_come_together_and_not_where_furniture_does) {
     EXPECT_NEAR(two.portals[0].place_m.x, 6.25, 0.3);
     EXPECT_EQ(rooms_of(two_rooms(160.0)).rooms.size(), 1U);  // no wall at all
     // A cupboard across most of one open room.
-    const RoomGraph one = rooms_of(two_rooms(160.0, test::entity("thing", test::key("name", "Cupboard"), test::box_brush(196, 0, 0, 204, 128, 40))));
+    const RoomGraph one = rooms_of(two_rooms(
+        160.0, test::entity("thing", test::key("name", "Cupboard"), test::box_brush(196, 0, 0, 204, 128, 40))));
     EXPECT_EQ(one.rooms.size(), 1U) << described(one);
 }
 
-// Corridors 4 m wide with no door between them: a ring round a block of 20 by 20 m, and an arm of 20 m that leaves it to the west.
+// Corridors 4 m wide with no door between them: a ring round a block of 20 by 20 m, and an arm of 20 m that leaves it
+// to the west.
 TEST(Rooms, are_the_straight_stretches_of_corridors_that_turn_and_branch) {
     using test::box_brush;
     const std::string block = box_brush(128, 128, 0, 768, 768, 96);
     const std::string arm_sides = box_brush(-640, 0, 0, 0, 384, 96) + box_brush(-640, 512, 0, 0, 896, 96);
-    const RoomGraph ring = rooms_of(test::entity("worldspawn", test::key("building", "1"), test::room_brushes(-640, 0, 0, 896, 896, 96) + block + arm_sides) +
+    const RoomGraph ring = rooms_of(test::entity("worldspawn", test::key("building", "1"),
+                                                 test::room_brushes(-640, 0, 0, 896, 896, 96) + block + arm_sides) +
                                     test::entity("info_player_start", test::key("origin", "64 64 24")));
     ASSERT_EQ(ring.rooms.size(), 5U) << described(ring);  // four sides and the arm
     for (const Room& room : ring.rooms) EXPECT_EQ(room.name.substr(0, 8), "corridor") << room.name;
     EXPECT_EQ(ring.portals.size(), 5U) << described(ring);  // four corners and the branch
     for (const Portal& portal : ring.portals) EXPECT_NEAR(portal.width_m, 4.0, 0.7) << described(ring);
     // A hall as large is one room.
-    const RoomGraph hall = rooms_of(test::entity("worldspawn", test::key("building", "1"), test::room_brushes(0, 0, 0, 896, 896, 96)) +
-                                    test::entity("info_player_start", test::key("origin", "64 64 24")));
+    const RoomGraph hall =
+        rooms_of(test::entity("worldspawn", test::key("building", "1"), test::room_brushes(0, 0, 0, 896, 896, 96)) +
+                 test::entity("info_player_start", test::key("origin", "64 64 24")));
     EXPECT_EQ(hall.rooms.size(), 1U) << described(hall);
 }
 
 TEST(Rooms, are_named_by_the_map_the_person_what_is_in_them_or_size_and_place) {
-    const std::string names = test::entity("info_room", test::key("name", "Workshop") + test::key("origin", "60 80 16"));
-    const std::string stove = test::entity("thing", test::key("name", "Stove") + test::key("landmark", "1"), test::box_brush(360, 60, 0, 400, 100, 40));
+    const std::string names =
+        test::entity("info_room", test::key("name", "Workshop") + test::key("origin", "60 80 16"));
+    const std::string stove = test::entity("thing", test::key("name", "Stove") + test::key("landmark", "1"),
+                                           test::box_brush(360, 60, 0, 400, 100, 40));
     Scene scene;
     WalkSpace space;
     RoomGraph graph = rooms_of(two_rooms(32.0, names + stove), &scene, &space);
     ASSERT_EQ(graph.rooms.size(), 2U) << described(graph);
     EXPECT_EQ(graph.rooms[room_at(graph, space, {1.0, 2.5, 0.0})].name, "Workshop");
     EXPECT_EQ(graph.rooms[room_at(graph, space, {9.0, 2.5, 0.0})].name, "room with Stove");
-    EXPECT_EQ(give_names(graph, space, {{{9.0, 2.5, 0.0}, "My kitchen"}, {{500.0, 2.5, 0.0}, "Gone"}, {{9.5, 2.5, 0.0}, "Second"}}),
+    EXPECT_EQ(give_names(graph, space,
+                         {{{9.0, 2.5, 0.0}, "My kitchen"}, {{500.0, 2.5, 0.0}, "Gone"}, {{9.5, 2.5, 0.0}, "Second"}}),
               (std::vector<std::string>{"Gone", "Second"}));
     EXPECT_EQ(graph.rooms[room_at(graph, space, {9.0, 2.5, 0.0})].name, "My kitchen");
     const RoomGraph plain = rooms_of(two_rooms(32.0));
     std::set<std::string> told;
     for (const Room& room : plain.rooms) {
-        EXPECT_TRUE(room.name.starts_with("room, 6 by 5 metres, ") || room.name.starts_with("room, 7 by 5 metres, ")) << room.name;
+        EXPECT_TRUE(room.name.starts_with("room, 6 by 5 metres, ") || room.name.starts_with("room, 7 by 5 metres, "))
+            << room.name;
         told.insert(room.name.substr(room.name.rfind(' ') + 1));
     }
     EXPECT_EQ(told, (std::set<std::string>{"east", "west"}));
     // Two names in one open space: cut apart.
-    const std::string both = names + test::entity("info_room", test::key("name", "Store") + test::key("origin", "340 80 16"));
+    const std::string both =
+        names + test::entity("info_room", test::key("name", "Store") + test::key("origin", "340 80 16"));
     EXPECT_EQ(rooms_of(two_rooms(100.0, both)).rooms.size(), 2U);
 }
 
 TEST(Rooms, names_follow_the_language_and_given_ones_stay) {
-    const std::string stove = test::entity("thing", test::key("name", "Stove") + test::key("name_de", "Ofen") + test::key("landmark", "1"), test::box_brush(360, 60, 0, 400, 100, 40));
+    const std::string stove =
+        test::entity("thing", test::key("name", "Stove") + test::key("name_de", "Ofen") + test::key("landmark", "1"),
+                     test::box_brush(360, 60, 0, 400, 100, 40));
     Scene scene;
     WalkSpace space;
     RoomGraph graph = rooms_of(two_rooms(32.0, stove), &scene, &space);
@@ -254,7 +283,8 @@ TEST(Rooms, names_follow_the_language_and_given_ones_stay) {
 
 TEST(Rooms, names_of_the_map_follow_the_language_too) {
     const std::string shop =
-        test::entity("info_room", test::key("name", "Workshop") + test::key("name_de", "Werkstatt") + test::key("origin", "60 80 16"));
+        test::entity("info_room", test::key("name", "Workshop") + test::key("name_de", "Werkstatt") +
+                                      test::key("origin", "60 80 16"));
     RoomGraph graph = rooms_of(two_rooms(32.0, shop));
     const auto names = [&] {
         std::set<std::string> all;
@@ -276,7 +306,8 @@ TEST(Rooms, tell_their_exits_clockwise) {
     RoomGraph graph;
     graph.rooms.resize(5);
     const Vec3 places[] = {{0, 5, 0}, {-5, 0, 0}, {5, 0, 0}, {0, -5, 0}};
-    for (std::uint32_t p = 0; p < 4; ++p) graph.portals.push_back({PassageKind::Opening, {0, p + 1}, places[p], 1.0, kNoFeature, false});
+    for (std::uint32_t p = 0; p < 4; ++p)
+        graph.portals.push_back({PassageKind::Opening, {0, p + 1}, places[p], 1.0, kNoFeature, false});
     graph.portals.push_back({PassageKind::Drop, {1, 0}, {1, 1, 0}, 1.0, kNoFeature, true});  // leads in, not out
     EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, 0.0), (std::vector<std::uint32_t>{0, 2, 3, 1}));
     EXPECT_EQ(exits_of(graph, 0, {0, 0, 0}, kPi), (std::vector<std::uint32_t>{3, 1, 0, 2}));

@@ -19,7 +19,8 @@ WayPlace by_looking_everywhere(const std::vector<Vec3>& points_m, const Vec3& fr
         const Vec3 way = points_m[leg + 1] - points_m[leg];
         for (int i = 0; i <= 1000; ++i) {
             const Vec3 place = points_m[leg] + way * (i / 1000.0);
-            if (const double far = glm::length(place - from_m); far < nearest.distance_m) nearest = {place, far, before_m + glm::length(way) * i / 1000.0, leg};
+            if (const double far = glm::length(place - from_m); far < nearest.distance_m)
+                nearest = {place, far, before_m + glm::length(way) * i / 1000.0, leg};
         }
         before_m += glm::length(way);
     }
@@ -42,7 +43,8 @@ TEST(NearestOnWay, agrees_with_a_twin_that_looks_everywhere_on_random_ways) {
         ASSERT_LE(found.distance_m, twin.distance_m + 1e-12) << "seed " << seed << ", run " << run;
         ASSERT_GE(found.distance_m, twin.distance_m - cell_m) << "seed " << seed << ", run " << run;
         ASSERT_NEAR(glm::length(from - found.place_m), found.distance_m, 1e-12);
-        ASSERT_LT(glm::length(place_along(points, found.along_m) - found.place_m), 1e-9) << "so far along lies that place: seed " << seed << ", run " << run;
+        ASSERT_LT(glm::length(place_along(points, found.along_m) - found.place_m), 1e-9)
+            << "so far along lies that place: seed " << seed << ", run " << run;
     }
 }
 
@@ -79,7 +81,8 @@ TEST(NearOnWay, takes_no_short_cut_through_what_one_does_not_see_through) {
     EXPECT_NEAR(stays.along_m, 5.0, 1e-12);
     EXPECT_EQ(stays.leg, 0U);
     EXPECT_NEAR(stays.distance_m, glm::length(Vec3(5, 0, 0) - at), 1e-12);
-    EXPECT_NEAR(near_on_way(way, at, 11.0, 1.0, [](const Vec3&) { return false; }).place_m.y, 1.0, 1e-12) << "on the short leg between";
+    EXPECT_NEAR(near_on_way(way, at, 11.0, 1.0, [](const Vec3&) { return false; }).place_m.y, 1.0, 1e-12)
+        << "on the short leg between";
     // What is seen only much farther off is not where one is: something thin hides the nearest place.
     const auto far_end = [&](const Vec3& place) { return place.x > 9.0; };
     EXPECT_NEAR(near_on_way(way, at, 5.0, 1.0, far_end).along_m, 5.0, 1e-12);

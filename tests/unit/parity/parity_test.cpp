@@ -1,4 +1,5 @@
-// What the plugin that Handrail succeeds offered to programs, and ours: the table in docs/developer.md, row by row. Every row is called here.
+// What the plugin that Handrail succeeds offered to programs, and ours: the table in docs/developer.md, row by row.
+// Every row is called here.
 #include <algorithm>
 #include <functional>
 
@@ -18,7 +19,8 @@ namespace {
 struct Demo {
     VirtualClock clock;
     std::shared_ptr<SimulatedHand> hand = std::make_shared<SimulatedHand>();
-    std::unique_ptr<ServoLoop> loop = std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(*find_device_spec("sim-t"), hand), clock);
+    std::unique_ptr<ServoLoop> loop =
+        std::make_unique<ServoLoop>(std::make_unique<SimulatedDevice>(*find_device_spec("sim-t"), hand), clock);
     test::SceneBuilder builder;
     std::shared_ptr<const HapticScene> haptic;
     ServoTuning tuning;
@@ -26,7 +28,8 @@ struct Demo {
     FeatureId wall;
 
     Demo() {
-        wall = builder.box({-5.0, 1.2, -5.0}, {5.0, 2.0, 5.0}, "north wall", SolidRole::Solid, "concrete", FeatureKind::Wall);
+        wall = builder.box({-5.0, 1.2, -5.0}, {5.0, 2.0, 5.0}, "north wall", SolidRole::Solid, "concrete",
+                           FeatureKind::Wall);
         haptic = compile_haptic(builder.scene(), exploring(0.0));
         tuning.touch.world_m_per_hand_m = 60.0;
         tuning.touch.radius_m = 0.12;
@@ -137,7 +140,8 @@ const std::vector<Row>& rows() {
              Demo demo;
              const ToolState& tool = demo.press();
              EXPECT_LT(glm::length(tool.hip_m - Vec3(0.0, 1.26, 0.0)), 1e-9);
-             EXPECT_LT(glm::length(tool.proxy_m - Vec3(0.0, 1.08, 0.0)), 1e-6) << "the ball in front of the wall, which the original did not have";
+             EXPECT_LT(glm::length(tool.proxy_m - Vec3(0.0, 1.08, 0.0)), 1e-6)
+                 << "the ball in front of the wall, which the original did not have";
          }},
         {"getGimbalAngles()",
          [] {
@@ -177,7 +181,9 @@ const std::vector<Row>& rows() {
              }
              EXPECT_LT(glm::length(sum - tool.force_n), 1e-12);
              bool told = false;
-             demo.loop->events().consume_all([&](const ContactEvent& event) { told |= event.kind == ContactEventKind::Begin && event.feature == demo.wall; });
+             demo.loop->events().consume_all([&](const ContactEvent& event) {
+                 told |= event.kind == ContactEventKind::Begin && event.feature == demo.wall;
+             });
              EXPECT_TRUE(told);
          }},
         {"setForcesOn(bool)",
@@ -219,7 +225,8 @@ const std::vector<Row>& rows() {
              HapticSceneBuilder builder;
              for (int i = 0; i < 100; ++i) builder.add_box({Vec3(i, 0.0, 0.0), Vec3(i + 0.5, 1.0, 1.0)});
              std::vector<std::uint32_t> near;
-             builder.build()->obstacle_bvh.within({40.25, 0.5, 0.5}, 0.4, [&](std::uint32_t item, double&) { near.push_back(item); });
+             builder.build()->obstacle_bvh.within({40.25, 0.5, 0.5}, 0.4,
+                                                  [&](std::uint32_t item, double&) { near.push_back(item); });
              EXPECT_EQ(near, std::vector<std::uint32_t>{40}) << "only the box that is there";
          }},
         {"class etObject",

@@ -1,4 +1,5 @@
-// The worlds that ship with the program: read without a word of warning, one floor under every start, nothing that overlaps a start.
+// The worlds that ship with the program: read without a word of warning, one floor under every start, nothing that
+// overlaps a start.
 #include <filesystem>
 
 #include "tests/unit/readers/reading.h"
@@ -9,14 +10,16 @@ namespace {
 
 TEST(BundledWorlds, are_read_without_a_warning_and_have_a_base_and_landmarks) {
     int worlds = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
         ++worlds;
         const auto scene = read_world(entry.path());
         ASSERT_TRUE(scene) << entry.path();
         EXPECT_EQ(scene->report.warnings_in_all, 0) << entry.path() << scene->report.warnings.front().sentence();
         EXPECT_TRUE(scene->report.left_out.empty()) << entry.path() << scene->report.left_out.front();
-        EXPECT_TRUE(std::any_of(scene->starts.begin(), scene->starts.end(), [](const Start& s) { return s.base; })) << entry.path();
+        EXPECT_TRUE(std::any_of(scene->starts.begin(), scene->starts.end(), [](const Start& s) { return s.base; }))
+            << entry.path();
         EXPECT_FALSE(scene->game_map) << entry.path();
     }
     EXPECT_GE(worlds, 3);

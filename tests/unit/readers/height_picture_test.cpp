@@ -1,4 +1,5 @@
-// Height pictures: every kind of PNG gives the same depths, and what is no picture gives a sentence. The pictures are written here, chunk by chunk.
+// Height pictures: every kind of PNG gives the same depths, and what is no picture gives a sentence. The pictures are
+// written here, chunk by chunk.
 #include "worlds/readers/height_picture.h"
 
 #include <functional>
@@ -54,7 +55,8 @@ struct Kind {
 
 using Samples = std::function<std::uint32_t(int x, int y, int channel)>;
 
-std::string png(int width, int height, const Kind& kind, const Samples& sample, const std::string& palette = {}, const std::string& transparency = {}) {
+std::string png(int width, int height, const Kind& kind, const Samples& sample, const std::string& palette = {},
+                const std::string& transparency = {}) {
     std::string raw;
     const auto add_pass = [&](int x0, int y0, int dx, int dy) {
         for (int y = y0; y < height; y += dy) {
@@ -81,7 +83,8 @@ std::string png(int width, int height, const Kind& kind, const Samples& sample, 
         }
     };
     if (kind.interlaced) {
-        constexpr int kPasses[7][4] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4}, {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+        constexpr int kPasses[7][4] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                                       {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
         for (const auto& p : kPasses) add_pass(p[0], p[1], p[2], p[3]);
     } else {
         add_pass(0, 0, 1, 1);
@@ -89,7 +92,8 @@ std::string png(int width, int height, const Kind& kind, const Samples& sample, 
     std::string out = "\x89PNG\r\n\x1a\n", header;
     add_number(header, static_cast<std::uint32_t>(width));
     add_number(header, static_cast<std::uint32_t>(height));
-    header += {static_cast<char>(kind.bits), static_cast<char>(kind.colour_type), 0, 0, static_cast<char>(kind.interlaced)};
+    header +=
+        {static_cast<char>(kind.bits), static_cast<char>(kind.colour_type), 0, 0, static_cast<char>(kind.interlaced)};
     add_chunk(out, "IHDR", header);
     if (!palette.empty()) add_chunk(out, "PLTE", palette);
     if (!transparency.empty()) add_chunk(out, "tRNS", transparency);
@@ -113,15 +117,19 @@ void expect_shown(const std::string& bytes, int bits, const char* what) {
     ASSERT_EQ(picture->depths.size(), static_cast<std::size_t>(kWidth * kHeight));
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x)
-            EXPECT_NEAR(static_cast<double>(picture->depths[static_cast<std::size_t>(y * kWidth + x)]), shown(x, y, bits), 1e-6)
+            EXPECT_NEAR(static_cast<double>(picture->depths[static_cast<std::size_t>(y * kWidth + x)]),
+                        shown(x, y, bits), 1e-6)
                 << what << " " << x << " " << y;
 }
 
 TEST(HeightPicture, reads_grey_of_every_depth_of_bits_straight_and_interlaced) {
     for (const bool interlaced : {false, true})
         for (const int bits : {1, 2, 4, 8, 16}) {
-            const Samples sample = [&](int x, int y, int) { return static_cast<std::uint32_t>(std::lround(shown(x, y, bits) * ((1 << bits) - 1))); };
-            expect_shown(png(kWidth, kHeight, {0, bits, 1, interlaced}, sample), bits, interlaced ? "interlaced" : "straight");
+            const Samples sample = [&](int x, int y, int) {
+                return static_cast<std::uint32_t>(std::lround(shown(x, y, bits) * ((1 << bits) - 1)));
+            };
+            expect_shown(png(kWidth, kHeight, {0, bits, 1, interlaced}, sample), bits,
+                         interlaced ? "interlaced" : "straight");
         }
 }
 
@@ -129,16 +137,19 @@ TEST(HeightPicture, takes_the_blue_of_colours_and_palettes) {  // S81
     for (const bool interlaced : {false, true})
         for (const int bits : {8, 16}) {
             const Samples sample = [&](int x, int y, int channel) {
-                return static_cast<std::uint32_t>(channel == 2 ? std::lround(shown(x, y, bits) * ((1 << bits) - 1)) : 77 * channel + 5);
+                return static_cast<std::uint32_t>(channel == 2 ? std::lround(shown(x, y, bits) * ((1 << bits) - 1))
+                                                               : 77 * channel + 5);
             };
             expect_shown(png(kWidth, kHeight, {2, bits, 3, interlaced}, sample), bits, "colour");
         }
     for (const int bits : {2, 4, 8}) {
         const std::string palette("\xff\x01\x00\x02\xff\x55\x80\x80\xaa\x00\x00\xff", 12);  // blue 0, 1/3, 2/3, 1
-        expect_shown(png(
-                         kWidth, kHeight, {3, bits, 1, bits == 4},
-                         [&](int x, int y, int) { return static_cast<std::uint32_t>(std::lround(3 * shown(x, y, bits))); }, palette),
-                     bits, "palette");
+        expect_shown(
+            png(
+                kWidth, kHeight, {3, bits, 1, bits == 4},
+                [&](int x, int y, int) { return static_cast<std::uint32_t>(std::lround(3 * shown(x, y, bits))); },
+                palette),
+            bits, "palette");
     }
 }
 
@@ -148,19 +159,22 @@ TEST(HeightPicture, takes_transparent_for_plain) {
             const std::uint32_t full = (1U << bits) - 1;
             // The value is white everywhere; how opaque it is makes the picture.
             const Samples sample = [&](int x, int y, int channel) {
-                return channel == channels - 1 ? static_cast<std::uint32_t>(std::lround(shown(x, y, bits) * full)) : full;
+                return channel == channels - 1 ? static_cast<std::uint32_t>(std::lround(shown(x, y, bits) * full))
+                                               : full;
             };
             expect_shown(png(kWidth, kHeight, {channels == 2 ? 4 : 6, bits, channels, false}, sample), bits, "alpha");
         }
     const std::string palette("\x00\x00\xff\x00\x00\xff", 6), transparency("\x00\xff", 2);
     expect_shown(png(
-                     kWidth, kHeight, {3, 1, 1, false}, [](int x, int y, int) { return static_cast<std::uint32_t>(std::lround(shown(x, y, 1))); }, palette,
+                     kWidth, kHeight, {3, 1, 1, false},
+                     [](int x, int y, int) { return static_cast<std::uint32_t>(std::lround(shown(x, y, 1))); }, palette,
                      transparency),
                  1, "transparent palette");
 }
 
 std::string small_png(bool interlaced = false) {
-    return png(kWidth, kHeight, {2, 8, 3, interlaced}, [](int x, int y, int c) { return static_cast<std::uint32_t>((37 * x + 11 * y + c) % 256); });
+    return png(kWidth, kHeight, {2, 8, 3, interlaced},
+               [](int x, int y, int c) { return static_cast<std::uint32_t>((37 * x + 11 * y + c) % 256); });
 }
 
 TEST(HeightPicture, survives_being_cut_at_every_byte) {
@@ -168,7 +182,8 @@ TEST(HeightPicture, survives_being_cut_at_every_byte) {
         const std::string whole = small_png(interlaced);
         ASSERT_TRUE(read_height_picture(whole, "p.png"));
         for (std::size_t length = 0; length < whole.size(); ++length) {
-            const Result<HeightPicture> picture = read_height_picture(std::string_view(whole).substr(0, length), "p.png");
+            const Result<HeightPicture> picture =
+                read_height_picture(std::string_view(whole).substr(0, length), "p.png");
             ASSERT_FALSE(picture.has_value()) << length;
             EXPECT_TRUE(picture.error().message.ends_with(".")) << picture.error().message;
         }
@@ -179,10 +194,13 @@ TEST(HeightPicture, survives_random_damage) {
     for (unsigned seed = 1; seed <= static_cast<unsigned>(test::scaled(3000)); ++seed) {
         std::mt19937 random(seed);
         std::string bytes = small_png(seed % 2 == 0);
-        for (std::uint32_t edits = 1 + random() % 4; edits > 0; --edits) bytes[random() % bytes.size()] = static_cast<char>(random());
+        for (std::uint32_t edits = 1 + random() % 4; edits > 0; --edits)
+            bytes[random() % bytes.size()] = static_cast<char>(random());
         const Result<HeightPicture> picture = read_height_picture(bytes, "p.png");
         if (picture) {
-            ASSERT_EQ(picture->depths.size(), static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height)) << "seed " << seed;
+            ASSERT_EQ(picture->depths.size(),
+                      static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height))
+                << "seed " << seed;
             for (const float depth : picture->depths) ASSERT_TRUE(depth >= 0.0F && depth <= 1.0F) << "seed " << seed;
         }
     }
@@ -196,8 +214,10 @@ TEST(HeightPicture, refuses_what_is_too_large_or_no_png_by_name) {
     EXPECT_EQ(message("GIF89a"), "This is no PNG picture.");
     EXPECT_EQ(message(""), "This is no PNG picture.");
     const Samples black = [](int, int, int) { return 0U; };
-    EXPECT_EQ(message(png(4097, 1, {0, 1, 1, false}, black)), "This picture is larger than 4096 pixels on a side. Make it smaller.");
-    EXPECT_EQ(message(png(1, 4097, {0, 1, 1, false}, black)), "This picture is larger than 4096 pixels on a side. Make it smaller.");
+    EXPECT_EQ(message(png(4097, 1, {0, 1, 1, false}, black)),
+              "This picture is larger than 4096 pixels on a side. Make it smaller.");
+    EXPECT_EQ(message(png(1, 4097, {0, 1, 1, false}, black)),
+              "This picture is larger than 4096 pixels on a side. Make it smaller.");
     EXPECT_EQ(message(png(4096, 1, {0, 1, 1, false}, black)), "read");
 }
 
@@ -210,14 +230,16 @@ std::string panel(const std::string& keys) {
 
 const Material& material_of_panel(const Scene& scene) {
     for (const Solid& solid : scene.solids)
-        if (solid.feature && scene.features[solid.feature.value].name == "panel") return scene.material(solid.face_materials.front());
+        if (solid.feature && scene.features[solid.feature.value].name == "panel")
+            return scene.material(solid.face_materials.front());
     return scene.materials.front();
 }
 
 TEST(TextureKeys, are_read_with_their_units_and_defaults) {
     const auto scene = read_quake_map(
-        panel(test::key("texture_wave", "square") + test::key("texture_period", "8") + test::key("texture_depth", "0.5") + test::key("friction_wave", "0.2") +
-              test::key("texture_angle", "90") + test::key("damping", "6") + test::key("friction", "0.4") + test::key("friction_static", "0.5")),
+        panel(test::key("texture_wave", "square") + test::key("texture_period", "8") +
+              test::key("texture_depth", "0.5") + test::key("friction_wave", "0.2") + test::key("texture_angle", "90") +
+              test::key("damping", "6") + test::key("friction", "0.4") + test::key("friction_static", "0.5")),
         "t.map");
     ASSERT_TRUE(scene.has_value());
     EXPECT_EQ(scene->report.warnings_in_all, 0);
@@ -243,14 +265,17 @@ TEST(TextureKeys, out_of_range_or_unknown_are_told_and_the_nearest_taken) {
         std::string keys, part;
     };
     for (const Wrong& wrong :
-         {Wrong{test::key("texture_wave", "zigzag"), "zigzag"}, Wrong{test::key("texture_depth", "9"), "0 to 5 millimetres"},
-          Wrong{test::key("texture_period", "0"), "1 to 100"}, Wrong{test::key("friction_wave", "2"), "0 to 0.3"}, Wrong{test::key("damping", "-1"), "0 to 10"},
-          Wrong{test::key("damping", "nan"), "no number"}, Wrong{test::key("friction", "0.5") + test::key("friction_static", "0.4"), "below friction"},
+         {Wrong{test::key("texture_wave", "zigzag"), "zigzag"},
+          Wrong{test::key("texture_depth", "9"), "0 to 5 millimetres"},
+          Wrong{test::key("texture_period", "0"), "1 to 100"}, Wrong{test::key("friction_wave", "2"), "0 to 0.3"},
+          Wrong{test::key("damping", "-1"), "0 to 10"}, Wrong{test::key("damping", "nan"), "no number"},
+          Wrong{test::key("friction", "0.5") + test::key("friction_static", "0.4"), "below friction"},
           Wrong{test::key("friction", "0.4") + test::key("friction_static", "0.6"), "1.25"}}) {
         const auto scene = read_quake_map(panel(wrong.keys), "t.map");
         ASSERT_TRUE(scene.has_value());
         ASSERT_EQ(scene->report.warnings_in_all, 1) << wrong.part;
-        EXPECT_NE(scene->report.warnings[0].message.find(wrong.part), std::string::npos) << scene->report.warnings[0].message;
+        EXPECT_NE(scene->report.warnings[0].message.find(wrong.part), std::string::npos)
+            << scene->report.warnings[0].message;
         EXPECT_GT(scene->report.warnings[0].line, 0);
     }
 }
@@ -260,7 +285,8 @@ TEST(TextureKeys, a_picture_lies_beside_the_map_and_one_that_cannot_be_used_leav
     folder.write("good.png", small_png());
     folder.write("bad.png", small_png().substr(0, 100));
     const auto read = [&](const std::string& name) {
-        return read_world(folder.write("p.map", panel(test::key("texture_picture", name) + test::key("texture_depth", "1.5"))));
+        return read_world(
+            folder.write("p.map", panel(test::key("texture_picture", name) + test::key("texture_depth", "1.5"))));
     };
     const auto good = read("good.png");
     ASSERT_TRUE(good.has_value());

@@ -21,13 +21,15 @@ const std::string kCube = box_brush(0, 0, 0, 64, 64, 64);
 Reading read(const std::string& text) { return test::reading_of(read_quake_map(text, "test.map")); }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) text.replace(at, from.size(), to);
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+        text.replace(at, from.size(), to);
     return text;
 }
 
 TEST(MapEdgeCases, comments_of_both_kinds_are_skipped_but_a_semicolon_in_a_texture_is_a_letter) {
-    const std::string text =
-        "// first\n; QuArK\n" + replaced(entity("worldspawn", "// between } {\n", box_brush(0, 0, 0, 64, 64, 64, "odd;name")), "1 1\n", "1 1 //TX1\n; note\n");
+    const std::string text = "// first\n; QuArK\n" + replaced(entity("worldspawn", "// between } {\n",
+                                                                     box_brush(0, 0, 0, 64, 64, 64, "odd;name")),
+                                                              "1 1\n", "1 1 //TX1\n; note\n");
     const Reading reading = read(text);
     EXPECT_THAT(reading.said, IsEmpty());
     EXPECT_EQ(reading.scene.solids.size(), 1U);
@@ -49,8 +51,8 @@ TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_right
 }
 
 TEST(MapEdgeCases, textures_may_have_any_name_up_to_white_space_or_in_quotes) {
-    for (const std::string texture : {"{grille", "}odd", "*a", "+0slip", "#x", "a;b", "(paren", "!b", "a/b/c", "128", "__TB_empty", "//x", "\"with blanks\"",
-                                      "\"say \\\"x\\\" y\"", "a)b", "[x"}) {
+    for (const std::string texture : {"{grille", "}odd", "*a", "+0slip", "#x", "a;b", "(paren", "!b", "a/b/c", "128",
+                                      "__TB_empty", "//x", "\"with blanks\"", "\"say \\\"x\\\" y\"", "a)b", "[x"}) {
         const Reading reading = read(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 64, texture) + kCube));
         EXPECT_THAT(reading.said, IsEmpty()) << texture;
         EXPECT_EQ(reading.scene.solids.size(), 2U) << texture;
@@ -74,8 +76,10 @@ TEST(MapEdgeCases, escaped_quotes_and_trailing_backslashes_are_told_apart) {
 }
 
 TEST(MapEdgeCases, bytes_above_127_become_utf8_and_a_line_break_a_pause) {
-    EXPECT_EQ(read(entity("worldspawn", key("message", "Caf\xE9\\nB\xFCro"), kCube)).scene.name, "Caf\xC3\xA9, B\xC3\xBCro");
-    EXPECT_EQ(read(entity("worldspawn", key("message", "Caf\xC3\xA9.\\n\\nOpen"), kCube)).scene.name, "Caf\xC3\xA9. Open");
+    EXPECT_EQ(read(entity("worldspawn", key("message", "Caf\xE9\\nB\xFCro"), kCube)).scene.name,
+              "Caf\xC3\xA9, B\xC3\xBCro");
+    EXPECT_EQ(read(entity("worldspawn", key("message", "Caf\xC3\xA9.\\n\\nOpen"), kCube)).scene.name,
+              "Caf\xC3\xA9. Open");
     EXPECT_EQ(read(entity("worldspawn", {}, kCube)).scene.name, "test") << "without a message the file's name";
 }
 
@@ -84,11 +88,13 @@ TEST(MapEdgeCases, numbers_may_have_signs_decimals_exponents_and_trailing_dots) 
     const Reading reading = read(entity("worldspawn", {}, brush));
     EXPECT_THAT(reading.said, IsEmpty());
     EXPECT_EQ(reading.scene.bounds_m.max_m, Vec3(2, 2, 2));
-    const Reading off_grid = read(entity("worldspawn", {}, box_brush(0.1234567890123, 0.5, 1e-3, 63.9999999, 64.123, 64)));
+    const Reading off_grid =
+        read(entity("worldspawn", {}, box_brush(0.1234567890123, 0.5, 1e-3, 63.9999999, 64.123, 64)));
     EXPECT_THAT(off_grid.said, IsEmpty());
     EXPECT_DOUBLE_EQ(off_grid.scene.bounds_m.min_m.x, 0.1234567890123 / 32);
     for (const std::string bad : {"nan", "inf", "-inf", "1e999", "0x10", "1,5", "--1"}) {
-        const Reading damaged = read(entity("worldspawn", {}, kCube + replaced(kCube, "( 64 0 0 )", "( 64 " + bad + " 0 )")));
+        const Reading damaged =
+            read(entity("worldspawn", {}, kCube + replaced(kCube, "( 64 0 0 )", "( 64 " + bad + " 0 )")));
         EXPECT_EQ(damaged.scene.solids.size(), 1U) << bad;
         ASSERT_EQ(damaged.said.size(), 1U) << bad;
         EXPECT_THAT(damaged.said[0], testing::StartsWith("test.map, line 13, column 6: error: a face ends "
@@ -99,7 +105,8 @@ TEST(MapEdgeCases, numbers_may_have_signs_decimals_exponents_and_trailing_dots) 
 }
 
 TEST(MapEdgeCases, a_face_whose_points_lie_on_a_line_costs_only_that_face) {
-    const std::string line = "( 0 0 0 ) ( 1 1 1 ) ( 2 2 2 ) plain 0 0 0 1 1\n", point = "( 5 5 5 ) ( 5 5 5 ) ( 5 5 5 ) plain 0 0 0 1 1\n";
+    const std::string line = "( 0 0 0 ) ( 1 1 1 ) ( 2 2 2 ) plain 0 0 0 1 1\n",
+                      point = "( 5 5 5 ) ( 5 5 5 ) ( 5 5 5 ) plain 0 0 0 1 1\n";
     for (const std::string& bad : {line, point}) {
         const Reading reading = read(entity("worldspawn", {}, replaced(kCube, "}\n", bad + "}\n")));
         EXPECT_EQ(reading.scene.solids.size(), 1U);
@@ -112,10 +119,14 @@ TEST(MapEdgeCases, a_face_whose_points_lie_on_a_line_costs_only_that_face) {
 TEST(MapEdgeCases, open_empty_and_inside_out_brushes_are_named_by_line_and_the_rest_loads) {
     std::string missing = kCube;
     missing.erase(missing.find("( 64 "), missing.find('\n', missing.find("( 64 ")) - missing.find("( 64 ") + 1);
-    EXPECT_THAT(read(entity("worldspawn", {}, kCube + missing)).said, ElementsAre(HasSubstr("line 11, column 1: warning: this brush is not closed")));
-    EXPECT_THAT(read(entity("worldspawn", {}, kCube + replaced(kCube, "}\n", "( 0 0 -9 ) ( 0 64 -9 ) ( 64 0 -9 ) t\n}\n"))).said,
-                ElementsAre(HasSubstr("this brush has no volume. It was left out.")));
-    EXPECT_THAT(read(entity("worldspawn", {}, kCube + "{\n}\n")).said, ElementsAre(HasSubstr("line 11, column 1: warning: this brush has no faces")));
+    EXPECT_THAT(read(entity("worldspawn", {}, kCube + missing)).said,
+                ElementsAre(HasSubstr("line 11, column 1: warning: this brush is not closed")));
+    EXPECT_THAT(
+        read(entity("worldspawn", {}, kCube + replaced(kCube, "}\n", "( 0 0 -9 ) ( 0 64 -9 ) ( 64 0 -9 ) t\n}\n")))
+            .said,
+        ElementsAre(HasSubstr("this brush has no volume. It was left out.")));
+    EXPECT_THAT(read(entity("worldspawn", {}, kCube + "{\n}\n")).said,
+                ElementsAre(HasSubstr("line 11, column 1: warning: this brush has no faces")));
     std::string turned;
     for (std::size_t at = 0; at < kCube.size();) {
         const std::size_t end = kCube.find('\n', at) + 1;
@@ -138,8 +149,10 @@ TEST(MapEdgeCases, faces_that_lose_their_area_are_dropped_quietly_and_counted) {
     const Reading reading = read(entity("worldspawn", {}, replaced(kCube, "}\n", beyond + "}\n")));
     EXPECT_THAT(reading.said, IsEmpty());
     EXPECT_EQ(reading.scene.report.polygons, 6);
-    EXPECT_THAT(reading.scene.report.simplified, ElementsAre("One face that repeats another or has no area was dropped."));
-    EXPECT_EQ(read(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 0.01))).scene.solids.size(), 1U) << "nearly flat";
+    EXPECT_THAT(reading.scene.report.simplified,
+                ElementsAre("One face that repeats another or has no area was dropped."));
+    EXPECT_EQ(read(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 0.01))).scene.solids.size(), 1U)
+        << "nearly flat";
 }
 
 TEST(MapEdgeCases, damaged_forms_of_other_games_are_skipped_to_their_brace_with_a_warning) {
@@ -151,7 +164,8 @@ TEST(MapEdgeCases, damaged_forms_of_other_games_are_skipped_to_their_brace_with_
         "( ( 1 0 0 ) ( 0 1 0 ) ) \"x\" 0 0 0\n}\n}\n";
     const Reading reading = read(entity("worldspawn", {}, patch + kCube + primitive + kCube));
     EXPECT_EQ(reading.scene.solids.size(), 2U);
-    EXPECT_THAT(reading.said, ElementsAre(HasSubstr("as many points in a row as the size of a curved patch says"), HasSubstr("is not closed")));
+    EXPECT_THAT(reading.said, ElementsAre(HasSubstr("as many points in a row as the size of a curved patch says"),
+                                          HasSubstr("is not closed")));
     EXPECT_EQ(reading.scene.report.brushes, 3);
     EXPECT_EQ(reading.scene.report.left_out.size(), 2U);
 }
@@ -166,8 +180,9 @@ TEST(MapEdgeCases, standard_and_valve_faces_mix_and_extra_numbers_are_no_error) 
 }
 
 TEST(MapEdgeCases, what_misses_a_class_a_world_or_an_entity_is_taken_and_said) {
-    EXPECT_THAT(read("{\n\"a\" \"b\"\n" + kCube + "}\n" + entity("worldspawn")).said, ElementsAre(HasSubstr("line 1, column 1: warning: this entity has no "
-                                                                                                            "classname. Its brushes were taken")));
+    EXPECT_THAT(read("{\n\"a\" \"b\"\n" + kCube + "}\n" + entity("worldspawn")).said,
+                ElementsAre(HasSubstr("line 1, column 1: warning: this entity has no "
+                                      "classname. Its brushes were taken")));
     EXPECT_THAT(read(entity("func_wall", {}, kCube)).said, ElementsAre(HasSubstr("this map has no worldspawn")));
     EXPECT_THAT(read("{\n" + kCube + "\"classname\" \"worldspawn\"\n}\n").said, IsEmpty()) << "brushes before keys";
     const Reading bare = read(kCube + kCube);
@@ -184,8 +199,9 @@ TEST(MapEdgeCases, content_of_other_files_is_said_to_be_missing) {
 
 TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
     const std::string whole = entity("worldspawn", {}, kCube + kCube + kCube);
-    EXPECT_THAT(read(whole.substr(0, whole.rfind('}'))).said, ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A "
-                                                                                    "closing brace is missing. What was complete was kept.")));
+    EXPECT_THAT(read(whole.substr(0, whole.rfind('}'))).said,
+                ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A "
+                                      "closing brace is missing. What was complete was kept.")));
     std::string open = whole;
     open.erase(open.find("}\n"), 2);  // the first brush's
     const Reading reading = read(open);
@@ -203,20 +219,25 @@ TEST(MapEdgeCases, lists_twenty_warnings_and_counts_all) {
 }
 
 TEST(MapEdgeCases, unknown_keys_are_data_and_odd_values_of_known_ones_are_moved_to_the_nearest_legal) {
-    const auto with = [](const std::string& keys) { return read(entity("worldspawn", {}, kCube) + entity("thing", keys, kCube)); };
+    const auto with = [](const std::string& keys) {
+        return read(entity("worldspawn", {}, kCube) + entity("thing", keys, kCube));
+    };
     EXPECT_THAT(with(key("_tb_id", "3") + key("anything", "at all")).said, IsEmpty());
-    const Reading low = with(key("friction", "-1") + key("landmark", "2") + key("hinge", "nort") + key("cs_name", "liquid") + key("viscosity", "1e9"));
+    const Reading low = with(key("friction", "-1") + key("landmark", "2") + key("hinge", "nort") +
+                             key("cs_name", "liquid") + key("viscosity", "1e9"));
     EXPECT_EQ(low.said.size(), 4U);
     EXPECT_EQ(low.scene.solids.at(1).viscosity_ns_per_m, 100.0);
     const Feature& feature = *low.scene.find(low.scene.solids.at(1).feature);
     EXPECT_TRUE(feature.landmark);
     EXPECT_EQ(feature.hinge, "north");
-    EXPECT_THAT(read(entity("worldspawn", {}, kCube) + entity("info_player_start", key("origin", "1 2"))).said, ElementsAre(HasSubstr("is not three numbers")));
+    EXPECT_THAT(read(entity("worldspawn", {}, kCube) + entity("info_player_start", key("origin", "1 2"))).said,
+                ElementsAre(HasSubstr("is not three numbers")));
 }
 
 TEST(MapEdgeCases, liquids_keep_their_viscosity_and_sounds_their_place) {
     const Reading reading =
-        read(entity("worldspawn", {}, kCube) + entity("thing", key("cs_name", "liquid") + key("viscosity", "2.5") + key("name", "Basin"), kCube) +
+        read(entity("worldspawn", {}, kCube) +
+             entity("thing", key("cs_name", "liquid") + key("viscosity", "2.5") + key("name", "Basin"), kCube) +
              entity("ambient_comp_hum", key("origin", "32 64 96")) +
              entity("info_null", key("origin", "0 0 0") + key("sound", "clock_tick") + key("name", "Clock")));
     EXPECT_EQ(reading.scene.solids.at(1).viscosity_ns_per_m, 2.5);
@@ -230,44 +251,56 @@ TEST(MapEdgeCases, liquids_keep_their_viscosity_and_sounds_their_place) {
 }
 
 TEST(MapEdgeCases, texts_may_stand_in_several_languages) {
-    const Reading reading = read(
-        entity("worldspawn", key("message", "Barn") + key("message_de", "Scheune"), kCube) +
-        entity("thing", key("name", "Plough") + key("name_de", "Pflug") + key("name_fr", "Charrue") + key("name_", "no language") + key("names_de", "another key"), kCube) +
-        entity("trigger_once", key("message", "Mind the step.") + key("message_de", "Achtung, Stufe."), kCube) + entity("thing", key("name_de", "Kiste"), kCube) +
-        entity("ambient_drip", key("origin", "0 0 0") + key("name", "Tap") + key("name_de", "Hahn")) + entity("ambient_comp_hum", key("origin", "32 64 96")) +
-        entity("trigger_changelevel", {}, kCube));
+    const Reading reading =
+        read(entity("worldspawn", key("message", "Barn") + key("message_de", "Scheune"), kCube) +
+             entity("thing",
+                    key("name", "Plough") + key("name_de", "Pflug") + key("name_fr", "Charrue") +
+                        key("name_", "no language") + key("names_de", "another key"),
+                    kCube) +
+             entity("trigger_once", key("message", "Mind the step.") + key("message_de", "Achtung, Stufe."), kCube) +
+             entity("thing", key("name_de", "Kiste"), kCube) +
+             entity("ambient_drip", key("origin", "0 0 0") + key("name", "Tap") + key("name_de", "Hahn")) +
+             entity("ambient_comp_hum", key("origin", "32 64 96")) + entity("trigger_changelevel", {}, kCube));
     const Scene& scene = reading.scene;
     const auto feature = [&](const std::string& name) {
-        return std::find_if(scene.features.begin(), scene.features.end(), [&](const Feature& f) { return f.name == name; });
+        return std::find_if(scene.features.begin(), scene.features.end(),
+                            [&](const Feature& f) { return f.name == name; });
     };
-    const auto trigger = std::find_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return !f.message.empty(); });
-    const auto exit = std::find_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return f.made_message; });
-    const auto unnamed = std::find_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return f.made_name && !f.name_in.empty(); });
+    const auto trigger =
+        std::find_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return !f.message.empty(); });
+    const auto exit =
+        std::find_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return f.made_message; });
+    const auto unnamed = std::find_if(scene.features.begin(), scene.features.end(),
+                                      [](const Feature& f) { return f.made_name && !f.name_in.empty(); });
     ASSERT_NE(feature("Plough"), scene.features.end());
     ASSERT_NE(trigger, scene.features.end());
     ASSERT_NE(exit, scene.features.end());
     ASSERT_NE(unnamed, scene.features.end());
     ASSERT_EQ(scene.sounds.size(), 2U);
     const auto all = [&] {
-        return std::vector<std::string>{spoken_name(scene),   spoken_name(*feature("Plough")), spoken_message(*trigger),    spoken_name(*unnamed),
-                                        spoken_message(*exit), spoken_name(scene.sounds[0]),     spoken_name(scene.sounds[1])};
+        return std::vector<std::string>{
+            spoken_name(scene),    spoken_name(*feature("Plough")), spoken_message(*trigger),    spoken_name(*unnamed),
+            spoken_message(*exit), spoken_name(scene.sounds[0]),    spoken_name(scene.sounds[1])};
     };
     const std::string exit_english = phrase("exit.reached"), box = spoken_kind(unnamed->name);
     EXPECT_THAT(all(), ElementsAre("Barn", "Plough", "Mind the step.", box, exit_english, "Tap", "computer hum"));
     EXPECT_EQ(feature("Plough")->name_in.size(), 2U);
     {
         const test::InLanguage german("de");
-        EXPECT_THAT(all(), ElementsAre("Scheune", "Pflug", "Achtung, Stufe.", "Kiste", phrase("exit.reached"), "Hahn", phrase("map.sound_computer_hum")));
+        EXPECT_THAT(all(), ElementsAre("Scheune", "Pflug", "Achtung, Stufe.", "Kiste", phrase("exit.reached"), "Hahn",
+                                       phrase("map.sound_computer_hum")));
         EXPECT_NE(phrase("exit.reached"), exit_english);
-        EXPECT_EQ(stored_name(scene, FeatureId{static_cast<std::uint32_t>(feature("Plough") - scene.features.begin())}), "Plough");
+        EXPECT_EQ(stored_name(scene, FeatureId{static_cast<std::uint32_t>(feature("Plough") - scene.features.begin())}),
+                  "Plough");
     }
 }
 
 TEST(MapEdgeCases, particles_and_other_games_sounds_are_heard_at_their_place) {
-    const Reading reading = read(entity("worldspawn", {}, kCube) + entity("particle_fountain", key("origin", "32 0 0") + key("volume", "0.5")) +
-                                 entity("light_torch_small_walltorch", key("origin", "64 0 0")) +
-                                 entity("ambient_generic", key("origin", "96 0 0") + key("message", "ambience/wind2.wav")) +
-                                 entity("target_speaker", key("origin", "128 0 0") + key("noise", "world/clock") + key("volume", "7")));
+    const Reading reading = read(
+        entity("worldspawn", {}, kCube) + entity("particle_fountain", key("origin", "32 0 0") + key("volume", "0.5")) +
+        entity("light_torch_small_walltorch", key("origin", "64 0 0")) +
+        entity("ambient_generic", key("origin", "96 0 0") + key("message", "ambience/wind2.wav")) +
+        entity("target_speaker", key("origin", "128 0 0") + key("noise", "world/clock") + key("volume", "7")));
     ASSERT_EQ(reading.scene.sounds.size(), 4U);
     EXPECT_EQ(spoken_name(reading.scene.sounds[0]), "fountain");
     EXPECT_EQ(reading.scene.sounds[0].loudness, 0.5);
@@ -280,7 +313,8 @@ TEST(MapEdgeCases, particles_and_other_games_sounds_are_heard_at_their_place) {
 }
 
 TEST(MapEdgeCases, guessing_can_be_switched_off_without_changing_the_walls) {
-    const std::string text = entity("worldspawn", {}, box_brush(0, 0, 0, 128, 16, 96, "brick1") + box_brush(128, 0, 0, 256, 16, 96, "wood1"));
+    const std::string text = entity(
+        "worldspawn", {}, box_brush(0, 0, 0, 128, 16, 96, "brick1") + box_brush(128, 0, 0, 256, 16, 96, "wood1"));
     ReadOptions plain;
     plain.guess_materials = false;
     const Result<Scene> guessed = read_quake_map(text, "test.map"), unguessed = read_quake_map(text, "test.map", plain);
@@ -300,7 +334,8 @@ TEST(MapEdgeCases, fails_only_when_nothing_is_left_and_says_the_first_reason) {
     EXPECT_EQ(sentence(entity("worldspawn")), "test.map: Nothing to touch was found in this map. It holds no brushes.");
     EXPECT_THAT(sentence("hello"), testing::StartsWith("test.map, line 1, column 1: Nothing to touch was found in "
                                                        "this map. The problem: expected an opening brace"));
-    EXPECT_THAT(sentence(entity("worldspawn", {}, "{\n}\n{\n}\n")), HasSubstr("2 problems; the first: this brush has no faces."));
+    EXPECT_THAT(sentence(entity("worldspawn", {}, "{\n}\n{\n}\n")),
+                HasSubstr("2 problems; the first: this brush has no faces."));
 }
 
 }  // namespace

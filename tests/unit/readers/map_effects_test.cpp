@@ -1,4 +1,5 @@
-// Forces that hang in space, as a map gives them: every key takes effect, what cannot be is refused by name, and the rest loads.
+// Forces that hang in space, as a map gives them: every key takes effect, what cannot be is refused by name, and the
+// rest loads.
 #include "tests/support/map_text.h"
 #include "tests/unit/readers/reading.h"
 
@@ -16,7 +17,8 @@ Reading read(const std::string& entities) {
     return reading_of(read_quake_map(kFloor + entities, "effects.map", options));
 }
 
-std::string effect_entity(const std::string& kind, const std::string& keys = {}, const std::string& brushes = box_brush(32, 32, 32, 64, 64, 64)) {
+std::string effect_entity(const std::string& kind, const std::string& keys = {},
+                          const std::string& brushes = box_brush(32, 32, 32, 64, 64, 64)) {
     return entity("haptic_effect", key("effect", kind) + keys, brushes);
 }
 
@@ -38,12 +40,15 @@ TEST(MapEffects, take_their_defaults_from_the_table) {
 }
 
 TEST(MapEffects, take_every_key) {
-    const Reading reading = read(entity("func_wall", key("name", "Pillar"), box_brush(0, 0, 0, 16, 16, 64)) +
-                                 effect_entity("Magnet", key("strength", "-1.5") + key("width", "0.02") + key("edge", "0.005") + key("pull", "line")) +
-                                 effect_entity("vibration", key("frequency", "50") + key("direction", "0 3 4")) + effect_entity("inertia", key("mass", "0.2")) +
-                                 effect_entity("magnet", key("pull", "object") + key("target", "pillar")) +
-                                 effect_entity("force", key("origin", "32 64 96") + key("radius", "16"), "") +
-                                 effect_entity("flypaper", key("origin", "32 64 96") + key("end", "64 64 96") + key("radius", "8"), ""));
+    const Reading reading =
+        read(entity("func_wall", key("name", "Pillar"), box_brush(0, 0, 0, 16, 16, 64)) +
+             effect_entity("Magnet", key("strength", "-1.5") + key("width", "0.02") + key("edge", "0.005") +
+                                         key("pull", "line")) +
+             effect_entity("vibration", key("frequency", "50") + key("direction", "0 3 4")) +
+             effect_entity("inertia", key("mass", "0.2")) +
+             effect_entity("magnet", key("pull", "object") + key("target", "pillar")) +
+             effect_entity("force", key("origin", "32 64 96") + key("radius", "16"), "") +
+             effect_entity("flypaper", key("origin", "32 64 96") + key("end", "64 64 96") + key("radius", "8"), ""));
     EXPECT_THAT(reading.said, IsEmpty());
     const std::vector<Effect>& effects = reading.scene.effects;
     ASSERT_EQ(effects.size(), 6U);
@@ -72,18 +77,19 @@ TEST(MapEffects, refuse_by_name_what_has_no_size_and_load_the_rest) {
         return effect_entity(kind, key("name", "Snag") + keys, brushes);
     };
     const std::string cube = box_brush(0, 0, 0, 8, 8, 8);
-    for (const auto& [text, why] :
-         std::vector<std::pair<std::string, std::string>>{{named("magnet", key("width", "0"), cube), "has no width"},
-                                                          {named("detent", key("width", "-0.01"), cube), "has no width"},
-                                                          {named("force", key("origin", "1 2 3") + key("radius", "0"), ""), "has no radius"},
-                                                          {named("force", key("origin", "1 2 3"), ""), "has an origin but no radius"},
-                                                          {named("force", "", ""), "has neither brushes nor an origin"},
-                                                          {named("force", "", open), "not closed"},
-                                                          {named("force", "", box_brush(0, 0, 0, 0, 8, 8)), "effect Snag has a volume"},
-                                                          {entity("haptic_effect", key("name", "Snag"), cube), "does not say which one"}}) {
+    for (const auto& [text, why] : std::vector<std::pair<std::string, std::string>>{
+             {named("magnet", key("width", "0"), cube), "has no width"},
+             {named("detent", key("width", "-0.01"), cube), "has no width"},
+             {named("force", key("origin", "1 2 3") + key("radius", "0"), ""), "has no radius"},
+             {named("force", key("origin", "1 2 3"), ""), "has an origin but no radius"},
+             {named("force", "", ""), "has neither brushes nor an origin"},
+             {named("force", "", open), "not closed"},
+             {named("force", "", box_brush(0, 0, 0, 0, 8, 8)), "effect Snag has a volume"},
+             {entity("haptic_effect", key("name", "Snag"), cube), "does not say which one"}}) {
         const Reading reading = read(text + effect_entity("fly-paper"));
         ASSERT_EQ(reading.said.size(), 1U) << text << testing::PrintToString(reading.said);
-        EXPECT_THAT(reading.said[0], AllOf(HasSubstr("Snag"), HasSubstr(why), HasSubstr("left out"), HasSubstr("effects.map, line")));
+        EXPECT_THAT(reading.said[0],
+                    AllOf(HasSubstr("Snag"), HasSubstr(why), HasSubstr("left out"), HasSubstr("effects.map, line")));
         ASSERT_EQ(reading.scene.effects.size(), 1U) << "the rest loads";
         EXPECT_EQ(reading.scene.effects[0].kind, EffectKind::FlyPaper);
     }
@@ -94,10 +100,12 @@ TEST(MapEffects, tell_the_nearest_name_and_take_the_nearest_value) {
     EXPECT_THAT(unknown.said, ElementsAre(HasSubstr("there is no effect \"magnett\". The nearest name is magnet.")));
     EXPECT_THAT(unknown.scene.effects, IsEmpty());
 
-    const Reading wild = read(effect_entity("magnet", key("strength", "9") + key("width", "many") + key("edge", "0") + key("pull", "hole") +
-                                                          key("direction", "0 0 0") + key("target", "Pilar")) +
-                              effect_entity("vibration", key("frequency", "1e9") + key("direction", "up")) + effect_entity("inertia", key("mass", "nan")) +
-                              entity("func_wall", key("name", "Pillar"), box_brush(0, 0, 0, 16, 16, 64)));
+    const Reading wild =
+        read(effect_entity("magnet", key("strength", "9") + key("width", "many") + key("edge", "0") +
+                                         key("pull", "hole") + key("direction", "0 0 0") + key("target", "Pilar")) +
+             effect_entity("vibration", key("frequency", "1e9") + key("direction", "up")) +
+             effect_entity("inertia", key("mass", "nan")) +
+             entity("func_wall", key("name", "Pillar"), box_brush(0, 0, 0, 16, 16, 64)));
     ASSERT_EQ(wild.scene.effects.size(), 3U);
     EXPECT_EQ(wild.scene.effects[0].strength_n, 4.0);
     EXPECT_EQ(wild.scene.effects[0].width_hand_m, 0.01);
@@ -106,16 +114,19 @@ TEST(MapEffects, tell_the_nearest_name_and_take_the_nearest_value) {
     EXPECT_FALSE(wild.scene.effects[0].belongs_to);
     EXPECT_EQ(wild.scene.effects[1].frequency_hz, 250.0);
     EXPECT_EQ(wild.scene.effects[2].mass_kg, 0.1);
-    EXPECT_THAT(wild.said, ElementsAre(HasSubstr("strength"), HasSubstr("width"), HasSubstr("edge"), HasSubstr("direction of the effect magnet has no length"),
-                                       HasSubstr("pull"), HasSubstr("frequency"), HasSubstr("direction is not three numbers"), HasSubstr("mass"),
-                                       HasSubstr("nearest name is Pillar")));
+    EXPECT_THAT(wild.said, ElementsAre(HasSubstr("strength"), HasSubstr("width"), HasSubstr("edge"),
+                                       HasSubstr("direction of the effect magnet has no length"), HasSubstr("pull"),
+                                       HasSubstr("frequency"), HasSubstr("direction is not three numbers"),
+                                       HasSubstr("mass"), HasSubstr("nearest name is Pillar")));
 }
 
 TEST(MapEffects, liquids_have_buoyancy_film_and_flow) {
     const auto pool = [](const std::string& keys) {
-        return read(entity("thing", key("cs_name", "liquid") + key("name", "Pool") + keys, box_brush(0, 0, 0, 64, 64, 32)));
+        return read(
+            entity("thing", key("cs_name", "liquid") + key("name", "Pool") + keys, box_brush(0, 0, 0, 64, 64, 32)));
     };
-    const Reading all = pool(key("viscosity", "4") + key("buoyancy", "0.5") + key("film", "0.3") + key("flow", "0.1 0 -0.2"));
+    const Reading all =
+        pool(key("viscosity", "4") + key("buoyancy", "0.5") + key("film", "0.3") + key("flow", "0.1 0 -0.2"));
     EXPECT_THAT(all.said, IsEmpty());
     const Solid& solid = all.scene.solids.back();
     EXPECT_EQ(solid.buoyancy_n, 0.5);
@@ -130,7 +141,9 @@ TEST(MapEffects, liquids_have_buoyancy_film_and_flow) {
 }
 
 TEST(MapSoft, sides_give_way_as_written) {
-    const auto thing = [](const std::string& keys) { return read(entity("func_wall", key("name", "Seat") + keys, box_brush(0, 0, 0, 32, 32, 16))); };
+    const auto thing = [](const std::string& keys) {
+        return read(entity("func_wall", key("name", "Seat") + keys, box_brush(0, 0, 0, 32, 32, 16)));
+    };
     const Reading plain = thing(key("soft", "Elastic"));
     EXPECT_THAT(plain.said, IsEmpty());
     ASSERT_TRUE(plain.scene.solids.back().soft);
@@ -140,8 +153,8 @@ TEST(MapSoft, sides_give_way_as_written) {
     EXPECT_EQ(soft.stiffness_fraction, 0.2);
     EXPECT_EQ(soft.recovery_s, 0.5);
     EXPECT_FALSE(soft.plastic);
-    const Reading all =
-        thing(key("soft", "plastic") + key("soft_side", "west") + key("soft_depth", "8") + key("soft_stiffness", "0.5") + key("soft_yield", "2"));
+    const Reading all = thing(key("soft", "plastic") + key("soft_side", "west") + key("soft_depth", "8") +
+                              key("soft_stiffness", "0.5") + key("soft_yield", "2"));
     EXPECT_THAT(all.said, IsEmpty());
     const Solid& solid = all.scene.solids.back();
     EXPECT_EQ(solid.shape.planes[solid.soft->face].normal, Vec3(-1, 0, 0));
@@ -150,19 +163,22 @@ TEST(MapSoft, sides_give_way_as_written) {
     EXPECT_EQ(solid.soft->yield_n, 2.0);
     EXPECT_TRUE(solid.soft->plastic);
 
-    EXPECT_THAT(thing(key("soft", "fluffy")).said, ElementsAre(HasSubstr("neither elastic nor plastic. It stays hard.")));
-    EXPECT_THAT(thing(key("soft", "elastic") + key("soft_depth", "0")).said, ElementsAre(HasSubstr("soft to no depth")));
+    EXPECT_THAT(thing(key("soft", "fluffy")).said,
+                ElementsAre(HasSubstr("neither elastic nor plastic. It stays hard.")));
+    EXPECT_THAT(thing(key("soft", "elastic") + key("soft_depth", "0")).said,
+                ElementsAre(HasSubstr("soft to no depth")));
     EXPECT_FALSE(thing(key("soft", "elastic") + key("soft_depth", "0")).scene.solids.back().soft);
-    const Reading deep =
-        thing(key("soft", "elastic") + key("soft_depth", "16") + key("soft_stiffness", "7") + key("soft_recovery", "x") + key("soft_side", "nort"));
+    const Reading deep = thing(key("soft", "elastic") + key("soft_depth", "16") + key("soft_stiffness", "7") +
+                               key("soft_recovery", "x") + key("soft_side", "nort"));
     EXPECT_EQ(deep.said.size(), 4U) << testing::PrintToString(deep.said);
     EXPECT_NEAR(deep.scene.solids.back().soft->depth_m, 0.9 * 0.5, 1e-12) << "something hard is left underneath";
     EXPECT_EQ(deep.scene.solids.back().soft->stiffness_fraction, 0.6);
 }
 
 TEST(MapEffects, survive_being_cut_at_every_byte) {
-    const std::string text = kFloor + effect_entity("magnet", key("pull", "object") + key("target", "x") + key("strength", "1")) +
-                             effect_entity("force", key("origin", "32 64 96") + key("end", "1 2 3") + key("radius", "16"), "");
+    const std::string text =
+        kFloor + effect_entity("magnet", key("pull", "object") + key("target", "x") + key("strength", "1")) +
+        effect_entity("force", key("origin", "32 64 96") + key("end", "1 2 3") + key("radius", "16"), "");
     ReadOptions options;
     for (std::size_t length = kFloor.size(); length < text.size(); ++length) {
         const Result<Scene> scene = read_quake_map(text.substr(0, length), "cut.map", options);

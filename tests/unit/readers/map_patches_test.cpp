@@ -14,7 +14,8 @@ using test::reading_of;
 const std::string kFloor = box_brush(0, 0, -32, 640, 640, 0);
 
 // A quarter of an arch, 64 units high and wide and 128 deep, as an editor writes it.
-std::string patch(const std::string& form = "patchDef2", const std::string& size = "3 3 0 0 0", const std::string& texture = "base_wall/brick2") {
+std::string patch(const std::string& form = "patchDef2", const std::string& size = "3 3 0 0 0",
+                  const std::string& texture = "base_wall/brick2") {
     std::string text = "{\n" + form + "\n{\n" + texture + "\n( " + size + " )\n(\n";
     for (const char* row : {"64 0 0", "64 0 64", "0 0 64"}) {
         int x = 0, y = 0, z = 0;
@@ -33,7 +34,9 @@ Reading read(const std::string& brushes, const std::string& keys = {}) {
 TEST(MapPatches, are_touched_from_the_side_that_their_thing_names) {  // S28
     const auto side_of = [](const std::string& value, std::vector<std::string>* said = nullptr) {
         Reading reading =
-            reading_of(read_quake_map(entity("worldspawn", {}, kFloor) + entity("func_wall", value.empty() ? "" : key("touch_side", value), patch()), "p.map"));
+            reading_of(read_quake_map(entity("worldspawn", {}, kFloor) +
+                                          entity("func_wall", value.empty() ? "" : key("touch_side", value), patch()),
+                                      "p.map"));
         if (said) *said = reading.said;
         EXPECT_FALSE(reading.scene.triangles.empty());
         for (const MeshTriangle& t : reading.scene.triangles) EXPECT_EQ(t.side, reading.scene.triangles[0].side);
@@ -60,8 +63,8 @@ TEST(MapPatches, become_triangles_within_a_millimetre_and_are_told_with_their_er
     EXPECT_EQ(reading.scene.report.triangles, 12) << "of brushes only";
     ASSERT_GT(reading.scene.triangles.size(), 10U);
     ASSERT_EQ(reading.scene.report.simplified.size(), 1U);
-    EXPECT_TRUE(
-        reading.scene.report.simplified[0].starts_with(fmt::format("One curved patch became {} flat triangles, at most 0.", reading.scene.triangles.size())))
+    EXPECT_TRUE(reading.scene.report.simplified[0].starts_with(
+        fmt::format("One curved patch became {} flat triangles, at most 0.", reading.scene.triangles.size())))
         << reading.scene.report.simplified[0];
     const Feature& arch = *reading.scene.find(reading.scene.triangles[0].feature);
     EXPECT_EQ(arch.name, "curved surface");
@@ -71,7 +74,9 @@ TEST(MapPatches, become_triangles_within_a_millimetre_and_are_told_with_their_er
     // A parabola from (2, 0) to (0, 2) with (2, 2) as its middle point: 3.246 m long, 4 m deep.
     EXPECT_NEAR(arch.area_m2, 4.0 * 3.2465, 0.02);
     // Twice the accuracy and a tenth: more triangles.
-    const auto count = [](const char* error) { return read(patch(), key("curve_error", error)).scene.triangles.size(); };
+    const auto count = [](const char* error) {
+        return read(patch(), key("curve_error", error)).scene.triangles.size();
+    };
     EXPECT_GT(count("0.1"), reading.scene.triangles.size());
     EXPECT_LT(count("50"), reading.scene.triangles.size());
     EXPECT_EQ(read(patch(), key("curve_error", "-3")).said.size(), 1U);
@@ -82,14 +87,17 @@ TEST(MapPatches, become_triangles_within_a_millimetre_and_are_told_with_their_er
 
 TEST(MapPatches, of_a_named_thing_belong_to_it_and_those_that_cannot_be_touched_are_counted) {
     const auto with = [](const std::string& class_name, const std::string& texture) {
-        return reading_of(read_quake_map(entity("worldspawn", {}, kFloor) +
-                                             entity(class_name, key("name", "Arch"), box_brush(64, 0, 0, 80, 8, 64) + patch("patchDef2", "3 3 0 0 0", texture)),
-                                         "p.map"));
+        return reading_of(
+            read_quake_map(entity("worldspawn", {}, kFloor) +
+                               entity(class_name, key("name", "Arch"),
+                                      box_brush(64, 0, 0, 80, 8, 64) + patch("patchDef2", "3 3 0 0 0", texture)),
+                           "p.map"));
     };
     const Reading arch = with("func_group", "stone");
     EXPECT_EQ(arch.scene.triangles.at(0).feature, arch.scene.solids.at(1).feature);
     EXPECT_EQ(arch.scene.find(arch.scene.triangles[0].feature)->name, "Arch");
-    for (const auto& [class_name, texture] : {std::pair{"trigger_once", "stone"}, {"func_group", "clip"}, {"func_group", "*water"}}) {
+    for (const auto& [class_name, texture] :
+         {std::pair{"trigger_once", "stone"}, {"func_group", "clip"}, {"func_group", "*water"}}) {
         const Reading none = with(class_name, texture);
         EXPECT_TRUE(none.scene.triangles.empty());
         EXPECT_EQ(none.scene.report.left_out.size(), 1U);
@@ -128,8 +136,9 @@ TEST(MapPatches, damaged_ones_cost_themselves_alone) {
 }
 
 TEST(MapPatches, cut_at_every_byte_keep_what_was_complete) {
-    const std::string whole = entity("worldspawn", {}, kFloor + patch() + patch("patchDef3", "3 3 1 1 0 0 0")) +
-                              entity("func_wall", key("shape", "cone") + key("axis", "-x"), box_brush(0, 0, 0, 64, 16, 16));
+    const std::string whole =
+        entity("worldspawn", {}, kFloor + patch() + patch("patchDef3", "3 3 1 1 0 0 0")) +
+        entity("func_wall", key("shape", "cone") + key("axis", "-x"), box_brush(0, 0, 0, 64, 16, 16));
     std::size_t most = 0;
     for (std::size_t length = 0; length <= whole.size(); ++length) {
         const Result<Scene> scene = read_quake_map(std::string_view(whole).substr(0, length), "cut.map");
@@ -163,7 +172,9 @@ TEST(MapPatches, brushes_written_as_brushDef_are_those_of_the_plain_form) {
     }
     EXPECT_EQ(b.scene.material(b.scene.solids[1].face_materials[0]).name, "wood");
     // Nothing else is lost where one lacks its second brace or its texture's numbers.
-    EXPECT_EQ(read("{\nbrushDef\n{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) ( ( 1 0 ) x 0 0 0\n}\n}\n" + plain).scene.solids.size(), 2U);
+    EXPECT_EQ(
+        read("{\nbrushDef\n{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) ( ( 1 0 ) x 0 0 0\n}\n}\n" + plain).scene.solids.size(),
+        2U);
 }
 
 }  // namespace

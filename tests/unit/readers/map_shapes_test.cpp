@@ -12,11 +12,13 @@ using test::Reading;
 using test::reading_of;
 
 Reading read(const std::string& keys, const std::string& brushes, const std::string& class_name = "func_wall") {
-    return reading_of(read_quake_map(entity("worldspawn", {}, box_brush(0, 0, -32, 640, 640, 0)) + entity(class_name, keys, brushes), "shapes.map"));
+    return reading_of(read_quake_map(
+        entity("worldspawn", {}, box_brush(0, 0, -32, 640, 640, 0)) + entity(class_name, keys, brushes), "shapes.map"));
 }
 
 bool heard(const Reading& reading, const std::string& part) {
-    return std::any_of(reading.said.begin(), reading.said.end(), [&](const std::string& s) { return s.find(part) != std::string::npos; });
+    return std::any_of(reading.said.begin(), reading.said.end(),
+                       [&](const std::string& s) { return s.find(part) != std::string::npos; });
 }
 
 const std::string kCube = box_brush(64, 64, 0, 96, 96, 32);     // 1 m, from (2, 2, 0)
@@ -45,7 +47,8 @@ TEST(MapShapes, dynamic_things_take_their_sizes_from_the_box_around_them) {
     EXPECT_EQ(box.scene.solids[1].shape.planes.size(), 6U);
     // Several brushes are one shape; of a box too.
     const std::string two = box_brush(64, 64, 0, 96, 96, 16) + box_brush(64, 64, 16, 96, 96, 32);
-    for (const char* name : {"dynamic_box", "dynamic_sphere"}) EXPECT_EQ(read(key("cs_name", name), two, "thing").scene.solids.size(), 2U) << name;
+    for (const char* name : {"dynamic_box", "dynamic_sphere"})
+        EXPECT_EQ(read(key("cs_name", name), two, "thing").scene.solids.size(), 2U) << name;
 }
 
 TEST(MapShapes, sides_that_disagree_by_more_than_5_percent_are_told_with_file_and_line) {
@@ -55,10 +58,13 @@ TEST(MapShapes, sides_that_disagree_by_more_than_5_percent_are_told_with_file_an
         if (told) {
             EXPECT_TRUE(heard(ball, "shapes.map, line 12"));
         }
-        EXPECT_NEAR(std::get<SphereShape>(ball.scene.solids.at(1).round).radius_m, 0.5, 1e-12) << "the smallest side, so that it stays in its box";
+        EXPECT_NEAR(std::get<SphereShape>(ball.scene.solids.at(1).round).radius_m, 0.5, 1e-12)
+            << "the smallest side, so that it stays in its box";
     }
-    EXPECT_TRUE(heard(read(key("cs_name", "dynamic_cylinder"), box_brush(64, 64, 0, 96, 80, 32), "thing"), "box around this cylinder"));
-    EXPECT_TRUE(read(key("cs_name", "dynamic_cylinder"), kPillar, "thing").said.empty()) << "a cylinder may be higher than wide";
+    EXPECT_TRUE(heard(read(key("cs_name", "dynamic_cylinder"), box_brush(64, 64, 0, 96, 80, 32), "thing"),
+                      "box around this cylinder"));
+    EXPECT_TRUE(read(key("cs_name", "dynamic_cylinder"), kPillar, "thing").said.empty())
+        << "a cylinder may be higher than wide";
 }
 
 TEST(MapShapes, the_key_shape_makes_any_thing_exact_along_any_axis) {
@@ -83,7 +89,8 @@ TEST(MapShapes, the_key_shape_makes_any_thing_exact_along_any_axis) {
     const Reading across = read(key("shape", "cylinder") + key("axis", "y"), box_brush(64, 64, 0, 96, 192, 32));
     EXPECT_NEAR(std::get<CylinderShape>(across.scene.solids.at(1).round).height_m, 4.0, 1e-12);
     EXPECT_NEAR(std::abs(std::get<CylinderShape>(across.scene.solids.at(1).round).axis.y), 1.0, 1e-12);
-    EXPECT_TRUE(std::holds_alternative<CylinderShape>(read(key("shape", "cylinder"), kPillar, "func_door").scene.solids.at(1).round));
+    EXPECT_TRUE(std::holds_alternative<CylinderShape>(
+        read(key("shape", "cylinder"), kPillar, "func_door").scene.solids.at(1).round));
 }
 
 TEST(MapShapes, a_shape_that_makes_no_sense_is_told_and_the_brushes_stay) {
@@ -92,7 +99,8 @@ TEST(MapShapes, a_shape_that_makes_no_sense_is_told_and_the_brushes_stay) {
     EXPECT_TRUE(std::holds_alternative<std::monostate>(unknown.scene.solids.at(1).round));
     EXPECT_TRUE(heard(read(key("shape", "cone") + key("axis", "up"), kCube), "is not x, y or z"));
     EXPECT_TRUE(heard(read(key("shape", "sphere"), kCube, "trigger_once"), "cannot be touched"));
-    const Reading building = reading_of(read_quake_map(entity("worldspawn", key("shape", "sphere"), kCube), "shapes.map"));
+    const Reading building =
+        reading_of(read_quake_map(entity("worldspawn", key("shape", "sphere"), kCube), "shapes.map"));
     EXPECT_TRUE(heard(building, "on the whole building"));
     EXPECT_EQ(building.scene.solids.size(), 1U);
     const Reading flat = read(key("shape", "capsule"), box_brush(64, 64, 0, 96, 96, 8));

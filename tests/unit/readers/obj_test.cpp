@@ -12,7 +12,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Reading read(const std::string& text, const ReadOptions& options = {}) { return test::reading_of(read_obj(text, "test.obj", options)); }
+Reading read(const std::string& text, const ReadOptions& options = {}) {
+    return test::reading_of(read_obj(text, "test.obj", options));
+}
 
 double area(const Scene& scene) {
     double sum = 0.0;
@@ -34,11 +36,12 @@ TEST(ReadObj, splits_polygons_keeps_coordinates_and_counts) {
 }
 
 TEST(ReadObj, takes_the_side_from_which_faces_are_touched_from_a_comment) {  // S28
-    const Reading reading =
-        read(kSquare +
-             "f 1 2 3\n#touch_side front\nf 1 3 4\n# touch_side back\nf 1 2 4\n#touch_side back\r\nf 2 3 4\n#touch_side BOTH\nf 1 2 3 4\n#touch_side up\n");
+    const Reading reading = read(kSquare +
+                                 "f 1 2 3\n#touch_side front\nf 1 3 4\n# touch_side back\nf 1 2 4\n#touch_side "
+                                 "back\r\nf 2 3 4\n#touch_side BOTH\nf 1 2 3 4\n#touch_side up\n");
     ASSERT_EQ(reading.scene.triangles.size(), 6U);
-    const std::vector<TouchSide> expected{TouchSide::Both, TouchSide::Front, TouchSide::Front, TouchSide::Back, TouchSide::Both, TouchSide::Both};
+    const std::vector<TouchSide> expected{TouchSide::Both, TouchSide::Front, TouchSide::Front,
+                                          TouchSide::Back, TouchSide::Both,  TouchSide::Both};
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(reading.scene.triangles[i].side, expected[i]) << i;
     ASSERT_EQ(reading.said.size(), 1U);
     EXPECT_THAT(reading.said[0], HasSubstr("\"up\" is none of both, front and back"));
@@ -81,7 +84,8 @@ TEST(ReadObj, covers_random_star_shaped_polygons_exactly_whichever_way_they_run)
 
 TEST(ReadObj, takes_negative_indices_line_endings_and_continued_lines) {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
-        std::string text = "v 0 0 0" + end + "v 1 0 0" + end + "v 0 1 0 # corner" + end + "f -3 \\" + end + "-2 -1" + end + "f 1 2 9";
+        std::string text =
+            "v 0 0 0" + end + "v 1 0 0" + end + "v 0 1 0 # corner" + end + "f -3 \\" + end + "-2 -1" + end + "f 1 2 9";
         const Reading reading = read(text);
         EXPECT_EQ(reading.scene.triangles.size(), 1U);
         EXPECT_THAT(reading.said, ElementsAre("test.obj, line 6, column 7: warning: there is no point 9; "
@@ -98,8 +102,10 @@ TEST(ReadObj, warns_by_line_of_bad_indices_and_numbers_and_loads_the_rest) {
                 ElementsAre(HasSubstr("line 5, column 3: warning: expected a number of at most a "
                                       "million, found \"nan\""),
                             HasSubstr("line 6, column 1: warning: this point has fewer"), HasSubstr("line 7, column 3"),
-                            HasSubstr("line 9, column 7: warning: point 5 is damaged"), HasSubstr("line 10, column 3: warning: there is no point 0"),
-                            HasSubstr("line 11, column 7: warning: there is no point -9"), HasSubstr("line 12, column 1: warning: this face has 2 corners"),
+                            HasSubstr("line 9, column 7: warning: point 5 is damaged"),
+                            HasSubstr("line 10, column 3: warning: there is no point 0"),
+                            HasSubstr("line 11, column 7: warning: there is no point -9"),
+                            HasSubstr("line 12, column 1: warning: this face has 2 corners"),
                             HasSubstr("line 13, column 5: warning: expected the number of a "
                                       "point, found \"x\""),
                             HasSubstr("line 14, column 7")));
@@ -130,11 +136,14 @@ TEST(ReadObj, names_features_by_object_and_group_and_surfaces_by_material) {
 }
 
 // Whatever comes out must hold together: a Scene, or a sentence.
-void expect_whole(const Result<Scene>& scene) { EXPECT_TRUE(scene ? validate(*scene).has_value() : !scene.error().message.empty()); }
+void expect_whole(const Result<Scene>& scene) {
+    EXPECT_TRUE(scene ? validate(*scene).has_value() : !scene.error().message.empty());
+}
 
 TEST(ReadObj, survives_damage_anywhere) {
     const std::string whole = kSquare + "o A\nusemtl wood\nf 1 2 3 4\nf -1 -2 \\\n-3\n";
-    for (std::size_t length = 0; length <= whole.size(); ++length) expect_whole(read_obj(std::string_view(whole).substr(0, length), "cut.obj"));
+    for (std::size_t length = 0; length <= whole.size(); ++length)
+        expect_whole(read_obj(std::string_view(whole).substr(0, length), "cut.obj"));
 }
 
 }  // namespace

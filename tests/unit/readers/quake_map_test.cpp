@@ -10,7 +10,9 @@ using test::box_brush;
 using test::entity;
 using test::key;
 
-Scene read(const std::string& text, const ReadOptions& options = {}) { return test::reading_of(read_quake_map(text, "test.map", options)).scene; }
+Scene read(const std::string& text, const ReadOptions& options = {}) {
+    return test::reading_of(read_quake_map(text, "test.map", options)).scene;
+}
 
 const std::string kCube = box_brush(0, 0, 0, 64, 64, 64);
 
@@ -42,7 +44,8 @@ TEST(ReadQuakeMap, tells_roles_apart_by_class_and_by_texture) {
         {"func_train", "", "m", SolidRole::Mover, FeatureKind::Mover, "moving platform"},
         {"func_wall", key("name", "Table"), "m", SolidRole::Solid, FeatureKind::Object, "Table"},
         {"func_illusionary", "", "m", SolidRole::Illusion, FeatureKind::Object, "illusion"},
-        {"trigger_multiple", key("message", "Mind the step"), "m", SolidRole::Trigger, FeatureKind::Trigger, "marked place"},
+        {"trigger_multiple", key("message", "Mind the step"), "m", SolidRole::Trigger, FeatureKind::Trigger,
+         "marked place"},
         {"trigger_teleport", "", "trigger", SolidRole::Trigger, FeatureKind::Teleport, "teleporter"},
         {"thing", key("cs_name", "liquid"), "m", SolidRole::Liquid, FeatureKind::Liquid, "liquid"},
         {"thing", key("cs_name", "dynamic_sphere"), "m", SolidRole::Mover, FeatureKind::Object, "ball"},
@@ -72,7 +75,8 @@ TEST(ReadQuakeMap, takes_a_brush_as_special_only_when_every_face_is) {
 }
 
 TEST(ReadQuakeMap, leaves_out_the_cursor_and_the_helper_brushes_but_counts_them) {
-    const Scene scene = read(entity("worldspawn", {}, kCube + box_brush(0, 0, 64, 64, 64, 96, "hint")) + entity("thing", key("cs_name", "PHANTOM"), kCube));
+    const Scene scene = read(entity("worldspawn", {}, kCube + box_brush(0, 0, 64, 64, 64, 96, "hint")) +
+                             entity("thing", key("cs_name", "PHANTOM"), kCube));
     EXPECT_EQ(scene.solids.size(), 1U);
     EXPECT_EQ(scene.report.brushes, 3);
     EXPECT_EQ(scene.report.polygons, 18);
@@ -82,7 +86,8 @@ TEST(ReadQuakeMap, leaves_out_the_cursor_and_the_helper_brushes_but_counts_them)
 TEST(ReadQuakeMap, puts_starts_on_their_feet_facing_their_heading_and_chooses_one_base) {
     const Scene scene =
         read(entity("worldspawn", {}, kCube) + entity("info_player_deathmatch", key("origin", "0 0 24")) +
-             entity("info_player_start", key("origin", "32 64 56") + key("angle", "0")) + entity("info_teleport_destination", key("origin", "1 2 3")));
+             entity("info_player_start", key("origin", "32 64 56") + key("angle", "0")) +
+             entity("info_teleport_destination", key("origin", "1 2 3")));
     ASSERT_EQ(scene.starts.size(), 2U);
     EXPECT_EQ(scene.report.starts, 2);
     EXPECT_FALSE(scene.starts[0].base);
@@ -97,7 +102,9 @@ TEST(ReadQuakeMap, knows_a_game_map_from_a_building) {
     EXPECT_TRUE(read(entity("worldspawn", key("wad", "base.wad"), kCube)).game_map);
     EXPECT_TRUE(read(entity("worldspawn", {}, kCube) + entity("monster_ogre")).game_map);
     EXPECT_FALSE(read(entity("worldspawn", key("wad", "x.wad") + key("building", "1"), kCube)).game_map);
-    EXPECT_FALSE(read(entity("worldspawn", key("wad", "x.wad"), kCube) + entity("thing", key("cs_name", "chair"), kCube)).game_map);
+    EXPECT_FALSE(
+        read(entity("worldspawn", key("wad", "x.wad"), kCube) + entity("thing", key("cs_name", "chair"), kCube))
+            .game_map);
 }
 
 TEST(ReadQuakeMap, takes_the_nearest_legal_value_and_says_where) {
@@ -112,14 +119,16 @@ TEST(ReadQuakeMap, takes_the_nearest_legal_value_and_says_where) {
                                         "stiffness is out of range. It takes 0 to 1. 1 was taken."));
     EXPECT_THAT(said, testing::Contains(testing::HasSubstr("line 15, column 12: warning: the value \"much\" of "
                                                            "the key friction is no number.")));
-    EXPECT_THAT(said, testing::Contains(testing::HasSubstr("there is no material \"plastre\". The nearest name is plaster.")));
+    EXPECT_THAT(
+        said, testing::Contains(testing::HasSubstr("there is no material \"plastre\". The nearest name is plaster.")));
     const Material& material = scene.material(scene.solids.at(1).face_materials.at(0));
     EXPECT_EQ(material.stiffness_fraction, 1.0);
     EXPECT_FALSE(material.friction_mu.has_value());
 }
 
 TEST(ReadWorld, reads_every_real_map_without_a_warning) {
-    for (const char* name : {"agdm01", "agtut01", "agtut03", "agtut05", "house", "office", "quake-dm3", "quake-e1m1", "quake-start"}) {
+    for (const char* name :
+         {"agdm01", "agtut01", "agtut03", "agtut05", "house", "office", "quake-dm3", "quake-e1m1", "quake-start"}) {
         const auto path = test::real_world(std::string(name) + ".map");
         if (!path) GTEST_SKIP() << "the real worlds are not here";
         const Result<Scene> scene = read_world(*path);

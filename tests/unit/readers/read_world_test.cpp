@@ -1,6 +1,17 @@
+#include "worlds/readers/reader.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <set>
+#include <stop_token>
+#include <thread>
+
 #include "tests/support/map_text.h"
 #include "tests/support/temporary_folder.h"
-#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace {
@@ -14,20 +25,83 @@ std::string sentence_for(const std::string& name, std::string_view bytes) {
 }
 
 TEST(ReadWorld, chooses_the_reader_by_the_files_ending) {
-    EXPECT_EQ(sentence_for("a.map", test::entity("worldspawn", {}, test::box_brush(0, 0, 0, 64, 64, 64))), "read as map");
-    EXPECT_EQ(sentence_for("A.MAP", test::entity("worldspawn", {}, test::box_brush(0, 0, 0, 64, 64, 64))), "read as map");
+    EXPECT_EQ(sentence_for("a.map", test::entity("worldspawn", {}, test::box_brush(0, 0, 0, 64, 64, 64))),
+              "read as map");
+    EXPECT_EQ(sentence_for("A.MAP", test::entity("worldspawn", {}, test::box_brush(0, 0, 0, 64, 64, 64))),
+              "read as map");
     EXPECT_EQ(sentence_for("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "read as obj");
-    EXPECT_EQ(sentence_for("a.txt", "hello"), "a.txt: Handrail reads worlds from .map and .obj files, told by the file's ending. This file has another.");
+    EXPECT_EQ(sentence_for("a.txt", "hello"),
+              "a.txt: Handrail reads worlds from .map, .ifc and .obj files, told by the file's ending. This file has "
+              "another.");
 }
 
 TEST(ReadWorld, recognises_files_given_by_mistake_and_says_what_to_do) {
-    EXPECT_THAT(sentence_for("a.map", "version https://git-lfs.github.com/spec/v1\noid sha256:00\n"), HasSubstr("git lfs pull"));
+    EXPECT_THAT(sentence_for("a.map", "version https://git-lfs.github.com/spec/v1\noid sha256:00\n"),
+                HasSubstr("git lfs pull"));
     EXPECT_THAT(sentence_for("a.map", std::string("\x1D\0\0\0rest", 8)), HasSubstr("compiled Quake level"));
     EXPECT_THAT(sentence_for("a.bsp", "IBSP...."), HasSubstr("compiled game level"));
     EXPECT_THAT(sentence_for("a.map", std::string("\x66\x66\x0E\x40RMF....", 11)), HasSubstr("export it as a .map"));
     EXPECT_THAT(sentence_for("pak0.pak", "PACK...."), HasSubstr("Unpack it"));
-    EXPECT_THAT(sentence_for("a.ifc", "ISO-10303-21;"), HasSubstr("IFC"));
+    EXPECT_THAT(sentence_for("a.ifc", "ISO-10303-21;"), HasSubstr("cut short"));
     EXPECT_EQ(sentence_for("a.map", ""), "a.map: This file is empty.");
+}
+
+// Faces with as many corners as are read, so that cutting them into triangles takes half a minute.
+std::string endless_faces() {
+    constexpr int kCorners = 4096, kFaces = 1000;
+    std::string text, face = "f";
+    for (int i = 0; i < kCorners; ++i) {
+        const double turn = 2.0 * kPi * i / kCorners, out_m = 100.0 + (i % 2 == 0 ? 10.0 : 0.0);
+        text += fmt::format("v {} {} 0\n", out_m * std::cos(turn), out_m * std::sin(turn));
+        face += fmt::format(" {}", i + 1);
+    }
+    for (int i = 0; i < kFaces; ++i) text += face + "\n";
+    return text;
+}
+
+TEST(ReadWorld, can_be_stopped_while_a_face_is_cut) {
+    std::stop_source stop;
+    const std::string bytes = endless_faces();
+    std::atomic<bool> begun{false};
+    auto reading = std::async(std::launch::async, [&] {
+        ReadOptions options;
+        options.stop = stop.get_token();
+        begun = true;
+        return read_obj(bytes, "endless.obj", options);
+    });
+    while (!begun) std::this_thread::yield();
+    EXPECT_EQ(reading.wait_for(std::chrono::milliseconds(200)), std::future_status::timeout) << "it is long";
+    stop.request_stop();
+    ASSERT_EQ(reading.wait_for(std::chrono::seconds(20)), std::future_status::ready);
+    EXPECT_THAT(reading.get().error().sentence(), HasSubstr("stopped"));
+}
+
+TEST(ReadWorld, of_a_map_ends_at_each_step_where_it_is_stopped) {
+    std::string brushes;
+    for (int x = 0; x < 20; ++x)
+        for (int y = 0; y < 20; ++y) brushes += test::box_brush(64 * x, 64 * y, 0, 64 * x + 80, 64 * y + 48, 64);
+    const std::string map = test::entity("worldspawn", {}, brushes);
+    std::set<double> steps;
+    ReadOptions options;
+    options.progress = [&](double fraction) { steps.insert(fraction); };
+    ASSERT_TRUE(read_quake_map(map, "a.map", options));
+    steps.erase(1.0);
+    steps.erase(0.9);  // what is left then is short, and the Scene is whole
+    ASSERT_GE(steps.size(), 2U);
+    for (const double step : steps) {
+        std::stop_source stop;
+        ReadOptions stopped;
+        stopped.stop = stop.get_token();
+        double reached = 0.0;
+        stopped.progress = [&](double fraction) {
+            reached = fraction;
+            if (fraction == step) stop.request_stop();
+        };
+        const Result<Scene> scene = read_quake_map(map, "a.map", stopped);
+        ASSERT_FALSE(scene) << step;
+        EXPECT_THAT(scene.error().sentence(), HasSubstr("stopped"));
+        EXPECT_LE(reached, 0.5) << "the steps after " << step << " are not begun";
+    }
 }
 
 TEST(ReadWorld, says_why_a_file_cannot_be_read) {

@@ -30,9 +30,11 @@ std::size_t survive(std::string_view bytes) {
     return scene->solids.size();
 }
 
-const std::string kSmall =
-    "// small\n" + entity("worldspawn", "\"message\" \"a \\\"b\\\"\"\n", box_brush(0, 0, 0, 64, 64, 64, "{x") + box_brush(64, 0, 0, 96, 64, 64, "*water")) +
-    entity("func_door", "\"name\" \"D\"\n", box_brush(0, 64, 0, 64, 80, 64, "\"q r\"")) + entity("info_player_start", "\"origin\" \"1 2 3\"\n");
+const std::string kSmall = "// small\n" +
+                           entity("worldspawn", "\"message\" \"a \\\"b\\\"\"\n",
+                                  box_brush(0, 0, 0, 64, 64, 64, "{x") + box_brush(64, 0, 0, 96, 64, 64, "*water")) +
+                           entity("func_door", "\"name\" \"D\"\n", box_brush(0, 64, 0, 64, 80, 64, "\"q r\"")) +
+                           entity("info_player_start", "\"origin\" \"1 2 3\"\n");
 
 TEST(Torture, a_map_cut_at_every_byte) {
     std::size_t most = 0;
@@ -45,15 +47,16 @@ TEST(Torture, a_map_cut_at_every_byte) {
 }
 
 TEST(Torture, real_maps_cut_at_every_97th_byte) {
-    // Every place of the small one; of the larger ones places spread over the file. All of them take minutes of processor time, shared among
-    // the processors; HANDRAIL_EVERY_CUT=1 asks for that.
+    // Every place of the small one; of the larger ones places spread over the file. All of them take minutes of
+    // processor time, shared among the processors; HANDRAIL_EVERY_CUT=1 asks for that.
     const bool every = std::getenv("HANDRAIL_EVERY_CUT") != nullptr;
-    for (const char* name :
-         {"agtut01.map", "agdm01.map", "house.map", "office.map", "quake-e1m1.map", "quake-start.map", "quake-dm3.map", "agtut03.map", "agtut05.map"}) {
+    for (const char* name : {"agtut01.map", "agdm01.map", "house.map", "office.map", "quake-e1m1.map",
+                             "quake-start.map", "quake-dm3.map", "agtut03.map", "agtut05.map"}) {
         const auto path = test::real_world(name);
         if (!path) GTEST_SKIP() << "the real worlds are not here";
         const std::string bytes = test::content_of(*path);
-        const std::size_t cuts = bytes.size() / 97, tried = static_cast<std::size_t>(test::scaled(bytes.size() < 20000 ? 150 : 8));
+        const std::size_t cuts = bytes.size() / 97,
+                          tried = static_cast<std::size_t>(test::scaled(bytes.size() < 20000 ? 150 : 8));
         const std::size_t step = every ? 97 : std::max<std::size_t>(1, cuts / tried) * 97;
         std::atomic<std::size_t> next{97}, survived{0};
         const auto work = [&] {
@@ -84,9 +87,9 @@ TEST(Torture, lines_of_a_hundred_megabytes) {
     const std::size_t length = static_cast<std::size_t>(100e6 * test::kSanitizerScale * test::kSanitizerScale);
     EXPECT_EQ(survive(std::string(length, 'x')), 0U);
     EXPECT_EQ(survive("{\n\"a\" \"" + std::string(length / 4, 'x')), 0U);
-    EXPECT_EQ(
-        survive(entity("worldspawn", "\"message\" \"" + std::string(length / 4, '\\') + "\"\n", box_brush(0, 0, 0, 64, 64, 64, std::string(length / 40, 'x')))),
-        1U);
+    EXPECT_EQ(survive(entity("worldspawn", "\"message\" \"" + std::string(length / 4, '\\') + "\"\n",
+                             box_brush(0, 0, 0, 64, 64, 64, std::string(length / 40, 'x')))),
+              1U);
 }
 
 TEST(Torture, random_bytes_and_random_tokens) {
@@ -136,7 +139,8 @@ TEST(Torture, random_planes_through_a_small_grid) {
         for (int b = 0; b < 40; ++b) {
             brushes += "{\n";
             for (int f = 0; f < 4 + static_cast<int>(random() % 8); ++f) {
-                for (int p = 0; p < 3; ++p) brushes += fmt::format("( {} {} {} ) ", random() % 9, random() % 9, random() % 9);
+                for (int p = 0; p < 3; ++p)
+                    brushes += fmt::format("( {} {} {} ) ", random() % 9, random() % 9, random() % 9);
                 brushes += "t 0 0 0 1 1\n";
             }
             brushes += "}\n";
@@ -148,7 +152,9 @@ TEST(Torture, random_planes_through_a_small_grid) {
 TEST(Torture, far_and_tiny_coordinates) {
     for (const double far : {1e4, 1e6, 3e7, 1e9, 1e150, 1e300})
         for (const double size : {1e-6, 1e-3, 1.0, 1e4})
-            survive(entity("worldspawn", {}, box_brush(far, far, far, far + size, far + size, far + size) + box_brush(0, 0, 0, 64, 64, 64)));
+            survive(
+                entity("worldspawn", {},
+                       box_brush(far, far, far, far + size, far + size, far + size) + box_brush(0, 0, 0, 64, 64, 64)));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Every kind of obstacle in one scene: what is nearest, which surface it is, how many there are, near and far from the world's zero.
+// Every kind of obstacle in one scene: what is nearest, which surface it is, how many there are, near and far from the
+// world's zero.
 #include "haptic/render/haptic_scene.h"
 
 #include "haptic/render/proxy_solver.h"
@@ -15,7 +16,8 @@ std::shared_ptr<const HapticScene> one_of_each(const Vec3& at) {
     HapticSceneBuilder builder;
     const auto x = [&](int i) { return at + Vec3(10.0 * i, 0.0, 0.0); };
     builder.add_triangle(x(0) + Vec3(-1, 0, 0), x(0) + Vec3(1, 0, 0), x(0) + Vec3(0, 0, 2), label(10));
-    const std::array<Vec3, 4> square{x(1) + Vec3(-1, 0, 0), x(1) + Vec3(1, 0, 0), x(1) + Vec3(1, 0, 2), x(1) + Vec3(-1, 0, 2)};
+    const std::array<Vec3, 4> square{x(1) + Vec3(-1, 0, 0), x(1) + Vec3(1, 0, 0), x(1) + Vec3(1, 0, 2),
+                                     x(1) + Vec3(-1, 0, 2)};
     const std::array<SurfaceLabel, 2> sides{label(20), label(21)};
     builder.add_polygon(square, sides);
     builder.add_box({x(2) - Vec3(1, 1, 0), x(2) + Vec3(1, 1, 2)}, label(30));
@@ -30,7 +32,9 @@ std::shared_ptr<const HapticScene> one_of_each(const Vec3& at) {
     const std::array<SurfaceLabel, 2> cone{label(80), label(81)};
     builder.add_cone(make_cone(x(7), up, 2.0, 1.0), cone);
     CustomObstacle custom;
-    custom.closest = [](const Vec3& p, const void* data) noexcept { return closest_point(*static_cast<const SphereShape*>(data), p); };
+    custom.closest = [](const Vec3& p, const void* data) noexcept {
+        return closest_point(*static_cast<const SphereShape*>(data), p);
+    };
     custom.data = std::make_shared<const SphereShape>(SphereShape{up, 1.0});
     custom.position_m = x(8);
     custom.bounds_m = {{-1, -1, 0}, {1, 1, 2}};
@@ -83,7 +87,8 @@ TEST(HapticScene, knows_place_and_surface_of_every_kind_near_and_far) {
 TEST(HapticScene, holds_a_ball_at_every_kind_with_the_label_of_the_face) {
     for (const Vec3& at : {Vec3(0.0), Vec3(4e5, -7e5, 3e4)}) {
         const auto scene = one_of_each(at);
-        for (const auto& [x, feature] : {std::pair{20.0, 30U}, {40.0, 50U}, {50.0, 60U}, {60.0, 72U}, {70.0, 80U}, {80.0, 90U}}) {
+        for (const auto& [x, feature] :
+             {std::pair{20.0, 30U}, {40.0, 50U}, {50.0, 60U}, {60.0, 72U}, {70.0, 80U}, {80.0, 90U}}) {
             TouchState state;
             TouchTuning tuning;
             TouchResult r;
@@ -109,7 +114,8 @@ TEST(HapticScene, round_solids_are_slid_over_in_few_rounds) {
             const auto scene = world->scene();
             int most = 0;
             double rounds = 0, ticks = 0;
-            for (double lift = 0.03; lift > -depth; lift -= 1e-4) touch_tick(state, *scene, tuning, {0, 0, 0.055 + lift}, 1e-3);
+            for (double lift = 0.03; lift > -depth; lift -= 1e-4)
+                touch_tick(state, *scene, tuning, {0, 0, 0.055 + lift}, 1e-3);
             // Held still until the ball has come down to its place, then round at 0.1 m/s.
             for (int i = 0; i < 300; ++i) touch_tick(state, *scene, tuning, {0, 0, 0.055 - depth}, 1e-3);
             for (double turn = 0.0; turn < 2 * kPi; turn += 1e-4 / (0.055 - depth)) {
@@ -120,8 +126,8 @@ TEST(HapticScene, round_solids_are_slid_over_in_few_rounds) {
                 ++ticks;
                 ASSERT_TRUE(r.contacts.converged || r.contacts.capped);
             }
-            std::cout << fmt::format("kind {}, {} mm deep: {:.2f} rounds a tick, {} at most\n", static_cast<int>(scene->obstacles[0].kind), 1e3 * depth,
-                                     rounds / ticks, most);
+            std::cout << fmt::format("kind {}, {} mm deep: {:.2f} rounds a tick, {} at most\n",
+                                     static_cast<int>(scene->obstacles[0].kind), 1e3 * depth, rounds / ticks, most);
             EXPECT_LE(rounds / ticks, 2.0);
             EXPECT_LE(most, 3);
         }

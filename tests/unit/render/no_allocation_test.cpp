@@ -1,35 +1,7 @@
 // touch_tick neither allocates nor frees: every way to operator new and delete in this program is counted.
-#include <cstdlib>
-#include <new>
-
 #include "haptic/render/touch.h"
+#include "tests/support/count_allocations.h"
 #include "tests/support/touch_worlds.h"
-
-namespace {
-thread_local long allocations = 0;
-void* counted(std::size_t size) {
-    ++allocations;
-    if (void* p = std::malloc(size ? size : 1)) return p;
-    throw std::bad_alloc();
-}
-}  // namespace
-
-void* operator new(std::size_t size) { return counted(size); }
-void* operator new[](std::size_t size) { return counted(size); }
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    ++allocations;
-    return std::malloc(size ? size : 1);
-}
-void* operator new[](std::size_t size, const std::nothrow_t& tag) noexcept { return ::operator new(size, tag); }
-void operator delete(void* p, const std::nothrow_t&) noexcept { ::operator delete(p); }
-void operator delete[](void* p, const std::nothrow_t&) noexcept { ::operator delete(p); }
-void operator delete(void* p) noexcept {
-    ++allocations;
-    std::free(p);
-}
-void operator delete[](void* p) noexcept { ::operator delete(p); }
-void operator delete(void* p, std::size_t) noexcept { ::operator delete(p); }
-void operator delete[](void* p, std::size_t) noexcept { ::operator delete(p); }
 
 namespace handrail::test {
 namespace {
@@ -68,8 +40,9 @@ TEST(TouchTick, never_allocates_or_frees) {
     liquid.viscosity_ns_per_m = 4.0;
     liquid.buoyancy_n = liquid.film_n = 0.3;
     builder.add_liquid(liquid, cube);
-    for (const EffectLaw& law : {EffectLaw(MagnetLaw{{{Vec3(0.0)}}}), EffectLaw(DetentLaw{}), EffectLaw(ButtonLaw{}), EffectLaw(FlyPaperLaw{}),
-                                 EffectLaw(InertiaLaw{}), EffectLaw(ForceLaw{}), EffectLaw(VibrationLaw{})})
+    for (const EffectLaw& law :
+         {EffectLaw(MagnetLaw{{{Vec3(0.0)}}}), EffectLaw(DetentLaw{}), EffectLaw(ButtonLaw{}), EffectLaw(FlyPaperLaw{}),
+          EffectLaw(InertiaLaw{}), EffectLaw(ForceLaw{}), EffectLaw(VibrationLaw{})})
         for (int copy = 0; copy < 3; ++copy) {
             EffectVolume effect;
             effect.region = cube;

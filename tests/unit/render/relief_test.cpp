@@ -20,7 +20,8 @@ std::shared_ptr<const HeightField> random_field(std::mt19937& random, int width,
 std::shared_ptr<const HeightField> half_white() {
     constexpr int kWidth = 64, kHeight = 32;
     std::vector<float> depths(kWidth * kHeight);
-    for (int i = 0; i < kWidth * kHeight; ++i) depths[static_cast<std::size_t>(i)] = i % kWidth < kWidth / 2 ? 0.0F : 1.0F;
+    for (int i = 0; i < kWidth * kHeight; ++i)
+        depths[static_cast<std::size_t>(i)] = i % kWidth < kWidth / 2 ? 0.0F : 1.0F;
     return std::make_shared<const HeightField>(kWidth, kHeight, depths);
 }
 
@@ -35,7 +36,8 @@ std::vector<Relief> reliefs_of_every_kind(std::mt19937& random) {
                 relief.period_hand_m = period;
                 relief.size_m = 20.0 * period;
                 if (kind == ReliefKind::Picture)
-                    relief.picture = random_field(random, 5 + static_cast<int>(random() % 40), 5 + static_cast<int>(random() % 40));
+                    relief.picture =
+                        random_field(random, 5 + static_cast<int>(random() % 40), 5 + static_cast<int>(random() % 40));
                 all.push_back(relief);
             }
     return all;
@@ -57,8 +59,10 @@ TEST(Relief, is_nowhere_steeper_or_more_curved_than_a_hand_can_take) {
             for (const Vec3& way : {Vec3(kStep, 0, 0), Vec3(0, kStep, 0)}) {
                 const ReliefValue ahead = relief_at(relief, axes, at + way, 1.0, kStiffness, 1.0),
                                   behind = relief_at(relief, axes, at - way, 1.0, kStiffness, 1.0);
-                EXPECT_NEAR((ahead.depth_m - behind.depth_m) / (2.0 * kStep), glm::dot(here.gradient, way) / kStep, 2e-3);
-                EXPECT_LE(glm::length(ahead.gradient - behind.gradient) / (2.0 * kStep) * Relief::kFullForce_n, 0.5 * kStiffness * 1.01);
+                EXPECT_NEAR((ahead.depth_m - behind.depth_m) / (2.0 * kStep), glm::dot(here.gradient, way) / kStep,
+                            2e-3);
+                EXPECT_LE(glm::length(ahead.gradient - behind.gradient) / (2.0 * kStep) * Relief::kFullForce_n,
+                          0.5 * kStiffness * 1.01);
             }
         }
 }
@@ -115,8 +119,11 @@ TouchResult press(TouchState& state, const HapticScene& scene, const TouchTuning
     const double scale = tuning.world_m_per_hand_m;
     state.reset();
     TouchResult r;
-    for (int i = 0; i <= 200; ++i) r = touch_tick(state, scene, tuning, {x_m, 0, tuning.radius_m + (0.002 - (0.002 + depth_m) * i / 200.0) * scale}, 1e-3);
-    for (int i = 0; i < 100; ++i) r = touch_tick(state, scene, tuning, {x_m, 0, tuning.radius_m - depth_m * scale}, 1e-3);
+    for (int i = 0; i <= 200; ++i)
+        r = touch_tick(state, scene, tuning,
+                       {x_m, 0, tuning.radius_m + (0.002 - (0.002 + depth_m) * i / 200.0) * scale}, 1e-3);
+    for (int i = 0; i < 100; ++i)
+        r = touch_tick(state, scene, tuning, {x_m, 0, tuning.radius_m - depth_m * scale}, 1e-3);
     return r;
 }
 
@@ -174,7 +181,8 @@ TEST(Relief, runs_out_towards_open_edges_and_goes_on_under_covered_ones) {
     TouchState state;
     TouchTuning tuning;
     EXPECT_NEAR(press(state, *scene, tuning, 0.0, 0.004).force_n.z, 0.002 * 800.0, 1e-2);
-    EXPECT_NEAR(press(state, *scene, tuning, 0.099, 0.004).force_n.z, 0.002 * 800.0, 1e-2);  // another solid goes on there
+    EXPECT_NEAR(press(state, *scene, tuning, 0.099, 0.004).force_n.z, 0.002 * 800.0,
+                1e-2);  // another solid goes on there
     double last = 0.0;
     for (double x = -0.08; x > -0.1; x -= 1e-3) {
         const double force = press(state, *scene, tuning, x, 0.004).force_n.z;
@@ -199,7 +207,9 @@ TEST(Relief, is_felt_as_ridges_of_its_period_in_the_hand_at_every_scale) {
         int crests = 0;
         double before = 0.0, last = 0.0;
         for (int i = 0; i < 1000; ++i) {
-            const double force = touch_tick(state, *scene, tuning, {5e-5 * i * scale, 0, tuning.radius_m - 0.003 * scale}, 1e-3).force_n.z;
+            const double force =
+                touch_tick(state, *scene, tuning, {5e-5 * i * scale, 0, tuning.radius_m - 0.003 * scale}, 1e-3)
+                    .force_n.z;
             if (i > 1 && last > before && last >= force && last > 0.0028 * 800.0 - 4e-4 * 400.0) ++crests;
             before = last;
             last = force;

@@ -1,4 +1,5 @@
-// The tick is compiled with and without optional features: which scenes get which, and that leaving out what is not there changes nothing.
+// The tick is compiled with and without optional features: which scenes get which, and that leaving out what is not
+// there changes nothing.
 #include "haptic/render/tick_features.h"
 
 #include <cstring>
@@ -19,12 +20,15 @@ TouchTuning rough() {
 
 bool same_bits(const Vec3& a, const Vec3& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
-void expect_same_bits(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals, const std::string& name) {
+void expect_same_bits(const HapticScene& scene, const TouchTuning& tuning, const std::vector<Vec3>& goals,
+                      const std::string& name) {
     TouchState with, without;
     for (std::size_t i = 0; i < goals.size(); ++i) {
         const TouchResult a = touch_tick_with<AllFeatures>(with, scene, tuning, goals[i], 1e-3, Vec3(0.0), {});
         const TouchResult b = touch_tick(without, scene, tuning, goals[i], 1e-3);
-        ASSERT_TRUE(same_bits(a.force_n, b.force_n) && same_bits(a.proxy_m, b.proxy_m) && same_bits(a.slide_m, b.slide_m)) << name << ", tick " << i;
+        ASSERT_TRUE(same_bits(a.force_n, b.force_n) && same_bits(a.proxy_m, b.proxy_m) &&
+                    same_bits(a.slide_m, b.slide_m))
+            << name << ", tick " << i;
         ASSERT_EQ(a.contacts.count, b.contacts.count) << name << ", tick " << i;
         ASSERT_EQ(a.liquid, b.liquid) << name << ", tick " << i;
     }
@@ -37,6 +41,21 @@ TEST(TickFeatures, leaving_out_what_is_not_there_changes_no_bit) {
         TouchTuning tuning = rough();
         tuning.radius_m = c.radius_m;
         expect_same_bits(*scene, tuning, c.goals_m, c.name);
+    }
+}
+
+// Idle, as the default damping makes it, at the border and at work.
+TEST(TickFeatures, the_passivity_guard_takes_the_plain_path_too_and_changes_no_bit) {
+    for (const TouchCase& c : hard_cases()) {
+        const auto scene = c.world.scene();
+        for (const double damping : {0.0, 2.0, 5.0}) {
+            TouchTuning tuning = rough();
+            tuning.radius_m = c.radius_m;
+            tuning.passivity_guard = true;
+            tuning.damping_ns_per_m = damping;
+            ASSERT_TRUE(scene->plain) << c.name;
+            expect_same_bits(*scene, tuning, c.goals_m, c.name);
+        }
     }
 }
 
@@ -59,8 +78,14 @@ TEST(TickFeatures, liquids_drag_the_same_wherever_the_hand_comes_from) {
     }
     const auto scene = builder.build();
     ASSERT_TRUE(scene->plain);
-    const std::vector<Vec3> goals =
-        hand_path({{-1, 0, 0.3}, {0, 0, 0.115}, {0.3, 0, 0.115}, {0.1, 0, -0.003}, {0.1, 0.1, -0.003}, {0.5, 0, 0.2}, {1, 0, 0.05}}, 0.3);
+    const std::vector<Vec3> goals = hand_path({{-1, 0, 0.3},
+                                               {0, 0, 0.115},
+                                               {0.3, 0, 0.115},
+                                               {0.1, 0, -0.003},
+                                               {0.1, 0.1, -0.003},
+                                               {0.5, 0, 0.2},
+                                               {1, 0, 0.05}},
+                                              0.3);
     expect_same_bits(*scene, rough(), goals, "two pools");
     TouchState state;
     std::array<int, 2> dragged{};
@@ -94,7 +119,9 @@ TEST(TickFeatures, a_scene_with_anything_optional_gets_the_tick_that_knows_it) {
     filmed.film_n = 0.3;
     EXPECT_FALSE(plain_with([&](HapticSceneBuilder& b) { b.add_liquid(floating, room); }));
     EXPECT_FALSE(plain_with([&](HapticSceneBuilder& b) { b.add_liquid(filmed, room); }));
-    EXPECT_FALSE(plain_with([](HapticSceneBuilder& b) { b.add_triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {}, TouchSide::Front); }));
+    EXPECT_FALSE(plain_with([](HapticSceneBuilder& b) {
+        b.add_triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {}, TouchSide::Front);
+    }));
     EXPECT_FALSE(plain_with([](HapticSceneBuilder& b) { b.set_reliefs({Relief{}}); }));
     EXPECT_FALSE(plain_with([](HapticSceneBuilder& b) {
         HapticSceneBuilder crate;

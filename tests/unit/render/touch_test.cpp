@@ -84,7 +84,8 @@ TEST(TouchTick, blends_materials_by_how_hard_they_are_pressed) {
     hold(state, *scene, tuning, {0.08, 0, 0.02}, 1);
     // Into the corner, 2 mm below the floor's resting place and 2 mm beyond the wall's: equal shares, K = 750 N/m.
     for (int i = 0; i <= 100; ++i)
-        touch_tick(state, *scene, tuning, Vec3(0.08, 0, 0.02) + (Vec3(0.097, 0, 0.003) - Vec3(0.08, 0, 0.02)) * (i / 100.0), kTick_s);
+        touch_tick(state, *scene, tuning,
+                   Vec3(0.08, 0, 0.02) + (Vec3(0.097, 0, 0.003) - Vec3(0.08, 0, 0.02)) * (i / 100.0), kTick_s);
     const TouchResult r = hold(state, *scene, tuning, {0.097, 0, 0.003}, 20);
     ASSERT_EQ(r.contacts.count, 2);
     EXPECT_NEAR(r.force_n.z, 1.5, 1e-6);
@@ -111,7 +112,8 @@ TEST(TouchTick, sticks_inside_the_friction_cone_and_slides_on_it) {  // I12
         double drift = 0.0;
         const Vec3 rest = hold(state, *scene, tuning, {0, 0, 0}, 1).proxy_m;
         for (int i = 0; i < 10000; ++i) {
-            const Vec3 goal(0.5 * mu * 0.005 + 5e-5 * std::sin(0.06 * i), 5e-5 * std::sin(0.07 * i), 5e-5 * std::sin(0.05 * i));
+            const Vec3 goal(0.5 * mu * 0.005 + 5e-5 * std::sin(0.06 * i), 5e-5 * std::sin(0.07 * i),
+                            5e-5 * std::sin(0.05 * i));
             drift = std::max(drift, glm::length(Vec2(touch_tick(state, *scene, tuning, goal, kTick_s).proxy_m - rest)));
         }
         EXPECT_EQ(drift, 0.0) << mu;
@@ -292,21 +294,24 @@ TEST(TouchTick, drags_in_a_liquid_as_viscosity_times_hand_speed_and_up_to_four_n
         TouchTuning tuning;
         TouchResult r;
         for (int i = 0; i < 1500; ++i) {
-            r = touch_tick(state, *scene, tuning, {-0.3 + 2e-4 * i, 0, -0.5}, kTick_s);  // 0.2 m/s, at the end on the shared face
+            r = touch_tick(state, *scene, tuning, {-0.3 + 2e-4 * i, 0, -0.5},
+                           kTick_s);  // 0.2 m/s, at the end on the shared face
             if (i > 300) {
                 EXPECT_NEAR(r.force_n.x, -viscosity * 0.2, 1e-3 * viscosity) << i;
             }
         }
         EXPECT_EQ(r.contacts.count, 0);
         EXPECT_EQ(r.contact_force_n, Vec3(0.0));
-        for (int i = 0; i < 100; ++i) r = touch_tick(state, *scene, tuning, {0.5 + 5e-3 * (i % 2), 0, -0.5 + 5e-3 * i}, kTick_s);
+        for (int i = 0; i < 100; ++i)
+            r = touch_tick(state, *scene, tuning, {0.5 + 5e-3 * (i % 2), 0, -0.5 + 5e-3 * i}, kTick_s);
         EXPECT_LE(glm::length(r.force_n), 4.0 + 1e-9);
         hold(state, *scene, tuning, {0.5, 0, -0.5}, 300);
         EXPECT_LT(glm::length(hold(state, *scene, tuning, {0.5, 0, -0.5}, 1).force_n), 1e-3);
         EXPECT_EQ(hold(state, *scene, tuning, {0.5, 0, 0.5}, 3).force_n, Vec3(0.0));
         EXPECT_EQ(hold(state, *scene, tuning, {0.5, 0, 0.5}, 1).liquid, kNoFeature);
         EXPECT_EQ(hold(state, *scene, tuning, {0.5, 0, -0.5}, 1).liquid, FeatureId{kPool.value + 1});
-        EXPECT_EQ(hold(state, *scene, tuning, {0.0, 0, -0.5}, 1).liquid, FeatureId{kPool.value + 1}) << "the last one listed";
+        EXPECT_EQ(hold(state, *scene, tuning, {0.0, 0, -0.5}, 1).liquid, FeatureId{kPool.value + 1})
+            << "the last one listed";
     }
 }
 
@@ -352,7 +357,8 @@ TEST(TouchTick, keeps_the_nearest_when_there_are_too_many_candidates) {
     }
     EXPECT_TRUE(truncated);
     for (double z = -0.02; z < 0.03; z += 1e-4) touch_tick(state, *scene, tuning, {0, 0, z}, kTick_s);
-    EXPECT_EQ(touch_tick(state, *scene, tuning, {0, 0, 0.03}, kTick_s).force_n, Vec3(0.0)) << "and the hand is free again above them";
+    EXPECT_EQ(touch_tick(state, *scene, tuning, {0, 0, 0.03}, kTick_s).force_n, Vec3(0.0))
+        << "and the hand is free again above them";
 }
 
 TEST(TouchTick, survives_every_finite_input) {  // I1

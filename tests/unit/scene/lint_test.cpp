@@ -22,14 +22,16 @@ Scene read(const std::string& text) {
 // Panels of 0.6 m, 1 m apart.
 std::string panel(int place, const std::string& material, const std::string& keys = {}) {
     const int x = 32 * place;
-    return entity("func_wall", key("material", material) + key("name", material + " panel") + keys, box_brush(x, 0, 0, x + 20, 4, 20));
+    return entity("func_wall", key("material", material) + key("name", material + " panel") + keys,
+                  box_brush(x, 0, 0, x + 20, 4, 20));
 }
 
 TEST(MaterialLibrary, every_two_can_be_told_apart_by_touch) {  // G10
     const auto library = material_library();
     for (std::size_t a = 0; a < library.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
-            EXPECT_TRUE(can_be_told_apart(finish_of(library[a]), finish_of(library[b]))) << library[a].name << " and " << library[b].name;
+            EXPECT_TRUE(can_be_told_apart(finish_of(library[a]), finish_of(library[b])))
+                << library[a].name << " and " << library[b].name;
 }
 
 TEST(MaterialLibrary, has_four_steps_of_stiffness_a_sound_for_each_and_no_stick_slip) {
@@ -51,37 +53,45 @@ TEST(MaterialLibrary, has_four_steps_of_stiffness_a_sound_for_each_and_no_stick_
         last = step;
     }
     EXPECT_EQ(sounds.size(), material_library().size());
-    for (const std::string_view name :
-         {"concrete", "wood", "carpet", "rubber", "steel grille", "glass", "plaster", "brick", "tile", "ice", "sand", "stone", "plastic"})
+    for (const std::string_view name : {"concrete", "wood", "carpet", "rubber", "steel grille", "glass", "plaster",
+                                        "brick", "tile", "ice", "sand", "stone", "plastic"})
         EXPECT_NE(find_material(name), nullptr) << name;
 }
 
 TEST(Lint, is_content_with_five_materials_of_the_library) {
-    const LintReport report =
-        lint_materials(read(panel(0, "concrete") + panel(1, "wood") + panel(2, "carpet") + panel(3, "rubber") + panel(4, "steel grille")));
+    const LintReport report = lint_materials(read(panel(0, "concrete") + panel(1, "wood") + panel(2, "carpet") +
+                                                  panel(3, "rubber") + panel(4, "steel grille")));
     EXPECT_TRUE(report.problems.empty()) << report.problems.front();
     EXPECT_TRUE(report.warnings.empty());
 }
 
 TEST(Lint, names_the_pair_that_a_changed_stiffness_makes_alike) {
     // Rubber is 0.3; 0.32 lies within 10 % of it.
-    const LintReport report = lint_materials(read(panel(0, "concrete") + panel(1, "wood", key("stiffness", "0.32")) + panel(2, "carpet") + panel(3, "rubber")));
+    const LintReport report = lint_materials(read(panel(0, "concrete") + panel(1, "wood", key("stiffness", "0.32")) +
+                                                  panel(2, "carpet") + panel(3, "rubber")));
     ASSERT_EQ(report.problems.size(), 1U);
-    EXPECT_EQ(
-        report.problems[0],
-        "Wood and rubber cannot be told apart by touch: stiffness 0.32 and 0.3, friction 0.45 and 0.6. Give rubber a stiffness of 0.24 or less, or rubber a "
-        "friction of 0.68 or more, or one of them a texture.");
+    EXPECT_EQ(report.problems[0],
+              "Wood and rubber cannot be told apart by touch: stiffness 0.32 and 0.3, friction 0.45 and 0.6. Give "
+              "rubber a stiffness of 0.24 or less, or rubber a "
+              "friction of 0.68 or more, or one of them a texture.");
     // What it advises does help.
-    EXPECT_TRUE(lint_materials(read(panel(1, "wood", key("stiffness", "0.32")) + panel(3, "rubber", key("stiffness", "0.24")))).problems.empty());
-    EXPECT_TRUE(lint_materials(read(panel(1, "wood", key("stiffness", "0.32")) + panel(3, "rubber", key("friction", "0.68")))).problems.empty());
+    EXPECT_TRUE(
+        lint_materials(read(panel(1, "wood", key("stiffness", "0.32")) + panel(3, "rubber", key("stiffness", "0.24"))))
+            .problems.empty());
+    EXPECT_TRUE(
+        lint_materials(read(panel(1, "wood", key("stiffness", "0.32")) + panel(3, "rubber", key("friction", "0.68"))))
+            .problems.empty());
 }
 
 TEST(Lint, takes_no_notice_of_what_no_hand_reaches_or_no_name_names) {
-    EXPECT_TRUE(
-        lint_materials(read(panel(0, "rubber") + entity("func_illusionary", key("material", "wood") + key("stiffness", "0.3"), box_brush(50, 0, 0, 60, 9, 9))))
-            .problems.empty());
-    EXPECT_TRUE(lint_materials(read(panel(0, "rubber") + entity("func_wall", key("stiffness", "0.3") + key("friction", "0.6"), box_brush(50, 0, 0, 60, 9, 9))))
+    EXPECT_TRUE(lint_materials(read(panel(0, "rubber") + entity("func_illusionary",
+                                                                key("material", "wood") + key("stiffness", "0.3"),
+                                                                box_brush(50, 0, 0, 60, 9, 9))))
                     .problems.empty());
+    EXPECT_TRUE(
+        lint_materials(read(panel(0, "rubber") + entity("func_wall", key("stiffness", "0.3") + key("friction", "0.6"),
+                                                        box_brush(50, 0, 0, 60, 9, 9))))
+            .problems.empty());
     Scene nothing;
     nothing.materials.resize(1);
     EXPECT_TRUE(lint_materials(nothing).problems.empty());

@@ -25,7 +25,8 @@ TEST(Primitive, refuses_sizes_that_are_none_and_stretches_into_another_shape_wit
         const auto kind = static_cast<PrimitiveKind>(k);
         EXPECT_FALSE(refused(kind, Vec3(0.5))) << k;
         EXPECT_FALSE(refused(kind, Vec3(0.5), Vec3(1.0), 3.0));
-        for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        for (const double bad :
+             {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
             EXPECT_TRUE(refused(kind, {0.5, 0.5, bad}));
             EXPECT_TRUE(refused(kind, Vec3(0.5), {bad, 1.0, 1.0}));
             EXPECT_TRUE(refused(kind, Vec3(0.5), Vec3(1.0), bad));
@@ -33,7 +34,8 @@ TEST(Primitive, refuses_sizes_that_are_none_and_stretches_into_another_shape_wit
         EXPECT_EQ(refused(kind, {0.5, 0.6, 0.9}), kind != PrimitiveKind::Box);
         EXPECT_EQ(refused(kind, Vec3(0.5), {1.0, 1.0, 2.0}), kind == PrimitiveKind::Sphere);
         EXPECT_EQ(refused(kind, Vec3(0.5), {2.0, 1.0, 1.0}), kind != PrimitiveKind::Box);
-        EXPECT_EQ(refused(kind, Vec3(0.5), {1.0, 1.0, 0.5}), kind == PrimitiveKind::Sphere || kind == PrimitiveKind::Capsule);
+        EXPECT_EQ(refused(kind, Vec3(0.5), {1.0, 1.0, 0.5}),
+                  kind == PrimitiveKind::Sphere || kind == PrimitiveKind::Capsule);
     }
 }
 
@@ -42,8 +44,10 @@ TEST(Primitive, stands_within_the_flat_faces_that_are_drawn_around_it_and_fills_
     std::mt19937 random(kSeed);
     for (int round = 0; round < test::scaled(60); ++round) {
         const auto kind = static_cast<PrimitiveKind>(round % 5);
-        const double wide = 0.01 + (random() % 1000) / 500.0, high = kind == PrimitiveKind::Sphere ? wide : wide * (1.0 + (random() % 100) / 50.0);
-        const Primitive primitive{kind, {wide, wide, high}, Vec3(1.0), {{5, -3, 2}, some_rotation(random), 0.5 + (random() % 10) / 5.0}};
+        const double wide = 0.01 + (random() % 1000) / 500.0,
+                     high = kind == PrimitiveKind::Sphere ? wide : wide * (1.0 + (random() % 100) / 50.0);
+        const Primitive primitive{
+            kind, {wide, wide, high}, Vec3(1.0), {{5, -3, 2}, some_rotation(random), 0.5 + (random() % 10) / 5.0}};
         const Result<Solid> solid = make_solid(primitive);
         ASSERT_TRUE(solid) << solid.error().message;
         ASSERT_EQ(solid->shape.planes.size(), solid->shape.faces.size());
@@ -63,7 +67,9 @@ TEST(Primitive, stands_within_the_flat_faces_that_are_drawn_around_it_and_fills_
                 solid->round);
             EXPECT_LE(signed_distance(plane, q.point_m), 1e-9 * wide) << "seed " << kSeed << " round " << round;
             EXPECT_GE(signed_distance(plane, q.point_m), -0.01 * reach);
-            const double wider = kind == PrimitiveKind::Sphere || kind == PrimitiveKind::Capsule ? 0.042 : kind == PrimitiveKind::Cylinder ? 0.01 : 0.03;
+            const double wider = kind == PrimitiveKind::Sphere || kind == PrimitiveKind::Capsule ? 0.042
+                                 : kind == PrimitiveKind::Cylinder                               ? 0.01
+                                                                                                 : 0.03;
             for (const Vec3& corner : solid->shape.faces[face].points_m) {
                 const double out = signed_distance(solid->round, corner);
                 EXPECT_GE(out, -1e-9 * wide);

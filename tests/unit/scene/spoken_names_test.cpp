@@ -42,7 +42,8 @@ TEST(SpokenNames, of_kinds_stand_under_the_name_that_files_know_them_by) {
         const bool name = key.starts_with("kind.") && key != "kind.with_material" && key != "kind.stairs";
         EXPECT_TRUE(!name || key == key_of("kind.", text)) << key;
     }
-    for (const char* bearing : {"north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"})
+    for (const char* bearing :
+         {"north", "north-east", "east", "south-east", "south", "south-west", "west", "north-west"})
         for (const std::string& name : {std::string(bearing) + " wall", "slope rising " + std::string(bearing)})
             EXPECT_TRUE(has_phrase(key_of("kind.", name))) << name;
     for (const double wide : {0.1, 0.3, 1.0, 3.0})
@@ -64,7 +65,8 @@ TEST(SpokenNames, are_there_for_everything_that_the_readers_name_in_the_worlds_h
             ASSERT_TRUE(scene) << entry.path();
             for (const Feature& feature : scene->features) {
                 made += feature.made_name;
-                EXPECT_TRUE(!feature.made_name || has_phrase(key_of("kind.", feature.name))) << entry.path() << ": " << feature.name;
+                EXPECT_TRUE(!feature.made_name || has_phrase(key_of("kind.", feature.name)))
+                    << entry.path() << ": " << feature.name;
             }
         }
     EXPECT_GT(made, 100U);
@@ -72,7 +74,8 @@ TEST(SpokenNames, are_there_for_everything_that_the_readers_name_in_the_worlds_h
 
 TEST(SpokenNames, are_german_in_german_but_stay_what_they_are_in_files) {
     test::SceneBuilder b;
-    const FeatureId wall = b.box({0, 0, 0}, {4, 0.2, 3}, "north-east wall", SolidRole::Solid, "steel grille", FeatureKind::Wall);
+    const FeatureId wall =
+        b.box({0, 0, 0}, {4, 0.2, 3}, "north-east wall", SolidRole::Solid, "steel grille", FeatureKind::Wall);
     const FeatureId named = b.box({0, 1, 0}, {4, 1.2, 3}, "north wall", SolidRole::Solid, "wood", FeatureKind::Wall);
     b.scene().features[wall.value].made_name = true;
     const test::InLanguage german("de");

@@ -50,7 +50,8 @@ std::string met(const Scene& scene, const Vec3& from_m, const Vec3& to_m) {
         double enter = -1.0, leave = 1.0;
         std::size_t face = 0;
         for (std::size_t i = 0; i < solid.shape.planes.size(); ++i) {
-            const double a = signed_distance(solid.shape.planes[i], from_m), b = signed_distance(solid.shape.planes[i], to_m);
+            const double a = signed_distance(solid.shape.planes[i], from_m),
+                         b = signed_distance(solid.shape.planes[i], to_m);
             if (a > 0.0 && b > 0.0) enter = 9.0;
             else if (a > 0.0 && a / (a - b) > enter) enter = a / (a - b), face = i;
             else if (b > 0.0) leave = std::min(leave, a / (a - b));
@@ -66,10 +67,12 @@ const std::string kRoom = test::room_brushes(0, 0, 0, 256, 192, 96);  // 8 x 6 x
 
 TEST(Surfaces, a_closed_room_is_four_walls_floor_and_ceiling_inside_and_outside) {
     const Scene scene = building(kRoom);
-    EXPECT_THAT(names(scene), UnorderedElementsAre("north wall", "east wall", "south wall", "west wall", "floor", "ceiling"));
+    EXPECT_THAT(names(scene),
+                UnorderedElementsAre("north wall", "east wall", "south wall", "west wall", "floor", "ceiling"));
     EXPECT_NEAR(feature(scene, "north wall").area_m2, 24.0, 1e-9);
     EXPECT_NEAR(feature(scene, "floor").area_m2, 48.0, 1e-9);
-    EXPECT_EQ(feature(scene, "north wall").normal, Vec3(0, -1, 0)) << "it faces south, towards whoever stands in the room";
+    EXPECT_EQ(feature(scene, "north wall").normal, Vec3(0, -1, 0))
+        << "it faces south, towards whoever stands in the room";
     const Vec3 middle{4, 3, 1.5};
     EXPECT_EQ(met(scene, middle, {4, 9, 1.5}), "north wall");
     EXPECT_EQ(met(scene, middle, {9, 3, 1.5}), "east wall");
@@ -80,10 +83,12 @@ TEST(Surfaces, a_closed_room_is_four_walls_floor_and_ceiling_inside_and_outside)
 
 // L-shaped room: 6 walls, floor, ceiling.
 TEST(Surfaces, an_l_shaped_room_has_six_walls) {
-    const Scene scene = building(box_brush(-16, -16, -16, 272, 272, 0) + box_brush(-16, -16, 96, 272, 272, 112) + box_brush(-16, -16, 0, 0, 272, 96) +
-                                 box_brush(0, -16, 0, 272, 0, 96) + box_brush(256, 0, 0, 272, 144, 96) + box_brush(128, 128, 0, 256, 144, 96) +
+    const Scene scene = building(box_brush(-16, -16, -16, 272, 272, 0) + box_brush(-16, -16, 96, 272, 272, 112) +
+                                 box_brush(-16, -16, 0, 0, 272, 96) + box_brush(0, -16, 0, 272, 0, 96) +
+                                 box_brush(256, 0, 0, 272, 144, 96) + box_brush(128, 128, 0, 256, 144, 96) +
                                  box_brush(128, 144, 0, 144, 272, 96) + box_brush(0, 256, 0, 128, 272, 96));
-    EXPECT_THAT(names(scene), UnorderedElementsAre("north wall", "north wall", "east wall", "east wall", "south wall", "west wall", "floor", "ceiling"));
+    EXPECT_THAT(names(scene), UnorderedElementsAre("north wall", "north wall", "east wall", "east wall", "south wall",
+                                                   "west wall", "floor", "ceiling"));
     EXPECT_EQ(met(scene, {6, 2, 1}, {6, 20, 1}), "north wall");
     EXPECT_EQ(met(scene, {2, 6, 1}, {20, 6, 1}), "east wall");
 }
@@ -92,32 +97,40 @@ TEST(Surfaces, a_wall_made_of_five_brushes_is_one_wall) {
     std::string pieces;
     for (int i = 0; i < 4; ++i) pieces += box_brush(64 * i, 192, 0, 64 * i + 64, 208, i == 1 ? 32 : 96);
     pieces += box_brush(64, 192, 32, 128, 208, 96);  // meets the others in T-junctions
-    const Scene scene = building(box_brush(-16, -16, -16, 272, 208, 0) + box_brush(-16, -16, 96, 272, 208, 112) + box_brush(-16, -16, 0, 0, 208, 96) +
-                                 box_brush(256, -16, 0, 272, 208, 96) + box_brush(0, -16, 0, 256, 0, 96) + pieces);
-    EXPECT_THAT(names(scene), UnorderedElementsAre("north wall", "east wall", "south wall", "west wall", "floor", "ceiling"));
+    const Scene scene = building(box_brush(-16, -16, -16, 272, 208, 0) + box_brush(-16, -16, 96, 272, 208, 112) +
+                                 box_brush(-16, -16, 0, 0, 208, 96) + box_brush(256, -16, 0, 272, 208, 96) +
+                                 box_brush(0, -16, 0, 256, 0, 96) + pieces);
+    EXPECT_THAT(names(scene),
+                UnorderedElementsAre("north wall", "east wall", "south wall", "west wall", "floor", "ceiling"));
     EXPECT_NEAR(feature(scene, "north wall").area_m2, 24.0, 1e-9);
 }
 
 TEST(Surfaces, neighbours_of_another_material_are_another_wall) {
-    const std::string half =
-        box_brush(0, 192, 0, 128, 208, 96, "brick1") + box_brush(128, 192, 0, 256, 208, 96, "brick2") + box_brush(256, 192, 0, 384, 208, 96, "wood1");
+    const std::string half = box_brush(0, 192, 0, 128, 208, 96, "brick1") +
+                             box_brush(128, 192, 0, 256, 208, 96, "brick2") +
+                             box_brush(256, 192, 0, 384, 208, 96, "wood1");
     const Scene scene = building(half);
     EXPECT_THAT(names(scene), testing::IsSupersetOf({"north wall, brick", "north wall, wood"}));
     EXPECT_NEAR(feature(scene, "north wall").area_m2, 24.0, 1e-9);
-    EXPECT_THAT(scene.report.guessed, testing::Contains("The material brick was guessed from the texture names brick1, brick2."));
+    EXPECT_THAT(scene.report.guessed,
+                testing::Contains("The material brick was guessed from the texture names brick1, brick2."));
 }
 
 TEST(Surfaces, what_stands_free_and_is_small_is_a_thing) {
-    const Scene scene = building(kRoom + box_brush(112, 80, 0, 128, 96, 96) + box_brush(32, 32, 0, 64, 64, 16) + box_brush(192, 96, 0, 224, 128, 30));
-    EXPECT_THAT(names(scene), UnorderedElementsAre("north wall", "east wall", "south wall", "west wall", "floor", "ceiling", "pillar", "low block", "block"));
+    const Scene scene = building(kRoom + box_brush(112, 80, 0, 128, 96, 96) + box_brush(32, 32, 0, 64, 64, 16) +
+                                 box_brush(192, 96, 0, 224, 128, 30));
+    EXPECT_THAT(names(scene), UnorderedElementsAre("north wall", "east wall", "south wall", "west wall", "floor",
+                                                   "ceiling", "pillar", "low block", "block"));
     EXPECT_EQ(met(scene, {4, 1, 0.2}, {1.5, 1.5, 0.2}), "low block");
     EXPECT_EQ(feature(scene, "pillar").kind, FeatureKind::Object);
-    EXPECT_NEAR(feature(scene, "low block").area_m2, 1.0 + 4 * 0.5, 1e-9) << "four sides and the top; it stands on its bottom";
+    EXPECT_NEAR(feature(scene, "low block").area_m2, 1.0 + 4 * 0.5, 1e-9)
+        << "four sides and the top; it stands on its bottom";
 }
 
 TEST(Surfaces, treads_and_risers_are_steps) {
     std::string stairs;
-    for (int i = 0; i < 3; ++i) stairs += box_brush(64 + 10 * i, 0, 0, 256, 192, 6 * (i + 1));  // 0.3 m deep, 0.19 m high, the last a platform
+    for (int i = 0; i < 3; ++i)
+        stairs += box_brush(64 + 10 * i, 0, 0, 256, 192, 6 * (i + 1));  // 0.3 m deep, 0.19 m high, the last a platform
     const Scene scene = building(kRoom + stairs);
     const std::vector<std::string> all = names(scene);
     EXPECT_EQ(std::count(all.begin(), all.end(), "step"), 2);
@@ -128,11 +141,13 @@ TEST(Surfaces, treads_and_risers_are_steps) {
 TEST(Surfaces, slanted_walls_and_slopes_are_named_by_their_side) {
     // A wall across the north-east corner, and a ramp that rises to the north.
     const std::string corner =
-        "{\n( 256 128 0 ) ( 192 192 0 ) ( 256 128 96 ) plain 0 0 0 1 1\n( 256 0 0 ) ( 256 0 96 ) ( 256 192 0 ) plain 0 0 0 1 1\n( 0 192 0 ) ( 256 192 0 ) ( 0 "
+        "{\n( 256 128 0 ) ( 192 192 0 ) ( 256 128 96 ) plain 0 0 0 1 1\n( 256 0 0 ) ( 256 0 96 ) ( 256 192 0 ) plain 0 "
+        "0 0 1 1\n( 0 192 0 ) ( 256 192 0 ) ( 0 "
         "192 96 ) plain 0 0 0 1 1\n"
         "( 0 0 0 ) ( 256 0 0 ) ( 0 192 0 ) plain 0 0 0 1 1\n( 0 0 96 ) ( 0 192 96 ) ( 256 0 96 ) plain 0 0 0 1 1\n}\n";
     const std::string ramp =
-        "{\n( 0 32 0 ) ( 0 160 64 ) ( 64 32 0 ) plain 0 0 0 1 1\n( 0 0 0 ) ( 0 192 0 ) ( 0 0 96 ) plain 0 0 0 1 1\n( 64 0 0 ) ( 64 0 96 ) ( 64 192 0 ) plain 0 "
+        "{\n( 0 32 0 ) ( 0 160 64 ) ( 64 32 0 ) plain 0 0 0 1 1\n( 0 0 0 ) ( 0 192 0 ) ( 0 0 96 ) plain 0 0 0 1 1\n( "
+        "64 0 0 ) ( 64 0 96 ) ( 64 192 0 ) plain 0 "
         "0 0 1 1\n"
         "( 0 160 0 ) ( 64 160 0 ) ( 0 160 96 ) plain 0 0 0 1 1\n( 0 0 0 ) ( 256 0 0 ) ( 0 192 0 ) plain 0 0 0 1 1\n}\n";
     const Scene scene = building(kRoom + corner + ramp);
@@ -148,9 +163,11 @@ TEST(Surfaces, slanted_walls_and_slopes_are_named_by_their_side) {
 }
 
 TEST(Surfaces, the_brushes_of_one_entity_are_one_named_thing) {
-    const std::string table = box_brush(96, 80, 0, 100, 84, 24) + box_brush(140, 80, 0, 144, 84, 24) + box_brush(92, 76, 24, 148, 100, 28);
+    const std::string table =
+        box_brush(96, 80, 0, 100, 84, 24) + box_brush(140, 80, 0, 144, 84, 24) + box_brush(92, 76, 24, 148, 100, 28);
     const Scene scene =
-        read(entity("worldspawn", {}, kRoom) + entity("func_group", key("name", "Table") + key("material", "wood") + key("landmark", "1"), table));
+        read(entity("worldspawn", {}, kRoom) +
+             entity("func_group", key("name", "Table") + key("material", "wood") + key("landmark", "1"), table));
     EXPECT_EQ(scene.features.size(), 7U);
     const Feature& found = feature(scene, "Table");
     EXPECT_TRUE(found.landmark);
@@ -161,8 +178,9 @@ TEST(Surfaces, the_brushes_of_one_entity_are_one_named_thing) {
 }
 
 TEST(Surfaces, touching_liquid_brushes_are_one_pool) {
-    const Scene scene = building(kRoom + box_brush(0, 0, 0, 64, 192, 16, "*water1") + box_brush(64, 0, 0, 128, 192, 16, "*water1") +
-                                 box_brush(192, 0, 0, 256, 192, 16, "*lava1"));
+    const Scene scene =
+        building(kRoom + box_brush(0, 0, 0, 64, 192, 16, "*water1") + box_brush(64, 0, 0, 128, 192, 16, "*water1") +
+                 box_brush(192, 0, 0, 256, 192, 16, "*lava1"));
     const std::vector<std::string> all = names(scene);
     EXPECT_EQ(std::count(all.begin(), all.end(), "water"), 1);
     EXPECT_EQ(std::count(all.begin(), all.end(), "lava"), 1);
@@ -193,8 +211,8 @@ TEST(Surfaces, the_order_of_brushes_and_faces_changes_nothing) {
         std::vector<std::string> lines;
         for (std::uint32_t i = 0; i < scene.features.size(); ++i) {
             const Feature& f = scene.features[i];
-            lines.push_back(
-                fmt::format("{} {:.6f} {:.6f} {:.6f} {:.6f}", spoken_name(scene, {i}), f.area_m2, f.bounds_m.min_m.x, f.bounds_m.max_m.y, f.bounds_m.max_m.z));
+            lines.push_back(fmt::format("{} {:.6f} {:.6f} {:.6f} {:.6f}", spoken_name(scene, {i}), f.area_m2,
+                                        f.bounds_m.min_m.x, f.bounds_m.max_m.y, f.bounds_m.max_m.z));
         }
         std::sort(lines.begin(), lines.end());
         return lines;
@@ -267,7 +285,9 @@ TEST(Materials, are_found_by_name_and_guessed_from_textures) {
         EXPECT_GT(spec.stiffness_fraction, 0.0);
         EXPECT_LE(spec.stiffness_fraction, 1.0);
     }
-    const auto guess = [](std::string_view texture) { return guess_material(texture) ? guess_material(texture)->name : std::string_view("none"); };
+    const auto guess = [](std::string_view texture) {
+        return guess_material(texture) ? guess_material(texture)->name : std::string_view("none");
+    };
     EXPECT_EQ(guess("SBRICK2A"), "brick");
     EXPECT_EQ(guess("base/wizwood1_4"), "wood");
     EXPECT_EQ(guess("+0slip"), "metal");

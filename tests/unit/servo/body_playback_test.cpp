@@ -16,14 +16,8 @@ std::shared_ptr<const HapticScene> crate_scene(double south_face_y) {
     return builder.build();
 }
 
-BodyFrame frame_at(const HapticScene& scene, double south_face_y, double time_s, std::uint64_t number) {
-    BodyFrame frame;
-    frame.scene = scene.generation;
-    frame.number = number;
-    frame.time_s = time_s;
-    frame.count = 1;
-    frame.poses[0].at.position_m = {0.0, south_face_y + 0.25, 0.0};
-    return frame;
+void push(BodyFrame& frame, const HapticScene& scene, double south_face_y, double time_s) {
+    frame.push(scene.generation, time_s, {BodyPose{{Vec3(0.0, south_face_y + 0.25, 0.0), {}, 1.0}, true}});
 }
 
 TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_meets_the_hand_without_a_staircase) {
@@ -33,13 +27,14 @@ TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_meets_the_hand_without_a_
     rig.arm();
     for (int i = 0; i < 1100; ++i) rig.tick(Vec3(0.0));
     const double speed = -0.1, begin_s = rig.now_s;
-    BodyFrame frame = frame_at(*rig.scene, 0.02, begin_s, 1);
+    BodyFrame frame;
+    push(frame, *rig.scene, 0.02, begin_s);
     double next_frame_s = begin_s, before = 0.0, largest = 0.0;
     for (int i = 0; i < 250; ++i) {
         rig.now_s += kTick;
         if (rig.now_s >= next_frame_s) {
             next_frame_s += kFrame_s;
-            frame = frame_at(*rig.scene, 0.02 + speed * (rig.now_s - begin_s), rig.now_s, frame.number + 1);
+            push(frame, *rig.scene, 0.02 + speed * (rig.now_s - begin_s), rig.now_s);
             rig.pose.time_s = rig.now_s;
         }
         rig.last = servo_tick(rig.state, rig.scene.get(), rig.tuning, rig.pose, rig.sample, rig.now_s, &frame);
@@ -47,7 +42,8 @@ TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_meets_the_hand_without_a_
         largest = std::max(largest, std::abs(force - before));
         before = force;
     }
-    // 800 N/m at 0.1 m/s is 0.08 N a tick; the playback runs at most a tenth faster than real time. A staircase would step by 1.3 N.
+    // 800 N/m at 0.1 m/s is 0.08 N a tick; the playback runs at most a tenth faster than real time. A staircase would
+    // step by 1.3 N.
     EXPECT_LE(largest, 0.08 * 1.11);
     EXPECT_GT(before, 2.0);
     EXPECT_EQ(rig.tool().contacts.contacts[0].feature, FeatureId{4});
@@ -56,35 +52,70 @@ TEST(BodyPlayback, a_crate_pushed_sixty_times_a_second_meets_the_hand_without_a_
 TEST(BodyPlayback, plays_exactly_what_was_given_once_it_stands_still) {
     const auto scene = crate_scene(0.5);
     BodyPlayback playback;
-    playback.give(frame_at(*scene, 0.5, 1.0, 1), true);
-    EXPECT_EQ(playback.at(*scene, 0.9).poses[0].at.position_m.y, 0.75);
-    playback.give(frame_at(*scene, 0.4, 1.0 + kFrame_s, 2), false);
-    const BodyPoses half = playback.at(*scene, 1.0 + 0.5 * kFrame_s);
-    EXPECT_NEAR(half.poses[0].at.position_m.y, 0.7, 1e-12);
+    BodyFrame frame;
+    push(frame, *scene, 0.5, 1.0);
+    EXPECT_EQ(playback.at(frame, *scene, 0.9, true).at(0).at.position_m.y, 0.75);
+    push(frame, *scene, 0.4, 1.0 + kFrame_s);
+    const BodyPoses half = playback.at(frame, *scene, 1.0 + 0.5 * kFrame_s);
+    EXPECT_NEAR(half.at(0).at.position_m.y, 0.7, 1e-12);
     const std::uint64_t moving = half.number;
-    const BodyPoses there = playback.at(*scene, 2.0);
-    EXPECT_EQ(there.poses[0].at.position_m.y, 0.65);
+    const BodyPoses there = playback.at(frame, *scene, 2.0);
+    EXPECT_EQ(there.at(0).at.position_m.y, 0.65);
     EXPECT_GT(there.number, moving);
-    EXPECT_EQ(playback.at(*scene, 2.1).number, there.number) << "nothing moves any more";
+    EXPECT_EQ(playback.at(frame, *scene, 2.1).number, there.number) << "nothing moves any more";
 }
 
 TEST(BodyPlayback, a_thing_that_stood_long_starts_from_where_it_stood) {
     const auto scene = crate_scene(0.5);
     BodyPlayback playback;
-    playback.give(frame_at(*scene, 0.5, 1.0, 1), true);
-    playback.at(*scene, 5.0);
-    playback.give(frame_at(*scene, 0.49, 5.02, 2), false);
-    EXPECT_NEAR(playback.at(*scene, 5.02 - 0.5 * kFrame_s).poses[0].at.position_m.y, 0.745, 1e-12);
+    BodyFrame frame;
+    push(frame, *scene, 0.5, 1.0);
+    playback.at(frame, *scene, 5.0, true);
+    push(frame, *scene, 0.49, 5.02);
+    EXPECT_NEAR(playback.at(frame, *scene, 5.02 - 0.5 * kFrame_s).at(0).at.position_m.y, 0.745, 1e-12);
 }
 
 TEST(BodyPlayback, frames_of_another_scene_are_not_mistaken_for_this_one) {
     const auto first = crate_scene(0.5), second = crate_scene(0.3);
     BodyPlayback playback;
-    playback.give(frame_at(*first, 0.5, 1.0, 1), true);
-    EXPECT_EQ(playback.at(*first, 1.0).poses.size(), 1U);
-    EXPECT_TRUE(playback.at(*second, 1.0).poses.empty()) << "the scene's own places hold";
-    playback.give(frame_at(*second, 0.3, 1.1, 2), false);
-    EXPECT_EQ(playback.at(*second, 1.2).poses[0].at.position_m.y, 0.55);
+    BodyFrame frame;
+    push(frame, *first, 0.5, 1.0);
+    EXPECT_TRUE(playback.at(frame, *first, 1.0, true).know(0));
+    EXPECT_FALSE(playback.at(frame, *second, 1.0).know(0)) << "the scene's own places hold";
+    push(frame, *second, 0.3, 1.1);
+    EXPECT_EQ(playback.at(frame, *second, 1.2).at(0).at.position_m.y, 0.55);
+}
+
+TEST(BodyPlayback, names_who_moves_on_the_ways_that_follow_those_before) {
+    HapticSceneBuilder crate;
+    crate.add_box({Vec3(-0.25), Vec3(0.25)});
+    const auto shape = crate.build();
+    HapticSceneBuilder builder;
+    for (int b = 0; b < 3; ++b)
+        builder.add_body(FeatureId{static_cast<std::uint32_t>(b)}, shape, {Vec3(b, 0.0, 0.0), {}, 1.0});
+    const auto scene = builder.build();
+    std::vector<BodyPose> poses;
+    for (const HapticBody& body : scene->bodies) poses.push_back({body.start, true});
+    BodyFrame frame;
+    BodyPlayback playback;
+    frame.push(scene->generation, 1.0, poses);
+    const std::uint64_t begin = playback.at(frame, *scene, 1.0, true).ways->number;
+    poses[1].at.position_m.z = 1.0;
+    frame.push(scene->generation, 1.02, poses);
+    poses[2].present = false;
+    frame.push(scene->generation, 1.04, poses);
+    const BodyWays first = *playback.at(frame, *scene, 1.01).ways;
+    const BodyPoses poses_then = playback.at(frame, *scene, 1.03);
+    const BodyWays second = *poses_then.ways;
+    ASSERT_EQ(first.moving.size(), 1U);
+    EXPECT_EQ(first.moving[0].body, 1U);
+    EXPECT_EQ(first.number_before, begin);
+    ASSERT_EQ(second.moving.size(), 1U);
+    EXPECT_EQ(second.moving[0].body, 2U);
+    EXPECT_EQ(second.number_before, first.number);
+    EXPECT_TRUE(poses_then.at(2).present);
+    EXPECT_FALSE(playback.at(frame, *scene, 1.05).at(2).present);
+    EXPECT_EQ(playback.at(frame, *scene, 1.06).ways->number, second.number) << "at rest at the end of its ways";
 }
 
 TEST(BodyPlayback, an_edit_of_the_same_world_does_not_take_the_force_away) {
@@ -93,7 +124,8 @@ TEST(BodyPlayback, an_edit_of_the_same_world_does_not_take_the_force_away) {
     const double pressed = glm::length(rig.last.force_n);
     EXPECT_GT(pressed, 1.0);
     HapticSceneBuilder edited;
-    edited.add_box({Vec3(-10.0, ServoRig::kWallY, -10.0), Vec3(10.0, ServoRig::kWallY + 10.0, 10.0)}, SurfaceLabel{ServoRig::kWall, kDefaultMaterial, false});
+    edited.add_box({Vec3(-10.0, ServoRig::kWallY, -10.0), Vec3(10.0, ServoRig::kWallY + 10.0, 10.0)},
+                   SurfaceLabel{ServoRig::kWall, kDefaultMaterial, false});
     edited.add_box({Vec3(5.0), Vec3(6.0)});
     rig.scene = edited.build(rig.scene->world);
     rig.tick({0.0, 0.03, 0.0});

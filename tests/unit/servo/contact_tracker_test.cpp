@@ -33,7 +33,8 @@ struct Bench {
         seen.insert(seen.end(), events.begin(), events.end());
     }
     int count(ContactEventKind kind, FeatureId feature) const {
-        return static_cast<int>(std::count_if(seen.begin(), seen.end(), [&](const ContactEvent& e) { return e.kind == kind && e.feature == feature; }));
+        return static_cast<int>(std::count_if(
+            seen.begin(), seen.end(), [&](const ContactEvent& e) { return e.kind == kind && e.feature == feature; }));
     }
 };
 

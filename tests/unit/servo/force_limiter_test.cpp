@@ -96,7 +96,8 @@ TEST(ForceLimiter, comes_back_over_20_ms_after_a_drop_out_without_a_new_ramp) {
     ForceLimiter limiter = ramped_in();
     limiter.drop_out();
     EXPECT_EQ(limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, kTick), Vec3(0.0));
-    for (int i = 1; i <= 20; ++i) ASSERT_NEAR(limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, kTick).x, 2.0 * i / 20.0, 1e-9);
+    for (int i = 1; i <= 20; ++i)
+        ASSERT_NEAR(limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, kTick).x, 2.0 * i / 20.0, 1e-9);
     EXPECT_NEAR(limiter.limit(Vec3(2, 0, 0), 2.5, ForceFlow::Run, kTick).x, 2.0, 1e-12);
 }
 

@@ -46,7 +46,8 @@ TEST(Guidance, ramps_in_over_half_a_second_from_nothing) {
         ASSERT_LE(glm::length(led.force_n), kMost_n * i * kTick_s / Guidance::kRamp_s + 1e-12) << i;
     }
     led.run(0.1);
-    // A hand that rests is pulled by the spring of 300 N/m over the lead of 2.5 mm, and is not taken for one that holds against it.
+    // A hand that rests is pulled by the spring of 300 N/m over the lead of 2.5 mm, and is not taken for one that holds
+    // against it.
     EXPECT_NEAR(led.force_n.x, 0.75, 0.02);
     led.run(5.0);
     EXPECT_EQ(led.phase(), GuidancePhase::Acts);
@@ -60,7 +61,8 @@ TEST(Guidance, is_at_most_08_n_and_a_quarter_of_the_device_and_as_strong_as_aske
             guidance.tick(path, Vec3(0.0), 1.0, peak_n, true, kTick_s);
             double most_n = 0.0;
             for (int i = 1; i < 1000; ++i)
-                most_n = std::max(most_n, glm::length(guidance.tick(path, Vec3(-1e-5 * std::min(i, 650), 0.0, 0.0), 1.0, peak_n, true, kTick_s)));
+                most_n = std::max(most_n, glm::length(guidance.tick(path, Vec3(-1e-5 * std::min(i, 650), 0.0, 0.0), 1.0,
+                                                                    peak_n, true, kTick_s)));
             EXPECT_NEAR(most_n, strength * std::min(0.8, 0.25 * peak_n), 0.02 * strength) << peak_n << " " << strength;
             EXPECT_LE(most_n, strength * std::min(0.8, 0.25 * peak_n) + 1e-12);
         }
@@ -154,7 +156,8 @@ TEST(Guidance, takes_no_nonsense) {
 TEST(Guidance, follows_a_way_with_corners) {
     Led led;
     led.path.number = 1;
-    for (const Vec3& p : {Vec3(0.02, 0, 0), Vec3(0.02, 0.03, 0), Vec3(0.02, 0.03, 0), Vec3(-0.01, 0.03, 0.02)}) led.path.points_m[led.path.count++] = p;
+    for (const Vec3& p : {Vec3(0.02, 0, 0), Vec3(0.02, 0.03, 0), Vec3(0.02, 0.03, 0), Vec3(-0.01, 0.03, 0.02)})
+        led.path.points_m[led.path.count++] = p;
     // A hand without mass in thick syrup goes where it is pulled.
     double farthest_m = 0.0;
     int ticks = 0;
@@ -166,7 +169,9 @@ TEST(Guidance, follows_a_way_with_corners) {
         for (std::uint32_t k = 0; k < led.path.count; ++k) {
             const Vec3 leg = led.path.points_m[k] - from;
             const double l2 = std::max(1e-18, glm::dot(leg, leg));
-            off_m = std::min(off_m, glm::length(from + leg * std::clamp(glm::dot(led.hand_m - from, leg) / l2, 0.0, 1.0) - led.hand_m));
+            off_m = std::min(
+                off_m,
+                glm::length(from + leg * std::clamp(glm::dot(led.hand_m - from, leg) / l2, 0.0, 1.0) - led.hand_m));
             from = led.path.points_m[k];
         }
         farthest_m = std::max(farthest_m, off_m);
@@ -214,13 +219,15 @@ TEST(CrossLines, are_the_slope_of_a_potential_and_never_more_than_their_limits) 
     }
 }
 
-// A way with a corner, a stair, a doorway beside it and a leg that comes back: legs that meet, cross and run side by side.
+// A way with a corner, a stair, a doorway beside it and a leg that comes back: legs that meet, cross and run side by
+// side.
 GuidancePath grooves() {
     GuidancePath path;
     path.number = 1;
     path.kind = GuidanceKind::Grooves;
-    for (const Vec3& p : {Vec3(-0.02, 0, 0), Vec3(0.01, 0, 0), Vec3(0.01, 0, 0), Vec3(0.01, 0.015, 0), Vec3(0.01, 0.015, 0), Vec3(-0.01, 0.02, 0.012),
-                          Vec3(0, -0.005, 0), Vec3(0, 0.005, 0), Vec3(-0.02, 0.004, 0), Vec3(0.01, 0.004, 0)})
+    for (const Vec3& p :
+         {Vec3(-0.02, 0, 0), Vec3(0.01, 0, 0), Vec3(0.01, 0, 0), Vec3(0.01, 0.015, 0), Vec3(0.01, 0.015, 0),
+          Vec3(-0.01, 0.02, 0.012), Vec3(0, -0.005, 0), Vec3(0, 0.005, 0), Vec3(-0.02, 0.004, 0), Vec3(0.01, 0.004, 0)})
         path.points_m[path.count++] = p;
     return path;
 }
@@ -235,7 +242,8 @@ struct Felt {
     Vec3 at(const Vec3& p) { return guidance.tick(path, p, 1.0, kPeak_n, true, kTick_s); }
 };
 
-// Looks for the nearest place of each trench at many places along its leg, and takes the slope of the potential from neighbours.
+// Looks for the nearest place of each trench at many places along its leg, and takes the slope of the potential from
+// neighbours.
 double potential_by_looking(const GuidancePath& path, const Vec3& p) {
     const double w = Guidance::kGrooveHalfWidth_m;
     double left = 1.0;
@@ -264,15 +272,20 @@ void expect_the_slope_of_the_potential(GuidanceKind kind) {
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 step(0.0);
             step[axis] = 2e-5;
-            const double slope = (potential_by_looking(felt.path, p - step) - potential_by_looking(felt.path, p + step)) / 4e-5;
+            const double slope =
+                (potential_by_looking(felt.path, p - step) - potential_by_looking(felt.path, p + step)) / 4e-5;
             EXPECT_NEAR(force[axis], slope, 4e-3) << i << " axis " << axis;
         }
     }
     EXPECT_GT(inside, 40);
 }
 
-TEST(Grooves, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) { expect_the_slope_of_the_potential(GuidanceKind::Grooves); }
-TEST(WayLines, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) { expect_the_slope_of_the_potential(GuidanceKind::WayLines); }
+TEST(Grooves, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) {
+    expect_the_slope_of_the_potential(GuidanceKind::Grooves);
+}
+TEST(WayLines, are_the_slope_of_the_potential_that_a_twin_finds_by_looking_everywhere) {
+    expect_the_slope_of_the_potential(GuidanceKind::WayLines);
+}
 
 TEST(WayLines, hold_a_hand_from_all_sides_let_it_go_along_and_are_never_more_than_their_limit) {
     std::mt19937 random(test::seed_of_run());
@@ -286,13 +299,15 @@ TEST(WayLines, hold_a_hand_from_all_sides_let_it_go_along_and_are_never_more_tha
     }
     EXPECT_GT(felt.at({-0.023, 0.0, 0.0}).x, 0.2) << "behind its beginning it holds back";
     double most_n = 0.0;
-    for (int i = 0; i < 20000; ++i) most_n = std::max(most_n, glm::length(felt.at({place(random), place(random), 0.3 * place(random)})));
+    for (int i = 0; i < 20000; ++i)
+        most_n = std::max(most_n, glm::length(felt.at({place(random), place(random), 0.3 * place(random)})));
     EXPECT_LE(most_n, Guidance::kMostForce_n);
     EXPECT_GT(most_n, 0.3);
     for (const double peak_n : {1.0, 3.3, 8.0}) {
         Felt other(GuidanceKind::WayLines);
         for (int i = 0; i < 2000; ++i)
-            EXPECT_LE(glm::length(other.guidance.tick(other.path, {place(random), place(random), 0.0}, 1.0, peak_n, true, kTick_s)),
+            EXPECT_LE(glm::length(other.guidance.tick(other.path, {place(random), place(random), 0.0}, 1.0, peak_n,
+                                                      true, kTick_s)),
                       std::min(Guidance::kMostForce_n, Guidance::kMostShare * peak_n) + 1e-12);
     }
 }
@@ -319,11 +334,13 @@ TEST(Grooves, hold_a_hand_on_the_way_let_it_go_along_and_are_never_more_than_the
     }
     EXPECT_LE(most_n, 0.8);
     EXPECT_GT(most_n, 0.3);
-    EXPECT_LE(per_m, 700.0) << "newtons a metre: a hand at 0.1 m/s feels changes below 0.07 N a tick, wherever legs meet";
+    EXPECT_LE(per_m, 700.0)
+        << "newtons a metre: a hand at 0.1 m/s feels changes below 0.07 N a tick, wherever legs meet";
     for (const double peak_n : {1.0, 3.3, 8.0}) {
         Felt other;
         for (int i = 0; i < 2000; ++i)
-            EXPECT_LE(glm::length(other.guidance.tick(other.path, {place(random), place(random), 0.0}, 1.0, peak_n, true, kTick_s)),
+            EXPECT_LE(glm::length(other.guidance.tick(other.path, {place(random), place(random), 0.0}, 1.0, peak_n,
+                                                      true, kTick_s)),
                       std::min(0.8, 0.25 * peak_n) + 1e-12);
     }
 }

@@ -63,8 +63,9 @@ TEST(PeriodHistogram, counts_every_period_in_the_bucket_that_holds_it) {
 
 TEST(FaultSentence, every_fault_has_its_own_whole_sentence) {
     std::set<std::string> seen;
-    for (const Fault fault : {Fault::BadSample, Fault::Jump, Fault::Unplugged, Fault::DeviceSilent, Fault::LateLoop, Fault::Stalled, Fault::Unhomed,
-                              Fault::BadForce, Fault::TooHot, Fault::DriverError, Fault::FocusLost, Fault::ButtonReleased}) {
+    for (const Fault fault : {Fault::BadSample, Fault::Jump, Fault::Unplugged, Fault::DeviceSilent, Fault::LateLoop,
+                              Fault::Stalled, Fault::Unhomed, Fault::BadForce, Fault::TooHot, Fault::DriverError,
+                              Fault::MayPush, Fault::ForceOff, Fault::FocusLost, Fault::ButtonReleased}) {
         const std::string sentence = fault_sentence(fault);
         EXPECT_TRUE(seen.insert(sentence).second) << sentence;
         ASSERT_GT(sentence.size(), 20u);

@@ -23,7 +23,8 @@ constexpr double kPressN = 1.6;
 TEST(ServoTick, gives_no_force_before_the_hand_has_moved) {
     ServoRig rig;
     const Vec3 start = kPressed - Vec3(0, 0.006, 0);  // 4 mm before contact
-    for (int i = 0; i < 3000; ++i) ASSERT_EQ(rig.tick(start + Vec3(0, 0, 0.0029 * std::sin(0.01 * i))).force_n, Vec3(0.0));
+    for (int i = 0; i < 3000; ++i)
+        ASSERT_EQ(rig.tick(start + Vec3(0, 0, 0.0029 * std::sin(0.01 * i))).force_n, Vec3(0.0));
     EXPECT_TRUE(rig.tool().waiting_for_hand);
     EXPECT_EQ(rig.tool().force_gain, 0.0);
     rig.tick(start + Vec3(0, 0, 0.0031));
@@ -49,7 +50,8 @@ TEST(ServoTick, ramps_in_over_one_second_and_then_presses_with_the_walls_stiffne
 
 TEST(ServoTick, one_or_two_bad_samples_give_zero_at_once_and_the_force_back_over_20_ms) {
     const Vec3 jump = kPressed + Vec3(0.06, 0, 0);
-    for (const Vec3& bad : {Vec3(kNan, 0, 0), Vec3(0, kInf, 0), Vec3(0, 0, -kInf), Vec3(1e30), jump, Vec3(kPressed.x, kPressed.y - 0.021, 0)})
+    for (const Vec3& bad : {Vec3(kNan, 0, 0), Vec3(0, kInf, 0), Vec3(0, 0, -kInf), Vec3(1e30), jump,
+                            Vec3(kPressed.x, kPressed.y - 0.021, 0)})
         for (const int run : {1, 2}) {
             ServoRig rig;
             rig.press(kPressed);
@@ -70,7 +72,8 @@ TEST(ServoTick, three_bad_samples_in_a_row_latch_until_confirmed_and_then_ramp) 
         Vec3 bad;
         Fault fault;
     };
-    for (const Case& c : {Case{Vec3(0, kNan, 0), Fault::BadSample}, Case{Vec3(1e30), Fault::BadSample}, Case{kPressed + Vec3(0.05, 0, 0), Fault::Jump}}) {
+    for (const Case& c : {Case{Vec3(0, kNan, 0), Fault::BadSample}, Case{Vec3(1e30), Fault::BadSample},
+                          Case{kPressed + Vec3(0.05, 0, 0), Fault::Jump}}) {
         ServoRig rig;
         rig.press(kPressed);
         for (int i = 0; i < 3; ++i) EXPECT_EQ(rig.tick(c.bad).force_n, Vec3(0.0));
@@ -210,11 +213,13 @@ TEST(ServoTick, unhomed_device_gets_no_force_and_moves_first_once_it_knows_its_p
     rig.press(Vec3(0.0, 0.03, 0.0));
     ASSERT_GT(glm::length(rig.last.force_n), 1.0);
     rig.sample.homed = false;
-    for (int i = 0; i < 50; ++i) EXPECT_EQ(glm::length(rig.tick(Vec3(0.5, 0.5, 0.5)).force_n), 0.0) << "where it says it is means nothing";
+    for (int i = 0; i < 50; ++i)
+        EXPECT_EQ(glm::length(rig.tick(Vec3(0.5, 0.5, 0.5)).force_n), 0.0) << "where it says it is means nothing";
     EXPECT_EQ(rig.tool().fault, Fault::Unhomed);
     EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 1);
     rig.sample.homed = true;
-    for (int i = 0; i < 50; ++i) EXPECT_EQ(glm::length(rig.tick(Vec3(0.0, 0.03, 0.0)).force_n), 0.0) << "inside the wall and still";
+    for (int i = 0; i < 50; ++i)
+        EXPECT_EQ(glm::length(rig.tick(Vec3(0.0, 0.03, 0.0)).force_n), 0.0) << "inside the wall and still";
     EXPECT_EQ(rig.tool().fault, Fault::None);
     EXPECT_TRUE(rig.tool().waiting_for_hand);
     rig.go(Vec3(0.0));
@@ -222,6 +227,23 @@ TEST(ServoTick, unhomed_device_gets_no_force_and_moves_first_once_it_knows_its_p
     EXPECT_LT(glm::length(rig.last.force_n), 0.5) << "ramps in";
     for (int i = 0; i < 1100; ++i) rig.tick(Vec3(0.0, 0.03, 0.0));
     EXPECT_GT(glm::length(rig.last.force_n), 1.0);
+}
+
+TEST(ServoTick, tells_of_a_device_that_nobody_holds_whether_it_may_push_whatever_was_latched_before) {
+    ServoRig rig;
+    rig.press(kPressed);
+    rig.sample.hot = true;
+    rig.tick(Vec3(0.0));
+    ASSERT_EQ(rig.tool().fault, Fault::TooHot);
+    rig.sample.hot = false;
+    rig.sample.loss = DeviceLoss::MayPush;
+    EXPECT_EQ(rig.unplugged_tick().force_n, Vec3(0.0));
+    EXPECT_EQ(rig.tool().fault, Fault::MayPush);
+    rig.sample.loss = DeviceLoss::ForceOff;
+    EXPECT_EQ(rig.unplugged_tick().force_n, Vec3(0.0));
+    EXPECT_EQ(rig.tool().fault, Fault::ForceOff);
+    EXPECT_TRUE(rig.tool().fault_latched);
+    EXPECT_EQ(rig.count(ContactEventKind::FaultRaised), 3);
 }
 
 TEST(ServoTick, unplugging_gives_zero_on_that_tick_and_only_a_confirmation_and_a_ramp_bring_it_back) {
@@ -423,7 +445,8 @@ TEST(ServoTick, without_a_scene_there_is_no_force_and_no_contact) {
 
 TEST(ServoTick, keeps_to_the_persons_ceiling_and_the_devices_peak) {
     const Vec3 deep(0.0, ServoRig::kWallY - 0.005 + 0.019, 0.0);
-    for (const auto& [ceiling, expected] : {std::pair{1.2, 1.2}, std::pair{2.5, 2.5}, std::pair{100.0, 3.3}, std::pair{kInf, 3.3}}) {
+    for (const auto& [ceiling, expected] :
+         {std::pair{1.2, 1.2}, std::pair{2.5, 2.5}, std::pair{100.0, 3.3}, std::pair{kInf, 3.3}}) {
         ServoRig rig;
         rig.tuning.force_ceiling_n = ceiling;
         rig.press(kPressed);

@@ -17,7 +17,8 @@ DeviceSpec unlimited() {
     return spec;
 }
 
-// A frame that drifts into a wall, told at 60 Hz, must not be felt as steps: 0.333 N per frame when applied as it comes.
+// A frame that drifts into a wall, told at 60 Hz, must not be felt as steps: 0.333 N per frame when applied as it
+// comes.
 TEST(Walking, a_frame_drifting_into_a_wall_is_felt_in_steps_of_at_most_25_mn) {
     for (const double heading_deg : {0.0, 37.0, 180.0}) {
         ServoRig rig(unlimited());
@@ -76,7 +77,8 @@ struct Walk {
     bool falls = false;  // before the body stood still
 };
 
-// A room whose north wall stands at y = 4 m, a body that walks at 1 m/s to y = 3.75, the hand 0.6 m ahead of it, scale 60, a Touch.
+// A room whose north wall stands at y = 4 m, a body that walks at 1 m/s to y = 3.75, the hand 0.6 m ahead of it, scale
+// 60, a Touch.
 Walk walk_into_wall(bool jitter) {
     constexpr double kScale = 60.0, kWall = 4.0, kStop = 3.75;
     ServoRig rig(*find_device_spec("sim-t"));

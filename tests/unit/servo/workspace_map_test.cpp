@@ -50,7 +50,8 @@ struct Step {
     double end_lag_m = 0.0;  // how far behind the body at the end
 };
 
-// A body that walks north at 1 m/s; frame i is known to the servo `late(i)` after its time. Steps of the last two thirds.
+// A body that walks north at 1 m/s; frame i is known to the servo `late(i)` after its time. Steps of the last two
+// thirds.
 template <class FrameTimes, class Late>
 Step walk(double seconds, const FrameTimes& frame_time, const Late& late) {
     PosePlayback playback;
@@ -154,7 +155,8 @@ TEST(PosePlayback, turns_the_shorter_way_across_north) {
     pose.heading_rad = radians_from_degrees(10.0);
     playback.give(pose, pose.time_s);
     for (double now = 0.0; now < 0.2; now += kTick) EXPECT_GT(playback.at(now, kTick).forward.y, 0.98);
-    EXPECT_NEAR(glm::length(playback.at(0.2, kTick).forward - forward_of_heading(radians_from_degrees(10.0))), 0.0, 1e-12);
+    EXPECT_NEAR(glm::length(playback.at(0.2, kTick).forward - forward_of_heading(radians_from_degrees(10.0))), 0.0,
+                1e-12);
 }
 
 TEST(PosePlayback, ignores_poses_that_are_no_numbers_or_from_the_past) {

@@ -134,7 +134,8 @@ std::shared_ptr<const HapticScene> crowded_scene(unsigned seed) {
     HapticSceneBuilder builder;
     for (std::uint32_t i = 0; i < 150; ++i) {
         const Vec3 at(place(random), place(random), place(random));
-        builder.add_box({at, at + Vec3(size(random), size(random), size(random))}, SurfaceLabel{FeatureId{i}, kDefaultMaterial, false});
+        builder.add_box({at, at + Vec3(size(random), size(random), size(random))},
+                        SurfaceLabel{FeatureId{i}, kDefaultMaterial, false});
         const Vec3 corner(place(random), place(random), place(random));
         builder.add_triangle(corner, corner + Vec3(size(random), 0, size(random)), corner + Vec3(0, size(random), 0),
                              SurfaceLabel{FeatureId{1000 + i}, kDefaultMaterial, false});
@@ -143,7 +144,8 @@ std::shared_ptr<const HapticScene> crowded_scene(unsigned seed) {
 }
 
 TEST_F(ServoRealtime, a_tick_does_not_allocate_lock_or_read_a_clock_whatever_happens) {
-    const std::vector<std::shared_ptr<const HapticScene>> scenes{crowded_scene(1), crowded_scene(2), test::wall_scene(0.03)};
+    const std::vector<std::shared_ptr<const HapticScene>> scenes{crowded_scene(1), crowded_scene(2),
+                                                                 test::wall_scene(0.03)};
     ServoState state(*find_device_spec("sim-t"));
     ServoTuning tuning;
     tuning.touch.damping_ns_per_m = 5.0;
@@ -162,7 +164,8 @@ TEST_F(ServoRealtime, a_tick_does_not_allocate_lock_or_read_a_clock_whatever_hap
             const unsigned dice = random() % 1000;
             sample.fresh = dice % 50 != 0;
             sample.connected = dice != 7;
-            sample.position_m = Vec3(0.05 * std::sin(0.003 * i), 0.05 * std::sin(0.0041 * i), 0.05 * std::sin(0.0017 * i));
+            sample.position_m =
+                Vec3(0.05 * std::sin(0.003 * i), 0.05 * std::sin(0.0041 * i), 0.05 * std::sin(0.0017 * i));
             if (dice == 11) sample.position_m.x = NAN;
             if (dice == 13) sample.position_m.y += 0.06;
             if (dice == 17) ++pose.jump;

@@ -25,13 +25,15 @@ std::set<std::string> made_keys() {
         add_unit(info.unit);
         if (std::holds_alternative<TextField>(info.field)) keys.insert("setting_range." + key);
         if (const auto* choice = std::get_if<ChoiceField>(&info.field))
-            for (const std::string_view word : choice->words) keys.insert(fmt::format("setting_choice.{}.{}", key, word));
+            for (const std::string_view word : choice->words)
+                keys.insert(fmt::format("setting_choice.{}.{}", key, word));
     }
     for (const ProfileInfo& info : profile_table()) {
         keys.insert("setting.profile." + std::string(info.field));
         add_unit(info.unit);
     }
-    for (const char* name : {"number", "whole", "switch", "words", "key"}) keys.insert(std::string("setting_range.") + name);
+    for (const char* name : {"number", "whole", "switch", "words", "key"})
+        keys.insert(std::string("setting_range.") + name);
     return keys;
 }
 
@@ -40,7 +42,8 @@ TEST(SettingTexts, are_there_for_every_row_of_the_tables_and_for_nothing_else) {
     for (const LanguageName& language : bundled_languages()) {
         std::set<std::string> found;
         for (const auto& [key, pattern] : bundled_texts(language.code))
-            for (const char* section : {"setting.", "setting_name.", "setting_topic.", "setting_choice.", "setting_range.", "unit."})
+            for (const char* section :
+                 {"setting.", "setting_name.", "setting_topic.", "setting_choice.", "setting_range.", "unit."})
                 if (key.starts_with(section)) found.insert(key);
         EXPECT_EQ(found, wanted) << language.code;
     }
@@ -57,8 +60,10 @@ TEST(SettingTexts, are_said_in_german_while_what_is_typed_stays) {
     EXPECT_EQ(setting_line("haptic.ceiling", settings).value, "leicht");
     ASSERT_TRUE(set_in(settings, "walk.step_length_m", "0.8"));
     EXPECT_EQ(setting_line("walk.step_length_m", settings).value, "0,8 Meter");
-    EXPECT_EQ(stepped("walk.step_length_m", settings, 1), "0.85") << "a value to be stored has a point in every language";
-    EXPECT_EQ(set_in(settings, "walk.step_length_m", "9").error().message, "Die Einstellung walk.step_length_m ist 9, muss aber sein: 0.2 bis 1.5 Meter.");
+    EXPECT_EQ(stepped("walk.step_length_m", settings, 1), "0.85")
+        << "a value to be stored has a point in every language";
+    EXPECT_EQ(set_in(settings, "walk.step_length_m", "9").error().message,
+              "Die Einstellung walk.step_length_m ist 9, muss aber sein: 0.2 bis 1.5 Meter.");
 }
 
 }  // namespace

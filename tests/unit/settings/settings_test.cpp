@@ -85,30 +85,52 @@ TEST(Settings, let_the_stronger_source_win_whatever_the_order_of_loading) {
 TEST(Settings, name_the_nearest_key_when_one_is_unknown_and_apply_the_rest) {
     const TemporaryFolder folder;
     SettingsStore store;
-    const auto problems = store.load_file(folder.write("settings.toml", "[workspace]\nscael = 30\nhand_height_m = 1.5\n"), SettingSource::UserFile);
-    EXPECT_THAT(sentences(problems), ElementsAre("settings.toml, line 2, column 9: error: There is no setting workspace.scael; the nearest is workspace.scale. "
+    const auto problems = store.load_file(
+        folder.write("settings.toml", "[workspace]\nscael = 30\nhand_height_m = 1.5\n"), SettingSource::UserFile);
+    EXPECT_THAT(sentences(problems), ElementsAre("settings.toml, line 2, column 9: error: There is no setting "
+                                                 "workspace.scael; the nearest is workspace.scale. "
                                                  "It is not used; the rest applies."));
     EXPECT_EQ(store.values().workspace.hand_height_m, 1.5);
+}
+
+TEST(Settings, name_the_nearest_key_of_the_same_table_before_nearer_ones_elsewhere) {
+    const TemporaryFolder folder;
+    SettingsStore store;
+    // "walk.scale" is nearer to workspace's key and "speech.speed_m_per_s" is another table's word for word.
+    const auto problems = store.load_file(
+        folder.write("settings.toml",
+                     "[speech]\nspeed_m_per_s = 30\n[workspace]\nbody_radius_m = 2\n[spaech]\nverbosity = 1\n"),
+        SettingSource::UserFile);
+    ASSERT_EQ(problems.size(), 3U);
+    EXPECT_THAT(problems[0].message, HasSubstr("nearest is speech."));
+    EXPECT_THAT(problems[1].message, HasSubstr("nearest is workspace."));
+    EXPECT_THAT(problems[2].message, HasSubstr("nearest is speech.verbosity"))
+        << "of a table that there is not, among all";
+    EXPECT_THAT(store.set("walk.sound", "1", SettingSource::Live).error().message, HasSubstr("walk."));
 }
 
 TEST(Settings, say_the_legal_range_and_ignore_the_value_when_it_is_outside_or_of_the_wrong_kind) {
     const TemporaryFolder folder;
     SettingsStore store;
-    const auto problems =
-        store.load_file(folder.write("settings.toml",
-                                     "[workspace]\nscale = 900\n[speech]\nrate_wpm = 99.5\nverbosity = \"all\"\ndistances_in_steps = 1\nvoice = \"\"\n"
-                                     "[haptic]\nceiling = 'strong'\ndevice = [1]\nfriction_mu = nan\ndamping_ns_per_m = 1979-05-27\n"),
-                        SettingSource::UserFile);
+    const auto problems = store.load_file(
+        folder.write("settings.toml",
+                     "[workspace]\nscale = 900\n[speech]\nrate_wpm = 99.5\nverbosity = \"all\"\ndistances_in_steps = "
+                     "1\nvoice = \"\"\n"
+                     "[haptic]\nceiling = 'strong'\ndevice = [1]\nfriction_mu = nan\ndamping_ns_per_m = 1979-05-27\n"),
+        SettingSource::UserFile);
     ASSERT_THAT(sentences(problems), SizeIs(9));
-    EXPECT_THAT(problems[6].message, "The setting haptic.device is a list or a date, but must be auto, none or a device's name.");
-    EXPECT_THAT(problems[0].message, "The setting workspace.scale is 900, but must be 1 to 500 world metres per hand metre.");
+    EXPECT_THAT(problems[6].message,
+                "The setting haptic.device is a list or a date, but must be auto, none or a device's name.");
+    EXPECT_THAT(problems[0].message,
+                "The setting workspace.scale is 900, but must be 1 to 500 world metres per hand metre.");
     EXPECT_THAT(problems[1].message, HasSubstr("a whole number, 80 to 450"));
     EXPECT_THAT(problems[3].message, HasSubstr("true or false"));
     EXPECT_THAT(problems[5].message, HasSubstr("light, normal or full"));
     EXPECT_EQ(shown(store), shown(SettingsStore{}));
     for (const char* bad :
-         {"workspace.scale=0.999", "workspace.scale=500.001", "workspace.scale=inf", "workspace.scale=", "workspace.scale=1,5", "speech.verbosity=5",
-          "speech.verbosity=1.5", "sound.wall_tone=maybe", "haptic.ceiling=", "scale", "=3", "keys.UPPER=F2", "speech.voice=\xff"})
+         {"workspace.scale=0.999", "workspace.scale=500.001", "workspace.scale=inf",
+          "workspace.scale=", "workspace.scale=1,5", "speech.verbosity=5", "speech.verbosity=1.5",
+          "sound.wall_tone=maybe", "haptic.ceiling=", "scale", "=3", "keys.UPPER=F2", "speech.voice=\xff"})
         EXPECT_FALSE(store.set_assignment(bad, SettingSource::CommandLine)) << bad;
     EXPECT_EQ(shown(store), shown(SettingsStore{}));
 }
@@ -117,29 +139,35 @@ TEST(Settings, tell_in_german_what_is_wrong_with_a_file) {
     const test::InLanguage german("de");
     const TemporaryFolder folder;
     SettingsStore store;
-    const auto problems = store.load_file(folder.write("settings.toml", "[workspace]\nscael = 40\n"), SettingSource::UserFile);
-    EXPECT_THAT(sentences(problems), ElementsAre("settings.toml, Zeile 2, Spalte 9: Fehler: Die Einstellung workspace.scael gibt es nicht; am ähnlichsten ist "
+    const auto problems =
+        store.load_file(folder.write("settings.toml", "[workspace]\nscael = 40\n"), SettingSource::UserFile);
+    EXPECT_THAT(sentences(problems), ElementsAre("settings.toml, Zeile 2, Spalte 9: Fehler: Die Einstellung "
+                                                 "workspace.scael gibt es nicht; am ähnlichsten ist "
                                                  "workspace.scale. Sie gilt nicht; der Rest schon."));
     EXPECT_EQ(store.set("speech.rate_wpm", "200", SettingSource::World).error().message,
-              "Eine Welt darf speech.rate_wpm nicht setzen: Über Kräfte, Sprache, Ton und Tasten bestimmt nur der Mensch selbst.");
+              "Eine Welt darf speech.rate_wpm nicht setzen: Über Kräfte, Sprache, Ton und Tasten bestimmt nur der "
+              "Mensch selbst.");
     EXPECT_EQ(source_name(SettingSource::UserFile), "eigene Einstellungsdatei");
 }
 
 TEST(Settings, refuse_from_a_world_every_force_speech_and_sound_setting_and_every_key) {
     for (const SettingRow& row : SettingsStore{}.explain()) {
-        const bool personal = row.key.starts_with("speech.") || row.key.starts_with("sound.") || row.key == "haptic.ceiling" ||
-                              row.key == "haptic.stiffness_fraction" || row.key == "haptic.device";
+        const bool personal = row.key.starts_with("speech.") || row.key.starts_with("sound.") ||
+                              row.key == "haptic.ceiling" || row.key == "haptic.stiffness_fraction" ||
+                              row.key == "haptic.device";
         SettingsStore store;
         const Result<void> set = store.set(row.key, row.value, SettingSource::World);
         EXPECT_EQ(world_may_set(row.key), set.has_value()) << row.key;
         EXPECT_FALSE(personal && set) << row.key;
     }
     SettingsStore store;
-    EXPECT_THAT(store.set("haptic.ceiling", "full", SettingSource::World).error().message, HasSubstr("A world may not set haptic.ceiling"));
+    EXPECT_THAT(store.set("haptic.ceiling", "full", SettingSource::World).error().message,
+                HasSubstr("A world may not set haptic.ceiling"));
     EXPECT_FALSE(store.set("keys.where", "F2", SettingSource::World));
     EXPECT_FALSE(store.set("workspace.device.falcon.scale", "20", SettingSource::World));
     const TemporaryFolder folder;
-    const auto problems = store.load_file(folder.write("world.toml", "[haptic]\nceiling = 'full'\n[workspace]\nscale = 20\n"), SettingSource::World);
+    const auto problems = store.load_file(
+        folder.write("world.toml", "[haptic]\nceiling = 'full'\n[workspace]\nscale = 20\n"), SettingSource::World);
     EXPECT_THAT(problems, SizeIs(1));
     EXPECT_EQ(store.values().haptic.ceiling, ForceCeiling::Normal);
     EXPECT_EQ(store.values().workspace.scale, 20.0);
@@ -150,7 +178,8 @@ TEST(Settings, keep_overrides_by_device_name_and_keys_by_command) {
     SettingsStore store({"where", "repeat"});
     const auto problems = store.load_file(
         folder.write("settings.toml",
-                     "[workspace.device.\"Falcon\"]\nscale = 40\nspeed = 1\n[workspace.device.\"v1.5\"]\nscale = 9\n[keys]\nwhere = \"F9\"\nwhree = \"F8\"\n"),
+                     "[workspace.device.\"Falcon\"]\nscale = 40\nspeed = 1\n[workspace.device.\"v1.5\"]\nscale = "
+                     "9\n[keys]\nwhere = \"F9\"\nwhree = \"F8\"\n"),
         SettingSource::UserFile);
     ASSERT_THAT(problems, SizeIs(2));
     EXPECT_THAT(problems[0].message, HasSubstr("nearest is workspace.device.Falcon.scale"));
@@ -167,9 +196,11 @@ TEST(Settings, keep_overrides_by_device_name_and_keys_by_command) {
 
 TEST(Profiles, are_kept_by_device_and_serial_number_and_say_where_they_come_from) {
     const TemporaryFolder folder;
-    const fs::path file = folder.write("settings.toml", "[profile.\"Falcon A9.1\"]\nceiling_n = 2\nhand = \"Left\"\nscael = 1\nfuture = [1]\n");
+    const fs::path file = folder.write(
+        "settings.toml", "[profile.\"Falcon A9.1\"]\nceiling_n = 2\nhand = \"Left\"\nscael = 1\nfuture = [1]\n");
     SettingsStore store;
-    EXPECT_THAT(sentences(store.load_file(file, SettingSource::UserFile)), testing::Each(HasSubstr("There is no setting profile.")));
+    EXPECT_THAT(sentences(store.load_file(file, SettingSource::UserFile)),
+                testing::Each(HasSubstr("There is no setting profile.")));
     const std::string key = profile_key("falcon", "A9.1");
     EXPECT_EQ(key, "falcon a9.1");
     ASSERT_TRUE(store.values().profiles.contains(key));
@@ -186,17 +217,20 @@ TEST(Profiles, are_kept_by_device_and_serial_number_and_say_where_they_come_from
     again.load_file(file, SettingSource::UserFile);
     ASSERT_EQ(again.values().profiles.size(), 2U);
     EXPECT_EQ(again.values().profiles.at("sim-t").gentlest_n, 0.25);
-    EXPECT_THAT(content_of(file), testing::AllOf(HasSubstr("scael = 1"), HasSubstr("future = [1]"))) << "what is not understood is kept";
+    EXPECT_THAT(content_of(file), testing::AllOf(HasSubstr("scael = 1"), HasSubstr("future = [1]")))
+        << "what is not understood is kept";
 }
 
 TEST(Profiles, damaged_in_one_value_are_set_aside_whole_with_one_sentence_until_measured_anew) {
     const TemporaryFolder folder;
-    const fs::path file = folder.write(
-        "settings.toml", "[profile.falcon]\nceiling_n = 2.0\nscale = -7\nhand = 3\n[profile.sim-t]\nceiling_n = 1.0\n[walk]\nstep_length_m = 0.6\n");
+    const fs::path file = folder.write("settings.toml",
+                                       "[profile.falcon]\nceiling_n = 2.0\nscale = -7\nhand = "
+                                       "3\n[profile.sim-t]\nceiling_n = 1.0\n[walk]\nstep_length_m = 0.6\n");
     SettingsStore store;
     const auto problems = sentences(store.load_file(file, SettingSource::UserFile));
     ASSERT_THAT(problems, SizeIs(1));
-    EXPECT_THAT(problems[0], testing::AllOf(HasSubstr("profile.falcon."), HasSubstr("set aside"), HasSubstr("handrail calibrate")));
+    EXPECT_THAT(problems[0],
+                testing::AllOf(HasSubstr("profile.falcon."), HasSubstr("set aside"), HasSubstr("handrail calibrate")));
     EXPECT_FALSE(store.values().profiles.contains("falcon")) << "nothing of it is used";
     EXPECT_TRUE(store.values().damaged_profiles.contains("falcon"));
     EXPECT_EQ(store.values().profiles.at("sim-t").ceiling_n, 1.0);
@@ -208,9 +242,9 @@ TEST(Profiles, damaged_in_one_value_are_set_aside_whole_with_one_sentence_until_
 
 TEST(SaveSettings, keeps_comments_unknown_keys_and_everything_else_the_person_wrote) {
     const TemporaryFolder folder;
-    const fs::path file = folder.write(
-        "settings.toml",
-        "# \xC3\xA9 mine\n[workspace]\nscale = 30 # small\nfuture = { a = 1, b = [2, 3] }\n\n[plugin]\nx = \"\\u0001\\n\"\n[speech] # voice\nrate_wpm = 200");
+    const fs::path file = folder.write("settings.toml",
+                                       "# \xC3\xA9 mine\n[workspace]\nscale = 30 # small\nfuture = { a = 1, b = [2, 3] "
+                                       "}\n\n[plugin]\nx = \"\\u0001\\n\"\n[speech] # voice\nrate_wpm = 200");
     SettingsStore store;
     store.load_file(file, SettingSource::UserFile);
     ASSERT_TRUE(store.set("workspace.scale", "42", SettingSource::Live));
@@ -219,14 +253,16 @@ TEST(SaveSettings, keeps_comments_unknown_keys_and_everything_else_the_person_wr
     ASSERT_TRUE(store.set("workspace.device.falcon.scale", "41", SettingSource::Live));
     ASSERT_TRUE(store.save_user_file());
     EXPECT_EQ(content_of(file),
-              "# \xC3\xA9 mine\n[workspace]\nscale = 42.0 # small\nfuture = { a = 1, b = [2, 3] }\n\n[plugin]\nx = \"\\u0001\\n\"\n[speech] # voice\nverbosity "
+              "# \xC3\xA9 mine\n[workspace]\nscale = 42.0 # small\nfuture = { a = 1, b = [2, 3] }\n\n[plugin]\nx = "
+              "\"\\u0001\\n\"\n[speech] # voice\nverbosity "
               "= 3\nrate_wpm = 200\n\n"
               "[haptic]\nceiling = \"light\"\n\n[workspace.device.\"falcon\"]\nscale = 41.0\n");
 }
 
 TEST(SaveSettings, keeps_the_meaning_of_a_file_written_in_an_unusual_way) {
     const TemporaryFolder folder;
-    const fs::path file = folder.write("settings.toml", "workspace.scale = 30\nspeech = { rate_wpm = 200, other = 'x' }\nhaptic = 3\n");
+    const fs::path file =
+        folder.write("settings.toml", "workspace.scale = 30\nspeech = { rate_wpm = 200, other = 'x' }\nhaptic = 3\n");
     SettingsStore store;
     store.load_file(file, SettingSource::UserFile);
     ASSERT_TRUE(store.set("workspace.hand_height_m", "0.3", SettingSource::Live));
@@ -304,7 +340,8 @@ TEST(SaveSettings, leaves_the_old_file_whole_when_the_disk_is_full) {
     ASSERT_FALSE(saved);
     EXPECT_THAT(saved.error().sentence(), HasSubstr("could not be saved"));
     EXPECT_EQ(content_of(file), old);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator{}), 1) << "nothing half written is left beside it";
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator{}), 1)
+        << "nothing half written is left beside it";
     EXPECT_TRUE(store.save_user_file());
     EXPECT_THAT(content_of(file), HasSubstr("scale = 42.0"));
 }
@@ -312,13 +349,16 @@ TEST(SaveSettings, leaves_the_old_file_whole_when_the_disk_is_full) {
 TEST(LoadSettings, survives_a_file_cut_at_every_byte_and_every_byte_replaced) {
     const TemporaryFolder folder;
     const std::string whole =
-        "[workspace]\nscale = 30 # \xC3\xA9\n[workspace.device.\"a.b\"]\nscale = 4e1\n[keys]\nwhere = 'F2'\n[speech]\nvoice = \"\"\"de\"\"\"\n";
+        "[workspace]\nscale = 30 # \xC3\xA9\n[workspace.device.\"a.b\"]\nscale = 4e1\n[keys]\nwhere = "
+        "'F2'\n[speech]\nvoice = \"\"\"de\"\"\"\n";
     SettingsStore judge;
     const auto load = [&](const std::string& text) {
         SettingsStore store;
         const auto problems = store.load_file(folder.write("settings.toml", text), SettingSource::UserFile);
-        for (const SettingRow& row : store.explain()) EXPECT_TRUE(judge.set(row.key, row.value, SettingSource::Live)) << row.key << "=" << row.value;
-        for (const std::string& sentence : sentences(problems)) EXPECT_THAT(sentence, HasSubstr("settings.toml, line ")) << text;
+        for (const SettingRow& row : store.explain())
+            EXPECT_TRUE(judge.set(row.key, row.value, SettingSource::Live)) << row.key << "=" << row.value;
+        for (const std::string& sentence : sentences(problems))
+            EXPECT_THAT(sentence, HasSubstr("settings.toml, line ")) << text;
     };
     for (std::size_t cut = 0; cut <= whole.size(); ++cut) load(whole.substr(0, cut));
     for (std::size_t at = 0; at < whole.size(); ++at)
@@ -333,7 +373,8 @@ TEST(LoadSettings, survives_a_file_cut_at_every_byte_and_every_byte_replaced) {
 RC_GTEST_PROP(SaveSettings, reads_back_what_it_saved, ()) {
     const TemporaryFolder folder;
     const fs::path file = folder.path() / "settings.toml";
-    const std::vector<std::string> words{"scale", "where", "falcon", "a.b", "x y", "\xC3\xA9", "on", "3", "\\", "'", "\"q\"", "#"};
+    const std::vector<std::string> words{"scale", "where", "falcon", "a.b", "x y",   "\xC3\xA9",
+                                         "on",    "3",     "\\",     "'",   "\"q\"", "#"};
     SettingsStore store;
     store.load_file(file, SettingSource::UserFile);
     const std::vector<SettingRow> rows = store.explain();
@@ -343,19 +384,22 @@ RC_GTEST_PROP(SaveSettings, reads_back_what_it_saved, ()) {
             const std::string word = *rc::gen::elementOf(words);
             switch (*rc::gen::inRange(0, 4)) {
                 case 0:
-                    (void)store.set("workspace.device." + word + "." + *rc::gen::element<std::string>("scale", "hand_height_m"),
-                                    fmt::format("{}", *rc::gen::inRange(1, 3) / 1.7), SettingSource::Live);
+                    (void)store.set(
+                        "workspace.device." + word + "." + *rc::gen::element<std::string>("scale", "hand_height_m"),
+                        fmt::format("{}", *rc::gen::inRange(1, 3) / 1.7), SettingSource::Live);
                     break;
                 case 1:
                     (void)store.set("keys." + word, *rc::gen::elementOf(words), SettingSource::Live);
                     break;
                 case 2:
-                    (void)store.set(*rc::gen::element<std::string>("speech.voice", "haptic.device"), word, SettingSource::Live);
+                    (void)store.set(*rc::gen::element<std::string>("speech.voice", "haptic.device"), word,
+                                    SettingSource::Live);
                     break;
                 default: {
-                    const SettingRow& row = rows[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(rows.size())))];
-                    const std::string value =
-                        *rc::gen::element<std::string>("0.1", "1", "2", "100", "0.3333333333333333", "full", "walk", "true", "false", "4");
+                    const SettingRow& row =
+                        rows[static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(rows.size())))];
+                    const std::string value = *rc::gen::element<std::string>(
+                        "0.1", "1", "2", "100", "0.3333333333333333", "full", "walk", "true", "false", "4");
                     (void)store.set(row.key, value, SettingSource::Live);
                 }
             }

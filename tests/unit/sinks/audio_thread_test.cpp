@@ -55,7 +55,9 @@ struct Ears {
         loop->enter_world(room());
     }
     void run(double seconds) {
-        for (const double end_s = clock.now_s() + seconds; clock.now_s() < end_s; clock.advance_s(AudioThread::kPeriod_s)) loop->step();
+        for (const double end_s = clock.now_s() + seconds; clock.now_s() < end_s;
+             clock.advance_s(AudioThread::kPeriod_s))
+            loop->step();
     }
     VirtualClock clock;
     AudioThread::ContactRing ring;

@@ -19,7 +19,8 @@ TEST(HeadingCells, are_a_direction_or_degrees_and_never_more_than_three) {
     EXPECT_EQ(heading_cells(-90.0 * kDegree), "W");
     EXPECT_EQ(heading_cells(22.5 * kDegree), "23");
     EXPECT_EQ(heading_cells(359.7 * kDegree), "N");
-    for (int degrees = -800; degrees <= 800; ++degrees) EXPECT_LE(heading_cells(degrees * kDegree).size(), 3U) << degrees;
+    for (int degrees = -800; degrees <= 800; ++degrees)
+        EXPECT_LE(heading_cells(degrees * kDegree).size(), 3U) << degrees;
 }
 
 TEST(BrailleLine, begins_with_the_heading_and_fills_every_cell) {
@@ -95,7 +96,8 @@ TEST(BrailleLine, panning_loses_and_repeats_nothing) {
     std::mt19937 random(5);
     for (int run = 0; run < 500; ++run) {
         std::string message;
-        for (int i = std::uniform_int_distribution(0, 200)(random); i > 0; --i) message += std::uniform_int_distribution(0, 5)(random) == 0 ? ' ' : 'a';
+        for (int i = std::uniform_int_distribution(0, 200)(random); i > 0; --i)
+            message += std::uniform_int_distribution(0, 5)(random) == 0 ? ' ' : 'a';
         const std::size_t width = std::uniform_int_distribution<std::size_t>(1, 40)(random);
         const std::size_t heading = width >= BrailleLine::kLeastForHeading ? BrailleLine::kHeadingCells : 0;
         BrailleLine line;

@@ -8,8 +8,8 @@
 namespace handrail {
 namespace {
 
-// A device that mixes 256 samples at a time, at a clock that drifts by 200 parts in a million, watched by a loop that is up to 20 ms late;
-// `stops_every_s`: after so long it starts again, one period behind.
+// A device that mixes 256 samples at a time, at a clock that drifts by 200 parts in a million, watched by a loop that
+// is up to 20 ms late; `stops_every_s`: after so long it starts again, one period behind.
 bool dropped(double seconds, double stops_every_s) {
     constexpr double kPeriod_s = 256.0 / 48000.0;
     std::minstd_rand random(3);
@@ -22,7 +22,9 @@ bool dropped(double seconds, double stops_every_s) {
     return false;
 }
 
-TEST(DropoutWatch, says_nothing_of_a_device_that_keeps_up_however_late_its_watcher_is) { EXPECT_FALSE(dropped(600.0, 0.0)); }
+TEST(DropoutWatch, says_nothing_of_a_device_that_keeps_up_however_late_its_watcher_is) {
+    EXPECT_FALSE(dropped(600.0, 0.0));
+}
 
 TEST(DropoutWatch, tells_three_dropouts_within_a_minute_and_not_one_in_a_minute) {
     EXPECT_TRUE(dropped(60.0, 10.0));

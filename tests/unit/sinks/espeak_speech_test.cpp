@@ -54,7 +54,8 @@ protected:
 TEST_F(EspeakSpeechTest, turns_a_sentence_into_sound_of_a_spoken_length) {
     const auto before = std::chrono::steady_clock::now();
     const Listening heard = hear("North wall, plaster, two metres ahead");
-    const double spent_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+    const double spent_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
     EXPECT_EQ(heard.rate_hz, 22050);
     EXPECT_GT(heard.length_s(), 1.2);
     EXPECT_LT(heard.length_s(), 5.0);

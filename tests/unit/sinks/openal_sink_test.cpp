@@ -67,13 +67,15 @@ protected:
         for (int k = -reach; k <= reach; ++k) {
             double sum = 0.0;
             for (int i = reach; i < n - reach; ++i)
-                sum += static_cast<double>(right[static_cast<std::size_t>(i)]) * static_cast<double>(left[static_cast<std::size_t>(i + k)]);
+                sum += static_cast<double>(right[static_cast<std::size_t>(i)]) *
+                       static_cast<double>(left[static_cast<std::size_t>(i + k)]);
             if (sum > best) best = sum, lag = k;
         }
         return static_cast<double>(lag) / kSampleRate_hz;
     }
     std::size_t first_loud(const std::vector<float>& x, std::size_t from = 0, float threshold = 0.003F) const {
-        const auto found = std::find_if(x.begin() + static_cast<std::ptrdiff_t>(from), x.end(), [&](float s) { return std::abs(s) > threshold; });
+        const auto found = std::find_if(x.begin() + static_cast<std::ptrdiff_t>(from), x.end(),
+                                        [&](float s) { return std::abs(s) > threshold; });
         return static_cast<std::size_t>(found - x.begin());
     }
     static SoundCue cue(SoundKind kind, Vec3 position_m, SoundClass material = SoundClass::Plaster) {
@@ -93,7 +95,8 @@ TEST_F(OpenALSinkTest, silence_is_silent) {
 }
 
 TEST_F(OpenALSinkTest, first_sample_of_a_contact_comes_within_15_ms_of_the_touch_in_stream_time) {
-    // The whole way: 200 audio ticks and 187.5 mixing periods a second, each at its own time, and touches at times unrelated to both.
+    // The whole way: 200 audio ticks and 187.5 mixing periods a second, each at its own time, and touches at times
+    // unrelated to both.
     CuePlanner planner{Settings{}};
     RecordingSpeech speech;
     double tick_s = now_s, mix_s = now_s, worst_s = 0.0;
@@ -246,14 +249,19 @@ TEST_F(OpenALSinkTest, loop_that_had_to_give_way_comes_back) {
     sink->set_loop(cue(SoundKind::WallTone, {1.0, 0.0, 0.0}));
     run(0.1);
     const double alone = rms(listen(0.1));
-    for (int i = 0; i < 3; ++i) sink->play({.kind = SoundKind::Contact, .material = SoundClass::Glass, .position_m = {1.0, 0.0, 0.0}, .loudness = 1e-4});
+    for (int i = 0; i < 3; ++i)
+        sink->play({.kind = SoundKind::Contact,
+                    .material = SoundClass::Glass,
+                    .position_m = {1.0, 0.0, 0.0},
+                    .loudness = 1e-4});
     run(0.1);
     EXPECT_LT(rms(listen(0.05)), 0.05 * alone);
     run(0.7);
     EXPECT_NEAR(rms(listen(0.1)), alone, 0.2 * alone);
 }
 
-// Energy of a signal between two frequencies, in dB of nothing in particular, by Goertzel's recursion on frames of 20 ms.
+// Energy of a signal between two frequencies, in dB of nothing in particular, by Goertzel's recursion on frames of 20
+// ms.
 double band_db(std::span<const float> x, double from_hz, double to_hz) {
     constexpr std::size_t kFrame = 960;
     double sum = 0.0;
@@ -288,7 +296,8 @@ TEST_F(OpenALSinkTest, closed_door_takes_at_least_12_db_and_more_of_the_high_ton
     EXPECT_GE(all_db, 12.0);
     EXPECT_GE(low_db, 12.0);
     EXPECT_GE(high_db, low_db + 10.0);
-    std::cout << "    a closed door takes " << all_db << " dB, " << low_db << " dB at 0.2 to 0.8 kHz, " << high_db << " dB at 6 to 12 kHz\n";
+    std::cout << "    a closed door takes " << all_db << " dB, " << low_db << " dB at 0.2 to 0.8 kHz, " << high_db
+              << " dB at 6 to 12 kHz\n";
     rain.muffled_db = 0.0;
     sink->set_loop(rain);
     run(4.0);
@@ -345,19 +354,22 @@ std::vector<double> low_passed(std::span<const float> x, double edge_hz) {
     return y;
 }
 
-// Seconds by which the right ear hears it first, below 1.5 kHz, between samples by a parabola through the peak of the cross-correlation.
+// Seconds by which the right ear hears it first, below 1.5 kHz, between samples by a parabola through the peak of the
+// cross-correlation.
 double interaural_s(std::span<const float> left, std::span<const float> right) {
     const std::vector<double> l = low_passed(left, 1500.0), r = low_passed(right, 1500.0);
     constexpr int kReach = 56;
     std::vector<double> sums;
     for (int k = -kReach; k <= kReach; ++k) {
         double sum = 0.0;
-        for (std::size_t i = kReach; i + kReach < l.size(); ++i) sum += r[i] * l[static_cast<std::size_t>(static_cast<int>(i) + k)];
+        for (std::size_t i = kReach; i + kReach < l.size(); ++i)
+            sum += r[i] * l[static_cast<std::size_t>(static_cast<int>(i) + k)];
         sums.push_back(sum);
     }
     const auto peak = std::max_element(sums.begin() + 1, sums.end() - 1);
     const double before = *(peak - 1), at = *peak, after = *(peak + 1);
-    return (static_cast<double>(peak - sums.begin()) - kReach + 0.5 * (before - after) / (before - 2.0 * at + after)) / kSampleRate_hz;
+    return (static_cast<double>(peak - sums.begin()) - kReach + 0.5 * (before - after) / (before - 2.0 * at + after)) /
+           kSampleRate_hz;
 }
 
 TEST_F(OpenALSinkTest, time_between_the_ears_is_within_100_us_of_a_sphere_and_mirrored) {
@@ -383,7 +395,8 @@ TEST_F(OpenALSinkTest, time_between_the_ears_is_within_100_us_of_a_sphere_and_mi
         worst_mirror_s = std::max(worst_mirror_s, std::abs(heard_s[0] + heard_s[1]));
         EXPECT_NEAR(heard_s[0], -heard_s[1], 10e-6) << degrees;
     }
-    std::cout << "    worst distance from the sphere " << 1e6 * worst_s << " us, from the mirror " << 1e6 * worst_mirror_s << " us\n";
+    std::cout << "    worst distance from the sphere " << 1e6 * worst_s << " us, from the mirror "
+              << 1e6 * worst_mirror_s << " us\n";
 }
 
 TEST_F(OpenALSinkTest, room_reverberates_for_as_long_as_it_should_within_10_percent) {
@@ -391,8 +404,9 @@ TEST_F(OpenALSinkTest, room_reverberates_for_as_long_as_it_should_within_10_perc
     for (const double wanted_s : {0.3, 0.6, 1.0, 2.0, 4.0}) {
         sink->set_listener({.ears_m = {0.0, 0.0, 0.0}, .heading_rad = 0.0, .reverberation_s = wanted_s});
         run(wanted_s + 1.0);  // the room follows, and what still sounded in it is gone
-        // Schroeder: the energy that is still to come falls along a line; its slope between -5 and -25 dB, least squares. Three knocks of different
-        // colour at both ears are taken together, as one measures a hall, since each alone meets few of the room's modes.
+        // Schroeder: the energy that is still to come falls along a line; its slope between -5 and -25 dB, least
+        // squares. Three knocks of different colour at both ears are taken together, as one measures a hall, since each
+        // alone meets few of the room's modes.
         std::vector<double> to_come(static_cast<std::size_t>((0.7 * wanted_s + 0.2) * kSampleRate_hz));
         for (const SoundClass knock : {SoundClass::Brick, SoundClass::Concrete, SoundClass::Stone}) {
             sink->play(cue(SoundKind::Contact, {0.0, 1.0, 0.0}, knock));
@@ -401,7 +415,8 @@ TEST_F(OpenALSinkTest, room_reverberates_for_as_long_as_it_should_within_10_perc
             run(0.7 * wanted_s + 0.2);
             double energy = 0.0;
             for (std::size_t i = to_come.size(); i-- > 0;) {
-                energy += static_cast<double>(left[i]) * static_cast<double>(left[i]) + static_cast<double>(right[i]) * static_cast<double>(right[i]);
+                energy += static_cast<double>(left[i]) * static_cast<double>(left[i]) +
+                          static_cast<double>(right[i]) * static_cast<double>(right[i]);
                 to_come[i] += energy;
             }
             run(wanted_s);
@@ -410,7 +425,8 @@ TEST_F(OpenALSinkTest, room_reverberates_for_as_long_as_it_should_within_10_perc
         ASSERT_GT(energy, 1e-9) << wanted_s;
         double n = 0.0, st = 0.0, sd = 0.0, stt = 0.0, std_ = 0.0;
         for (std::size_t i = 0; i < to_come.size(); ++i) {
-            const double db = 10.0 * std::log10(to_come[i] / energy + 1e-30), t = static_cast<double>(i) / kSampleRate_hz;
+            const double db = 10.0 * std::log10(to_come[i] / energy + 1e-30),
+                         t = static_cast<double>(i) / kSampleRate_hz;
             if (db > -5.0 || db < -25.0) continue;
             n += 1.0, st += t, sd += db, stt += t * t, std_ += t * db;
         }
@@ -466,7 +482,8 @@ TEST_F(OpenALSinkTest, whatever_is_cut_short_makes_no_step_above_a_hundredth_of_
         }
     };
     std::vector<std::int16_t> tone(96000);
-    for (std::size_t i = 0; i < tone.size(); ++i) tone[i] = static_cast<std::int16_t>(9000.0 * std::sin(2.0 * kPi * 187.0 * static_cast<double>(i) / 48000.0));
+    for (std::size_t i = 0; i < tone.size(); ++i)
+        tone[i] = static_cast<std::int16_t>(9000.0 * std::sin(2.0 * kPi * 187.0 * static_cast<double>(i) / 48000.0));
     const auto speak = [&] { voice->append(voice->begin(48000, 1.0), tone); };
     const auto hum = [&](double loudness) {
         SoundCue loop = cue(SoundKind::Drone, {0.5, 0.5, 0.0});
@@ -474,7 +491,8 @@ TEST_F(OpenALSinkTest, whatever_is_cut_short_makes_no_step_above_a_hundredth_of_
         sink->set_loop(loop);
     };
     quiet_after("speech stopped", speak, [&] { voice->stop(); });
-    quiet_after("speech replaced by silence", speak, [&] { voice->append(voice->begin(48000, 1.0), std::vector<std::int16_t>(4800)); });
+    quiet_after("speech replaced by silence", speak,
+                [&] { voice->append(voice->begin(48000, 1.0), std::vector<std::int16_t>(4800)); });
     quiet_after(
         "a sound of the world stopped", [&] { hum(1.0); }, [&] { hum(0.0); });
     quiet_after(
@@ -506,7 +524,8 @@ TEST_F(OpenALSinkTest, sound_behind_flutters_one_ahead_does_not_and_neither_when
         const std::vector<float> x = listen(2.0);
         double mean = 0.0, c = 0.0, s = 0.0;
         for (std::size_t i = 0; i + 480 <= x.size(); i += 480) {
-            const double level = rms(std::span(x).subspan(i, 480)), angle = 2.0 * kPi * 9.0 * static_cast<double>(i) / kSampleRate_hz;
+            const double level = rms(std::span(x).subspan(i, 480)),
+                         angle = 2.0 * kPi * 9.0 * static_cast<double>(i) / kSampleRate_hz;
             mean += level;
             c += level * std::cos(angle);
             s += level * std::sin(angle);
@@ -574,7 +593,8 @@ TEST_F(OpenALSinkTest, sounds_fall_by_9_db_while_the_voice_speaks_and_alarms_do_
 
 TEST_F(OpenALSinkTest, voice_is_heard_in_both_ears_alike_within_two_periods_and_reports_its_end) {
     std::vector<std::int16_t> tone(4410);
-    for (std::size_t i = 0; i < tone.size(); ++i) tone[i] = static_cast<std::int16_t>(8000.0 * std::sin(2.0 * kPi * 500.0 * static_cast<double>(i) / 22050.0));
+    for (std::size_t i = 0; i < tone.size(); ++i)
+        tone[i] = static_cast<std::int16_t>(8000.0 * std::sin(2.0 * kPi * 500.0 * static_cast<double>(i) / 22050.0));
     run(0.05);
     const std::size_t from = left.size();
     const auto ticket = voice->begin(22050, 1.0);

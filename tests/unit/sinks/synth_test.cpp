@@ -51,19 +51,22 @@ void expect_all_pairs_differ(SoundKind kind, double least) {
     std::vector<Character> all;
     for (int m = 0; m < kSoundClasses; ++m) {
         all.push_back(character_of(synthesise(kind, static_cast<SoundClass>(m))));
-        std::cout << "    material " << m << ": centroid " << std::lround(all.back().centroid_hz) << " Hz, ring " << std::lround(1e3 * all.back().decay_s)
-                  << " ms\n";
+        std::cout << "    material " << m << ": centroid " << std::lround(all.back().centroid_hz) << " Hz, ring "
+                  << std::lround(1e3 * all.back().decay_s) << " ms\n";
     }
     for (std::size_t a = 0; a < all.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
-            EXPECT_GE(std::max(ratio(all[a].centroid_hz, all[b].centroid_hz), ratio(all[a].decay_s, all[b].decay_s)), least) << a << " and " << b;
+            EXPECT_GE(std::max(ratio(all[a].centroid_hz, all[b].centroid_hz), ratio(all[a].decay_s, all[b].decay_s)),
+                      least)
+                << a << " and " << b;
 }
 
 TEST(Synth, every_two_materials_differ_when_struck) { expect_all_pairs_differ(SoundKind::Contact, 1.33); }
 TEST(Synth, every_two_materials_differ_when_stepped_on) { expect_all_pairs_differ(SoundKind::Footstep, 1.15); }
 
 TEST(Synth, every_two_materials_differ_when_stroked) {
-    // Loops do not ring; besides brightness they differ in roughness: how much the loudness varies from one 10 ms to the next.
+    // Loops do not ring; besides brightness they differ in roughness: how much the loudness varies from one 10 ms to
+    // the next.
     struct Stroke {
         double centroid_hz, roughness;
     };
@@ -80,11 +83,14 @@ TEST(Synth, every_two_materials_differ_when_stroked) {
         for (const double l : levels) mean += l / static_cast<double>(levels.size());
         for (const double l : levels) spread += (l - mean) * (l - mean) / static_cast<double>(levels.size());
         all.push_back({character_of(std::span(x).first(12000)).centroid_hz, std::sqrt(spread) / mean});
-        std::cout << "    material " << m << ": centroid " << std::lround(all.back().centroid_hz) << " Hz, roughness " << all.back().roughness << '\n';
+        std::cout << "    material " << m << ": centroid " << std::lround(all.back().centroid_hz) << " Hz, roughness "
+                  << all.back().roughness << '\n';
     }
     for (std::size_t a = 0; a < all.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
-            EXPECT_GE(std::max(ratio(all[a].centroid_hz, all[b].centroid_hz), ratio(all[a].roughness, all[b].roughness)), 1.2) << a << " and " << b;
+            EXPECT_GE(
+                std::max(ratio(all[a].centroid_hz, all[b].centroid_hz), ratio(all[a].roughness, all[b].roughness)), 1.2)
+                << a << " and " << b;
 }
 
 class EverySound : public ::testing::TestWithParam<int> {};
@@ -127,7 +133,8 @@ INSTANTIATE_TEST_SUITE_P(Synth, EverySound, ::testing::Range(0, kSoundKinds));
 TEST(Synth, bank_holds_every_sound) {
     const auto before = std::chrono::steady_clock::now();
     const SoundBank bank;
-    const double spent_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
+    const double spent_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - before).count();
     std::size_t samples = 0;
     for (int k = 0; k < kSoundKinds; ++k)
         for (int m = 0; m < kSoundClasses; ++m) {

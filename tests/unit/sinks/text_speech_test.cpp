@@ -31,7 +31,8 @@ struct Pipe {
         ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
         std::string text;
         std::array<char, 65536> block{};
-        for (ssize_t got = 0; (got = ::read(ends[0], block.data(), block.size())) > 0;) text.append(block.data(), static_cast<std::size_t>(got));
+        for (ssize_t got = 0; (got = ::read(ends[0], block.data(), block.size())) > 0;)
+            text.append(block.data(), static_cast<std::size_t>(got));
         return text;
     }
     std::array<int, 2> ends{-1, -1};

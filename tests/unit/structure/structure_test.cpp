@@ -1,4 +1,6 @@
-// The shape of the project, read from its own files: which folder may include which, what lies at the top, what no file may name.
+// The shape of the project, read from its own files: which folder may include which, what lies at the top, what no file
+// may name.
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <regex>
@@ -14,34 +16,57 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = HANDRAIL_SOURCE_DIR;
 
+constexpr const char* kProgram[] = {"app/", "audio-cues/", "haptic/", "settings/", "worlds/"};
+
 bool is_source(const std::string& file) { return file.ends_with(".h") || file.ends_with(".cpp"); }
 
-// What each folder may include besides itself, everything it links passed on. The same as the table in docs/architecture.md.
+// What each folder may include besides itself, everything it links passed on. The same as the table in
+// docs/architecture.md.
 const std::map<std::string, std::vector<std::string>> kMayLink{
     {"worlds/base", {}},
     {"worlds/geometry", {"worlds/base"}},
     {"settings", {"worlds/base"}},
     {"worlds/scene", {"worlds/base", "worlds/geometry"}},
-    {"worlds/readers", {"worlds/scene"}},
+    {"worlds/ifc", {"worlds/scene"}},
+    {"worlds/readers", {"worlds/scene", "worlds/ifc"}},
     {"worlds/navigation", {"worlds/scene"}},
     {"haptic/render", {"worlds/geometry", "settings"}},
     {"haptic/compile", {"haptic/render", "worlds/scene"}},
+    {"haptic/dynamics", {"haptic/render"}},
     {"haptic/device", {"worlds/base", "settings"}},
     {"haptic/loop", {"haptic/device"}},
     {"haptic/drivers", {"haptic/device"}},
     {"haptic/servo", {"haptic/render", "haptic/device"}},
     {"audio-cues/plan", {"worlds/scene", "settings", "haptic/servo"}},
     {"audio-cues/sinks", {"audio-cues/plan"}},
-    {"app/core", {"worlds/readers", "worlds/navigation", "settings", "haptic/compile", "haptic/servo", "audio-cues/plan"}},
-    {"app/terminal", {"app/core"}},
-    {"app/wizard", {"app/core"}},
-    {"app/window", {"app/core"}},
+    {"app/core/dialogue", {"worlds/scene", "settings"}},
+    {"app/core/kept", {"app/core/dialogue", "worlds/navigation"}},
+    {"app/core/world", {"app/core/kept", "haptic/compile", "haptic/servo"}},
+    {"app/core/context", {"app/core/world", "audio-cues/plan"}},
+    {"app/core/hand", {"app/core/context"}},
+    {"app/core/walking", {"app/core/context"}},
+    {"app/core/whereabouts", {"app/core/context"}},
+    {"app/core/movers", {"app/core/context"}},
+    {"app/core/desk", {"app/core/context"}},
+    {"app/core/lessons", {"app/core/context"}},
+    {"app/core/wayfinding", {"app/core/hand", "app/core/whereabouts", "app/core/movers"}},
+    {"app/core/learning", {"app/core/wayfinding"}},
+    {"app/core/menu", {"app/core/wayfinding"}},
+    {"app/core/places", {"app/core/wayfinding"}},
+    {"app/core/session",
+     {"app/core/desk", "app/core/lessons", "app/core/walking", "app/core/learning", "app/core/menu",
+      "app/core/places"}},
+    {"app/core/scenario", {"app/core/session", "worlds/readers"}},
+    {"app/terminal", {"app/core/dialogue"}},
+    {"app/wizard", {"app/core/session"}},
+    {"app/window", {"app/core/context"}},
     {"app/accessible", {"app/window", "audio-cues/sinks"}},
-    {"app/companions", {"app/core", "haptic/drivers"}},
+    {"app/companions", {"app/core/session", "haptic/drivers"}},
     {"app/guard", {"haptic/drivers"}},
     {"tests/bench/compare", {"worlds/readers", "haptic/compile", "haptic/servo", "haptic/loop"}},
     {"app/main",
-     {"app/core", "app/companions", "app/terminal", "app/wizard", "app/window", "app/accessible", "audio-cues/sinks", "haptic/drivers", "tests/bench/compare"}},
+     {"app/core/scenario", "app/companions", "app/terminal", "app/wizard", "app/window", "app/accessible",
+      "audio-cues/sinks", "haptic/drivers", "tests/bench/compare"}},
 };
 
 void reach(const std::string& folder, std::set<std::string>& reached) {
@@ -56,20 +81,24 @@ std::string folder_of(const std::string& path) { return fs::path(path).parent_pa
 std::vector<std::string> includes_of(const std::string& text) {
     static const std::regex kInclude(R"re(^[ \t]*#[ \t]*include[ \t]*"([^"]+)")re", std::regex::multiline);
     std::vector<std::string> found;
-    for (auto it = std::sregex_iterator(text.begin(), text.end(), kInclude); it != std::sregex_iterator(); ++it) found.push_back((*it)[1]);
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), kInclude); it != std::sregex_iterator(); ++it)
+        found.push_back((*it)[1]);
     return found;
 }
 
 // The comparison of renderers is in the program and shares these with the tests; they need no test library.
 bool shared_with_tests(const std::string& file) {
-    for (const char* stem : {"tests/support/brute_force.", "tests/support/random_families.", "tests/support/reference_proxy.", "tests/support/sphere_mesh.",
-                             "tests/support/touch_worlds.", "tests/bench/walk."})
+    for (const char* stem : {"tests/support/brute_force.", "tests/support/random_families.",
+                             "tests/support/reference_proxy.", "tests/support/sphere_mesh.",
+                             "tests/support/touch_worlds.", "tests/support/worst_cases.", "tests/bench/walk."})
         if (file.starts_with(stem)) return true;
     return false;
 }
 
 // A part of the program, wherever it lies.
-bool is_program(const std::string& file) { return !file.starts_with("tests/") || file.starts_with("tests/bench/compare/") || shared_with_tests(file); }
+bool is_program(const std::string& file) {
+    return !file.starts_with("tests/") || file.starts_with("tests/bench/compare/") || shared_with_tests(file);
+}
 
 // Nothing, or why this file may not include that one.
 std::string refusal(const std::string& file, const std::string& included) {
@@ -77,7 +106,9 @@ std::string refusal(const std::string& file, const std::string& included) {
     if (shared_with_tests(file)) return refusal("haptic/compile/" + fs::path(file).filename().string(), included);
     const std::string from = folder_of(file), to = folder_of(included);
     if (!kMayLink.contains(from)) return file + " lies in a folder that the table does not list: " + from;
-    if (!kMayLink.contains(to)) return file + " includes \"" + included + "\", which is in no listed folder; write the path from the project's root";
+    if (!kMayLink.contains(to))
+        return file + " includes \"" + included +
+               "\", which is in no listed folder; write the path from the project's root";
     std::set<std::string> reached;
     reach(from, reached);
     return reached.contains(to) ? "" : file + " includes " + included + ", but " + from + " may not know " + to;
@@ -90,27 +121,32 @@ TEST(IncludeDirection, holds_in_every_source_file_of_the_program) {
         const std::string text = test::content_of(kRoot / file);
         if (text.empty()) continue;  // deleted, not committed yet
         ++looked_at;
-        EXPECT_TRUE(shared_with_tests(file) || kMayLink.contains(folder_of(file))) << file << " lies in a folder that the table does not list";
+        EXPECT_TRUE(shared_with_tests(file) || kMayLink.contains(folder_of(file)))
+            << file << " lies in a folder that the table does not list";
         for (const std::string& included : includes_of(text)) EXPECT_EQ(refusal(file, included), "");
     }
     EXPECT_GT(looked_at, 40U) << "the project's files were not found";
 }
 
 TEST(IncludeDirection, is_seen_to_be_broken_by_this_test) {
-    EXPECT_EQ(includes_of("#pragma once\n  #  include \"a/b.h\"\n#include <vector>\n// #include \"c.h\"\n"), std::vector<std::string>{"a/b.h"});
+    EXPECT_EQ(includes_of("#pragma once\n  #  include \"a/b.h\"\n#include <vector>\n// #include \"c.h\"\n"),
+              std::vector<std::string>{"a/b.h"});
     EXPECT_NE(refusal("haptic/render/touch.cpp", "worlds/scene/scene.h"), "");
-    EXPECT_NE(refusal("app/core/core.cpp", "app/window/window.h"), "");
+    EXPECT_NE(refusal("app/core/session/core.cpp", "app/window/window.h"), "");
+    EXPECT_NE(refusal("app/core/walking/steps.cpp", "app/core/session/core.h"), "");
+    EXPECT_NE(refusal("app/core/hand/hand.cpp", "app/core/desk/desk.h"), "");
     EXPECT_NE(refusal("haptic/render/touch.cpp", "tests/bench/compare/bench.h"), "");
     EXPECT_NE(refusal("app/main/main.cpp", "tests/support/touch_worlds.h"), "");
     EXPECT_NE(refusal("tests/bench/compare/bench.cpp", "tests/support/run_program.h"), "");
     EXPECT_NE(refusal("tests/support/touch_worlds.cpp", "tests/support/box_scene.h"), "");
-    EXPECT_NE(refusal("app/core/core.cpp", "audio-cues/sinks/openal_sink.h"), "");
+    EXPECT_NE(refusal("app/core/session/core.cpp", "audio-cues/sinks/openal_sink.h"), "");
     EXPECT_NE(refusal("worlds/new/file.cpp", "worlds/base/text.h"), "");
     EXPECT_NE(refusal("worlds/base/text.cpp", "text.h"), "");
-    EXPECT_EQ(refusal("app/core/core.cpp", "worlds/base/text.h"), "");
+    EXPECT_EQ(refusal("app/core/session/core.cpp", "worlds/base/text.h"), "");
 }
 
-// handrail_library(NAME FOLDER LINK ... PRIVATE ...) in the CMake lists: a folder links no library of a folder it may not know.
+// handrail_library(NAME FOLDER LINK ... PRIVATE ...) in the CMake lists: a folder links no library of a folder it may
+// not know.
 TEST(IncludeDirection, holds_in_the_link_lines_too) {
     static const std::regex kLibrary(R"(handrail_library\(\s*(handrail_\w+)\s+([\w/-]+)([^)]*)\))");
     std::map<std::string, std::string> folder_by_library;
@@ -127,7 +163,8 @@ TEST(IncludeDirection, holds_in_the_link_lines_too) {
     }
     EXPECT_GE(folder_by_library.size(), 10U) << "the CMake lists were not understood";
     for (const auto& [folder, library] : links) {
-        if (library == "handrail_hard_cases" && folder == "tests/bench/compare") continue;  // what shared_with_tests lists
+        if (library == "handrail_hard_cases" && folder == "tests/bench/compare")
+            continue;  // what shared_with_tests lists
         ASSERT_TRUE(folder_by_library.contains(library)) << library;
         EXPECT_EQ(refusal(folder + "/CMakeLists.txt", folder_by_library[library] + "/x.h"), "");
     }
@@ -144,33 +181,75 @@ TEST(IncludeDirection, is_written_in_the_architecture_document_too) {
     }
 }
 
-TEST(TopLevel, holds_only_the_names_that_belong_there) {
-    const std::set<std::string> allowed{".ci",     ".clang-format", ".gitignore", "CMakeLists.txt", "CMakePresets.json",
-                                        "LICENSE", "README.md",     "app",        "audio-cues",     "docs",
-                                        "haptic",  "run",           "settings",   "tests",          "worlds"};
-    for (const std::string& file : test::project_files()) EXPECT_TRUE(allowed.contains(file.substr(0, file.find('/')))) << file;
+// The picture is made from the include lines alone; `docs/architecture_picture.py` makes it anew.
+TEST(IncludeDirection, is_drawn_as_it_is_in_the_architecture_document) {
+    if (std::system("command -v python3 >/dev/null 2>&1") != 0) GTEST_SKIP() << "python3 is not installed";
+    EXPECT_EQ(std::system(("python3 '" + (kRoot / "docs" / "architecture_picture.py").string() + "' --check").c_str()),
+              0);
+    EXPECT_NE(test::content_of(kRoot / "docs" / "architecture.md").find("](architecture.svg)"), std::string::npos)
+        << "the document does not show it";
 }
 
-// Where a developer's folders lie is nobody else's business and breaks on every other machine. System folders that Debian promises are fine.
+TEST(TopLevel, holds_only_the_names_that_belong_there) {
+    const std::set<std::string> allowed{".ci",
+                                        ".clang-format",
+                                        ".clang-tidy",
+                                        ".clangd",
+                                        ".gitignore",
+                                        "CMakeLists.txt",
+                                        "CMakePresets.json",
+                                        "LICENSE",
+                                        "README.md",
+                                        "app",
+                                        "audio-cues",
+                                        "docs",
+                                        "haptic",
+                                        "run",
+                                        "settings",
+                                        "tests",
+                                        "worlds"};
+    for (const std::string& file : test::project_files())
+        EXPECT_TRUE(allowed.contains(file.substr(0, file.find('/')))) << file;
+}
+
+// Where a developer's folders lie is nobody else's business and breaks on every other machine. System folders that
+// Debian promises are fine.
 const std::regex& machine_path() {
-    static const std::regex kPath(R"((^|[\s"'=(:`])/(home|root|work|mnt|media|Users|workspace)/[A-Za-z0-9_.-])", std::regex::multiline);
+    static const std::regex kPath(R"((^|[\s"'=(:`])/(home|root|work|mnt|media|Users|workspace)/[A-Za-z0-9_.-])",
+                                  std::regex::multiline);
     return kPath;
 }
 
 TEST(Files, name_no_folder_of_one_machine) {
     for (const std::string& file : test::project_files()) {
         std::error_code ec;
-        if (!fs::is_regular_file(kRoot / file, ec) || fs::file_size(kRoot / file, ec) > 2'000'000 || file.ends_with(".png")) continue;
+        if (!fs::is_regular_file(kRoot / file, ec) || fs::file_size(kRoot / file, ec) > 2'000'000 ||
+            file.ends_with(".png"))
+            continue;
         std::smatch found;
         std::istringstream lines(test::content_of(kRoot / file));
         int number = 0;
         for (std::string line; std::getline(lines, line);) {
             ++number;
-            EXPECT_FALSE(line.size() < 2000 && std::regex_search(line, found, machine_path())) << file << ":" << number << ": " << line;
+            EXPECT_FALSE(line.size() < 2000 && std::regex_search(line, found, machine_path()))
+                << file << ":" << number << ": " << line;
         }
     }
     EXPECT_TRUE(std::regex_search(std::string("see \"/ho") + "me/ann/x\"", machine_path()));
     EXPECT_FALSE(std::regex_search(std::string("/usr/share/fonts and worlds/maps"), machine_path()));
+}
+
+// What a person names may be a pipe, a device, a folder: worlds/base/files alone knows how such a thing is opened.
+TEST(Files, that_persons_name_are_read_in_one_place_only) {
+    const std::regex by_itself(R"(\b(std::ifstream|std::fstream|fopen|parse_file)\b)");
+    for (const std::string& file : test::project_files()) {
+        const bool program = std::any_of(std::begin(kProgram), std::end(kProgram),
+                                         [&](const char* folder) { return file.starts_with(folder); });
+        if (!is_source(file) || !program) continue;
+        EXPECT_FALSE(std::regex_search(test::content_of(kRoot / file), by_itself))
+            << file << ": read_whole_file opens ordinary files only";
+    }
+    EXPECT_TRUE(std::regex_search(std::string("std::ifstream in(path);"), by_itself));
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "app/terminal/terminal.h"
 
+#include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <future>
 
 namespace handrail {
@@ -24,8 +27,20 @@ TEST(ParseTerminalLine, names_the_nearest_command_for_an_unknown_word) {
     EXPECT_THAT(line.error().message, testing::HasSubstr("Did you mean \"where\"?"));
 }
 
+TEST(ParseTerminalLine, leaves_at_once_by_quit_alone_and_never_offers_it) {
+    EXPECT_EQ(parse_terminal_line("exit")->command, Command::Leave) << "which asks first";
+    EXPECT_FALSE(parse_terminal_line("exit")->leave);
+    for (const char* nearly : {"quti", "qit", "quitt", "exti", "q", "quiz"}) {
+        const auto line = parse_terminal_line(nearly);
+        ASSERT_FALSE(line) << nearly;
+        EXPECT_EQ(line.error().message.find("\"quit\""), std::string::npos) << line.error().message;
+        EXPECT_EQ(line.error().message.find("\"exit\""), std::string::npos) << line.error().message;
+    }
+}
+
 TEST(ParseTerminalLine, refuses_counts_that_make_no_sense) {
-    for (const char* bad : {"forward 0", "forward -1", "forward 1001", "forward many", "forward 2 3", "forward 99999999999999"})
+    for (const char* bad :
+         {"forward 0", "forward -1", "forward 1001", "forward many", "forward 2 3", "forward 99999999999999"})
         EXPECT_FALSE(parse_terminal_line(bad)) << bad;
 }
 
@@ -49,7 +64,7 @@ TEST(LineWatch, a_line_that_must_not_wait_is_seen_at_once_and_empties_what_came_
     ASSERT_EQ(::pipe(ends), 0);
     {
         std::promise<std::string> seen;
-        LineWatch watch(ends[0], [&](std::string_view line) {
+        LineWatch watch(ends[0], LineWatch::WhenFull::Waits, [&](std::string_view line) {
             if (line != "stop") return false;
             seen.set_value(std::string(line));
             return true;
@@ -74,11 +89,83 @@ TEST(LineWatch, a_line_that_must_not_wait_is_seen_at_once_and_empties_what_came_
     ::close(ends[0]);
 }
 
+// As many lines as a pipe will take, with nobody taking them.
+std::size_t bytes_taken(int end) {
+    const std::string lines = [] {
+        std::string text;
+        while (text.size() < 4096 - 8) text += "forward\n";
+        return text;
+    }();
+    ::fcntl(end, F_SETFL, O_NONBLOCK);
+    std::size_t taken = 0;
+    for (int refused = 0; refused < 50 && taken < (std::size_t{64} << 20);) {
+        const ssize_t put = ::write(end, lines.data(), lines.size());
+        if (put > 0) {
+            taken += static_cast<std::size_t>(put);
+            refused = 0;
+        } else {
+            ++refused;
+            ::poll(nullptr, 0, 2);
+        }
+    }
+    return taken;
+}
+
+TEST(LineWatch, of_a_flood_takes_no_more_than_it_may_hold_and_loses_no_line_of_it) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    {
+        LineWatch watch(ends[0], LineWatch::WhenFull::Waits, [](std::string_view) { return false; });
+        const std::size_t bytes = bytes_taken(ends[1]);
+        EXPECT_LT(bytes, std::size_t{1} << 18) << "the pipe's 64 KiB and what waits";
+        EXPECT_GE(bytes, 8 * LineWatch::kMostWaiting);
+        ::close(ends[1]);
+        std::size_t lines = 0;
+        bool emptied = false;
+        for (bool ended = false; !ended;) {
+            ended = watch.ended();
+            const auto some = watch.take(emptied, 100);
+            EXPECT_LE(some.size(), 100U);
+            for (const std::string& line : some) lines += line == "forward";
+            if (!some.empty()) ended = false;
+        }
+        EXPECT_EQ(lines, bytes / 8);
+    }
+    ::close(ends[0]);
+}
+
+TEST(LineWatch, of_a_flood_that_is_typed_loses_what_it_cannot_hold_and_still_sees_the_line_that_must_not_wait) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    {
+        std::promise<void> seen;
+        LineWatch watch(ends[0], LineWatch::WhenFull::Loses, [&](std::string_view line) {
+            if (line != "stop") return false;
+            seen.set_value();
+            return true;
+        });
+        const std::string flood = [] {
+            std::string text;
+            for (int i = 0; i < 100'000; ++i) text += "forward\n";
+            return text;
+        }();
+        for (std::size_t done = 0; done < flood.size();)
+            done += static_cast<std::size_t>(::write(ends[1], flood.data() + done, flood.size() - done));
+        bool emptied = false;
+        ASSERT_EQ(::write(ends[1], "stop\n", 5), 5);
+        EXPECT_EQ(seen.get_future().wait_for(std::chrono::seconds(20)), std::future_status::ready);
+        EXPECT_TRUE(watch.take(emptied).empty());
+        EXPECT_TRUE(emptied);
+        ::close(ends[1]);
+    }
+    ::close(ends[0]);
+}
+
 TEST(LineWatch, ends_while_it_waits) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
     {
-        LineWatch watch(ends[0], [](std::string_view) { return false; });
+        LineWatch watch(ends[0], LineWatch::WhenFull::Waits, [](std::string_view) { return false; });
     }
     ::close(ends[0]);
     ::close(ends[1]);

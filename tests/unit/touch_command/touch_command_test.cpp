@@ -57,7 +57,8 @@ protected:
 
     void SetUp() override {
         arguments_.world =
-            folder_.write("table.map", entity("worldspawn") + entity("func_wall", key("name", "Table, round"), box_brush(-64, -64, -32, 64, 64, 0)));
+            folder_.write("table.map", entity("worldspawn") + entity("func_wall", key("name", "Table, round"),
+                                                                     box_brush(-64, -64, -32, 64, 64, 0)));
         arguments_.out_csv = folder_.path() / "out.csv";
     }
     int run(const std::string& csv) {
@@ -86,7 +87,8 @@ protected:
 TEST_F(TouchCommand, gives_one_row_per_row_and_exact_freedom_before_contact) {
     const std::vector<Row> out = rows("t,x,y,z\r\n0,0,0,0.1\r\n\r\n0.001,1e-3,0.0,0.30000000000000004\r\n\n5,-0,0.5,1");
     ASSERT_EQ(out.size(), 3U);
-    EXPECT_EQ(out[0].cells, (std::vector<std::string>{"0", "0", "0", "0.1", "0", "0", "0.1", "0", "0", "0", "0", "", "", out[0].cells[13]}));
+    EXPECT_EQ(out[0].cells, (std::vector<std::string>{"0", "0", "0", "0.1", "0", "0", "0.1", "0", "0", "0", "0", "", "",
+                                                      out[0].cells[13]}));
     EXPECT_EQ(out[1].cells[3], "0.30000000000000004");
     EXPECT_EQ(out[1].cells[6], "0.30000000000000004");
     EXPECT_EQ(out[1].cells[1], "0.001");
@@ -129,7 +131,8 @@ TEST_F(TouchCommand, rubs_with_the_friction_and_damping_it_is_given) {
     EXPECT_EQ(last.force().x, 0.0);
     arguments_.damping_ns_per_m = 10.0;
     const std::vector<Row> damped = rows(press(0.05, 0));
-    EXPECT_NEAR(damped.back().force().z, 800.0 * (damped.back().proxy().z - damped.back().position().z) + 10.0 * 0.1, 1e-3);
+    EXPECT_NEAR(damped.back().force().z, 800.0 * (damped.back().proxy().z - damped.back().position().z) + 10.0 * 0.1,
+                1e-3);
 }
 
 TEST_F(TouchCommand, marks_bad_rows_and_takes_up_the_force_again) {
@@ -184,7 +187,8 @@ TEST_F(TouchCommand, applies_the_rating_peak_force_and_jump_check_of_a_device) {
     arguments_.scale_world_m_per_hand_m = 4.0;
     EXPECT_EQ(rows("t,x,y,z\n0,0,0,1\n1,0,0,1.06\n").back().fault(), "");
     arguments_.scale_world_m_per_hand_m = 1.0;
-    for (const std::optional<std::string>& ideal : {std::optional<std::string>("ideal"), std::optional<std::string>()}) {
+    for (const std::optional<std::string>& ideal :
+         {std::optional<std::string>("ideal"), std::optional<std::string>()}) {
         arguments_.device = ideal;
         EXPECT_EQ(rows("t,x,y,z\n0,0,0,1\n1,0,0,9\n").back().fault(), "") << "the ideal device may jump";
     }

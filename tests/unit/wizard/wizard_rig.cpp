@@ -43,7 +43,8 @@ void WizardRig::advance() {
     const double begun_s = now_s();
     if (servo_ && sense.search == WizardSearch::Ready) {
         const DeviceSample sample = held_->device().read(now_s());
-        held_->device().write(servo_tick(*servo_, session.wizard().haptic_scene().get(), session.wizard().tuning(), session.wizard().pose(), sample, now_s()));
+        held_->device().write(servo_tick(*servo_, session.wizard().haptic_scene().get(), session.wizard().tuning(),
+                                         session.wizard().pose(), sample, now_s()));
         sense.tool = servo_->tool();
         for (const ContactEvent& event : servo_->events()) contacts_.push_back(event);
         const Vec3 force_n = held_->force_on_hand_n();
@@ -56,7 +57,8 @@ void WizardRig::advance() {
         if (session.wizard().wants_search() && sense.search == WizardSearch::NotBegun) {
             sense.search = WizardSearch::Nothing;
             if (held_) {
-                const auto opened = held_->open([this](const std::string& sentence) { sense.news.push_back(sentence); });
+                const auto opened =
+                    held_->open([this](const std::string& sentence) { sense.news.push_back(sentence); });
                 if (opened) sense.search = WizardSearch::Ready;
                 else sense.news.push_back(opened.error().sentence());
             }
@@ -88,7 +90,8 @@ std::vector<std::string> WizardRig::said() const {
 
 bool WizardRig::has_said(std::string_view words) const {
     const auto lines = said();
-    return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) { return line.find(words) != std::string::npos; });
+    return std::any_of(lines.begin(), lines.end(),
+                       [&](const std::string& line) { return line.find(words) != std::string::npos; });
 }
 
 DeviceProfile WizardRig::profile() const {
@@ -98,7 +101,8 @@ DeviceProfile WizardRig::profile() const {
 }
 
 int WizardRig::clicks() const {
-    return static_cast<int>(std::count_if(audio.sounds().begin(), audio.sounds().end(), [](const HeardSound& s) { return s.cue.kind == SoundKind::TurnTick; }));
+    return static_cast<int>(std::count_if(audio.sounds().begin(), audio.sounds().end(),
+                                          [](const HeardSound& s) { return s.cue.kind == SoundKind::TurnTick; }));
 }
 
 void BriskPerson::advance() {
@@ -144,8 +148,8 @@ void BriskPerson::answer_one() {
         return rig_.key("Enter");
     }
     if (rig_.asks("Move the grip as far")) {
-        for (const Vec3& side :
-             {Vec3(0.8, 0.0, 0.0), Vec3(-0.6, 0.0, 0.0), Vec3(0.0, 0.6, 0.0), Vec3(0.0, -0.7, 0.0), Vec3(0.0, 0.0, 0.6), Vec3(0.0, 0.0, -0.4)})
+        for (const Vec3& side : {Vec3(0.8, 0.0, 0.0), Vec3(-0.6, 0.0, 0.0), Vec3(0.0, 0.6, 0.0), Vec3(0.0, -0.7, 0.0),
+                                 Vec3(0.0, 0.0, 0.6), Vec3(0.0, 0.0, -0.4)})
             go(side), wait(0.3);
         return rig_.key("Enter");
     }
@@ -163,7 +167,8 @@ bool BriskPerson::answer_all(double most_s) {
             return rig_.run_until([this] { return !rig_.speech.speaking(); });
         }
         advance();
-        if (rig_.speech.speaking() || !rig_.wizard().waits_for_person() || rig_.wizard().question().empty()) silent_since_s = rig_.now_s();
+        if (rig_.speech.speaking() || !rig_.wizard().waits_for_person() || rig_.wizard().question().empty())
+            silent_since_s = rig_.now_s();
         else if (rig_.now_s() - silent_since_s >= 0.3) {
             answer_one();
             silent_since_s = rig_.now_s();

@@ -1,5 +1,5 @@
-// The wizard with servo, cue planner and a voice that takes its time, on a virtual clock: the program's set-up without its threads. The hand is a
-// simulated device's or a Falcon's of bytes.
+// The wizard with servo, cue planner and a voice that takes its time, on a virtual clock: the program's set-up without
+// its threads. The hand is a simulated device's or a Falcon's of bytes.
 #pragma once
 
 #include "app/wizard/wizard_session.h"
@@ -121,7 +121,8 @@ private:
     std::vector<std::string> news_;
 };
 
-// A person who knows what to do, does it when a question is over, and is brisk about it: hand speed 25 cm/s, 0.3 s to react.
+// A person who knows what to do, does it when a question is over, and is brisk about it: hand speed 25 cm/s, 0.3 s to
+// react.
 class BriskPerson {
 public:
     BriskPerson(WizardRig& rig, HeldDevice* held) : rig_(rig), held_(held) {}

@@ -23,7 +23,8 @@ std::string joined(const std::vector<std::string>& lines) {
 void expect_in_order(const std::vector<std::string>& lines, std::initializer_list<const char*> wanted) {
     auto from = lines.begin();
     for (const char* words : wanted) {
-        from = std::find_if(from, lines.end(), [&](const std::string& line) { return line.find(words) != std::string::npos; });
+        from = std::find_if(from, lines.end(),
+                            [&](const std::string& line) { return line.find(words) != std::string::npos; });
         ASSERT_NE(from, lines.end()) << "\"" << words << "\" was not said in its place:\n" << joined(lines);
         ++from;
     }
@@ -64,7 +65,8 @@ TEST(WizardFromStartToEnd, with_a_simulated_touch_takes_a_brisk_person_less_than
     EXPECT_EQ(profile.hand, HoldingHand::Left);
     EXPECT_NEAR(profile.width_m.value(), 1.4 * 0.075, 0.01);
     EXPECT_NEAR(profile.depth_m.value(), 1.3 * 0.075, 0.01);
-    // Measured from 0.6 ahead to 0.7 behind: the middle lies 0.05 radii behind; 5 parts ahead of the body and 3 behind are asked for.
+    // Measured from 0.6 ahead to 0.7 behind: the middle lies 0.05 radii behind; 5 parts ahead of the body and 3 behind
+    // are asked for.
     EXPECT_NEAR(profile.offset_ahead_m.value(), (0.125 * 1.3 + 0.05) * 0.075, 0.003);
     EXPECT_EQ(profile.scale, 60.0);
     EXPECT_EQ(rig.store.values().walk.step_length_m, 0.65);
@@ -83,9 +85,10 @@ TEST(WizardFromStartToEnd, with_a_falcon_wakes_and_homes_it_by_voice) {
     ASSERT_TRUE(person.answer_all(300.0)) << joined(rig.said());
     std::printf("a brisk person with a Falcon: %.1f s\n", rig.now_s() - begun_s);
     EXPECT_LT(rig.now_s() - begun_s, kTwoMinutes_s);
-    expect_in_order(rig.said(), {"looking for a touch device", "needs waking, this may take three tries. Try 1", "Try 2", "The Falcon is ready.",
-                                 "Pull it all the way towards you.", "Good.", "Push it in", "Good.", "Left hand.", "Felt at 0.", "with more than 2.5 newtons",
-                                 "Your hand reaches", "You are set up."});
+    expect_in_order(rig.said(),
+                    {"looking for a touch device", "needs waking, this may take three tries. Try 1", "Try 2",
+                     "The Falcon is ready.", "Pull it all the way towards you.", "Good.", "Push it in", "Good.",
+                     "Left hand.", "Felt at 0.", "with more than 2.5 newtons", "Your hand reaches", "You are set up."});
     EXPECT_GE(rig.clicks(), 3) << "one for each leg that found its zero";
     EXPECT_EQ(held.emulator.frames_before_homed_with_force, 0U);
     EXPECT_LE(held.emulator.largest_force_n, 2.5 + 0.05);
@@ -100,8 +103,9 @@ TEST(WizardFromStartToEnd, with_no_device_says_so_and_does_the_rest) {
     const double begun_s = rig.now_s();
     ASSERT_TRUE(person.answer_all(300.0)) << joined(rig.said());
     std::printf("a brisk person without a device: %.1f s\n", rig.now_s() - begun_s);
-    expect_in_order(rig.said(), {"bell on your left", "And now on your right", "No touch device. Everything works with keyboard and sound", "Your step is",
-                                 "You are set up."});
+    expect_in_order(rig.said(),
+                    {"bell on your left", "And now on your right",
+                     "No touch device. Everything works with keyboard and sound", "Your step is", "You are set up."});
     EXPECT_FALSE(rig.has_said("Take the grip"));
     EXPECT_EQ(rig.store.values().walk.step_length_m, 0.65);
     EXPECT_TRUE(rig.store.values().profiles.empty());
@@ -110,8 +114,27 @@ TEST(WizardFromStartToEnd, with_no_device_says_so_and_does_the_rest) {
 TEST(WizardFromStartToEnd, by_lines_of_a_script) {
     HeldSimulated held;
     WizardRig rig("", &held);
-    for (const char* line : {"left", "", "hand-back 15", "hand-forward 30", "hand-left 12", "wait 9", "button", "up", "hand-back 20", "hand-forward 20",
-                             "wait 2", "", "hand-right 30", "hand-left 30", "hand-forward 30", "hand-back 30", "", "", "down", "", "0.75"})
+    for (const char* line : {"left",
+                             "",
+                             "hand-back 15",
+                             "hand-forward 30",
+                             "hand-left 12",
+                             "wait 9",
+                             "button",
+                             "up",
+                             "hand-back 20",
+                             "hand-forward 20",
+                             "wait 2",
+                             "",
+                             "hand-right 30",
+                             "hand-left 30",
+                             "hand-forward 30",
+                             "hand-back 30",
+                             "",
+                             "",
+                             "down",
+                             "",
+                             "0.75"})
         rig.session.type(line);
     rig.session.end_of_lines();
     ASSERT_TRUE(rig.run_until(
@@ -278,7 +301,8 @@ TEST(Wizard, goes_back_one_question_and_up_does_so_where_it_changes_nothing) {
 }
 
 TEST(Wizard, takes_a_step_in_metres_centimetres_or_as_ten_steps_and_refuses_what_is_none) {
-    for (const auto& [typed, length_m] : {std::pair{"0.65", 0.65}, {"65", 0.65}, {"6.5", 0.65}, {"1.5", 1.5}, {"15", 1.5}, {"20", 0.2}}) {
+    for (const auto& [typed, length_m] :
+         {std::pair{"0.65", 0.65}, {"65", 0.65}, {"6.5", 0.65}, {"1.5", 1.5}, {"15", 1.5}, {"20", 0.2}}) {
         WizardRig rig("step");
         rig.session.type(typed);
         rig.run(0.2);
@@ -307,7 +331,9 @@ TEST(Wizard, goes_on_without_a_device_that_is_unplugged_and_without_its_force) {
     rig.run(0.1);
     EXPECT_TRUE(rig.asks("Your step is"));
     EXPECT_EQ(rig.force_n(), 0.0);
-    EXPECT_TRUE(rig.run_until([&] { return rig.has_said("The touch device was unplugged. I go on without it."); }, 10.0)) << "after the alarm";
+    EXPECT_TRUE(
+        rig.run_until([&] { return rig.has_said("The touch device was unplugged. I go on without it."); }, 10.0))
+        << "after the alarm";
 }
 
 TEST(Wizard, a_latched_fault_is_told_and_confirmed_with_enter) {
@@ -353,7 +379,8 @@ TEST(WizardWords, know_their_parts_and_name_the_nearest) {
     const auto wrong = parse_wizard_parts("headphone");
     ASSERT_FALSE(wrong);
     EXPECT_THAT(wrong.error().sentence(), HasSubstr("the nearest is headphones"));
-    for (const char* line : {"lft", "hand-left x", "hand-left 0", "hand-left 1e9", "wait -1", "up nan"}) EXPECT_FALSE(parse_wizard_line(line)) << line;
+    for (const char* line : {"lft", "hand-left x", "hand-left 0", "hand-left 1e9", "wait -1", "up nan"})
+        EXPECT_FALSE(parse_wizard_line(line)) << line;
     EXPECT_THAT(parse_wizard_line("lft").error().sentence(), HasSubstr("Did you mean \"left\"?"));
     EXPECT_EQ(parse_wizard_line("  \r")->events.size(), 1U);
     EXPECT_EQ(parse_wizard_line("70")->events.size(), 2U);
@@ -379,7 +406,8 @@ TEST(WizardWords, are_said_in_german_and_typed_as_ever) {
     rig.run(1.0);
     EXPECT_TRUE(rig.has_said("Zentimeter lang. Enter behält das"));
     EXPECT_TRUE(rig.has_said("Hier geht es um die Länge eines Schritts"));
-    EXPECT_EQ(parse_wizard_line("lft").error().message, "Die Antwort „lft“ gibt es hier nicht. War „left“ gemeint? help nennt alle.");
+    EXPECT_EQ(parse_wizard_line("lft").error().message,
+              "Die Antwort „lft“ gibt es hier nicht. War „left“ gemeint? help nennt alle.");
 }
 
 TEST(WizardWords, the_end_of_input_leaves_and_keeps_what_was_set) {

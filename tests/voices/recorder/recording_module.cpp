@@ -1,6 +1,7 @@
-// An output module of speech-dispatcher that speaks into a file instead of a sound card, so that tests can read what was said and when it
-// was cut. One line per event in $RECORDED: seconds of CLOCK_MONOTONIC, then "speak WORDS", "end" or "stop". $RECORDED_WORD_MS is how
-// long a word takes. The protocol is that between the server and its modules: commands on standard input, events on standard output.
+// An output module of speech-dispatcher that speaks into a file instead of a sound card, so that tests can read what
+// was said and when it was cut. One line per event in $RECORDED: seconds of CLOCK_MONOTONIC, then "speak WORDS", "end"
+// or "stop". $RECORDED_WORD_MS is how long a word takes. The protocol is that between the server and its modules:
+// commands on standard input, events on standard output.
 #include <poll.h>
 #include <unistd.h>
 
@@ -25,7 +26,8 @@ std::string without_markup(const std::string& ssml) {
             continue;
         }
         bool named = false;
-        for (const auto& [name, letter] : {std::pair{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}}) {
+        for (const auto& [name, letter] :
+             {std::pair{"&lt;", '<'}, {"&gt;", '>'}, {"&amp;", '&'}, {"&quot;", '"'}, {"&apos;", '\''}}) {
             if (ssml.compare(i, std::char_traits<char>::length(name), name) != 0) continue;
             text += letter;
             i += std::char_traits<char>::length(name) - 1;
@@ -65,7 +67,8 @@ private:
     void note(const std::string& event) const {
         std::FILE* file = std::fopen(recorded_, "a");
         if (!file) return;
-        std::fprintf(file, "%.6f %s\n", std::chrono::duration<double>(Clock::now().time_since_epoch()).count(), event.c_str());
+        std::fprintf(file, "%.6f %s\n", std::chrono::duration<double>(Clock::now().time_since_epoch()).count(),
+                     event.c_str());
         std::fclose(file);
     }
 
@@ -77,7 +80,9 @@ private:
                 buffer_.erase(0, end + 1);
                 return true;
             }
-            const int wait_ms = ends_ ? static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(*ends_ - Clock::now()).count()) : -1;
+            const int wait_ms =
+                ends_ ? static_cast<int>(std::chrono::ceil<std::chrono::milliseconds>(*ends_ - Clock::now()).count())
+                      : -1;
             pollfd input{0, POLLIN, 0};
             if (!ends_ || wait_ms > 0) ::poll(&input, 1, wait_ms);
             if (ends_ && Clock::now() >= *ends_) stop("end", "702 END");

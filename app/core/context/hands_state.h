@@ -1,0 +1,36 @@
+// The hands: what they hold, where their servos told last that they are, and what the servos are told. Plain state; app
+// thread only.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/core/context/workspace_scale.h"
+#include "haptic/device/device_spec.h"
+#include "haptic/servo/servo_tick.h"
+
+namespace handrail {
+
+// What the hand has: none, or a device of which the workspace size, force and stiffness count.
+struct HandFacts {
+    bool present = false;
+    bool simulated = false;
+    DeviceSpec spec{};
+    std::string serial = {};  // empty: it has none
+};
+
+struct HandsState {
+    HandFacts right, left;  // right: also the only one
+    ToolState tool, left_tool;
+    ServoTuning tuning;
+    WorkspacePose pose;
+    std::optional<NamedScale> named_scale;  // none: the scale of the settings
+    bool keys_alone = false;                // the simulated hand is there for want of a real one
+
+    // The place of the only or right hand is known.
+    bool known() const { return right.present && tool.ticks > 0; }
+    bool two() const { return right.present && left.present; }
+    bool at_desk() const { return tool.desk.open; }
+};
+
+}  // namespace handrail

@@ -1,0 +1,21 @@
+// What the person has chosen: settings, and the keys that follow from them. Plain state; app thread only.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/core/dialogue/key_map.h"
+#include "settings/settings.h"
+
+namespace handrail {
+
+struct Person {
+    explicit Person(const Settings& chosen) : settings(chosen), keys(chosen.keys, chosen.keyboard.hand) {}
+
+    Settings settings;
+    KeyMap keys;
+    std::vector<std::pair<std::string, std::string>> changes;  // by a command, to be stored and saved: key and value
+};
+
+}  // namespace handrail

@@ -1,0 +1,66 @@
+// What every feature of the session may look at, and what it may ask for. The session makes one and each feature keeps
+// a reference to it; it owns nothing, and what is const here is only looked at. A feature that needs another one gets
+// it in its constructor, by name. App thread only.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/core/context/cues.h"
+#include "app/core/context/hands_state.h"
+#include "app/core/context/lists.h"
+#include "app/core/context/person.h"
+#include "app/core/context/session_event.h"
+#include "app/core/kept/side_file.h"
+#include "app/core/world/body_state.h"
+#include "app/core/world/world_state.h"
+
+namespace handrail {
+
+// What takes more than one feature, so that the session alone can do it; it sets them all.
+struct SessionAsks {
+    // Saves what the person added to the world; where another session has changed the same file, everybody reads it
+    // again. Says what went wrong.
+    std::function<void(double now_s)> save_additions;
+    // Puts the body somewhere else in this world; the workspace jumps with it.
+    std::function<void(const Vec3& feet_m, double heading_rad, double now_s)> place;
+    // As if its key had been pressed and let go of.
+    std::function<void(Command command, double now_s)> perform;
+    // One setting, in force at once and saved; what it is then, or why it cannot be. The key must be one there is.
+    std::function<std::string(std::string_view key, const std::string& value)> change_setting;
+    // The keys of commands as the settings have them: "Up W", "none".
+    std::function<void(const std::vector<std::pair<Command, std::string>>& changes)> change_keys;
+    // Has a setting saved that nothing follows which goes on already; key and value must fit.
+    std::function<void(std::string_view key, const std::string& value)> keep_setting;
+    // The owner is to read that world and enter it.
+    std::function<void(const std::filesystem::path& file)> want_world;
+};
+
+struct SessionContext {
+    const Settings& settings;
+    const KeyMap& keys;
+    const WorldState& world;
+    const BodyState& body;
+    const HandsState& hands;
+    Cues& cues;
+    Lists& lists;
+    SideFile& additions;  // to the world one is in: each topic writes lists and tables of its own
+    Events& events;
+    SessionAsks asks = {};
+    double tick_s = -1.0;  // of the last tick: when what a list or a question leads to happens
+
+    void say(std::string text, SpeechClass speech_class, double now_s) const {
+        cues.say(std::move(text), speech_class, now_s);
+    }
+    void answer(std::string text, double now_s) const { cues.answer(std::move(text), now_s); }
+    void play(SoundKind kind, double now_s) const { cues.play(kind, now_s); }
+    void play_at(SoundKind kind, const Vec3& place_m, double now_s) const { cues.play_at(kind, place_m, now_s); }
+    void open_list(ListSpec list, double now_s) const { lists.open(std::move(list), now_s); }
+    void ask_text(TextSpec question, double now_s) const { lists.ask(std::move(question), now_s); }
+};
+
+}  // namespace handrail

@@ -1,0 +1,68 @@
+// What happens in a session, as facts for whoever follows it (a recording, a lesson, a test) beside what is said and
+// played. Told by features through the context; who listens is not their business. Plain data; metres of the world,
+// seconds of the session's clock.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/core/dialogue/command.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+// A hand came to touch something else than before.
+struct Touched {
+    FeatureId feature;
+    bool left = false;   // the left one of two hands
+    Vec3 at_m{0.0};      // the ball's middle
+    double force_n = 0;  // of the contacts
+};
+// The body came into a room, by its number in the room graph.
+struct RoomEntered {
+    std::uint32_t room = 0;
+    std::string name;
+};
+// All of a wall is known by now.
+struct WallDone {
+    FeatureId feature;
+    std::uint32_t room = 0;
+};
+// The person asked where they are, what is around or which ways lead out.
+struct HelpAsked {
+    Command command;
+};
+// The person opened or shut a door, pressed a button or called a lift.
+struct DoorUsed {
+    FeatureId feature;
+};
+// The body was put somewhere else.
+struct Teleported {
+    Vec3 feet_m{0.0};
+    double heading_rad = 0.0;
+};
+
+using Happening = std::variant<Touched, RoomEntered, WallDone, HelpAsked, DoorUsed, Teleported>;
+
+struct SessionEvent {
+    double time_s = 0.0;
+    Happening what;
+};
+
+// In the order in which they happened, until they are taken. Nobody need take them: the oldest go where there are more
+// than kMost. App thread only.
+class Events {
+public:
+    static constexpr std::size_t kMost = 4096;
+
+    void tell(Happening what, double now_s);
+    std::vector<SessionEvent> take();
+
+private:
+    std::vector<SessionEvent> waiting_;
+    std::size_t oldest_ = 0;  // once it is full, a ring
+};
+
+}  // namespace handrail

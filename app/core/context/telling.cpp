@@ -1,0 +1,103 @@
+#include "app/core/context/telling.h"
+
+#include <cmath>
+
+#include "app/core/world/questions.h"
+#include "worlds/base/language.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kStorey_m = 1.5, kWaist_m = 1.0;
+
+}  // namespace
+
+double scale(const SessionContext& context) {
+    if (!context.hands.named_scale) return context.settings.workspace.scale;
+    return world_m_per_hand_m(*context.hands.named_scale, context.world.scene->bounds_m,
+                              context.hands.right.spec.workspace_radius_m);
+}
+
+DistanceWords distances(const SessionContext& context) {
+    const Settings& settings = context.settings;
+    return {settings.speech.distances_in_steps, settings.walk.step_length_m, settings.speech.rounded};
+}
+
+double workspace_heading_rad(const SessionContext& context) {
+    const double frame = context.settings.workspace.frame == FrameChoice::Walk ? context.body.heading_rad : 0.0;
+    return frame + radians_from_degrees(context.settings.workspace.turn_deg);
+}
+
+std::string where_words(const SessionContext& context, double distance_m, double bearing_rad) {
+    return place_words(distance_m, bearing_rad, context.body.heading_goal_rad, context.settings.speech.directions,
+                       distances(context));
+}
+
+std::string where_words(const SessionContext& context, const Aabb& box) {
+    const Vec3 way = nearest_place(box, context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m)) - context.body.feet_m();
+    const double level_m = std::hypot(way.x, way.y);
+    const std::string distance = distance_words(level_m, distances(context)),
+                      direction = relative_words(std::atan2(way.x, way.y), context.body.heading_rad);
+    return phrase("guide.where", {{"distance", distance},
+                                  {"far", level_m >= 0.5 * context.settings.walk.step_length_m ? "yes" : "no"},
+                                  {"direction", direction},
+                                  {"storey", way.z > kStorey_m + kWaist_m ? "above"
+                                             : way.z < -kStorey_m         ? "below"
+                                                                          : "this"}});
+}
+
+std::string how_far_words(const SessionContext& context, double way_m) {
+    const std::string words = distance_words(way_m, distances(context));
+    return is_close_by(way_m, distances(context)) ? words : phrase("session.away", {{"distance", words}});
+}
+
+std::string name_of(const SessionContext& context, FeatureId feature) {
+    const std::string name = spoken_name(*context.world.scene, feature);
+    return name.empty() ? spoken_kind("wall") : name;
+}
+
+Vec3 finding_place_m(const SessionContext& context) {
+    return context.hands.known() ? context.hands.tool.proxy_m : context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
+}
+
+std::string lock_words(const SessionContext& context, FeatureId door) {
+    const int found = mover_of(context.world, door);
+    const auto mover = static_cast<std::uint32_t>(found);
+    if (found < 0 || !locked(context.world, mover) || !shut(context.world, mover)) return {};
+    return phrase(button_of(context.world, mover, context.body.feet_m() + Vec3(0.0, 0.0, kLookHeight_m))
+                      ? "rooms.locked"
+                      : "questions.opened_from_elsewhere");
+}
+
+std::string passage_name(const SessionContext& context, PassageKind kind, FeatureId feature, double rise_m) {
+    const auto rising = [rise_m](const std::string& passage) {
+        if (rise_m == 0.0) return passage;
+        return phrase(rise_m > 0.0 ? "rooms.passage_up" : "rooms.passage_down",
+                      {{"passage", passage}, {"metres", std::abs(rise_m)}});
+    };
+    const Feature* found = context.world.scene->find(feature);
+    const std::string name = found ? spoken_name(*found) : std::string();
+    switch (kind) {
+        case PassageKind::Door:
+            return name.empty() ? phrase("rooms.door") : name;
+        case PassageKind::Stairs:
+            return rising(name.empty() || (found && found->kind != FeatureKind::Object) ? phrase("rooms.stairs")
+                                                                                        : name);
+        case PassageKind::Lift:
+            return rising(name.empty() ? phrase("rooms.lift") : name);
+        case PassageKind::Drop:
+            return rise_m == 0.0 ? phrase("rooms.edge_to_step_down") : rising(phrase("rooms.edge"));
+        case PassageKind::Teleporter:
+            return name.empty() ? phrase("rooms.teleporter") : name;
+        case PassageKind::Opening:
+            break;
+    }
+    return phrase("rooms.opening");
+}
+
+std::string passage_now(const SessionContext& context, PassageKind kind, FeatureId feature, double rise_m) {
+    return joined(passage_name(context, kind, feature, rise_m), lock_words(context, feature));
+}
+
+}  // namespace handrail

@@ -1,0 +1,94 @@
+#include "app/core/desk/desk_hand.h"
+
+#include <cmath>
+
+namespace handrail {
+namespace {
+
+// Which detent of a knob the hand is at, clockwise from the top, not whole between two.
+double detent_at(const PlacedControl& knob, const Vec3& at_m) {
+    const double turns = std::atan2(at_m.x - knob.x_m, at_m.z - knob.z_m) / (2.0 * kPi);
+    return (turns - std::floor(turns)) * kKnobDetents;
+}
+
+}  // namespace
+
+void DeskHand::begin(const DeskTouch& touch) {
+    presses_ = touch.presses;
+    met_ = coming_ = kNoFeature;
+}
+
+void DeskHand::press(const PlacedControl& control, const DeskTouch& touch, std::vector<DeskNews>& news) {
+    switch (control.kind) {
+        case DeskKind::Slider:
+            at_ = std::round(control.position_at(touch.proxy_m.x));
+            news.push_back({DeskNews::Kind::Put, control, static_cast<int>(at_)});
+            break;
+        case DeskKind::Knob:
+            at_ = std::round(detent_at(control, touch.proxy_m));
+            news.push_back({DeskNews::Kind::Pressed, control, 0});
+            break;
+        case DeskKind::List:
+            news.push_back({DeskNews::Kind::Stepped, control, touch.proxy_m.z > control.z_m ? -1 : 1});
+            break;
+        default:
+            news.push_back({DeskNews::Kind::Pressed, control, 0});
+    }
+}
+
+void DeskHand::drag(const PlacedControl& control, const DeskTouch& touch, std::vector<DeskNews>& news) {
+    if (control.kind == DeskKind::Slider) {
+        const double position = control.position_at(touch.proxy_m.x);
+        if (std::abs(position - at_) <= kHysteresis) return;
+        at_ = std::round(position);
+        news.push_back({DeskNews::Kind::Put, control, static_cast<int>(at_)});
+    } else if (control.kind == DeskKind::Knob) {
+        double way = detent_at(control, touch.proxy_m) - at_;
+        way -= kKnobDetents * std::floor(way / kKnobDetents + 0.5);  // the shorter way round
+        if (std::abs(way) <= kHysteresis) return;
+        const double steps = std::round(way);
+        at_ += steps;
+        news.push_back({DeskNews::Kind::Stepped, control, static_cast<int>(steps)});
+    }
+}
+
+std::vector<DeskNews> DeskHand::follow(const DeskTouch& touch, const DeskPanel& panel, double now_s) {
+    std::vector<DeskNews> news;
+    const PlacedControl* touched = panel.find(touch.touched);
+    if (page_ != panel.page) {
+        // Under the hand that turned the page is the page button again.
+        page_ = panel.page;
+        met_ = coming_ = touched ? touched->feature : kNoFeature;
+    }
+    const auto meet = [&](const PlacedControl& control) {
+        if (met_ != control.feature) news.push_back({DeskNews::Kind::Met, control, 0});
+        met_ = coming_ = control.feature;
+    };
+    if (touched) {
+        away_s_ = now_s;
+        if (touched->feature != coming_) {
+            coming_ = touched->feature;
+            coming_s_ = now_s;
+        }
+        // While something is pressed the hand works that, over whatever it slides.
+        if (coming_ != met_ && !touch.held && now_s - coming_s_ >= kSettle_s) meet(*touched);
+    } else {
+        coming_ = kNoFeature;
+        if (now_s - away_s_ >= kForget_s) met_ = kNoFeature;
+    }
+    const PlacedControl* held = panel.find(touch.held);
+    if (touch.presses != presses_) {
+        presses_ = touch.presses;
+        // A press that is over already was on what is touched still, or was told last.
+        const PlacedControl* pressed = held ? held : touched ? touched : panel.find(met_);
+        if (pressed) {
+            met_ = coming_ = pressed->feature;
+            press(*pressed, touch, news);
+        }
+    } else if (held) {
+        drag(*held, touch, news);
+    }
+    return news;
+}
+
+}  // namespace handrail

@@ -1,0 +1,263 @@
+#include "app/core/dialogue/dialogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "app/core/dialogue/command_words.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kSearchGoesOn_s = 1.0;  // letters that follow each other this fast are one word
+
+std::string_view without_blanks(std::string_view text) {
+    constexpr std::string_view kBlank = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(kBlank);
+    return first == std::string_view::npos ? std::string_view{}
+                                           : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+bool begins_with(const std::string& name, const std::string& begin) { return lower_ascii(name).starts_with(begin); }
+
+// The last whole character, and what stays without it.
+std::string take_last_character(std::string& text) {
+    std::size_t begin = text.size();
+    while (begin > 0 && (static_cast<unsigned char>(text[--begin]) & 0xC0U) == 0x80U) {
+    }
+    std::string last = text.substr(begin);
+    text.resize(begin);
+    return last;
+}
+
+std::string spoken_character(const std::string& character) {
+    return character == " " ? phrase("dialogue.space") : character;
+}
+
+}  // namespace
+
+bool operator==(const ListItem& a, const ListItem& b) {
+    return a.name == b.name && a.value == b.value && a.adjustable == b.adjustable && a.number == b.number;
+}
+
+std::string Dialogue::open(ListSpec list) {
+    if (list.items.empty()) return phrase("dialogue.nothing_there", {{"title", list.title}});
+    list.at = std::min(list.at, list.items.size() - 1);
+    search_.clear();
+    stack_.push_back(std::make_unique<Part>(std::move(list)));
+    return back_words();
+}
+
+std::string Dialogue::ask(TextSpec question) {
+    stack_.push_back(std::make_unique<Part>(std::move(question)));
+    return back_words();
+}
+
+bool Dialogue::typing() const { return is_open() && std::holds_alternative<TextSpec>(*stack_.back()); }
+
+std::string Dialogue::item_words(const ListSpec& list) const {
+    const ListItem& item = list.items[list.at];
+    return phrase("dialogue.item", {{"item", item.value.empty() ? item.name : item.name + ", " + item.value},
+                                    {"number", list.at + 1},
+                                    {"count", list.items.size()}});
+}
+
+std::string Dialogue::where() const {
+    if (!is_open()) return {};
+    if (const auto* list = std::get_if<ListSpec>(stack_.back().get())) return item_words(*list);
+    const auto& question = std::get<TextSpec>(*stack_.back());
+    return question.text.empty() ? question.question : fmt::format("{} {}", question.question, question.text);
+}
+
+std::string Dialogue::back_words() const {
+    if (!is_open()) return {};
+    if (const auto* list = std::get_if<ListSpec>(stack_.back().get()))
+        return fmt::format("{}. {}", list->title, item_words(*list));
+    return where();
+}
+
+DialogueReply Dialogue::key(std::string_view name, double) {
+    if (!is_open()) return {};
+    Part& top = *stack_.back();
+    if (name == "Escape") return leave();
+    if (auto* list = std::get_if<ListSpec>(&top)) return list_key(*list, name);
+    return text_key(std::get<TextSpec>(top), name);
+}
+
+DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name) {
+    const std::size_t last = list.items.size() - 1, was = list.at;
+    if (name == "Enter") return choose(list);
+    if (name == "Left" || name == "Right") {
+        if (!list.items[list.at].adjustable || !list.adjusted) return {true, true, item_words(list)};
+        const int by = name == "Left" ? -1 : 1;
+        return change_value(list, [&, adjusted = list.adjusted](std::size_t at) { return adjusted(at, by); });
+    }
+    if (name == "Down") list.at = std::min(list.at + 1, last);
+    else if (name == "Up") list.at -= list.at > 0 ? 1 : 0;
+    else if (name == "Home") list.at = 0;
+    else if (name == "End") list.at = last;
+    else if (name == "Space") return {true, false, item_words(list)};
+    else if (name == "F1") return {true, false, phrase("dialogue.help_list")};
+    else return {true, false, {}};  // letters come as typed characters; nothing else reaches the world
+    search_.clear();
+    return {true, list.at == was, item_words(list)};
+}
+
+// `change` is a function of its own: the caller may open or close lists meanwhile.
+template <class Change>
+DialogueReply Dialogue::change_value(ListSpec& list, Change change) {
+    const std::size_t at = list.at;
+    std::string value = change(at);
+    if (is_open() && std::get_if<ListSpec>(stack_.back().get()) == &list && at < list.items.size())
+        list.items[at].value = value;
+    return {true, false, std::move(value)};
+}
+
+DialogueReply Dialogue::choose(ListSpec& list) {
+    const auto chosen = list.chosen;
+    const std::size_t at = list.at;
+    if (!list.stays_open) close_all();
+    if (chosen) chosen(at);
+    return {true, false, {}};
+}
+
+DialogueReply Dialogue::text_key(TextSpec& question, std::string_view name) {
+    if (name == "Enter") return finish(question);
+    if (name == "Backspace") {
+        if (question.text.empty()) return {true, true, phrase("dialogue.nothing_typed")};
+        return {true, false,
+                phrase("dialogue.deleted", {{"letter", spoken_character(take_last_character(question.text))}})};
+    }
+    if (name == "Up" || name == "Down") return {true, false, where()};
+    if (name == "F1") return {true, false, phrase("dialogue.help_text")};
+    return {true, false, {}};
+}
+
+DialogueReply Dialogue::finish(TextSpec& question) {
+    std::string text(without_blanks(question.text));
+    if (text.empty()) return {true, true, phrase("dialogue.nothing_typed_leave")};
+    const auto done = std::move(question.done);
+    stack_.pop_back();
+    if (done) done(std::move(text));
+    return {true, false, {}};
+}
+
+DialogueReply Dialogue::leave() {
+    const std::unique_ptr<Part> part = std::move(stack_.back());
+    stack_.pop_back();
+    search_.clear();
+    const auto& left = std::visit([](const auto& spec) -> const std::function<void()>& { return spec.left; }, *part);
+    if (left) left();
+    if (!is_open()) return {true, false, left ? std::string() : phrase("dialogue.left")};
+    return {true, false, back_words()};
+}
+
+DialogueReply Dialogue::typed(std::string_view utf8, double now_s) {
+    if (!is_open()) return {};
+    if (auto* question = std::get_if<TextSpec>(stack_.back().get())) {
+        if (!is_utf8(utf8)) return {true, true, {}};
+        if (question->text.size() + utf8.size() > kLongestTyped) return {true, true, phrase("dialogue.too_long")};
+        question->text += utf8;
+        return {true, false, spoken_character(std::string(utf8))};
+    }
+    if (utf8 == " ") return {true, false, {}};  // the key has said the item again
+    auto& list = std::get<ListSpec>(*stack_.back());
+    const std::string letters = lower_ascii(utf8);
+    const bool goes_on = now_s - searched_s_ < kSearchGoesOn_s && search_ != letters;
+    search_ = goes_on ? search_ + letters : letters;
+    searched_s_ = now_s;
+    // A word that is being typed may stay where it is; a first letter goes on to the next one.
+    for (std::size_t step = goes_on ? 0 : 1; step <= list.items.size(); ++step) {
+        const std::size_t i = (list.at + step) % list.items.size();
+        if (!begins_with(list.items[i].name, search_)) continue;
+        list.at = i;
+        return {true, false, item_words(list)};
+    }
+    return {true, true, phrase("dialogue.nothing_begins", {{"letters", search_}})};
+}
+
+DialogueReply Dialogue::line(std::string_view text, double now_s) {
+    if (!is_open()) return {};
+    text = without_blanks(text);
+    const std::string word = lower_ascii(text);
+    auto* list = std::get_if<ListSpec>(stack_.back().get());
+    if (!list) {
+        auto& question = std::get<TextSpec>(*stack_.back());
+        if (list_word(text) == "escape") return leave();
+        if (text.empty() && question.text.empty()) return {true, false, where()};
+        if (text.size() > kLongestTyped || !is_utf8(text))
+            return {true, true, phrase("dialogue.at_most", {{"bytes", kLongestTyped}})};
+        if (!text.empty()) question.text = text;
+        return finish(question);
+    }
+    if (text.empty()) return {true, false, item_words(*list)};
+    const auto as_key = [&](std::string_view key_word) -> std::optional<DialogueReply> {
+        constexpr std::string_view kKeys[] = {"Down", "Up", "Home", "End", "Enter", "Escape", "Left", "Right", "Space"};
+        for (const std::string_view name : kKeys)
+            if (key_word == lower_ascii(name)) return key(name, now_s);
+        if (key_word != "list") return std::nullopt;
+        std::string all = list->title + ".";
+        for (std::size_t i = 0; i < list->items.size(); ++i) {
+            const ListItem& item = list->items[i];
+            all += fmt::format(" {}: {}{}{}.", i + 1, item.name, item.value.empty() ? "" : ", ", item.value);
+        }
+        return DialogueReply{true, false, std::move(all)};
+    };
+    if (auto done = as_key(word)) return *done;
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    const bool is_number = error == std::errc{} && end == word.data() + word.size();
+    std::size_t found = list->items.size();
+    if (is_number && number >= 1 && number <= list->items.size()) found = number - 1;
+    for (const bool whole : {true, false})
+        for (std::size_t i = 0; i < list->items.size() && found == list->items.size(); ++i)
+            if (whole ? lower_ascii(list->items[i].name) == word : begins_with(list->items[i].name, word)) found = i;
+    if (found == list->items.size()) {
+        // Other words for the keys give way to names, which may begin like them.
+        if (auto done = as_key(list_word(text))) return *done;
+        return {true, true, phrase("dialogue.not_in_list", {{"typed", text}})};
+    }
+    list->at = found;
+    return choose(*list);
+}
+
+DialogueReply Dialogue::act(const ItemAct& act, double now_s) {
+    auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
+    if (!list || act.item >= list->items.size() || list->items[act.item].name != act.name) return {};
+    list->at = act.item;
+    search_.clear();
+    switch (act.kind) {
+        case ItemAct::Kind::GoTo:
+            return {true, false, item_words(*list)};
+        case ItemAct::Kind::Choose:
+            return key("Enter", now_s);
+        case ItemAct::Kind::Less:
+            return key("Left", now_s);
+        case ItemAct::Kind::More:
+            return key("Right", now_s);
+        case ItemAct::Kind::Put:
+            if (!list->items[act.item].number || !list->put) return {true, true, item_words(*list)};
+            return change_value(*list, [&, put = list->put](std::size_t at) { return put(at, act.number); });
+    }
+    return {};
+}
+
+void Dialogue::change_items(std::vector<ListItem> items) {
+    auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
+    if (!list || items.empty()) return;
+    list->items = std::move(items);
+    list->at = std::min(list->at, list->items.size() - 1);
+}
+
+DialogueView Dialogue::view() const {
+    if (!is_open()) return {};
+    if (const auto* list = std::get_if<ListSpec>(stack_.back().get()))
+        return {DialogueView::Kind::List, list->title, list->items, list->at, {}, where()};
+    const auto& question = std::get<TextSpec>(*stack_.back());
+    return {DialogueView::Kind::Text, question.question, {}, 0, question.text, where()};
+}
+
+}  // namespace handrail

@@ -1,0 +1,39 @@
+#include "app/core/hand/felt_world.h"
+
+#include <algorithm>
+
+#include "app/core/context/workspace_scale.h"
+#include "haptic/compile/compile_haptic.h"
+
+namespace handrail {
+
+bool FeltOrder::same_as(const FeltOrder& other) const {
+    const auto wish = [](const FeltOrder& order) { return order.simplify.value_or(SimplifyOptions{}); };
+    const SimplifyOptions mine = wish(*this), others = wish(other);
+    return edit == other.edit && simplify.has_value() == other.simplify.has_value() &&
+           mine.world_m_per_hand_m == others.world_m_per_hand_m && mine.openings_m == others.openings_m &&
+           mine.kept_m == others.kept_m && world_m_per_hand_m == other.world_m_per_hand_m &&
+           ball_diameter_hand_m == other.ball_diameter_hand_m && edge_rounding_hand_mm == other.edge_rounding_hand_mm;
+}
+
+double felt_rounding_m(double edge_rounding_hand_mm, double world_m_per_hand_m, double ball_radius_m) {
+    return std::min(edge_rounding_m(edge_rounding_hand_mm, world_m_per_hand_m), ball_radius_m);
+}
+
+FeltWorld make_felt(const FeltOrder& order, const FeltWorld& before, const std::stop_token& stop) {
+    FeltWorld felt;
+    felt.portals = order.portals;
+    if (order.simplify) felt.plan = plan_simplification(*order.scene, *order.simplify, stop);
+    if (stop.stop_requested()) return felt;
+    const double radius_m =
+        ball_radius_m(*order.scene, order.ball_diameter_hand_m, order.world_m_per_hand_m, felt.plan);
+    felt.rounding_m = felt_rounding_m(order.edge_rounding_hand_mm, order.world_m_per_hand_m, radius_m);
+    if (felt.plan == before.plan && felt.rounding_m == before.rounding_m) return felt;
+    CompileOptions options = exploring(felt.rounding_m, order.world);
+    options.stop = stop;
+    felt.haptic = felt.plan.changes_nothing() ? compile_haptic(*order.scene, options)
+                                              : compile_haptic(simplified(*order.scene, felt.plan), options);
+    return felt;
+}
+
+}  // namespace handrail

@@ -1,0 +1,58 @@
+#include "app/core/hand/simplified_words.h"
+
+#include <cmath>
+
+#include "app/core/dialogue/words.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+
+OpenPortals open_portals(const RoomGraph& graph) {
+    OpenPortals open;
+    for (std::uint32_t p = 0; p < graph.portals.size(); ++p)
+        if (graph.portals[p].kind == PassageKind::Opening) {
+            open.portals.push_back(p);
+            open.places_m.push_back(graph.portals[p].place_m);
+        }
+    return open;
+}
+
+bool asks_for_openings(double world_m_per_hand_m, double body_radius_m) {
+    return kLeastGap_hand_m * world_m_per_hand_m > 2.0 * body_radius_m;
+}
+
+std::string simplified_sentence(const Simplification& plan) {
+    std::string list;
+    const auto add = [&](const char* key, std::size_t count) {
+        if (count == 0) return;
+        const std::string part = phrase(key, {{"count", count}});
+        list = list.empty() ? part : joined(list, part);
+    };
+    add("simplify.widened", plan.widened());
+    add("simplify.narrow", plan.staying_narrow());
+    add("simplify.left_out", plan.left_out.size());
+    return list.empty() ? list : phrase("simplify.sentence", {{"what", list}});
+}
+
+std::string opening_name(const Scene& scene, const NarrowOpening& opening, const RoomGraph* graph,
+                         const OpenPortals& portals) {
+    if (!opening.doors.empty()) return sentence_case(spoken_name(scene.features[opening.doors.front().value]));
+    if (!graph) return sentence_case(phrase("rooms.opening"));
+    const Portal& portal = graph->portals[portals.portals[static_cast<std::size_t>(opening.place)]];
+    return phrase("simplify.opening_between",
+                  {{"one", graph->rooms[portal.rooms[0]].name}, {"other", graph->rooms[portal.rooms[1]].name}});
+}
+
+std::string opening_words(const NarrowOpening& opening) {
+    const auto metres = [](double width_m) {
+        return phrase("words.metres", {{"metres", std::round(width_m * 10.0) / 10.0}});
+    };
+    const std::string truly = metres(opening.width_m());
+    if (!opening.widened()) return phrase("simplify.stays_narrow", {{"truly", truly}});
+    return phrase("simplify.felt_wider", {{"felt", metres(opening.felt_width_m())},
+                                          {"truly", truly},
+                                          {"enough", opening.stays_narrow() ? "no" : "yes"}});
+}
+
+}  // namespace handrail

@@ -1,0 +1,30 @@
+// What was simplified for the hand at a scale, in words: for a session and for reports. Pure functions; app thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "haptic/compile/simplify_scene.h"
+#include "worlds/navigation/rooms.h"
+
+namespace handrail {
+
+// The openings of the rooms that have no door, by their numbers in RoomGraph::portals, and where they are.
+struct OpenPortals {
+    std::vector<std::uint32_t> portals;
+    std::vector<Vec3> places_m;
+};
+OpenPortals open_portals(const RoomGraph& graph);
+// A body fits through every opening that the rooms know, so a scale at which its own width can be felt need not ask for
+// them.
+bool asks_for_openings(double world_m_per_hand_m, double body_radius_m);
+
+// "Simplified: 3 doorways widened, 12 small things left out."; empty where nothing is.
+std::string simplified_sentence(const Simplification& plan);
+// "Front door", "Opening between Hall and Kitchen"; graph: null where the rooms are not known.
+std::string opening_name(const Scene& scene, const NarrowOpening& opening, const RoomGraph* graph,
+                         const OpenPortals& portals);
+// "felt 1.6 metres wide, truly 1 metre".
+std::string opening_words(const NarrowOpening& opening);
+
+}  // namespace handrail

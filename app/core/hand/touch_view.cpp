@@ -1,0 +1,214 @@
+#include "app/core/hand/touch_view.h"
+
+#include <utility>
+
+#include "app/core/context/device_settings.h"
+#include "app/core/context/telling.h"
+#include "app/core/world/world_now.h"
+#include "haptic/compile/compile_haptic.h"
+#include "haptic/render/free_place.h"
+#include "haptic/render/validate_scene.h"
+#include "worlds/base/contract.h"
+#include "worlds/base/language.h"
+#include "worlds/scene/lint.h"
+
+namespace handrail {
+
+void TouchView::enter_world(std::shared_ptr<const HapticScene> sharp, double now_s) {
+    felt_.give_up();
+    ++edits_;
+    ordered_.reset();
+    told_.clear();
+    if (beside_) {
+        planned_ = compiled_ = {};
+        rounded_m_ = 0.0;
+        haptic_ = sharp ? std::move(sharp) : compile_haptic(*world_.scene, exploring(0.0));
+        retune();
+        (void)adapt(now_s);
+    } else {
+        retune();
+        compile(0);
+    }
+    world_.things.enter(*world_.scene, *haptic_, compiled_, now_s);
+}
+
+void TouchView::change_world(double now_s) {
+    felt_.give_up();
+    ++edits_;
+    retune();
+    feel_scene(now_s);
+    if (beside_) (void)adapt(now_s);
+}
+
+double TouchView::rounding_m() const {
+    return felt_rounding_m(context_.settings.haptic.edge_rounding_mm, hands_.tuning.touch.world_m_per_hand_m,
+                           hands_.tuning.touch.radius_m);
+}
+
+bool TouchView::adapt(double now_s) {
+    if (beside_) {
+        if (!stale()) return false;
+        ordered_ = order();
+        felt_.begin([order = *ordered_, before = FeltWorld{nullptr, compiled_, {}, rounded_m_}](
+                        const std::stop_token& stop) { return make_felt(order, before, stop); });
+        return false;
+    }
+    if (rounding_m() == rounded_m_ && planned_ == compiled_) return false;
+    world_.scene = std::make_shared<const Scene>(world_now(world_));
+    feel_scene(now_s);
+    return true;
+}
+
+// What of the scene a hand can touch, by the plan of retune(). world: see HapticScene::world.
+void TouchView::compile(std::uint32_t world) {
+    rounded_m_ = rounding_m();
+    compiled_ = planned_;
+    const CompileOptions options = exploring(rounded_m_, world);
+    haptic_ = compiled_.changes_nothing() ? compile_haptic(*world_.scene, options)
+                                          : compile_haptic(simplified(*world_.scene, compiled_), options);
+    contract_valid(validate(*world_.scene));
+    contract_valid(validate(*haptic_));
+}
+
+// Makes anew what is felt and walked of the scene.
+void TouchView::feel_scene(double now_s) {
+    compile(haptic_->world);
+    world_.things.enter(*world_.scene, *haptic_, compiled_, now_s);
+    world_.movers.follow(world_.scene->movers);
+    rebuild_solids(world_, body_);
+}
+
+void TouchView::retune() {
+    const Settings& settings = context_.settings;
+    ServoTuning& tuning = hands_.tuning;
+    tuning.touch = TouchTuning{};
+    tuning.touch.world_m_per_hand_m = scale(context_);
+    if (!beside_) planned_ = plan_for_scale();
+    tuning.touch.radius_m =
+        ball_radius_m(*world_.scene, settings.haptic.ball_diameter_mm * 1e-3, scale(context_), planned_);
+    tuning.touch.default_stiffness_fraction = settings.haptic.stiffness_fraction;
+    tuning.touch.damping_ns_per_m = settings.haptic.damping_ns_per_m;
+    tuning.button_to_feel = settings.haptic.button_to_feel;
+    tuning.touch.passivity_guard = true;  // acts only on surfaces that are damped too little to need none
+    tuning.touch.default_friction_static = tuning.touch.default_friction_kinetic = settings.haptic.friction_mu;
+
+    if (hands_.right.present) tuning.touch.rated_stiffness_n_per_m = hands_.right.spec.rated_stiffness_n_per_m;
+    tuning.force_ceiling_n = ceiling_n(settings, hands_.right);
+    tuning.personal_space = settings.desk.use && hands_.right.present;
+    tuning.workspace.rim = settings.workspace.rim;
+    tuning.workspace.rim_open_behind = tuning.personal_space;
+    // The first button is taken where the hand feels only while a button is held.
+    const int button = settings.workspace.grab_button;
+    tuning.workspace.grab_buttons =
+        button == 0 || (button == 1 && settings.haptic.button_to_feel) ? 0U : 1U << (button - 1);
+    tuning.workspace.limits_m = world_.scene->bounds_m;
+}
+
+ServoTuning TouchView::left_tuning() const {
+    ServoTuning tuning = hands_.tuning;
+    tuning.touch.rated_stiffness_n_per_m = hands_.left.spec.rated_stiffness_n_per_m;
+    tuning.force_ceiling_n = ceiling_n(context_.settings, hands_.left);
+    tuning.workspace.grab_key = false;  // the key is the right hand's, the button each hand's own
+    tuning.workspace.push_hand_m_per_s = Vec3(0.0);
+    tuning.personal_space = tuning.workspace.rim_open_behind = false;  // the desk is the right hand's
+    return tuning;
+}
+
+// What the scale asks for.
+TouchView::Wish TouchView::wish() {
+    openings_awaited_ = false;
+    if (!hands_.right.present || !context_.settings.haptic.simplify) return {};
+    Wish wish;
+    SimplifyOptions& options = wish.simplify.emplace();
+    options.world_m_per_hand_m = scale(context_);
+    for (const Mark& mark : world_.marks) options.kept_m.push_back(mark.place_m);
+    if (openings && asks_for_openings(scale(context_), context_.settings.walk.body_radius_m)) {
+        KnownOpenings known = openings();
+        openings_awaited_ = known.awaited;
+        wish.portals = std::move(known.portals);
+        options.openings_m = wish.portals.places_m;
+    }
+    return wish;
+}
+
+Simplification TouchView::plan_for_scale() {
+    Wish asked = wish();
+    portals_ = std::move(asked.portals);
+    return asked.simplify ? plan_simplification(*world_.scene, *asked.simplify) : Simplification{};
+}
+
+FeltOrder TouchView::order() {
+    Wish asked = wish();
+    FeltOrder order;
+    order.scene = world_.scene;
+    order.edit = edits_;
+    order.simplify = std::move(asked.simplify);
+    order.portals = std::move(asked.portals);
+    order.world_m_per_hand_m = scale(context_);
+    order.ball_diameter_hand_m = context_.settings.haptic.ball_diameter_mm * 1e-3;
+    // Nobody feels it without a hand.
+    order.edge_rounding_hand_mm = hands_.right.present ? context_.settings.haptic.edge_rounding_mm : 0.0;
+    order.world = haptic_->world;
+    return order;
+}
+
+bool TouchView::stale() {
+    if (!beside_) return !(planned_ == compiled_);
+    return !ordered_ || !ordered_->same_as(order());
+}
+
+bool TouchView::take_made(double now_s) {
+    std::optional<FeltWorld> felt = felt_.take();
+    if (!felt) return false;
+    portals_ = std::move(felt->portals);
+    if (!felt->haptic) return false;
+    planned_ = compiled_ = std::move(felt->plan);
+    rounded_m_ = felt->rounding_m;
+    haptic_ = std::move(felt->haptic);
+    retune();
+    world_.things.feel_as(*world_.scene, *haptic_, compiled_, now_s);
+    return true;
+}
+
+bool TouchView::widen_openings(bool rooms_known, double now_s) {
+    if (!openings_awaited_ || !rooms_known) return false;
+    retune();
+    return adapt(now_s);
+}
+
+std::string TouchView::news() {
+    std::string sentence = simplified_sentence(compiled_);
+    if (sentence == std::exchange(told_, sentence)) return {};
+    return sentence.empty() ? phrase("simplify.nothing") : sentence;
+}
+
+double TouchView::farthest_m() const {
+    return 10.0 + (world_.scene->bounds_m.empty() ? 0.0 : glm::length(world_.scene->bounds_m.size_m()));
+}
+
+Vec3 TouchView::out_of_solids_m(const Vec3& hand_m) const {
+    constexpr double kTouching = 0.999;  // of the radius: a ball that rests against something fits
+    const auto poses = world_.things.frame().poses();
+    const double radius_m = hands_.tuning.touch.radius_m;
+    const double room_m = surrounding_of(*haptic_, poses, hand_m, radius_m).distance_m;
+    if (room_m >= kTouching * radius_m) return Vec3(0.0);
+    const auto free = nearest_free_place(*haptic_, poses, hand_m, (room_m > 0.0 ? 1.0 : 1.2) * radius_m, farthest_m());
+    return free ? *free - hand_m : Vec3(0.0);
+}
+
+// Both hands are in the one workspace, so what frees one may press the other: they take turns, and where that leads to
+// no place for both, the right hand's counts and the left one goes through what it is in until it is out.
+Vec3 TouchView::out_of_solids_m(const Vec3& right_m, const Vec3& left_m) const {
+    constexpr int kTurns = 6;
+    const Vec3 alone_m = out_of_solids_m(right_m);
+    if (!hands_.two() || hands_.left_tool.ticks == 0) return alone_m;
+    Vec3 both_m = alone_m;
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const Vec3 more_m = out_of_solids_m((turn % 2 == 0 ? left_m : right_m) + both_m);
+        if (more_m == Vec3(0.0)) return both_m;
+        both_m += more_m;
+    }
+    return alone_m;
+}
+
+}  // namespace handrail

@@ -1,0 +1,346 @@
+#include "app/core/hand/workspace.h"
+
+#include <cmath>
+#include <utility>
+
+#include "app/core/context/telling.h"
+#include "haptic/render/free_place.h"
+#include "worlds/base/contract.h"
+#include "worlds/base/language.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kHandKeySpeed_m_per_s = 0.06;
+constexpr double kHandTap_m = 0.005;              // one tap of a hand key
+constexpr double kPushSpeed_hand_m_per_s = 0.03;  // by keys
+constexpr double kPushTap_s = 0.2;
+
+// Which way these keys go, device frame; sign: of two keys against each other.
+template <class Sign>
+Vec3 workspace_keys(Sign sign) {
+    return {sign(Command::WorkspaceRight, Command::WorkspaceLeft),
+            sign(Command::WorkspaceForward, Command::WorkspaceBack),
+            sign(Command::WorkspaceUp, Command::WorkspaceDown)};
+}
+
+template <class Sign>
+Vec3 hand_keys(Sign sign) {
+    return {sign(Command::HandRight, Command::HandLeft), sign(Command::HandForward, Command::HandBack),
+            sign(Command::HandUp, Command::HandDown)};
+}
+
+// A tap of that key alone.
+auto tap_of(Command tapped) {
+    return [tapped](Command plus, Command minus) { return tapped == plus ? 1.0 : tapped == minus ? -1.0 : 0.0; };
+}
+
+// Without a hand there is nothing to lie otherwise; the frame counts for words too, and the simulated hand has no
+// reach.
+bool needs_hand(Command command) {
+    switch (command) {
+        case Command::ScaleBuilding:
+        case Command::ScaleFloor:
+        case Command::ScaleRoom:
+        case Command::ScaleDetail:
+        case Command::WorkspaceForward:
+        case Command::WorkspaceBack:
+        case Command::WorkspaceLeft:
+        case Command::WorkspaceRight:
+        case Command::WorkspaceUp:
+        case Command::WorkspaceDown:
+        case Command::WorkspaceTurnLeft:
+        case Command::WorkspaceTurnRight:
+        case Command::WorkspaceCentre:
+        case Command::Grab:
+            return true;
+        default:
+            return false;
+    }
+}
+
+}  // namespace
+
+bool Workspace::act(Command command, double now_s) {
+    if (!hands_.right.present && needs_hand(command)) {
+        context_.answer(phrase("session.no_hand"), now_s);
+        return true;
+    }
+    const double turn_deg = context_.settings.walk.turn_deg;
+    switch (command) {
+        case Command::SwitchFrame:
+            switch_frame(now_s);
+            return true;
+        case Command::ScaleBuilding:
+        case Command::ScaleFloor:
+        case Command::ScaleRoom:
+        case Command::ScaleDetail:
+            zoom(static_cast<NamedScale>(static_cast<int>(command) - static_cast<int>(Command::ScaleBuilding)), now_s);
+            return true;
+        case Command::WorkspaceForward:
+        case Command::WorkspaceBack:
+        case Command::WorkspaceLeft:
+        case Command::WorkspaceRight:
+        case Command::WorkspaceUp:
+        case Command::WorkspaceDown:
+            push_tap_ = workspace_keys(tap_of(command));
+            push_until_s_ = now_s + kPushTap_s;
+            return true;
+        case Command::WorkspaceTurnLeft:
+            turn(-turn_deg, now_s);
+            return true;
+        case Command::WorkspaceTurnRight:
+            turn(turn_deg, now_s);
+            return true;
+        case Command::WorkspaceCentre:
+            publish(now_s, PoseChange::Placed);
+            context_.answer(phrase("session.workspace_back"), now_s);
+            return true;
+        case Command::Grab: {
+            bool& grabs = hands_.tuning.workspace.grab_key;
+            grabs = !grabs;
+            if (grabs) context_.answer(phrase("session.grabbed"), now_s);
+            return true;
+        }
+        case Command::HandCentre:
+            hand_target_m_ = Vec3(0.0);
+            return true;
+        case Command::HandForward:
+        case Command::HandBack:
+        case Command::HandLeft:
+        case Command::HandRight:
+        case Command::HandUp:
+        case Command::HandDown:
+            move_hand(hand_keys(tap_of(command)) * kHandTap_m);
+            return true;
+        default:
+            return false;
+    }
+}
+
+WorkspacePose Workspace::pose_beside(const Vec3& others_shift_m) const {
+    WorkspacePose pose = hands_.pose;
+    pose.origin_m += others_shift_m;
+    return pose;
+}
+
+// Where the middle belongs, before anything has moved it.
+Vec3 Workspace::origin_m() const {
+    const Settings::Workspace& workspace = context_.settings.workspace;
+    const Aabb& bounds_m = context_.world.scene->bounds_m;
+    Vec3 origin = workspace.follows_walk ? context_.body.feet_m() : anchor_feet_m_;
+    if (hands_.named_scale == NamedScale::Building && !bounds_m.empty()) {
+        const Vec3 centre = bounds_m.centre_m();
+        origin = Vec3(centre.x, centre.y, origin.z);
+    } else {
+        origin += forward_of_heading(workspace_heading_rad(context_)) * (workspace.offset_ahead_m * scale(context_));
+    }
+    return origin + Vec3(0.0, 0.0, workspace.hand_height_m + workspace.offset_up_m * scale(context_));
+}
+
+void Workspace::publish(double now_s, PoseChange change) {
+    if (change == PoseChange::Moved) shift_m_ += shift_by_hand_m();
+    if (change == PoseChange::Placed) {
+        shift_m_ = Vec3(0.0);
+        anchor_feet_m_ = context_.body.feet_m();
+    }
+    hands_.pose.heading_rad = workspace_heading_rad(context_);
+    hands_.pose.origin_m = origin_m() + shift_m_;
+    hands_.pose.time_s = now_s;
+    if (change == PoseChange::Walked) return;
+    ++hands_.pose.jump;
+    let_go();
+}
+
+void Workspace::take_hand() {
+    hand_target_m_ = Vec3(0.0);
+    shift_m_ = Vec3(0.0);
+}
+
+void Workspace::take_settings(double now_s) {
+    touch_.retune();
+    if (touch_.adapt(now_s) && hands_.tool.ticks > 0)
+        shift_m_ += hands_out_of_solids_m(origin_m() + shift_m_ + shift_by_hand_m());
+    publish(now_s, PoseChange::Moved);
+}
+
+void Workspace::switch_frame(double now_s) {
+    FrameChoice& frame = person_.settings.workspace.frame;
+    const bool to_walk = frame == FrameChoice::Map;
+    frame = to_walk ? FrameChoice::Walk : FrameChoice::Map;
+    person_.changes.emplace_back("workspace.frame", to_walk ? "walk" : "map");
+    publish(now_s, PoseChange::Moved);
+    context_.play(SoundKind::FrameSwitch, now_s);
+    context_.answer(phrase(to_walk ? "session.frame_walk" : "session.frame_map"), now_s);
+}
+
+void Workspace::change_under_hand(const std::function<bool()>& change, double now_s) {
+    const bool known = hands_.tool.ticks > 0 && hands_.tool.workspace_jump == hands_.pose.jump;
+    const Vec3 place_m = hands_.tool.proxy_m;
+    const bool keeps_place = change() && known;
+    touch_.retune();
+    (void)touch_.adapt(now_s);
+    const auto hand_m = [&](const Vec3& origin_m) {
+        return frame_of(origin_m, workspace_heading_rad(context_)).to_world(hands_.tool.hand_m, scale(context_));
+    };
+    Vec3 shift{0.0};
+    if (keeps_place) shift = place_m - hand_m(origin_m());
+    shift += hands_out_of_solids_m(origin_m() + shift);
+    shift_m_ = shift - shift_by_hand_m();
+    publish(now_s, PoseChange::Moved);
+}
+
+void Workspace::zoom(NamedScale scale_name, double now_s) {
+    change_under_hand(
+        [&] {
+            hands_.named_scale = scale_name;
+            return scale_name != NamedScale::Building;  // that has its own place, round the whole building
+        },
+        now_s);
+    const std::string words = scale_sentence(scale_name, scale(context_), hands_.right.spec.workspace_radius_m,
+                                             distances(context_)),
+                      news = touch_.news();
+    context_.answer(news.empty() ? words : words + ". " + news, now_s);
+}
+
+void Workspace::rescale(const Settings& changed, double now_s) {
+    const auto change = [&] {
+        person_.settings = changed;
+        hands_.named_scale.reset();
+        return true;
+    };
+    if (context_.world.scene) change_under_hand(change, now_s);
+    else change();
+}
+
+void Workspace::feel_otherwise(const Settings& changed, double now_s) {
+    change_under_hand(
+        [&] {
+            person_.settings = changed;
+            return true;
+        },
+        now_s);
+    if (std::string news = touch_.news(); !news.empty()) context_.say(std::move(news), SpeechClass::Ambient, now_s);
+}
+
+void Workspace::turn(double by_deg, double now_s) {
+    double& turned_deg = person_.settings.workspace.turn_deg;
+    change_under_hand(
+        [&] {
+            const double turned_rad = radians_from_degrees(turned_deg + by_deg);
+            turned_deg = std::round(degrees_from_radians(wrap_angle(turned_rad)) * 1e6) / 1e6;
+            return true;
+        },
+        now_s);
+    person_.changes.emplace_back("workspace.turn_deg", fmt::format("{}", turned_deg));
+    context_.play(SoundKind::TurnTick, now_s);
+    context_.answer(turned_deg == 0.0
+                        ? phrase("session.workspace_straight")
+                        : phrase(turned_deg > 0.0 ? "session.workspace_turned_right" : "session.workspace_turned_left",
+                                 {{"degrees", std::abs(turned_deg)}}),
+                    now_s);
+}
+
+Vec3 Workspace::push_way(double now_s) const {
+    const Vec3 way = workspace_keys([this](Command plus, Command minus) { return keys_.sign(plus, minus); });
+    return way == Vec3(0.0) && now_s < push_until_s_ ? push_tap_ : way;
+}
+
+void Workspace::push(const Vec3& carried_hand_m_per_s, double now_s) {
+    const Vec3 way = push_way(now_s);
+    hands_.tuning.workspace.push_hand_m_per_s = way == Vec3(0.0) ? carried_hand_m_per_s : way * kPushSpeed_hand_m_per_s;
+}
+
+void Workspace::tell_motion(double now_s) {
+    const WorkspaceMotion now = hands_.tool.workspace_motion != WorkspaceMotion::Still
+                                    ? hands_.tool.workspace_motion
+                                    : hands_.left_tool.workspace_motion;
+    const WorkspaceMotion before = std::exchange(motion_told_, now);
+    if (before != motion_told_ && motion_told_ == WorkspaceMotion::Still && !(rests_untold && rests_untold()))
+        context_.say(words(), before == WorkspaceMotion::Scrolled ? SpeechClass::Ambient : SpeechClass::Answer, now_s);
+    if (std::exchange(limit_told_, hands_.tool.workspace_at_limit || hands_.left_tool.workspace_at_limit) ||
+        !limit_told_)
+        return;
+    context_.play(SoundKind::Denied, now_s);
+    context_.say(phrase("session.world_ends"), SpeechClass::Ambient, now_s);
+}
+
+// Where it is, seen from the body.
+std::string Workspace::words() const {
+    const Settings& settings = context_.settings;
+    const Vec3 from_body = shift_m_ + shift_by_hand_m() + origin_m() - context_.body.feet_m();
+    const Vec3 level(from_body.x, from_body.y, 0.0);
+    const double up_m =
+        from_body.z - settings.workspace.hand_height_m - settings.workspace.offset_up_m * scale(context_);
+    const double away_m = glm::length(level);
+    const std::string place = place_words(away_m, std::atan2(level.x, level.y), context_.body.heading_rad,
+                                          settings.speech.directions, distances(context_));
+    std::string text = away_m < 0.5 * settings.walk.step_length_m ? phrase("session.workspace_round_you")
+                                                                  : phrase("session.workspace_at", {{"place", place}});
+    if (std::abs(up_m) < 0.25) return text;
+    return joined(text, phrase(up_m > 0.0 ? "session.up" : "session.down",
+                               {{"distance", distance_words(std::abs(up_m), {false, 1.0})}}));
+}
+
+void Workspace::take_touch(bool rooms_known, bool quietly, double now_s) {
+    const auto tell = [&] {
+        if (std::string news = touch_.news(); !news.empty()) context_.say(std::move(news), SpeechClass::Ambient, now_s);
+    };
+    if (touch_.widen_openings(rooms_known, now_s)) {
+        bring_hands_out(now_s);
+        tell();
+    }
+    if (!touch_.take_made(now_s)) return;
+    bring_hands_out(now_s);
+    if (!quietly) tell();
+}
+
+// Out of what has come to be where they are.
+void Workspace::bring_hands_out(double now_s) {
+    if (hands_.tool.ticks == 0) return;
+    const Vec3 out = touch_.out_of_solids_m(hands_.tool.proxy_m, hands_.left_tool.proxy_m);
+    if (out == Vec3(0.0)) return;
+    shift_m_ += out;
+    publish(now_s, PoseChange::Moved);
+}
+
+// How far they have to go in a workspace with this middle.
+Vec3 Workspace::hands_out_of_solids_m(const Vec3& origin_m) const {
+    const WorkspaceFrame frame = frame_of(origin_m, workspace_heading_rad(context_));
+    return touch_.out_of_solids_m(frame.to_world(hands_.tool.hand_m, scale(context_)),
+                                  frame.to_world(hands_.left_tool.hand_m, scale(context_)));
+}
+
+std::string Workspace::bring_out(const Vec3& middle_was_m, bool with_body, double now_s) {
+    if (!hands_.right.present) return {};
+    const double clearance_m = 1.2 * hands_.tuning.touch.radius_m;
+    const auto poses = context_.world.things.frame().poses();
+    const Vec3 hand = hands_.tool.hip_m + (middle_m() - middle_was_m);
+    const Surrounding around = surrounding_of(*touch_.felt(), poses, hand, clearance_m);
+    if (around.distance_m > 0.0 && (with_body || !hands_.tool.contacts.ghosted)) return {};
+    const auto free = nearest_free_place(*touch_.felt(), poses, hand, clearance_m, touch_.farthest_m());
+    if (!free) return phrase("session.no_place_for_hand");
+    const std::string how_far = how_far_words(context_, glm::length(*free - hand));
+    shift_m_ += *free - hand;
+    publish(now_s, PoseChange::Moved);
+    return around.feature
+               ? phrase("session.hand_out_of", {{"what", name_of(context_, around.feature)}, {"distance", how_far}})
+               : phrase("session.hand_out", {{"distance", how_far}});
+}
+
+void Workspace::move_hand(const Vec3& by_device_m) {
+    contract_pre(is_finite(by_device_m));
+    if (!is_finite(by_device_m)) return;
+    hand_target_m_ += by_device_m;
+    const double reach = hands_.right.present ? hands_.right.spec.workspace_radius_m : 0.0;
+    const double length = glm::length(hand_target_m_);
+    if (length > reach) hand_target_m_ *= reach / length;
+}
+
+void Workspace::move_hand_by_keys(double dt_s) {
+    const Vec3 way = hand_keys([this](Command plus, Command minus) { return keys_.sign(plus, minus); });
+    if (way != Vec3(0.0)) move_hand(way * (kHandKeySpeed_m_per_s * dt_s));
+}
+
+}  // namespace handrail

@@ -1,0 +1,174 @@
+#include "app/core/kept/last_place.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <toml++/toml.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <vector>
+
+#include "app/core/kept/folder_lock.h"
+#include "app/core/kept/world_shelf.h"
+#include "app/core/kept/write_beside.h"
+#include "settings/parse_toml.h"
+#include "worlds/base/descriptor.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::size_t kLongest_bytes = 64 * 1024;
+constexpr std::string_view kLock = ".lock", kPlace = ".toml";
+constexpr double kMoved_m = 0.05, kTurned_rad = 0.02;
+constexpr std::size_t kMostLooked = 1000;
+constexpr double kLockWait_s = 1.0;
+
+bool lock(const Descriptor& file) { return file.get() >= 0 && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0; }
+
+fs::path with(fs::path base, std::string_view ending) {
+    base += ending;
+    return base;
+}
+
+}  // namespace
+
+std::string text_of(const LastPlace& place) {
+    toml::table table{{"world", place.world.string()},
+                      {"feet_m", toml::array{place.feet_m.x, place.feet_m.y, place.feet_m.z}},
+                      {"heading_rad", place.heading_rad}};
+    std::ostringstream out;
+    out.exceptions(std::ios::badbit);
+    out << toml::toml_formatter{table, toml::format_flags::none} << "\n";
+    return out.str();
+}
+
+Result<LastPlace> read_last_place(const std::string& text) {
+    toml::table table;
+    try {
+        table = parse_toml(text);
+    } catch (const toml::parse_error&) {
+        return fail(phrase("last_place.damaged"));
+    }
+    LastPlace place;
+    place.world = table["world"].value_or(std::string());
+    place.heading_rad = table["heading_rad"].value_or(std::numeric_limits<double>::quiet_NaN());
+    const toml::array* feet = table["feet_m"].as_array();
+    bool good = place.world.is_absolute() && std::isfinite(place.heading_rad) && feet && feet->size() == 3;
+    for (glm::length_t i = 0; good && i < 3; ++i) {
+        place.feet_m[i] = (*feet)[static_cast<std::size_t>(i)].value_or(std::numeric_limits<double>::quiet_NaN());
+        good = std::isfinite(place.feet_m[i]);
+    }
+    if (!good) return fail(phrase("last_place.damaged"));
+    return place;
+}
+
+struct SessionTrace::State {
+    fs::path own;  // without its ending; empty: nothing is kept
+    std::optional<Descriptor> held;
+    WriteBeside writer;
+    bool crashed = false;
+    std::optional<LastPlace> left_at, kept;
+    double next_s = -std::numeric_limits<double>::infinity();
+
+    // All files of one session, also one that it was just writing.
+    static void clear(const fs::path& lock_file) {
+        const std::string stem = lock_file.stem().string() + ".";
+        std::error_code ec;
+        std::vector<fs::path> files;
+        for (fs::directory_iterator it(lock_file.parent_path(), ec), end; !ec && it != end; it.increment(ec))
+            if (it->path().filename().string().starts_with(stem)) files.push_back(it->path());
+        for (const fs::path& file : files) fs::remove(file, ec);
+    }
+
+    // Takes away what sessions left that nobody holds any more.
+    void look(const fs::path& folder) {
+        std::error_code ec;
+        std::vector<fs::path> locks;
+        for (fs::directory_iterator it(folder, ec), end; !ec && it != end && locks.size() < kMostLooked;
+             it.increment(ec))
+            if (it->path().extension() == kLock) locks.push_back(it->path());
+        fs::file_time_type latest = fs::file_time_type::min();
+        for (const fs::path& path : locks) {
+            const Descriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+            if (!lock(file)) continue;  // that session runs
+            crashed = true;
+            fs::path place = path;
+            place.replace_extension(kPlace);
+            const auto written = fs::last_write_time(place, ec);
+            if (const auto at = read_whole_file(place, kLongest_bytes).and_then(read_last_place);
+                !ec && at && written >= latest) {
+                left_at = *at;
+                latest = written;
+            }
+            clear(path);
+        }
+    }
+
+    void begin(const fs::path& folder) {
+        std::string name = (folder / "session-XXXXXX").string() + std::string(kLock);
+        const int file = ::mkostemps(name.data(), static_cast<int>(kLock.size()), O_CLOEXEC);
+        if (file < 0) return;
+        held.emplace(file);
+        if (!lock(*held)) {
+            ::unlink(name.c_str());
+            held.reset();
+            return;
+        }
+        own = fs::path(name).replace_extension();
+        // Until this session has come to a place of its own, a crash of it loses nothing.
+        if (left_at && write_file_atomically(with(own, kPlace), text_of(*left_at))) kept = left_at;
+    }
+};
+
+SessionTrace::SessionTrace(const fs::path& folder) : state_(std::make_unique<State>()) {
+    if (folder.empty()) return;
+    std::error_code ec;
+    fs::create_directories(folder, ec);
+    // While one session looks and begins no other does, so that none finds another's file before it is held.
+    const FolderLock all(folder, kLockWait_s);
+    if (!all.held()) return;
+    state_->look(folder);
+    state_->begin(folder);
+}
+
+SessionTrace::~SessionTrace() = default;
+
+bool SessionTrace::crashed() const { return state_->crashed; }
+const std::optional<LastPlace>& SessionTrace::left_at() const { return state_->left_at; }
+
+void SessionTrace::note(const LastPlace& now, double now_s) {
+    State& s = *state_;
+    if (s.own.empty() || now_s < s.next_s || s.writer.busy()) return;
+    const bool same = s.kept && s.kept->world == now.world && glm::length(s.kept->feet_m - now.feet_m) < kMoved_m &&
+                      std::abs(s.kept->heading_rad - now.heading_rad) < kTurned_rad;
+    if (same || !is_utf8(now.world.string())) return;
+    s.next_s = now_s + kEvery_s;
+    s.kept = now;
+    s.writer.write(with(s.own, kPlace), text_of(now));
+}
+
+void SessionTrace::end() {
+    State& s = *state_;
+    s.writer.wait();
+    if (s.own.empty()) return;
+    std::error_code ec;
+    fs::remove(with(s.own, kPlace), ec);
+    fs::remove(with(s.own, kLock), ec);
+    s.held.reset();
+    s.own.clear();
+}
+
+fs::path sessions_folder() {
+    const fs::path list = recent_worlds_path();
+    return list.empty() ? fs::path() : list.parent_path() / "sessions";
+}
+
+}  // namespace handrail

@@ -1,0 +1,71 @@
+#include "app/core/kept/room_names.h"
+
+#include <algorithm>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr const char* kList = "room_name";
+
+Result<RoomNameGiven> name_from(const SideEntry& entry) {
+    auto named = named_place_of(entry, "room_names.entry_name", "room_names.entry_place");
+    if (!named) return tl::unexpected(std::move(named.error()));
+    return RoomNameGiven{std::move(named->name),
+                         named->place_m,
+                         std::max(0.0, number_of(entry, "area_m2", 0.0)),
+                         text_of(entry, "world"),
+                         true,
+                         without(entry, {"name", "place_m", "area_m2", "world"})};
+}
+
+SideEntry entry_of(const RoomNameGiven& given) {
+    SideEntry entry = given.kept;
+    entry["name"] = given.name;
+    put_place(entry, given.at_m);
+    if (given.area_m2 > 0.0) entry["area_m2"] = given.area_m2;
+    if (!given.world.empty()) entry["world"] = given.world;
+    return entry;
+}
+
+}  // namespace
+
+std::vector<RoomNameGiven> read_room_names(const SideFile& file, std::vector<Error>& faults) {
+    return read_list(file, kList, name_from, faults);
+}
+
+void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names) {
+    write_list(file, kList, names, entry_of, name_from);
+}
+
+void lay_room_names(RoomGraph& graph, const WalkSpace& space, const SideFile& file, std::vector<RoomNameGiven>& names) {
+    std::vector<bool> taken(graph.rooms.size(), false);
+    for (RoomNameGiven& given : names) {
+        const std::uint32_t at = room_at(graph, space, given.at_m);
+        given.fits = at != kNothing && !taken[at];
+        if (given.fits && given.world != file.world_checksum() && given.area_m2 > 0.0) {
+            const double now = graph.rooms[at].area_m2;
+            given.fits = now <= kSameRoomArea * given.area_m2 && given.area_m2 <= kSameRoomArea * now;
+        }
+        if (!given.fits) continue;
+        taken[at] = true;
+        give_names(graph, space, {{given.at_m, given.name}});
+    }
+}
+
+std::string unfit_sentence(const std::vector<RoomNameGiven>& names) {
+    std::vector<std::string> unfit;
+    for (const RoomNameGiven& given : names)
+        if (!given.fits) unfit.push_back(given.name);
+    return unfit_words("room_names.unfit", unfit, names.size());
+}
+
+std::uint32_t name_of_room(const RoomGraph& graph, const WalkSpace& space, const std::vector<RoomNameGiven>& names,
+                           std::uint32_t room) {
+    for (std::uint32_t i = 0; i < names.size(); ++i)
+        if (names[i].fits && room_at(graph, space, names[i].at_m) == room) return i;
+    return kNothing;
+}
+
+}  // namespace handrail

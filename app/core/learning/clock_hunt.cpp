@@ -1,0 +1,123 @@
+#include "app/core/learning/clock_hunt.h"
+
+#include <cmath>
+#include <utility>
+
+#include "app/core/context/telling.h"
+#include "app/core/dialogue/words.h"
+#include "app/core/kept/side_file.h"
+#include "app/core/learning/time_words.h"
+#include "app/core/wayfinding/leg.h"
+#include "audio-cues/plan/sound_table.h"
+#include "worlds/base/language.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kHide_m = 6.0;       // on foot from where one is
+constexpr double kHandFinds_m = 0.4;  // of world
+const Vec3 kAbove_m(0.0, 0.0, 1.0);   // the clock, over where one stands at it
+
+}  // namespace
+
+void ClockHunt::enter_world() {
+    hidden_.reset();
+    soundscape_.add({});
+}
+
+void ClockHunt::begin_awaited(double now_s) {
+    if (std::exchange(awaits_, false)) hide(now_s);
+}
+
+bool ClockHunt::act(Command command, double now_s) {
+    if (command != Command::Hunt) return false;
+    if (hidden_) {
+        ++hidden_->hints;
+        context_.answer(hint_words(), now_s);
+    } else {
+        hide(now_s);
+    }
+    return true;
+}
+
+void ClockHunt::hide(double now_s) {
+    // Doors count as open: whoever hunts opens them.
+    Scene open = *context_.world.scene;
+    std::erase_if(open.placed, [&](const PlacedModel& thing) {
+        const Feature* feature = context_.world.scene->find(thing.feature);
+        return feature && feature->kind == FeatureKind::Door;
+    });
+    auto world = std::make_unique<BodyWorld>(*context_.world.solids, std::make_shared<const Scene>(std::move(open)));
+    HuntGround ground(*world, context_.body.feet_m(), context_.body.walker->size());
+    if (ground.size() < 30) return context_.answer(phrase("hunt.no_space"), now_s);
+    const Vec3 clock = ground.hiding_place(static_cast<std::uint64_t>(now_s * 1e3) + 7919U * ++hunts_, kHide_m);
+    ground.aim(clock);
+    hidden_.emplace(Hidden{std::move(ground), std::move(world), clock, now_s, 0});
+    soundscape_.add({SoundSource{clock + kAbove_m, {}, std::string(info(SoundKind::HiddenClock).name), 1.0}});
+    context_.play(SoundKind::Arrived, now_s);
+    context_.answer(phrase("hunt.begun", {{"key", context_.keys.keys_of(Command::Hunt)}}), now_s);
+}
+
+std::string ClockHunt::hint_words() const {
+    const Vec3& feet_m = context_.body.feet_m();
+    // By the ways of this world where they are known; they begin anywhere. The ground's own squares else.
+    std::optional<double> way;
+    std::optional<Vec3> next;
+    if (rooms_.found())
+        if (const auto leg = next_leg(rooms_.navigation().plan(feet_m, hidden_->clock_m), feet_m,
+                                      0.5 * context_.settings.walk.step_length_m);
+            leg && leg->route.reaches)
+            way = leg->route.length_m, next = leg->to_m;
+    if (!way)
+        way = hidden_->ground.way_m(feet_m),
+        next = hidden_->ground.next_m(*hidden_->open_world, feet_m, context_.body.walker->size());
+    if (!way || !next) {
+        const Vec3 to = hidden_->clock_m - feet_m;
+        return phrase("hunt.straight",
+                      {{"where", where_words(context_, std::hypot(to.x, to.y), std::atan2(to.x, to.y))}});
+    }
+    const Vec3 to = *next - feet_m;
+    const double bearing = std::atan2(to.x, to.y), straight_m = std::hypot(to.x, to.y);
+    std::string text = phrase("hunt.go", {{"where", where_words(context_, straight_m, bearing)},
+                                          {"distance", distance_words(*way, distances(context_))}});
+    const TraceHit hit = context_.world.solids->trace(feet_m + kAbove_m, *next + kAbove_m, BodyShape{}, true);
+    if (hit.hit)
+        if (const Feature* feature = context_.world.scene->find(hit.feature);
+            feature && feature->kind == FeatureKind::Door)
+            text = phrase("hunt.open", {{"door", spoken_name(*feature)}}) + " " + text;
+    return text;
+}
+
+void ClockHunt::tick(double now_s) {
+    if (!hidden_) return;
+    const bool reached = context_.hands.tool.ticks > 0 && context_.hands.right.present &&
+                         glm::length(context_.hands.tool.proxy_m - (hidden_->clock_m + kAbove_m)) < kHandFinds_m;
+    if (!reached && !finds(*context_.world.solids, context_.body.feet_m(), hidden_->clock_m)) return;
+    const double took_s = now_s - hidden_->began_s;
+    const int hints = hidden_->hints;
+    hidden_.reset();
+    soundscape_.add({});
+    context_.play(SoundKind::Arrived, now_s);
+    std::string text = phrase("hunt.found", {{"time", time_words(took_s)}, {"hints", hints}});
+    // The best time for each world lies in the person's own data folder.
+    SideFile times =
+        records_folder_.empty() ? SideFile() : SideFile::of_world(records_folder_ / "hunt", records_folder_);
+    SideEntry best = times.table("best_seconds");
+    for (const std::string& news : times.news()) text += " " + news;
+    const double before_s =
+        records_folder_.empty() ? (best_s_ > 0.0 ? best_s_ : -1.0) : number_of(best, context_.world.scene->name, -1.0);
+    if (before_s < 0.0 || took_s < before_s) {
+        text += " " +
+                (before_s < 0.0 ? phrase("hunt.first_time") : phrase("hunt.better", {{"time", time_words(before_s)}}));
+        best[context_.world.scene->name] = took_s;
+        best_s_ = took_s;
+        times.set_table("best_seconds", best);
+        if (const auto saved = times.save(); !saved) text += " " + saved.error().sentence();
+    } else {
+        text += " " + phrase("hunt.best", {{"time", time_words(before_s)}});
+    }
+    context_.answer(text, now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,39 @@
+// What is remembered of learning the places of one world: PlaceLearning's state. Plain data; app thread; metres of the
+// world, seconds of the session's clock.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "app/core/learning/learning.h"
+
+namespace handrail {
+
+// Of one room, for as long as its world is not left.
+struct RoomLearning {
+    std::optional<Learnt> learnt;  // looked at when first asked about
+    double spent_s = 0.0;
+    // In the mode that leads.
+    std::optional<Vec3> base_m;
+    bool walls_done = false;
+    std::vector<FeatureId> done;  // walls told of
+    std::size_t lanes_told = 0;
+};
+
+struct LearningState {
+    LearningNotes notes;
+    std::map<std::uint32_t, RoomLearning> rooms;  // by their number in the room graph
+    double last_s = 0.0, unplaced_s = 0.0;        // spent before it is known in which room
+    // The hand's last contact.
+    Vec3 hand_m{0.0};
+    FeatureId hand_feature = kNoFeature;
+    double corner_s = -1e9;
+    // The mode that leads: walls, then lanes.
+    bool on = false;
+    std::uint32_t room = kNothing;  // the one led in
+    std::size_t seen_notes = 0;
+    double looked_s = -1e9;
+};
+
+}  // namespace handrail

@@ -1,0 +1,271 @@
+#include "app/core/learning/place_learning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/core/context/telling.h"
+#include "app/core/dialogue/words.h"
+#include "app/core/learning/time_words.h"
+#include "app/core/world/trail.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLookEvery_s = 1.0;
+
+long percent(double share) { return static_cast<long>(std::floor(100.0 * share + 0.5)); }
+
+}  // namespace
+
+bool PlaceLearning::act(Command command, double now_s) {
+    switch (command) {
+        case Command::Unexplored:
+            tell_unexplored(now_s);
+            return true;
+        case Command::ProgressReport:
+            context_.answer(progress_words(now_s), now_s);
+            return true;
+        case Command::LearnPlace:
+            toggle(now_s);
+            return true;
+        case Command::LearntRooms:
+            list_rooms(now_s);
+            return true;
+        default:
+            return false;
+    }
+}
+
+void PlaceLearning::enter_world(double now_s) {
+    state_ = {};
+    state_.last_s = now_s;
+}
+
+void PlaceLearning::note(const std::optional<Vec3>& bumped, const std::optional<Vec3>& trailed, double now_s) {
+    const Vec3& feet_m = context_.body.feet_m();
+    const double radius = context_.body.walker->size().radius_m;
+    if (bumped) state_.notes.touched(feet_m - *bumped * radius, *bumped, radius);
+    state_.unplaced_s += now_s - std::exchange(state_.last_s, now_s);
+    spend_time();
+    if (context_.body.walker->state().on_ground) state_.notes.walked(feet_m);
+    if (trailed) state_.notes.touched(feet_m - *trailed * (radius + Trail::kGap_m), *trailed, radius);
+    for (const ToolState* tool : {&context_.hands.tool, &context_.hands.left_tool})
+        for (std::size_t i = 0; i < tool->contacts.count; ++i) {
+            const Contact& contact = tool->contacts.contacts[i];
+            const Vec3 point = tool->proxy_m - contact.normal * tool->ball_radius_m;
+            // A hand is quick: what lies between two frames was touched too, where it stayed on the same wall.
+            double reach = tool->ball_radius_m;
+            if (contact.feature == state_.hand_feature) reach += std::min(0.5, glm::length(point - state_.hand_m));
+            state_.notes.touched(point, contact.normal, reach);
+            if (tool == &context_.hands.tool && i == tool->contacts.strongest) {
+                state_.hand_m = point;
+                state_.hand_feature = contact.feature;
+            }
+        }
+    corner_of_hand(now_s);
+}
+
+// Looks where something was noted since the last time, once a second.
+void PlaceLearning::tick(double now_s) {
+    if (!state_.on || now_s - state_.looked_s < kLookEvery_s || state_.notes.count() == state_.seen_notes) return;
+    state_.looked_s = now_s;
+    state_.seen_notes = state_.notes.count();
+    guide(now_s);
+}
+
+// Two walls that the hand touches at once are a corner.
+void PlaceLearning::corner_of_hand(double now_s) {
+    const ContactSet& set = context_.hands.tool.contacts;
+    bool corner = false;
+    for (std::size_t a = 0; a < set.count; ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+            const Contact &one = set.contacts[a], &other = set.contacts[b];
+            const auto wall = [&](const Contact& c) {
+                const Feature* feature = context_.world.scene->find(c.feature);
+                return feature && feature->kind == FeatureKind::Wall && std::abs(c.normal.z) < 0.5;
+            };
+            corner |= wall(one) && wall(other) && glm::dot(one.normal, other.normal) < 0.87;
+        }
+    if (corner && now_s - state_.corner_s > 0.5)
+        context_.play_at(SoundKind::Corner, context_.hands.tool.proxy_m, now_s);
+    if (corner) state_.corner_s = now_s;
+}
+
+void PlaceLearning::spend_time() {
+    if (rooms_.here() != kNothing) state_.rooms[rooms_.here()].spent_s += std::exchange(state_.unplaced_s, 0.0);
+}
+
+// Of a room, as much as is known of it by now.
+const Learnt& PlaceLearning::learnt_of(std::uint32_t room) {
+    std::optional<Learnt>& learnt = state_.rooms[room].learnt;
+    if (!learnt)
+        learnt.emplace(place_of_room(*context_.world.solids, rooms_.navigation().space(), rooms_.graph(), room));
+    learnt->lay(state_.notes);
+    return *learnt;
+}
+
+// The room one stands in is known, and known to be one; notices which it is.
+bool PlaceLearning::in_known_room(double now_s) {
+    if (!rooms_.known()) return false;
+    rooms_.notice(now_s, true);
+    spend_time();
+    return rooms_.here() != kNothing;
+}
+
+// Why there is nothing to be told of the room one stands in.
+std::string PlaceLearning::no_room_words() const {
+    if (!rooms_.looked_for()) return phrase("rooms.not_yet");
+    return rooms_.found() ? phrase("rooms.nowhere") : rooms_.problem();
+}
+
+std::string PlaceLearning::progress_words(double now_s) {
+    if (!in_known_room(now_s)) return no_room_words();
+    const Progress progress = progress_of(learnt_of(rooms_.here()));
+    std::string named;
+    for (const WallProgress& wall : progress.walls)
+        if (wall.touched_m > 0.0) named = joined(named, name_of(context_, wall.feature));
+    const std::string time = time_words(state_.rooms[rooms_.here()].spent_s);
+    const TextValue of_walls{"walls", percent(progress.perimeter_share())},
+        of_floor{"floor", percent(progress.floor_share())}, took{"time", time};
+    const std::string text =
+        progress.exits > 0
+            ? phrase(progress.doors_only ? "learning.progress_and_doors" : "learning.progress_and_exits",
+                     {of_walls, of_floor, {"found", progress.exits_found}, {"exits", progress.exits}, took})
+            : phrase("learning.progress", {of_walls, of_floor, took});
+    return named.empty() ? text : text + " " + phrase("learning.touched", {{"names", named}});
+}
+
+void PlaceLearning::tell_unexplored(double now_s) {
+    if (!in_known_room(now_s)) return context_.answer(no_room_words(), now_s);
+    const auto left = nearest_unexplored(learnt_of(rooms_.here()), context_.body.feet_m());
+    if (!left) return context_.answer(phrase("learning.all_explored"), now_s);
+    const double dx = left->point_m.x - context_.body.feet_m().x, dy = left->point_m.y - context_.body.feet_m().y;
+    const std::string where = where_words(context_, std::hypot(dx, dy), std::atan2(dx, dy));
+    context_.answer(
+        left->wall ? phrase("learning.unexplored_wall", {{"wall", name_of(context_, left->feature)}, {"where", where}})
+                   : phrase("learning.unexplored_floor", {{"where", where}}),
+        now_s);
+}
+
+// "Walls 40 percent, floor 10 percent".
+std::string PlaceLearning::share_words(const Progress& progress) const {
+    return phrase("learning.share",
+                  {{"walls", percent(progress.perimeter_share())}, {"floor", percent(progress.floor_share())}});
+}
+
+// Every room with what is learnt of it, the one that one is in first, then those known best; the way to the chosen one.
+void PlaceLearning::list_rooms(double now_s) {
+    if (!rooms_.have(now_s)) return;
+    const RoomGraph& graph = rooms_.graph();
+    struct Row {
+        std::uint32_t room = 0;
+        bool begun = false;
+        Progress progress;
+    };
+    std::vector<Row> rows(graph.rooms.size());
+    std::size_t done = 0;
+    for (std::uint32_t r = 0; r < rows.size(); ++r) {
+        // A room nobody was in and nobody touched from elsewhere is not even looked at.
+        Aabb box = graph.rooms[r].bounds_m;
+        box.min_m -= Vec3(0.5, 0.5, 0.5);
+        box.max_m += Vec3(0.5, 0.5, 2.5);
+        rows[r].room = r;
+        if (!state_.notes.any_in(box)) continue;
+        rows[r].progress = progress_of(learnt_of(r));
+        rows[r].begun = rows[r].progress.touched_m > 0.0 || rows[r].progress.walked_m2 > 0.0;
+        done += rows[r].begun && rows[r].progress.done();
+    }
+    const auto known = [](const Row& row) {
+        return row.begun ? row.progress.perimeter_share() + row.progress.floor_share() : -1.0;
+    };
+    std::stable_sort(rows.begin(), rows.end(), [&](const Row& a, const Row& b) {
+        return std::pair(a.room == rooms_.here(), known(a)) > std::pair(b.room == rooms_.here(), known(b));
+    });
+    ListSpec list;
+    list.title = phrase("learning.rooms", {{"done", done}, {"rooms", rows.size()}});
+    std::vector<std::uint32_t> rooms;
+    for (const Row& row : rows) {
+        list.items.push_back({sentence_case(graph.rooms[row.room].name),
+                              row.begun ? share_words(row.progress) : phrase("learning.nothing_yet"), false});
+        rooms.push_back(row.room);
+    }
+    list.chosen = [this, rooms](std::size_t at) { on_go_to_room(rooms[at], context_.tick_s); };
+    context_.open_list(std::move(list), now_s);
+}
+
+// The mode begins in the room one is in, or ends. What is known already stays known.
+void PlaceLearning::toggle(double now_s) {
+    state_.on = !state_.on;
+    state_.seen_notes = 0;
+    state_.room = kNothing;
+    if (!state_.on) return context_.answer(phrase("learning.ended") + " " + progress_words(now_s), now_s);
+    const bool known = in_known_room(now_s);
+    if (known) {
+        state_.room = rooms_.here();
+        state_.rooms[rooms_.here()].base_m = context_.body.feet_m();
+    }
+    context_.answer(phrase("learning.begun", {{"room", known ? sentence_case(rooms_.graph().rooms[rooms_.here()].name)
+                                                             : phrase("learning.this_place")},
+                                              {"trail", context_.keys.keys_of(Command::TrailLeft)},
+                                              {"progress", context_.keys.keys_of(Command::ProgressReport)},
+                                              {"unexplored", context_.keys.keys_of(Command::Unexplored)}}),
+                    now_s);
+}
+
+// In the mode: each wall that is done, then each lane. Nothing is forced, and whoever goes another way is told what
+// that has done.
+void PlaceLearning::guide(double now_s) {
+    if (!in_known_room(now_s)) return;
+    const Learnt& learnt = learnt_of(rooms_.here());
+    const Progress progress = progress_of(learnt);
+    RoomLearning& room = state_.rooms[rooms_.here()];
+    if (rooms_.here() != std::exchange(state_.room, rooms_.here())) {
+        const std::string name = sentence_case(rooms_.graph().rooms[rooms_.here()].name);
+        // The base is where one came in first.
+        context_.answer(room.base_m ? phrase("learning.goes_on", {{"room", name}, {"share", share_words(progress)}})
+                                    : phrase("learning.next_room", {{"room", name}}),
+                        now_s);
+        if (!room.base_m) room.base_m = context_.body.feet_m();
+    }
+    int done = 0;
+    for (const WallProgress& wall : progress.walls) done += wall.done();
+    for (const WallProgress& wall : progress.walls) {
+        if (!wall.done() || wall.length_m < 0.5 ||
+            std::find(room.done.begin(), room.done.end(), wall.feature) != room.done.end())
+            continue;
+        room.done.push_back(wall.feature);
+        context_.events.tell(WallDone{wall.feature, state_.room}, now_s);
+        context_.answer(phrase("learning.wall_done", {{"wall", sentence_case(name_of(context_, wall.feature))},
+                                                      {"done", done},
+                                                      {"walls", progress.walls.size()}}),
+                        now_s);
+    }
+    if (!room.walls_done && progress.perimeter_share() >= 0.95) {
+        room.walls_done = true;
+        context_.play(SoundKind::Arrived, now_s);
+        const Vec3 base = *room.base_m - context_.body.feet_m();
+        const std::string where = where_words(context_, glm::length(base), std::atan2(base.x, base.y));
+        context_.answer(phrase("learning.walls_done", {{"time", time_words(room.spent_s)}, {"where", where}}), now_s);
+    }
+    const std::vector<Lane> lanes = lanes_of(learnt);
+    std::size_t walked = 0;
+    for (const Lane& lane : lanes) walked += lane.done();
+    if (walked > room.lanes_told && room.walls_done) {
+        std::string next = phrase("learning.lanes_done");
+        for (const Lane& lane : lanes)
+            if (!lane.done()) {
+                const double off = lane.at_m - (lane.north ? context_.body.feet_m().x : context_.body.feet_m().y);
+                const char* key = lane.north ? (off > 0.0 ? "learning.lane_to_east" : "learning.lane_to_west")
+                                             : (off > 0.0 ? "learning.lane_to_north" : "learning.lane_to_south");
+                next = phrase(key, {{"distance", distance_words(std::abs(off), distances(context_))}});
+                break;
+            }
+        context_.answer(phrase("learning.lane_done", {{"done", walked}, {"lanes", lanes.size()}}) + " " + next, now_s);
+    }
+    room.lanes_told = walked;
+}
+
+}  // namespace handrail

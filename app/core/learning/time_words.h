@@ -1,0 +1,11 @@
+// How long learning and the hunt took, in words. Pure; any thread.
+#pragma once
+
+#include <string>
+
+namespace handrail {
+
+// "12 seconds", "2 minutes and 5 seconds".
+std::string time_words(double seconds);
+
+}  // namespace handrail

@@ -1,0 +1,85 @@
+#include "app/core/menu/menu.h"
+
+#include <functional>
+#include <memory>
+
+#include "app/core/menu/setting_lists.h"
+#include "audio-cues/plan/sound_table.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+bool Menu::act(Command command, double now_s) {
+    switch (command) {
+        case Command::Menu:
+            open(now_s);
+            return true;
+        case Command::Help:
+            context_.answer(all_keys(), now_s);
+            return true;
+        case Command::InputHelp:
+            commands_.toggle_input_help(now_s);
+            return true;
+        case Command::Language:
+            languages_.open(now_s);
+            return true;
+        default:
+            return false;
+    }
+}
+
+std::string Menu::all_keys() const {
+    std::string text;
+    for (const CommandInfo& row : command_table()) {
+        const std::string keys = context_.keys.keys_of(row.command);
+        if (!keys.empty()) text += phrase("session.key_help", {{"keys", keys}, {"help", row.help()}}) + " ";
+    }
+    return text;
+}
+
+void Menu::open(double now_s) {
+    ListSpec list;
+    list.title = phrase("menu.title");
+    list.stays_open = true;
+    std::vector<std::function<void()>> acts;
+    const auto add = [&](std::string name, std::function<void()> act) {
+        list.items.push_back({std::move(name), {}, false});
+        acts.push_back(std::move(act));
+    };
+    add(phrase("menu.what_i_can_do"), [this] { commands_.open(false, context_.tick_s); });
+    add(phrase("menu.worlds"), [this] { worlds_.open(context_.tick_s); });
+    add(phrase("language.menu"), [this] { languages_.open(context_.tick_s); });
+    add(phrase("menu.settings"), [this] { open_setting_topics(context_, context_.tick_s); });
+    add(phrase("menu.keys"), [this] { commands_.open(true, context_.tick_s); });
+    add(phrase("menu.sounds"), [this] { open_sounds(context_.tick_s); });
+    for (const auto& [key, command] :
+         {std::pair{"menu.say_keys", Command::Help}, std::pair{"menu.input_help", Command::InputHelp},
+          std::pair{"menu.set_up", Command::Calibrate}, std::pair{"menu.leave", Command::Leave}})
+        add(phrase(key), [this, command = command] {
+            context_.lists.dialogue.close_all();
+            context_.asks.perform(command, context_.tick_s);
+        });
+    list.chosen = [acts](std::size_t i) { acts[i](); };
+    context_.open_list(std::move(list), now_s);
+}
+
+void Menu::open_sounds(double now_s) {
+    ListSpec list;
+    list.title = phrase("menu.sounds_title");
+    list.stays_open = true;
+    const auto entries = std::make_shared<const std::vector<DictionaryEntry>>(sound_dictionary());
+    for (const DictionaryEntry& entry : *entries) list.items.push_back({entry.text, {}, false});
+    list.chosen = [this, entries](std::size_t i) {
+        CueRequest request;
+        request.kind = CueRequestKind::Demonstrate;
+        request.time_s = context_.tick_s;
+        request.text = (*entries)[i].text;
+        request.sound = (*entries)[i].kind;
+        request.material = (*entries)[i].material;
+        request.position_m = context_.body.ears_m() + forward_of_heading(context_.body.heading_rad);
+        context_.cues.cue(std::move(request));
+    };
+    context_.open_list(std::move(list), now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,53 @@
+#include "app/core/menu/setting_lists.h"
+
+#include "settings/adjust.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+
+namespace {
+
+void open_settings(const SessionContext& context, std::string_view topic, double now_s) {
+    ListSpec list;
+    list.title = phrase("menu.settings_of", {{"topic", sentence_case(topic_name(topic))}});
+    list.stays_open = true;
+    std::vector<std::string_view> keys;
+    for (const SettingLine& line : setting_lines(topic, context.settings)) {
+        list.items.push_back({sentence_case(line.name), line.value, line.steps});
+        keys.push_back(line.key);
+    }
+    list.adjusted = [&context, keys](std::size_t i, int by) {
+        return context.asks.change_setting(keys[i], stepped(keys[i], context.settings, by));
+    };
+    list.chosen = [&context, keys, topic](std::size_t i) {
+        const SettingLine line = setting_line(keys[i], context.settings);
+        TextSpec question;
+        question.question =
+            phrase("menu.setting_question", {{"meaning", line.meaning}, {"value", line.value}, {"range", line.range}});
+        question.done = [&context, topic, key = keys[i]](const std::string& typed) {
+            const std::string value = context.asks.change_setting(key, typed);
+            std::vector<ListItem> items;
+            for (const SettingLine& now : setting_lines(topic, context.settings))
+                items.push_back({sentence_case(now.name), now.value, now.steps});
+            context.lists.dialogue.change_items(std::move(items));
+            context.answer(value, context.tick_s);
+        };
+        context.ask_text(std::move(question), context.tick_s);
+    };
+    context.open_list(std::move(list), now_s);
+}
+
+}  // namespace
+
+void open_setting_topics(const SessionContext& context, double now_s) {
+    ListSpec list;
+    list.title = phrase("menu.settings");
+    list.stays_open = true;
+    const std::vector<std::string_view> topics = setting_topics();
+    for (const std::string_view topic : topics) list.items.push_back({sentence_case(topic_name(topic)), {}, false});
+    list.chosen = [&context, topics](std::size_t i) { open_settings(context, topics[i], context.tick_s); };
+    context.open_list(std::move(list), now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,40 @@
+#include "app/core/menu/simplified_list.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/core/context/telling.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+
+void SimplifiedList::open(const Simplification& plan, const OpenPortals& portals, double now_s) {
+    if (!context_.hands.right.present) return context_.answer(phrase("session.no_hand"), now_s);
+    if (!context_.settings.haptic.simplify) return context_.answer(phrase("simplify.off"), now_s);
+    const Scene& scene = *context_.world.scene;
+    ListSpec list;
+    list.title = phrase("simplify.title");
+    std::vector<Goal> goals;
+    const auto add = [&](std::string name, const Aabb& box, FeatureId feature, const std::string& what) {
+        list.items.push_back({name, joined(what, where_words(context_, box))});
+        goals.push_back({std::move(name), box, feature});
+    };
+    const RoomGraph* rooms = rooms_.known() ? &rooms_.graph() : nullptr;
+    for (const NarrowOpening& opening : plan.openings) {
+        const FeatureId door = opening.doors.empty() ? kNoFeature : opening.doors.front();
+        const Vec3 middle = opening.middle_m();
+        add(opening_name(scene, opening, rooms, portals),
+            door ? scene.features[door.value].bounds_m : Aabb{middle, middle}, door, opening_words(opening));
+    }
+    for (const FeatureId id : plan.left_out) {
+        const Feature& thing = scene.features[id.value];
+        add(sentence_case(spoken_name(thing)), thing.bounds_m, id, phrase("simplify.is_left_out"));
+    }
+    if (goals.empty()) return context_.answer(phrase("simplify.nothing"), now_s);
+    list.chosen = [this, goals](std::size_t i) { on_choose(goals[i], context_.tick_s); };
+    context_.open_list(std::move(list), now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,346 @@
+#include "app/core/movers/doors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/context/telling.h"
+#include "app/core/world/questions.h"
+#include "worlds/base/language.h"
+#include "worlds/geometry/closest_point.h"
+#include "worlds/scene/models.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kReach_m = 1.2;           // from the middle of the body to what it uses
+constexpr double kBounced_hand_m = 0.015;  // off a door that it has just met, while one hears which it is
+constexpr double kNearThing_m = 0.1;       // farther from a thing nobody stands on it
+constexpr double kWaist_m = 1.0;
+constexpr double kCeiling = -0.7;  // normals that look down as much belong to what is overhead
+
+Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
+
+// Borders do not count, as they do in clip.h: who stands beside a lift and on its level is not in its way.
+bool overlap(const Aabb& a, const Aabb& b) {
+    return a.min_m.x < b.max_m.x && b.min_m.x < a.max_m.x && a.min_m.y < b.max_m.y && b.min_m.y < a.max_m.y &&
+           a.min_m.z < b.max_m.z && b.min_m.z < a.max_m.z;
+}
+
+Aabb body_box(const Vec3& feet_m, const BodyShape& body) {
+    Aabb box;
+    box.include(feet_m - Vec3(body.radius_m, body.radius_m, 0.0));
+    box.include(feet_m + Vec3(body.radius_m, body.radius_m, body.height_m));
+    return box;
+}
+
+Aabb grown(Aabb box, double by_m) {
+    box.min_m -= Vec3(by_m);
+    box.max_m += Vec3(by_m);
+    return box;
+}
+
+// How a body stands on a thing of the scene, where that is.
+Riding rides(const PlacedModel& thing, const Placement& at, const Vec3& feet_m, const BodyShape& body) {
+    if (!overlap(grown(placed_bounds(thing.model->bounds_m, at), kNearThing_m), body_box(feet_m, body)))
+        return Riding::Not;
+    return riding(thing.model, at, feet_m, body);
+}
+
+// Nobody is held by a leaf that opens.
+bool passes_bodies(const Feature& feature, bool goes_to_rest) {
+    return feature.kind == FeatureKind::Door && !goes_to_rest;
+}
+
+// The ways of two things may cross: leaves of one door, what its maker means to pass, and a lift with its own doors.
+bool let_through(const Scene& scene, std::uint32_t a, std::uint32_t b) {
+    const Mover &one = scene.movers[a], &other = scene.movers[b];
+    return one.group == other.group || (one.passes != kNoMover && one.passes == other.passes) || one.lift == b ||
+           other.lift == a;
+}
+
+// At its upper end, where one is a storey or so above the other: "at the top"; empty for what goes level.
+std::string stops_words(const Mover& mover, double z_m, const std::string& name) {
+    const double low_m = mover.pivot_m.z + std::min(0.0, mover.slide_m.z), way_m = std::abs(mover.slide_m.z);
+    if (way_m < 1.0) return phrase("movers.stops", {{"name", name}});
+    return phrase(z_m > low_m + 0.5 * way_m ? "movers.stops_above" : "movers.stops_below", {{"name", name}});
+}
+
+}  // namespace
+
+bool Doors::act(Command command, double now_s) {
+    if (command != Command::Use) return false;
+    use(now_s);
+    return true;
+}
+
+// By hand or by walking against it.
+void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
+    context_.events.tell(DoorUsed{world_.scene->movers[mover].feature}, now_s);
+    const bool lift_comes = world_.movers.lift_is_away(mover);
+    if (back_again) world_.movers.set_going(mover);
+    else world_.movers.call(mover);
+    const Feature& feature = world_.scene->features[world_.scene->movers[mover].feature.value];
+    if (lift_comes) {
+        const Feature& lift =
+            world_.scene->features[world_.scene->movers[world_.scene->movers[mover].lift].feature.value];
+        return context_.say(phrase("movers.called", {{"name", sentence_case(spoken_name(lift))}}), SpeechClass::Contact,
+                            now_s);
+    }
+    if (world_.thing_of_mover[mover] >= 0) return;  // its way is told as it goes
+    CueRequest sound;
+    sound.kind = CueRequestKind::Play;
+    sound.sound = SoundKind::DoorMoves;
+    sound.time_s = now_s;
+    sound.position_m = feature.bounds_m.centre_m();
+    context_.cues.cue(std::move(sound));
+    context_.say(phrase("movers.pressed", {{"name", sentence_case(spoken_name(feature))}}), SpeechClass::Contact,
+                 now_s);
+}
+
+// A lift that the body stands on; -1: none.
+int Doors::lift_under_body() const {
+    for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {
+        const Mover& mover = world_.scene->movers[i];
+        if (world_.thing_of_mover[i] < 0 || !mover.by_hand ||
+            world_.scene->features[mover.feature.value].kind != FeatureKind::Lift)
+            continue;
+        const auto thing = static_cast<std::size_t>(world_.thing_of_mover[i]);
+        if (rides(world_.scene->placed[thing], world_.things.at(thing), body_.feet_m(), body_.walker->shape()) ==
+            Riding::ByMiddle)
+            return static_cast<int>(i);
+    }
+    return -1;
+}
+
+// What the hand touches counts first, then a lift that one stands on, then a shut door that was told on a way that is
+// gone and from which the hand has hardly come away, then what stands straight ahead, then the nearest.
+void Doors::use(double now_s) {
+    int chosen = -1;
+    if (context_.hands.tool.touches()) chosen = mover_of(world_, context_.hands.tool.touched());
+    if (chosen < 0) chosen = lift_under_body();
+    if (chosen < 0 && !told_.empty()) {
+        const FeatureId told = told_.back();
+        const Aabb door = box_of(*world_.scene, told);
+        const double hand_reach_m = kBounced_hand_m * scale(context_);
+        if (distance_squared(door, body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m)) < kReach_m * kReach_m ||
+            (context_.hands.known() &&
+             distance_squared(door, context_.hands.tool.proxy_m) < hand_reach_m * hand_reach_m))
+            chosen = mover_of(world_, told);
+        if (chosen >= 0 && world_.movers.away(static_cast<std::uint32_t>(chosen)) > 0.0) chosen = -1;
+    }
+    if (chosen < 0)
+        if (const auto seen = look(*world_.solids, body_.feet_m(), kLookHeight_m, body_.heading_rad, kReach_m))
+            chosen = mover_of(world_, seen->feature);
+    if (chosen < 0) {
+        double nearest_m = kReach_m;
+        const Vec3 middle = body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
+        for (std::size_t i = 0; i < world_.scene->movers.size(); ++i) {
+            if (!usable(world_, i)) continue;
+            const double distance_m =
+                std::sqrt(distance_squared(box_of(*world_.scene, world_.scene->movers[i].feature), middle));
+            if (distance_m < nearest_m) {
+                nearest_m = distance_m;
+                chosen = static_cast<int>(i);
+            }
+        }
+    }
+    if (chosen < 0) return context_.answer(phrase("movers.none_in_reach"), now_s);
+    const auto mover = static_cast<std::uint32_t>(chosen);
+    if (!world_.scene->movers[mover].by_hand) return context_.answer(shut_words(mover), now_s);
+    press(mover, true, now_s);
+}
+
+// What opens it: the key, or the button that is nearest to the body, with where that is.
+std::string Doors::shut_words(std::uint32_t mover) const {
+    const Mover& door = world_.scene->movers[mover];
+    const std::string name = sentence_case(name_of(context_, door.feature));
+    if (door.by_hand) return phrase("lead.door_shut", {{"door", name}, {"key", context_.keys.keys_of(Command::Use)}});
+    if (!door.approach_m.empty()) return phrase("movers.opens_by_itself", {{"name", name}});
+    const std::optional<FeatureId> button = button_of(world_, mover, body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m));
+    if (!button) return phrase("movers.opened_from_elsewhere", {{"name", name}});
+    return phrase("movers.opened_by_button", {{"name", name},
+                                              {"button", sentence_case(name_of(context_, *button))},
+                                              {"where", where_words(context_, box_of(*world_.scene, *button))}});
+}
+
+// What a step of a thing would meet. Nothing: the step is made, and who stands on the thing goes along.
+Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement& to) {
+    if (world_.thing_of_mover[mover] < 0) return Meeting::None;
+    const auto thing = [&](std::uint32_t i) { return static_cast<std::size_t>(world_.thing_of_mover[i]); };
+    const PlacedModel& own = world_.scene->placed[thing(mover)];
+    const BodyShape body = body_.walker->shape();
+    const Aabb there = placed_bounds(own.model->bounds_m, to);
+
+    const Riding ride = body_.walker->state().on_ground ? rides(own, from, body_.feet_m(), body) : Riding::Not;
+    const Vec3 way = carried(body_.feet_m(), from, to) - body_.feet_m();
+    const bool goes_along = ride == Riding::ByMiddle || (ride == Riding::ByRim && way.z > 0.0);
+    Vec3 feet = body_.feet_m();
+    if (goes_along) {
+        const auto index = static_cast<std::int32_t>(thing(mover));
+        if (way.z < 0.0) {
+            // Who has a foot on the floor beside it would stay behind, so is taken wholly onto it.
+            const Vec3 onto = onto_thing(placed_bounds(own.model->bounds_m, from), feet, body.radius_m);
+            feet = world_.solids->trace(feet, feet + onto, body, false, index).end_m;
+        }
+        const TraceHit hit = world_.solids->trace(feet, feet + way, body, false, index);
+        if (hit.hit && hit.normal.z < kCeiling) return Meeting::Body;
+        feet = hit.end_m;
+    } else if (!passes_bodies(world_.scene->features[own.feature.value], world_.movers.goes_to_rest(mover)) &&
+               overlap(there, body_box(feet, body)) && meets_body(own.model, to, feet, body)) {
+        // Whom it has come over otherwise it goes away from; but nothing shuts on anybody.
+        if (world_.movers.goes_to_rest(mover) || !meets_body(own.model, from, feet, body)) return Meeting::Body;
+    }
+
+    for (std::uint32_t other = 0; other < world_.movers.size(); ++other) {
+        if (other == mover || world_.thing_of_mover[other] < 0 || let_through(*world_.scene, mover, other)) continue;
+        const PlacedModel& its = world_.scene->placed[thing(other)];
+        const Placement at = world_.movers.at(other);
+        if (!overlap(there, placed_bounds(its.model->bounds_m, at)) || !things_meet(*own.model, to, *its.model, at))
+            continue;
+        if (!things_meet(*own.model, from, *its.model, at)) return Meeting::Mover;
+    }
+
+    if (goes_along) {
+        WalkerState stood = body_.walker->state();
+        stood.feet_m = feet;
+        body_.walker->resume(stood);
+        if (!(from.rotation == to.rotation)) {
+            const Vec3 ahead =
+                PlacedFrame(to).turned(PlacedFrame(from).turned_back(forward_of_heading(body_.heading_rad)));
+            const double turned = wrap_angle(std::atan2(ahead.x, ahead.y) - body_.heading_rad);
+            body_.heading_rad = wrap_angle(body_.heading_rad + turned);
+            body_.heading_goal_rad = wrap_angle(body_.heading_goal_rad + turned);
+        }
+    }
+    return Meeting::None;
+}
+
+void Doors::tick(double now_s, double dt_s) {
+    if (world_.movers.size() == 0) return;
+    const Aabb stand = body_box(body_.feet_m(), body_.walker->shape());
+    for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {
+        if (world_.scene->movers[i].approach_m.empty() || world_.thing_of_mover[i] < 0) continue;
+        const auto thing = static_cast<std::size_t>(world_.thing_of_mover[i]);
+        if (overlap(world_.scene->movers[i].approach_m, stand)) world_.movers.come_near(i);
+        else if (rides(world_.scene->placed[thing], world_.things.at(thing), body_.feet_m(), body_.walker->shape()) ==
+                 Riding::Not)
+            world_.movers.leave_alone(i);
+    }
+    if (!world_.movers.any_moving() && !world_.movers.any_waiting() && !world_.movers.any_endless()) return;
+
+    std::vector<MoverEvent> events;
+    world_.movers.tick(
+        dt_s, [this](std::uint32_t mover, const Placement& from, const Placement& to) { return meet(mover, from, to); },
+        events);
+    for (std::uint32_t i = 0; i < world_.movers.size(); ++i)
+        if (world_.thing_of_mover[i] >= 0)
+            world_.things.put(static_cast<std::size_t>(world_.thing_of_mover[i]), world_.movers.at(i));
+    tell(events, now_s);
+}
+
+void Doors::tell(std::span<const MoverEvent> events, double now_s) {
+    for (const MoverEvent& event : events) {
+        const Mover& mover = world_.scene->movers[event.mover];
+        const Feature& feature = world_.scene->features[mover.feature.value];
+        if (world_.thing_of_mover[event.mover] < 0) continue;
+        const Aabb box = placed_bounds(
+            world_.scene->placed[static_cast<std::size_t>(world_.thing_of_mover[event.mover])].model->bounds_m,
+            world_.movers.at(event.mover));
+        if (mover.endless()) {
+            tell_endless(event, box, now_s);
+            continue;
+        }
+        if (event.kind == MoverEvent::Kind::Arrives) arrived_ = true;
+        const Vec3 middle = feature.bounds_m.centre_m();
+        const double distance_m = glm::length(middle - body_.feet_m());
+        // One leaf speaks for a group, and only what is near is told in words; a locked door, which waited for its
+        // button, from anywhere.
+        const bool first = std::none_of(world_.scene->movers.begin(), world_.scene->movers.begin() + event.mover,
+                                        [&](const Mover& other) { return other.group == mover.group; });
+        if (!first) continue;
+        CueRequest sound;
+        sound.kind = CueRequestKind::Play;
+        sound.sound =
+            event.kind == MoverEvent::Kind::Leaves && !event.at_rest ? SoundKind::DoorMoves : SoundKind::DoorShuts;
+        sound.time_s = now_s;
+        sound.position_m = middle;
+        sound.material = world_.scene->material(feature.material).sound;
+        if (event.kind == MoverEvent::Kind::Leaves || (event.kind == MoverEvent::Kind::Arrives && event.at_rest)) {
+            const bool speaks = distance_m < 10.0 || locked(world_, event.mover);
+            if (event.kind == MoverEvent::Kind::Leaves && event.at_rest) continue;  // it shuts: heard when it is shut
+            context_.cues.cue(std::move(sound));
+            if (!speaks) continue;
+            const std::string name = sentence_case(spoken_name(feature));
+            const bool opens = feature.kind == FeatureKind::Door, button = feature.kind == FeatureKind::Button;
+            // What a button has brought about is an answer: as the name of what is met it would replace "button
+            // pressed", or be replaced by it.
+            const SpeechClass as = locked(world_, event.mover) ? SpeechClass::Answer : SpeechClass::Contact;
+            if (event.kind == MoverEvent::Kind::Leaves)
+                context_.say(phrase(opens    ? "movers.opens"
+                                    : button ? "movers.pressed"
+                                             : "movers.moves",
+                                    {{"name", name}}),
+                             as, now_s);
+            else
+                context_.say(phrase(opens    ? "movers.is_shut"
+                                    : button ? "movers.is_out_again"
+                                             : "movers.is_back",
+                                    {{"name", name}}),
+                             SpeechClass::Ambient, now_s);
+        } else if (event.kind == MoverEvent::Kind::TurnsBack) {
+            const bool opens_again = feature.kind == FeatureKind::Door && !event.at_rest;
+            context_.say(phrase(opens_again ? "movers.met_you" : "movers.met_you_goes_back",
+                                {{"name", sentence_case(spoken_name(feature))}}),
+                         SpeechClass::Contact, now_s);
+        } else if (feature.kind == FeatureKind::Lift) {
+            context_.say(
+                stops_words(mover, world_.movers.at(event.mover).position_m.z, sentence_case(spoken_name(feature))),
+                SpeechClass::Contact, now_s);
+        }
+    }
+}
+
+// A train or turning part comes by again and again: heard, and told only to who stands on it or in its way.
+void Doors::tell_endless(const MoverEvent& event, const Aabb& box_m, double now_s) {
+    const Feature& feature = world_.scene->features[world_.scene->movers[event.mover].feature.value];
+    const std::string name = sentence_case(spoken_name(feature));
+    if (event.kind == MoverEvent::Kind::Waits)
+        return context_.say(phrase("movers.met_you_waits", {{"name", name}}), SpeechClass::Contact, now_s);
+    CueRequest sound = sound_at(event.kind == MoverEvent::Kind::Leaves ? SoundKind::DoorMoves : SoundKind::DoorShuts,
+                                box_m.centre_m(), now_s);
+    sound.material = world_.scene->material(feature.material).sound;
+    context_.cues.cue(std::move(sound));
+    if (world_.scene->movers[event.mover].feature == body_.ground)
+        context_.say(phrase(event.kind == MoverEvent::Kind::Leaves ? "movers.moves" : "movers.stops", {{"name", name}}),
+                     SpeechClass::Contact, now_s);
+}
+
+// ---- the shut ones ----
+
+// A shut door across the way is told_ once, with the key that opens it; again once it has been open.
+void Doors::tell_shut(FeatureId feature, double now_s) {
+    const int mover = mover_of(world_, feature);
+    if (mover < 0 || world_.scene->features[feature.value].kind != FeatureKind::Door) return;
+    const auto before = std::find(told_.begin(), told_.end(), feature);
+    if (!shut(world_, static_cast<std::uint32_t>(mover))) {
+        if (before != told_.end()) told_.erase(before);
+        return;
+    }
+    if (before != told_.end()) return;
+    told_.push_back(feature);
+    context_.say(shut_words(static_cast<std::uint32_t>(mover)), SpeechClass::Answer, now_s);
+}
+
+void Doors::tell_touched(double now_s) {
+    for (std::uint8_t i = 0; i < context_.hands.tool.contacts.count; ++i)
+        tell_shut(context_.hands.tool.contacts.contacts[i].feature, now_s);
+}
+
+// Those that the body comes to.
+void Doors::tell_ahead(const Vec3& ahead_m, double now_s) {
+    const Vec3 up(0.0, 0.0, kWaist_m);
+    for (const Crossing& crossing : world_.solids->crossings(body_.feet_m() + up, ahead_m + up))
+        tell_shut(crossing.feature, now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,310 @@
+#include "app/core/places/kept_ways.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "app/core/context/telling.h"
+#include "app/core/wayfinding/way_words.h"
+#include "app/core/world/surroundings.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kTrailNear_m = 1.0;
+
+std::string names_of(std::span<const Stop> stops) {
+    std::vector<std::string> names;
+    for (const Stop& stop : stops)
+        if (!stop.name.empty()) names.push_back(stop.name);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+bool KeptWays::act(Command command, double now_s) {
+    switch (command) {
+        case Command::Ways:
+            open_all(now_s);
+            return true;
+        case Command::KeepWay:
+            open_keep(now_s);
+            return true;
+        default:
+            return false;
+    }
+}
+
+// ---- what is kept ----
+
+void KeptWays::enter_world(double now_s) {
+    begins_m_.reset();
+    std::vector<Error> faults;
+    ways_ = read_ways(context_.additions, faults);
+    if (!faults.empty()) context_.say(unreadable_words("ways.unreadable", faults), SpeechClass::Answer, now_s);
+    // Where nobody looks for the rooms beside, a way that may not fit is the reason to look now.
+    const bool doubtful = std::any_of(ways_.begin(), ways_.end(), [&](const SavedWay& way) {
+        return way.world != context_.additions.world_checksum();
+    });
+    if (doubtful && !rooms_.beside() && rooms_.known()) rooms_.notice(now_s, true);
+}
+
+void KeptWays::take_again() {
+    std::vector<Error> faults;  // told on entering
+    ways_ = read_ways(context_.additions, faults);
+}
+
+FoundWay KeptWays::look_at(const SavedWay& way) const {
+    return look_up(way, *context_.world.scene, context_.additions, rooms_.navigation(), rooms_.graph());
+}
+
+std::string KeptWays::fault_words_of(const FoundWay& found) const {
+    return fault_words(found, [this](double way_m) { return distance_words(way_m, distances(context_)); });
+}
+
+void KeptWays::tell_unfit(double now_s) {
+    std::vector<std::string> unfit;
+    for (const SavedWay& way : ways_)
+        if (way.world != context_.additions.world_checksum())
+            if (const std::string faults = fault_words_of(look_at(way)); !faults.empty())
+                unfit.push_back(phrase("ways.unfit_one", {{"way", way.name}, {"faults", faults}}));
+    if (std::string words = unfit_words("ways.unfit", unfit, ways_.size()); !words.empty())
+        context_.say(std::move(words), SpeechClass::Answer, now_s);
+}
+
+void KeptWays::save(double now_s) {
+    write_ways(context_.additions, ways_);
+    context_.asks.save_additions(now_s);
+}
+
+void KeptWays::follow_room_name(const std::string& before, const std::string& name) {
+    if (before.empty()) return;
+    bool changed = false;
+    for (SavedWay& way : ways_)
+        for (Stop& stop : way.stops)
+            if (!stop.room.empty() && lower_ascii(stop.room) == lower_ascii(before)) {
+                stop.room = name;
+                changed = true;
+            }
+    if (changed) write_ways(context_.additions, ways_);
+}
+
+// ---- keeping ----
+
+void KeptWays::open_keep(double now_s) {
+    if (!rooms_.have(now_s)) return;
+    ListSpec list;
+    list.title = phrase("ways.keep_which");
+    std::vector<std::vector<Stop>> offers;
+    if (planned_.stops().size() > 1) {
+        list.items.push_back({phrase("ways.planned"), names_of(planned_.stops()), false});
+        offers.push_back(planned_.stops());
+    }
+    const auto offer = [&](std::string name, std::span<const Vec3> trail) {
+        const double way_m = length_of(trail);
+        if (way_m < kAtStop_m) return;
+        std::vector<Vec3> corners = corners_of(trail, kTrailBend_m);
+        for (double bend_m = 2.0 * kTrailBend_m; corners.size() > kMostStops; bend_m *= 2.0)
+            corners = corners_of(trail, bend_m);
+        std::vector<Stop> stops{stop_at_place(rooms_, corners.front(), phrase("ways.begin"))};
+        for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+            stops.push_back({.name = {}, .place_m = corners[i], .thing = {}, .room = {}, .kept = {}});
+        stops.push_back(stop_at_place(rooms_, corners.back(), phrase("ways.end")));
+        list.items.push_back({std::move(name), distance_words(way_m, distances(context_)), false});
+        offers.push_back(std::move(stops));
+    };
+    const std::vector<Vec3>& crumbs = context_.body.crumbs_m;
+    if (begins_m_) offer(phrase("ways.walked_since_begun"), trail_since(crumbs, *begins_m_, kTrailNear_m));
+    offer(phrase("ways.walked"), crumbs);
+    for (const Mark& mark : context_.world.marks)
+        offer(phrase("ways.walked_since", {{"mark", mark.name}}), trail_since(crumbs, mark.place_m, kTrailNear_m));
+    list.items.push_back({phrase("ways.begin_here"), {}, false});
+    list.chosen = [this, offers](std::size_t i) {
+        if (i < offers.size()) return ask_name(offers[i], context_.tick_s);
+        begins_m_ = context_.body.feet_m();
+        context_.answer(phrase("ways.begun", {{"key", context_.keys.keys_of(Command::KeepWay)}}), context_.tick_s);
+    };
+    context_.open_list(std::move(list), now_s);
+}
+
+bool KeptWays::name_taken(const std::string& name, std::size_t except) const {
+    for (std::size_t i = 0; i < ways_.size(); ++i)
+        if (i != except && lower_ascii(ways_[i].name) == lower_ascii(name)) return true;
+    return false;
+}
+
+void KeptWays::ask_name(const std::vector<Stop>& stops, double now_s) {
+    const std::string plain = phrase("ways.name", {{"from", stops.front().name}, {"to", stops.back().name}});
+    std::string name = good_name(plain).value_or(stops.back().name);
+    for (std::size_t number = 2; name_taken(name, ways_.size()) && number <= ways_.size() + 1; ++number)
+        name = phrase("ways.name_again", {{"to", stops.back().name}, {"number", number}});
+    TextSpec question;
+    question.question = phrase("ways.ask_name", {{"name", name}});
+    question.text = name;
+    question.done = [this, stops](const std::string& typed) {
+        const auto good = free_name(typed, ways_.size(), context_.tick_s);
+        if (!good) return;
+        ways_.push_back({*good, stops, context_.additions.world_checksum(), {}});
+        save(context_.tick_s);
+        context_.answer(phrase("ways.kept", {{"way", *good}}), context_.tick_s);
+    };
+    question.left = [this] { context_.answer(phrase("ways.not_kept"), context_.tick_s); };
+    context_.ask_text(std::move(question), now_s);
+}
+
+// A good name that no other way has; else says why not.
+std::optional<std::string> KeptWays::free_name(const std::string& typed, std::size_t except, double now_s) const {
+    const auto good = good_name(typed);
+    if (!good) {
+        context_.answer(good.error().message, now_s);
+        return std::nullopt;
+    }
+    if (!name_taken(*good, except)) return *good;
+    context_.answer(phrase("ways.taken", {{"name", *good}}), now_s);
+    return std::nullopt;
+}
+
+// ---- choosing ----
+
+void KeptWays::open_all(double now_s) {
+    if (ways_.empty())
+        return context_.answer(phrase("ways.none", {{"key", context_.keys.keys_of(Command::KeepWay)}}), now_s);
+    if (!rooms_.have(now_s)) return;
+    ListSpec list;
+    list.title = phrase("ways.title");
+    for (const SavedWay& way : ways_) {
+        const std::string between = names_of(std::span(way.stops).subspan(1, way.stops.size() - 2));
+        const std::string value = between.empty() ? std::string() : phrase("ways.by_way_of", {{"stops", between}});
+        const bool fits = look_at(way).faults.empty();
+        list.items.push_back(
+            {way.name,
+             fits ? value : phrase("ways.may_not_fit", {{"stops", value}, {"any", between.empty() ? "no" : "yes"}}),
+             false});
+    }
+    list.chosen = [this](std::size_t i) { open(i, context_.tick_s); };
+    context_.open_list(std::move(list), now_s);
+}
+
+void KeptWays::open(std::size_t which, double now_s) {
+    if (which >= ways_.size()) return;
+    const SavedWay& way = ways_[which];
+    const FoundWay found = look_at(way);
+    const std::string faults = fault_words_of(found);
+    ListSpec list;
+    list.title = faults.empty() ? way.name : phrase("ways.fits_not", {{"way", way.name}, {"faults", faults}});
+    std::vector<std::function<void()>> acts;
+    const auto add = [&](const char* key, std::function<void()> act) {
+        list.items.push_back({phrase(key), {}, false});
+        acts.push_back(std::move(act));
+    };
+    add_ways_to_go(list, acts, way.name, found.stops);
+    add("ways.backwards", [this, which] { open_backwards(which, context_.tick_s); });
+    add("ways.add_stop", [this, which] { open_add_stop(which, context_.tick_s); });
+    if (!faults.empty()) add("ways.take_over", [this, which] { take_over(which, context_.tick_s); });
+    add("ways.rename", [this, which] { ask_new_name(which, context_.tick_s); });
+    add("ways.delete", [this, which] { remove(which, context_.tick_s); });
+    list.chosen = [acts](std::size_t i) { acts[i](); };
+    context_.open_list(std::move(list), now_s);
+}
+
+void KeptWays::add_ways_to_go(ListSpec& list, std::vector<std::function<void()>>& acts, const std::string& name,
+                              const std::vector<Stop>& stops) {
+    list.items.push_back({phrase("ways.hear"), {}, false});
+    acts.emplace_back(
+        [this, name, stops] { context_.answer(whole_way_words(context_, rooms_, name, stops), context_.tick_s); });
+    list.items.push_back({phrase("ways.follow"), {}, false});
+    acts.emplace_back([this, stops] { on_go(stops, false, context_.tick_s); });
+    list.items.push_back({phrase("ways.lead"), {}, false});
+    acts.emplace_back([this, stops] { on_go(stops, true, context_.tick_s); });
+}
+
+void KeptWays::open_backwards(std::size_t which, double now_s) {
+    std::vector<Stop> stops = look_at(ways_[which]).stops;
+    std::reverse(stops.begin(), stops.end());
+    ListSpec list;
+    list.title = phrase("ways.backwards_title", {{"way", ways_[which].name}});
+    std::vector<std::function<void()>> acts;
+    add_ways_to_go(list, acts, list.title, stops);
+    list.chosen = [acts](std::size_t i) { acts[i](); };
+    context_.open_list(std::move(list), now_s);
+}
+
+// Here, a room, or a thing.
+void KeptWays::open_add_stop(std::size_t which, double now_s) {
+    if (ways_[which].stops.size() >= kMostStops)
+        return context_.answer(phrase("ways.full", {{"most", kMostStops}}), now_s);
+    ListSpec list;
+    list.title = phrase("ways.which_stop");
+    list.items.push_back({phrase("ways.here"), {}, false});
+    const RoomGraph& graph = rooms_.graph();
+    for (const Room& room : graph.rooms)
+        list.items.push_back({sentence_case(room.name),
+                              distance_words(glm::length(room.middle_m - context_.body.feet_m()), distances(context_)),
+                              false});
+    const std::vector<Goal> things = goals(context_);
+    for (const Goal& goal : things) list.items.push_back({goal.name, where_words(context_, goal.box_m), false});
+    list.chosen = [this, which, things, rooms = graph.rooms.size()](std::size_t i) {
+        if (i == 0)
+            return add_stop(which, stop_at_place(rooms_, context_.body.feet_m(), phrase("ways.end")), context_.tick_s);
+        if (i <= rooms)
+            return add_stop(which, stop_in_room(rooms_, static_cast<std::uint32_t>(i - 1)), context_.tick_s);
+        add_stop(which, stop_at_goal(context_, rooms_, things[i - rooms - 1], ways_[which].stops.back().place_m),
+                 context_.tick_s);
+    };
+    context_.open_list(std::move(list), now_s);
+}
+
+void KeptWays::add_stop(std::size_t which, Stop stop, double now_s) {
+    SavedWay& way = ways_[which];
+    // Looked up again as it is now, since it gets the checksum of this world with the new stop.
+    if (way.world != context_.additions.world_checksum() && !look_at(way).faults.empty())
+        return context_.answer(phrase("ways.take_over_first", {{"way", way.name}}), now_s);
+    way.world = context_.additions.world_checksum();
+    const std::string name = stop.name, way_name = way.name;
+    way.stops.push_back(std::move(stop));
+    save(now_s);  // by which ways_ may be others
+    context_.answer(phrase("ways.stop_added", {{"way", way_name}, {"stop", name}}), now_s);
+}
+
+// What was found elsewhere is kept there; what is gone is forgotten, its place stays.
+void KeptWays::take_over(std::size_t which, double now_s) {
+    SavedWay& way = ways_[which];
+    FoundWay found = look_at(way);
+    for (const StopFault& fault : found.faults) {
+        Stop& stop = found.stops[fault.stop];
+        if (fault.kind == StopFault::Kind::ThingGone) stop.thing.clear();
+        if (fault.kind == StopFault::Kind::RoomGone) stop.room.clear();
+        if (fault.kind == StopFault::Kind::ThingMoved)
+            stop.thing_m = glm::length(nearest_place(goal_of(context_, stop).box_m, stop.place_m) - stop.place_m);
+    }
+    way.stops = std::move(found.stops);
+    way.world = context_.additions.world_checksum();
+    const std::string name = way.name;
+    save(now_s);  // by which ways_ may be others
+    context_.answer(phrase("ways.kept", {{"way", name}}), now_s);
+}
+
+void KeptWays::ask_new_name(std::size_t which, double now_s) {
+    TextSpec question;
+    question.question = phrase("ways.ask_name", {{"name", ways_[which].name}});
+    question.text = ways_[which].name;
+    question.done = [this, which](const std::string& typed) {
+        const auto good = free_name(typed, which, context_.tick_s);
+        if (!good) return;
+        ways_[which].name = *good;
+        save(context_.tick_s);
+        context_.answer(*good, context_.tick_s);
+    };
+    context_.ask_text(std::move(question), now_s);
+}
+
+void KeptWays::remove(std::size_t which, double now_s) {
+    const std::string name = ways_[which].name;
+    ways_.erase(ways_.begin() + static_cast<std::ptrdiff_t>(which));
+    save(now_s);
+    context_.answer(phrase("ways.deleted", {{"way", name}}), now_s);
+}
+
+}  // namespace handrail

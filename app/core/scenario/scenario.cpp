@@ -1,0 +1,480 @@
+#include "app/core/scenario/scenario.h"
+
+#include <fmt/format.h>
+
+#include <toml++/toml.h>
+#include <array>
+#include <limits>
+#include <set>
+
+#include "audio-cues/plan/sound_table.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Every sound has a name and every material a word: one table for people and scenarios.
+std::vector<std::string_view> all_sound_names() {
+    std::vector<std::string_view> names;
+    for (const SoundInfo& row : sound_table()) names.push_back(row.name);
+    return names;
+}
+std::vector<std::string_view> all_material_names() {
+    std::vector<std::string_view> names;
+    for (int i = 0; i <= static_cast<int>(SoundClass::Generic); ++i)
+        names.push_back(material_sound_name(static_cast<SoundClass>(i)));
+    return names;
+}
+
+// Thrown inside this file only, so that the reading code can be a list of what is wanted; read_scenario turns it into a
+// Result.
+struct Bad {
+    int line;
+    std::string message;
+};
+
+int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
+
+// A table whose every key must be asked for by the time done() is called.
+class Fields {
+public:
+    Fields(const toml::table& table, std::string what) : table_(table), what_(std::move(what)) {}
+    int line() const { return line_of(table_); }
+    bool has(const char* key) {
+        asked_.insert(key);
+        return table_.contains(key);
+    }
+    double number(const char* key, double low, double high) {
+        const toml::node& node = need(key);
+        const auto value = node.value<double>();
+        if (!value || !(node.is_number()) || !(*value >= low && *value <= high))
+            throw Bad{line_of(node),
+                      phrase("scenario.number",
+                             {{"key", key}, {"least", fmt::format("{}", low)}, {"most", fmt::format("{}", high)}})};
+        return *value;
+    }
+    double number_or(const char* key, double otherwise, double low, double high) {
+        return has(key) ? number(key, low, high) : otherwise;
+    }
+    std::string text(const char* key) {
+        const toml::node& node = need(key);
+        if (!node.is_string() || node.value<std::string>()->empty())
+            throw Bad{line_of(node), phrase("scenario.text", {{"key", key}})};
+        return *node.value<std::string>();
+    }
+    bool flag(const char* key) {
+        const toml::node& node = need(key);
+        if (!node.is_boolean()) throw Bad{line_of(node), phrase("scenario.flag", {{"key", key}})};
+        return *node.value<bool>();
+    }
+    // Three numbers; `any` is written "any" and becomes NaN where allowed.
+    Vec3 vector(const char* key, bool allow_any = false) {
+        const toml::array* list = need(key).as_array();
+        if (!list || list->size() != 3) throw Bad{line_of(need(key)), phrase("scenario.three", {{"key", key}})};
+        Vec3 v{0.0};
+        for (int i = 0; i < 3; ++i) {
+            const toml::node& node = *list->get(static_cast<std::size_t>(i));
+            if (allow_any && node.is_string() && *node.value<std::string>() == "any")
+                v[i] = std::numeric_limits<double>::quiet_NaN();
+            else if (node.is_number() && std::isfinite(*node.value<double>())) v[i] = *node.value<double>();
+            else throw Bad{line_of(node), phrase("scenario.three_finite", {{"key", key}})};
+        }
+        return v;
+    }
+    std::array<double, 2> range(const char* key) {
+        const toml::array* list = need(key).as_array();
+        if (!list || list->size() != 2 || !list->get(0)->is_number() || !list->get(1)->is_number())
+            throw Bad{line_of(need(key)), phrase("scenario.two", {{"key", key}})};
+        const std::array<double, 2> r{*list->get(0)->value<double>(), *list->get(1)->value<double>()};
+        if (!(r[0] <= r[1])) throw Bad{line_of(*list), phrase("scenario.lower_first", {{"key", key}})};
+        return r;
+    }
+    const toml::node& node(const char* key) { return need(key); }
+    void done() const {
+        std::vector<std::string> known(asked_.begin(), asked_.end());
+        for (const auto& [key, node] : table_)
+            if (!asked_.contains(std::string(key.str())))
+                throw Bad{line_of(node),
+                          phrase("scenario.has_no",
+                                 {{"what", what_}, {"key", key.str()}, {"nearest", nearest_name(key.str(), known)}})};
+    }
+
+private:
+    const toml::node& need(const char* key) {
+        asked_.insert(key);
+        const toml::node* node = table_.get(key);
+        if (!node) throw Bad{line_of(table_), phrase("scenario.needs", {{"what", what_}, {"key", key}})};
+        return *node;
+    }
+    const toml::table& table_;
+    std::string what_;
+    std::set<std::string> asked_;
+};
+
+Command command_named(Fields& fields, const char* key) {
+    const std::string word = fields.text(key);
+    if (const CommandInfo* row = find_command(word)) return row->command;
+    std::vector<std::string> known;
+    for (const CommandInfo& row : command_table()) known.emplace_back(row.word);
+    throw Bad{line_of(fields.node(key)),
+              phrase("scenario.no_command", {{"word", word}, {"nearest", nearest_name(word, known)}})};
+}
+
+constexpr double kLongest_s = 3600.0;
+
+// Where the worlds and models that a scenario names are looked for.
+struct Folders {
+    fs::path beside;
+    std::vector<fs::path> others;
+};
+
+fs::path find_world(const std::string& name, const Folders& folders, int line) {
+    std::vector<fs::path> places{folders.beside, folders.beside / "worlds"};
+    places.insert(places.end(), folders.others.begin(), folders.others.end());
+    for (const fs::path& folder : places)
+        if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
+    throw Bad{line, phrase("scenario.no_world", {{"name", name}})};
+}
+
+// turn_deg about turn_axis, upright where none is given.
+std::optional<Rotation> read_turn(Fields& fields) {
+    if (!fields.has("turn_deg")) return std::nullopt;
+    const Vec3 axis = fields.has("turn_axis") ? fields.vector("turn_axis") : Vec3(0.0, 0.0, 1.0);
+    const double length = glm::length(axis);
+    if (!(length > 0.0)) throw Bad{fields.line(), phrase("scenario.zero", {{"key", "turn_axis"}})};
+    return rotation_about(axis / length, radians_from_degrees(fields.number("turn_deg", -360.0, 360.0)));
+}
+
+bool is_left(Fields& fields) {
+    if (!fields.has("whose")) return false;
+    const std::string hand = fields.text("whose");
+    if (hand != "left" && hand != "right") throw Bad{fields.line(), phrase("scenario.whose")};
+    return hand == "left";
+}
+
+ScenarioAction read_action(const toml::table& table, const Folders& folders) {
+    Fields fields(table, "action");
+    ScenarioAction action;
+    action.line = fields.line();
+    int kinds = 0;
+    const auto is = [&](const char* key) { return fields.has(key) && (++kinds, true); };
+    if (is("press")) action.step = TapCommand{command_named(fields, "press")};
+    if (is("hold")) action.step = HoldCommand{command_named(fields, "hold"), fields.number("for_s", 0.0, kLongest_s)};
+    if (is("key")) action.step = TapKey{fields.text("key")};
+    if (is("type")) action.step = TypeText{fields.text("type")};
+    if (is("wait_s")) action.step = Wait{fields.number("wait_s", 0.0, kLongest_s)};
+    if (is("move_to"))
+        action.step = MoveHand{fields.vector("move_to"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), false};
+    if (is("move_by"))
+        action.step = MoveHand{fields.vector("move_by"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0), true};
+    if (is("hand_to"))
+        action.step = MoveInDevice{{}, fields.vector("hand_to"), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0)};
+    if (is("control")) {
+        MoveInDevice move{fields.text("control"), Vec3(0.0), fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0)};
+        move.to_m = Vec3(fields.number_or("right_mm", 0.0, -1e3, 1e3), fields.number("off_mm", -1e3, 1e3),
+                         fields.number_or("up_mm", 0.0, -1e3, 1e3)) *
+                    1e-3;
+        action.step = std::move(move);
+    }
+    if (is("push_n")) action.step = PushHand{fields.vector("push_n"), fields.number("for_s", 0.0, kLongest_s)};
+    if (is("rest_at")) action.step = RestHand{fields.vector("rest_at"), fields.number("for_s", 0.0, kLongest_s)};
+    if (is("add")) {
+        AddThing add;
+        add.name = fields.text("add");
+        if (fields.has("box") == fields.has("model")) throw Bad{action.line, phrase("scenario.add")};
+        if (fields.has("box")) add.box_m = fields.vector("box");
+        else add.model = find_world(fields.text("model"), folders, line_of(fields.node("model")));
+        add.at.position_m = fields.vector("at");
+        add.at.rotation = read_turn(fields).value_or(Rotation{});
+        add.at.scale = fields.number_or("scale", 1.0, 1e-3, 1e3);
+        if (fields.has("material")) add.material = fields.text("material");
+        action.step = std::move(add);
+    }
+    if (is("remove")) action.step = RemoveThing{fields.text("remove")};
+    if (is("send")) {
+        SendThing send{
+            fields.text("send"), {}, read_turn(fields), {}, fields.number_or("speed_m_per_s", 0.3, 1e-6, 100.0)};
+        if (fields.has("to")) send.to_m = fields.vector("to");
+        if (fields.has("scale")) send.scale = fields.number("scale", 1e-3, 1e3);
+        action.step = std::move(send);
+    }
+    if (is("trouble")) {
+        const std::string kind = fields.text("trouble");
+        static const std::vector<std::string> kinds_known{"nan", "jump", "freeze", "unplug", "late", "hot", "error"};
+        if (std::find(kinds_known.begin(), kinds_known.end(), kind) == kinds_known.end())
+            throw Bad{line_of(fields.node("trouble")),
+                      phrase("scenario.no_trouble", {{"word", kind}, {"nearest", nearest_name(kind, kinds_known)}})};
+        action.step = ScenarioTrouble{kind, fields.number("for_s", 0.0, kLongest_s)};
+    }
+    if (is("button")) action.step = DeviceButton{fields.flag("button")};
+    if (is("focus")) action.step = KeyboardFocus{fields.flag("focus")};
+    if (is("place"))
+        action.step = PlaceBody{fields.vector("place"),
+                                radians_from_degrees(fields.number_or("heading_deg", 0.0, -360.0, 360.0))};
+    if (is("set")) {
+        const std::string pair = fields.text("set");
+        const std::size_t equals = pair.find('=');
+        if (equals == std::string::npos) throw Bad{line_of(fields.node("set")), phrase("scenario.set")};
+        action.step = ChangeSetting{pair.substr(0, equals), pair.substr(equals + 1)};
+    }
+    if (fields.has("name")) action.name = fields.text("name");
+    if (fields.has("at_s")) action.at_s = fields.number("at_s", 0.0, kLongest_s);
+    action.left = is_left(fields);
+    if (fields.has("meanwhile")) action.meanwhile = fields.flag("meanwhile");
+    fields.done();
+    if (kinds != 1) throw Bad{action.line, phrase("scenario.one_action")};
+    return action;
+}
+
+// The moves that one sweep stands for.
+std::vector<ScenarioAction> read_sweep(const toml::table& table) {
+    Fields fields(table, "sweep");
+    const Vec3 at = fields.vector("sweep_at");
+    const double from_deg = fields.number("from_deg", -360.0, 360.0), to_deg = fields.number("to_deg", -360.0, 720.0);
+    const int angles = static_cast<int>(fields.number("angles", 1.0, 360.0));
+    const double reach_m = fields.number("reach_m", 0.0, 1e3), depth_m = fields.number("depth_m", 0.0, 1e3);
+    const double speed = fields.number_or("speed_m_per_s", 0.1, 1e-6, 100.0);
+    const std::string name = fields.has("name") ? fields.text("name") : std::string{};
+    fields.done();
+    std::vector<ScenarioAction> moves;
+    for (int i = 0; i < angles; ++i) {
+        const double heading =
+            radians_from_degrees(from_deg + (angles > 1 ? (to_deg - from_deg) * i / (angles - 1) : 0.0));
+        const Vec3 away = forward_of_heading(heading);
+        for (const Vec3& to : {at + away * reach_m, at - away * depth_m, at + away * reach_m})
+            moves.push_back({.name = {}, .step = MoveHand{to, speed, false}, .at_s = {}, .line = fields.line()});
+    }
+    if (!name.empty()) {
+        moves.front().name = name;
+        moves.back().name = name + " last";
+    }
+    return moves;
+}
+
+Moment read_moment(Fields& fields, const char* key, const std::set<std::string>& names) {
+    const toml::node& node = fields.node(key);
+    if (node.is_number()) return Moment{{}, false, fields.number(key, 0.0, kLongest_s)};
+    Moment moment;
+    moment.action = fields.text(key);
+    if (moment.action.ends_with(" ends")) {
+        moment.at_end = true;
+        moment.action.resize(moment.action.size() - 5);
+    }
+    if (!names.contains(moment.action))
+        throw Bad{
+            line_of(node),
+            phrase("scenario.no_action",
+                   {{"word", moment.action},
+                    {"nearest", nearest_name(moment.action, std::vector<std::string>(names.begin(), names.end()))}})};
+    return moment;
+}
+
+void must_be_one_of(const std::string& word, std::span<const std::string_view> known, int line, const char* otherwise) {
+    if (std::find(known.begin(), known.end(), word) != known.end()) return;
+    throw Bad{line, phrase(otherwise,
+                           {{"word", word},
+                            {"nearest", nearest_name(word, std::vector<std::string>(known.begin(), known.end()))}})};
+}
+
+Expectation read_expectation(const toml::table& table, const std::set<std::string>& names) {
+    Fields fields(table, "expectation");
+    Expectation e;
+    e.line = fields.line();
+    int kinds = 0;
+    const auto is = [&](const char* key, Check check) {
+        if (!fields.has(key)) return false;
+        ++kinds;
+        e.check = check;
+        return true;
+    };
+    const auto sound = [&](const char* key) {
+        e.text = fields.text(key);
+        must_be_one_of(e.text, all_sound_names(), e.line, "scenario.no_sound");
+        if (fields.has("material")) {
+            e.material = fields.text("material");
+            must_be_one_of(e.material, all_material_names(), e.line, "scenario.no_material");
+        }
+        if (fields.has("muffled_db")) e.muffled_db = fields.range("muffled_db");
+        if (fields.has("pitch")) e.pitch = fields.range("pitch");
+    };
+    const auto direction = [&](const char* key) {
+        e.vector = fields.vector(key);
+        e.has_vector = true;
+        const double length = glm::length(e.vector);
+        if (!(length > 0.0)) throw Bad{e.line, phrase("scenario.zero", {{"key", "direction"}})};
+        e.vector /= length;
+    };
+    const auto place = [&](const char* key) {
+        e.vector = fields.vector(key, true);
+        e.has_vector = true;
+        e.tolerance = fields.number("within_m", 0.0, 1e6);
+        e.always = false;
+    };
+    if (is("say", Check::Say)) e.text = fields.text("say");
+    if (is("not_say", Check::NotSay)) e.text = fields.text("not_say");
+    if (is("say_in_order", Check::SayInOrder)) e.text = fields.text("say_in_order");
+    if (is("nothing_twice_s", Check::NothingTwice)) e.high = fields.number("nothing_twice_s", 0.0, 1e6);
+    if (is("sound_faster", Check::SoundFaster)) sound("sound_faster");
+    if (is("sound", Check::Sound)) {
+        sound("sound");
+        e.high = fields.number_or("latency_ms", -1.0, 0.0, 10000.0);
+    }
+    if (is("not_sound", Check::NotSound)) sound("not_sound");
+    if (is("sound_rising", Check::SoundRising)) sound("sound_rising");
+    if (is("force_n", Check::Force)) {
+        const auto range = fields.range("force_n");
+        e.low = range[0];
+        e.high = range[1];
+        if (fields.has("direction")) direction("direction");
+    }
+    if (is("force_step_n", Check::ForceStep)) e.high = fields.number("force_step_n", 0.0, 1e6);
+    if (is("force_spike", Check::ForceSpike)) e.high = fields.number("force_spike", 0.0, 1e6);
+    if (is("force_line_n", Check::ForceLine)) {
+        e.high = fields.number("force_line_n", 0.0, 1e6);
+        e.from_hz = e.to_hz = fields.number("hz", 0.1, 500.0);
+    }
+    if (is("force_band_n", Check::ForceBand)) {
+        e.high = fields.number("force_band_n", 0.0, 1e6);
+        e.from_hz = fields.number("from_hz", 0.1, 500.0);
+        e.to_hz = fields.number("to_hz", 0.1, 500.0);
+    }
+    if (is("force_angle_deg", Check::ForceAngle)) {
+        e.high = fields.number("force_angle_deg", 0.0, 180.0);
+        e.vector = fields.vector("direction");
+        const double length = glm::length(e.vector);
+        if (!(length > 0.0)) throw Bad{e.line, phrase("scenario.zero", {{"key", "direction"}})};
+        e.vector /= length;
+    }
+    if (is("depth_mm", Check::Depth)) e.high = fields.number("depth_mm", 0.0, 1e6);
+    if (is("slide_mu", Check::SlideRatio)) {
+        const auto range = fields.range("slide_mu");
+        e.low = range[0];
+        e.high = range[1];
+        direction("direction");
+    }
+    if (is("strongest_line_hz", Check::StrongestLine)) {
+        const auto range = fields.range("strongest_line_hz");
+        e.low = range[0];
+        e.high = range[1];
+        e.from_hz = fields.number("from_hz", 0.1, 500.0);
+        e.to_hz = fields.number("to_hz", 0.1, 500.0);
+        e.tolerance = fields.number("at_least_n", 0.0, 1e6);
+    }
+    if (is("told_apart", Check::ToldApart)) fields.flag("told_apart");
+    if (is("not_told_apart", Check::NotToldApart)) e.text = fields.text("not_told_apart");
+    if (is("force_rising", Check::ForceRising)) fields.flag("force_rising");
+    if (is("body_at", Check::BodyAt)) place("body_at");
+    if (is("hip_at", Check::HipAt)) place("hip_at");
+    if (is("proxy_at", Check::ProxyAt)) place("proxy_at");
+    if (is("heading_deg", Check::Heading)) {
+        e.low = fields.number("heading_deg", -360.0, 360.0);
+        e.tolerance = fields.number_or("within_deg", 0.5, 0.0, 180.0);
+        e.always = false;
+    }
+    if (is("penetration_m", Check::Penetration)) e.high = fields.number("penetration_m", 0.0, 1e6);
+    if (is("touching", Check::Touching)) {
+        e.text = fields.text("touching");
+        e.always = false;
+    }
+    if (is("free", Check::Free)) fields.flag("free");
+    if (fields.has("times")) e.times = static_cast<int>(fields.number("times", 0.0, 1e6));
+    if (fields.has("always")) e.always = fields.flag("always");
+    e.left = is_left(fields);
+    if (fields.has("after")) e.from = read_moment(fields, "after", names);
+    if (fields.has("delay_s")) e.from.offset_s += fields.number("delay_s", 0.0, kLongest_s);
+    if (fields.has("before")) {
+        e.to = read_moment(fields, "before", names);
+        e.has_to = true;
+    }
+    if (fields.has("within_s")) {
+        if (e.has_to) throw Bad{e.line, phrase("scenario.not_both")};
+        e.to = e.from;
+        e.to.offset_s += fields.number("within_s", 0.0, kLongest_s);
+        e.has_to = true;
+    }
+    fields.done();
+    if (kinds != 1) throw Bad{e.line, phrase("scenario.one_check")};
+    return e;
+}
+
+std::string toml_text(const toml::node& node) {
+    if (node.is_string()) return *node.value<std::string>();
+    if (node.is_boolean()) return *node.value<bool>() ? "true" : "false";
+    if (node.is_integer()) return fmt::format("{}", *node.value<std::int64_t>());
+    if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
+    throw Bad{line_of(node), phrase("scenario.setting")};
+}
+
+Scenario read_table(const toml::table& table, const fs::path& file, const std::vector<fs::path>& world_folders) {
+    const Folders folders{file.parent_path(), world_folders};
+    Fields fields(table, "scenario");
+    Scenario scenario;
+    scenario.file = file;
+    scenario.title = fields.text("title");
+    scenario.world = find_world(fields.text("world"), folders, line_of(fields.node("world")));
+    if (fields.has("device")) scenario.device = fields.text("device");
+    if (fields.has("left_device")) scenario.left_device = fields.text("left_device");
+    if (fields.has("start")) {
+        const toml::table* start = fields.node("start").as_table();
+        if (!start) throw Bad{line_of(fields.node("start")), phrase("scenario.start")};
+        Fields inner(*start, "start");
+        scenario.has_start = true;
+        scenario.start_feet_m = inner.vector("feet");
+        scenario.start_heading_rad = radians_from_degrees(inner.number_or("heading_deg", 0.0, -360.0, 360.0));
+        inner.done();
+    }
+    if (fields.has("tail_s")) scenario.tail_s = fields.number("tail_s", 0.0, kLongest_s);
+    if (fields.has("settings")) {
+        const toml::table* settings = fields.node("settings").as_table();
+        if (!settings) throw Bad{line_of(fields.node("settings")), phrase("scenario.settings")};
+        for (const auto& [key, node] : *settings) scenario.settings[std::string(key.str())] = toml_text(node);
+    }
+    const auto each = [&](const char* key, auto&& visit) {
+        if (!fields.has(key)) return;
+        const toml::array* list = fields.node(key).as_array();
+        if (!list) throw Bad{line_of(fields.node(key)), phrase("scenario.tables", {{"key", key}})};
+        for (const toml::node& node : *list) {
+            const toml::table* item = node.as_table();
+            if (!item) throw Bad{line_of(node), phrase("scenario.tables", {{"key", key}})};
+            visit(*item);
+        }
+    };
+    std::set<std::string> names;
+    each("do", [&](const toml::table& item) {
+        std::vector<ScenarioAction> actions;
+        if (item.contains("sweep_at")) actions = read_sweep(item);
+        else actions.push_back(read_action(item, folders));
+        for (ScenarioAction& action : actions) {
+            if (!action.name.empty() && !names.insert(action.name).second)
+                throw Bad{line_of(item), phrase("scenario.two_actions", {{"name", action.name}})};
+            scenario.actions.push_back(std::move(action));
+        }
+    });
+    each("expect", [&](const toml::table& item) { scenario.expectations.push_back(read_expectation(item, names)); });
+    fields.done();
+    if (scenario.expectations.empty()) throw Bad{0, phrase("scenario.expects_nothing")};
+    return scenario;
+}
+
+}  // namespace
+
+Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>& world_folders) {
+    const auto text = read_whole_file(file, std::size_t{1} << 24);
+    if (!text) return tl::unexpected(text.error());
+    const std::string name = file.filename().string();
+    try {
+        const toml::table table = toml::parse(*text, name);
+        return read_table(table, file, world_folders);
+    } catch (const toml::parse_error& error) {
+        return fail(phrase("scenario.not_toml", {{"reason", error.description()}}), name,
+                    static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column));
+    } catch (const Bad& bad) {
+        return fail(bad.message, name, bad.line);
+    }
+}
+
+}  // namespace handrail

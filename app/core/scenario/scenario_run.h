@@ -1,0 +1,17 @@
+// Plays a scenario in a headless session. For `handrail scenario` and tests.
+#pragma once
+
+#include <memory>
+
+#include "app/core/scenario/scenario.h"
+#include "app/core/scenario/session_log.h"
+#include "audio-cues/plan/sinks.h"
+
+namespace handrail {
+
+// Runs a scenario in its world from start to end and keeps what happened. Fails only where the scenario itself asks for
+// something impossible: an unknown device or setting.
+Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
+                                SpeechSink& speech);
+
+}  // namespace handrail

@@ -1,0 +1,61 @@
+// What a headless session left behind, tick by tick, and whether a scenario's expectations hold over it. Pure functions
+// over plain data.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/core/scenario/scenario.h"
+#include "audio-cues/plan/sinks.h"
+#include "worlds/base/feature_id.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+struct LoggedTick {
+    double time_s = 0.0;
+    Vec3 force_n{0.0};  // commanded, world axes
+    Vec3 hip_m{0.0}, proxy_m{0.0};
+    double radius_m = 0.0;
+    double scale = 1.0;  // world metres per hand metre
+    FeatureId touched = kNoFeature;
+    bool contact = false;
+    Vec3 feet_m{0.0};
+    double heading_rad = 0.0;
+};
+
+struct LoggedSound {
+    double time_s = 0.0;  // when the sink was told
+    SoundCue cue;
+    bool loop = false;
+};
+
+struct LoggedLine {
+    double time_s = 0.0;
+    std::string text;
+};
+
+struct SessionLog {
+    std::vector<LoggedTick> ticks;       // one per millisecond
+    std::vector<LoggedTick> left_ticks;  // of the left hand, where there are two
+    std::vector<LoggedSound> sounds;
+    std::vector<LoggedLine> lines;
+    std::map<std::string, std::pair<double, double>> action_times;  // name -> start, end
+    std::shared_ptr<const Scene> scene;  // as it was at the end: it knows the name of everything that was ever added
+    double end_s = 0.0;
+};
+
+// True when the words of `wanted` stand in `line` in that order, ignoring case and punctuation.
+bool words_in_order(const std::string& wanted, const std::string& line);
+
+// The amplitude of the strongest line of `samples` (evenly spaced by dt_s) between two frequencies, after removing the
+// straight line through them and a Hann window (scaled so that a pure sine shows its amplitude). Equal frequencies:
+// that one line.
+double line_amplitude(const std::vector<double>& samples, double dt_s, double from_hz, double to_hz);
+
+// One sentence for each expectation that does not hold: file line, when, what was expected, what was seen instead.
+std::vector<std::string> failures(const Scenario& scenario, const SessionLog& log, const Scene& scene);
+
+}  // namespace handrail

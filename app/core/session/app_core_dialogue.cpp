@@ -1,0 +1,63 @@
+// AppCore's part on lists and typed answers: which keys go to them, and what is said. App thread only.
+#include <algorithm>
+
+#include "app/core/session/app_core.h"
+
+namespace handrail {
+namespace {
+
+// What must work whatever is open. A letter may be wanted as a letter.
+bool works_always(const KeyMap& keys, std::string_view key) {
+    const auto command = keys.find(key);
+    if (!command) return false;
+    return *command == Command::StopEverything || *command == Command::StopSpeech ||
+           (*command == Command::ToggleForces && key.size() > 1);
+}
+
+std::string_view without_blanks(std::string_view text) {
+    while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+    return text;
+}
+
+}  // namespace
+
+bool AppCore::reply(const DialogueReply& reply, double now_s) {
+    if (!reply.taken) return false;
+    if (reply.denied) play(SoundKind::Denied, now_s);
+    if (!reply.words.empty()) answer(reply.words, now_s);
+    return true;
+}
+
+bool AppCore::take_key(std::string_view key, double now_s) {
+    if (works_always(person_.keys, key)) return false;
+    if (menu_.commands().take_key(std::string(key), now_s)) return true;
+    if (!lists_.dialogue.is_open()) return false;
+    quiet(now_s);
+    return reply(lists_.dialogue.key(key, now_s), now_s);
+}
+
+bool AppCore::take_text(std::string_view utf8, double now_s) {
+    if (!lists_.dialogue.is_open()) return false;
+    quiet(now_s);
+    return reply(lists_.dialogue.typed(utf8, now_s), now_s);
+}
+
+bool AppCore::take_act(const ItemAct& act, double now_s) {
+    if (!lists_.dialogue.is_open()) return false;
+    quiet(now_s);
+    return reply(lists_.dialogue.act(act, now_s), now_s);
+}
+
+bool AppCore::take_line(std::string_view line, double now_s) {
+    const std::string_view bare = without_blanks(line);
+    if (lesson_session_.take_line(bare, now_s) || menu_.commands().take_line(bare, now_s)) return true;
+    if (!lists_.dialogue.is_open()) return false;
+    if (const CommandInfo* row = find_command(line);
+        row && (row->command == Command::StopEverything || row->command == Command::ToggleForces))
+        return false;
+    quiet(now_s);
+    return reply(lists_.dialogue.line(line, now_s), now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,41 @@
+// AppCore's part on going on where a session that was never left had come to. App thread only.
+#include <algorithm>
+
+#include "app/core/session/app_core.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kOutside_m = 10.0;  // farther out of the world nobody has stood
+
+}  // namespace
+
+void AppCore::ask_for_last_place(double now_s) {
+    if (!last_place_) {
+        play(SoundKind::Denied, now_s);
+        return answer(phrase("last_place.none"), now_s);
+    }
+    last_place_wanted_ = last_place_;
+}
+
+void AppCore::go_on_at(const LastPlace& last, double now_s) {
+    const Vec3 room(kOutside_m);
+    const Aabb& bounds = world_.scene->bounds_m;
+    if (bounds.empty() || glm::any(glm::lessThan(last.feet_m, bounds.min_m - room)) ||
+        glm::any(glm::greaterThan(last.feet_m, bounds.max_m + room)))
+        return answer(phrase("last_place.gone"), now_s);
+    by_ear_.keep_place();
+    place(last.feet_m, last.heading_rad, now_s);
+    if (world_.solids->blocked(feet_m(), body_.walker->shape())) {
+        const auto free = nearest_free_feet(*world_.solids, feet_m(), body_.walker->shape());
+        if (!free) {
+            walking_.go_home(now_s);
+            return answer(phrase("last_place.gone"), now_s);
+        }
+        place(*free, last.heading_rad, now_s);
+    }
+    answer(phrase("last_place.here", {{"where", where_am_i()}}), now_s);
+}
+
+}  // namespace handrail

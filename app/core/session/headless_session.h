@@ -1,0 +1,77 @@
+// The whole program on a virtual clock in one thread: servo a thousand times a second, cues two hundred times, the app
+// sixty times. What the threads do in a real session happens here in a fixed order, so the same input gives the same
+// output. For scenarios and tests.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "app/core/session/app_core.h"
+#include "audio-cues/plan/sinks.h"
+#include "haptic/device/simulated_device.h"
+#include "haptic/servo/servo_switches.h"
+#include "haptic/servo/servo_tick.h"
+
+namespace handrail {
+
+class HeadlessSession {
+public:
+    // The sinks are told everything in virtual time and must outlive the session. A hand that is not present gets no
+    // servo.
+    HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech);
+
+    AppCore& app() { return app_; }
+    // A second hand, the left one; from then on the one of the constructor is the right one. Facts of none take it away
+    // again.
+    void give_left_hand(const HandFacts& facts);
+    // Another device, or none, for the only or right hand from now on, as when one is unplugged and another taken.
+    void change_hand(const HandFacts& facts);
+    SimulatedHand& hand(std::size_t which = 0) { return *hands_[which].simulated; }
+    const HandFacts& facts() const { return facts_; }
+    const ToolState& tool(std::size_t which = 0) const { return hands_[which].tool; }
+    double now_s() const { return static_cast<double>(milliseconds_) * 1e-3; }
+    void change_settings(const Settings& settings);
+    // A key goes down, and the keyboard comes and goes: as in a real session the servo's switches are set at once, and
+    // the app is told.
+    void press(Command command);
+    // A key by name goes down and up: to an open list or question, else the command it stands for. False: it means
+    // nothing here.
+    bool tap_key(const std::string& name);
+    void set_focus(bool focused);
+    // What the hand does before it is told anything.
+    static HandCommand still_hand();
+    // The servo runs only every n-th millisecond from now on, as on a machine that is too slow.
+    void slow_servo(int every_ms) { servo_every_ms_ = every_ms; }
+    // One millisecond of everything.
+    void advance();
+
+private:
+    struct Hand {
+        std::shared_ptr<SimulatedHand> simulated = std::make_shared<SimulatedHand>();
+        std::unique_ptr<SimulatedDevice> device;
+        std::unique_ptr<ServoState> state;
+        ToolState tool;
+
+        void take(const HandFacts& facts);
+    };
+
+    void servo(std::size_t which);
+    void cues();
+
+    AppCore app_;
+    HandFacts facts_;
+    AudioSink& audio_;
+    SpeechSink& speech_;
+    CuePlanner planner_;
+    std::shared_ptr<const Scene> heard_scene_;
+    int heard_world_ = 0;
+    std::array<Hand, 2> hands_;  // the only or right one, the left one
+    ServoSwitches switches_;     // of both
+    std::vector<ContactEvent> contacts_;
+    std::vector<CueRequest> requests_;
+    long milliseconds_ = 0;
+    long frames_ = 0;
+    int servo_every_ms_ = 1;
+};
+
+}  // namespace handrail

@@ -1,0 +1,50 @@
+#include "app/core/session/session_input.h"
+
+#include "app/core/session/app_core.h"
+#include "worlds/base/overloaded.h"
+
+namespace handrail {
+
+bool AppCore::apply(SessionInput input, double now_s) {
+    bool taken = true;
+    std::visit(Overloaded{
+                   [&](const CommandDown& in) { press(in.command, now_s); },
+                   [&](const CommandUp& in) { release(in.command); },
+                   [&](const KeyTapped& in) { taken = take_key(in.key, now_s); },
+                   [&](const TextTyped& in) { taken = take_text(in.utf8, now_s); },
+                   [&](const LineTyped& in) { taken = take_line(in.line, now_s); },
+                   [&](const ItemActed& in) { taken = take_act(in.act, now_s); },
+                   [&](const Steered& in) { steer(in.steering); },
+                   [&](const FocusChanged& in) { set_focus(in.focused); },
+                   [&](const Stopped& in) { know_stops(in.count, now_s); },
+                   [&](const HandMoved& in) { move_hand(in.by_m); },
+                   [&](const SettingsChanged& in) { change_settings(in.settings, now_s); },
+                   [&](const HandChanged& in) {
+                       hands_.keys_alone = in.for_want_of_one;
+                       set_hand(in.hand, in.settings, now_s);
+                   },
+                   [&](const LeftHandChanged& in) { set_left_hand(in.hand, now_s); },
+                   [&](const HandOffered& in) { offer_hand(in.spoken_name, now_s); },
+                   [&](WorldEntered& in) {
+                       side_file_next_ = std::move(in.additions);
+                       enter_world(std::move(in.world), now_s);
+                   },
+                   [&](const Placed& in) { place(in.feet_m, in.heading_rad, now_s); },
+                   [&](Told& in) { say(std::move(in.text), in.speech_class, now_s); },
+                   [&](const FirstMinutesBegun& in) {
+                       lesson_session_.begin_first_minutes(in.who_speaks, in.owner_sets_up, now_s);
+                   },
+                   [&](const LessonLeft&) { lesson_session_.leave(now_s); },
+                   [&](const SetUpOver&) { lesson_session_.know_set_up_over(); },
+                   [&](LastPlaceKnown& in) { last_place_ = std::move(in.place); },
+                   [&](const WentOnAt& in) { go_on_at(in.place, now_s); },
+                   [&](WorldsKnown& in) {
+                       desk_visit_.offer_worlds(in.shelf);
+                       menu_.worlds().offer(std::move(in.shelf));
+                   },
+               },
+               input);
+    return taken;
+}
+
+}  // namespace handrail

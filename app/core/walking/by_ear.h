@@ -1,0 +1,71 @@
+// Moving by ear: along a wall, back the way one came, square to a wall, from one thing in sight to the next, and back
+// from there. Says where the body shall go; Walking moves it. App thread only; world metres.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/context/session_context.h"
+#include "app/core/dialogue/held_keys.h"
+#include "app/core/world/trail.h"
+
+namespace handrail {
+
+class ByEar {
+public:
+    // It turns `body`, and lays and takes up the crumbs it goes back along.
+    ByEar(const SessionContext& context, BodyState& body, const HeldKeys& keys)
+        : context_(context), body_(body), keys_(keys) {}
+    ByEar(const ByEar&) = delete;
+    ByEar& operator=(const ByEar&) = delete;
+
+    void enter_world();
+    // The body was set down elsewhere in the same world.
+    void set_down();
+    // Whatever else the person does ends trailing and going back; told of every command before it is acted on.
+    void notice(Command command);
+    // False: it is another's.
+    bool act(Command command, double now_s);
+    // Trailing or going back leads the body now.
+    bool leads() const;
+    // Where they want the body to go, metres per second, level; none: the person's own keys count.
+    std::optional<Vec3> lead(double now_s, double dt_s);
+    // What is still to go of taps is not gone any more.
+    void halt();
+    // Where the body stands counts among the places that one goes back along.
+    void lay_crumb();
+    // Leaps, Home and the like can be taken back: called before them.
+    void keep_place();
+    // Out of the wall that the body's side is at while it trails, level.
+    std::optional<Vec3> wall_at_side() const;
+
+    // Set by the session: the answer to "where am I".
+    std::function<std::string()> where_am_i;
+
+private:
+    struct Place {
+        Vec3 feet_m{0.0};
+        double heading_rad = 0.0;
+    };
+    bool start_trail(TrailSide side, double now_s);
+    void tell_trail(const TrailEvent& event, double now_s);
+    std::optional<Vec3> retrace(double now_s, double dt_s);
+    void square_up(double now_s);
+    void leap(int by, double now_s);
+    void undo(double now_s);
+
+    const SessionContext& context_;
+    BodyState& body_;
+    const HeldKeys& keys_;
+    Trail trail_;
+    double trail_left_m_ = 0.0;    // of taps, still to go
+    bool trail_to_event_ = false;  // until something is met
+    double retrace_left_m_ = 0.0;  // of taps, still to go back along the body's crumbs
+    bool retracing_ = false;
+    std::vector<Place> undo_;          // the newest last
+    FeatureId leapt_to_ = kNoFeature;  // or the number of a mark, counted on from the features
+};
+
+}  // namespace handrail

@@ -1,0 +1,179 @@
+#include "app/core/walking/footing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/core/context/telling.h"
+#include "app/core/world/surroundings.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kRayHeight_m = 1.0;  // of what looks for doors
+constexpr std::size_t kMostTold = 16;
+constexpr double kLookEvery_s = 0.25, kLookEvery_m = 0.15, kLookEvery_rad = 0.1;
+constexpr double kEdgeConfirm_s = 2.0;
+constexpr double kTellAgain_s = 30.0, kSamePlace_m = 1.5;
+constexpr double kDoorNear_m = 3.0;
+constexpr double kStill_s = 1.5;  // after which nothing beats any more
+constexpr double kRiser_m = 0.08;
+constexpr double kLanding_m = 0.6;  // level, after the last riser
+constexpr double kRamp = 0.03, kRampSure_m = 0.4;
+
+}  // namespace
+
+void Footing::enter_world() {
+    told_.clear();
+    set_down();
+}
+
+void Footing::set_down() {
+    looked_ = {};
+    edge_ = {};
+    underfoot_ = {};
+}
+
+void Footing::notice(Command command, double now_s) {
+    switch (command) {
+        case Command::Forward:
+        case Command::Back:
+        case Command::TrailLeft:
+        case Command::TrailRight:
+        case Command::TrailOn:
+        case Command::TrailBack:
+        case Command::Retrace:
+            if (edge_.held && now_s - edge_.at_s <= kEdgeConfirm_s) edge_.confirmed = true;
+            edge_.held = false;
+            break;
+        default:
+            break;
+    }
+}
+
+bool Footing::held_at_edge(const WalkerState& before, double now_s) {
+    if (!context_.settings.walk.stop_at_drops || !before.on_ground) return false;
+    const Vec3 moved = body_.feet_m() - before.feet_m;
+    if (moved.x * moved.x + moved.y * moved.y < 1e-12) return false;
+    const GroundRules rules = ground_rules(*context_.world.scene, body_.walker->size());
+    const auto drop = over_drop(*context_.world.solids, body_.feet_m(), std::atan2(moved.x, moved.y), rules);
+    if (!drop) {
+        if (edge_.confirmed && now_s - edge_.at_s > kEdgeConfirm_s + 1.0) edge_.confirmed = false;
+        return false;
+    }
+    if (edge_.confirmed) return false;
+    body_.walker->resume(before);
+    if (std::exchange(edge_.held, true)) return true;
+    edge_.at_s = now_s;
+    context_.play(SoundKind::Denied, now_s);
+    context_.answer(
+        drop->depth_m ? phrase("walking.edge", {{"metres", *drop->depth_m}}) : phrase("walking.edge_very_deep"), now_s);
+    return true;
+}
+
+// True, and noted, where nothing was told of this place lately.
+bool Footing::tell_place_once(const Vec3& place_m, bool drop, double now_s) {
+    std::erase_if(told_, [&](const Told& told) { return now_s - told.time_s > kTellAgain_s; });
+    for (Told& told : told_)
+        if (told.drop == drop && glm::length(told.place_m - place_m) < kSamePlace_m) {
+            told.time_s = now_s;  // while it is before one, it is not told again
+            return false;
+        }
+    if (told_.size() == kMostTold) told_.erase(told_.begin());
+    told_.push_back({place_m, now_s, drop});
+    return true;
+}
+
+void Footing::tick(const Vec3& before_m, const WalkResult& walked, double now_s) {
+    const Vec3 feet = body_.feet_m();
+    if (walked.walked_m > 1e-6 || body_.heading_rad != looked_.heading_rad) looked_.moved_s = now_s;
+    if (walked.landed) edge_.confirmed = false;
+    tell_underfoot(feet - before_m, walked, now_s);
+    const bool turned = std::abs(wrap_angle(body_.heading_rad - looked_.heading_rad)) > kLookEvery_rad;
+    const bool went = glm::length(feet - looked_.from_m) > kLookEvery_m;
+    if ((turned || went) && now_s - looked_.at_s >= (turned ? 0.1 : kLookEvery_s * 0.5)) {
+        looked_.ahead = ground_ahead(*context_.world.solids, feet, body_.heading_rad,
+                                     ground_rules(*context_.world.scene, body_.walker->size()), kStairsCallout_m + 0.3);
+        looked_.from_m = feet;
+        looked_.heading_rad = body_.heading_rad;
+        looked_.at_s = now_s;
+        tell_ahead(now_s);
+    }
+    beat_ahead(now_s);
+}
+
+// Risers, landings, ramps.
+void Footing::tell_underfoot(const Vec3& moved_m, const WalkResult& walked, double now_s) {
+    if (std::abs(moved_m.z) >= kRiser_m && !walked.landed) {
+        const int sign = moved_m.z > 0.0 ? 1 : -1;
+        underfoot_.risers = underfoot_.risers * sign >= 0 ? underfoot_.risers + sign : sign;
+        underfoot_.since_riser_m = 0.0;
+    } else {
+        underfoot_.since_riser_m += walked.walked_m;
+    }
+    if (underfoot_.risers != 0 && underfoot_.since_riser_m > kLanding_m) {
+        const int risers = std::exchange(underfoot_.risers, 0);
+        if (std::abs(risers) >= 3 && context_.settings.walk.callouts)
+            context_.say(
+                phrase(risers > 0 ? "walking.landing" : "walking.foot_of_stairs", {{"steps", std::abs(risers)}}),
+                SpeechClass::Contact, now_s);
+    }
+    if (walked.walked_m > 1e-6 && underfoot_.risers == 0) {
+        const double slope = ground_slope(*context_.world.solids, body_.feet_m(), std::atan2(moved_m.x, moved_m.y));
+        underfoot_.step_pitch = std::exp2(2.0 * std::clamp(slope, -0.5, 0.5));
+        const int sign = slope > kRamp ? 1 : slope < -kRamp ? -1 : 0;
+        underfoot_.ramp_m =
+            sign == 0 || underfoot_.ramp_m * sign < 0.0 ? 0.0 : underfoot_.ramp_m + sign * walked.walked_m;
+        if (std::abs(underfoot_.ramp_m) >= kRampSure_m && underfoot_.ramp_told != sign) {
+            underfoot_.ramp_told = sign;
+            if (context_.settings.walk.callouts)
+                context_.say(phrase(sign > 0 ? "walking.ramp_up" : "walking.ramp_down"), SpeechClass::Contact, now_s);
+        }
+        if (sign == 0) underfoot_.ramp_told = 0;
+    }
+}
+
+void Footing::tell_ahead(double now_s) {
+    const GroundAhead& ahead = looked_.ahead;
+    if (ahead.stairs && ahead.stairs->distance_m <= kStairsCallout_m && underfoot_.risers == 0 &&
+        tell_place_once(ahead.stairs->place_m, false, now_s)) {
+        const bool up = ahead.stairs->up;
+        context_.cues.cue(sound_at(up ? SoundKind::StairsUp : SoundKind::StairsDown, ahead.stairs->place_m, now_s));
+        if (context_.settings.walk.callouts) {
+            const std::string distance = distance_words(ahead.stairs->distance_m, distances(context_));
+            context_.say(ahead.stairs->whole
+                             ? phrase(up ? "walking.stairs_up" : "walking.stairs_down",
+                                      {{"steps", ahead.stairs->risers}, {"distance", distance}})
+                             : phrase(up ? "walking.stairs_up_on" : "walking.stairs_down_on", {{"distance", distance}}),
+                         SpeechClass::Contact, now_s);
+        }
+    }
+    if (ahead.drop && ahead.drop->distance_m <= kDropWarning_m && context_.settings.walk.callouts &&
+        tell_place_once(ahead.drop->place_m, true, now_s))
+        context_.say(
+            phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances(context_))}}),
+            SpeechClass::Contact, now_s);
+}
+
+// The beat before an edge, and knocks from a door that is faced; silent for one who stands still.
+void Footing::beat_ahead(double now_s) {
+    if (now_s - looked_.moved_s > kStill_s) return;
+    if (looked_.ahead.drop) {
+        const Vec3 place = looked_.ahead.drop->place_m;
+        const double distance = glm::dot(place - body_.feet_m(), forward_of_heading(body_.heading_rad));
+        if (distance > -0.3 && distance <= kDropWarning_m && now_s - looked_.beat_s >= drop_beat_s(distance)) {
+            looked_.beat_s = now_s;
+            context_.cues.cue(sound_at(SoundKind::DropNear, place, now_s));
+        }
+    }
+    if (now_s - looked_.door_s < 0.25) return;
+    const auto seen = look(*context_.world.solids, body_.feet_m(), kRayHeight_m, body_.heading_rad, kDoorNear_m);
+    if (!seen || !seen->feature || context_.world.scene->features[seen->feature.value].kind != FeatureKind::Door)
+        return;
+    if (now_s - looked_.door_s < 0.3 + 0.4 * seen->distance_m) return;
+    looked_.door_s = now_s;
+    context_.cues.cue(sound_at(SoundKind::DoorNear, seen->point_m, now_s));
+}
+
+}  // namespace handrail

@@ -1,0 +1,12 @@
+// What a stick or a puck wants of the body. Plain data; any thread.
+#pragma once
+
+namespace handrail {
+
+// Shares of walking speed and of the turning rate, -1 to 1; 0 at rest.
+struct Steering {
+    double ahead = 0.0, right = 0.0, turn_right = 0.0;
+    bool operator==(const Steering&) const = default;
+};
+
+}  // namespace handrail

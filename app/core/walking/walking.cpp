@@ -1,0 +1,279 @@
+#include "app/core/walking/walking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/core/context/telling.h"
+#include "app/core/dialogue/words.h"
+#include "app/core/world/questions.h"
+#include "app/core/world/surroundings.h"
+#include "worlds/base/language.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kTurnRate_rad_per_s =
+    2.6;  // 150 degrees a second: at scale 60 a hand at the rim moves 10 cm/s through the world
+constexpr double kStickTurnRate_rad_per_s = 1.6;  // 90 degrees a second with the stick all the way
+constexpr double kTurnRepeat_s = 0.4;
+constexpr double kFreeTurn_rad = 5.0 * kPi / 180.0;
+constexpr double kTiltRate_rad_per_s = 0.8;
+constexpr double kMostTilt_rad = 1.2;
+constexpr double kToneRange_m = 2.0;
+constexpr double kMostPendingSteps = 8.0;
+constexpr double kPathPoint_m = 0.25;
+constexpr std::size_t kMostPathPoints = 4000;
+constexpr double kOutOfWorld_m = 20.0;  // below its lowest place
+
+}  // namespace
+
+void Walking::enter_world() {
+    path_m_.assign(1, body_.feet_m());
+    by_ear_.enter_world();
+    footing_.enter_world();
+    pending_way_m_ = since_footstep_m_ = 0.0;
+    blocked_ = false;
+}
+
+void Walking::set_down(const Vec3& feet_m, double heading_rad) {
+    body_.walker->place(feet_m);
+    body_.heading_rad = body_.heading_goal_rad = wrap_angle(heading_rad);
+    pending_way_m_ = since_footstep_m_ = 0.0;
+    blocked_ = false;
+    path_m_.push_back(body_.feet_m());
+    by_ear_.set_down();
+    footing_.set_down();
+}
+
+void Walking::go_home(double now_s) {
+    context_.asks.place(context_.world.home_feet_m, context_.world.home_heading_rad, now_s);
+    context_.answer(phrase("session.home", {{"compass", compass_word(body_.heading_rad)}}), now_s);
+}
+
+std::string Walking::bring_out(double now_s) {
+    const BodyWorld& solids = *context_.world.solids;
+    if (!solids.blocked(body_.feet_m(), body_.walker->shape())) return {};
+    const auto free = nearest_free_feet(solids, body_.feet_m(), body_.walker->shape());
+    if (!free) return phrase("session.no_place_to_stand");
+    const double way_m = glm::length(*free - body_.feet_m());
+    by_ear_.keep_place();
+    context_.asks.place(*free, body_.heading_rad, now_s);
+    return phrase("session.body_out", {{"distance", how_far_words(context_, way_m)}});
+}
+
+void Walking::steer(const Steering& steering) {
+    const auto share = [](double value) { return std::isfinite(value) ? std::clamp(value, -1.0, 1.0) : 0.0; };
+    steering_ = {share(steering.ahead), share(steering.right), share(steering.turn_right)};
+}
+
+void Walking::fall_silent() {
+    halt();
+    tone_loudness_ = 0.0;
+}
+
+bool Walking::idle() const {
+    return pending_way_m_ == 0.0 && (!body_.walker || body_.walker->state().on_ground) && !by_ear_.leads() &&
+           body_.heading_rad == body_.heading_goal_rad;
+}
+
+double Walking::passage_width_m() const {
+    return context_.world.scene
+               ? free_space(*context_.world.solids, body_.feet_m(), kLookHeight_m, body_.heading_rad).width_m
+               : 0.0;
+}
+
+bool Walking::act(Command command, double now_s) {
+    by_ear_.notice(command);
+    footing_.notice(command, now_s);
+    if (by_ear_.act(command, now_s)) return true;
+    const double notch_rad = radians_from_degrees(context_.settings.walk.turn_deg);
+    switch (command) {
+        case Command::Forward:
+            step(1.0);
+            return true;
+        case Command::Back:
+            step(-1.0);
+            return true;
+        case Command::TurnLeft:
+            turn_by(-notch_rad, now_s);
+            return true;
+        case Command::TurnRight:
+            turn_by(notch_rad, now_s);
+            return true;
+        case Command::FreeLeft:
+        case Command::FreeRight:
+            body_.heading_goal_rad =
+                wrap_angle(body_.heading_goal_rad + (command == Command::FreeLeft ? -kFreeTurn_rad : kFreeTurn_rad));
+            return true;
+        case Command::TiltUp:  // as long as they are held
+        case Command::TiltDown:
+            return true;
+        case Command::Home:
+            by_ear_.keep_place();
+            go_home(now_s);
+            return true;
+        default:
+            return false;
+    }
+}
+
+void Walking::step(double sign) {
+    if (pending_way_m_ * sign < 0.0) pending_way_m_ = 0.0;
+    const double step_m = context_.settings.walk.step_length_m, most_m = kMostPendingSteps * step_m;
+    pending_way_m_ = std::clamp(pending_way_m_ + sign * step_m, -most_m, most_m);
+    blocked_ = false;
+}
+
+// To the next notch that way.
+void Walking::turn_by(double by_rad, double now_s) {
+    const double notch_rad = std::abs(by_rad);
+    body_.heading_goal_rad = wrap_angle(std::round((body_.heading_goal_rad + by_rad) / notch_rad) * notch_rad);
+    last_turn_repeat_s_ = now_s;
+    context_.cues.cue(
+        sound_at(SoundKind::TurnTick, body_.ears_m() + forward_of_heading(body_.heading_goal_rad), now_s));
+    context_.answer(sentence_case(compass_word(body_.heading_goal_rad)), now_s);
+}
+
+void Walking::tick(double now_s, double dt_s) {
+    turn(now_s, dt_s);
+    if (keys_.held(Command::TurnLeft) != keys_.held(Command::TurnRight) && now_s - last_turn_repeat_s_ >= kTurnRepeat_s)
+        act(keys_.held(Command::TurnLeft) ? Command::TurnLeft : Command::TurnRight, now_s);
+    const double tilt = keys_.sign(Command::TiltUp, Command::TiltDown);
+    tilt_rad_ = std::clamp(tilt_rad_ + tilt * kTiltRate_rad_per_s * dt_s, -kMostTilt_rad, kMostTilt_rad);
+    walk(now_s, dt_s);
+}
+
+// A stick turns as far as it is pushed and long; which way one faces is told when it comes to rest.
+void Walking::turn(double now_s, double dt_s) {
+    const double free_keys = 0.5 * keys_.sign(Command::FreeRight, Command::FreeLeft);
+    const double free_turn = steering_.turn_right + free_keys;
+    if (free_turn != 0.0)
+        body_.heading_goal_rad = wrap_angle(body_.heading_goal_rad + free_turn * kStickTurnRate_rad_per_s * dt_s);
+    const double left = wrap_angle(body_.heading_goal_rad - body_.heading_rad);
+    const double most = kTurnRate_rad_per_s * dt_s;
+    body_.heading_rad =
+        std::abs(left) <= most ? body_.heading_goal_rad : wrap_angle(body_.heading_rad + std::copysign(most, left));
+    if (std::exchange(stick_turns_, free_turn != 0.0) && !stick_turns_)
+        context_.answer(free_keys_told_ ? phrase("session.compass_degrees",
+                                                 {{"compass", sentence_case(compass_word(body_.heading_goal_rad))},
+                                                  {"degrees", whole_degrees(body_.heading_goal_rad)}})
+                                        : sentence_case(compass_word(body_.heading_goal_rad)),
+                        now_s);
+    free_keys_told_ = free_keys != 0.0;
+}
+
+void Walking::walk(double now_s, double dt_s) {
+    const double keys = keys_.sign(Command::Forward, Command::Back);
+    double way = 0.0;  // this tick, signed along the heading
+    const double stride = context_.settings.walk.speed_m_per_s * dt_s;
+    if (keys != 0.0) way = keys * stride;
+    else way = std::clamp(pending_way_m_, -stride, stride);
+    if (way * pending_way_m_ > 0.0)
+        pending_way_m_ -= std::copysign(std::min(std::abs(way), std::abs(pending_way_m_)), pending_way_m_);
+
+    Vec3 wish = forward_of_heading(body_.heading_rad) * (way / dt_s);
+    // A stick goes as fast as it is pushed, sideways too, never faster than a key.
+    if (way == 0.0 && (steering_.ahead != 0.0 || steering_.right != 0.0)) {
+        const Vec3 pushed = forward_of_heading(body_.heading_rad) * steering_.ahead +
+                            forward_of_heading(body_.heading_rad + kPi / 2.0) * steering_.right;
+        wish = pushed * (context_.settings.walk.speed_m_per_s / std::max(1.0, glm::length(pushed)));
+        way = glm::length(wish) * dt_s;
+    }
+    if (const auto lead = by_ear_.lead(now_s, dt_s)) {
+        wish = *lead;
+        way = glm::length(wish) * dt_s;
+    }
+    const WalkerState stood = body_.walker->state();
+    WalkResult walked = body_.walker->tick(wish, dt_s);
+    if (footing_.held_at_edge(stood, now_s)) {
+        halt();
+        by_ear_.halt();
+        walked.walked_m = 0.0;
+        walked.ground = body_.ground;
+        walked.bump.reset();
+    }
+    if (body_.walker->state().on_ground && !context_.hands.tuning.panic) {
+        by_ear_.lay_crumb();
+        footing_.tick(stood.feet_m, walked, now_s);
+    }
+    if (on_walked) on_walked(walked, now_s);
+    const Vec3 feet = body_.feet_m();
+    if (glm::length(feet - path_m_.back()) > kPathPoint_m) {
+        if (path_m_.size() >= kMostPathPoints) path_m_.erase(path_m_.begin(), path_m_.begin() + kMostPathPoints / 4);
+        path_m_.push_back(feet);
+    }
+    tell_step(stood, walked, now_s);
+    body_.ground = walked.ground;
+    if (walked.landed) context_.say(phrase("session.fell", {{"metres", walked.fell_m}}), SpeechClass::Answer, now_s);
+
+    if (walked.bump && !(by_ear_.leads() && walked.walked_m > 0.0)) {
+        halt();
+        if (!blocked_) tell_bump(*walked.bump, now_s);
+        blocked_ = true;
+    } else if (way != 0.0 && walked.walked_m > 0.9 * std::abs(way)) {
+        blocked_ = false;
+    }
+    // Out of the world: back to the base instead of falling for ever.
+    const Aabb& bounds_m = context_.world.scene->bounds_m;
+    if (!bounds_m.empty() && feet.z < bounds_m.min_m.z - kOutOfWorld_m) {
+        context_.say(phrase("session.fell_out"), SpeechClass::Answer, now_s);
+        go_home(now_s);
+    }
+}
+
+void Walking::tell_step(const WalkerState& before, const WalkResult& walked, double now_s) {
+    const double step_m = context_.settings.walk.step_length_m;
+    since_footstep_m_ += walked.walked_m;
+    // Each riser is a step, up and down.
+    const bool riser =
+        walked.landed || walked.climbed_m > 0.1 ||
+        (before.on_ground && body_.walker->state().on_ground && before.feet_m.z - body_.feet_m().z > 0.1);
+    if (since_footstep_m_ < step_m - 1e-6 && !riser) return;
+    since_footstep_m_ = riser ? 0.0 : std::max(0.0, since_footstep_m_ - step_m);
+    CueRequest cue;
+    cue.kind = CueRequestKind::Footstep;
+    cue.time_s = now_s;
+    cue.material = context_.world.scene->material(walked.ground_material).sound;
+    cue.feature = walked.ground;
+    cue.pitch = footing_.step_pitch();
+    cue.position_m = body_.feet_m();
+    context_.cues.cue(std::move(cue));
+}
+
+void Walking::tell_bump(const TraceHit& met, double now_s) {
+    since_footstep_m_ = 0.0;
+    CueRequest bump;
+    bump.kind = CueRequestKind::Bump;
+    bump.time_s = now_s;
+    bump.feature = met.feature;
+    bump.material = context_.world.scene->material(met.material).sound;
+    bump.position_m = body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m) - met.normal * body_.walker->size().radius_m;
+    context_.cues.cue(std::move(bump));
+    if (on_bumped) on_bumped(met.feature, now_s);
+}
+
+void Walking::tell_walls(double now_s) {
+    double loudness = 0.0;
+    Vec3 place = body_.feet_m();
+    if (context_.settings.sound.wall_tone && !context_.hands.tuning.panic) {
+        const double radius = body_.walker->size().radius_m;
+        const auto wall = nearest_ahead(*context_.world.solids, body_.feet_m(), kLookHeight_m, body_.heading_rad,
+                                        radius + kToneRange_m);
+        if (wall) {
+            loudness = std::clamp(1.0 - (wall->distance_m - radius) / kToneRange_m, 0.0, 1.0);
+            place = wall->point_m;
+        }
+    }
+    if (loudness == tone_loudness_) return;
+    tone_loudness_ = loudness;
+    CueRequest tone;
+    tone.kind = CueRequestKind::WallTone;
+    tone.time_s = now_s;
+    tone.loudness = loudness;
+    tone.position_m = place;
+    context_.cues.cue(std::move(tone));
+}
+
+}  // namespace handrail

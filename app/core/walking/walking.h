@@ -1,0 +1,81 @@
+// Walking and turning by keys and sticks: it moves the body, tells of what the body meets, and keeps the way it went.
+// What leads the body along a wall or back is ByEar, what holds it at an edge Footing. App thread only.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/core/walking/by_ear.h"
+#include "app/core/walking/footing.h"
+#include "app/core/walking/steering.h"
+
+namespace handrail {
+
+class Walking {
+public:
+    Walking(const SessionContext& context, BodyState& body, const HeldKeys& keys, ByEar& by_ear, Footing& footing)
+        : context_(context), body_(body), keys_(keys), by_ear_(by_ear), footing_(footing) {}
+    Walking(const Walking&) = delete;
+    Walking& operator=(const Walking&) = delete;
+
+    // After the body was put into the world, at its home.
+    void enter_world();
+    // Puts the body somewhere else in this world, as near above it as there is room; what it was about to do ends.
+    void set_down(const Vec3& feet_m, double heading_rad);
+    // Steps, turns, trails, leaps and Home. False: it is another's, and still ends trailing where it is of that kind.
+    bool act(Command command, double now_s);
+    // Turns, tilts and walks for dt_s, up to 0.1 s.
+    void tick(double now_s, double dt_s);
+    // The tone of the nearest wall ahead, where the person wants one.
+    void tell_walls(double now_s);
+    // To where the world was entered.
+    void go_home(double now_s);
+    // A body that stands in something: to where there is room. Says how far, or that there is none; empty: it stands
+    // free.
+    std::string bring_out(double now_s);
+    // Acts until told otherwise. What is not finite counts as rest.
+    void steer(const Steering& steering);
+    // Steps that are still to go are not gone.
+    void halt() { pending_way_m_ = 0.0; }
+    // The same, and the tone of the walls has been silenced with everything else.
+    void fall_silent();
+
+    // Nothing is on its way any more: no steps pending, no turn unfinished, nothing leads.
+    bool idle() const;
+    double tilt_rad() const { return tilt_rad_; }                // of the eyes, up is positive
+    const std::vector<Vec3>& path_m() const { return path_m_; }  // soles, oldest first, a quarter of a metre apart
+    // Free space across the way, at the height of the waist; 0 where a side is open.
+    double passage_width_m() const;
+
+    // Set by the session.
+    // After each step of the body: what it did and met.
+    std::function<void(const WalkResult& walked, double now_s)> on_walked;
+    // The body has bumped into something it had got away from before: once for each bump that is heard.
+    std::function<void(FeatureId feature, double now_s)> on_bumped;
+
+private:
+    void step(double sign);
+    void turn_by(double by_rad, double now_s);
+    void turn(double now_s, double dt_s);
+    void walk(double now_s, double dt_s);
+    void tell_step(const WalkerState& before, const WalkResult& walked, double now_s);
+    void tell_bump(const TraceHit& met, double now_s);
+
+    const SessionContext& context_;
+    BodyState& body_;
+    const HeldKeys& keys_;
+    ByEar& by_ear_;
+    Footing& footing_;
+    Steering steering_;
+    double pending_way_m_ = 0.0;  // of taps, positive ahead; walked even when the key is up again
+    double since_footstep_m_ = 0.0;
+    bool blocked_ = false;  // a bump was told and the body has not got away since
+    bool stick_turns_ = false, free_keys_told_ = false;
+    double last_turn_repeat_s_ = 0.0;
+    double tilt_rad_ = 0.0;
+    double tone_loudness_ = 0.0;
+    std::vector<Vec3> path_m_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,371 @@
+#include "app/core/wayfinding/guide.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/context/telling.h"
+#include "app/core/wayfinding/hand_way.h"
+#include "app/core/world/questions.h"
+#include "audio-cues/plan/speakable.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kWaist_m = 1.0;
+constexpr double kLookRange_m = 30.0;
+
+// Two sentences, one after the other; either may be empty.
+std::string beside(const std::string& first, const std::string& then) {
+    return first.empty() || then.empty() ? first + then : first + " " + then;
+}
+
+bool is_surface(FeatureKind kind) {
+    return kind == FeatureKind::Wall || kind == FeatureKind::Floor || kind == FeatureKind::Ceiling ||
+           kind == FeatureKind::Slope;
+}
+
+// With what it passes, if anything.
+std::string with_passages(const std::string& words, const WayForHand& way) {
+    if (way.passes.empty()) return words;
+    return beside(words, phrase("lead.by_way_of", {{"passages", fmt::format("{}", fmt::join(way.passes, ", "))}}));
+}
+
+}  // namespace
+
+void Guide::enter_world() {
+    goal_.reset();
+    planned_.clear();
+    laps_ = {};
+    plans_.enter_world();
+    ear_.stop();
+    hand_.enter_world();
+    seek_.enter_world();
+    doors_.forget_told();
+}
+
+bool Guide::act(Command command, double now_s) {
+    switch (command) {
+        case Command::SetBeacon:
+            beacon_here(now_s);
+            return true;
+        case Command::MuteBeacon:
+            mute_beacon(now_s);
+            return true;
+        case Command::TakeMe:
+            take_me(now_s);
+            return true;
+        case Command::Find:
+            open_find(now_s);
+            return true;
+        case Command::CrossLines:
+            toggle_lines(now_s);
+            return true;
+        case Command::Routes:
+            list_routes(now_s);
+            return true;
+        default:
+            return false;
+    }
+}
+
+// ---- every tick ----
+
+void Guide::follow(double now_s) {
+    if (!ear_.following()) return;
+    if (plans_.by_hand()) plans_.pass(finding_place_m(context_));
+    else if (plans_.running()) plans_.pass(ear_.along_m());
+    ear_.renew();
+    const Vec3 goal_m = ear_.goal_m();
+    const RouteFollower::Said said = ear_.tick();
+    const std::string name = ear_.name();
+    if (said.left) {
+        // Planned anew from here, and said once.
+        context_.say(phrase("lead.left_way"), SpeechClass::Contact, now_s);
+        if (plans_.runs_to(name)) go_on({}, now_s);
+        else ear_.follow_to(goal_m, name, {}, now_s);
+    } else if (!said.text.empty()) {
+        if (said.arrived) context_.play(SoundKind::Arrived, now_s);
+        if (said.arrived && plans_.runs_to(name) && next_stop(said.text, now_s)) return;
+        context_.say(said.text, SpeechClass::Contact, now_s);
+        if (!said.arrived) return;
+        plans_.end();
+        if (beacon().name() == name) silence_beacon();
+    }
+}
+
+void Guide::lead(double now_s) {
+    if (hand_.wants_new_way(goal_, now_s)) {
+        const int errors = hand_.errors();
+        lead_to(Goal(*goal_), phrase("lead.left_way"), now_s);
+        hand_.count_errors_from(errors + 1);
+    }
+    const auto arrival = hand_.tick(goal_, now_s);
+    if (!arrival) return;
+    if (arrival->by_pull) laps_.finish(hand_.errors(), context_.settings.guidance.fades);
+    const std::string name = goal_ ? goal_->name : std::string();
+    if (arrival->to_nearest) plans_.end();
+    if (plans_.runs_to(name) && plans_.by_hand() && next_stop(phrase("ways.reached", {{"stop", name}}), now_s)) return;
+    context_.answer(phrase(arrival->to_nearest ? "lead.nearest_place" : "lead.here", {{"goal", name}}), now_s);
+}
+
+void Guide::call(double now_s) {
+    if (seek_.tick_beacon(now_s)) {
+        if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();  // told once
+        context_.play(SoundKind::Arrived, now_s);
+        context_.say(phrase("lead.here", {{"goal", beacon().name()}}), SpeechClass::Answer, now_s);
+    }
+    seek_.tick_warmer(now_s);
+}
+
+// ---- going along a kept way ----
+
+void Guide::go_along(const std::vector<Stop>& stops, bool by_hand, double now_s) {
+    hand_.end();
+    ear_.stop();
+    const Vec3 here = by_hand ? finding_place_m(context_) : context_.body.feet_m();
+    plans_.begin(stops, near_stop(stops.front(), here, kAtStop_m), by_hand);
+    go_on({}, now_s);
+}
+
+// To the next stop that has a name. `first` is said before all else.
+void Guide::go_on(const std::string& first, double now_s) {
+    const Stop& stop = plans_.stop();
+    if (plans_.by_hand()) return lead_to(goal_of(context_, stop), first, now_s);
+    ear_.follow(plans_.on(context_.body.feet_m()), stop.name, first, now_s);
+}
+
+// A stop is reached: true when the way goes on from it, which has been told then. `words` tell that one is there.
+bool Guide::next_stop(const std::string& words, double now_s) {
+    if (!plans_.next()) return false;
+    go_on(words, now_s);
+    return true;
+}
+
+// ---- to rooms ----
+
+void Guide::list_routes(double now_s) {
+    if (!rooms_.have(now_s)) return;
+    const RoomGraph& graph = rooms_.graph();
+    std::vector<std::pair<double, std::uint32_t>> near;
+    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r)
+        if (r != rooms_.here()) near.emplace_back(glm::length(graph.rooms[r].middle_m - context_.body.feet_m()), r);
+    std::stable_sort(near.begin(), near.end());
+    ListSpec list;
+    list.title = phrase("rooms.way_to");
+    std::vector<std::uint32_t> rooms;
+    if (ear_.following()) {
+        list.items.push_back({phrase("way.goes_on"), {}, false});
+        list.items.push_back({phrase("rooms.stop_following"), {}, false});
+        rooms.assign(2, kNothing);
+    }
+    for (const auto& [distance_m, room] : near) {
+        list.items.push_back(
+            {sentence_case(graph.rooms[room].name), distance_words(distance_m, distances(context_)), false});
+        rooms.push_back(room);
+    }
+    if (list.items.empty()) return context_.answer(phrase("rooms.no_other"), now_s);
+    list.chosen = [this, rooms](std::size_t at) {
+        if (rooms[at] == kNothing && at == 0) return ear_.tell_on(context_.tick_s);
+        if (rooms[at] == kNothing) {
+            ear_.stop();
+            plans_.end();
+            return context_.answer(phrase("lead.stopped"), context_.tick_s);
+        }
+        go_to_room(rooms[at], context_.tick_s);
+    };
+    context_.open_list(std::move(list), now_s);
+}
+
+void Guide::go_to_room(std::uint32_t room, double now_s) {
+    const Room& to = rooms_.graph().rooms[room];
+    plans_.end();
+    planned_.note(stop_in_room(rooms_, room), context_.body.feet_m());
+    ear_.follow_to(to.middle_m, sentence_case(to.name), {}, now_s);
+}
+
+// ---- to things ----
+
+// Everything that has a name, the nearest first, and then the ways to find it.
+void Guide::open_find(double now_s) {
+    const std::vector<Goal> all = goals(context_);
+    ListSpec list;
+    list.title = phrase("guide.find");
+    for (const Goal& goal : all) list.items.push_back({goal.name, where_words(context_, goal.box_m)});
+    list.chosen = [this, all](std::size_t i) { open_tools(all[i], context_.tick_s); };
+    context_.open_list(std::move(list), now_s);
+}
+
+void Guide::open_tools(const Goal& goal, double now_s) {
+    goal_ = goal;
+    ListSpec list;
+    list.title = goal.name;
+    for (const char* way : {"guide.beacon", "guide.take_me", "guide.warmer", "guide.lines"})
+        list.items.push_back({phrase(way), ""});
+    list.items.push_back({phrase("guide.where_is_it"), where_words(context_, goal.box_m)});
+    list.chosen = [this, goal](std::size_t i) {
+        if (i == 0) set_beacon(goal, context_.tick_s);
+        if (i == 1) lead_as_planned(goal, context_.tick_s);
+        if (i == 2) seek_warmer(goal, context_.tick_s);
+        if (i == 3) cross_lines(goal, context_.tick_s);
+        if (i == 4) context_.answer(joined(goal.name, where_words(context_, goal.box_m)), context_.tick_s);
+    };
+    context_.open_list(std::move(list), now_s);
+}
+
+void Guide::call_from(const Goal& goal) {
+    goal_ = goal;
+    seek_.start_beacon(goal);
+}
+
+void Guide::set_beacon(const Goal& goal, double now_s) {
+    call_from(goal);
+    const std::string how = seek_.beacon_words(now_s);
+    const std::string where = where_words(context_, goal.box_m);
+    context_.answer(
+        phrase("guide.beacon_on", {{"name", goal.name}, {"where", where}}) + (how.empty() ? how : ". " + how), now_s);
+}
+
+// What the hand touches, else what is straight ahead, else to be chosen.
+void Guide::beacon_here(double now_s) {
+    const ToolState& tool = context_.hands.tool;
+    FeatureId id = kNoFeature;
+    Vec3 place{0.0};
+    if (context_.hands.right.present && tool.touches()) {
+        id = tool.touched();
+        place = tool.proxy_m;
+    } else if (const auto seen = look(*context_.world.solids, context_.body.feet_m(), kWaist_m,
+                                      context_.body.heading_rad, kLookRange_m)) {
+        id = seen->feature;
+        place = seen->point_m;
+    }
+    const Feature* feature = context_.world.scene->find(id);
+    if (!feature || feature->name.empty()) return open_find(now_s);
+    const bool whole = !is_surface(feature->kind) && !feature->bounds_m.empty();
+    set_beacon({sentence_case(speakable(spoken_name(*feature))), whole ? feature->bounds_m : point_box(place), id},
+               now_s);
+}
+
+void Guide::mute_beacon(double now_s) {
+    if (beacon().on()) {
+        silence_beacon();
+        return context_.answer(phrase("guide.beacon_off"), now_s);
+    }
+    if (goal_) return set_beacon(Goal(*goal_), now_s);
+    context_.answer(phrase("guide.no_beacon", {{"key", context_.keys.keys_of(Command::SetBeacon)}}), now_s);
+}
+
+void Guide::seek_warmer(const Goal& goal, double now_s) {
+    goal_ = goal;
+    if (seek_.warmer().on() && seek_.warmer().name() == goal.name) {
+        seek_.silence_warmer();
+        return context_.answer(phrase("guide.warmer_off"), now_s);
+    }
+    seek_.start_warmer(goal);
+    const std::string how = seek_.warmer_words(now_s);
+    context_.answer(phrase("guide.warmer_on", {{"name", goal.name}}) + (how.empty() ? how : ". " + how), now_s);
+}
+
+// ---- being led ----
+
+void Guide::take_me(double now_s) {
+    if (hand_.at_work()) {
+        hand_.end();
+        context_.play(SoundKind::GuideStop, now_s);
+        return context_.answer(phrase("lead.let_go"), now_s);
+    }
+    if (!hand_.may_lead() && ear_.following()) {
+        ear_.stop();
+        plans_.end();
+        silence_beacon();
+        return context_.answer(phrase("lead.stopped"), now_s);
+    }
+    if (!hand_.may_lead() && beacon().on()) return mute_beacon(now_s);
+    if (!goal_) return open_find(now_s);
+    lead_to(Goal(*goal_), {}, now_s);
+}
+
+// As a stop that is planned after the ones before.
+void Guide::lead_as_planned(const Goal& goal, double now_s) {
+    plans_.end();
+    const Vec3 from = hand_.may_lead() && hand_.force_may_act() ? finding_place_m(context_) : context_.body.feet_m();
+    if (rooms_.known()) planned_.note(stop_at_goal(context_, rooms_, goal, from), from);
+    lead_to(goal, {}, now_s);
+}
+
+// By the hand where there is one, else by ear. `first` is said before all else.
+void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
+    goal_ = goal;
+    if (!hand_.may_lead()) return lead_by_ear(goal, first, now_s);
+    if (!hand_.force_may_act()) return lead_by_ear(goal, beside(first, phrase("lead.forces_off")), now_s);
+    const WayForHand way = plans_.for_hand(goal, GuidancePath::kMostPoints);
+    if (way.points_m.empty()) return lead_by_ear(goal, beside(first, way.problem), now_s);
+    laps_.begin(fmt::format("{} {}", goal.name, goal.feature.value));  // ten windows have one name
+    const std::string where = where_words(context_, goal.box_m);
+    const auto taking = [&] {
+        if (!way.reaches)
+            return phrase("lead.to_nearest",
+                          {{"goal", goal.name}, {"short_of", distance_words(way.short_of_m, distances(context_))}});
+        return phrase(help() == 0.0 ? "lead.alone" : "lead.taking", {{"goal", goal.name}, {"where", where}});
+    };
+    std::string words = with_passages(beside(first, taking()), way);
+    if (help() == 1.0) words = beside(words, phrase("lead.hold_to_end"));
+    else if (help() > 0.0) words = beside(words, phrase("lead.help", {{"percent", std::lround(100.0 * help())}}));
+    hand_.pull(way, help() * context_.settings.guidance.strength, std::move(words), now_s);
+}
+
+// The way in words and along it, as to a room; the beacon calls from the thing where nothing stands between.
+void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s) {
+    hand_.end();
+    ear_.stop();
+    silence_beacon();
+    if (plans_.runs_to(goal.name) && plans_.by_hand()) {
+        plans_.go_on_by_ear();
+        return go_on(first, now_s);
+    }
+    const BodyWorld& solids = *context_.world.solids;
+    const Vec3& feet_m = context_.body.feet_m();
+    const Vec3 waist_m = feet_m + Vec3(0.0, 0.0, kWaist_m);
+    const bool in_sight = free_line(solids, waist_m, place_on(goal.box_m, waist_m), goal.feature);
+    Route route;
+    if (rooms_.known()) route = walk_to_thing(rooms_.navigation(), solids, feet_m, goal.box_m, goal.feature);
+    const bool straight = route.reaches && route.points_m.size() <= 2;
+    if (in_sight || route.points_m.empty()) seek_.start_beacon(goal);
+    if (route.points_m.empty() || (in_sight && straight)) {
+        const std::string where = where_words(context_, goal.box_m);
+        return context_.answer(beside(first, phrase("lead.follow_beacon", {{"goal", goal.name}, {"where", where}})),
+                               now_s);
+    }
+    ear_.follow(std::move(route), goal.name, first, now_s);
+}
+
+// Lines from the hand along its way to the thing; where there is none or it is not wished for, three planes through the
+// thing, on which the hand likes to rest.
+void Guide::cross_lines(const Goal& goal, double now_s) {
+    goal_ = goal;
+    if (!context_.hands.right.present) return context_.answer(phrase("lead.lines_need_device"), now_s);
+    if (!hand_.force_may_act()) return context_.answer(phrase("lead.forces_off"), now_s);
+    std::string why = phrase("lead.straight");
+    if (context_.settings.guidance.along_way) {
+        const WayForHand way = plans_.for_hand(goal, HandLead::kMostLinePoints);
+        if (way.reaches && way.points_m.size() >= 2) {
+            const std::string where = where_words(context_, goal.box_m);
+            return hand_.lines(
+                way, with_passages(phrase("lead.lines_along", {{"goal", goal.name}, {"where", where}}), way), now_s);
+        }
+        why = beside(way.problem, phrase(way.reaches ? "lead.straight" : "lead.no_way"));
+    }
+    hand_.cross_lines(goal.box_m.centre_m(), beside(phrase("lead.lines", {{"goal", goal.name}}), why), now_s);
+}
+
+void Guide::toggle_lines(double now_s) {
+    if (hand_.lines_at_work()) {
+        hand_.end();
+        context_.play(SoundKind::GuideStop, now_s);
+        return context_.answer(phrase("lead.lines_off"), now_s);
+    }
+    if (!goal_) return open_find(now_s);
+    cross_lines(Goal(*goal_), now_s);
+}
+
+}  // namespace handrail

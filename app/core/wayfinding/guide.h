@@ -1,0 +1,94 @@
+// Goes where the person wants to go: by the hand where there is one, else by ear; decides what follows on arriving, on
+// letting go and on leaving the way. Whoever wants somebody led asks here. Metres, world. App thread only.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/wayfinding/ear_way.h"
+#include "app/core/wayfinding/finding.h"
+#include "app/core/wayfinding/hand_lead.h"
+#include "app/core/wayfinding/seek.h"
+#include "app/core/wayfinding/stops.h"
+
+namespace handrail {
+
+class Guide {
+public:
+    Guide(const SessionContext& context, Rooms& rooms, Doors& doors)
+        : context_(context),
+          rooms_(rooms),
+          doors_(doors),
+          planned_(context, rooms),
+          plans_(context, rooms),
+          ear_(context, rooms, plans_),
+          hand_(context, rooms, plans_, doors),
+          seek_(context, rooms, plans_, doors) {}
+    Guide(const Guide&) = delete;  // lists that are open know it by its place
+    Guide& operator=(const Guide&) = delete;
+
+    void enter_world();
+    // SetBeacon, MuteBeacon, TakeMe, Find, CrossLines and Routes. False: it is another's.
+    bool act(Command command, double now_s);
+    // The three of a tick, in this order: the way that is followed by ear, the hand's, and the sounds of what is
+    // sought.
+    void follow(double now_s);
+    void lead(double now_s);
+    void call(double now_s);
+
+    // ---- for others ----
+    // Along the stops of a kept way, from the first on or to it first; by the hand or by ear.
+    void go_along(const std::vector<Stop>& stops, bool by_hand, double now_s);
+    void go_to_room(std::uint32_t room, double now_s);
+    // The ways to find a thing, in a list.
+    void open_tools(const Goal& goal, double now_s);
+    void take_me(double now_s);
+    void mute_beacon(double now_s);
+    // The beacon without a word.
+    void call_from(const Goal& goal);
+    void silence_beacon() { seek_.silence_beacon(); }
+    // How much help being led gives, 0 to 1; 1 more or -1 less of it.
+    double help() const { return laps_.strength(); }
+    void change_help(int by) { laps_.change(by); }
+    // The hand is another one from now on.
+    void let_go() { hand_.end(); }
+    // Of the workspace: see HandLead.
+    Vec3 carry() { return hand_.carry(); }
+    bool take_carried() { return hand_.take_carried(); }
+    void person_moved(double now_s) { hand_.person_moved(now_s); }
+
+    const std::optional<Goal>& goal() const { return goal_; }  // what "take me there" goes to
+    const Beacon& beacon() const { return seek_.beacon(); }
+    const Seek& seek() const { return seek_; }
+    const PlannedStops& planned() const { return planned_; }
+    const std::vector<Vec3>& way_m() const { return plans_.last_m(); }  // planned last, soles
+    const GuidancePath& path() const { return hand_.path(); }           // as the servo of the right hand has it
+
+private:
+    void list_routes(double now_s);
+    void open_find(double now_s);
+    void set_beacon(const Goal& goal, double now_s);
+    void beacon_here(double now_s);
+    void seek_warmer(const Goal& goal, double now_s);
+    void lead_as_planned(const Goal& goal, double now_s);
+    void lead_to(const Goal& goal, const std::string& first, double now_s);
+    void lead_by_ear(const Goal& goal, const std::string& first, double now_s);
+    void cross_lines(const Goal& goal, double now_s);
+    void toggle_lines(double now_s);
+    void go_on(const std::string& first, double now_s);
+    bool next_stop(const std::string& words, double now_s);
+
+    const SessionContext& context_;
+    Rooms& rooms_;
+    Doors& doors_;
+    std::optional<Goal> goal_;
+    PlannedStops planned_;
+    Laps laps_;
+    WayPlans plans_;
+    EarWay ear_;
+    HandLead hand_;
+    Seek seek_;
+};
+
+}  // namespace handrail

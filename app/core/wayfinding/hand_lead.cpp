@@ -1,0 +1,288 @@
+#include "app/core/wayfinding/hand_lead.h"
+
+#include <algorithm>
+#include <span>
+
+#include "app/core/context/telling.h"
+#include "app/core/wayfinding/sought_way.h"
+#include "worlds/base/language.h"
+#include "worlds/navigation/way_place.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kAnnounced_s = 1.0;     // between telling that the hand will be led and the first force
+constexpr double kStray_hand_m = 0.008;  // off the way
+constexpr double kLeft_hand_m = 0.020;   // a hand on its own has left the way
+constexpr double kLeft_s = 1.0;          // when it is so far off for so long
+constexpr double kMovedLately_s = 0.5;   // who walks or moves the workspace does not hold against the pull
+constexpr double kRests_s = 0.3;         // afterwards a new way is planned
+// Where the way leads out of reach the workspace goes on along it: from so much of the reach on, back to so much of it,
+// and so fast.
+constexpr double kCarryFrom = 0.55, kCarryTo = 0.45;
+constexpr double kCarry_hand_m_per_s = 0.03, kCarryAhead_hand_m = 0.005;
+
+std::span<const Vec3> points_of(const GuidancePath& path) { return std::span(path.points_m).first(path.count); }
+
+std::span<const Contact> contacts_of(const ToolState& tool) {
+    return std::span(tool.contacts.contacts).first(tool.contacts.count);
+}
+
+GuidancePath pull_along(std::span<const Vec3> points_m) {
+    GuidancePath path;
+    path.count = static_cast<std::uint32_t>(points_m.size());
+    std::copy(points_m.begin(), points_m.end(), path.points_m.begin());
+    return path;
+}
+
+GuidancePath lines_along(std::span<const Vec3> points_m) {
+    GuidancePath path;
+    path.kind = GuidanceKind::WayLines;
+    for (std::size_t i = 0; i + 1 < points_m.size(); ++i)
+        for (const Vec3& end : {points_m[i], points_m[i + 1]}) path.points_m[path.count++] = end;
+    return path;
+}
+
+bool are_lines(GuidanceKind kind) { return kind == GuidanceKind::CrossLines || kind == GuidanceKind::WayLines; }
+
+}  // namespace
+
+void HandLead::enter_world() {
+    led_ = {};
+    grooves_.enter_world();
+}
+
+bool HandLead::may_lead() const {
+    return context_.hands.right.present && !context_.hands.keys_alone && context_.settings.guidance.pull;
+}
+
+bool HandLead::force_may_act() const {
+    const HandsState& hands = context_.hands;
+    return hands.tuning.forces_on && !hands.tuning.panic && hands.tuning.focused && hands.tool.fault == Fault::None &&
+           hands.tool.ticks > 0;
+}
+
+bool HandLead::lines_at_work() const {
+    return (led_.acts && are_lines(led_.path.kind)) || (led_.announced && are_lines(led_.announced->kind));
+}
+
+void HandLead::pull(const WayForHand& way, double strength, std::string words, double now_s) {
+    GuidancePath path = pull_along(way.points_m);
+    path.strength = strength;
+    announce(path, std::move(words), now_s);
+    led_.to_nearest = !way.reaches;
+}
+
+void HandLead::lines(const WayForHand& way, std::string words, double now_s) {
+    GuidancePath path = lines_along(way.points_m);
+    path.strength = context_.settings.guidance.strength;
+    announce(path, std::move(words), now_s);
+}
+
+void HandLead::cross_lines(const Vec3& at_m, std::string words, double now_s) {
+    GuidancePath path;
+    path.kind = GuidanceKind::CrossLines;
+    path.strength = context_.settings.guidance.strength;
+    path.points_m[0] = at_m;
+    path.count = 1;
+    announce(path, std::move(words), now_s);
+}
+
+void HandLead::end() {
+    led_.announced.reset();
+    led_.path.number = 0;
+    led_.acts = false;
+    led_.left = false;
+}
+
+void HandLead::announce(GuidancePath path, std::string words, double now_s) {
+    end();  // one at a time
+    path.number = ++last_number_;
+    led_.announced = path;
+    led_.starts_s = now_s + kAnnounced_s;
+    led_.errors = 0;
+    led_.stray = false;
+    led_.to_nearest = false;
+    led_.jump = context_.hands.pose.jump;
+    led_.feet_before_m = context_.body.feet_m();
+    led_.moved_s = led_.off_since_s = -1e9;
+    doors_.forget_told();
+    led_.planned_in = context_.world.scene;
+    context_.play(SoundKind::GuideStart, now_s);
+    context_.answer(std::move(words), now_s);
+}
+
+void HandLead::publish(GuidancePath path) {
+    path.number = ++last_number_;
+    led_.path = path;
+}
+
+// What acts goes on along another path.
+void HandLead::go_on_along(GuidancePath path) {
+    path.strength = led_.path.strength;
+    publish(path);
+}
+
+// True once the hand touches what it is led to, wherever on it.
+bool HandLead::hand_at(const std::optional<Goal>& goal) const {
+    if (!goal || !goal->feature) return false;
+    const auto contacts = contacts_of(context_.hands.tool);
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [&](const Contact& contact) { return contact.feature == goal->feature; });
+}
+
+// ---- every tick ----
+
+bool HandLead::wants_new_way(const std::optional<Goal>& goal, double now_s) {
+    if (led_.path.kind != GuidanceKind::Pull && !(led_.announced && led_.announced->kind == GuidanceKind::Pull))
+        return false;
+    const ToolState& tool = context_.hands.tool;
+    const Vec3& feet_m = context_.body.feet_m();
+    if (tool.workspace_motion == WorkspaceMotion::Grabbed || feet_m != led_.feet_before_m) led_.moved_s = now_s;
+    // The leaf of a door takes the hand along.
+    const auto contacts = contacts_of(tool);
+    if (context_.world.movers.any_moving() &&
+        std::any_of(contacts.begin(), contacts.end(),
+                    [&](const Contact& contact) { return mover_of(context_.world, contact.feature) >= 0; }))
+        led_.moved_s = now_s;
+    led_.feet_before_m = feet_m;
+    if (!at_work()) return false;
+    if (std::exchange(led_.jump, context_.hands.pose.jump) != context_.hands.pose.jump) {
+        end();
+        led_.left = true;
+        led_.moved_s = now_s;
+    }
+    if (context_.hands.tuning.panic) led_.left = false;
+    return led_.left && now_s - led_.moved_s >= kRests_s && goal;
+}
+
+std::optional<HandLead::Arrival> HandLead::tick(const std::optional<Goal>& goal, double now_s) {
+    if (led_.announced && now_s >= led_.starts_s) {
+        led_.path = *led_.announced;
+        if (led_.path.kind == GuidanceKind::Pull)
+            led_.path.points_m[0] = finding_place_m(context_);  // where it has come to meanwhile
+        led_.announced.reset();
+        led_.acts = true;
+        led_.lines_laid_s = now_s;
+        if (led_.path.kind == GuidanceKind::WayLines) led_.off_since_s = now_s;
+    }
+    if (!at_work()) lay_grooves(now_s);
+    if (!led_.acts) return std::nullopt;
+    if (plans_.by_hand()) plans_.pass(finding_place_m(context_));
+    const ToolState& tool = context_.hands.tool;
+    const GuidanceState felt = tool.guidance;
+    if (felt.number != led_.path.number) return std::nullopt;  // the servo has not seen it yet
+    const bool pull = led_.path.kind == GuidanceKind::Pull, acts = felt.phase == GuidancePhase::Acts;
+    bool arrived = felt.phase == GuidancePhase::Arrived;
+    if (led_.path.kind == GuidanceKind::CrossLines && acts) return std::nullopt;
+    if (led_.path.kind == GuidanceKind::WayLines) {
+        // Those that a jump of the workspace ended are laid from where the hand is then.
+        if (acts || force_may_act()) {
+            arrived = acts && (hand_at(goal) || glm::length(tool.hip_m - points_of(led_.path).back()) <=
+                                                    Guidance::kArrived_m * scale(context_));
+            if (!arrived) {
+                watch_lines(goal, now_s);
+                return std::nullopt;
+            }
+        }
+    } else if (acts) {
+        arrived = hand_at(goal);
+        if (!arrived) {
+            watch_way(goal, now_s);
+            return std::nullopt;
+        }
+    }
+    if (pull && felt.phase == GuidancePhase::LetGo && now_s - led_.moved_s < kMovedLately_s) {
+        end();
+        led_.left = true;
+        return std::nullopt;
+    }
+    end();
+    if (arrived) {
+        context_.play(SoundKind::Arrived, now_s);
+        return Arrival{pull, led_.to_nearest};
+    }
+    context_.play(SoundKind::GuideStop, now_s);
+    context_.answer(phrase(felt.phase == GuidancePhase::LetGo ? "lead.let_go" : "lead.no_longer"), now_s);
+    return std::nullopt;
+}
+
+// While it pulls: doors across the way, and how far off it the hand is.
+void HandLead::watch_way(const std::optional<Goal>& goal, double now_s) {
+    doors_.tell_touched(now_s);
+    if (goal && led_.planned_in != context_.world.scene) {
+        // Something stands elsewhere than when the way was planned, such as the leaf of a door: the same lead goes on
+        // along a new way, without a word.
+        led_.planned_in = context_.world.scene;
+        const WayForHand way = plans_.for_hand(*goal, GuidancePath::kMostPoints);
+        if (!way.points_m.empty()) go_on_along(pull_along(way.points_m));
+        return;
+    }
+    const double off_m = nearest_on_way(points_of(led_.path), context_.hands.tool.hip_m).distance_m / scale(context_);
+    if (off_m > kStray_hand_m && !std::exchange(led_.stray, true)) ++led_.errors;
+    if (off_m < 0.5 * kStray_hand_m) led_.stray = false;
+    if (off_m <= kLeft_hand_m) led_.off_since_s = now_s;
+    const bool moved = off_m > kStray_hand_m && now_s - led_.moved_s < kMovedLately_s;
+    const bool strayed = led_.off_since_s >= 0.0 && now_s - led_.off_since_s > kLeft_s;
+    if (!moved && !strayed) return;
+    end();
+    led_.left = true;
+}
+
+// Lines lie where they are until the hand has left them, or something stands elsewhere.
+void HandLead::watch_lines(const std::optional<Goal>& goal, double now_s) {
+    doors_.tell_touched(now_s);
+    const ToolState& tool = context_.hands.tool;
+    if (nearest_on_way(points_of(led_.path), tool.hip_m).distance_m <= kLeft_hand_m * scale(context_))
+        led_.off_since_s = now_s;
+    const bool ended = tool.guidance.phase != GuidancePhase::Acts;
+    if ((ended || led_.planned_in != context_.world.scene || now_s - led_.off_since_s > kLeft_s) &&
+        now_s - led_.lines_laid_s > SoughtWay::kAgain_s && goal)
+        lay_lines(*goal, now_s);
+}
+
+// Anew from where the hand is, without a word; where no way leads from there those that lie stay.
+void HandLead::lay_lines(const Goal& goal, double now_s) {
+    led_.lines_laid_s = now_s;
+    led_.planned_in = context_.world.scene;
+    led_.off_since_s = now_s;
+    const WayForHand way = plans_.for_hand(goal, kMostLinePoints);
+    if (!way.reaches || way.points_m.size() < 2) return;
+    go_on_along(lines_along(way.points_m));
+}
+
+void HandLead::lay_grooves(double now_s) {
+    if (grooves_.wished() && force_may_act()) {
+        if (const auto path = grooves_.lay(led_.path, now_s)) publish(*path);
+    } else if (led_.path.kind == GuidanceKind::Grooves) {
+        led_.path.number = 0;
+    }
+}
+
+Vec3 HandLead::carry() {
+    const HandsState& hands = context_.hands;
+    const ToolState& tool = hands.tool;
+    const auto way = points_of(led_.path);
+    const bool lines = led_.path.kind == GuidanceKind::WayLines;  // a hand that is on them and leans along them
+    const bool led =
+        led_.acts && (lines || led_.path.kind == GuidanceKind::Pull) && led_.path.strength > 0.0 &&
+        tool.guidance.number == led_.path.number && tool.guidance.phase == GuidancePhase::Acts &&
+        tool.workspace_jump == hands.pose.jump && !hands.at_desk() &&
+        (!lines || nearest_on_way(way, tool.hip_m).distance_m <= Guidance::kGrooveHalfWidth_m * scale(context_));
+    Vec3 push(0.0);
+    bool carries = false;
+    if (led) {
+        const double ahead_m = kCarryAhead_hand_m * scale(context_);
+        const Vec3 ahead = place_along(way, nearest_on_way(way, tool.hip_m).along_m + ahead_m) - tool.hip_m;
+        if (const double length_m = glm::length(ahead); length_m > 1e-6) {
+            push = frame_of(hands.pose.origin_m, hands.pose.heading_rad).turn_to_device(ahead / length_m);
+            carries = glm::dot(tool.hand_m, push) >
+                      (led_.carries ? kCarryTo : kCarryFrom) * hands.right.spec.workspace_radius_m;
+        }
+    }
+    led_.carries = carries;
+    led_.carried = led_.carried || carries;
+    return carries ? push * kCarry_hand_m_per_s : Vec3(0.0);
+}
+
+}  // namespace handrail

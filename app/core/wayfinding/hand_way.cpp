@@ -1,0 +1,199 @@
+#include "app/core/wayfinding/hand_way.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "worlds/navigation/way_place.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kBeside_m = 0.4;                      // from a thing's side to where one stands before it
+constexpr double kOnePlace_m = 0.3;                    // nearer places to stand are one
+constexpr double kReach_height_m[] = {1.0, 1.5, 0.5};  // of hands and eyes that look for it
+constexpr double kBefore_m = 0.3;                      // from a thing's face to where a hand turns to it
+constexpr double kInside_m =
+    0.05;  // a thing is looked for this far inside it: what it stands on or hangs at holds its faces
+constexpr double kBallRoom_m = 0.3;  // a hand goes round the leaf of an open door at that distance
+
+constexpr BodyShape kBall{0.13, 0.26};  // of 4 mm at scale 60
+
+Vec3 nearest_in(const Aabb& box, const Vec3& to_m) { return glm::clamp(to_m, box.min_m, box.max_m); }
+
+// The last of a hand's way: straight to the thing, or from before one of its sides or over it; first where a ball
+// passes, then where a line does. Empty where there is none.
+std::vector<Vec3> last_points(const BodyWorld& world, const Vec3& from_m, const Aabb& thing_m, FeatureId thing) {
+    const Vec3 centre = thing_m.centre_m(), half = 0.5 * thing_m.size_m() + Vec3(kBefore_m);
+    std::vector<std::vector<Vec3>> ways{{place_on(thing_m, from_m)}};
+    for (const Vec3& side : {Vec3(0, 0, 1), Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 1, 0)}) {
+        const Vec3 before = centre + side * half;
+        if (!world.blocked(before - Vec3(0.0, 0.0, 0.5 * kBall.height_m), kBall))
+            ways.push_back({before, place_on(thing_m, before)});
+    }
+    for (const auto& free : {ball_passes, free_line})
+        for (const std::vector<Vec3>& way : ways) {
+            Vec3 at = from_m;
+            if (std::all_of(way.begin(), way.end(),
+                            [&](const Vec3& to) { return free(world, std::exchange(at, to), to, thing); }))
+                return way;
+        }
+    return {};
+}
+
+bool within_reach(const BodyWorld& world, const Vec3& stand_m, const Aabb& thing_m, FeatureId thing) {
+    return std::any_of(std::begin(kReach_height_m), std::end(kReach_height_m), [&](double height_m) {
+        return !last_points(world, stand_m + Vec3(0.0, 0.0, height_m), thing_m, thing).empty();
+    });
+}
+
+// A walk leads round the leaves of open doors where that is not far; through one else, and a hand may meet one, or be
+// caught by it, that a body at the side of it would not. Round its end then, where there is a way that is free for a
+// ball; or at least for a line, where not even that goes straight.
+std::vector<Vec3> round_leaves(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m) {
+    const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
+    const auto door = [&](FeatureId feature) {
+        const Feature* leaf = world.scene().find(feature);
+        return leaf && leaf->kind == FeatureKind::Door ? leaf : nullptr;
+    };
+    const Feature* leaf = nullptr;
+    Vec3 met_m(0.0);
+    for (const Crossing& crossing : world.crossings(from_m, to_m)) {
+        if (leaf || !(leaf = door(crossing.feature))) continue;
+        met_m = from_m + (to_m - from_m) * (0.5 * (crossing.enter_m + crossing.leave_m) / glm::length(to_m - from_m));
+    }
+    const bool across = leaf != nullptr;
+    if (!across)
+        if (const TraceHit met = world.trace(from_m - half, to_m - half, kBall, true); met.hit) {
+            leaf = door(met.feature);
+            met_m = met.end_m + half;
+        }
+    if (!leaf) return {};
+    const Aabb& stands = leaf->bounds_m;
+    // Beside its corners, and beside the place where it was met: its bounds hold more than the leaf where a frame
+    // belongs to it.
+    std::vector<Vec3> beside;
+    for (int i = 0; i < 4; ++i)
+        beside.emplace_back((i & 1) ? stands.max_m.x + kBallRoom_m : stands.min_m.x - kBallRoom_m,
+                            (i & 2) ? stands.max_m.y + kBallRoom_m : stands.min_m.y - kBallRoom_m, met_m.z);
+    const Vec3 leg(to_m.x - from_m.x, to_m.y - from_m.y, 0.0);
+    if (const double length_m = glm::length(leg); length_m > 1e-6)
+        for (const double side_m : {-kBallRoom_m, kBallRoom_m, -2.0 * kBallRoom_m, 2.0 * kBallRoom_m})
+            beside.push_back(met_m + Vec3(-leg.y, leg.x, 0.0) * (side_m / length_m));
+    for (const bool whole : {true, false}) {
+        if (!across && !whole) break;
+        std::vector<Vec3> best;
+        double shortest_m = std::numeric_limits<double>::infinity();
+        const auto offer = [&](std::vector<Vec3> way) {
+            double length_m = 0.0;
+            Vec3 at = from_m;
+            way.push_back(to_m);
+            for (const Vec3& next : way) {
+                if (whole ? !ball_passes(world, at, next, kNoFeature) : !free_line(world, at, next, kNoFeature)) return;
+                if (world.blocked(next - half, kBall)) return;
+                length_m += glm::length(next - at);
+                at = next;
+            }
+            way.pop_back();
+            if (length_m < shortest_m) {
+                shortest_m = length_m;
+                best = std::move(way);
+            }
+        };
+        for (const Vec3& one : beside) offer({one});
+        if (best.empty())
+            for (const Vec3& one : beside)
+                for (const Vec3& other : beside)
+                    if (one != other) offer({one, other});
+        if (!best.empty()) return best;
+    }
+    return {};
+}
+
+}  // namespace
+
+bool ball_passes(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
+    const Vec3 half(0.0, 0.0, 0.5 * kBall.height_m);
+    if (world.blocked(from_m - half, kBall)) return false;
+    const TraceHit met = world.trace(from_m - half, to_m - half, kBall, true);
+    return !met.hit || (thing && met.feature == thing);
+}
+
+Vec3 place_on(const Aabb& thing_m, const Vec3& from_m) {
+    const Vec3 in = glm::min(Vec3(kInside_m), 0.5 * thing_m.size_m());
+    return glm::clamp(from_m, thing_m.min_m + in, thing_m.max_m - in);
+}
+
+bool free_line(const BodyWorld& world, const Vec3& from_m, const Vec3& to_m, FeatureId thing) {
+    const std::vector<Crossing> crossings = world.crossings(from_m, to_m);
+    return std::all_of(crossings.begin(), crossings.end(),
+                       [&](const Crossing& crossing) { return thing && crossing.feature == thing; });
+}
+
+Route walk_to_thing(Navigation& navigation, const BodyWorld& world, const Vec3& from_m, const Aabb& thing_m,
+                    FeatureId thing) {
+    const Vec3 middle = thing_m.centre_m(), low = thing_m.min_m, high = thing_m.max_m;
+    std::vector<Vec3> stands, within;
+    for (const Vec3& beside : {nearest_in(thing_m, from_m), Vec3(low.x - kBeside_m, middle.y, low.z),
+                               Vec3(high.x + kBeside_m, middle.y, low.z), Vec3(middle.x, low.y - kBeside_m, low.z),
+                               Vec3(middle.x, high.y + kBeside_m, low.z), Vec3(middle.x, middle.y, low.z)}) {
+        const auto stand = navigation.nearest_place(beside);
+        if (!stand || std::any_of(stands.begin(), stands.end(),
+                                  [&](const Vec3& other) { return glm::length(other - *stand) < kOnePlace_m; }))
+            continue;
+        stands.push_back(*stand);
+        if (within_reach(world, *stand, thing_m, thing)) within.push_back(*stand);
+    }
+    if (stands.empty()) return navigation.plan(from_m, middle);
+    Route best;
+    const auto better = [&](const Route& route) {
+        if (best.points_m.empty() || route.reaches != best.reaches) return best.points_m.empty() || route.reaches;
+        return route.reaches ? route.length_m < best.length_m : route.short_of_m < best.short_of_m;
+    };
+    for (const Vec3& stand : within.empty() ? stands : within)
+        if (Route route = navigation.plan(from_m, stand); better(route)) best = std::move(route);
+    return best;
+}
+
+bool hand_can_follow(const Route& route) {
+    return std::none_of(route.passages.begin(), route.passages.end(), [](const RoutePassage& passage) {
+        return passage.kind == PassageKind::Lift || passage.kind == PassageKind::Teleporter;
+    });
+}
+
+std::vector<Vec3> hand_way(const Route& route, const Vec3& hand_m, double height_m, const BodyWorld& world,
+                           const Aabb& thing_m, FeatureId thing, std::size_t most) {
+    std::vector<Vec3> points{hand_m};
+    for (const Vec3& soles : route.points_m) {
+        const Vec3 next = soles + Vec3(0.0, 0.0, height_m);
+        for (const Vec3& round : round_leaves(world, points.back(), next)) points.push_back(round);
+        points.push_back(next);
+    }
+    if (route.reaches) {
+        // What cannot be reached at that height can be from higher or lower, if from anywhere.
+        std::vector<Vec3> last = last_points(world, points.back(), thing_m, thing);
+        for (const double other_m : kReach_height_m) {
+            if (!last.empty()) break;
+            const Vec3 there = route.points_m.back() + Vec3(0.0, 0.0, other_m);
+            last = last_points(world, there, thing_m, thing);
+            if (!last.empty()) last.insert(last.begin(), there);
+        }
+        if (last.empty()) last.push_back(place_on(thing_m, points.back()));
+        points.insert(points.end(), last.begin(), last.end());
+    }
+    while (points.size() > most) {
+        std::size_t least = 1;
+        double bend_m = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+            const std::array ends{points[i - 1], points[i + 1]};
+            if (const double off_m = nearest_on_way(ends, points[i]).distance_m; off_m < bend_m) {
+                bend_m = off_m;
+                least = i;
+            }
+        }
+        points.erase(points.begin() + static_cast<std::ptrdiff_t>(least));
+    }
+    return points;
+}
+
+}  // namespace handrail

@@ -1,0 +1,141 @@
+#include "app/core/wayfinding/route_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/base/language.h"
+#include "worlds/navigation/way_place.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLeastTurn_rad = 2.0 * kPi / 16.0;
+constexpr double kBesideFeature_m = 1.0;
+
+double bearing(const Vec3& from, const Vec3& to) { return std::atan2(to.x - from.x, to.y - from.y); }
+
+// By how many of the 16 points of the compass: one is slightly, two are half, four are plain, six are sharp, eight are
+// round; what lies between goes to the nearer.
+std::string turn_words(double turn_rad) {
+    const double points = std::abs(turn_rad) / kLeastTurn_rad;
+    const bool right = turn_rad > 0.0;
+    if (points < 0.5) return {};
+    if (points > 7.0) return phrase("route.turn_round");
+    if (points < 1.5) return phrase(right ? "route.turn_slightly_right" : "route.turn_slightly_left");
+    if (points < 3.0) return phrase(right ? "route.turn_half_right" : "route.turn_half_left");
+    if (points > 5.0) return phrase(right ? "route.turn_sharp_right" : "route.turn_sharp_left");
+    return phrase(right ? "route.turn_right" : "route.turn_left");
+}
+
+}  // namespace
+
+std::vector<RouteNode> nodes_of(const Route& route, const std::string& goal,
+                                const std::function<std::string(const RoutePassage&)>& name_of) {
+    std::vector<RouteNode> nodes;
+    for (const RoutePassage& passage : route.passages)
+        nodes.push_back({passage.at_m, name_of(passage), 0.0, passage.place_m});
+    double at = 0.0;
+    for (std::size_t i = 1; i + 1 < route.points_m.size(); ++i) {
+        at += glm::length(route.points_m[i] - route.points_m[i - 1]);
+        const double turn = wrap_angle(bearing(route.points_m[i], route.points_m[i + 1]) -
+                                       bearing(route.points_m[i - 1], route.points_m[i]));
+        if (at > route.length_m) at = route.length_m;
+        RouteNode* beside = nullptr;
+        for (RouteNode& node : nodes)
+            if (std::abs(node.at_m - at) < kBesideFeature_m &&
+                (!beside || std::abs(node.at_m - at) < std::abs(beside->at_m - at)))
+                beside = &node;
+        if (beside) beside->turn_rad = wrap_angle(beside->turn_rad + turn);
+        else if (std::abs(turn) > 1e-6) nodes.push_back({at, {}, turn, route.points_m[i]});
+    }
+    std::erase_if(nodes,
+                  [](const RouteNode& node) { return node.what.empty() && std::abs(node.turn_rad) < kLeastTurn_rad; });
+    std::stable_sort(nodes.begin(), nodes.end(),
+                     [](const RouteNode& a, const RouteNode& b) { return a.at_m < b.at_m; });
+    if (!route.points_m.empty()) nodes.push_back({route.length_m, goal, 0.0, route.points_m.back()});
+    return nodes;
+}
+
+std::string route_words(const Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
+                        const DistanceWords& how) {
+    if (route.points_m.size() < 2 || nodes.empty()) return phrase("route.there");
+    std::string text = capitalised(phrase("route.in_all", {{"distance", distance_words(route.length_m, how)}}));
+    // What to do first, then how far, then to what.
+    std::string turn = turn_words(wrap_angle(bearing(route.points_m[0], route.points_m[1]) - heading_rad));
+    double before = 0.0;
+    for (const RouteNode& node : nodes) {
+        if (!turn.empty()) text += " " + capitalised(phrase("route.first", {{"turn", turn}}));
+        const std::string distance = distance_words(node.at_m - before, how);
+        text += " " + capitalised(phrase(node.what.empty() ? "route.leg" : "route.leg_to",
+                                         {{"distance", distance}, {"what", node.what}}));
+        turn = turn_words(node.turn_rad);
+        before = node.at_m;
+    }
+    return text;
+}
+
+void RouteFollower::follow(Route route, std::vector<RouteNode> nodes) {
+    route_ = std::move(route);
+    nodes_ = std::move(nodes);
+    announced_.assign(nodes_.size(), false);
+    reached_.assign(nodes_.size(), false);
+    // What lies just ahead was told with the route itself.
+    for (std::size_t i = 0; i < nodes_.size(); ++i) announced_[i] = nodes_[i].at_m < kAnnounceAhead_m;
+    along_m_ = word_at_m_ = 0.0;
+}
+
+std::vector<Vec3> RouteFollower::ahead_m() const {
+    std::vector<Vec3> rest;
+    if (!following()) return rest;
+    rest.push_back(place_along(route_.points_m, along_m_));
+    double at_m = 0.0;
+    for (std::size_t i = 1; i < route_.points_m.size(); ++i) {
+        at_m += glm::length(route_.points_m[i] - route_.points_m[i - 1]);
+        if (at_m > along_m_) rest.push_back(route_.points_m[i]);
+    }
+    return rest;
+}
+
+RouteFollower::Said RouteFollower::tick(const Vec3& feet_m, const DistanceWords& how) {
+    Said said;
+    if (!following()) return said;
+    const WayPlace place = near_on_way(route_.points_m, feet_m, along_m_);
+    const double nearest = place.distance_m + kFartherForEachMetreAlong_m * std::abs(place.along_m - along_m_);
+    along_m_ = place.along_m;
+    if (glm::length(feet_m - goal_m()) < kThere_m || (left_m() < kThere_m && nearest < kThere_m)) {
+        const bool named = !nodes_.empty() && !nodes_.back().what.empty();
+        said.text = named ? phrase("route.arrived", {{"goal", sentence_case(nodes_.back().what)}})
+                          : phrase("route.arrived_at_end");
+        said.arrived = true;
+        stop();
+        return said;
+    }
+    if (nearest > kLeftWay_m) {
+        said.left = true;
+        return said;
+    }
+    for (std::size_t i = 0; i < nodes_.size() && said.text.empty(); ++i) {
+        const RouteNode& node = nodes_[i];
+        const double ahead = node.at_m - along_m_;
+        const std::string turn = turn_words(node.turn_rad);
+        if (!reached_[i] && std::abs(ahead) < kAtFeature_m && i + 1 < nodes_.size()) {
+            reached_[i] = announced_[i] = true;
+            const RouteNode& next = nodes_[i + 1];
+            const std::string here = sentence_case(joined(node.what, turn)),
+                              distance = distance_words(next.at_m - node.at_m, how);
+            if (!here.empty())
+                said.text = phrase(next.what.empty() ? "route.reached" : "route.reached_then_to",
+                                   {{"here", here}, {"distance", distance}, {"next", next.what}});
+        } else if (!announced_[i] && ahead > 0.0 && ahead <= kAnnounceAhead_m) {
+            announced_[i] = true;
+            said.text = phrase("route.ahead", {{"what", sentence_case(node.what.empty() ? turn : node.what)},
+                                               {"distance", distance_words(ahead, how)}});
+        }
+    }
+    if (said.text.empty() && along_m_ - word_at_m_ >= kReassureEvery_m)
+        said.text = phrase("route.on_the_way", {{"distance", distance_words(left_m(), how)}});
+    if (!said.text.empty()) word_at_m_ = along_m_;
+    return said;
+}
+
+}  // namespace handrail

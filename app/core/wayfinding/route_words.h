@@ -1,0 +1,62 @@
+// A route in words, and along it: what is ahead, that one is still on the way, that one has left it. Plain state and
+// pure functions; app thread.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/core/dialogue/words.h"
+#include "worlds/navigation/route.h"
+
+namespace handrail {
+
+// One instruction: where along the route it is due, and what stands there.
+struct RouteNode {
+    double at_m = 0.0;
+    std::string what;       // "Kitchen door", "stairs, 2.9 metres up"; empty for a mere turn
+    double turn_rad = 0.0;  // clockwise, made there; 0: straight on
+    Vec3 place_m{0.0};
+};
+
+// Doors, stairs and what else is met, turns of more than a sixteenth of a circle, and the goal, in order. Turns beside
+// a feature belong to it. name_of: of a passage, fit to be spoken.
+std::vector<RouteNode> nodes_of(const Route& route, const std::string& goal,
+                                const std::function<std::string(const RoutePassage&)>& name_of);
+
+// "28 steps in all. Turn slightly left. 14 steps. Turn right. 4 steps to Front door. Turn left. 10 steps to Kitchen."
+// `heading_rad`: of who listens.
+std::string route_words(const Route& route, const std::vector<RouteNode>& nodes, double heading_rad,
+                        const DistanceWords& how);
+
+// Follows a body along a route. Says each feature once, 6 m before it, and again when it is reached with where to turn;
+// every 10 m without another word that one is on the way; and once that one has left it.
+class RouteFollower {
+public:
+    struct Said {
+        std::string text;  // empty: nothing
+        bool left = false;
+        bool arrived = false;
+    };
+    void follow(Route route, std::vector<RouteNode> nodes);
+    void stop() { route_ = {}; }
+    bool following() const { return route_.points_m.size() >= 2; }
+    const Vec3& goal_m() const { return route_.points_m.back(); }
+    double along_m() const { return along_m_; }  // where on the route one is
+    std::vector<Vec3> ahead_m() const;           // the rest of it
+    double left_m() const { return route_.length_m - along_m_; }
+    Said tick(const Vec3& feet_m, const DistanceWords& how);
+
+private:
+    Route route_;
+    std::vector<RouteNode> nodes_;
+    std::vector<bool> announced_, reached_;
+    double along_m_ = 0.0;
+    double word_at_m_ = 0.0;  // where along the route something was said last
+};
+
+inline constexpr double kAnnounceAhead_m = 6.0, kReassureEvery_m = 10.0, kLeftWay_m = 2.0, kThere_m = 0.8,
+                        kAtFeature_m = 1.2;
+
+}  // namespace handrail

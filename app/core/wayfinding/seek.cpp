@@ -1,0 +1,197 @@
+#include "app/core/wayfinding/seek.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/context/soundscape.h"
+#include "app/core/context/telling.h"
+#include "app/core/wayfinding/hand_way.h"
+#include "app/core/world/surroundings.h"
+#include "worlds/base/language.h"
+#include "worlds/navigation/way_place.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kWaist_m = 1.0;
+constexpr double kLookEvery_s = 0.1;  // along a way, for what stands between and shut doors
+constexpr double kOverSteps_m = 0.35, kNarrow_m = 0.2,
+                 kNarrowHeight_m = 1.2;  // of a body that is looked ahead with along a way, stairs too
+constexpr double kBackOnWay_m = 1.0;     // ahead, for one who is off it
+constexpr double kHardlyLonger = 1.25,
+                 kAllowance_m = 1.0;         // a way beside the straight line: the thing itself leads there
+constexpr double kDoorAhead_m = 1.0;         // along the way, to a door that is told: within reach
+constexpr double kPast = 0.1;                // as little nearer or farther is neither
+constexpr double kPitch = 0.5;               // a fifth higher straight to it
+constexpr double kBody_m_per_hand_m = 60.0;  // a body is as near as a hand would be at the scale of a room
+
+std::string along_way_words(const SoughtWay& way, const DistanceWords& how) {
+    return phrase("lead.along_way", {{"distance", distance_words(way.left_m(), how)}});
+}
+
+}  // namespace
+
+void Seek::enter_world() {
+    beacon_ = {};
+    warmer_ = {};
+    beacon_along_ = warmer_along_ = {};
+    turning_first_ = false;
+}
+
+void Seek::start_beacon(const Goal& goal) {
+    beacon_.set(goal.name, goal.box_m, goal.feature);
+    beacon_along_ = {};
+    doors_.forget_told();
+}
+
+void Seek::start_warmer(const Goal& goal) {
+    warmer_.set(goal.name, goal.box_m, goal.feature);
+    warmer_along_ = {};
+    doors_.forget_told();
+}
+
+// ---- along the way ----
+
+// From where one is; again to the same place beside the thing, which saves looking for one.
+void Seek::plan(AlongWay& along, const Sought& sought, bool hand, double now_s) {
+    SoughtWay& way = along.way;
+    along.planned_in = context_.world.scene;
+    along.jump = context_.hands.pose.jump;
+    const Goal goal{sought.name(), sought.thing_m(), sought.feature()};
+    if (hand) {
+        const WayForHand lead = plans_.for_hand(goal, GuidancePath::kMostPoints);
+        if (!lead.reaches || lead.points_m.size() < 2) return way.no_way(now_s);
+        return way.plan(lead.points_m, {}, 0.0, finding_place_m(context_), now_s);
+    }
+    Navigation& navigation = rooms_.navigation();
+    const Vec3& feet_m = context_.body.feet_m();
+    Route route;
+    if (way.known()) route = navigation.plan(feet_m, way.points_m().back());
+    if (!route.reaches) route = walk_to_thing(navigation, *context_.world.solids, feet_m, goal.box_m, goal.feature);
+    if (!route.reaches) return way.no_way(now_s);
+    const Vec3 end = route.points_m.back(), up(0.0, 0.0, kWaist_m);
+    way.plan(route.points_m, route.passages, glm::length(nearest_place(goal.box_m, end + up) - end - up), feet_m,
+             now_s);
+}
+
+// Follows it, and plans it where that is due. True: it is known and wished for.
+bool Seek::keep(AlongWay& along, const Sought& sought, bool hand, double now_s) {
+    if (!context_.settings.guidance.along_way) return false;
+    SoughtWay& way = along.way;
+    const Vec3 at = hand ? finding_place_m(context_) : context_.body.feet_m(), up(0.0, 0.0, hand ? 0.0 : kWaist_m);
+    way.follow(at, hand ? 1.0 : kHeightCountsForWalkers, [&](const Vec3& place) {
+        return free_line(*context_.world.solids, at + up, place + up, sought.feature());
+    });
+    const bool changed = along.planned_in != context_.world.scene || (hand && along.jump != context_.hands.pose.jump);
+    if (way.wants_plan(changed, now_s) && rooms_.known()) plan(along, sought, hand, now_s);
+    return way.known();
+}
+
+// Whence one looks.
+Vec3 Seek::from_m(bool hand) const {
+    return hand ? finding_place_m(context_) : context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
+}
+
+// Nothing stands between, and the way is hardly longer than the straight line: not one to the floor above that is seen
+// over the banister.
+bool Seek::straight_before(const SoughtWay& way, const Sought& sought, bool hand) const {
+    const Vec3 from = from_m(hand), place = place_on(sought.thing_m(), from);
+    return way.left_m() <= kHardlyLonger * glm::length(place - from) + kAllowance_m &&
+           free_line(*context_.world.solids, from, place, sought.feature()) && (hand || body_gets_to(sought));
+}
+
+// What a narrow body meets that goes straight there.
+TraceHit Seek::met_on_way(const Vec3& soles_m) const {
+    const Vec3 over(0.0, 0.0, kOverSteps_m);
+    return context_.world.solids->trace(context_.body.feet_m() + over, soles_m + over,
+                                        BodyShape{kNarrow_m, kNarrowHeight_m});
+}
+
+// Who walks straight to its middle comes to it, and not against the side of a doorway through which it is seen.
+bool Seek::body_gets_to(const Sought& sought) const {
+    const Vec3 middle = sought.thing_m().centre_m();
+    const TraceHit met = met_on_way({middle.x, middle.y, context_.body.feet_m().z});
+    if (!met.hit || met.feature == sought.feature()) return true;
+    return glm::length(nearest_place(sought.thing_m(), met.end_m) - met.end_m) <= Beacon::kArrived_m;
+}
+
+std::string Seek::words(AlongWay& along, const Sought& sought, bool hand, double now_s) {
+    const SoughtWay& way = along.way;
+    if (keep(along, sought, hand, now_s))
+        return straight_before(way, sought, hand) ? std::string() : along_way_words(way, distances(context_));
+    const Vec3 from = from_m(hand);
+    if (free_line(*context_.world.solids, from, place_on(sought.thing_m(), from), sought.feature())) return {};
+    if (!context_.settings.guidance.along_way) return phrase("lead.straight");
+    return way.tried() ? phrase("lead.no_way") : plans_.why_none() + " " + phrase("lead.straight");
+}
+
+void Seek::tell_way(const AlongWay& along, double now_s) {
+    context_.say(along_way_words(along.way, distances(context_)), SpeechClass::Answer, now_s);
+}
+
+// ---- every tick ----
+
+// Where the beacon calls from as long as one has to go there first; none: from the thing.
+std::optional<Vec3> Seek::beacon_turning(double now_s) {
+    AlongWay& along = beacon_along_;
+    const bool tried = along.way.tried();
+    if (!keep(along, beacon_, false, now_s)) return std::nullopt;
+    if (!tried && !straight_before(along.way, beacon_, false)) tell_way(along, now_s);
+    if (now_s - along.looked_s >= kLookEvery_s) {
+        along.looked_s = now_s;
+        doors_.tell_ahead(along.way.ahead_m(kDoorAhead_m), now_s);
+        turning_first_ = along.way.left_m() > Beacon::kArrived_m && !straight_before(along.way, beacon_, false);
+        // Whoever has come off the way a little is led back onto it, round what stands between.
+        const Vec3 turning = along.way.next_turning_m();
+        const TraceHit met = met_on_way(turning);
+        const Feature* thing = met.hit ? context_.world.scene->find(met.feature) : nullptr;
+        turning_m_ =
+            met.hit && !(thing && thing->kind == FeatureKind::Door) ? along.way.ahead_m(kBackOnWay_m) : turning;
+    }
+    if (!turning_first_) return std::nullopt;
+    return turning_m_ + Vec3(0.0, 0.0, kWaist_m);
+}
+
+bool Seek::tick_beacon(double now_s) {
+    if (!beacon_.on()) return false;
+    const Listener ears{context_.body.ears_m(), context_.body.heading_rad};
+    const auto way_db = [&](const Vec3& place) { return muffling_db(*context_.world.solids, ears.ears_m, place); };
+    Beacon::Beat beat =
+        beacon_.tick(context_.body.feet_m(), ears, way_db, !context_.hands.tuning.panic, now_s, beacon_turning(now_s));
+    if (beat.sound) context_.cues.cue(std::move(*beat.sound));
+    return beat.arrived;
+}
+
+void Seek::tick_warmer(double now_s) {
+    if (!warmer_.on()) return;
+    AlongWay& along = warmer_along_;
+    const bool hand = context_.hands.known(), tried = along.way.tried();
+    const Vec3 place = finding_place_m(context_), thing = nearest_place(warmer_.thing_m(), place);
+    const bool known = keep(along, warmer_, hand, now_s);
+    if (known && !tried) tell_way(along, now_s);
+    const double straight_m = glm::length(thing - place), per_m = hand ? scale(context_) : kBody_m_per_hand_m;
+    // What is beyond a wall is not found by coming near.
+    bool found = straight_m <= (hand ? Warmer::kFound_hand_m * per_m : Beacon::kArrived_m) &&
+                 (!known || (!hand && along.way.left_m() <= Beacon::kArrived_m) ||
+                  free_line(*context_.world.solids, place, place_on(warmer_.thing_m(), place), warmer_.feature()));
+    const ToolState& tool = context_.hands.tool;
+    if (hand && tool.touches() && warmer_.feature()) found = found || tool.touched() == warmer_.feature();
+    if (known && hand) doors_.tell_touched(now_s);
+    if (known && !hand && now_s - along.looked_s >= kLookEvery_s) {
+        along.looked_s = now_s;
+        doors_.tell_ahead(along.way.ahead_m(kDoorAhead_m), now_s);
+    }
+    const double left_m = known ? std::max(straight_m, along.way.told_m()) : straight_m;
+    const Warmer::Beat beat = warmer_.tick(left_m / per_m, place / per_m, found, !context_.hands.tuning.panic, now_s);
+    if (beat.sound) {
+        CueRequest tick =
+            sound_at(beat.nearer < -kPast ? SoundKind::Colder : SoundKind::Warmer, context_.body.ears_m(), now_s);
+        tick.pitch = 1.0 + kPitch * beat.nearer;
+        context_.cues.cue(std::move(tick));
+    }
+    if (!beat.found) return;
+    context_.play(SoundKind::Arrived, now_s);
+    context_.say(phrase("lead.here", {{"goal", warmer_.name()}}), SpeechClass::Answer, now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,71 @@
+// Looking for a thing by sounds: the beacon that calls from it and "warmer", each along a planned way where one is
+// known. Metres, world. App thread only.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/core/movers/doors.h"
+#include "app/core/wayfinding/finding.h"
+#include "app/core/wayfinding/sought_way.h"
+#include "app/core/wayfinding/way_plans.h"
+
+namespace handrail {
+
+// The way along which a tool leads.
+struct AlongWay {
+    SoughtWay way;
+    std::shared_ptr<const Scene> planned_in;  // as the world was then
+    std::uint32_t jump = 0;                   // of the workspace, then
+    double looked_s = -1e9;                   // when it was last looked at what stands between, and for shut doors
+};
+
+class Seek {
+public:
+    Seek(const SessionContext& context, Rooms& rooms, WayPlans& plans, Doors& doors)
+        : context_(context), rooms_(rooms), plans_(plans), doors_(doors) {}
+
+    void enter_world();
+    // Without a word.
+    void start_beacon(const Goal& goal);
+    void start_warmer(const Goal& goal);
+    void silence_beacon() { beacon_.clear(); }
+    void silence_warmer() { warmer_.clear(); }
+    // Whether it leads along the way or straight, and why; nothing where both are the same.
+    std::string beacon_words(double now_s) { return words(beacon_along_, beacon_, false, now_s); }
+    std::string warmer_words(double now_s) { return words(warmer_along_, warmer_, context_.hands.known(), now_s); }
+
+    // Each sounds when it is due, while it is on, and ends by itself. True: the beacon has just been reached.
+    bool tick_beacon(double now_s);
+    void tick_warmer(double now_s);
+
+    const Beacon& beacon() const { return beacon_; }
+    const Warmer& warmer() const { return warmer_; }
+    const AlongWay& beacon_along() const { return beacon_along_; }
+    const AlongWay& warmer_along() const { return warmer_along_; }
+
+private:
+    void plan(AlongWay& along, const Sought& sought, bool hand, double now_s);
+    bool keep(AlongWay& along, const Sought& sought, bool hand, double now_s);
+    Vec3 from_m(bool hand) const;
+    bool straight_before(const SoughtWay& way, const Sought& sought, bool hand) const;
+    bool body_gets_to(const Sought& sought) const;
+    TraceHit met_on_way(const Vec3& soles_m) const;
+    std::string words(AlongWay& along, const Sought& sought, bool hand, double now_s);
+    void tell_way(const AlongWay& along, double now_s);
+    std::optional<Vec3> beacon_turning(double now_s);
+
+    const SessionContext& context_;
+    Rooms& rooms_;
+    WayPlans& plans_;
+    Doors& doors_;
+    Beacon beacon_;
+    Warmer warmer_;
+    AlongWay beacon_along_, warmer_along_;  // of the body; of the hand where there is one
+    // Of the way that is gone by ear.
+    bool turning_first_ = false;  // the beacon calls from a turning
+    Vec3 turning_m_{0.0};         // which one, soles
+};
+
+}  // namespace handrail

@@ -1,0 +1,232 @@
+#include "app/core/whereabouts/asking.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/context/telling.h"
+#include "worlds/base/language.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::size_t kMostLandmarks = 2;   // told first
+constexpr std::size_t kMostThingsTold = 4;  // in all, by "where am I"
+constexpr std::size_t kMostThings = 24;     // looked at
+constexpr double kHandPoints_m = 0.3;       // a hand nearer to the body points nowhere
+constexpr int kTellName = 2, kTellAll = 4;  // verbosity
+constexpr double kOpen = 0.95, kShut = 0.05;
+
+}  // namespace
+
+bool Asking::act(Command command, double now_s) {
+    if (!answer(command, now_s)) return false;
+    context_.events.tell(HelpAsked{command}, now_s);
+    return true;
+}
+
+bool Asking::answer(Command command, double now_s) {
+    switch (command) {
+        case Command::WhereAmI:
+            context_.answer(rooms_.here_words(now_s) + where_am_i(), now_s);
+            return true;
+        case Command::Heading:
+            context_.answer(heading_words(), now_s);
+            return true;
+        case Command::AroundMe:
+            context_.answer(around_me(), now_s);
+            return true;
+        case Command::AheadOfMe:
+            context_.answer(ahead_of_me(), now_s);
+            return true;
+        case Command::LookNext:
+        case Command::LookBefore:
+            look_round(command == Command::LookNext ? 1 : -1, now_s);
+            return true;
+        case Command::ScaleBar:
+            context_.answer(scale_bar(), now_s);
+            return true;
+        case Command::Coordinates:
+            context_.answer(coordinates(), now_s);
+            return true;
+        case Command::WhatIsThis:
+            describe_touched(now_s);
+            return true;
+        default:
+            return false;
+    }
+}
+
+Telling Asking::telling() const {
+    return {context_.settings.speech.verbosity, context_.settings.speech.directions, distances(context_),
+            context_.body.heading_rad};
+}
+
+Asker Asking::asker() const { return {*context_.world.solids, context_.body.feet_m(), context_.body.heading_rad}; }
+
+// What can change about a thing, and how a door hangs as one sees it from here.
+std::string Asking::state_of(const Sight& sight) const {
+    const Feature* feature = context_.world.scene->find(sight.seen.feature);
+    if (!feature) return {};
+    std::string text;
+    for (std::uint32_t i = 0; i < context_.world.movers.size(); ++i) {
+        const Mover& mover = context_.world.scene->movers[i];
+        if (mover.feature != sight.seen.feature || !mover.moves()) continue;
+        const double away = context_.world.movers.away(i);
+        if (feature->kind == FeatureKind::Door) {
+            text = phrase(away > kOpen ? "questions.open" : away < kShut ? "questions.shut" : "questions.half_open");
+            if (away < kShut && locked(context_.world, i))
+                text = joined(text, phrase("questions.opened_from_elsewhere"));
+        } else if (away > kShut) {
+            text = phrase("questions.moved");
+        }
+    }
+    return joined(text, sides_of_door(*feature, sight.seen.bearing_rad));
+}
+
+std::string Asking::tell_sight(const Sight& sight) const { return tell(sight, state_of(sight), telling()); }
+
+std::string Asking::tell_sights(std::span<const Sight> sights) const {
+    std::string text;
+    for (const Sight& sight : sights) {
+        if (!text.empty()) text += ' ';
+        text += tell_sight(sight);
+        if (text.back() != '.') text += '.';
+    }
+    return text;
+}
+
+std::string Asking::where_am_i() const {
+    const bool home =
+        glm::length(context_.body.feet_m() - context_.world.home_feet_m) < 0.5 * context_.settings.walk.step_length_m;
+    const bool at_door = std::any_of(context_.world.scene->features.begin(), context_.world.scene->features.end(),
+                                     [](const Feature& feature) { return feature.base; });
+    const std::string compass = compass_word(context_.body.heading_rad);
+    std::string text =
+        !home ? phrase("questions.you_are_in", {{"world", spoken_name(*context_.world.scene)}, {"compass", compass}})
+        : at_door ? phrase("questions.you_are_at_door", {{"compass", compass}})
+                  : phrase("questions.you_are_at_base", {{"compass", compass}});
+    // Two landmarks first, then what a straight look meets on four sides, then what else is near.
+    std::vector<Sight> things = in_sight(asker(), kMostThings);
+    std::stable_partition(things.begin(), things.end(), [&](const Sight& thing) {
+        const Feature* feature = context_.world.scene->find(thing.seen.feature);
+        return feature && feature->landmark;
+    });
+    const auto is_landmark = [&](const Sight& thing) {
+        const Feature* feature = context_.world.scene->find(thing.seen.feature);
+        return feature && feature->landmark;
+    };
+    const auto first_other = std::find_if_not(things.begin(), things.end(), is_landmark);
+    const auto landmarks =
+        std::min<std::size_t>(kMostLandmarks, static_cast<std::size_t>(first_other - things.begin()));
+    const std::string near = tell_sights(std::span(things).first(landmarks));
+    if (!near.empty()) text += " " + near;
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const auto seen = sight_along(asker(), context_.body.heading_rad + quarter * kPi / 2.0);
+        const std::string side =
+            sentence_case(side_words(quarter, context_.body.heading_rad, context_.settings.speech.directions));
+        const bool told =
+            seen && std::any_of(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(landmarks),
+                                [&](const Sight& thing) { return thing.seen.feature == seen->seen.feature; });
+        if (told) continue;
+        text += ' ';
+        if (!seen) text += phrase("questions.side_open", {{"side", side}});
+        else if (context_.settings.speech.verbosity <= 1)
+            text += phrase("questions.side", {{"side", side}, {"what", seen->name}});
+        else {
+            const std::string what = joined(name_of(context_, seen->seen.feature),
+                                            distance_words(seen->seen.distance_m, distances(context_)));
+            text += phrase("questions.side", {{"side", side}, {"what", what}});
+        }
+    }
+    const auto rest = std::span(things).subspan(landmarks);
+    const std::string others = tell_sights(rest.first(std::min(rest.size(), kMostThingsTold - landmarks)));
+    return others.empty() ? text : text + " " + others;
+}
+
+std::string Asking::around_me() const {
+    std::string text;
+    const auto quarters = around(asker());
+    for (int i = 0; i < 4; ++i) {
+        const auto& sight = quarters[static_cast<std::size_t>(i)];
+        const std::string side =
+            sentence_case(side_words(i, context_.body.heading_rad, context_.settings.speech.directions));
+        if (!text.empty()) text += ' ';
+        if (!sight) text += phrase("questions.side_open", {{"side", side}});
+        else text += phrase("questions.side_sights", {{"side", side}, {"sights", tell_sights(std::span(&*sight, 1))}});
+    }
+    return text;
+}
+
+std::string Asking::ahead_of_me() const {
+    const std::vector<Sight> sights = ahead(asker());
+    return sights.empty() ? phrase("questions.nothing_ahead", {{"metres", kSightRange_m}}) : tell_sights(sights);
+}
+
+void Asking::look_round(int by, double now_s) {
+    std::optional<double> hand_rad;
+    const Vec3 to_hand = context_.hands.tool.proxy_m - context_.body.feet_m();
+    if (context_.hands.right.present && context_.hands.tool.ticks > 0 &&
+        std::hypot(to_hand.x, to_hand.y) > kHandPoints_m)
+        hand_rad = std::atan2(to_hand.x, to_hand.y);
+    const double bearing = look_round_.step(by, context_.body.feet_m(), context_.body.heading_goal_rad, hand_rad);
+    const std::vector<Sight> sights = look_towards(asker(), bearing);
+    const std::string direction =
+        sentence_case(direction_words(bearing, context_.body.heading_rad, context_.settings.speech.directions, false));
+    context_.answer(sights.empty()
+                        ? phrase("questions.side_open", {{"side", direction}})
+                        : phrase("questions.side_sights", {{"side", direction}, {"sights", tell_sights(sights)}}),
+                    now_s);
+}
+
+std::string Asking::heading_words() const {
+    return phrase("questions.facing_degrees", {{"compass", compass_word(context_.body.heading_goal_rad)},
+                                               {"degrees", whole_degrees(context_.body.heading_goal_rad)}});
+}
+
+std::string Asking::coordinates() const {
+    const auto told = [&](const Vec3& place_m, const Vec3& above_m) {
+        const std::string coordinates = coordinates_words(place_m);
+        const auto height = above_floor_m(*context_.world.solids, above_m);
+        return height ? phrase("questions.above_floor", {{"coordinates", coordinates}, {"metres", *height}})
+                      : phrase("questions.nothing_below", {{"coordinates", coordinates}});
+    };
+    std::string text = context_.body.walker->state().on_ground
+                           ? phrase("questions.on_floor", {{"coordinates", coordinates_words(context_.body.feet_m())}})
+                           : told(context_.body.feet_m(), context_.body.feet_m() + Vec3(0.0, 0.0, 0.01));
+    if (context_.hands.right.present && context_.hands.tool.ticks > 0)
+        text += " " + phrase("questions.your_hand",
+                             {{"place", told(context_.hands.tool.proxy_m, context_.hands.tool.proxy_m)}});
+    return text;
+}
+
+std::string Asking::scale_bar() const {
+    return scale_bar_words(!under_roof(*context_.world.solids, context_.body.feet_m()), telling(),
+                           context_.hands.right.present ? scale(context_) : 0.0, workspace_heading_rad(context_));
+}
+
+void Asking::describe_touched(double now_s) {
+    if (!context_.hands.right.present) return context_.answer(phrase("session.no_hand_to_ask"), now_s);
+    if (!context_.hands.two()) return context_.answer(touched_words(context_.hands.tool), now_s);
+    context_.answer(phrase("session.both_hands", {{"right", touched_words(context_.hands.tool)},
+                                                  {"left", touched_words(context_.hands.left_tool)}}),
+                    now_s);
+}
+
+// A person who asks is told the name at every verbosity, and everything there is to tell on asking again.
+std::string Asking::touched_words(const ToolState& tool) {
+    FeatureId& described = &tool == &context_.hands.tool ? described_ : left_described_;
+    if (!tool.touches()) {
+        described = kNoFeature;
+        return phrase("session.touches_nothing");
+    }
+    const FeatureId id = tool.touched();
+    const int verbosity =
+        std::exchange(described, id) == id ? kTellAll : std::max(kTellName, context_.settings.speech.verbosity);
+    std::string text = describe_feature(*context_.world.scene, id, verbosity);
+    if (verbosity == kTellAll && context_.settings.speech.distances_in_steps)
+        text += " " + steps_of_size(context_.world.scene->features[id.value], distances(context_));
+    return text.empty() ? sentence_case(name_of(context_, id)) : text;
+}
+
+}  // namespace handrail

@@ -1,0 +1,224 @@
+#include "app/core/whereabouts/rooms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/core/context/telling.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+#include "worlds/navigation/reach.h"
+
+namespace handrail {
+
+void Rooms::enter_world(std::shared_ptr<const Scene> scene) {
+    const BodySize size = body_size(*scene, context_.settings.walk.body_radius_m);
+    of_world_.reset();  // what was being looked for is given up before the next begins
+    const WalkBody body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
+    of_world_ = std::make_unique<RoomsOfWorld>(std::move(scene), body, !beside_);
+    leaves_of_.reset();
+    told_ = false;
+    here_ = kNothing;
+    visited_.clear();
+    drawing_.reset();
+}
+
+bool Rooms::act(Command command, double now_s) {
+    switch (command) {
+        case Command::Exits:
+        case Command::UnvisitedExits:
+            context_.events.tell(HelpAsked{command}, now_s);
+            tell_exits(command == Command::UnvisitedExits, now_s);
+            return true;
+        case Command::NameRoom:
+            ask_name(now_s);
+            return true;
+        default:
+            return false;
+    }
+}
+
+void Rooms::tick(double now_s) {
+    if (found()) say_room_names(graph());
+    know_leaves();
+    notice(now_s, false);
+}
+
+// Rooms and ways are there to be used; where the same must happen in every run they are looked for now.
+bool Rooms::known() {
+    const bool known = of_world_ && (!beside_ || of_world_->ready()) && of_world_->ready() && of_world_->found();
+    if (known) know_leaves();
+    return known;
+}
+
+// Ways lead round the leaves of doors that stand open, as of when everything came to rest last.
+void Rooms::know_leaves() {
+    if (!found() || leaves_of_ == context_.world.scene) return;
+    leaves_of_ = context_.world.scene;
+    std::vector<OpenLeaf> leaves;
+    for (std::uint32_t i = 0; i < context_.world.movers.size(); ++i) {
+        const Mover& mover = context_.world.scene->movers[i];
+        if (context_.world.thing_of_mover[i] < 0 ||
+            context_.world.scene->features[mover.feature.value].kind != FeatureKind::Door)
+            continue;
+        if (context_.world.movers.at(i) == mover.at(0.0))
+            continue;  // as the file has it: shut, also where it rests open
+        const auto thing = static_cast<std::size_t>(context_.world.thing_of_mover[i]);
+        const Aabb& own = context_.world.scene->placed[thing].model->bounds_m;
+        const Vec3 size = own.size_m();
+        if (size.z < std::min(size.x, size.y)) continue;  // a bridge or trap door, which one walks over
+        leaves.push_back({own, context_.world.things.at(thing)});
+    }
+    navigation().know_leaves(leaves);
+}
+
+// True when rooms are there to speak of; else says why not.
+bool Rooms::have(double now_s) {
+    if (!of_world_ || (beside_ && !of_world_->ready())) {
+        context_.answer(phrase("rooms.not_yet"), now_s);
+        return false;
+    }
+    if (of_world_->ready() && of_world_->found()) {
+        know_leaves();
+        notice(now_s, true);
+        return true;
+    }
+    context_.answer(of_world_->problem(), now_s);
+    return false;
+}
+
+// "Kitchen. " where there is more than one room; empty where nothing is known.
+std::string Rooms::here_words(double now_s) {
+    if (!known() || graph().rooms.size() < 2) return {};
+    notice(now_s, true);
+    return here_ == kNothing ? std::string()
+                             : phrase("rooms.here", {{"room", sentence_case(graph().rooms[here_].name)}}) + " ";
+}
+
+// Which room one is in now; `quietly`: without a word about it.
+void Rooms::notice(double now_s, bool quietly) {
+    if (!found()) return;
+    RoomGraph& graph = of_world_->graph();
+    if (!told_) {
+        told_ = true;
+        visited_.assign(graph.rooms.size(), false);
+        lay_given_names(now_s);
+        for (const std::string& sentence : navigation().said()) context_.say(sentence, SpeechClass::Ambient, now_s);
+        if (std::string sentence = unreachable_words(of_world_->out_of_reach()); !sentence.empty())
+            context_.say(std::move(sentence), SpeechClass::Ambient, now_s);
+        quietly = true;
+    }
+    if (drawn_) draw();
+    const std::uint32_t now_in = room_at(graph, navigation().space(), context_.body.feet_m());
+    if (now_in == kNothing || now_in == here_) return;
+    here_ = now_in;
+    visited_[here_] = true;
+    context_.events.tell(RoomEntered{here_, graph.rooms[here_].name}, now_s);
+    if (!quietly && context_.settings.speech.rooms)
+        context_.say(sentence_case(graph.rooms[here_].name), SpeechClass::Ambient, now_s);
+}
+
+// For the plan: once, and again where a name has changed.
+void Rooms::draw() {
+    const RoomGraph& graph = of_world_->graph();
+    if (drawing_ && drawn_language_ == graph.language) return;
+    drawn_language_ = graph.language;
+    std::vector<RoomOutline> outlines = room_outlines(graph, navigation().space());
+    std::vector<DrawnRoom> drawn;
+    for (std::size_t r = 0; r < outlines.size(); ++r)
+        drawn.push_back({sentence_case(graph.rooms[r].name), graph.rooms[r].middle_m, graph.rooms[r].area_m2,
+                         std::move(outlines[r])});
+    drawing_ = std::make_shared<const std::vector<DrawnRoom>>(std::move(drawn));
+}
+
+void Rooms::tell_exits(bool unvisited_only, double now_s) {
+    if (!have(now_s)) return;
+    if (here_ == kNothing) return context_.answer(phrase("rooms.nowhere"), now_s);
+    const RoomGraph& graph = of_world_->graph();
+    std::string told;
+    int count = 0;
+    for (const std::uint32_t p : exits_of(graph, here_, context_.body.feet_m(), context_.body.heading_rad)) {
+        const Portal& portal = graph.portals[p];
+        const std::uint32_t other = portal.rooms[0] == here_ ? portal.rooms[1] : portal.rooms[0];
+        if (unvisited_only && visited_[other]) continue;
+        ++count;
+        const Vec3 off = portal.place_m - context_.body.feet_m();
+        const std::string what = passage_name(context_, portal.kind, portal.feature, 0.0), to = graph.rooms[other].name;
+        const std::string exit = sentence_case(what);
+        const std::string where = joined(where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
+                                         lock_words(context_, portal.feature));
+        told += " " + (to == what ? phrase("rooms.exit", {{"exit", exit}, {"where", where}})
+                                  : phrase("rooms.exit_to", {{"exit", exit}, {"room", to}, {"where", where}}));
+    }
+    const std::string room = sentence_case(graph.rooms[here_].name);
+    if (count == 0)
+        return context_.answer(phrase(unvisited_only ? "rooms.every_exit_taken" : "rooms.no_exits", {{"room", room}}),
+                               now_s);
+    context_.answer(
+        phrase(unvisited_only ? "rooms.exits_not_taken" : "rooms.exits", {{"room", room}, {"count", count}}) + told,
+        now_s);
+}
+
+// ---- names that the person gives ----
+
+// Once the rooms are known.
+void Rooms::lay_given_names(double now_s) {
+    RoomGraph& graph = of_world_->graph();
+    std::vector<Error> faults;
+    names_ = read_room_names(context_.additions, faults);
+    if (!faults.empty()) context_.say(unreadable_words("room_names.unreadable", faults), SpeechClass::Answer, now_s);
+    lay_room_names(graph, navigation().space(), context_.additions, names_);
+    if (std::string unfit = unfit_sentence(names_); !unfit.empty())
+        context_.say(std::move(unfit), SpeechClass::Answer, now_s);
+    if (on_known) on_known(now_s);
+}
+
+void Rooms::ask_name(double now_s) {
+    if (!have(now_s)) return;
+    if (here_ == kNothing) return context_.answer(phrase("rooms.nowhere"), now_s);
+    TextSpec question;
+    question.question = phrase("room_names.ask", {{"room", sentence_case(graph().rooms[here_].name)}});
+    question.done = [this, room = here_](const std::string& typed) { give_name(room, typed, context_.tick_s); };
+    question.left = [this] { context_.answer(phrase("room_names.stays"), context_.tick_s); };
+    context_.ask_text(std::move(question), now_s);
+}
+
+void Rooms::give_name(std::uint32_t room, const std::string& typed, double now_s) {
+    const auto name = good_name(typed);
+    if (!name) return context_.answer(name.error().message, now_s);
+    RoomGraph& graph = of_world_->graph();
+    for (std::uint32_t other = 0; other < graph.rooms.size(); ++other)
+        if (other != room && lower_ascii(graph.rooms[other].name) == lower_ascii(*name))
+            return context_.answer(phrase("room_names.taken", {{"name", *name}, {"own", graph.rooms[room].name}}),
+                                   now_s);
+    const std::uint32_t known = name_of_room(graph, navigation().space(), names_, room);
+    if (known != kNothing) names_.erase(names_.begin() + known);
+    const std::string before = known_as(graph.rooms[room]);
+    // Its own name again takes the given one away.
+    graph.rooms[room].given = *name != own_name(graph.rooms[room]);
+    if (graph.rooms[room].given)
+        names_.push_back({*name,
+                          graph.rooms[room].middle_m,
+                          graph.rooms[room].area_m2,
+                          context_.additions.world_checksum(),
+                          true,
+                          {}});
+    graph.rooms[room].name = *name;
+    drawing_.reset();
+    if (on_renamed) on_renamed(before, known_as(graph.rooms[room]));
+    write_room_names(context_.additions, names_);
+    context_.asks.save_additions(now_s);
+    context_.answer(phrase("room_names.given", {{"name", *name}}), now_s);
+}
+
+void Rooms::take_names_again() {
+    std::vector<Error> faults;  // told on entering
+    names_ = read_room_names(context_.additions, faults);
+    drawing_.reset();
+    if (!found()) return;  // they are laid once the rooms are known
+    for (Room& room : graph().rooms)
+        if (std::exchange(room.given, false)) room.name = own_name(room);
+    lay_room_names(graph(), space(), context_.additions, names_);
+}
+
+}  // namespace handrail

@@ -1,0 +1,90 @@
+// The rooms of the world one is in: which one the body is in, where they lead, and what the person calls them. Knows
+// nothing of ways that are gone. App thread only; RoomsOfWorld finds them, beside or not.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/core/context/session_context.h"
+#include "app/core/context/view.h"
+#include "app/core/kept/room_names.h"
+#include "app/core/whereabouts/rooms_of_world.h"
+
+namespace handrail {
+
+class Rooms {
+public:
+    explicit Rooms(const SessionContext& context) : context_(context) {}
+    Rooms(const Rooms&) = delete;  // open questions know it by its place
+    Rooms& operator=(const Rooms&) = delete;
+
+    // Of worlds entered from now on they are found on a thread beside everything else; without this when they are first
+    // asked for.
+    void find_beside() { beside_ = true; }
+    bool beside() const { return beside_; }
+    // scene: as its file has it.
+    void enter_world(std::shared_ptr<const Scene> scene);
+    // Exits, those not taken yet, and naming a room. False: it is another's.
+    bool act(Command command, double now_s);
+    void tick(double now_s);
+
+    // ---- four questions with four costs ----
+    // There are rooms and ways to be used. Where they are not found beside they are looked for now.
+    bool known();
+    // The same, noticing which room one is in; else says why not.
+    bool have(double now_s);
+    // Looked for now where they are not found beside, as known(), but before the world's doors stand where they will:
+    // no leaf is noticed.
+    bool look() const { return of_world_ && of_world_->ready() && of_world_->found(); }
+    // Nothing is looked for now: they have been, and there are some.
+    bool found() const { return looked_for() && of_world_->found(); }
+    bool looked_for() const { return of_world_ && of_world_->done(); }
+    // The thread beside is still at it.
+    bool awaited() const { return of_world_ && beside_ && !of_world_->ready(); }
+    const std::string& problem() const { return of_world_->problem(); }
+    // Only where they are found.
+    RoomGraph& graph() const { return of_world_->graph(); }
+    Navigation& navigation() const { return of_world_->navigation(); }
+    const WalkSpace& space() const { return navigation().space(); }
+
+    // The last one the body was in; kNothing: none.
+    std::uint32_t here() const { return here_; }
+    // Which one that is now; quietly: without a word about it.
+    void notice(double now_s, bool quietly);
+    // "Kitchen. " where there is more than one room; empty where nothing is known.
+    std::string here_words(double now_s);
+
+    // The names that the person gave have been changed in their file.
+    void take_names_again();
+
+    // For the plan, while it is shown.
+    void show_plan(bool shown) { drawn_ = shown; }
+    const std::shared_ptr<const std::vector<DrawnRoom>>& drawing() const { return drawing_; }
+
+    // Set by the session, for whoever keeps something by the rooms.
+    std::function<void(double now_s)> on_known;  // once for each world
+    std::function<void(const std::string& before, const std::string& name)>
+        on_renamed;  // as files know a room; empty: they do not
+
+private:
+    void know_leaves();
+    void draw();
+    void tell_exits(bool unvisited_only, double now_s);
+    void lay_given_names(double now_s);
+    void ask_name(double now_s);
+    void give_name(std::uint32_t room, const std::string& typed, double now_s);
+
+    const SessionContext& context_;
+    bool beside_ = false, told_ = false, drawn_ = false;
+    std::unique_ptr<RoomsOfWorld> of_world_;
+    std::uint32_t here_ = kNothing;
+    std::vector<bool> visited_;  // since this world was entered
+    std::vector<RoomNameGiven> names_;
+    std::shared_ptr<const std::vector<DrawnRoom>> drawing_;  // for the plan
+    std::string drawn_language_;
+    std::shared_ptr<const Scene> leaves_of_;  // the world as it was when ways were told where leaves stand
+};
+
+}  // namespace handrail

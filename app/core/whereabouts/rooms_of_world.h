@@ -1,0 +1,50 @@
+// The rooms and ways of the world one is in, found beside everything else: on a thread of their own, so that entering a
+// world does not wait for them, or at once where the same must happen at the same time in every run. Owned by the
+// session and used on the app thread only.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
+
+namespace handrail {
+
+class RoomsOfWorld {
+public:
+    // at_once: found when ready() is first asked, which then takes as long as it takes.
+    RoomsOfWorld(std::shared_ptr<const Scene> scene, const WalkBody& body, bool at_once);
+    ~RoomsOfWorld() = default;  // gives up what is not done yet
+    RoomsOfWorld(const RoomsOfWorld&) = delete;
+    RoomsOfWorld& operator=(const RoomsOfWorld&) = delete;
+
+    // True when it is done, well or not; the rest is looked at only then.
+    bool ready();
+    bool done() const { return done_; }  // ready(), without making it so
+    bool found() const { return navigation_ != nullptr; }
+    const std::string& problem() const { return problem_; }  // a sentence; empty: none
+    // See unreachable_rooms().
+    const std::vector<std::string>& out_of_reach() const { return out_of_reach_; }
+    Navigation& navigation() { return *navigation_; }
+    RoomGraph& graph() { return graph_; }
+
+private:
+    void find(const std::stop_token& stop);
+
+    std::shared_ptr<const Scene> scene_;
+    WalkBody body_;
+    bool at_once_;
+    std::shared_ptr<Navigation> navigation_;
+    RoomGraph graph_;
+    std::vector<std::string> out_of_reach_;
+    std::string problem_;
+    std::atomic<bool> done_{false};
+    std::jthread worker_;  // the last: it is ended before what it fills goes
+};
+
+}  // namespace handrail

@@ -1,0 +1,84 @@
+// One piece of work at a time on a thread of its own, beside the thread that owns this: begun, asked for each tick,
+// given up when something newer is wanted or the owner goes. Every function on the owner's thread. What the work holds
+// is also let go of on its own thread, so that large things cost the owner nothing.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <utility>
+
+namespace handrail {
+
+template <class Result>
+class Beside {
+public:
+    // Looks at `stop` often; what it returns after that counts for nothing.
+    using Work = std::function<Result(const std::stop_token& stop)>;
+
+    Beside() = default;
+    ~Beside() {
+        give_up();
+        if (worker_.joinable()) worker_.join();
+    }
+    Beside(const Beside&) = delete;
+    Beside& operator=(const Beside&) = delete;
+
+    // In place of whatever was begun before.
+    void begin(Work work) {
+        give_up();
+        next_ = std::move(work);
+        go_on();
+    }
+    void give_up() {
+        if (run_) run_->stop.request_stop();
+        next_ = nullptr;
+    }
+    // Something is on its way that will be there to take.
+    bool busy() const { return next_ || (run_ && !run_->stop.stop_requested()); }
+    // What was begun last, once it is done; where memory did not suffice for it, never.
+    std::optional<Result> take() {
+        if (!run_ || !run_->done.load(std::memory_order_acquire)) return std::nullopt;
+        worker_.join();
+        const std::unique_ptr<Run> run = std::move(run_);
+        std::optional<Result> made;
+        if (!run->stop.stop_requested()) made = std::move(run->made);
+        go_on();
+        return made;
+    }
+
+private:
+    struct Run {
+        std::stop_source stop;
+        std::atomic<bool> done{false};
+        std::optional<Result> made;
+    };
+    void go_on() {
+        if (!next_) return;
+        if (run_ && run_->done.load(std::memory_order_acquire)) {
+            worker_.join();
+            run_.reset();
+        }
+        if (run_) return;
+        run_ = std::make_unique<Run>();
+        worker_ = std::thread([run = run_.get(), work = std::exchange(next_, nullptr)]() mutable {
+            try {
+                run->made = work(run->stop.get_token());
+            } catch (const std::bad_alloc&) {
+                run->made.reset();
+            }
+            work = nullptr;
+            run->done.store(true, std::memory_order_release);
+        });
+    }
+
+    Work next_;
+    std::unique_ptr<Run> run_;
+    std::thread worker_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,399 @@
+#include "app/core/world/body_world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "worlds/base/contract.h"
+
+namespace handrail {
+namespace {
+
+// How far the plane must be pushed out so that the body's reference point meets it just when the body meets the plane.
+double support(const Vec3& normal, const BodyShape& body) {
+    const double sideways =
+        body.radius_m > 0.0 ? body.radius_m * std::sqrt(normal.x * normal.x + normal.y * normal.y) : 0.0;
+    return sideways + std::max(0.0, -normal.z * body.height_m);
+}
+
+// Does a piece come before another one in the order of all? Boxes, and numbers for equal ones.
+bool comes_before(const Aabb& a, std::uint32_t number_a, const Aabb& b, std::uint32_t number_b) {
+    if (a.min_m.x != b.min_m.x) return a.min_m.x < b.min_m.x;
+    if (a.min_m.y != b.min_m.y) return a.min_m.y < b.min_m.y;
+    return number_a < number_b;
+}
+
+const Scene& there(const std::shared_ptr<const Scene>& scene) {
+    contract_pre(scene != nullptr);
+    return *scene;
+}
+
+}  // namespace
+
+bool told_when_seen(const Feature& feature) {
+    const bool surface = feature.kind == FeatureKind::Wall || feature.kind == FeatureKind::Floor ||
+                         feature.kind == FeatureKind::Ceiling || feature.kind == FeatureKind::Slope;
+    return !feature.bounds_m.empty() && feature.kind != FeatureKind::Trigger &&
+           (!surface || feature.landmark || feature.clue);
+}
+
+BodyWorld::BodyWorld(std::shared_ptr<const Scene> scene, std::span<const Placement> placed)
+    : scene_(std::move(scene)), building_(built(there(scene_))) {
+    contract_pre(placed.empty() || placed.size() <= scene_->placed.size());
+    set_down(placed);
+}
+
+BodyWorld::BodyWorld(const BodyWorld& before, std::shared_ptr<const Scene> scene, std::span<const Placement> placed)
+    : scene_(std::move(scene)), building_(before.building_) {
+    contract_pre(scene_ != nullptr);
+    contract_pre(scene_->solids.size() == before.scene_->solids.size() &&
+                 scene_->triangles.size() == before.scene_->triangles.size());
+    set_down(placed);
+}
+
+std::shared_ptr<const BodyWorld::Building> BodyWorld::built(const Scene& scene) {
+    auto made = std::make_shared<Building>();
+    made->pieces.add_scene(scene, nullptr, -1);
+    made->pieces.arrange();
+    // A name may be met anywhere on a solid that bears it on some face: see name_hit().
+    std::vector<Aabb> boxes(scene.features.size());
+    const auto include = [&](FeatureId feature, const Aabb& box) {
+        if (feature.value < boxes.size()) boxes[feature.value].include(box);
+    };
+    for (std::uint32_t i = 0; i < scene.solids.size(); ++i) {
+        const Solid& solid = scene.solids[i];
+        if (solid.feature && solid.role != SolidRole::Solid && solid.role != SolidRole::Mover &&
+            solid.role != SolidRole::BodyClip)
+            made->volumes.push_back(i);
+        include(solid.feature, solid.shape.bounds_m);
+        for (const FeatureId feature : solid.face_features) include(feature, solid.shape.bounds_m);
+    }
+    for (const MeshTriangle& t : scene.triangles)
+        for (const Vec3& p : {t.a_m, t.b_m, t.c_m}) include(t.feature, Aabb{p, p});
+    std::vector<bool> moves(scene.features.size(), false);
+    for (const PlacedModel& thing : scene.placed)
+        if (thing.feature.value < moves.size()) moves[thing.feature.value] = true;
+    for (std::uint32_t i = 0; i < scene.features.size(); ++i) {
+        if (moves[i] || !told_when_seen(scene.features[i])) continue;
+        boxes[i].include(scene.features[i].bounds_m);
+        made->sights.features.push_back(FeatureId{i});
+        made->sights.boxes.push_back(boxes[i]);
+    }
+    made->sights.tree = BoxTree(made->sights.boxes);
+    return made;
+}
+
+void BodyWorld::set_down(std::span<const Placement> placed) {
+    for (std::size_t i = 0; i < scene_->placed.size(); ++i) {
+        const PlacedFrame frame(i < placed.size() ? placed[i] : scene_->placed[i].at);
+        placed_.add_scene(*scene_->placed[i].model, &frame, static_cast<std::int32_t>(i));
+    }
+    placed_.arrange();
+    boxes_of_placed_.resize(scene_->placed.size());
+    for (const Piece& piece : placed_.pieces)
+        boxes_of_placed_[static_cast<std::size_t>(piece.placed)].include(piece.bounds_m);
+}
+
+// Of pieces met at once the later one counts, and so on: the order is part of what is answered, and does not depend on
+// the tree.
+void BodyWorld::Pieces::arrange() {
+    std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+        return a.bounds_m.min_m.x != b.bounds_m.min_m.x ? a.bounds_m.min_m.x < b.bounds_m.min_m.x
+                                                        : a.bounds_m.min_m.y < b.bounds_m.min_m.y;
+    });
+    std::vector<Aabb> boxes;
+    boxes.reserve(pieces.size());
+    for (const Piece& piece : pieces) boxes.push_back(piece.bounds_m);
+    tree = BoxTree(boxes);
+}
+
+// The pieces of a scene, or of a model that stands in the frame.
+void BodyWorld::Pieces::add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed) {
+    const auto at = [frame](const Vec3& p) { return frame ? frame->to_world(p) : p; };
+    std::vector<Bound> of_piece;
+    const auto add_bevels = [&of_piece](const Aabb& box) {
+        // Without the six axis planes the sum of a slanted solid and a wide body would stick out far at sharp edges.
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double sign : {1.0, -1.0}) {
+                Vec3 normal{0.0};
+                normal[axis] = sign;
+                const bool there = std::any_of(of_piece.begin(), of_piece.end(), [&](const Bound& b) {
+                    return glm::dot(b.plane.normal, normal) > 1.0 - 1e-9;
+                });
+                if (!there) of_piece.push_back({Plane{normal, sign > 0 ? box.max_m[axis] : -box.min_m[axis]}, -1});
+            }
+    };
+    for (std::uint32_t i = 0; i < scene.solids.size(); ++i) {
+        const Solid& solid = scene.solids[i];
+        if (solid.role != SolidRole::Solid && solid.role != SolidRole::Mover && solid.role != SolidRole::BodyClip)
+            continue;
+        of_piece.clear();
+        Aabb box = solid.shape.bounds_m;
+        if (frame) {
+            box = {};
+            for (const Polygon& face : solid.shape.faces)
+                for (const Vec3& p : face.points_m) box.include(at(p));
+        }
+        for (std::size_t face = 0; face < solid.shape.planes.size(); ++face) {
+            Plane plane = solid.shape.planes[face];
+            if (frame) {
+                plane.normal = frame->turned(plane.normal);
+                plane.offset_m =
+                    solid.shape.planes[face].offset_m * frame->scale + glm::dot(plane.normal, frame->position_m);
+            }
+            of_piece.push_back({plane, static_cast<std::int32_t>(face)});
+        }
+        add_bevels(box);
+        add_piece(of_piece, {0, 0, box, solid.role == SolidRole::BodyClip, i, false, placed});
+    }
+    for (std::uint32_t i = 0; i < scene.triangles.size(); ++i) {
+        const MeshTriangle& t = scene.triangles[i];
+        const Vec3 corners[3] = {at(t.a_m), at(t.b_m), at(t.c_m)};
+        const Vec3 area = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+        const double length = glm::length(area);
+        if (!(length > 0.0)) continue;  // no area: nothing to bump into
+        const Vec3 n = area / length;
+        of_piece.clear();
+        of_piece.push_back({Plane{n, glm::dot(n, corners[0])}, 0});
+        of_piece.push_back({Plane{-n, -glm::dot(n, corners[0])}, 0});
+        Aabb box;
+        for (int e = 0; e < 3; ++e) {
+            box.include(corners[e]);
+            const Vec3 side = glm::cross(corners[(e + 1) % 3] - corners[e], n);
+            const double side_length = glm::length(side);
+            if (side_length > 0.0)
+                of_piece.push_back({Plane{side / side_length, glm::dot(side / side_length, corners[e])}, 0});
+        }
+        add_bevels(box);
+        add_piece(of_piece, {0, 0, box, false, i, true, placed});
+    }
+}
+
+void BodyWorld::Pieces::add_piece(const std::vector<Bound>& of_piece, Piece piece) {
+    piece.first_plane = static_cast<std::uint32_t>(bounds.size());
+    piece.plane_count = static_cast<std::uint32_t>(of_piece.size());
+    pieces.push_back(piece);
+    bounds.insert(bounds.end(), of_piece.begin(), of_piece.end());
+}
+
+const BodyWorld::Piece& BodyWorld::piece(std::uint32_t number) const {
+    const std::vector<Piece>& standing = building_->pieces.pieces;
+    return number < standing.size() ? standing[number] : placed_.pieces[number - standing.size()];
+}
+
+template <class Visit>
+void BodyWorld::visit_near(const Aabb& box, Visit visit) const {
+    for (const Pieces* some : {&building_->pieces, &placed_})
+        some->tree.meeting(box, [&](std::uint32_t i) {
+            if (BoxTree::meets(some->pieces[i].bounds_m, box)) visit(*some, some->pieces[i]);
+        });
+}
+
+TraceHit BodyWorld::trace(const Vec3& from_m, const Vec3& to_m, const BodyShape& body, bool through_clips,
+                          std::int32_t but_placed) const {
+    contract_pre(is_finite(from_m) && is_finite(to_m));
+    contract_pre(body.radius_m >= 0.0 && body.height_m >= 0.0);
+    const Vec3 step = to_m - from_m;
+    const double length = glm::length(step);
+    Aabb sweep;
+    sweep.include(from_m);
+    sweep.include(to_m);
+    const Vec3 around{body.radius_m + kContactGap_m, body.radius_m + kContactGap_m, kContactGap_m};
+    sweep.min_m -= around;
+    sweep.max_m += around + Vec3(0.0, 0.0, body.height_m);
+
+    TraceHit best;
+    const Piece* met = nullptr;
+    std::int32_t met_face = -1;
+    std::uint32_t number = 0;  // of the first piece of these
+    const auto look_at = [&](const Pieces& some, std::uint32_t i, double& reach) {
+        const Piece& piece = some.pieces[i];
+        if ((through_clips && piece.clip_only) || piece.placed == but_placed || !BoxTree::meets(piece.bounds_m, sweep))
+            return;
+        double enter = -1.0, leave = 1.0;
+        Vec3 enter_normal{0.0};
+        std::int32_t enter_face = -1;
+        bool starts_outside = false;
+        for (std::uint32_t k = piece.first_plane; k < piece.first_plane + piece.plane_count; ++k) {
+            const Bound& bound = some.bounds[k];
+            const double grow = support(bound.plane.normal, body);
+            const double d0 = signed_distance(bound.plane, from_m) - grow;
+            const double d1 = signed_distance(bound.plane, to_m) - grow;
+            if (d0 > 0.0) starts_outside = true;
+            // Outside and not coming nearer; a tenth of a micrometre is rounding of a slide along the surface.
+            if (d0 > 0.0 && d1 > 0.0 && d1 >= d0 - 1e-7) return;
+            if (d0 <= 0.0 && d1 <= 0.0) continue;  // inside this plane all the way
+            if (d0 > d1) {                         // comes in: stop a little before
+                const double t = std::max(0.0, (d0 - kContactGap_m) / (d0 - d1));
+                if (d1 > kContactGap_m) return;  // never reaches it
+                if (t > enter) {
+                    enter = t;
+                    enter_normal = bound.plane.normal;
+                    enter_face = bound.face;
+                }
+            } else {
+                leave = std::min(leave, d0 / (d0 - d1));
+            }
+        }
+        if (!starts_outside || enter < 0.0 || enter > leave || enter > best.fraction) return;
+        // Of pieces met at once the later one counts: the eastern, then the northern, then what was set down.
+        if (met && enter == best.fraction && comes_before(piece.bounds_m, number + i, met->bounds_m, best.piece))
+            return;
+        best.fraction = reach = enter;
+        best.normal = enter_normal;
+        best.hit = true;
+        best.piece = number + i;
+        met = &piece;
+        met_face = enter_face;
+    };
+    // Wider than anything that rounding does to where a way enters a piece: what lies behind what was met is left out
+    // by this alone.
+    constexpr double kSlack_m = 1e-3;
+    const Vec3 low(body.radius_m + kSlack_m, body.radius_m + kSlack_m, body.height_m + kSlack_m);
+    const Vec3 high(body.radius_m + kSlack_m, body.radius_m + kSlack_m, kSlack_m);
+    for (const Pieces* some : {&building_->pieces, &placed_}) {
+        some->tree.along(from_m, to_m, low, high, [&](std::uint32_t i, double& reach) {
+            reach = std::min(reach, best.fraction);
+            look_at(*some, i, reach);
+        });
+        number += static_cast<std::uint32_t>(some->pieces.size());
+    }
+    best.end_m = from_m + step * best.fraction;
+    if (met) name_hit(*met, met_face, best.normal, best.feature, best.material);
+    if (length == 0.0) best.hit = false;
+    return best;
+}
+
+void BodyWorld::name_hit(const Piece& piece, std::int32_t face, const Vec3& normal, FeatureId& feature,
+                         MaterialId& material) const {
+    if (piece.placed >= 0) {
+        feature = scene_->placed[static_cast<std::size_t>(piece.placed)].feature;
+        material = scene_->placed[static_cast<std::size_t>(piece.placed)].material;
+        return;
+    }
+    if (piece.triangle) {
+        feature = scene_->triangles[piece.solid].feature;
+        material = scene_->triangles[piece.solid].material;
+        return;
+    }
+    const Solid& solid = scene_->solids[piece.solid];
+    // A bevel has no face of its own: the visible face that looks most its way names it. So does a hidden face.
+    double most = -2.0;
+    for (std::size_t i = 0; i < solid.shape.planes.size(); ++i) {
+        const bool named = i < solid.face_features.size() && solid.face_features[i];
+        double likeness = glm::dot(solid.shape.planes[i].normal, normal);
+        if (static_cast<std::int32_t>(i) == face) likeness = 1.0 + 1e-6;
+        if (named && likeness > most) {
+            most = likeness;
+            feature = solid.face_features[i];
+            material = solid.face_materials[i];
+        }
+    }
+    if (!feature) feature = solid.feature;
+}
+
+std::vector<Crossing> BodyWorld::crossings(const Vec3& from_m, const Vec3& to_m) const {
+    contract_pre(is_finite(from_m) && is_finite(to_m));
+    const double length = glm::length(to_m - from_m);
+    std::vector<Crossing> found;
+    if (length == 0.0) return found;
+    Aabb sweep;
+    sweep.include(from_m);
+    sweep.include(to_m);
+    visit_near(sweep, [&](const Pieces& some, const Piece& piece) {
+        if (piece.clip_only) return;
+        double enter = 0.0, leave = 1.0;
+        Vec3 normal{0.0};
+        std::int32_t face = -1;
+        for (std::uint32_t k = piece.first_plane; k < piece.first_plane + piece.plane_count; ++k) {
+            const Bound& bound = some.bounds[k];
+            const double d0 = signed_distance(bound.plane, from_m), d1 = signed_distance(bound.plane, to_m);
+            if (d0 > 0.0 && d1 > 0.0) return;
+            if (d0 > 0.0 && d0 / (d0 - d1) >= enter) {
+                enter = d0 / (d0 - d1);
+                normal = bound.plane.normal;
+                face = bound.face;
+            } else if (d1 > 0.0) {
+                leave = std::min(leave, d0 / (d0 - d1));
+            }
+        }
+        if (enter <= 0.0 || leave >= 1.0 || enter > leave) return;
+        Crossing crossing{enter * length, leave * length, kNoFeature, kDefaultMaterial};
+        name_hit(piece, face, normal, crossing.feature, crossing.material);
+        found.push_back(crossing);
+    });
+    return found;
+}
+
+bool BodyWorld::blocked(const Vec3& feet_m, const BodyShape& body) const {
+    contract_pre(is_finite(feet_m));
+    contract_pre(body.radius_m >= 0.0 && body.height_m >= 0.0);
+    Aabb box;
+    box.include(feet_m - Vec3(body.radius_m, body.radius_m, 0.0));
+    box.include(feet_m + Vec3(body.radius_m, body.radius_m, body.height_m));
+    bool inside_any = false;
+    visit_near(box, [&](const Pieces& some, const Piece& piece) {
+        for (std::uint32_t k = piece.first_plane; k < piece.first_plane + piece.plane_count; ++k)
+            if (signed_distance(some.bounds[k].plane, feet_m) - support(some.bounds[k].plane.normal, body) > 0.0)
+                return;
+        inside_any = true;
+    });
+    return inside_any;
+}
+
+std::vector<FeatureId> BodyWorld::volumes_at(const Vec3& feet_m, double height_m, SolidRole role) const {
+    contract_pre(is_finite(feet_m) && height_m >= 0.0);
+    std::vector<FeatureId> found;
+    const BodyShape line{0.0, height_m};
+    for (const std::uint32_t volume : building_->volumes) {
+        const Solid& solid = scene_->solids[volume];
+        if (solid.role != role) continue;
+        const bool inside = std::all_of(solid.shape.planes.begin(), solid.shape.planes.end(), [&](const Plane& plane) {
+            return signed_distance(plane, feet_m) - support(plane.normal, line) <= 0.0;
+        });
+        if (inside && std::find(found.begin(), found.end(), solid.feature) == found.end())
+            found.push_back(solid.feature);
+    }
+    return found;
+}
+
+// What is convex and crosses the lines to all corners of a box crosses every line into the box, no farther than its
+// end: the places where it is crossed on the way to the corners, weighed rightly, are one on that line. Apart from the
+// box, it is crossed before anything in there. Told from the piece drawn in by a little, so that no rounding of a trace
+// misses it.
+bool BodyWorld::hides(std::uint32_t number, const Vec3& eye_m, const Aabb& box) const {
+    constexpr double kDrawnIn_m = 2e-3, kApart_m = 1e-2;
+    const Piece& one = piece(number);
+    const Aabb around{box.min_m - Vec3(kApart_m), box.max_m + Vec3(kApart_m)};
+    if (one.clip_only || BoxTree::meets(one.bounds_m, around)) return false;
+    const std::vector<Bound>& bounds =
+        number < building_->pieces.pieces.size() ? building_->pieces.bounds : placed_.bounds;
+    const std::uint32_t sides =
+        one.triangle ? 2 : 0;  // a sheet has no inside: it is crossed from one side to the other
+    bool outside = false;
+    for (std::uint32_t k = 0; k < one.plane_count; ++k)
+        outside = outside || signed_distance(bounds[one.first_plane + k].plane, eye_m) > kDrawnIn_m;
+    if (!outside) return false;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 to(corner & 1 ? box.max_m.x : box.min_m.x, corner & 2 ? box.max_m.y : box.min_m.y,
+                      corner & 4 ? box.max_m.z : box.min_m.z);
+        double in = 0.0, out = 1.0;
+        for (std::uint32_t k = 0; k < one.plane_count; ++k) {
+            const Plane& plane = bounds[one.first_plane + k].plane;
+            double d0 = signed_distance(plane, eye_m), d1 = signed_distance(plane, to);
+            if (k < sides) {
+                if (std::min(std::abs(d0), std::abs(d1)) < kDrawnIn_m || (d0 > 0.0) == (d1 > 0.0)) return false;
+            } else {
+                d0 += kDrawnIn_m;
+                d1 += kDrawnIn_m;
+            }
+            if (d0 > 0.0 && d1 > 0.0) return false;
+            if (d0 > 0.0) in = std::max(in, d0 / (d0 - d1));
+            else if (d1 > 0.0) out = std::min(out, d0 / (d0 - d1));
+        }
+        if (in > out) return false;
+    }
+    return true;
+}
+
+}  // namespace handrail

@@ -1,0 +1,124 @@
+// What a body bumps into: the scene's solids as convex pieces, swept by an upright box-like body or a point. Immutable
+// after it is built; any thread. A trace is exact: the body's Minkowski sum with each convex piece is met by a moving
+// point, so nothing is tunnelled at any speed. Only pieces whose box the way goes through before it has met something
+// are looked at. What stands still of a building is made once and shared by all worlds in which only things stand
+// elsewhere.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "worlds/geometry/box_tree.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+// An upright cylinder standing on its reference point; radius 0 and height 0 is a ray.
+struct BodyShape {
+    double radius_m = 0.0;
+    double height_m = 0.0;
+};
+
+struct TraceHit {
+    double fraction = 1.0;  // of the way, 1 when nothing was met
+    Vec3 end_m{0.0};        // where the reference point stops, kContactGap_m before the surface
+    Vec3 normal{0.0};       // of the surface that was met
+    FeatureId feature = kNoFeature;
+    MaterialId material = kDefaultMaterial;
+    bool hit = false;
+    std::uint32_t piece = 0xFFFFFFFFU;  // which was met, for BodyWorld::hides()
+};
+
+// A stretch of a straight way that lies in something solid, from its start.
+struct Crossing {
+    double enter_m = 0.0, leave_m = 0.0;
+    FeatureId feature = kNoFeature;
+    MaterialId material = kDefaultMaterial;
+};
+
+// Doors, landmarks, clues, liquids and things: what an answer to "what is around" may name. A bare wall is not.
+bool told_when_seen(const Feature& feature);
+
+class BodyWorld {
+public:
+    // placed: where the scene's placed things stand, in their order; left out, where the scene has them.
+    explicit BodyWorld(std::shared_ptr<const Scene> scene, std::span<const Placement> placed = {});
+    // The same building with its things elsewhere, or other things: `scene` has the solids and triangles of the one
+    // before. As cheap as its things are few.
+    BodyWorld(const BodyWorld& before, std::shared_ptr<const Scene> scene, std::span<const Placement> placed = {});
+
+    const Scene& scene() const { return *scene_; }
+    // Moves the body from one place towards another and stops at the first solid. A piece that the body already
+    // overlaps at the start is ignored, so that one can always walk out of it. `through_clips`: rays look through what
+    // only stops bodies. `but_placed`: this placed thing is not there.
+    TraceHit trace(const Vec3& from_m, const Vec3& to_m, const BodyShape& body, bool through_clips = false,
+                   std::int32_t but_placed = kNoPlaced) const;
+    // Everything solid on a straight way, in no order; what only stops bodies and what holds either end is left out.
+    std::vector<Crossing> crossings(const Vec3& from_m, const Vec3& to_m) const;
+    // True when a solid overlaps the body standing there.
+    bool blocked(const Vec3& feet_m, const BodyShape& body) const;
+    // Volumes of that role (Liquid, Trigger, Teleport) which the upright line feet..feet+height meets; feature ids in
+    // file order.
+    std::vector<FeatureId> volumes_at(const Vec3& feet_m, double height_m, SolidRole role) const;
+
+    // Does this piece alone (TraceHit::piece) lie before everything in the box, seen from there? Never wrongly: a line
+    // of sight to any place in the box meets it, and meets it before anything that lies in the box.
+    bool hides(std::uint32_t piece, const Vec3& eye_m, const Aabb& box) const;
+    // Features that stand still and may be told of when they are in sight, each with the box of all that goes by its
+    // name.
+    struct Sights {
+        std::vector<FeatureId> features;
+        std::vector<Aabb> boxes;
+        BoxTree tree;
+    };
+    const Sights& standing() const { return building_->sights; }
+    // The box of all that goes by a thing's name where it stands now. Index of Scene::placed.
+    const Aabb& box_of_placed(std::size_t thing) const { return boxes_of_placed_[thing]; }
+
+    static constexpr std::int32_t kNoPlaced = -2;
+    static constexpr double kContactGap_m =
+        1e-4;  // a body stops this far from a surface, so that rounding never lets it in
+
+private:
+    struct Piece {
+        std::uint32_t first_plane = 0, plane_count = 0;
+        Aabb bounds_m;
+        bool clip_only = false;
+        std::uint32_t solid = 0;  // index of Scene::solids, or of triangles when `triangle`
+        bool triangle = false;
+        std::int32_t placed = -1;  // index of Scene::placed, whose name it goes by; -1: of the building itself
+    };
+    struct Bound {
+        Plane plane;
+        std::int32_t face = -1;  // index of the solid's plane; -1 for added bevels
+    };
+    struct Pieces {
+        std::vector<Bound> bounds;
+        std::vector<Piece> pieces;  // sorted by bounds_m.min_m.x, then y
+        BoxTree tree;
+        void add_scene(const Scene& scene, const PlacedFrame* frame, std::int32_t placed);
+        void add_piece(const std::vector<Bound>& of_piece, Piece piece);
+        void arrange();
+    };
+    struct Building {
+        Pieces pieces;
+        std::vector<std::uint32_t> volumes;  // of Scene::solids: what one can be in
+        Sights sights;
+    };
+    static std::shared_ptr<const Building> built(const Scene& scene);
+    void set_down(std::span<const Placement> placed);
+    const Piece& piece(std::uint32_t number) const;
+    template <class Visit>
+    void visit_near(const Aabb& box, Visit visit) const;
+    void name_hit(const Piece& piece, std::int32_t face, const Vec3& normal, FeatureId& feature,
+                  MaterialId& material) const;
+
+    std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const Building> building_;
+    Pieces placed_;
+    std::vector<Aabb> boxes_of_placed_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,67 @@
+#include "app/core/world/entering.h"
+
+#include <algorithm>
+
+#include "haptic/compile/compile_haptic.h"
+#include "worlds/scene/models.h"
+
+namespace handrail {
+namespace {
+
+// The door that stands nearest to where one starts is the base's.
+void mark_base_door(Scene& scene, const Vec3& feet_m) {
+    Feature* nearest = nullptr;
+    double nearest_m = 1.2;
+    for (Feature& feature : scene.features) {
+        feature.base = false;
+        if (feature.kind != FeatureKind::Door || feature.bounds_m.empty()) continue;
+        const double distance =
+            glm::length(glm::clamp(feet_m, feature.bounds_m.min_m, feature.bounds_m.max_m) - feet_m);
+        if (distance >= nearest_m) continue;
+        nearest_m = distance;
+        nearest = &feature;
+    }
+    if (nearest) nearest->base = true;
+}
+
+}  // namespace
+
+EnteringWorld make_ready_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad) {
+    EnteringWorld world;
+    Scene entered = with_movers_apart(*scene, HapticScene::kMostBodies, world.thing_of_mover);
+    mark_base_door(entered, feet_m);
+    world.file = std::move(scene);
+    world.scene = std::make_shared<const Scene>(std::move(entered));
+    world.feet_m = feet_m;
+    world.heading_rad = heading_rad;
+    world.body = std::make_unique<BodyWorld>(world.scene);
+    return world;
+}
+
+EnteringWorld make_ready(std::shared_ptr<const Scene> scene) {
+    Vec3 feet{0.0};
+    double heading = 0.0;
+    const auto base = std::find_if(scene->starts.begin(), scene->starts.end(), [](const Start& s) { return s.base; });
+    if (base != scene->starts.end()) {
+        feet = base->feet_m;
+        heading = base->heading_rad;
+    } else if (!scene->starts.empty()) {
+        feet = scene->starts.front().feet_m;
+        heading = scene->starts.front().heading_rad;
+    } else if (!scene->bounds_m.empty()) {
+        // No start in the file: in front of the south side's middle, on the ground, looking in.
+        const Vec3 centre = scene->bounds_m.centre_m();
+        feet = Vec3(centre.x, scene->bounds_m.min_m.y - 1.0, scene->bounds_m.min_m.z);
+    }
+    return make_ready_at(std::move(scene), feet, heading);
+}
+
+EnteringWorld make_ready_to_touch(std::shared_ptr<const Scene> scene, const std::stop_token& stop) {
+    EnteringWorld world = make_ready(std::move(scene));
+    CompileOptions options = exploring(0.0);
+    options.stop = stop;
+    world.sharp = compile_haptic(*world.scene, options);
+    return world;
+}
+
+}  // namespace handrail

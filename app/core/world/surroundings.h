@@ -1,0 +1,50 @@
+// What lies around a body, by looking: rays through the scene, line of sight only. Pure functions over an immutable
+// world; app thread.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "app/core/world/body_world.h"
+
+namespace handrail {
+
+// Something met in a direction.
+struct Seen {
+    double bearing_rad = 0.0;  // world heading of the direction
+    double distance_m = 0.0;   // from the middle of the body to the surface
+    FeatureId feature = kNoFeature;
+    Vec3 point_m{0.0};
+};
+
+inline constexpr double kSightRange_m = 100.0;
+
+// The nearest place of a box to another place.
+inline Vec3 nearest_place(const Aabb& box, const Vec3& to_m) { return glm::clamp(to_m, box.min_m, box.max_m); }
+
+// The place nearest to where a body stands in something, within 12 m around and 3 m up and down, where it overlaps
+// nothing. None: nothing.
+std::optional<Vec3> nearest_free_feet(const BodyWorld& world, const Vec3& feet_m, const BodyShape& body);
+
+// The first surface in that direction, level, at `height_m` above the soles; nothing within range: none.
+std::optional<Seen> look(const BodyWorld& world, const Vec3& feet_m, double height_m, double bearing_rad,
+                         double range_m = kSightRange_m);
+
+// Size of the free space around: width across the heading and depth along it; 0 where a side is open.
+struct FreeSpace {
+    double width_m = 0.0, depth_m = 0.0;
+};
+FreeSpace free_space(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad);
+
+// Doors, landmarks, clues, liquids and named objects of which some point is in line of sight (the middle counts first,
+// then the nearest point, then the middles of the sides), nearest first, at most `most`. At most kMostRays straight
+// looks are taken (and told in `rays`): where so many lead nowhere, what is farther is not told.
+inline constexpr int kMostRays = 2000;
+std::vector<Seen> things_in_sight(const BodyWorld& world, const Vec3& feet_m, double height_m, std::size_t most,
+                                  int* rays = nullptr);
+
+// The nearest surface in the half circle ahead within range, for the wall tone.
+std::optional<Seen> nearest_ahead(const BodyWorld& world, const Vec3& feet_m, double height_m, double heading_rad,
+                                  double range_m);
+
+}  // namespace handrail

@@ -1,0 +1,144 @@
+#include "app/core/world/walker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/base/contract.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kGravity_m_per_s2 = 9.81;
+constexpr double kWalkableNormalZ = 0.7;  // up to about 45 degrees of slope
+constexpr double kGroundReach_m = 0.02;   // ground nearer than this carries the body
+constexpr double kTerminalSpeed_m_per_s = 50.0;
+
+double horizontal_length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
+
+}  // namespace
+
+BodySize body_size(const Scene& scene, double radius_m) {
+    contract_pre(radius_m > 0.0);
+    BodySize size;
+    size.radius_m = radius_m;
+    if (scene.game_map) {
+        size.height_m = 1.7;
+        size.step_up_m = 0.57;
+        size.eye_height_m = 1.5;
+    }
+    return size;
+}
+
+TraceHit Walker::ground_below(const Vec3& feet_m, double depth_m) const {
+    return world_.trace(feet_m, feet_m - Vec3(0.0, 0.0, depth_m), shape());
+}
+
+Walker::Slide Walker::slide(const Vec3& from_m, Vec3 motion_m) const {
+    Slide result{from_m, std::nullopt};
+    Vec3 normals[4];
+    int met = 0;
+    while (met < 4 && glm::length(motion_m) > 1e-9) {
+        const TraceHit hit = world_.trace(result.end_m, result.end_m + motion_m, shape());
+        result.end_m = hit.end_m;
+        if (!hit.hit) break;
+        if (hit.normal.z < kWalkableNormalZ && !result.first_wall) result.first_wall = hit;
+        normals[met++] = hit.normal;
+        Vec3 rest = motion_m * (1.0 - hit.fraction);
+        // What is left must not go into any surface met so far: one surface, then the crease of two, then nothing.
+        Vec3 clipped{0.0};
+        bool found = false;
+        for (int i = met - 1; i >= 0 && !found; --i) {
+            clipped = rest - normals[i] * std::min(0.0, glm::dot(rest, normals[i]));
+            found = std::all_of(normals, normals + met, [&](const Vec3& n) { return glm::dot(clipped, n) >= -1e-12; });
+        }
+        if (!found && met == 2) {
+            const Vec3 crease = glm::cross(normals[0], normals[1]);
+            const double length2 = glm::dot(crease, crease);
+            if (length2 > 1e-12) {
+                clipped = crease * (glm::dot(rest, crease) / length2);
+                found = true;
+            }
+        }
+        if (!found) break;
+        motion_m = clipped;
+    }
+    return result;
+}
+
+void Walker::place(const Vec3& feet_m) {
+    contract_pre(is_finite(feet_m));
+    state_ = {};
+    state_.feet_m = feet_m;
+    for (double up = 0.0; up <= 0.5 && world_.blocked(state_.feet_m, shape()); up += 0.02)
+        state_.feet_m = feet_m + Vec3(0.0, 0.0, up + 0.02);
+    if (world_.blocked(state_.feet_m, shape())) state_.feet_m = feet_m;
+    const TraceHit ground = ground_below(state_.feet_m, size_.step_up_m + 0.5);
+    if (ground.hit && ground.normal.z >= kWalkableNormalZ) {
+        state_.feet_m = ground.end_m;
+        state_.on_ground = true;
+    }
+    fall_from_z_ = state_.feet_m.z;
+}
+
+WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
+    contract_pre(is_finite(wish_m_per_s));
+    contract_pre(dt_s >= 0.0 && dt_s <= 0.1 + 1e-9);
+    WalkResult result;
+    const Vec3 start = state_.feet_m;
+    const bool stood = state_.on_ground;
+    Vec3 motion{wish_m_per_s.x * dt_s, wish_m_per_s.y * dt_s, 0.0};
+    const double wished = horizontal_length(motion);
+    if (!stood) {
+        state_.fall_speed_m_per_s =
+            std::min(kTerminalSpeed_m_per_s, state_.fall_speed_m_per_s + kGravity_m_per_s2 * dt_s);
+        motion.z = -state_.fall_speed_m_per_s * dt_s;
+    }
+
+    Slide way = slide(start, motion);
+    if (stood && way.first_wall && wished > 0.0) {
+        // One step higher, along, and down again: kept when it leads further and ends on ground one can stand on.
+        const TraceHit up = world_.trace(start, start + Vec3(0.0, 0.0, size_.step_up_m), shape());
+        const Slide high = slide(up.end_m, motion);
+        const double lift = up.end_m.z - start.z;
+        const TraceHit down = world_.trace(high.end_m, high.end_m - Vec3(0.0, 0.0, lift), shape());
+        const double low_way = horizontal_length(way.end_m - start), high_way = horizontal_length(down.end_m - start);
+        if (down.hit && down.normal.z >= kWalkableNormalZ && high_way > low_way + 1e-9) {
+            result.climbed_m = std::max(0.0, down.end_m.z - start.z);
+            way.end_m = down.end_m;
+            way.first_wall = high.first_wall;
+        }
+    }
+    state_.feet_m = way.end_m;
+    result.walked_m = horizontal_length(state_.feet_m - start);
+    if (way.first_wall && wished > 0.0) {
+        const double into = -glm::dot(way.first_wall->normal, motion) / wished;
+        if (into > 0.5 || result.walked_m < 0.5 * wished) result.bump = way.first_wall;
+    }
+
+    // On stairs and slopes down the ground is followed for one step; past that one falls.
+    const double reach = stood ? size_.step_up_m + kGroundReach_m : kGroundReach_m;
+    const TraceHit ground = ground_below(state_.feet_m, reach);
+    const bool carries = ground.hit && ground.normal.z >= kWalkableNormalZ;
+    if (carries && state_.fall_speed_m_per_s >= 0.0) {
+        state_.feet_m = ground.end_m;
+        // What lies under the middle of the body names the ground; at a border the eastern or northern side (see
+        // BodyWorld::trace).
+        const TraceHit under =
+            world_.trace(state_.feet_m + Vec3(0.0, 0.0, 0.05), state_.feet_m - Vec3(0.0, 0.0, 0.05), BodyShape{}, true);
+        result.ground = under.hit ? under.feature : ground.feature;
+        result.ground_material = under.hit ? under.material : ground.material;
+        if (!stood) {
+            result.fell_m = fall_from_z_ - state_.feet_m.z;
+            result.landed = result.fell_m > size_.step_up_m;
+        }
+        state_.on_ground = true;
+        state_.fall_speed_m_per_s = 0.0;
+        fall_from_z_ = state_.feet_m.z;
+    } else {
+        if (stood) fall_from_z_ = start.z;
+        state_.on_ground = false;
+    }
+    return result;
+}
+
+}  // namespace handrail

@@ -1,0 +1,71 @@
+// A body that walks: gravity, steps, stairs, slopes, and what it bumps into. Plain state and one tick; app thread. The
+// solids are the same that the hand feels. Source of the slide-and-step scheme: the way walking games have moved boxes
+// since the 1990s (trace, clip the remaining motion to the surface, try again one step higher, keep the better).
+#pragma once
+
+#include <optional>
+
+#include "app/core/world/body_world.h"
+
+namespace handrail {
+
+struct BodySize {
+    double radius_m = 0.25;
+    double height_m = 1.8;    // 1.7 in game maps
+    double step_up_m = 0.25;  // 0.57 in game maps
+    double eye_height_m = 1.65;
+};
+// Building or game sizes, with the person's own radius.
+BodySize body_size(const Scene& scene, double radius_m);
+
+struct WalkerState {
+    Vec3 feet_m{0.0};
+    double fall_speed_m_per_s = 0.0;
+    bool on_ground = false;
+};
+
+// What happened in one tick.
+struct WalkResult {
+    double walked_m = 0.0;          // horizontal way made
+    std::optional<TraceHit> bump;   // the surface that stopped most of the wished motion
+    double climbed_m = 0.0;         // height won by stepping up this tick
+    bool landed = false;            // touched ground after falling more than a step
+    double fell_m = 0.0;            // height of that fall
+    FeatureId ground = kNoFeature;  // what one stands on
+    MaterialId ground_material = kDefaultMaterial;
+};
+
+class Walker {
+public:
+    Walker(const BodyWorld& world, BodySize size) : world_(world), size_(size) {}
+
+    // Puts the body at `feet_m`, or as near above it as there is room (at most half a metre), and lets it drop to the
+    // ground.
+    void place(const Vec3& feet_m);
+    // Goes on where another walker stood, standing or falling.
+    void resume(const WalkerState& state) {
+        state_ = state;
+        fall_from_z_ = state.feet_m.z;
+    }
+    // wish: horizontal metres per second; dt_s up to 0.1 s.
+    WalkResult tick(const Vec3& wish_m_per_s, double dt_s);
+
+    const WalkerState& state() const { return state_; }
+    const BodySize& size() const { return size_; }
+    BodyShape shape() const { return {size_.radius_m, size_.height_m}; }
+
+private:
+    struct Slide {
+        Vec3 end_m{0.0};
+        std::optional<TraceHit> first_wall;
+    };
+    Slide slide(const Vec3& from_m, Vec3 motion_m) const;
+    TraceHit ground_below(const Vec3& feet_m, double depth_m) const;
+
+    const BodyWorld& world_;
+    BodySize size_;
+    WalkerState state_;
+    double fall_from_z_ = 0.0;
+};
+
+}  // namespace handrail

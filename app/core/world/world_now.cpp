@@ -1,0 +1,35 @@
+#include "app/core/world/world_now.h"
+
+#include "worlds/scene/models.h"
+
+namespace handrail {
+
+ThingsNow things_now(const WorldState& world) {
+    ThingsNow now{world.things.all(), {}, world.thing_of_mover};
+    for (std::uint32_t i = 0; i < world.movers.size(); ++i) now.at_rest.push_back(world.movers.at_rest(i));
+    return now;
+}
+
+Scene with_things(const Scene& scene, const ThingsNow& now) {
+    Scene world = scene;
+    for (std::size_t i = 0; i < now.things.size(); ++i) move_placed(world, i, now.things[i]);
+    // An open door is still found in its doorway, wherever its leaf is.
+    for (std::uint32_t i = 0; i < world.movers.size(); ++i) {
+        Feature& feature = world.features[world.movers[i].feature.value];
+        if (feature.kind == FeatureKind::Door && now.thing_of_mover[i] >= 0)
+            feature.bounds_m.include(placed_bounds(
+                world.placed[static_cast<std::size_t>(now.thing_of_mover[i])].model->bounds_m, now.at_rest[i]));
+    }
+    return world;
+}
+
+void rebuild_solids(WorldState& world, BodyState& body) {
+    const WalkerState stood = body.walker->state();
+    const BodySize size = body.walker->size();  // whoever grew now might stand in a wall
+    body.walker.reset();
+    world.solids = std::make_unique<BodyWorld>(*world.solids, world.scene, world.things.all());
+    body.walker = std::make_unique<Walker>(*world.solids, size);
+    body.walker->resume(stood);
+}
+
+}  // namespace handrail

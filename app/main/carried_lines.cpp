@@ -1,0 +1,84 @@
+#include "app/main/carried_lines.h"
+
+#include <utility>
+
+#include "app/terminal/terminal.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kSettles_s = 0.2;
+
+bool leaves(std::string_view line) {
+    const auto parsed = parse_terminal_line(line);
+    return parsed && (parsed->leave || parsed->command == Command::Leave);
+}
+
+}  // namespace
+
+void CarriedLines::drop() {
+    lines_.clear();
+    repeat_left_ = 0;
+}
+
+bool CarriedLines::take(double now_s, WizardSession* wizard) {
+    if (wizard) return answer(*wizard, now_s);
+    if (worlds_.reading()) {
+        if (by_person_ && !lines_.empty() && leaves(lines_.front()) && worlds_.give_up_reading(now_s))
+            lines_.pop_front();
+        return true;
+    }
+    if (repeat_left_ == 0 && !app_.idle()) {
+        settle_until_s_ = now_s + kSettles_s;  // what came of it wants to be said before the next line interrupts
+        return true;
+    }
+    if (now_s < settle_until_s_) return true;
+    if (repeat_left_ > 0) {
+        --repeat_left_;
+        tap(repeat_command_, now_s);
+        return true;
+    }
+    if (lines_.empty()) return false;
+    const std::string line = std::move(lines_.front());
+    lines_.pop_front();
+    carry_out(line, now_s);
+    return true;
+}
+
+bool CarriedLines::answer(WizardSession& wizard, double now_s) {
+    if (!wizard.wants_line(now_s)) return true;
+    if (lines_.empty()) return false;
+    wizard.type(std::move(lines_.front()));
+    lines_.pop_front();
+    return true;
+}
+
+void CarriedLines::carry_out(const std::string& line, double now_s) {
+    const auto parsed = parse_terminal_line(line);
+    // The session knows a command by the word of the table alone. What always works comes before the
+    // names of a list.
+    const std::string word = parsed && parsed->command ? std::string(info(*parsed->command).word) : line;
+    const bool always =
+        parsed && (parsed->command == Command::StopEverything || parsed->command == Command::ToggleForces);
+    if (app_.apply(LineTyped{always ? word : line}, now_s)) return;
+    if (!always && word != line && app_.apply(LineTyped{word}, now_s)) return;
+    if (!parsed) return say_(parsed.error().message);
+    if (parsed->leave) {
+        left_ = true;
+    } else if (parsed->command == Command::Help) {
+        say_(terminal_help());
+    } else if (parsed->command) {
+        repeat_command_ = *parsed->command;
+        repeat_left_ = parsed->times - 1;
+        tap(repeat_command_, now_s);
+    }
+}
+
+void CarriedLines::tap(Command command, double now_s) {
+    app_.apply(CommandDown{command}, now_s);
+    app_.apply(CommandUp{command}, now_s);
+    // A hand that was told to move needs a moment to be there.
+    if (command >= Command::HandForward && command <= Command::HandCentre) settle_until_s_ = now_s + kSettles_s;
+}
+
+}  // namespace handrail

@@ -1,0 +1,48 @@
+// Lines of words, carried out one after the other: each when what the one before began is over, so that a script reads
+// as it is lived. App thread.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <string_view>
+
+#include "app/core/session/app_core.h"
+#include "app/main/session_voice.h"
+#include "app/main/world_visits.h"
+#include "app/wizard/wizard_session.h"
+
+namespace handrail {
+
+class CarriedLines {
+public:
+    // All outlive this object. by_person: typed by somebody who does not wait for a world in vain, as a script does.
+    CarriedLines(AppCore& app, WorldVisits& worlds, const SessionVoice& say, bool by_person)
+        : app_(app), worlds_(worlds), say_(say), by_person_(by_person) {}
+
+    void add(std::string line) { lines_.push_back(std::move(line)); }
+    std::size_t waiting() const { return lines_.size(); }
+    // What has not been done yet is not to be done any more.
+    void drop();
+    // Once a frame: does what is next, for the wizard where there is one. Nothing but leaving is done while a world is
+    // read. False when there was nothing to do and nothing is waited for.
+    bool take(double now_s, WizardSession* wizard);
+    // A line left the program.
+    bool left() const { return left_; }
+
+private:
+    bool answer(WizardSession& wizard, double now_s);
+    void carry_out(const std::string& line, double now_s);
+    void tap(Command command, double now_s);
+
+    AppCore& app_;
+    WorldVisits& worlds_;
+    const SessionVoice& say_;
+    const bool by_person_;
+    std::deque<std::string> lines_;
+    Command repeat_command_ = Command::Forward;
+    int repeat_left_ = 0;
+    double settle_until_s_ = 0.0;
+    bool left_ = false;
+};
+
+}  // namespace handrail

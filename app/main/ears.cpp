@@ -1,0 +1,77 @@
+#include "app/main/ears.h"
+
+#include <unistd.h>
+
+#include <utility>
+
+#include "audio-cues/sinks/sound_outputs.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+Ears::Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& contacts,
+           AudioThread::ContactRing& left_contacts, std::vector<std::string>& news)
+    : clock_(clock) {
+    std::shared_ptr<ReaderChannel> reader;
+    if (with_window) {
+        reader = std::make_shared<ReaderChannel>();
+        accessible_ = Accessible::start(reader);
+        braille_ = std::make_shared<BrailleLink>();
+    }
+    SoundOutputs outputs = open_sound_outputs(settings, STDOUT_FILENO, std::move(reader), braille_);
+    has_sound_ = !outputs.description.empty();
+    news.push_back(std::move(outputs.description));
+    sound_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock, &contacts,
+                                           settings, &left_contacts);
+}
+
+std::string Ears::voice_that_speaks() {
+    constexpr double kPatience_s = 1.5;
+    const double until_s = clock_.now_s() + kPatience_s;
+    std::string voice = sound_->who_speaks();
+    while (voice.empty() && clock_.now_s() < until_s) {
+        clock_.sleep_until_s(clock_.now_s() + 0.01);
+        voice = sound_->who_speaks();
+    }
+    return voice.empty() ? phrase("voice.text_alone") : voice;
+}
+
+void Ears::follow_world(const AppCore& app) {
+    if (app.scene() == given_scene_) return;
+    given_scene_ = app.scene();
+    if (std::exchange(given_world_, app.worlds_entered()) != app.worlds_entered()) sound_->enter_world(given_scene_);
+    else sound_->follow_edit(given_scene_);
+}
+
+// To whoever shows lists otherwise than in the picture, and before the words about them.
+void Ears::show_dialogue(const AppCore& app) {
+    if (!accessible_ && !braille_) return;
+    DialogueView view = app.dialogue().view();
+    if (view == shown_dialogue_) return;
+    if (accessible_) accessible_->show(view);
+    if (braille_) {
+        BrailleLink::List list;
+        if (view.kind == DialogueView::Kind::List) list = {view.where, {}, view.at};
+        for (const ListItem& item : view.items)
+            list.items.push_back(item.value.empty() ? item.name : item.name + ", " + item.value);
+        braille_->set_list(std::move(list));
+    }
+    shown_dialogue_ = std::move(view);
+}
+
+void Ears::follow_listener(const AppCore& app) {
+    if (!app.scene()) return;
+    const Listener listener = app.listener();
+    sound_->set_listener(listener);
+    if (braille_) braille_->heading_rad = listener.heading_rad;
+}
+
+void Ears::follow_hands(bool two) {
+    if (std::exchange(two_hands_, two) != two) sound_->set_two_hands(two);
+}
+
+void Ears::note_spoken() {
+    for (SpokenLine& line : sound_->take_spoken()) last_spoken_ = std::move(line.text);
+}
+
+}  // namespace handrail

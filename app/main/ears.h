@@ -1,0 +1,56 @@
+// All that is heard, shown in braille or read by another program's voice: the audio thread, and beside a window the
+// accessible list and the braille display. App thread.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/accessible/accessible.h"
+#include "app/core/session/app_core.h"
+#include "audio-cues/sinks/audio_thread.h"
+#include "audio-cues/sinks/braille_display.h"
+#include "worlds/base/clock.h"
+
+namespace handrail {
+
+class Ears {
+public:
+    // Opens what there is; `news` get what that is. Clock and rings outlive this object. `with_window`: there will be
+    // one.
+    Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& contacts,
+         AudioThread::ContactRing& left_contacts, std::vector<std::string>& news);
+
+    AudioThread& sound() { return *sound_; }
+    bool has_sound() const { return has_sound_; }  // there is a sound device
+    // Beside the window, else null. No window came after all: close_accessible.
+    Accessible* accessible() { return accessible_.get(); }
+    BrailleLink* braille() { return braille_.get(); }
+    void close_accessible() { accessible_.reset(); }
+
+    // Once that is decided: a better voice may still be opening. The welcome is due within two seconds, so it waits no
+    // longer than 1.5 s.
+    std::string voice_that_speaks();
+    // What this frame changed: the world, the list that is open, and from where one hears.
+    void follow_world(const AppCore& app);
+    void show_dialogue(const AppCore& app);
+    void follow_listener(const AppCore& app);
+    void follow_hands(bool two);
+    // The last sentence that was said, as of note_spoken.
+    void note_spoken();
+    const std::string& last_spoken() const { return last_spoken_; }
+
+private:
+    Clock& clock_;
+    std::unique_ptr<Accessible> accessible_;
+    std::shared_ptr<BrailleLink> braille_;
+    DialogueView shown_dialogue_;  // as these two have it
+    bool has_sound_ = false;
+    std::unique_ptr<AudioThread> sound_;
+    std::shared_ptr<const Scene> given_scene_;  // what it was last given
+    int given_world_ = 0;
+    bool two_hands_ = false;
+    std::string last_spoken_;
+};
+
+}  // namespace handrail

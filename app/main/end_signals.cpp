@@ -1,0 +1,27 @@
+#include "app/main/end_signals.h"
+
+#include <atomic>
+
+namespace handrail {
+namespace {
+
+// A plain flag is all that a signal handler may touch.
+std::atomic<bool> end_asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+}  // namespace
+
+EndSignals::EndSignals() {
+    end_asked = false;
+    struct sigaction action {};
+    action.sa_handler = [](int) { end_asked.store(true, std::memory_order_relaxed); };
+    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &action, &before_[i]);
+}
+
+EndSignals::~EndSignals() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) sigaction(kSignals[i], &before_[i], nullptr);
+}
+
+bool EndSignals::asked() const { return end_asked.load(std::memory_order_relaxed); }
+
+}  // namespace handrail

@@ -1,0 +1,90 @@
+#include "app/main/guided_set_up.h"
+
+#include <utility>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+void GuidedSetUp::begin(std::span<const WizardPart> wanted) {
+    session_ = std::make_unique<WizardSession>(parts_.settings.values(), wanted);
+    stops_ = parts_.switches.stops;
+    let_go_ = parts_.app.tuning().stops_let_go;
+    parts_.hand.begin_set_up();
+    CueRequest no_tone;
+    no_tone.kind = CueRequestKind::WallTone;
+    no_tone.loudness = 0.0;
+    parts_.ears.sound().post(std::move(no_tone));
+}
+
+void GuidedSetUp::begin_if_asked() {
+    if (!parts_.app.take_calibration_request() || session_) return;
+    std::vector<WizardPart> wanted;
+    const bool first = parts_.app.take_first_set_up();
+    for (const WizardPartInfo& part : wizard_parts())
+        if (!first || (part.part != WizardPart::Reach && part.part != WizardPart::Step)) wanted.push_back(part.part);
+    begin(wanted);
+}
+
+void GuidedSetUp::look_for_hand() {
+    if (!searched_ && session_->wizard().wants_search()) {
+        searched_ = true;
+        parts_.hand.begin_for_set_up();
+    }
+    parts_.hand.look_for_set_up(news_);
+}
+
+WizardSearch GuidedSetUp::search() const {
+    if (parts_.hand.looking()) return WizardSearch::Looking;
+    if (parts_.hand.can_be_set_up()) return WizardSearch::Ready;
+    return parts_.alone && !searched_ ? WizardSearch::NotBegun : WizardSearch::Nothing;
+}
+
+void GuidedSetUp::sense(double now_s) {
+    const std::uint32_t stops = parts_.switches.stops;
+    if (std::exchange(stops_, stops) != stops) session_->press("F12", now_s);
+    parts_.hand.read();
+    WizardSense sense;
+    sense.now_s = now_s;
+    sense.audible = parts_.ears.has_sound();
+    sense.speaking = parts_.ears.sound().speaking();
+    if (parts_.app.scene()) sense.listener = parts_.app.listener();
+    sense.search = search();
+    sense.news = std::exchange(news_, {});
+    sense.hand = parts_.hand.facts();
+    sense.tool = parts_.hand.tool();
+    session_->tick(sense);
+}
+
+void GuidedSetUp::hand_over() {
+    Wizard& wizard = session_->wizard();
+    if (parts_.kept.take(wizard.take_setting_changes())) parts_.ears.sound().set_settings(parts_.settings.values());
+    for (CueRequest& cue : session_->take_cues()) parts_.ears.sound().post(std::move(cue));
+    if (!parts_.hand.driven()) return;
+    ServoTuning tuning = wizard.tuning();
+    if (!tuning.panic) let_go_ = stops_;
+    tuning.stops_let_go = let_go_;
+    tuning.focused = parts_.app.tuning().focused;
+    tuning.confirm += parts_.app.tuning().confirm + confirms_;
+    parts_.hand.feel_set_up(wizard.haptic_scene(), tuning, wizard.pose(), session_->simulated_hand());
+}
+
+void GuidedSetUp::end_if_finished(double now_s) {
+    if (!session_->finished()) return;
+    AppCore& app = parts_.app;
+    const bool stopped = session_->wizard().tuning().panic;
+    confirms_ += session_->wizard().tuning().confirm;
+    session_.reset();
+    parts_.hand.end_set_up();
+    app.apply(SetUpOver{}, now_s);
+    if (!app.scene()) return;
+    app.apply(SettingsChanged{parts_.settings.values()}, now_s);
+    app.apply(Stopped{stops_}, now_s);
+    if (app.tuning().panic && !stopped) {  // stopped and gone on with in the wizard
+        app.apply(CommandDown{Command::ToggleForces}, now_s);
+        app.apply(CommandUp{Command::ToggleForces}, now_s);
+    }
+    parts_.say(phrase("program.back_in", {{"world", app.scene()->name}}));
+}
+
+}  // namespace handrail

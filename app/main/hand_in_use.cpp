@@ -1,0 +1,216 @@
+#include "app/main/hand_in_use.h"
+
+#include <fmt/ostream.h>
+
+#include <utility>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kServoPeriod_s = 1e-3;
+
+}  // namespace
+
+// ---- the hand there is ----
+
+void HandInUse::let_go() {
+    if (servo_) servo_->stop();
+    if (servo_ && guarded_) tell_of_guard();
+}
+
+void HandInUse::tell_of_guard() {
+    for (std::string& sentence : guarded_->take_news()) parts_.say(std::move(sentence));
+}
+
+// Puts this hand in place of the one there was; `device` is open, or null for a simulated hand or none.
+void HandInUse::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device) {
+    let_go();
+    servo_.reset();
+    simulated_.reset();
+    guarded_ = device.get();
+    facts_ = facts;
+    AppCore& app = parts_.app;
+    const Settings& settings = parts_.settings.values();
+    tool_ = {};
+    told_how_it_runs_ = guard_missed_ = false;
+    app.apply(HandChanged{facts, settings, facts.simulated && wanted() == "auto"}, parts_.clock.now_s());
+    if (!facts.present) return;
+    std::unique_ptr<HapticDevice> held = std::move(device);
+    if (facts.simulated) {
+        simulated_ = std::make_shared<SimulatedHand>();
+        held = std::make_unique<SimulatedDevice>(facts.spec, simulated_);
+    }
+    servo_ = std::make_unique<ServoLoop>(std::move(held), parts_.clock, kServoPeriod_s,
+                                         ServoLoop::Links{&parts_.switches, &parts_.contacts});
+    given_scene_.reset();
+    given_desk_.reset();
+    given_bodies_ = 0;
+    given_guidance_ = 0;
+    if (const auto opened = servo_->open(); opened) return servo_->start();
+    // It was open a moment ago, so it went away meanwhile.
+    servo_.reset();
+    guarded_ = nullptr;
+    facts_ = {};
+    app.apply(HandChanged{{}, settings}, parts_.clock.now_s());
+}
+
+void HandInUse::read() {
+    if (servo_) tool_ = servo_->tool();
+}
+
+void HandInUse::tell_how_it_runs() {
+    if (!guarded_) return;
+    if (const ServoReport& report = servo_->report();
+        !told_how_it_runs_ && report.scheduling != Scheduling::NotStarted) {
+        told_how_it_runs_ = true;
+        if (report.scheduling == Scheduling::Ordinary) parts_.say(scheduling_sentence(report.scheduling));
+        if (!report.memory_locked) parts_.say(memory_sentence(report.memory_locked));
+        for (std::string& sentence : guarded_->unprotected())  // the same limit, told once
+            if (report.memory_locked || sentence != phrase("guard.memory_not_locked")) parts_.say(std::move(sentence));
+    }
+    tell_of_guard();
+}
+
+// ---- the search, and what is plugged in ----
+
+void HandInUse::begin(double asked_s) {
+    asked_s_ = asked_s;
+    const std::string name = wanted();
+    const auto hand = hand_without_looking(name);
+    if (hand) use(hand->facts, nullptr);
+    else if (name == "auto") use(simulated_hand("sim-t").facts, nullptr);
+    if (!hand) search_.emplace(name);
+    else if (name != "none") plug_watch_.emplace(std::nullopt);
+}
+
+void HandInUse::begin_for_set_up() {
+    const std::string name = wanted();
+    if (const auto hand = hand_without_looking(name)) use(hand->facts, nullptr);
+    else search_.emplace(name);
+}
+
+void HandInUse::look_for_set_up(std::vector<std::string>& news) {
+    if (!search_) return;
+    const bool ready = search_->ready();
+    for (std::string& sentence : search_->take_news()) news.push_back(std::move(sentence));
+    if (!ready) return;
+    auto found = search_->take();
+    search_.reset();
+    if (!found) news.push_back(found.error().sentence());
+    else if (found->device) use(found->facts, std::move(found->device));
+}
+
+bool HandInUse::can_be_set_up() const { return servo_ && (guarded_ || (simulated_ && hand_without_looking(wanted()))); }
+
+bool HandInUse::look(std::ostream& err) {
+    if (plug_watch_) plug_watch_->rest(search_.has_value() || guarded_ != nullptr);
+    if (search_) {
+        const bool ready = search_->ready();
+        for (std::string& sentence : search_->take_news()) parts_.say(std::move(sentence), asked_s_);
+        return !ready || take_found(err);
+    }
+    if (parts_.app.offer_taken() && offer_) {
+        asked_s_ = parts_.clock.now_s();
+        parts_.say(phrase("program.opening", {{"device", offer_->spoken_name}}), asked_s_);
+        search_.emplace(offer_->name);
+        return true;
+    }
+    look_at_plugs();
+    return true;
+}
+
+bool HandInUse::take_found(std::ostream& err) {
+    auto found = search_->take();
+    search_.reset();
+    if (!plug_watch_) plug_watch_.emplace(found ? std::optional(std::move(found->plugged)) : std::nullopt);
+    if (!found) return do_without(found.error(), err);
+    if (!found->device) return true;
+    use(found->facts, std::move(found->device));
+    offer_calibration();
+    return true;
+}
+
+// False where there is nothing to go on with.
+bool HandInUse::do_without(const Error& problem, std::ostream& err) {
+    parts_.say(problem.sentence());
+    if (guarded_) use(simulated_hand("sim-t").facts, nullptr);  // what it stood in for is gone for good
+    if (servo_) return true;                                    // the hand there was goes on
+    if (parts_.arguments.device) {
+        fmt::print(err, "{}\n", problem.sentence());
+        return false;
+    }
+    parts_.say(phrase("program.simulated_instead_plug"));
+    use(simulated_hand("sim-t").facts, nullptr);
+    return true;
+}
+
+void HandInUse::look_at_plugs() {
+    if (guarded_ && !guard_missed_ && guarded_->guard_ended()) {
+        guard_missed_ = true;
+        const DeviceSpec& spec = servo_->device_spec();
+        offer(PluggedHand{std::string(spec.name), spec.spoken_name(), {}, {}});
+    }
+    if (!plug_watch_) return;
+    for (PluggedHand& hand : plug_watch_->take_new()) {
+        if (hand.problem.empty()) offer(std::move(hand));
+        else parts_.say(found_words(hand.spoken_name) + " " + hand.problem);
+    }
+}
+
+void HandInUse::offer(PluggedHand hand) {
+    parts_.app.apply(HandOffered{hand.spoken_name}, parts_.clock.now_s());
+    offer_ = std::move(hand);
+}
+
+// A device that nobody set up yet.
+void HandInUse::offer_calibration() {
+    if (parts_.settings.values().profiles.contains(profile_key(facts_.spec.name, facts_.serial))) return;
+    parts_.say(phrase("program.not_set_up",
+                      {{"device", facts_.spec.spoken_name()}, {"keys", parts_.app.keys().keys_of(Command::Calibrate)}}),
+               asked_s_);
+}
+
+// ---- what the servo is given ----
+
+void HandInUse::feel_world(std::uint32_t more_confirms) {
+    const AppCore& app = parts_.app;
+    if (!servo_ || !app.scene()) return;
+    if (app.haptic_scene() != given_scene_) {
+        given_scene_ = app.haptic_scene();
+        servo_->set_scene(given_scene_);
+    }
+    if (app.desk_visit().scene() != given_desk_) servo_->set_desk(given_desk_ = app.desk_visit().scene());
+    ServoTuning tuning = app.tuning();
+    tuning.confirm += more_confirms;
+    servo_->set_tuning(tuning);
+    servo_->set_pose(app.pose());
+    if (std::exchange(given_bodies_, app.bodies().number()) != app.bodies().number()) servo_->set_bodies(app.bodies());
+    if (std::exchange(given_guidance_, app.guidance().number) != app.guidance().number)
+        servo_->set_guidance(app.guidance());
+    if (!simulated_) return;
+    HandCommand command;
+    command.target_m = app.hand_target_m();
+    simulated_->command.publish(command);
+}
+
+void HandInUse::feel_set_up(const std::shared_ptr<const HapticScene>& scene, const ServoTuning& tuning,
+                            const WorkspacePose& pose, const HandCommand& simulated) {
+    if (scene != given_scene_) servo_->set_scene(given_scene_ = scene);
+    servo_->set_tuning(tuning);
+    servo_->set_pose(pose);
+    if (simulated_) simulated_->command.publish(simulated);
+}
+
+void HandInUse::begin_set_up() {
+    given_scene_.reset();
+    if (servo_ && std::exchange(given_guidance_, 0) != 0) servo_->set_guidance({});
+}
+
+void HandInUse::end_set_up() {
+    given_scene_.reset();
+    given_bodies_ = 0;
+}
+
+}  // namespace handrail

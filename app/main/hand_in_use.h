@@ -1,0 +1,103 @@
+// The hand that leads the session: which one is wanted, the search for it, what is plugged in meanwhile, and what its
+// servo is given. App thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "app/core/session/app_core.h"
+#include "app/main/commands.h"
+#include "app/main/find_hand.h"
+#include "app/main/session_voice.h"
+#include "haptic/device/simulated_device.h"
+#include "haptic/servo/servo_loop.h"
+
+namespace handrail {
+
+class HandInUse {
+public:
+    // All outlive this object.
+    struct Parts {
+        const ExploreArguments& arguments;
+        const SettingsStore& settings;
+        Clock& clock;
+        const ServoSwitches& switches;
+        ServoLoop::EventRing& contacts;  // of whichever device is in use
+        AppCore& app;
+        const SessionVoice& say;
+    };
+    explicit HandInUse(const Parts& parts) : parts_(parts) {}
+
+    // By name or serial number, auto or none, as the command line or the settings say.
+    std::string wanted() const { return parts_.arguments.device.value_or(parts_.settings.values().haptic.device); }
+
+    // Until a real hand is found, and where none is, a simulated one is there; who asked for a certain device waits for
+    // that. What is said of the search belongs to the reply of `asked_s`.
+    void begin(double asked_s);
+    // Once a frame: what the search and the plugs have to tell; a hand that was found takes its place. False when a
+    // device that was asked for on the command line cannot be had, with the reason in `err`.
+    bool look(std::ostream& err);
+    // For the set-up without a world: begins the search, then takes what it found; its words go to `news`, to be said
+    // in their place.
+    void begin_for_set_up();
+    void look_for_set_up(std::vector<std::string>& news);
+    bool looking() const { return search_.has_value(); }
+    // The reply to which its words belong: the one it began with, or the one to an offer that was taken since.
+    double asked_s() const { return asked_s_; }
+
+    // There is a servo, and so something that feels.
+    bool driven() const { return servo_ != nullptr; }
+    // A hand that can be set up. A simulated one counts only for who asked for one: nobody else wants to be asked to
+    // move its grip.
+    bool can_be_set_up() const;
+    const HandFacts& facts() const { return facts_; }
+    // The newest of the servo; kept until the next call.
+    void read();
+    const ToolState& tool() const { return tool_; }
+    // Once, for a real device: what may make it uneven. And what its guard has to tell, whenever it has.
+    void tell_how_it_runs();
+
+    // What this frame changed, to the servo. `more_confirms`: besides those of the app.
+    void feel_world(std::uint32_t more_confirms);
+    void feel_set_up(const std::shared_ptr<const HapticScene>& scene, const ServoTuning& tuning,
+                     const WorkspacePose& pose, const HandCommand& simulated);
+    // The set-up alone moves the hand from here on; or no longer.
+    void begin_set_up();
+    void end_set_up();
+
+    // Takes the force away, and tells it where that cannot be made sure of. Waits for a force that is still on to fade,
+    // at most 76 ms.
+    void let_go();
+    void stop_looking() { search_.reset(); }
+
+private:
+    void use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device);
+    bool take_found(std::ostream& err);
+    bool do_without(const Error& problem, std::ostream& err);
+    void look_at_plugs();
+    void offer(PluggedHand hand);
+    void offer_calibration();
+    void tell_of_guard();
+
+    Parts parts_;
+    std::shared_ptr<SimulatedHand> simulated_;
+    std::unique_ptr<ServoLoop> servo_;
+    GuardedDevice* guarded_ = nullptr;  // servo_ owns it
+    HandFacts facts_;
+    ToolState tool_;
+    std::optional<HandSearch> search_;
+    std::optional<PlugWatch> plug_watch_;
+    std::optional<PluggedHand> offer_;  // the last one made
+    double asked_s_ = 0.0;              // when the program or the person began the search
+    bool told_how_it_runs_ = false;
+    bool guard_missed_ = false;  // and the device offered anew
+    // What the servo was last given.
+    std::shared_ptr<const HapticScene> given_scene_, given_desk_;
+    std::uint64_t given_bodies_ = 0;
+    std::uint32_t given_guidance_ = 0;
+};
+
+}  // namespace handrail

@@ -1,0 +1,27 @@
+// How the parts of a session speak: by one function, which whoever owns them gives. App thread.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "worlds/base/clock.h"
+
+namespace handrail {
+
+class SessionVoice {
+public:
+    // The clock outlives this object.
+    SessionVoice(Clock& clock, std::function<void(std::string text, double asked_s)> speak)
+        : clock_(clock), speak_(std::move(speak)) {}
+
+    void operator()(std::string text) const { speak_(std::move(text), clock_.now_s()); }
+    // Sentences of one asked_s are one reply and wait for each other; those of another one interrupt.
+    void operator()(std::string text, double asked_s) const { speak_(std::move(text), asked_s); }
+
+private:
+    Clock& clock_;
+    std::function<void(std::string, double)> speak_;
+};
+
+}  // namespace handrail

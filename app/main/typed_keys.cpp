@@ -1,0 +1,114 @@
+#include "app/main/typed_keys.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <utility>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+// Keys that follow each other faster are one key held down: the Linux console repeats eleven times a second, others
+// faster, and nobody taps one key so fast on purpose.
+constexpr double kRepeats_s = 0.1;
+
+std::string_view terminal_kind() {
+    const char* kind = std::getenv("TERM");
+    return kind ? kind : "";
+}
+
+// To the terminal, which takes a few characters without waiting.
+void show(std::string_view text) {
+    while (!text.empty()) {
+        const ssize_t put = ::write(STDOUT_FILENO, text.data(), text.size());
+        if (put <= 0) return;
+        text.remove_prefix(static_cast<std::size_t>(put));
+    }
+}
+
+}  // namespace
+
+std::unique_ptr<TypedKeys> TypedKeys::open(AppCore& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock,
+                                           const SessionVoice& say) {
+    if (terminal_kind().empty() || terminal_kind() == "dumb") return nullptr;
+    auto terminal = RawTerminal::take(STDIN_FILENO, STDOUT_FILENO);
+    if (!terminal) return nullptr;
+    return std::unique_ptr<TypedKeys>(new TypedKeys(std::move(terminal), app, worlds, switches, clock, say));
+}
+
+TypedKeys::TypedKeys(std::unique_ptr<RawTerminal> terminal, AppCore& app, WorldVisits& worlds, ServoSwitches& switches,
+                     Clock& clock, const SessionVoice& say)
+    : app_(app),
+      acts_(app, worlds),
+      lines_(app, worlds, say, true),
+      terminal_(std::move(terminal)),
+      keys_(STDIN_FILENO, terminal_keyboard(spoken_language(), terminal_kind(), terminal_->erase()), clock,
+            [keys = app.keys(), &switches](const std::string& key) {
+                if (keys.find(key) != Command::StopEverything) return false;
+                switches.stop();
+                return true;
+            }) {}
+
+void TypedKeys::take(double now_s, WizardSession* wizard) {
+    closed_ = closed_ || keys_.ended();
+    bool emptied = false;
+    const std::vector<TimedInput> came = keys_.take(emptied);
+    if (emptied) {
+        lines_.drop();
+        show(editor_.close());
+    }
+    for (const TimedInput& one : came) take_input(one, wizard, now_s);
+    lines_.take(now_s, wizard);
+}
+
+void TypedKeys::take_input(const TimedInput& came, WizardSession* wizard, double now_s) {
+    // What was asked has been left meanwhile, by another way in.
+    if (editor_.is_open() && answers_ && !asked(wizard)) show(editor_.close());
+    if (!editor_.is_open()) {
+        const TerminalInput& input = came.input;
+        if (asked(wizard) && (!input.text.empty() || input.key == "Enter" || input.key == "Backspace")) {
+            answers_ = true;
+            show(editor_.open());
+        } else if (input.pasted || input.text == ":") {
+            answers_ = false;
+            show(editor_.open(":"));
+            if (!input.pasted) return;
+        }
+    }
+    if (editor_.is_open() && take_into_line(came.input, wizard, now_s)) return;
+    if (!came.input.key.empty() || !came.input.text.empty()) take_key(came, wizard, now_s);
+}
+
+bool TypedKeys::take_into_line(const TerminalInput& input, WizardSession* wizard, double now_s) {
+    LineEditor::Reply reply = editor_.take(input);
+    show(reply.echo);
+    for (std::string& line : reply.lines) {
+        // The answer to a question does not wait for a walk to end.
+        if (asked(wizard)) app_.apply(LineTyped{line}, now_s);
+        else lines_.add(std::move(line));
+    }
+    if (reply.left && answers_ && asked(wizard)) acts_.take({"Escape", KeyAction::Press}, wizard, now_s);
+    return reply.taken;
+}
+
+void TypedKeys::take_key(const TimedInput& came, WizardSession* wizard, double now_s) {
+    const std::string& key = came.input.key;
+    const bool held = !key.empty() && key == last_key_ && came.at_s - last_key_s_ < kRepeats_s;
+    last_key_ = key;
+    last_key_s_ = came.at_s;
+    // Whoever presses a key wants that, and not the rest of what was typed.
+    if (!held) lines_.drop();
+    const auto command = app_.keys().find(key);
+    const bool again = held && !wizard && !app_.dialogue().is_open() && command && info(*command).hold && app_.idle();
+    if (held && !again) {
+        acts_.take({key, KeyAction::Repeat}, wizard, now_s);
+    } else {
+        acts_.take({key, KeyAction::Press}, wizard, now_s);
+    }
+    if (!came.input.text.empty()) acts_.take_text(came.input.text, wizard, now_s);
+    if (!held || again) acts_.take({key, KeyAction::Release}, wizard, now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,44 @@
+#include "app/main/typed_lines.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace handrail {
+
+TypedLines::TypedLines(AppCore& app, WorldVisits& worlds, ServoSwitches& switches, const SessionVoice& say)
+    : app_(app),
+      switches_(switches),
+      typed_(::isatty(STDIN_FILENO) == 1),
+      lines_(app, worlds, say, typed_),
+      watch_(STDIN_FILENO, typed_ ? LineWatch::WhenFull::Loses : LineWatch::WhenFull::Waits,
+             [this](std::string_view line) { return stops_at_once(line); }) {}
+
+// The word for the stop key, typed at a terminal, does not wait for its turn. In a file or a pipe it does: there it is
+// a line of a script. On the line watch's thread.
+bool TypedLines::stops_at_once(std::string_view line) {
+    if (!typed_) return false;
+    const auto parsed = parse_terminal_line(line);
+    if (!parsed || parsed->command != Command::StopEverything) return false;
+    switches_.stop();
+    return true;
+}
+
+void TypedLines::take(double now_s, WizardSession* wizard, bool hand_is_sought) {
+    const bool ended = watch_.ended();  // asked first: lines that came before the end are taken below
+    bool emptied = false;
+    std::vector<std::string> typed =
+        watch_.take(emptied, LineWatch::kMostWaiting - std::min(lines_.waiting(), LineWatch::kMostWaiting));
+    if (emptied) lines_.drop();
+    for (std::string& line : typed) lines_.add(std::move(line));
+    if (lines_.take(now_s, wizard) || !ended) return;
+    if (wizard) return wizard->end_of_lines();
+    // Nobody will answer the welcome any more.
+    if (app_.greeting_waits()) return void(app_.apply(LessonLeft{}, now_s));
+    closed_ = !hand_is_sought;
+}
+
+}  // namespace handrail

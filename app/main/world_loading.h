@@ -1,0 +1,34 @@
+// A world on its way from its file to where it can be entered, read and made ready on a thread of its own. App thread.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <future>
+#include <stop_token>
+
+#include "app/core/world/entering.h"
+#include "app/main/commands.h"
+
+namespace handrail {
+
+class WorldLoading {
+public:
+    // Begins at once.
+    WorldLoading(const std::filesystem::path& path, const CommonArguments& common);
+    // Stops what is not done yet, and waits for that.
+    ~WorldLoading();
+    WorldLoading(const WorldLoading&) = delete;
+    WorldLoading& operator=(const WorldLoading&) = delete;
+
+    bool ready() const;
+    int percent() const { return percent_.load(std::memory_order_relaxed); }  // of the reading
+    // Once, when ready. Fails as read_world does.
+    Result<EnteringWorld> take() { return result_.get(); }
+
+private:
+    std::atomic<int> percent_{0};
+    std::stop_source stop_;
+    std::future<Result<EnteringWorld>> result_;  // last: its thread uses the others, and it waits for that
+};
+
+}  // namespace handrail

@@ -1,0 +1,58 @@
+// Which world the session is in, which one is read to be entered next, and where the last session was. App thread.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/core/kept/last_place.h"
+#include "app/core/kept/world_shelf.h"
+#include "app/core/session/app_core.h"
+#include "app/main/commands.h"
+#include "app/main/session_voice.h"
+#include "app/main/world_loading.h"
+
+namespace handrail {
+
+constexpr double kLoadingToldEvery_s = 2.0;  // how far the reading of a world is
+
+class WorldVisits {
+public:
+    // All outlive this object.
+    WorldVisits(const ExploreArguments& arguments, AppCore& app, const SessionVoice& say)
+        : arguments_(arguments), app_(app), say_(say) {}
+
+    // What was amiss with the list of worlds, and then of a session before this one that was never left, with the way
+    // to go on there; empty where there is nothing to say.
+    std::string take_news() { return recent_.take_news(); }
+    std::string crash_words(bool with_window, double now_s);
+
+    // With what the world's report and its side file have to say, as parts of the reply of `asked_s`.
+    void enter(EnteringWorld world, const std::filesystem::path& path, double asked_s);
+    // Once a frame: another world is read while this one goes on; one that cannot be read leaves everything as it is.
+    void change(double now_s);
+    bool reading() const { return next_ != nullptr; }
+    // Stays where one is instead, and says so. False when no other world is being read.
+    bool give_up_reading(double now_s);
+
+    // Once a frame: so that a session that ends otherwise than by end() is gone on with.
+    void note_place(double now_s);
+    void end() { trace_.end(); }
+
+private:
+    void begin_reading(const std::filesystem::path& path, const CommonArguments& common, double now_s);
+
+    const ExploreArguments& arguments_;
+    AppCore& app_;
+    const SessionVoice& say_;
+    RecentWorlds recent_{recent_worlds_path()};
+    SessionTrace trace_{sessions_folder()};
+    std::filesystem::path path_;           // of the world that was entered, absolute
+    std::optional<LastPlace> next_place_;  // where to go on in the world that is read
+    std::unique_ptr<WorldLoading> next_;
+    std::filesystem::path next_path_;
+    double next_told_s_ = 0.0;
+};
+
+}  // namespace handrail

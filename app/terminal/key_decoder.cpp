@@ -1,0 +1,356 @@
+#include "app/terminal/key_decoder.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <utility>
+
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr char kEscape = '\x1b';
+constexpr std::string_view kPasteEnds = "\x1b[201~";
+constexpr std::size_t kLongestSequence = 64;
+
+// A sum of these, as the sequences have it less one.
+enum Modifier : unsigned { kShift = 1, kAlt = 2, kControl = 4 };
+
+struct Sign {
+    std::string_view text;
+    std::string_view key;
+};
+
+// Signs by the keys of an English keyboard; those of digits are the keyboard's own.
+constexpr Sign kSigns[] = {{" ", "Space"},
+                           {"`", "Grave"},
+                           {"-", "Minus"},
+                           {"=", "Equal"},
+                           {"[", "LeftBracket"},
+                           {"]", "RightBracket"},
+                           {"\\", "Backslash"},
+                           {";", "Semicolon"},
+                           {"'", "Apostrophe"},
+                           {",", "Comma"},
+                           {".", "Period"},
+                           {"/", "Slash"},
+                           {"~", "Shift+Grave"},
+                           {"_", "Shift+Minus"},
+                           {"+", "Shift+Equal"},
+                           {"{", "Shift+LeftBracket"},
+                           {"}", "Shift+RightBracket"},
+                           {"|", "Shift+Backslash"},
+                           {":", "Shift+Semicolon"},
+                           {"\"", "Shift+Apostrophe"},
+                           {"<", "Shift+Comma"},
+                           {">", "Shift+Period"},
+                           {"?", "Shift+Slash"}};
+
+struct Numbered {
+    unsigned number;
+    std::string_view key;
+};
+
+// CSI number ~: VT220 and its kin, with rxvt's Home and End.
+constexpr Numbered kNumbered[] = {{1, "Home"},     {2, "Insert"}, {3, "Delete"}, {4, "End"},  {5, "PageUp"},
+                                  {6, "PageDown"}, {7, "Home"},   {8, "End"},    {11, "F1"},  {12, "F2"},
+                                  {13, "F3"},      {14, "F4"},    {15, "F5"},    {17, "F6"},  {18, "F7"},
+                                  {19, "F8"},      {20, "F9"},    {21, "F10"},   {23, "F11"}, {24, "F12"}};
+
+// The same beyond F12: the function keys with Shift, of the Linux console from F1 on and of rxvt from F3 on.
+constexpr unsigned kShiftedFunctions[] = {25, 26, 28, 29, 31, 32, 33, 34};
+
+struct Lettered {
+    char letter;
+    std::string_view key;
+};
+
+// CSI letter, CSI 1 ; modifiers letter, SS3 letter.
+constexpr Lettered kLettered[] = {{'A', "Up"},      {'B', "Down"}, {'C', "Right"},   {'D', "Left"},
+                                  {'E', "Keypad5"}, {'F', "End"},  {'G', "Keypad5"}, {'H', "Home"},
+                                  {'P', "F1"},      {'Q', "F2"},   {'R', "F3"},      {'S', "F4"}};
+
+// SS3 letter, of a keypad in application mode.
+constexpr Lettered kKeypad[] = {
+    {'M', "KeypadEnter"},   {'X', "KeypadEqual"},  {'j', "KeypadMultiply"}, {'k', "KeypadAdd"}, {'m', "KeypadSubtract"},
+    {'n', "KeypadDecimal"}, {'o', "KeypadDivide"}, {'p', "Keypad0"},        {'q', "Keypad1"},   {'r', "Keypad2"},
+    {'s', "Keypad3"},       {'t', "Keypad4"},      {'u', "Keypad5"},        {'v', "Keypad6"},   {'w', "Keypad7"},
+    {'x', "Keypad8"},       {'y', "Keypad9"}};
+
+// Lone modifiers, as the protocol of kitty numbers them.
+constexpr Numbered kLoneModifiers[] = {{57441, "Shift"}, {57442, "Control"}, {57443, "Alt"},
+                                       {57447, "Shift"}, {57448, "Control"}, {57449, "Alt"}};
+
+constexpr std::string_view kRxvtArrows = "abcd";
+constexpr std::string_view kArrows[] = {"Up", "Down", "Right", "Left"};
+
+template <class Rows>
+std::string_view key_of(const Rows& rows, char letter) {
+    for (const auto& row : rows)
+        if (row.letter == letter) return row.key;
+    return {};
+}
+
+template <class Rows>
+std::string_view key_of(const Rows& rows, unsigned number) {
+    for (const auto& row : rows)
+        if (row.number == number) return row.key;
+    return {};
+}
+
+// With the modifiers before it, in the window's order; one that the key's name has already is not put twice.
+std::string with_modifiers(std::string_view key, unsigned modifiers) {
+    if (key.empty()) return {};
+    constexpr std::string_view kShifted = "Shift+";
+    if (key.starts_with(kShifted)) {
+        modifiers |= kShift;
+        key.remove_prefix(kShifted.size());
+    }
+    std::string name;
+    if (modifiers & kControl) name += "Control+";
+    if (modifiers & kAlt) name += "Alt+";
+    if (modifiers & kShift) name += kShifted;
+    return name.append(key);
+}
+
+std::size_t length_of_character(unsigned char first) {
+    if (first < 0x80) return 1;
+    if (first >= 0xC2 && first < 0xE0) return 2;
+    if (first >= 0xE0 && first < 0xF0) return 3;
+    if (first >= 0xF0 && first < 0xF5) return 4;
+    return 0;
+}
+
+// The numbers of a sequence; an absent one is 0, of a number with parts ("97:65") the first part counts.
+std::vector<unsigned> numbers_of(std::string_view text) {
+    std::vector<unsigned> numbers;
+    while (true) {
+        const std::size_t end = std::min(text.find(';'), text.size());
+        unsigned number = 0;
+        std::from_chars(text.data(), text.data() + end, number);
+        numbers.push_back(number);
+        if (end == text.size()) return numbers;
+        text.remove_prefix(end + 1);
+    }
+}
+
+// Of "1;5:3": the kind of event behind the modifiers' colon; 1 is a press.
+unsigned event_of(std::string_view parameters) {
+    const std::size_t colon = parameters.find(':', std::min(parameters.find(';'), parameters.size()));
+    unsigned event = 1;
+    if (colon != std::string_view::npos)
+        std::from_chars(parameters.data() + colon + 1, parameters.data() + parameters.size(), event);
+    return event;
+}
+
+unsigned modifiers_of(const std::vector<unsigned>& numbers, std::size_t at) {
+    return numbers.size() > at && numbers[at] > 0 ? (numbers[at] - 1) & (kShift | kAlt | kControl) : 0;
+}
+
+std::string_view sign_key(std::string_view text) {
+    for (const Sign& sign : kSigns)
+        if (sign.text == text) return sign.key;
+    return {};
+}
+
+}  // namespace
+
+TerminalKeyboard terminal_keyboard(std::string_view language, std::string_view terminal, char erase) {
+    TerminalKeyboard keyboard;
+    // Slash and equals sign are keys of their own, as they are called.
+    if (language == "de") keyboard.shifted_digits = {"", "!", "\"", "§", "$", "%", "&", "", "(", ")"};
+    keyboard.erase = erase;
+    keyboard.rxvt_functions = terminal.starts_with("rxvt");
+    return keyboard;
+}
+
+std::vector<TerminalInput> KeyDecoder::take(std::string_view bytes) {
+    std::vector<TerminalInput> done;
+    held_ += bytes;
+    take_held(done, false);
+    return done;
+}
+
+std::vector<TerminalInput> KeyDecoder::time_out() {
+    std::vector<TerminalInput> done;
+    if (waits()) take_held(done, true);
+    return done;
+}
+
+void KeyDecoder::take_held(std::vector<TerminalInput>& done, bool nothing_follows) {
+    while (!held_.empty()) {
+        if (pasting_) {
+            if (!paste_step(done)) return;
+            continue;
+        }
+        Step next = step(held_, nothing_follows);
+        if (next.bytes == 0) return;
+        pasting_ = next.input.pasted;
+        held_.erase(0, next.bytes);
+        if (!pasting_ && next.input != TerminalInput{}) done.push_back(std::move(next.input));
+    }
+}
+
+bool KeyDecoder::paste_step(std::vector<TerminalInput>& done) {
+    const std::size_t escape = held_.find(kEscape);
+    if (escape != 0) {
+        // A character that has not come as a whole waits, unless it never will.
+        std::size_t end = std::min(escape, held_.size());
+        for (std::size_t back = 1; escape == std::string::npos && back <= std::min<std::size_t>(3, end); ++back) {
+            const auto byte = static_cast<unsigned char>(held_[end - back]);
+            if (byte < 0x80) break;
+            if (byte >= 0xC0 && length_of_character(byte) > back) end -= back;
+            if (byte >= 0xC0) break;
+        }
+        if (end == 0) return false;
+        done.push_back({{}, held_.substr(0, end), true});
+        held_.erase(0, end);
+        return true;
+    }
+    if (held_.starts_with(kPasteEnds)) {
+        held_.erase(0, kPasteEnds.size());
+        pasting_ = false;
+        return true;
+    }
+    if (kPasteEnds.starts_with(held_)) return false;
+    // Terminals leave no Escape in what they paste: the end was lost, and this is a key again.
+    pasting_ = false;
+    return true;
+}
+
+KeyDecoder::Step KeyDecoder::step(std::string_view bytes, bool nothing_follows) const {
+    if (bytes[0] == kEscape) return escape_step(bytes, nothing_follows);
+    Step character = character_step(bytes);
+    if (character.bytes == 0 && nothing_follows) return {bytes.size(), {}};
+    return character;
+}
+
+KeyDecoder::Step KeyDecoder::escape_step(std::string_view bytes, bool nothing_follows) const {
+    Step alone{1, {"Escape", {}, false}};
+    if (bytes.size() == 1) return nothing_follows ? alone : Step{};
+    Step behind;
+    if (bytes[1] == '[' || bytes[1] == 'O') {
+        behind = control_step(bytes);
+        if (behind.bytes > 0) return behind;
+        if (!nothing_follows) return {};
+        // Alt and that key; what is longer was cut off, and is passed over.
+        if (bytes.size() > 2) return {bytes.size(), {}};
+        return {2, {with_modifiers(bytes[1] == '[' ? "LeftBracket" : "O", bytes[1] == '[' ? kAlt : kAlt | kShift), {}}};
+    }
+    behind = step(bytes.substr(1), nothing_follows);
+    if (behind.bytes == 0) return {};
+    // Two of them and nothing more are two keys.
+    if (behind.input.key == "Escape" || behind.input.pasted) return alone;
+    if (behind.input.key.empty()) return {1 + behind.bytes, {}};
+    std::string key = behind.input.key;
+    unsigned modifiers = kAlt;
+    if (key.starts_with("Control+")) {
+        modifiers |= kControl;
+        key.erase(0, std::string_view("Control+").size());
+    }
+    if (key.starts_with("Alt+")) key.erase(0, std::string_view("Alt+").size());
+    return {1 + behind.bytes, {with_modifiers(key, modifiers), {}, false}};
+}
+
+// ESC [ ... and ESC O ...
+KeyDecoder::Step KeyDecoder::control_step(std::string_view bytes) const {
+    const auto named = [](std::size_t used, std::string_view key, unsigned modifiers) {
+        return Step{used, {with_modifiers(key, modifiers), {}, false}};
+    };
+    if (bytes.size() < 3) return {};
+    // The Linux console's F1 to F5.
+    if (bytes[1] == '[' && bytes[2] == '[') {
+        if (bytes.size() < 4) return {};
+        constexpr std::string_view kFunctions[] = {"F1", "F2", "F3", "F4", "F5"};
+        return bytes[3] >= 'A' && bytes[3] <= 'E' ? named(4, kFunctions[bytes[3] - 'A'], 0) : Step{4, {}};
+    }
+    std::size_t end = 2;
+    while (end < bytes.size() && bytes[end] >= 0x30 && bytes[end] <= 0x3F) ++end;
+    const std::string_view parameters = bytes.substr(2, end - 2);
+    const bool plain_number = !parameters.empty() && parameters.find_first_not_of("0123456789") == std::string::npos;
+    // rxvt's Shift stands where others have the begin of what comes before the last letter.
+    const bool rxvt_shift = plain_number && end < bytes.size() && bytes[end] == '$';
+    while (!rxvt_shift && end < bytes.size() && bytes[end] >= 0x20 && bytes[end] <= 0x2F) ++end;
+    if (end >= kLongestSequence) return {end, {}};
+    if (end == bytes.size()) return {};
+    const char last = bytes[end];
+    const std::size_t used = end + 1;
+    // What cannot stand in a sequence ends it and is itself.
+    if (!rxvt_shift && (last < 0x40 || last > 0x7E)) return {end, {}};
+    const std::vector<unsigned> numbers = numbers_of(parameters);
+    unsigned modifiers = modifiers_of(numbers, 1);
+    // Some write the modifiers of a lettered key as the only number.
+    if (numbers.size() == 1 && !key_of(kLettered, last).empty()) modifiers = modifiers_of(numbers, 0);
+    if (parameters.find_first_of("<=>?") != std::string_view::npos || event_of(parameters) == 3) return {used, {}};
+
+    if (bytes[1] == 'O') {
+        if (const std::size_t arrow = kRxvtArrows.find(last); arrow != std::string_view::npos)
+            return named(used, kArrows[arrow], kControl);
+        const std::string_view key = key_of(kLettered, last);
+        return named(used, key.empty() ? key_of(kKeypad, last) : key, modifiers);
+    }
+    if (const std::size_t arrow = kRxvtArrows.find(last); arrow != std::string_view::npos && parameters.empty())
+        return named(used, kArrows[arrow], kShift);
+    if (last == 'Z') return named(used, "Tab", modifiers | kShift);
+    if (last == 'u' || (last == '~' && numbers.size() == 3 && numbers[0] == 27)) {
+        const unsigned code = last == 'u' ? numbers[0] : numbers[2];
+        if (const std::string_view alone = key_of(kLoneModifiers, code); !alone.empty()) return named(used, alone, 0);
+        if (code == 27) return named(used, "Escape", modifiers);
+        if (code > 0x7F || (code < 0x20 && code != '\t' && code != '\r')) return {used, {}};
+        const char character = static_cast<char>(code);
+        const Step typed = character_step({&character, 1});
+        return {used,
+                {with_modifiers(typed.input.key, modifiers), modifiers == 0 ? typed.input.text : std::string{}, false}};
+    }
+    if (last == '~' || last == '^' || last == '@' || last == '$') {
+        unsigned held = modifiers;
+        if (last == '^' || last == '@') held |= kControl;
+        if (last == '$' || last == '@') held |= kShift;
+        if (last == '~' && numbers[0] == 200) return {used, {{}, {}, true}};
+        if (const std::string_view key = key_of(kNumbered, numbers[0]); !key.empty()) return named(used, key, held);
+        for (std::size_t i = 0; i < std::size(kShiftedFunctions); ++i)
+            if (numbers[0] == kShiftedFunctions[i])
+                return named(used, "F" + std::to_string(i + (keyboard_.rxvt_functions ? 3 : 1)), held | kShift);
+        return {used, {}};
+    }
+    return named(used, key_of(kLettered, last), modifiers);
+}
+
+KeyDecoder::Step KeyDecoder::character_step(std::string_view bytes) const {
+    const char first = bytes[0];
+    if (first == keyboard_.erase || first == '\x7f') return {1, {"Backspace", {}, false}};
+    switch (first) {
+        case '\t':
+            return {1, {"Tab", {}, false}};
+        case '\r':
+        case '\n':
+            return {1, {"Enter", {}, false}};
+        case '\0':
+            return {1, {"Control+Space", {}, false}};
+        default:
+            break;
+    }
+    if (static_cast<unsigned char>(first) < 0x20) {
+        if (first <= 26) return {1, {std::string("Control+") + static_cast<char>('A' + first - 1), {}, false}};
+        return {1, {}};
+    }
+    const std::size_t length = length_of_character(static_cast<unsigned char>(first));
+    if (length == 0) return {1, {}};
+    const std::string_view text = bytes.substr(0, length);
+    for (std::size_t i = 1; i < text.size(); ++i)
+        if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return {i, {}};
+    if (text.size() < length) return {};
+    if (!is_utf8(text)) return {length, {}};
+    TerminalInput typed{{}, std::string(text), false};
+    for (std::size_t digit = 0; digit < keyboard_.shifted_digits.size() && typed.key.empty(); ++digit)
+        if (keyboard_.shifted_digits[digit] == text) typed.key = "Shift+" + std::to_string(digit);
+    if (!typed.key.empty()) return {length, std::move(typed)};
+    if (first >= 'a' && first <= 'z') typed.key = static_cast<char>(first - 'a' + 'A');
+    else if (first >= 'A' && first <= 'Z') typed.key = std::string("Shift+") + first;
+    else if (first >= '0' && first <= '9') typed.key = first;
+    else typed.key = sign_key(text);
+    return {length, std::move(typed)};
+}
+
+}  // namespace handrail

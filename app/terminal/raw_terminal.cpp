@@ -1,0 +1,188 @@
+#include "app/terminal/raw_terminal.h"
+
+#include <poll.h>
+#include <pthread.h>
+#include <signal.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <string_view>
+
+namespace handrail {
+namespace {
+
+// What a handler needs: written before `taken` is set, and only read while it is.
+struct Held {
+    int input = -1, output = -1;
+    termios before{}, raw{};
+};
+Held held;
+std::atomic<bool> taken{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+// Those that end a program which does not ask for them. What a session asks for (EndSignals) or ignores stays with it.
+constexpr std::array kEnding{SIGHUP,  SIGINT,  SIGQUIT, SIGILL,  SIGTRAP, SIGABRT,   SIGBUS,  SIGFPE,  SIGSEGV, SIGSYS,
+                             SIGPIPE, SIGALRM, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGXCPU, SIGXFSZ};
+std::array<struct sigaction, kEnding.size()> ending_before;
+std::array<bool, kEnding.size()> ending_caught;
+struct sigaction stop_before, go_on_before;
+bool stop_caught = false, go_on_caught = false;
+
+// Stack for a handler after the stack has overflowed.
+alignas(16) std::array<char, 65536> spare_stack;
+
+constexpr std::string_view kMarkPastes = "\x1b[?2004h", kMarkNoPastes = "\x1b[?2004l";
+
+// From the background the modes are the shell's, and changing them would stop us. No group: no job control.
+bool is_ours(int terminal) {
+    const pid_t foreground = ::tcgetpgrp(terminal);
+    return foreground < 0 || foreground == ::getpgrp();
+}
+
+// Never waits: where nobody reads it is left out.
+void write_if_ready(std::string_view text) {
+    pollfd ready{held.output, POLLOUT, 0};
+    if (::poll(&ready, 1, 0) != 1 || (ready.revents & POLLOUT) == 0) return;
+    [[maybe_unused]] const ssize_t put = ::write(held.output, text.data(), text.size());
+}
+
+void give_back() {
+    if (!taken.load(std::memory_order_acquire) || !is_ours(held.input)) return;
+    ::tcsetattr(held.input, TCSANOW, &held.before);
+    write_if_ready(kMarkNoPastes);
+}
+
+void take_again() {
+    if (!taken.load(std::memory_order_acquire) || !is_ours(held.input)) return;
+    ::tcsetattr(held.input, TCSANOW, &held.raw);
+    write_if_ready(kMarkPastes);
+}
+
+// Gives the terminal back and lets the signal do what it would have done.
+void on_ending(int signal) {
+    const int error = errno;
+    give_back();
+    for (std::size_t i = 0; i < kEnding.size(); ++i)
+        if (kEnding[i] == signal) ::sigaction(signal, &ending_before[i], nullptr);
+    ::raise(signal);  // held up until this handler has returned
+    errno = error;
+}
+
+void catch_stop();
+
+void on_stop(int signal) {
+    const int error = errno;
+    give_back();
+    struct sigaction stop {};
+    stop.sa_handler = SIG_DFL;
+    ::sigaction(signal, &stop, nullptr);
+    sigset_t this_one, mask;
+    sigemptyset(&this_one);
+    sigaddset(&this_one, signal);
+    ::raise(signal);
+    ::pthread_sigmask(SIG_UNBLOCK, &this_one, &mask);  // stops here, until somebody says go on
+    ::pthread_sigmask(SIG_SETMASK, &mask, nullptr);
+    catch_stop();
+    take_again();
+    errno = error;
+}
+
+void on_going_on(int) {
+    const int error = errno;
+    take_again();
+    errno = error;
+}
+
+void install(int signal, void (*handler)(int), struct sigaction* before) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART | SA_ONSTACK;
+    sigfillset(&action.sa_mask);
+    ::sigaction(signal, &action, before);
+}
+
+void catch_stop() { install(SIGTSTP, on_stop, nullptr); }
+
+bool ends_by_default(int signal) {
+    struct sigaction now {};
+    return ::sigaction(signal, nullptr, &now) == 0 && (now.sa_flags & SA_SIGINFO) == 0 && now.sa_handler == SIG_DFL;
+}
+
+// A crash is seen even where somebody else (a sanitizer) looks at it too: that one comes after us.
+bool is_crash(int signal) {
+    return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL || signal == SIGABRT ||
+           signal == SIGTRAP || signal == SIGSYS;
+}
+
+void catch_signals() {
+    for (std::size_t i = 0; i < kEnding.size(); ++i) {
+        ending_caught[i] = is_crash(kEnding[i]) || ends_by_default(kEnding[i]);
+        if (ending_caught[i]) install(kEnding[i], on_ending, &ending_before[i]);
+    }
+    stop_caught = ends_by_default(SIGTSTP);
+    if (stop_caught) install(SIGTSTP, on_stop, &stop_before);
+    go_on_caught = ends_by_default(SIGCONT);
+    if (go_on_caught) install(SIGCONT, on_going_on, &go_on_before);
+}
+
+void let_signals_go() {
+    if (go_on_caught) ::sigaction(SIGCONT, &go_on_before, nullptr);
+    if (stop_caught) ::sigaction(SIGTSTP, &stop_before, nullptr);
+    for (std::size_t i = 0; i < kEnding.size(); ++i)
+        if (ending_caught[i]) ::sigaction(kEnding[i], &ending_before[i], nullptr);
+}
+
+void set_a_stack_aside() {
+    stack_t now{};
+    if (::sigaltstack(nullptr, &now) != 0 || (now.ss_flags & SS_DISABLE) == 0) return;
+    stack_t spare{};
+    spare.ss_sp = spare_stack.data();
+    spare.ss_size = spare_stack.size();
+    ::sigaltstack(&spare, nullptr);
+}
+
+}  // namespace
+
+std::unique_ptr<RawTerminal> RawTerminal::take(int input, int output) {
+    if (taken.load(std::memory_order_acquire) || ::isatty(input) != 1 || ::isatty(output) != 1 || !is_ours(input))
+        return nullptr;
+    termios before{};
+    if (::tcgetattr(input, &before) != 0) return nullptr;
+    held = {input, output, before, before};
+    held.raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | ECHONL | IEXTEN);
+    held.raw.c_lflag |= ISIG;
+    // Enter stays CR, Ctrl+S and Ctrl+Q are keys, and every bit of a character comes.
+    held.raw.c_iflag &= ~static_cast<tcflag_t>(ICRNL | INLCR | IGNCR | IXON | ISTRIP);
+    held.raw.c_cc[VMIN] = 1;
+    held.raw.c_cc[VTIME] = 0;
+    static const int at_exit = std::atexit(give_back);
+    static_cast<void>(at_exit);
+    set_a_stack_aside();
+    taken.store(true, std::memory_order_release);
+    catch_signals();
+    if (::tcsetattr(input, TCSANOW, &held.raw) != 0) {
+        let_signals_go();
+        taken.store(false, std::memory_order_release);
+        return nullptr;
+    }
+    write_if_ready(kMarkPastes);
+    return std::unique_ptr<RawTerminal>(new RawTerminal);
+}
+
+RawTerminal::RawTerminal() = default;
+
+RawTerminal::~RawTerminal() {
+    // Keys that were meant for us are none of the shell's: Up and Enter would repeat its last command.
+    if (is_ours(held.input)) ::tcflush(held.input, TCIFLUSH);
+    give_back();
+    taken.store(false, std::memory_order_release);
+    let_signals_go();
+}
+
+char RawTerminal::erase() const { return static_cast<char>(held.before.c_cc[VERASE]); }
+
+}  // namespace handrail

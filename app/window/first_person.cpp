@@ -1,0 +1,205 @@
+#include "app/window/first_person.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_clip_space.hpp>
+
+namespace handrail {
+namespace {
+
+constexpr double kFieldOfView_rad = kPi / 3.0;  // upright
+constexpr double kNear_m = 0.02;
+constexpr double kSmallestBallPart = 0.02;  // of its distance: a ball of 5 mm stays in sight across a room
+constexpr float kEdgePart =
+    1.0F / 100.0F;  // width of an outline, of the picture's height; the white core is a third of it
+
+constexpr const char* kSurfaceVertex = R"(#version 330 core
+layout(location = 0) in vec3 position_m;
+layout(location = 1) in vec2 surface_m;
+layout(location = 2) in vec3 rgb;
+layout(location = 3) in uint pattern;
+uniform mat4 clip_from_eye;
+uniform vec3 origin_from_eye_m;
+out vec2 place_m;
+flat out vec3 colour;
+flat out uint kind;
+void main() {
+    gl_Position = clip_from_eye * vec4(position_m + origin_from_eye_m, 1.0);
+    place_m = surface_m;
+    colour = rgb;
+    kind = pattern;
+})";
+
+constexpr const char* kSurfaceFragment = R"(#version 330 core
+in vec2 place_m;
+flat in vec3 colour;
+flat in uint kind;
+uniform float opacity;
+out vec4 shown;
+// 1 in the dark half of a stripe; far away, where stripes are finer than a pixel, their mean.
+float stripe(float x) {
+    float width = fwidth(x);
+    float wave = abs(fract(x) - 0.5) * 2.0;
+    float sharp = smoothstep(0.5 - width, 0.5 + width, wave);
+    return mix(sharp, 0.5, clamp(2.0 * width - 0.5, 0.0, 1.0));
+}
+void main() {
+    float dark = 0.0;
+    if (kind == 1u) dark = stripe(place_m.x / 0.24);
+    else if (kind == 2u) dark = stripe(place_m.y / 0.24);
+    else if (kind == 3u) dark = stripe((place_m.x + place_m.y) / 0.5);
+    else if (kind == 4u) dark = abs(stripe(place_m.x / 0.3) - stripe(place_m.y / 0.3));
+    shown = vec4(colour * (1.0 - 0.6 * dark), opacity);
+})";
+
+// A line of a given width in pixels: four corners from the two ends, cut in front of the eye and drawn a little towards
+// it, so that the surfaces it borders do not hide it. Core profiles draw lines one pixel wide only.
+constexpr const char* kEdgeVertex = R"(#version 330 core
+layout(location = 0) in vec3 a_m;
+layout(location = 1) in vec3 b_m;
+uniform mat4 clip_from_eye;
+uniform vec3 origin_from_eye_m;
+uniform vec2 half_size_px;
+uniform float half_width_px;
+out float across;
+const float pull = 0.995;
+const float nearest_m = 0.1;
+void main() {
+    int corner = gl_VertexID & 3;
+    vec4 a = clip_from_eye * vec4((a_m + origin_from_eye_m) * pull, 1.0);
+    vec4 b = clip_from_eye * vec4((b_m + origin_from_eye_m) * pull, 1.0);
+    across = (corner & 1) == 0 ? 1.0 : -1.0;
+    if (a.w < nearest_m && b.w < nearest_m) {
+        gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+        return;
+    }
+    if (a.w < nearest_m) a = mix(a, b, (nearest_m - a.w) / (b.w - a.w));
+    else if (b.w < nearest_m) b = mix(b, a, (nearest_m - b.w) / (a.w - b.w));
+    vec2 along = b.xy / b.w * half_size_px - a.xy / a.w * half_size_px;
+    along = dot(along, along) > 1e-12 ? normalize(along) : vec2(1.0, 0.0);
+    vec2 sideways = vec2(-along.y, along.x) * across;
+    vec4 end = corner < 2 ? a : b;
+    end /= end.w;   // both ends lie in front of the eye, so the card need not, and clipping cannot bend `across`
+    end.xy += (sideways + (corner < 2 ? -along : along)) * half_width_px / half_size_px;
+    gl_Position = end;
+})";
+
+// Black with a white core: one of the two stands out on any surface.
+constexpr const char* kEdgeFragment = R"(#version 330 core
+in float across;
+out vec4 shown;
+void main() { shown = vec4(vec3(abs(across) < 0.34 ? 1.0 : 0.0), 1.0); })";
+
+constexpr const char* kBallVertex = R"(#version 330 core
+uniform mat4 clip_from_eye;
+uniform vec3 centre_from_eye_m;
+uniform float radius_m;
+uniform float pull;
+uniform vec3 right;
+uniform vec3 up;
+out vec2 place;
+void main() {
+    place = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID >> 1) * 2 - 1) * 1.9;
+    gl_Position = clip_from_eye * vec4((centre_from_eye_m + radius_m * (place.x * right + place.y * up)) * pull, 1.0);
+})";
+
+constexpr const char* kBallFragment = R"(#version 330 core
+in vec2 place;
+uniform bool touching;
+uniform bool forces_on;
+out vec4 shown;
+void main() {
+    float r = length(place);
+    vec3 white = vec3(1.0), black = vec3(0.0);
+    if (r > 1.85 || (!touching && r > 1.22)) discard;
+    if (r > 1.7) shown = vec4(black, 1.0);
+    else if (r > 1.3) shown = vec4(white, 1.0);
+    else if (r > 1.0) shown = vec4(black, 1.0);
+    else {
+        if (!forces_on && r < 0.55) discard;
+        float towards = sqrt(1.0 - r * r);
+        vec3 colour = touching ? vec3(1.0, 0.05, 0.05) : vec3(0.05, 1.0, 0.2);
+        shown = vec4(colour * (0.6 + 0.4 * towards), 1.0);
+    }
+})";
+
+}  // namespace
+
+Result<void> FirstPerson::start() {
+    for (const auto& built :
+         {surface_program_.build(kSurfaceVertex, kSurfaceFragment), edge_program_.build(kEdgeVertex, kEdgeFragment),
+          ball_program_.build(kBallVertex, kBallFragment)})
+        if (!built) return built;
+    return {};
+}
+
+void FirstPerson::draw(const ViewState& view, UploadedScene& scene, PixelSize picture, int bottom_px) {
+    glViewport(0, bottom_px, picture.width, picture.height);
+    const Vec3 level = forward_of_heading(view.heading_rad);
+    const Vec3 right = right_of_heading(view.heading_rad);
+    const Vec3 forward = std::cos(view.tilt_rad) * level + std::sin(view.tilt_rad) * Vec3(0.0, 0.0, 1.0);
+    const Vec3 up = glm::cross(right, forward);
+    // The eye is taken away in double, so that a building far from its file's origin does not tremble.
+    const Vec3 origin_from_eye = scene.origin_m() - view.eyes_m;
+    const double far_m = std::max(100.0, 1.1 * (scene.reach_m() + glm::length(origin_from_eye)));
+    const glm::mat4 turn(glm::vec4(right.x, up.x, -forward.x, 0.0), glm::vec4(right.y, up.y, -forward.y, 0.0),
+                         glm::vec4(right.z, up.z, -forward.z, 0.0), glm::vec4(0.0, 0.0, 0.0, 1.0));
+    const double aspect = static_cast<double>(picture.width) / picture.height;
+    const glm::mat4 clip_from_eye = glm::perspective(static_cast<float>(kFieldOfView_rad), static_cast<float>(aspect),
+                                                     static_cast<float>(kNear_m), static_cast<float>(far_m)) *
+                                    turn;
+
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDisable(GL_BLEND);
+    glEnable(GL_CULL_FACE);
+    // What the four sides of the picture and the plane of the eyes leave in sight.
+    const double half_high = std::tan(0.5 * kFieldOfView_rad), half_wide = aspect * half_high;
+    scene.choose(origin_from_eye, {forward, forward * half_wide - right, forward * half_wide + right,
+                                   forward * half_high - up, forward * half_high + up});
+    surface_program_.use();
+    surface_program_.set("clip_from_eye", clip_from_eye);
+    surface_program_.set("origin_from_eye_m", glm::vec3(origin_from_eye));
+    surface_program_.set("opacity", 1.0F);
+    scene.draw_opaque();
+    glDisable(GL_CULL_FACE);
+
+    edge_program_.use();
+    edge_program_.set("clip_from_eye", clip_from_eye);
+    edge_program_.set("origin_from_eye_m", glm::vec3(origin_from_eye));
+    edge_program_.set("half_size_px", 0.5F * glm::vec2(picture.width, picture.height));
+    edge_program_.set("half_width_px", std::max(1.5F, 0.5F * kEdgePart * static_cast<float>(picture.height)));
+    scene.draw_edges();
+
+    if (view.show_hand) draw_ball(view, clip_from_eye, right, up);
+
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    surface_program_.use();
+    surface_program_.set("opacity", 0.5F);
+    scene.draw_translucent();
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+}
+
+void FirstPerson::draw_ball(const ViewState& view, const glm::mat4& clip_from_eye, const Vec3& right, const Vec3& up) {
+    const Vec3 centre = view.proxy_m - view.eyes_m;
+    const double distance_m = glm::length(centre);
+    const double radius_m = std::max(view.ball_radius_m, kSmallestBallPart * distance_m);
+    ball_program_.use();
+    ball_program_.set("clip_from_eye", clip_from_eye);
+    ball_program_.set("centre_from_eye_m", glm::vec3(centre));
+    ball_program_.set("radius_m", static_cast<float>(radius_m));
+    // In front of the surface it rests on; a wall between eye and ball still hides it.
+    ball_program_.set("pull", static_cast<float>(std::max(0.5, 1.0 - 2.0 * radius_m / std::max(distance_m, 1e-3))));
+    ball_program_.set("right", glm::vec3(right));
+    ball_program_.set("up", glm::vec3(up));
+    ball_program_.set("touching", view.touching);
+    ball_program_.set("forces_on", view.forces_on);
+    no_vertices_.bind();
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+}  // namespace handrail

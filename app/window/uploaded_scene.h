@@ -1,0 +1,49 @@
+// A scene on the card: its triangles and outlines, and which parts of them a view may show. App thread, the one whose
+// context is current.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "app/window/draw_mesh.h"
+#include "app/window/gl_objects.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+
+class UploadedScene {
+public:
+    // Takes as long as build_draw_mesh.
+    explicit UploadedScene(std::shared_ptr<const Scene> scene);
+
+    const Scene* scene() const { return scene_.get(); }
+    const Vec3& origin_m() const { return origin_m_; }
+    double reach_m() const { return reach_m_; }  // of what is drawn, from the origin
+    // The chunks that the view may show, nearest first, so that near walls spare the card the painting of what they
+    // hide.
+    void choose(const Vec3& origin_from_eye_m, const std::array<Vec3, 5>& inward_normals);
+    // Of the chunks chosen last.
+    void draw_opaque();
+    void draw_edges();
+    void draw_translucent() const;  // all of it
+
+private:
+    template <class Range>
+    void draw_chosen(const GlVertexArray& array, Range range);
+
+    std::shared_ptr<const Scene> scene_;  // kept, so that its address cannot come back as another scene
+    Vec3 origin_m_{0.0};
+    double reach_m_ = 0.0;
+    GlVertexArray surfaces_, edges_;
+    GlBuffer vertices_, indices_, edge_vertices_, edge_indices_;
+    std::size_t opaque_count_ = 0;
+    GLsizei translucent_count_ = 0;
+    std::vector<DrawChunk> chunks_;
+    std::vector<std::pair<double, const DrawChunk*>> chosen_;
+    std::vector<GLsizei> counts_;
+    std::vector<const void*> offsets_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,59 @@
+// The part `gentlest`: a force that grows until it is noticed, with room for the person to let go of it.
+#include "app/wizard/wizard.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kPressAfter_s = 1.5;  // at the earliest; never before the question is over
+constexpr double kLetGoAfter_s = 5.0;  // at the gentlest part's most
+constexpr double kNoticed_n = 0.05;    // an answer to less is no answer to the force
+
+// Everything a hand can reach, pushing it towards the person; how strongly, the ceiling says.
+std::shared_ptr<const HapticScene> pressing_scene() {
+    EffectVolume push;
+    push.region = SphereRegion{Vec3(0.0), 1.0};
+    push.law = ForceLaw{{0.0, -1.0, 0.0}, Wizard::kGentlestMost_n};
+    HapticSceneBuilder builder;
+    builder.add_effect(push);
+    return builder.build();
+}
+
+}  // namespace
+
+void Wizard::begin_press() { begin_force(pressing_scene()); }
+
+std::string Wizard::ask_press() const {
+    return sense_.tool.waiting_for_hand ? phrase("wizard.press_waiting") : phrase("wizard.press");
+}
+
+void Wizard::accept_press() { keep_gentlest(glm::length(sense_.tool.force_n)); }
+
+bool Wizard::watch_press(double dt_s) {
+    if (!sense_.tool.waiting_for_hand && tuning_.forces_on && !sense_.speaking && now_s_ - asked_s_ > kPressAfter_s)
+        tuning_.force_ceiling_n = std::min(kGentlestMost_n, tuning_.force_ceiling_n + kGentlestRise_n_per_s * dt_s);
+    if (tuning_.force_ceiling_n < kGentlestMost_n || !tuning_.forces_on) return false;
+    held_top_s_ += dt_s;
+    if (held_top_s_ <= kLetGoAfter_s) return false;
+    tuning_.forces_on = false;
+    say(phrase("wizard.let_go", {{"force", newtons(kGentlestMost_n)}}));
+    return false;
+}
+
+void Wizard::keep_gentlest(double felt_n) {
+    if (held_top_s_ > kLetGoAfter_s) gentlest_n_ = kGentlestMost_n;
+    else if (felt_n >= kNoticed_n)
+        gentlest_n_ = std::clamp(std::round(felt_n * 100.0) / 100.0, kNoticed_n, kGentlestMost_n);
+    else gentlest_n_ = own_profile().gentlest_n.value_or(gentlest_n_);
+    change_profile("gentlest_n", fmt::format("{}", gentlest_n_));
+    say(phrase("wizard.felt", {{"force", newtons(gentlest_n_)}}));
+    go_on();
+}
+
+}  // namespace handrail

@@ -1,0 +1,33 @@
+// The part `hand`: which hand holds the grip, as a key says or the grip moved to that side.
+#include "app/wizard/wizard.h"
+
+#include <cmath>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+std::string Wizard::ask_hand() const { return phrase("wizard.which_hand"); }
+void Wizard::accept_hand() { keep_hand(own_profile().hand.value_or(HoldingHand::Right)); }
+
+bool Wizard::adjust_hand(WizardKey key) {
+    if (!is_across(key)) return false;
+    keep_hand(key == WizardKey::Left ? HoldingHand::Left : HoldingHand::Right);
+    return true;
+}
+
+bool Wizard::watch_aside(double) {
+    const double aside_m = sense_.tool.hand_m.x - hand_at_start_m_.x;
+    if (!homed() || std::abs(aside_m) <= kMovedShare * radius_m()) return false;
+    reply_s_ = now_s_;
+    keep_hand(aside_m < 0.0 ? HoldingHand::Left : HoldingHand::Right);
+    return true;
+}
+
+void Wizard::keep_hand(HoldingHand hand) {
+    change_profile("hand", hand == HoldingHand::Left ? "left" : "right");
+    say(hand == HoldingHand::Left ? phrase("wizard.left_hand") : phrase("wizard.right_hand"));
+    go_on();
+}
+
+}  // namespace handrail

@@ -1,0 +1,38 @@
+// The part `home`: the grip is pulled and pushed until the device knows its place, each leg with a click.
+#include "app/wizard/wizard.h"
+
+#include <bit>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+std::string Wizard::ask_pull() const { return phrase("wizard.pull"); }
+std::string Wizard::ask_push() const { return phrase("wizard.push"); }
+
+void Wizard::accept_homing() {
+    if (homed()) return go_on();
+    say(phrase("wizard.not_homed", {{"legs", std::popcount(static_cast<unsigned>(sense_.tool.homed_legs))}}));
+}
+
+// Whoever takes the grip may squeeze its button.
+bool Wizard::watch_homing(double) {
+    const auto legs = [](std::uint8_t bits) { return std::popcount(static_cast<unsigned>(bits)); };
+    const int fresh = legs(sense_.tool.homed_legs) - legs(homing_.legs_seen);
+    for (int i = 0; i < fresh; ++i) click();
+    homing_.legs_seen = sense_.tool.homed_legs;
+    homing_.newly_homed = homing_.newly_homed || (homed() && !homing_.was_homed);
+    homing_.was_homed = homed();
+    const double away_m = sense_.tool.hand_m.y;
+    const bool pulled =
+        legs(sense_.tool.homed_legs) > legs(homing_.legs_at_start) || (homed() && away_m < -kMovedShare * radius_m());
+    const bool pushed = homed() && (homing_.newly_homed || away_m > kMovedShare * radius_m());
+    if (!(step_ == Step::Pull ? pulled : pushed)) return true;
+    reply_s_ = now_s_;
+    if (fresh <= 0) click();
+    say(phrase("wizard.good"));
+    go_on();
+    return true;
+}
+
+}  // namespace handrail

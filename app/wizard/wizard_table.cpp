@@ -1,0 +1,94 @@
+// The parts of the set-up as they can be asked for by name, and the questions of each: what the machine in wizard.cpp
+// does with any of them is done by the functions of that row, which stand in the file of the part.
+#include "app/wizard/wizard.h"
+
+#include <algorithm>
+#include <array>
+
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::array kParts{
+    WizardPartInfo{WizardPart::Headphones, "headphones", false},
+    WizardPartInfo{WizardPart::Find, "find", false},
+    WizardPartInfo{WizardPart::Home, "home", true},
+    WizardPartInfo{WizardPart::Hand, "hand", true},
+    WizardPartInfo{WizardPart::Gentlest, "gentlest", true},
+    WizardPartInfo{WizardPart::Strongest, "strongest", true},
+    WizardPartInfo{WizardPart::Reach, "reach", true},
+    WizardPartInfo{WizardPart::Step, "step", false},
+};
+
+}  // namespace
+
+std::span<const WizardPartInfo> wizard_parts() { return kParts; }
+
+Result<std::vector<WizardPart>> parse_wizard_parts(std::string_view words) {
+    std::vector<std::string> known;
+    for (const WizardPartInfo& part : kParts) known.emplace_back(part.word);
+    std::vector<bool> chosen(kParts.size(), words.empty());
+    while (!words.empty()) {
+        const std::size_t comma = std::min(words.find(','), words.size());
+        const std::string word = lower_ascii(words.substr(0, comma));
+        words.remove_prefix(std::min(comma + 1, words.size()));
+        const auto row = std::find(known.begin(), known.end(), word);
+        if (row == known.end())
+            return fail(phrase("wizard.no_part", {{"word", word}, {"nearest", nearest_name(word, known)}}));
+        chosen[static_cast<std::size_t>(row - known.begin())] = true;
+    }
+    std::vector<WizardPart> parts;
+    for (const WizardPartInfo& part : kParts)
+        if (chosen[static_cast<std::size_t>(part.part)]) parts.push_back(part.part);
+    return parts;
+}
+
+const Wizard::Row& Wizard::row(Step step) {
+    using W = Wizard;
+    // In the order of Step, which is the order in which they are asked.
+    static constexpr std::array kRows{
+        Row{WizardPart::Headphones, &W::begin_bell, &W::ask_bell_left, nullptr, &W::adjust_bell_left, &W::hear_bell,
+            nullptr},
+        Row{WizardPart::Headphones, &W::begin_bell, &W::ask_bell_right, nullptr, &W::adjust_bell_right, &W::hear_bell,
+            nullptr},
+        Row{WizardPart::Find, &W::begin_search, &W::ask_search, &W::repeat_question, nullptr, &W::watch_search,
+            nullptr},
+        Row{WizardPart::Home, nullptr, &W::ask_pull, &W::accept_homing, nullptr, nullptr, &W::watch_homing},
+        Row{WizardPart::Home, nullptr, &W::ask_push, &W::accept_homing, nullptr, nullptr, &W::watch_homing},
+        Row{WizardPart::Hand, nullptr, &W::ask_hand, &W::accept_hand, &W::adjust_hand, nullptr, &W::watch_aside},
+        Row{WizardPart::Gentlest, &W::begin_press, &W::ask_press, &W::accept_press, nullptr, nullptr, &W::watch_press},
+        Row{WizardPart::Strongest, &W::begin_wall, &W::ask_wall, &W::keep_ceiling, &W::adjust_wall, nullptr,
+            &W::watch_wall},
+        Row{WizardPart::Reach, &W::begin_sweep, &W::ask_sweep, &W::keep_reach, nullptr, nullptr, &W::watch_sweep},
+        Row{WizardPart::Reach, &W::begin_scale, &W::ask_scale, &W::keep_scale, &W::adjust_scale, nullptr, nullptr},
+        Row{WizardPart::Reach, nullptr, &W::ask_beyond, &W::keep_beyond, &W::adjust_beyond, nullptr, nullptr},
+        Row{WizardPart::Step, nullptr, &W::ask_step_length, &W::keep_step_length, &W::adjust_step_length, nullptr,
+            nullptr},
+        Row{WizardPart::Step, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr},  // Done
+    };
+    static_assert(kRows.size() == static_cast<std::size_t>(Step::Done) + 1);
+    return kRows[static_cast<std::size_t>(step)];
+}
+
+const WizardPartInfo& Wizard::part_of(Step step) { return kParts[static_cast<std::size_t>(row(step).part)]; }
+
+// The questions that these parts need, in their order, and the end.
+std::vector<Wizard::Step> Wizard::plan_of(std::span<const WizardPart> parts) {
+    const auto wanted = [&](WizardPart part) { return std::find(parts.begin(), parts.end(), part) != parts.end(); };
+    const bool device = std::any_of(parts.begin(), parts.end(), [](WizardPart part) {
+        return kParts[static_cast<std::size_t>(part)].needs_device;
+    });
+    std::vector<Step> plan;
+    for (int i = 0; i < static_cast<int>(Step::Done); ++i) {
+        const WizardPart part = row(static_cast<Step>(i)).part;
+        // A device is sought, and homed where it must be, for whatever needs one.
+        if (wanted(part) || (device && (part == WizardPart::Find || part == WizardPart::Home)))
+            plan.push_back(static_cast<Step>(i));
+    }
+    plan.push_back(Step::Done);
+    return plan;
+}
+
+}  // namespace handrail

@@ -1,0 +1,73 @@
+// One device of OpenAL's with its context: a sound card or the loopback device, which makes samples when they are asked
+// for. The audio thread, but for the environment.
+#pragma once
+
+#include <AL/al.h>
+#include <AL/alc.h>
+#include <AL/alext.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "worlds/base/result.h"
+
+namespace handrail {
+
+// Gives OpenAL the settings that it takes from a file only, in one that exists only in memory, while this object lives
+// and unless the person has set them. Made before other threads read the environment.
+class OpenALEnvironment {
+public:
+    // `periods`: of 256 samples.
+    explicit OpenALEnvironment(int periods);
+    ~OpenALEnvironment();
+    OpenALEnvironment(const OpenALEnvironment&) = delete;
+    OpenALEnvironment& operator=(const OpenALEnvironment&) = delete;
+
+private:
+    int file_ = -1;
+};
+
+class OpenALDevice {
+public:
+    // `wanted`: OpenAL's name of a playback device; empty: the default one. Without `hrtf` plain stereo.
+    OpenALDevice(std::string wanted, bool hrtf) : wanted_(std::move(wanted)), hrtf_(hrtf) {}
+    ~OpenALDevice() { close(); }
+    OpenALDevice(const OpenALDevice&) = delete;
+    OpenALDevice& operator=(const OpenALDevice&) = delete;
+
+    // At 48 kHz, with its context current. Whoever is refused closes it.
+    bool open_playback();
+    Result<void> open_loopback();
+    // After what was made in its context is gone.
+    void close();
+
+    bool is_open() const { return device_ != nullptr; }
+    bool has_context() const { return context_ != nullptr; }
+    bool is_loopback() const { return loopback_; }
+    ALCdevice* handle() const { return device_; }
+    std::string name() const;
+    bool hrtf_active() const;
+    bool connected() const;
+    // Whether the playback device could be opened now; does not touch the one that is open.
+    bool playback_is_there() const;
+    // By the device's own clock, where it has one.
+    std::optional<double> clock_s() const;
+    // Of the loopback device, left and right in turn.
+    void render(float* stereo, int frames) const { render_samples_(device_, stereo, frames); }
+
+private:
+    bool make_context(std::vector<ALCint> attributes);
+    std::optional<ALCint> hrtf_named(std::string_view name) const;
+
+    std::string wanted_;
+    bool hrtf_;
+    ALCdevice* device_ = nullptr;
+    ALCcontext* context_ = nullptr;
+    bool loopback_ = false;
+    LPALCRENDERSAMPLESSOFT render_samples_ = nullptr;
+    LPALCGETINTEGER64VSOFT get_clock_ = nullptr;
+};
+
+}  // namespace handrail

@@ -1,0 +1,313 @@
+#include "audio-cues/sinks/openal_voices.h"
+
+#include <AL/alext.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <tuple>
+
+#include "audio-cues/plan/second_cue.h"
+#include "audio-cues/plan/sound_table.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLoopFade_s = 0.030;  // loops come and go over this
+constexpr double kWorldFade_s = 0.25;  // the world's sounds are ground, not figure: they come and go slowly
+constexpr double kRoomFor_s =
+    1.5;  // one that gave way comes back when there was room for this long, or each footstep would pump it
+constexpr double kMuffle_db_per_s = 120.0;
+constexpr double kPulseLow = 0.25;  // what is left of a pulsing loop between its swells
+constexpr double kDuckDown_s = 0.040, kDuckUp_s = 0.250;
+
+int importance(SoundKind kind) {
+    if (is_world_sound(kind)) return -1;
+    switch (kind) {
+        case SoundKind::WallTone:
+            return 0;
+        case SoundKind::Slide:
+            return 1;
+        case SoundKind::Footstep:
+            return 2;
+        case SoundKind::Splash:
+        case SoundKind::DoorMoves:
+        case SoundKind::DoorShuts:
+        case SoundKind::Bump:
+        case SoundKind::Contact:
+            return 3;
+        case SoundKind::Alarm:
+            return 5;
+        default:
+            return 4;  // earcons answer a key
+    }
+}
+
+// What sounds in the room sounds through it: signals and the tone of walls are no part of it.
+bool is_in_room(SoundKind kind) { return !is_earcon(kind) && kind != SoundKind::WallTone && kind != SoundKind::Bell; }
+
+}  // namespace
+
+// ---- buffers, filters and sources ----
+
+void OpenALVoices::make_buffers(const SoundBank& bank) {
+    buffers_.assign(SoundBank::size(), 0);
+    for (int k = 0; k < kSoundKinds; ++k) {
+        for (int m = 0; m < kSoundClasses; ++m) {
+            const auto kind = static_cast<SoundKind>(k);
+            const auto material = static_cast<SoundClass>(m);
+            ALuint& buffer = buffers_[SoundBank::index(kind, material)];
+            if (buffer != 0) continue;
+            const auto samples = bank.sound(kind, material);
+            alGenBuffers(1, &buffer);
+            alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, samples.data(), static_cast<ALsizei>(samples.size_bytes()),
+                         kSampleRate_hz);
+        }
+    }
+}
+
+// Filters are an extension; without it what is behind walls is quieter alone.
+bool OpenALVoices::load_filters(ALCdevice* device) {
+    if (alcIsExtensionPresent(device, "ALC_EXT_EFX") == ALC_FALSE) return false;
+    gen_filters_ = reinterpret_cast<LPALGENFILTERS>(alGetProcAddress("alGenFilters"));
+    delete_filters_ = reinterpret_cast<LPALDELETEFILTERS>(alGetProcAddress("alDeleteFilters"));
+    filter_i_ = reinterpret_cast<LPALFILTERI>(alGetProcAddress("alFilteri"));
+    filter_f_ = reinterpret_cast<LPALFILTERF>(alGetProcAddress("alFilterf"));
+    return gen_filters_ != nullptr && delete_filters_ != nullptr && filter_i_ != nullptr && filter_f_ != nullptr;
+}
+
+void OpenALVoices::make_sources(bool filters) {
+    const auto generate = [&](Voice& voice, ALint looping) {
+        voice = Voice{};
+        alGenSources(1, &voice.source);
+        alSourcei(voice.source, AL_LOOPING, looping);
+        if (!filters) return;
+        gen_filters_(1, &voice.filter);
+        filter_i_(voice.filter, AL_FILTER_TYPE, AL_FILTER_LOWPASS);
+    };
+    for (Voice& voice : one_shots_) generate(voice, AL_FALSE);
+    for (Voice& voice : loops_) generate(voice, AL_TRUE);
+}
+
+void OpenALVoices::drop_sources() {
+    const auto discard = [&](Voice& voice) {
+        alDeleteSources(1, &voice.source);
+        if (voice.filter != 0) delete_filters_(1, &voice.filter);
+    };
+    for (Voice& voice : one_shots_) discard(voice);
+    for (Voice& voice : loops_) discard(voice);
+}
+
+void OpenALVoices::drop_buffers() {
+    for (ALuint& buffer : buffers_)
+        if (buffer != 0) alDeleteBuffers(1, &buffer);
+    buffers_.clear();
+}
+
+// ---- what one of them sounds like ----
+
+// Doors and walls: the loss itself is part of the gain, high tones lose twice as much and more. A filter is copied when
+// it is attached, so it has to be attached anew.
+bool OpenALVoices::muffle(Voice& voice) const {
+    if (voice.filter == 0 || voice.filtered_db == voice.muffled_db ||
+        (voice.filtered_db < 0.0 && voice.muffled_db == 0.0))
+        return false;
+    voice.filtered_db = voice.muffled_db;
+    filter_f_(voice.filter, AL_LOWPASS_GAINHF, static_cast<float>(std::pow(10.0, -voice.muffled_db / 20.0)));
+    alSourcei(voice.source, AL_DIRECT_FILTER, static_cast<ALint>(voice.filter));
+    return true;
+}
+
+// Places and levels a source as the ears stand now. OpenAL's listener stays at its origin: x right, y up, z backward of
+// the head.
+void OpenALVoices::apply(Voice& voice) const {
+    Vec3 head_m{0.0, 0.0, -1.0};
+    double near = 1.0;
+    if (!is_earcon(voice.cue.kind)) {
+        const Vec3 offset_m = voice.cue.position_m - hearing_.listener.ears_m;
+        near = distance_gain(voice.cue.kind, glm::length(offset_m));
+        const double side = hearing_.sound.swap_sides ? -1.0 : 1.0;
+        head_m = {side * glm::dot(offset_m, right_of_heading(hearing_.listener.heading_rad)), offset_m.z,
+                  -glm::dot(offset_m, forward_of_heading(hearing_.listener.heading_rad))};
+    }
+    SecondCue second;
+    if (is_world_sound(voice.cue.kind))
+        second =
+            second_cue({head_m.x, -head_m.z, head_m.y}, hearing_.now_s, hearing_.sound.behind, hearing_.sound.height);
+    if (hearing_.sound.mono) head_m = {0.0, 0.0, -1.0};
+    const double ducked = voice.cue.kind == SoundKind::Alarm ? 1.0 : duck_;
+    const double swell = voice.cue.pulses_per_s > 0.0 && voice.pulse >= 0.5 ? kPulseLow : 1.0;
+    const double gain = voice.ending ? 0.0
+                                     : voice.cue.loudness * voice.level * ducked * near * swell * second.gain *
+                                           std::pow(10.0, -voice.muffled_db / 20.0);
+    if (muffle(voice)) send_to_room(voice);
+    alSource3f(voice.source, AL_POSITION, static_cast<float>(head_m.x), static_cast<float>(head_m.y),
+               static_cast<float>(head_m.z));
+    alSourcef(voice.source, AL_GAIN, static_cast<float>(gain));
+    alSourcef(voice.source, AL_PITCH, static_cast<float>(std::clamp(voice.cue.pitch * second.pitch, 0.25, 4.0)));
+}
+
+void OpenALVoices::send_to_room(const Voice& voice) const {
+    room_.send(voice.source, is_in_room(voice.cue.kind), voice.filtered_db > 0.0 ? voice.filter : 0);
+}
+
+void OpenALVoices::start(Voice& voice, const SoundCue& cue, double level) {
+    alSourceStop(voice.source);
+    alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(buffer_of(cue)));
+    voice = Voice{.source = voice.source,
+                  .active = true,
+                  .cue = cue,
+                  .level = level,
+                  .muffled_db = cue.muffled_db,
+                  .filtered_db = voice.filtered_db,
+                  .filter = voice.filter,
+                  .order = ++order_};
+    room_.sound_again();
+    apply(voice);
+    send_to_room(voice);
+    alSourcePlay(voice.source);
+}
+
+// Silent from the next mixing period on, over its length; stopped when that has surely passed. Those of the world fade
+// first.
+void OpenALVoices::end(Voice& voice, bool at_once) {
+    if (!voice.active || voice.ending) return;
+    if (!at_once && is_world_sound(voice.cue.kind)) {
+        voice.leaving = true;
+        return;
+    }
+    voice.ending = true;
+    voice.stop_at_s = hearing_.now_s + kFadeOut_s;
+    apply(voice);
+}
+
+Voice& OpenALVoices::free_one_shot() {
+    const auto cost = [](const Voice& v) {
+        return std::tuple(v.active, !v.ending, v.active ? importance(v.cue.kind) : 0, v.order);
+    };
+    return *std::min_element(one_shots_.begin(), one_shots_.end(),
+                             [&](const Voice& a, const Voice& b) { return cost(a) < cost(b); });
+}
+
+// The voice that plays this loop, or where it may begin; nullptr where there is no room for one more, or nothing to
+// end.
+Voice* OpenALVoices::loop_of(const SoundCue& cue) {
+    if (!is_world_sound(cue.kind)) return &loops_[cue.kind == SoundKind::Slide ? 1 + std::min(cue.source, 1U) : 0];
+    const std::span<Voice> world = std::span(loops_).subspan(kOwnLoops);
+    const auto same = std::find_if(world.begin(), world.end(), [&](const Voice& v) {
+        return v.active && !v.ending && v.cue.kind == cue.kind && v.cue.source == cue.source;
+    });
+    if (same != world.end()) return &*same;
+    if (cue.loudness <= 0.0) return nullptr;
+    const auto free = std::find_if(world.begin(), world.end(), [](const Voice& v) { return !v.active; });
+    return free != world.end() ? &*free : nullptr;
+}
+
+// How loud it is at the ears, but for its own samples.
+double OpenALVoices::strength(const Voice& voice) const {
+    return voice.cue.loudness *
+           distance_gain(voice.cue.kind, glm::length(voice.cue.position_m - hearing_.listener.ears_m)) *
+           std::pow(10.0, -voice.cue.muffled_db / 20.0);
+}
+
+std::vector<Voice*> OpenALVoices::competing() {
+    std::vector<Voice*> all;
+    const auto add = [&](Voice& voice) {
+        if (voice.active && !voice.ending && !voice.leaving && voice.cue.loudness > 0.0) all.push_back(&voice);
+    };
+    for (Voice& voice : one_shots_) add(voice);
+    for (Voice& voice : loops_) add(voice);
+    return all;
+}
+
+// At most so many are heard: a one-shot that is one too many ends, a loop is mute until there is room again.
+void OpenALVoices::limit() {
+    std::vector<Voice*> all = competing();
+    const auto rank = [&](const Voice* v) {
+        return std::tuple(importance(v->cue.kind), is_world_sound(v->cue.kind) ? strength(*v) : 0.0, v->order);
+    };
+    std::sort(all.begin(), all.end(), [&](const Voice* a, const Voice* b) { return rank(a) > rank(b); });
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        Voice& voice = *all[i];
+        const bool room = i < static_cast<std::size_t>(most_);
+        if (!room) voice.may_sound_at_s = hearing_.now_s + (is_world_sound(voice.cue.kind) ? kRoomFor_s : 0.0);
+        voice.audible = room && hearing_.now_s >= voice.may_sound_at_s;
+        if (!room && !is_loop(voice.cue.kind)) end(voice);
+    }
+}
+
+// ---- what is asked of them ----
+
+void OpenALVoices::play(const SoundCue& cue) {
+    start(free_one_shot(), cue, 1.0);
+    limit();
+}
+
+void OpenALVoices::set_loop(const SoundCue& cue) {
+    Voice* loop = loop_of(cue);
+    if (loop == nullptr) return;
+    if (cue.loudness <= 0.0) return end(*loop, false);
+    if (!loop->active || loop->ending || buffer_of(loop->cue) != buffer_of(cue)) return start(*loop, cue, 0.0);
+    loop->cue = cue;
+    loop->leaving = false;
+}
+
+void OpenALVoices::stop_all() {
+    room_.hush();
+    for (Voice& voice : one_shots_) end(voice);
+    for (Voice& voice : loops_) end(voice);
+}
+
+void OpenALVoices::go_on(const Loops& before) {
+    for (std::size_t i = 0; i < loops_.size(); ++i)
+        if (before[i].active && !before[i].ending) start(loops_[i], before[i].cue, 0.0);
+}
+
+int OpenALVoices::playing() const {
+    return static_cast<int>(
+        std::count_if(one_shots_.begin(), one_shots_.end(), [](const Voice& v) { return v.active && !v.ending; }) +
+        std::count_if(loops_.begin(), loops_.end(),
+                      [](const Voice& v) { return v.active && !v.ending && !v.leaving && v.audible; }));
+}
+
+void OpenALVoices::stop_ended_one_shots() {
+    for (Voice& voice : one_shots_) {
+        if (!voice.active) continue;
+        ALint state = 0;
+        alGetSourcei(voice.source, AL_SOURCE_STATE, &state);
+        if (state != AL_PLAYING || (voice.ending && hearing_.now_s >= voice.stop_at_s)) {
+            alSourceStop(voice.source);
+            voice.active = false;
+        }
+    }
+}
+
+void OpenALVoices::update_loop(Voice& voice, double dt_s) {
+    voice.pulse += dt_s * voice.cue.pulses_per_s;
+    voice.pulse -= std::floor(voice.pulse);
+    const double step = dt_s / (is_world_sound(voice.cue.kind) ? kWorldFade_s : kLoopFade_s);
+    voice.level += std::clamp((voice.audible && !voice.leaving ? 1.0 : 0.0) - voice.level, -step, step);
+    const double muffle_step = dt_s * kMuffle_db_per_s;
+    voice.muffled_db += std::clamp(voice.cue.muffled_db - voice.muffled_db, -muffle_step, muffle_step);
+    if (voice.leaving && voice.level == 0.0) end(voice);
+    if (voice.ending && hearing_.now_s >= voice.stop_at_s) {
+        alSourceStop(voice.source);
+        voice.active = false;
+    }
+}
+
+void OpenALVoices::update(double dt_s, bool spoken_over, double ducking_db) {
+    const double wanted = spoken_over ? std::pow(10.0, ducking_db / 20.0) : 1.0;
+    duck_ += std::clamp(wanted - duck_, -dt_s / kDuckDown_s, dt_s / kDuckUp_s);
+    stop_ended_one_shots();
+    limit();
+    room_.update(hearing_.now_s, hearing_.listener.reverberation_s, hearing_.sound.reverberation);
+    for (Voice& voice : loops_)
+        if (voice.active) update_loop(voice, dt_s);
+    for (Voice& voice : one_shots_)
+        if (voice.active) apply(voice);
+    for (Voice& voice : loops_)
+        if (voice.active) apply(voice);
+}
+
+}  // namespace handrail

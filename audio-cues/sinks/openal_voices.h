@@ -1,0 +1,105 @@
+// The sounds at their places: which of them are heard, how loud and from where as the ears stand now. The audio thread,
+// with the context current.
+#pragma once
+
+#include <AL/al.h>
+#include <AL/alc.h>
+#include <AL/efx.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "audio-cues/plan/cue_planner.h"
+#include "audio-cues/sinks/openal_room.h"
+#include "audio-cues/sinks/synth.h"
+#include "settings/settings.h"
+
+namespace handrail {
+
+inline constexpr double kFadeOut_s =
+    0.020;  // a silenced source is stopped this much later; the mixer's ramp takes 5.3 ms of it
+
+// A source of OpenAL and what it plays.
+struct Voice {
+    ALuint source = 0;
+    bool active = false;
+    bool leaving = false;  // a loop that goes down to level 0 and then ends
+    bool ending = false;   // fading, to be stopped at stop_at_s
+    double stop_at_s = 0.0;
+    SoundCue cue;
+    double level = 1.0;           // fade, 0 to 1
+    bool audible = true;          // false: too many sounds at once
+    double may_sound_at_s = 0.0;  // one that gave way waits until then
+    double muffled_db = 0.0;      // as it sounds; follows cue.muffled_db
+    double filtered_db = -1.0;    // as the filter has it
+    ALuint filter = 0;
+    double pulse = 0.0;       // phase of its swells, 0 to 1
+    std::uint64_t order = 0;  // larger is newer
+};
+
+// How the person hears at this moment.
+struct Hearing {
+    Listener listener;
+    Settings::Sound sound;
+    double now_s = 0.0;
+};
+
+class OpenALVoices {
+public:
+    static constexpr std::size_t kOneShots = 8;                 // more than may sound, so that displaced ones can fade
+    static constexpr std::size_t kOwnLoops = 3;                 // the wall tone, and sliding of each hand
+    static constexpr std::size_t kWorldVoices = 6;              // those that are heard, and as many that fade
+    using Loops = std::array<Voice, kOwnLoops + kWorldVoices>;  // WallTone, Slide of each hand, then those of the world
+
+    // Both outlive this object. `most`: sounds that are heard at once.
+    OpenALVoices(const Hearing& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}
+
+    // In the order of making: the samples of the bank, the filters (false: there is no such extension), the sources.
+    void make_buffers(const SoundBank& bank);
+    bool load_filters(ALCdevice* device);
+    void make_sources(bool filters);
+    void drop_sources();
+    void drop_buffers();
+
+    void play(const SoundCue& cue);
+    void set_loop(const SoundCue& cue);
+    void stop_all();
+    // `spoken_over`: the voice speaks, so all but alarms is quieter.
+    void update(double dt_s, bool spoken_over, double ducking_db);
+    int playing() const;
+
+    const Loops& loops() const { return loops_; }
+    // After a change of the device: those that sounded go on.
+    void go_on(const Loops& before);
+
+private:
+    ALuint buffer_of(const SoundCue& cue) const { return buffers_[SoundBank::index(cue.kind, cue.material)]; }
+    bool muffle(Voice& voice) const;
+    void send_to_room(const Voice& voice) const;
+    void apply(Voice& voice) const;
+    void start(Voice& voice, const SoundCue& cue, double level);
+    void end(Voice& voice, bool at_once = true);
+    Voice& free_one_shot();
+    Voice* loop_of(const SoundCue& cue);
+    double strength(const Voice& voice) const;
+    std::vector<Voice*> competing();
+    void limit();
+    void stop_ended_one_shots();
+    void update_loop(Voice& voice, double dt_s);
+
+    const Hearing& hearing_;
+    OpenALRoom& room_;
+    int most_;
+    LPALGENFILTERS gen_filters_ = nullptr;
+    LPALDELETEFILTERS delete_filters_ = nullptr;
+    LPALFILTERI filter_i_ = nullptr;
+    LPALFILTERF filter_f_ = nullptr;
+    std::vector<ALuint> buffers_;  // as SoundBank::index
+    std::array<Voice, kOneShots> one_shots_{};
+    Loops loops_{};
+    double duck_ = 1.0;
+    std::uint64_t order_ = 0;
+};
+
+}  // namespace handrail

@@ -1,0 +1,84 @@
+#include "haptic/compile/compile_dynamics.h"
+
+#include <cmath>
+
+#include "worlds/base/contract.h"
+
+namespace handrail {
+namespace {
+
+bool stops_things(const Solid& solid) { return solid.role == SolidRole::Solid || solid.role == SolidRole::Mover; }
+
+DynamicsPiece piece_of(const Solid& solid, FeatureId feature) {
+    const MaterialId material = solid.face_materials.empty() ? kDefaultMaterial : solid.face_materials.front();
+    if (!std::holds_alternative<std::monostate>(solid.round)) return make_piece(solid.round, feature, material);
+    return make_piece(solid.shape, feature, material);
+}
+
+// What a thing of the building is called where a body meets it: the whole, or its first named face.
+FeatureId feature_of(const Solid& solid) {
+    if (solid.feature) return solid.feature;
+    for (const FeatureId face : solid.face_features)
+        if (face) return face;
+    return kNoFeature;
+}
+
+std::vector<DynamicsPiece> pieces_of(const PlacedModel& placed) {
+    std::vector<DynamicsPiece> pieces;
+    for (const Solid& solid : placed.model->solids)
+        if (stops_things(solid)) pieces.push_back(piece_of(solid, placed.feature));
+    return pieces;
+}
+
+double volume_m3(std::span<const DynamicsPiece> pieces, double scale) {
+    double sum = 0.0;
+    for (const DynamicsPiece& piece : pieces) sum += mass_properties(piece).volume_m3;
+    return sum * scale * scale * scale;
+}
+
+}  // namespace
+
+std::shared_ptr<const DynamicsScene> compile_dynamics(const Scene& scene, std::span<const FreeThing> free,
+                                                      const Vec3& origin_m, DynamicsReport* report) {
+    DynamicsReport done;
+    done.driven.assign(scene.placed.size(), kNoBody);
+    done.bodies.assign(scene.placed.size(), kNoBody);
+    DynamicsSceneBuilder builder(origin_m);
+    for (std::size_t i = 0; i < free.size(); ++i) {
+        contract_pre(free[i].placed < scene.placed.size());
+        const PlacedModel& placed = scene.placed[free[i].placed];
+        const std::vector<DynamicsPiece> pieces = pieces_of(placed);
+        BodyNature nature = free[i].nature;
+        if (free[i].density_kg_per_m3 > 0.0)
+            nature.mass_kg = free[i].density_kg_per_m3 * volume_m3(pieces, placed.at.scale);
+        BodyFault fault = BodyFault::None;
+        if (free[i].density_kg_per_m3 > 0.0 && !(nature.mass_kg > 0.0)) fault = BodyFault::NoVolume;
+        else if (done.bodies[free[i].placed] == kNoBody)
+            fault =
+                builder.add_body(pieces, placed.feature, static_cast<std::uint32_t>(free[i].placed), placed.at, nature);
+        else continue;  // named twice
+        if (fault != BodyFault::None) {
+            done.refused.push_back({i, fault});
+            continue;
+        }
+        done.bodies[free[i].placed] = static_cast<std::uint32_t>(done.mass_kg.size());
+        done.mass_kg.push_back(nature.mass_kg);
+    }
+    std::shared_ptr<const DynamicsScene> made;
+    if (!done.mass_kg.empty()) {
+        for (const Solid& solid : scene.solids)
+            if (stops_things(solid)) builder.add_fixed(piece_of(solid, feature_of(solid)));
+        for (const MeshTriangle& t : scene.triangles) builder.add_sheet(t.a_m, t.b_m, t.c_m, t.feature);
+        for (std::size_t i = 0; i < scene.placed.size(); ++i) {
+            const PlacedModel& placed = scene.placed[i];
+            if (done.bodies[i] == kNoBody)
+                done.driven[i] =
+                    builder.add_driven(pieces_of(placed), placed.feature, static_cast<std::uint32_t>(i), placed.at);
+        }
+        made = builder.build();
+    }
+    if (report) *report = std::move(done);
+    return made;
+}
+
+}  // namespace handrail

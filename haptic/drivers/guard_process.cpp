@@ -1,0 +1,152 @@
+#include "haptic/drivers/guard_process.h"
+
+#include <fcntl.h>
+#include <malloc.h>
+#include <pthread.h>
+#include <sched.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+extern "C" {  // glibc 2.36 forgot to say so itself
+#include <sys/pidfd.h>
+}
+
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "haptic/drivers/hand_guard.h"
+#include "haptic/drivers/relief_guard.h"
+#include "worlds/base/descriptor.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr int kGuardPriority = 71;       // just above the servo thread that waits for it
+constexpr int kReliefPriority = 72;      // above the guard that it watches
+constexpr unsigned kMostOfOneTryS = 40;  // of taking the force away; more than a device takes to open
+constexpr rlim_t kMostDescriptors = 256;
+constexpr rlim_t kMostFileBytes = rlim_t{16} << 20;
+constexpr rlim_t kMostMemoryBytes = rlim_t{1} << 30;
+constexpr std::size_t kStackBytes = std::size_t{1}
+                                    << 20;  // of each thread that a library starts: they are locked whole
+constexpr std::size_t kProbeBytes = std::size_t{32} << 20;
+constexpr std::string_view kNever = "-1000", kLikeAnyOther = "0";  // to be ended for want of memory
+
+void lower_limit(__rlimit_resource what, rlim_t most) noexcept {
+    rlimit limit{};
+    if (::getrlimit(what, &limit) != 0) return;
+    limit.rlim_cur = std::min(limit.rlim_cur, most);
+    limit.rlim_max = std::min(limit.rlim_max, most);
+    ::setrlimit(what, &limit);
+}
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kKeepsShadow = true;  // terabytes of reserved addresses, which can be neither bounded nor locked
+#else
+constexpr bool kKeepsShadow = false;
+#endif
+
+// Everything there is now is brought in, what comes later is locked as it is touched. Below a limit every later growth
+// would fail once it is reached, so a limit that leaves no room counts as not allowed.
+bool lock_all_memory() noexcept {
+    if (kKeepsShadow || ::mlockall(MCL_CURRENT) != 0) return false;
+    if (::mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0) {
+        void* probe = ::mmap(nullptr, kProbeBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+        if (probe != MAP_FAILED) {
+            ::munmap(probe, kProbeBytes);
+            return true;
+        }
+    }
+    ::munlockall();
+    return false;
+}
+
+bool write_oom_score(std::string_view score) noexcept {
+    const Descriptor file(::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC));
+    return file.get() >= 0 && ::write(file.get(), score.data(), score.size()) == static_cast<ssize_t>(score.size());
+}
+
+// The kernel ends whoever frees most when memory runs out; a guard frees nothing worth a force that stays on. Only
+// administrators may go below zero, but anybody may leave the rank above it that desktops give their programs.
+bool ask_to_be_spared() noexcept { return write_oom_score(kNever) || (write_oom_score(kLikeAnyOther), false); }
+
+void protect(HandMailbox& mailbox, int priority) {
+    ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+    lower_limit(RLIMIT_CORE, 0);
+    lower_limit(RLIMIT_NOFILE, kMostDescriptors);
+    lower_limit(RLIMIT_FSIZE, kMostFileBytes);
+    if (!kKeepsShadow) lower_limit(RLIMIT_AS, kMostMemoryBytes);
+    ::mallopt(M_ARENA_MAX, 1);
+    pthread_attr_t threads;
+    if (::pthread_attr_init(&threads) == 0) {
+        if (::pthread_attr_setstacksize(&threads, kStackBytes) == 0) ::pthread_setattr_default_np(&threads);
+        ::pthread_attr_destroy(&threads);
+    }
+    if (!lock_all_memory()) mailbox.memory_locked = false;
+    if (!ask_to_be_spared()) mailbox.spared = false;
+    sched_param wish{};
+    wish.sched_priority = priority;
+    ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wish);  // ordinary scheduling does too, less evenly
+}
+
+// Null when it is none, or could be cut off below us by whoever else holds it.
+HandMailbox* map_mailbox(int fd) noexcept {
+    struct stat facts {};
+    const int seals = ::fcntl(fd, F_GET_SEALS);
+    if (seals < 0 || !(seals & F_SEAL_SHRINK)) return nullptr;
+    if (::fstat(fd, &facts) != 0 || facts.st_size < static_cast<off_t>(sizeof(HandMailbox))) return nullptr;
+    void* memory = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+    if (memory == MAP_FAILED) return nullptr;
+    auto* mailbox = static_cast<HandMailbox*>(memory);
+    return mailbox->mark == HandMailbox::kMailboxMark ? mailbox : nullptr;
+}
+
+}  // namespace
+
+int guard_process(int argc, char** argv, const NamedDevices& devices) {
+    const std::string_view role = argc > 1 ? argv[1] : "";
+    if (argc < 8 || (role != kHoldRole && role != kRelieveRole)) {
+        std::fprintf(stderr, "%s\n", phrase("guard.started_by_handrail").c_str());
+        return 2;
+    }
+    for (const int number :
+         {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGXFSZ})
+        ::signal(number, SIG_IGN);
+    ::setsid();  // what is sent to the program's group is not for the guards
+    // Nor do they keep the program's input and output open: whoever reads what it says to its end waits for the program
+    // alone.
+    if (const Descriptor nowhere(::open("/dev/null", O_RDWR | O_CLOEXEC)); nowhere.get() > STDOUT_FILENO) {
+        ::dup2(nowhere.get(), STDIN_FILENO);
+        ::dup2(nowhere.get(), STDOUT_FILENO);
+    }
+    HandMailbox* mailbox = map_mailbox(std::atoi(argv[2]));
+    if (!mailbox) return 2;
+    const int life_fd = std::atoi(argv[3]), third_fd = std::atoi(argv[4]);
+    // The program has told what is wrong with that file; where it cannot be read any more, English is spoken.
+    (void)speak_language(argv[5], argv[6]);
+    const std::string name = argv[7], serial = argc > 8 ? argv[8] : "";
+    if (role == kRelieveRole) {
+        protect(*mailbox, kReliefPriority);
+        // A driver that does not come back must not keep this process for ever.
+        const auto zero_in_time = [&] {
+            ::alarm(kMostOfOneTryS);
+            auto zeroed = devices.zero(name, serial);
+            ::alarm(0);
+            return zeroed;
+        };
+        return relieve_guard(*mailbox, third_fd, life_fd, zero_in_time,
+                             [third_fd] { ::pidfd_send_signal(third_fd, SIGKILL, nullptr, 0); });
+    }
+    protect(*mailbox, kGuardPriority);
+    return guard_hand(
+        *mailbox, third_fd, life_fd,
+        [&](const std::function<void(const std::string&)>& tell) { return devices.open(name, serial, tell); },
+        [] { ::_exit(3); });
+}
+
+}  // namespace handrail

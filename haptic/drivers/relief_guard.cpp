@@ -1,0 +1,82 @@
+#include "haptic/drivers/relief_guard.h"
+
+#include <poll.h>
+
+#include <array>
+#include <chrono>
+#include <thread>
+
+#include "worlds/base/clock.h"
+
+namespace handrail {
+namespace {
+
+constexpr int kDyingMs = 500;  // for the kernel to end the first guard; it may be in a driver that does not let go
+constexpr auto kBetweenTries = std::chrono::milliseconds(10);
+constexpr auto kBetweenLateTries = std::chrono::milliseconds(500);
+constexpr double kOrphanS =
+    35.0;  // more than a device takes to open: a first guard without a program that has not ended by then hangs
+
+// True when the first guard has ended; false when it holds a device and stands still, or hangs without a program.
+bool watch(const HandMailbox& mailbox, int guard_fd, int life_fd) {
+    const SteadyClock clock;
+    std::array<pollfd, 2> watched{pollfd{guard_fd, POLLIN, 0}, pollfd{life_fd, POLLRDHUP, 0}};
+    std::uint32_t beats = mailbox.beats.load(std::memory_order_acquire);
+    double orphaned_s = -1.0;
+    for (int still = 0; still < kStillLooks;) {
+        const int events = ::poll(watched.data(), watched.size(), kLookMs);
+        if (watched[0].revents != 0) return true;
+        if (events > 0 &&
+            watched[1].revents !=
+                0) {  // the program is gone; the first guard sees that as well, lets the device go and ends
+            watched[1].fd = -1;
+            orphaned_s = clock.now_s();
+            continue;
+        }
+        if (events != 0) continue;  // a signal: no look
+        if (orphaned_s >= 0.0 && clock.now_s() - orphaned_s > kOrphanS) return false;
+        const std::uint32_t newest = mailbox.beats.load(std::memory_order_acquire);
+        still = mailbox.holds.load(std::memory_order_acquire) && newest == beats ? still + 1 : 0;
+        beats = newest;
+    }
+    return false;
+}
+
+}  // namespace
+
+int relieve_guard(HandMailbox& mailbox, int guard_fd, int life_fd, const ZeroDevice& zero_device,
+                  const std::function<void()>& end_guard) {
+    send_message(life_fd, GuardMessage::Ready, "");
+    const bool ended = watch(mailbox, guard_fd, life_fd);
+    if (!mailbox.holds.load(std::memory_order_acquire)) {
+        mailbox.relief = ReliefState::Zero;
+        if (!ended) end_guard();
+        return 0;
+    }
+    mailbox.relief = ReliefState::Zeroing;
+    if (!ended) {
+        end_guard();
+        pollfd dying{guard_fd, POLLIN, 0};
+        while (::poll(&dying, 1, kDyingMs) < 0 && errno == EINTR) continue;
+    }
+    const SteadyClock clock;
+    const double begun_s = clock.now_s();
+    for (bool told = false;;) {
+        const auto zeroed = zero_device();
+        if (zeroed) {
+            mailbox.relief = ReliefState::Zero;
+            return 0;
+        }
+        const double tried_s = clock.now_s() - begun_s;
+        if (tried_s > kZeroTriesS && !std::exchange(told, true)) {
+            mailbox.relief = ReliefState::Failed;
+            send_message(life_fd, GuardMessage::Failed, zeroed.error().sentence());
+        }
+        pollfd program{life_fd, POLLRDHUP, 0};
+        const bool program_gone = told && ::poll(&program, 1, 0) > 0;
+        if (tried_s > kZeroKeepsTryingS || program_gone) return 1;
+        std::this_thread::sleep_for(told ? kBetweenLateTries : kBetweenTries);
+    }
+}
+
+}  // namespace handrail

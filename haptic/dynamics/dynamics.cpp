@@ -1,0 +1,831 @@
+#include "haptic/dynamics/dynamics.h"
+
+#include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+
+#include "haptic/dynamics/bullet_shapes.h"
+#include "haptic/dynamics/seams.h"
+#include "worlds/base/contract.h"
+#include "worlds/geometry/clip.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kH = Dynamics::kStep_s;
+constexpr double kMostReach_m = 0.1;  // contacts are known so far before they happen: what the hand's model lives on
+constexpr double kMostSpeed_m_per_s = 20.0;  // 83 mm a step: less than that reach
+constexpr double kMostTurn_rad_per_s = 60.0;
+constexpr double kJammed_m = 3e-3;      // so deep in a driven thing a body is jammed
+constexpr double kMostDrive_n = 400.0;  // no door or train pushes harder
+constexpr double kCatchUp_m = 2e-3;     // a step, after it waited
+constexpr int kJammedSteps = 60;        // before it tries again
+constexpr double kOutside_m = 5.0;      // so far outside of everything a body is put back
+constexpr double kHit_m_per_s = 0.15;
+constexpr double kHitAgain_s = 0.05;
+constexpr double kWhole = 1e-6;
+constexpr int kMovingSteps = 12;   // between two words of rolling or sliding: 20 a second
+constexpr int kFallingSteps = 24;  // without touching anything
+
+enum Kind : int { kBuilding, kSheets, kDriven, kBody, kWalker };
+Kind kind_of(const btCollisionObject& object) { return static_cast<Kind>(object.getUserIndex2()); }
+
+const btSphereShape* ball_of(const btCollisionShape& shape) {
+    return shape.getShapeType() == SPHERE_SHAPE_PROXYTYPE ? static_cast<const btSphereShape*>(&shape) : nullptr;
+}
+
+// The point of a rolling part that is lowest along a normal. A point ahead of it would come down while the part rolls
+// and be thrown up.
+btVector3 lowest(const btCollisionObjectWrapper& part, const btVector3& on_body, const btVector3& normal) {
+    const btTransform& at = part.getWorldTransform();
+    if (const btSphereShape* ball = ball_of(*part.getCollisionShape()))
+        return at.getOrigin() - normal * ball->getRadius();
+    if (part.getCollisionShape()->getShapeType() != CYLINDER_SHAPE_PROXYTYPE) return on_body;
+    const btVector3 axis = at.getBasis().getColumn(2), out = normal - axis * axis.dot(normal);
+    if (out.length2() < 0.25) return on_body;  // it stands rather than lies
+    const double along = axis.dot(on_body - at.getOrigin());
+    return at.getOrigin() + axis * along -
+           out.normalized() * static_cast<const btCylinderShape*>(part.getCollisionShape())->getRadius();
+}
+
+// A contact of a body with part `piece` of the building goes to where it can be touched.
+void put_on_open_face(const DynamicsScene& scene, std::uint32_t piece, btManifoldPoint& contact,
+                      const btCollisionObjectWrapper& body, const btCollisionObject& building, bool building_is_b) {
+    const btVector3 on_building = building_is_b ? contact.m_positionWorldOnB : contact.m_positionWorldOnA;
+    btVector3 on_body = building_is_b ? contact.m_positionWorldOnA : contact.m_positionWorldOnB;
+    const btVector3 normal = contact.m_normalWorldOnB * (building_is_b ? 1.0 : -1.0);
+    const SeamVerdict verdict = judge_seam(scene, piece, ours(on_building), ours(normal),
+                                           ours(body.getCollisionObject()->getWorldTransform().getOrigin()));
+    if (verdict.kind == SeamVerdict::Kind::True) return;
+    btVector3 face_normal = normal,
+              on_face = on_building - normal;  // no contact: a metre apart, so it goes with the next refresh
+    if (verdict.kind == SeamVerdict::Kind::Face) {
+        const Plane& face = scene.building[piece].solid.planes[verdict.face];
+        face_normal = bullet(face.normal);
+        on_body = lowest(body, on_body, face_normal);
+        on_face = on_body - face_normal * (face_normal.dot(on_body) - face.offset_m);
+    }
+    contact.m_normalWorldOnB = face_normal * (building_is_b ? 1.0 : -1.0);
+    (building_is_b ? contact.m_positionWorldOnB : contact.m_positionWorldOnA) = on_face;
+    (building_is_b ? contact.m_localPointB : contact.m_localPointA) = building.getWorldTransform().invXform(on_face);
+    (building_is_b ? contact.m_positionWorldOnA : contact.m_positionWorldOnB) = on_body;
+    (building_is_b ? contact.m_localPointA : contact.m_localPointB) =
+        body.getCollisionObject()->getWorldTransform().invXform(on_body);
+    contact.m_distance1 = (on_body - on_face).dot(face_normal);
+}
+
+// Bullet calls this for every contact that it finds or finds again. One per process: the scene comes with the object.
+bool contact_added(btManifoldPoint& contact, const btCollisionObjectWrapper* a, int part_a, int index_a,
+                   const btCollisionObjectWrapper* b, int part_b, int index_b) {
+    const btCollisionObject &object_a = *a->getCollisionObject(), &object_b = *b->getCollisionObject();
+    const Kind kind_a = kind_of(object_a), kind_b = kind_of(object_b);
+    if (kind_a == kBody && kind_b == kBody) {
+        contact.m_combinedFriction = std::sqrt(contact.m_combinedFriction);
+        return true;
+    }
+    if (kind_a == kBuilding || kind_b == kBuilding) {
+        const bool b_is = kind_b == kBuilding;
+        const int child = b_is ? index_b : index_a;
+        const auto& scene = *static_cast<const DynamicsScene*>((b_is ? object_b : object_a).getUserPointer());
+        if (child >= 0 && static_cast<std::size_t>(child) < scene.building.size())
+            put_on_open_face(scene, static_cast<std::uint32_t>(child), contact, b_is ? *a : *b,
+                             b_is ? object_b : object_a, b_is);
+        return true;
+    }
+    if (kind_b == kSheets) btAdjustInternalEdgeContacts(contact, b, a, part_b, index_b);
+    else if (kind_a == kSheets) btAdjustInternalEdgeContacts(contact, a, b, part_a, index_a);
+    return true;
+}
+
+void set_up_bullet() {
+    static std::once_flag done;
+    std::call_once(done, [] {
+        gContactBreakingThreshold = kMostReach_m;
+        gContactAddedCallback = &contact_added;
+    });
+}
+
+// Contacts nearer to each other than the threshold of their pair are one, so small things need a small one.
+class Dispatcher final : public btCollisionDispatcher {
+public:
+    explicit Dispatcher(btCollisionConfiguration* configuration) : btCollisionDispatcher(configuration) {
+        setDispatcherFlags(getDispatcherFlags() & ~CD_USE_RELATIVE_CONTACT_BREAKING_THRESHOLD);
+    }
+    btPersistentManifold* getNewManifold(const btCollisionObject* a, const btCollisionObject* b) override {
+        btPersistentManifold* manifold = btCollisionDispatcher::getNewManifold(a, b);
+        manifold->setContactBreakingThreshold(std::min(reach_m(*a), reach_m(*b)));
+        return manifold;
+    }
+
+private:
+    static double reach_m(const btCollisionObject& object) {
+        if (kind_of(object) != kBody) return kMostReach_m;
+        const auto& scene = *static_cast<const DynamicsScene*>(object.getUserPointer());
+        return std::min(kMostReach_m, 0.5 * scene.bodies[static_cast<std::size_t>(object.getUserIndex())].half_width_m);
+    }
+};
+
+struct Body {
+    std::unique_ptr<btRigidBody> rigid;
+    Stick stick;
+    double inertial_kg = 0.0;  // as it is now: two hands may ask for more than its mass
+    bool waiting = false;      // held still until fewer move
+    Vec3 kept_m_per_s{0.0}, kept_rad_per_s{0.0};
+    // Forces of the step.
+    std::array<Vec3, 2> hand_n{Vec3(0.0), Vec3(0.0)}, hand_nm{Vec3(0.0), Vec3(0.0)};
+    std::array<double, 2> pushed_s{-1e9, -1e9};  // last time each hand pushed
+    std::array<double, 2> least_kg{0.0, 0.0};
+    Vec3 lead_n{0.0}, lead_nm{0.0};
+    // What is heard of it.
+    Vec3 speed_before{0.0};
+    double hit_s = -1e9;
+    int moving = 0, airborne = 0;
+    bool falling = false, rested = true;
+};
+
+struct Driven {
+    std::unique_ptr<btRigidBody> rigid;
+    Placement to;  // local
+    bool present = true, blocked = false;
+    int jammed = 0;           // steps to wait still
+    bool catches_up = false;  // it was held up, and does not jump to where it should be
+    double way_m = 0.0;       // of the last step
+    Vec3 pushed{0.0};         // the way it pressed what is jammed; back it may go
+};
+
+struct Lead {
+    std::uint32_t body = kNoBody;
+    Vec3 to_m{0.0};  // local
+    double most_n = 0.0;
+    Rotation turn;
+};
+
+// Small turn that leads from one rotation to another, as a vector.
+Vec3 turn_between(const Rotation& from, const Rotation& to) {
+    const Rotation d = to * Rotation{from.w, -from.x, -from.y, -from.z};
+    const double two = d.w < 0.0 ? -2.0 : 2.0;
+    return {two * d.x, two * d.y, two * d.z};
+}
+
+Vec3 at_most(const Vec3& v, double most) {
+    const double length = glm::length(v);
+    return length > most ? v * (most / length) : v;
+}
+
+// Bullet's world with everything in it; its parts go in the reverse order.
+struct World {
+    BulletShapes shapes;
+    btDefaultCollisionConfiguration configuration;
+    Dispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+    std::vector<std::unique_ptr<btCollisionObject>> still;
+    std::vector<Driven> driven;
+    std::vector<Body> bodies;
+    std::unique_ptr<btCapsuleShapeZ> walker_shape;
+    std::unique_ptr<btRigidBody> walker;
+    std::array<std::vector<HandPush>, 2> pushes;
+    std::vector<Lead> leads;
+
+    explicit World(const DynamicsScene& scene);
+    ~World();
+
+    btRigidBody* kinematic(std::unique_ptr<btRigidBody>& owner, btCollisionShape* shape, const DynamicsScene& scene,
+                           Kind kind, int index, const Placement& at);
+};
+
+constexpr int kStillGroup = 2, kFreeGroup = 1;  // what stands or is driven does not meet its like
+
+void mark(btCollisionObject& object, const DynamicsScene& scene, Kind kind, int index) {
+    object.setUserPointer(const_cast<DynamicsScene*>(&scene));
+    object.setUserIndex(index);
+    object.setUserIndex2(kind);
+    object.setCollisionFlags(object.getCollisionFlags() | btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+}
+
+btRigidBody* World::kinematic(std::unique_ptr<btRigidBody>& owner, btCollisionShape* shape, const DynamicsScene& scene,
+                              Kind kind, int index, const Placement& at) {
+    owner = std::make_unique<btRigidBody>(btRigidBody::btRigidBodyConstructionInfo(0.0, nullptr, shape));
+    mark(*owner, scene, kind, index);
+    owner->setCollisionFlags((owner->getCollisionFlags() & ~btCollisionObject::CF_STATIC_OBJECT) |
+                             btCollisionObject::CF_KINEMATIC_OBJECT);
+    owner->setWorldTransform(bullet(at));
+    owner->setInterpolationWorldTransform(bullet(at));
+    owner->setFriction(1.0);
+    owner->setRestitution(1.0);
+    owner->forceActivationState(ISLAND_SLEEPING);
+    world.addRigidBody(owner.get(), kStillGroup, kFreeGroup);
+    return owner.get();
+}
+
+World::World(const DynamicsScene& scene) {
+    world.setGravity(bullet(scene.gravity_m_per_s2));
+    world.setLatencyMotionStateInterpolation(false);
+    world.setForceUpdateAllAabbs(false);
+    world.getSolverInfo().m_splitImpulsePenetrationThreshold =
+        -1e-4;  // pushed out of what it is in, a body is not thrown
+    const auto add_still = [&](btCollisionShape* shape, Kind kind) {
+        auto object = std::make_unique<btCollisionObject>();
+        object->setCollisionShape(shape);
+        mark(*object, scene, kind, 0);
+        object->setFriction(1.0);
+        object->setRestitution(1.0);
+        object->setActivationState(ISLAND_SLEEPING);  // else whatever lies on it is collided for ever
+        world.addCollisionObject(object.get(), kStillGroup, kFreeGroup);
+        still.push_back(std::move(object));
+    };
+    if (!scene.building.empty()) add_still(shapes.together(scene.building, true), kBuilding);
+    if (btCollisionShape* sheets = shapes.sheets(scene.sheets)) add_still(sheets, kSheets);
+    driven.resize(scene.driven.size());
+    for (std::size_t i = 0; i < driven.size(); ++i) {
+        driven[i].to = scene.driven[i].start;
+        kinematic(driven[i].rigid, shapes.together(scene.driven[i].pieces, false), scene, kDriven, static_cast<int>(i),
+                  scene.driven[i].start);
+    }
+    bodies.resize(scene.bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const DynamicsBody& body = scene.bodies[i];
+        Body& made = bodies[i];
+        made.inertial_kg = body.nature.mass_kg;
+        btRigidBody::btRigidBodyConstructionInfo info(body.nature.mass_kg, nullptr, shapes.together(body.pieces, false),
+                                                      bullet(body.inertia_kg_m2));
+        made.rigid = std::make_unique<btRigidBody>(info);
+        btRigidBody& rigid = *made.rigid;
+        mark(rigid, scene, kBody, static_cast<int>(i));
+        rigid.setWorldTransform(bullet(body.start));
+        rigid.setInterpolationWorldTransform(bullet(body.start));
+        rigid.setFriction(body.nature.friction);
+        rigid.setRollingFriction(body.nature.rolling * body.half_width_m);
+        rigid.setSpinningFriction(body.nature.rolling * body.half_width_m);
+        rigid.setRestitution(body.nature.elasticity);
+        rigid.setSleepingThresholds(0.01, 0.02);  // Bullet's own would stop what a hand pushes slowly
+        rigid.setCcdMotionThreshold(body.half_width_m);
+        rigid.setCcdSweptSphereRadius(0.5 * body.half_width_m);
+        world.addRigidBody(&rigid, kFreeGroup, kStillGroup | kFreeGroup);
+    }
+}
+
+World::~World() {
+    for (Body& body : bodies) world.removeRigidBody(body.rigid.get());
+    if (walker) world.removeRigidBody(walker.get());
+    for (Driven& thing : driven) world.removeRigidBody(thing.rigid.get());
+    for (auto& object : still) world.removeCollisionObject(object.get());
+}
+
+}  // namespace
+
+struct Dynamics::Impl {
+    std::shared_ptr<const DynamicsScene> scene;
+    std::unique_ptr<World> world;
+    std::array<HandPlace, 2> hands{};
+    double begin_s = 0.0;
+    std::uint64_t steps = 0;
+    std::uint32_t game = 1;
+
+    double now_s() const { return begin_s + static_cast<double>(steps) * kH; }
+    Vec3 local(const Vec3& world_m) const { return world_m - scene->origin_m; }
+    btRigidBody& rigid(std::size_t body) { return *world->bodies[body].rigid; }
+    void wake(std::size_t body) {
+        if (!world->bodies[body].waiting) rigid(body).activate(true);
+    }
+
+    void take_pushes(unsigned hand);
+    void apply_forces();
+    void apply_lead(const Lead& lead);
+    void weigh(std::size_t body);
+    void rub(std::size_t body);
+    void wake_near_hands();
+    void drive_things();
+    void limit_awake(DynamicsFrame& out);
+    void put_back(std::size_t body, std::vector<BodyEvent>& events);
+    double gap_to_m(std::size_t body, const Vec3& local_m) const;
+    void hear(std::vector<BodyEvent>& events);
+    void tell(DynamicsFrame& out);
+    void tell_near(DynamicsFrame& out, unsigned hand);
+    void add_planes(DynamicsFrame& out);
+    void jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact);
+};
+
+// What of each push lies in this step, or before it.
+void Dynamics::Impl::take_pushes(unsigned hand) {
+    const double end_s = now_s() + kH;
+    std::vector<HandPush>& list = world->pushes[hand];
+    std::size_t kept = 0;
+    for (HandPush push : list) {
+        Body& body = world->bodies[push.body];
+        double part = (end_s - push.time_s) / push.dt_s;
+        part = part < kWhole         ? 0.0
+               : part > 1.0 - kWhole ? 1.0
+                                     : part;  // what rounding left over of a tick that ends with the step is none
+        if (part > 0.0) {
+            body.hand_n[hand] += push.force_n * (part * push.dt_s / kH);
+            body.hand_nm[hand] += push.moment_nm * (part * push.dt_s / kH);
+            body.pushed_s[hand] = end_s;
+            body.least_kg[hand] = push.least_kg;
+            wake(push.body);
+            if (push.most_speed_m_per_s > 0.0)
+                rigid(push.body).setLinearVelocity(
+                    bullet(at_most(ours(rigid(push.body).getLinearVelocity()), push.most_speed_m_per_s)));
+        }
+        if (part < 1.0) {
+            push.dt_s *= 1.0 - part;
+            push.time_s = std::max(push.time_s, end_s);
+            push.most_speed_m_per_s = part > 0.0 ? 0.0 : push.most_speed_m_per_s;
+            list[kept++] = push;
+        }
+    }
+    list.resize(kept);
+}
+
+// Critically damped, with the body's weight carried, as far as the force allows.
+void Dynamics::Impl::apply_lead(const Lead& lead) {
+    constexpr double kRate = 12.0;  // 1/s
+    Body& body = world->bodies[lead.body];
+    const DynamicsBody& is = scene->bodies[lead.body];
+    const btRigidBody& r = *body.rigid;
+    const Vec3 away = at_most(lead.to_m - ours(r.getWorldTransform().getOrigin()), 0.5);
+    const Vec3 wish = (away * (kRate * kRate) - ours(r.getLinearVelocity()) * (2.0 * kRate)) * is.nature.mass_kg -
+                      scene->gravity_m_per_s2 * is.nature.mass_kg;
+    body.lead_n = at_most(is.ball ? Vec3(wish.x, wish.y, std::min(wish.z, 0.0)) : wish, lead.most_n);
+    if (!is.ball) {
+        const PlacedFrame frame(ours(r.getWorldTransform()));
+        const Vec3 turn = turn_between(ours(r.getWorldTransform()).rotation, lead.turn) * (kRate * kRate) -
+                          ours(r.getAngularVelocity()) * (2.0 * kRate);
+        body.lead_nm = at_most(frame.turned(frame.turned_back(turn) * is.inertia_kg_m2), lead.most_n * is.reach_m);
+    }
+    wake(lead.body);
+}
+
+// A light body between two hands is given more inertia, its weight unchanged: at this rate it could not be led
+// otherwise.
+void Dynamics::Impl::weigh(std::size_t i) {
+    Body& body = world->bodies[i];
+    const DynamicsBody& is = scene->bodies[i];
+    const bool both = now_s() - body.pushed_s[0] < 0.1 && now_s() - body.pushed_s[1] < 0.1;
+    const double kg = both ? std::max({is.nature.mass_kg, body.least_kg[0], body.least_kg[1]}) : is.nature.mass_kg;
+    if (kg == body.inertial_kg) return;
+    body.inertial_kg = kg;
+    body.rigid->setMassProps(kg, bullet(is.inertia_kg_m2 * (kg / is.nature.mass_kg)));
+    body.rigid->setGravity(bullet(scene->gravity_m_per_s2 * (is.nature.mass_kg / kg)));
+    body.rigid->updateInertiaTensor();
+}
+
+void Dynamics::Impl::rub(std::size_t i) {
+    Body& body = world->bodies[i];
+    const BodyNature& nature = scene->bodies[i].nature;
+    if (!body.rigid->isActive()) return;
+    body.stick.go(body.rigid->getLinearVelocity().length(), kH);
+    body.rigid->setFriction(nature.friction *
+                            body.stick.factor(nature.friction > 0.0 ? nature.friction_static / nature.friction : 1.0));
+}
+
+void Dynamics::Impl::apply_forces() {
+    for (Body& body : world->bodies)
+        body.hand_n = body.hand_nm = {Vec3(0.0), Vec3(0.0)}, body.lead_n = body.lead_nm = Vec3(0.0);
+    take_pushes(0);
+    take_pushes(1);
+    for (const Lead& lead : world->leads) apply_lead(lead);
+    for (std::size_t i = 0; i < world->bodies.size(); ++i) {
+        Body& body = world->bodies[i];
+        weigh(i);
+        rub(i);
+        body.speed_before = ours(body.rigid->getLinearVelocity());
+        if (!body.rigid->isActive()) continue;
+        Vec3 force = body.hand_n[0] + body.hand_n[1] + body.lead_n;
+        if (const auto& string = scene->bodies[i].nature.string)
+            force += (string->at_m - ours(body.rigid->getWorldTransform().getOrigin())) * string->stiffness_n_per_m;
+        body.rigid->applyCentralForce(bullet(force));
+        body.rigid->applyTorque(bullet(body.hand_nm[0] + body.hand_nm[1] + body.lead_nm));
+        body.speed_before += (force / body.inertial_kg + ours(body.rigid->getGravity())) * kH;
+    }
+}
+
+double Dynamics::Impl::gap_to_m(std::size_t body, const Vec3& local_m) const {
+    const DynamicsBody& is = scene->bodies[body];
+    const Vec3 own = PlacedFrame(ours(world->bodies[body].rigid->getWorldTransform())).to_own(local_m);
+    const double far = glm::length(own) - is.reach_m;
+    if (far > 1.0) return far;
+    double least = 1e9;
+    for (const DynamicsPiece& piece : is.pieces) least = std::min(least, gap_m(piece, own));
+    return std::max(least, far);
+}
+
+void Dynamics::Impl::wake_near_hands() {
+    for (const HandPlace& hand : hands) {
+        if (!hand.present) continue;
+        for (std::size_t i = 0; i < world->bodies.size(); ++i)
+            if (!rigid(i).isActive() && gap_to_m(i, local(hand.at_m)) < 3.0 * hand.radius_m) wake(i);
+    }
+}
+
+void Dynamics::Impl::drive_things() {
+    for (Driven& thing : world->driven) {
+        btRigidBody& r = *thing.rigid;
+        const int quiet = btCollisionObject::CF_NO_CONTACT_RESPONSE;
+        r.setCollisionFlags(thing.present ? r.getCollisionFlags() & ~quiet : r.getCollisionFlags() | quiet);
+        const Placement now = ours(r.getWorldTransform());
+        const bool moves = glm::length(now.position_m - thing.to.position_m) > 1e-9 ||
+                           glm::length(turn_between(now.rotation, thing.to.rotation)) > 1e-9;
+        thing.blocked = moves && thing.jammed > 0;
+        thing.jammed = std::max(0, thing.jammed - 1);
+        if (glm::dot(thing.to.position_m - now.position_m, thing.pushed) < 0.0) thing.blocked = false;
+        if (!moves || thing.blocked) {
+            r.setInterpolationWorldTransform(r.getWorldTransform());
+            r.setLinearVelocity({0, 0, 0});
+            r.setAngularVelocity({0, 0, 0});
+            if (!thing.blocked) r.forceActivationState(ISLAND_SLEEPING);
+            thing.catches_up = thing.catches_up || thing.blocked;
+            thing.way_m = 0.0;
+            continue;
+        }
+        const double reach = scene->driven[static_cast<std::size_t>(r.getUserIndex())].reach_m;
+        const double way = farthest_travel_m(now, thing.to, reach);
+        Placement next = thing.to;
+        if (thing.catches_up && way > kCatchUp_m) next = between(now, thing.to, kCatchUp_m / way);
+        else thing.catches_up = false;
+        thing.way_m = std::min(way, farthest_travel_m(now, next, reach));
+        const bool jump = glm::length(now.position_m - next.position_m) > 0.5 ||
+                          glm::length(turn_between(now.rotation, next.rotation)) > 1.0;
+        r.setWorldTransform(bullet(next));
+        if (jump) r.setInterpolationWorldTransform(bullet(next));
+        r.forceActivationState(ACTIVE_TAG);
+        world->world.updateSingleAabb(&r);
+    }
+}
+
+// Those near hands and led ones first, then in the order of the scene.
+void Dynamics::Impl::limit_awake(DynamicsFrame& out) {
+    std::size_t active = 0;
+    for (const Body& body : world->bodies) active += body.rigid->isActive();
+    for (std::size_t i = world->bodies.size(); i-- > 0 && active > kMostAwake;) {
+        Body& body = world->bodies[i];
+        const bool wanted =
+            now_s() - std::max(body.pushed_s[0], body.pushed_s[1]) < 0.5 ||
+            std::any_of(world->leads.begin(), world->leads.end(), [&](const Lead& lead) { return lead.body == i; });
+        if (!body.rigid->isActive() || wanted) continue;
+        body.kept_m_per_s = ours(body.rigid->getLinearVelocity());
+        body.kept_rad_per_s = ours(body.rigid->getAngularVelocity());
+        body.rigid->setLinearVelocity({0, 0, 0});
+        body.rigid->setAngularVelocity({0, 0, 0});
+        body.rigid->forceActivationState(DISABLE_SIMULATION);
+        body.waiting = true;
+        --active;
+    }
+    for (std::size_t i = 0; i < world->bodies.size() && active < kMostAwake; ++i) {
+        Body& body = world->bodies[i];
+        if (!body.waiting) continue;
+        body.waiting = false;
+        body.rigid->forceActivationState(ACTIVE_TAG);
+        body.rigid->setDeactivationTime(0.0);
+        body.rigid->setLinearVelocity(bullet(body.kept_m_per_s));
+        body.rigid->setAngularVelocity(bullet(body.kept_rad_per_s));
+        ++active;
+    }
+    out.awake = static_cast<std::uint32_t>(active);
+    out.waiting = static_cast<std::uint32_t>(
+        std::count_if(world->bodies.begin(), world->bodies.end(), [](const Body& body) { return body.waiting; }));
+}
+
+void Dynamics::Impl::put_back(std::size_t i, std::vector<BodyEvent>& events) {
+    Body& body = world->bodies[i];
+    btRigidBody& r = *body.rigid;
+    const Vec3 at = ours(r.getWorldTransform().getOrigin());
+    const Vec3 v = ours(r.getLinearVelocity()), w = ours(r.getAngularVelocity());
+    const bool finite = is_finite(at) && is_finite(v) && is_finite(w);
+    if (finite && glm::length(v) > kMostSpeed_m_per_s) r.setLinearVelocity(bullet(at_most(v, kMostSpeed_m_per_s)));
+    if (finite && glm::length(w) > kMostTurn_rad_per_s) r.setAngularVelocity(bullet(at_most(w, kMostTurn_rad_per_s)));
+    const Aabb all = grown(scene->bounds_m, kOutside_m + scene->bodies[i].reach_m);
+    if (finite && overlap(all, {at, at})) return;
+    const btTransform start = bullet(scene->bodies[i].start);
+    r.setWorldTransform(start);
+    r.setInterpolationWorldTransform(start);
+    r.setLinearVelocity({0, 0, 0});
+    r.setAngularVelocity({0, 0, 0});
+    r.setInterpolationLinearVelocity({0, 0, 0});
+    r.setInterpolationAngularVelocity({0, 0, 0});
+    r.clearForces();
+    world->broadphase.getOverlappingPairCache()->cleanProxyFromPairs(r.getBroadphaseHandle(), &world->dispatcher);
+    world->world.updateSingleAabb(&r);
+    body.speed_before = Vec3(0.0);
+    body.stick = {};
+    events.push_back({BodyEvent::Kind::PutBack, static_cast<std::uint32_t>(i), now_s(),
+                      scene->origin_m + scene->bodies[i].start.position_m});
+}
+
+// What rests on a lift may weigh what it likes; what stands before a door may not.
+void Dynamics::Impl::jam(const btCollisionObject& thing, const btVector3& to_body, const btManifoldPoint& contact) {
+    Driven& driven = world->driven[static_cast<std::size_t>(thing.getUserIndex())];
+    const bool deep = contact.getDistance() < -kJammed_m - driven.way_m,
+               hard = std::abs(to_body.z()) < 0.7 && contact.getAppliedImpulse() > kMostDrive_n * kH;
+    if (!deep && !hard) return;
+    driven.jammed = kJammedSteps;
+    driven.pushed = ours(to_body);
+}
+
+// Impacts by the change of speed that no force explains; rolling, sliding, falling and resting by what is touched.
+void Dynamics::Impl::hear(std::vector<BodyEvent>& events) {
+    struct Touched {
+        double impulse = 0.0;
+        FeatureId feature = kNoFeature;
+        std::uint32_t body = kNoBody;
+        btVector3 at{0, 0, 0}, own{0, 0, 0};
+        bool any = false;
+    };
+    std::array<Touched, DynamicsScene::kMostBodies> touched;
+    for (int m = 0; m < world->dispatcher.getNumManifolds(); ++m) {
+        const btPersistentManifold& manifold = *world->dispatcher.getManifoldByIndexInternal(m);
+        for (int k = 0; k < manifold.getNumContacts(); ++k) {
+            const btManifoldPoint& p = manifold.getContactPoint(k);
+            if (!(p.getDistance() < 1e-3) && !(p.getAppliedImpulse() > 0.0)) continue;
+            for (int side = 0; side < 2; ++side) {
+                const btCollisionObject &mine = side ? *manifold.getBody1() : *manifold.getBody0(),
+                                        &other = side ? *manifold.getBody0() : *manifold.getBody1();
+                if (kind_of(other) == kDriven && kind_of(mine) == kBody)
+                    jam(other, side ? -p.m_normalWorldOnB : p.m_normalWorldOnB, p);
+                if (kind_of(mine) != kBody) continue;
+                Touched& t = touched[static_cast<std::size_t>(mine.getUserIndex())];
+                t.any = true;
+                if (p.getAppliedImpulse() < t.impulse) continue;
+                t.impulse = p.getAppliedImpulse();
+                t.at = side ? p.getPositionWorldOnB() : p.getPositionWorldOnA();
+                t.own = t.at - mine.getWorldTransform().getOrigin();
+                t.body = kind_of(other) == kBody ? static_cast<std::uint32_t>(other.getUserIndex()) : kNoBody;
+                const int child = side ? p.m_index0 : p.m_index1;
+                t.feature = kNoFeature;
+                if (kind_of(other) == kBuilding && child >= 0 &&
+                    static_cast<std::size_t>(child) < scene->building.size())
+                    t.feature = scene->building[static_cast<std::size_t>(child)].feature;
+                else if (kind_of(other) == kSheets && child >= 0 &&
+                         static_cast<std::size_t>(child) < scene->sheet_features.size())
+                    t.feature = scene->sheet_features[static_cast<std::size_t>(child)];
+                else if (kind_of(other) == kDriven)
+                    t.feature = scene->driven[static_cast<std::size_t>(other.getUserIndex())].feature;
+                else if (kind_of(other) == kBody)
+                    t.feature = scene->bodies[static_cast<std::size_t>(other.getUserIndex())].feature;
+            }
+        }
+    }
+    const double now = now_s();
+    for (std::size_t i = 0; i < world->bodies.size(); ++i) {
+        Body& body = world->bodies[i];
+        const Touched& t = touched[i];
+        const Vec3 v = ours(body.rigid->getLinearVelocity()), w = ours(body.rigid->getAngularVelocity());
+        BodyEvent event;
+        event.body = static_cast<std::uint32_t>(i);
+        event.time_s = now;
+        event.at_m = scene->origin_m + ours(t.any ? t.at : body.rigid->getWorldTransform().getOrigin());
+        event.other = t.feature;
+        event.other_body = t.body;
+        const auto say = [&](BodyEvent::Kind kind, double speed) {
+            event.kind = kind;
+            event.speed_m_per_s = speed;
+            events.push_back(event);
+        };
+        if (!body.rigid->isActive()) {
+            if (!body.rested && !body.waiting) say(BodyEvent::Kind::Rests, 0.0);
+            body.rested = body.rested || !body.waiting;
+            continue;
+        }
+        const double speed = glm::length(v), jolt = glm::length(v - body.speed_before);
+        if (speed > 0.02) body.rested = false;
+        if (jolt > kHit_m_per_s && t.any && now - body.hit_s > kHitAgain_s) {
+            body.hit_s = now;
+            event.impulse_ns = jolt * body.inertial_kg;
+            say(BodyEvent::Kind::Hit, jolt);
+            event.impulse_ns = 0.0;
+        }
+        body.airborne = t.any ? 0 : body.airborne + 1;
+        if (t.any) body.falling = false;
+        else if (body.airborne >= kFallingSteps && !body.falling && glm::dot(v, scene->gravity_m_per_s2) > 0.0) {
+            body.falling = true;
+            say(BodyEvent::Kind::Falls, speed);
+        }
+        if (!t.any || speed < 0.02) body.moving = 0;
+        else if (++body.moving % kMovingSteps == 0) {
+            const double slips = glm::length(v + glm::cross(w, ours(t.own)));
+            say(slips < 0.5 * speed ? BodyEvent::Kind::Rolls : BodyEvent::Kind::Slides, speed);
+        }
+    }
+}
+
+void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
+    out.near_count[hand] = 0;
+    if (!hands[hand].present) return;
+    std::array<std::pair<double, std::uint32_t>, DynamicsScene::kMostBodies> order;
+    for (std::size_t i = 0; i < world->bodies.size(); ++i) {
+        const bool mine = now_s() - world->bodies[i].pushed_s[hand] < 0.5;  // what it pushes or holds comes first
+        order[i] = {gap_to_m(i, local(hands[hand].at_m)) - (mine ? 1e6 : 0.0), static_cast<std::uint32_t>(i)};
+    }
+    const std::size_t count = std::min(DynamicsFrame::kNear, world->bodies.size());
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
+                      order.begin() + static_cast<std::ptrdiff_t>(world->bodies.size()));
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::uint32_t i = order[k].second;
+        const Body& body = world->bodies[i];
+        const DynamicsBody& is = scene->bodies[i];
+        BodyWord& word = out.near[hand][k];
+        word = {};
+        word.body = i;
+        word.time_s = out.time_s;
+        word.at = ours(body.rigid->getWorldTransform());
+        word.at.position_m += scene->origin_m;
+        word.speed_m_per_s = ours(body.rigid->getLinearVelocity());
+        word.turn_rad_per_s = ours(body.rigid->getAngularVelocity());
+        word.mass_kg = body.inertial_kg;
+        word.inertia_kg_m2 = is.inertia_kg_m2 * (body.inertial_kg / is.nature.mass_kg);
+        word.gravity_m_per_s2 = scene->gravity_m_per_s2 * (is.nature.mass_kg / body.inertial_kg);
+        word.others_n = body.hand_n[1 - hand] + body.lead_n;
+        word.others_nm = body.hand_nm[1 - hand] + body.lead_nm;
+        if (is.nature.string) {
+            word.string_at_m = is.nature.string->at_m + scene->origin_m;
+            word.string_n_per_m = is.nature.string->stiffness_n_per_m;
+        }
+        word.sticks = is.nature.friction > 0.0 ? is.nature.friction_static / is.nature.friction : 1.0;
+        word.rolling_m = is.nature.rolling * is.half_width_m;
+        word.gap_m = order[k].first < -1e5 ? order[k].first + 1e6 : order[k].first;
+    }
+    out.near_count[hand] = static_cast<std::uint8_t>(count);
+}
+
+// The contacts of the bodies that are told of. Of more than fit the deepest stay.
+void Dynamics::Impl::add_planes(DynamicsFrame& out) {
+    const auto gap = [](const BodyWord& word, const ContactPlane& plane) {
+        return glm::dot(plane.normal, PlacedFrame(word.at).to_world(plane.own_m)) - plane.offset_m;
+    };
+    for (int m = 0; m < world->dispatcher.getNumManifolds(); ++m) {
+        const btPersistentManifold& manifold = *world->dispatcher.getManifoldByIndexInternal(m);
+        for (int side = 0; side < 2; ++side) {
+            const btCollisionObject &mine = side ? *manifold.getBody1() : *manifold.getBody0(),
+                                    &other = side ? *manifold.getBody0() : *manifold.getBody1();
+            if (kind_of(mine) != kBody || !other.hasContactResponse()) continue;
+            const auto index = static_cast<std::uint32_t>(mine.getUserIndex());
+            const DynamicsBody& is = scene->bodies[index];
+            for (unsigned hand = 0; hand < 2; ++hand)
+                for (std::size_t w = 0; w < out.near_count[hand]; ++w) {
+                    BodyWord& word = out.near[hand][w];
+                    if (word.body != index) continue;
+                    for (int k = 0; k < manifold.getNumContacts(); ++k) {
+                        const btManifoldPoint& p = manifold.getContactPoint(k);
+                        const btVector3 there = other.getWorldTransform() * (side ? p.m_localPointA : p.m_localPointB);
+                        ContactPlane plane;
+                        plane.normal = ours(p.m_normalWorldOnB) * (side ? -1.0 : 1.0);
+                        plane.own_m = ours(side ? p.m_localPointB : p.m_localPointA);
+                        plane.offset_m = glm::dot(plane.normal, ours(there) + scene->origin_m);
+                        plane.friction = is.nature.friction;
+                        if (kind_of(other) == kBody)
+                            plane.friction = std::sqrt(
+                                is.nature.friction *
+                                scene->bodies[static_cast<std::size_t>(other.getUserIndex())].nature.friction);
+                        if (const btRigidBody* moving = btRigidBody::upcast(&other))
+                            plane.speed_m_per_s =
+                                ours(moving->getVelocityInLocalPoint(there - moving->getWorldTransform().getOrigin()));
+                        plane.round = is.ball;
+                        plane.radius_m = is.ball ? is.half_width_m : 0.0;
+                        if (word.count < BodyWord::kMostPlanes) {
+                            word.planes[word.count++] = plane;
+                            continue;
+                        }
+                        auto shallow = std::max_element(
+                            word.planes.begin(), word.planes.end(),
+                            [&](const ContactPlane& a, const ContactPlane& b) { return gap(word, a) < gap(word, b); });
+                        if (gap(word, plane) < gap(word, *shallow)) *shallow = plane;
+                    }
+                }
+        }
+    }
+}
+
+void Dynamics::Impl::tell(DynamicsFrame& out) {
+    out.number = steps;
+    out.game = game;
+    out.time_s = now_s();
+    for (std::size_t i = 0; i < world->bodies.size(); ++i) {
+        Placement thing = thing_of(scene->bodies[i], ours(rigid(i).getWorldTransform()));
+        thing.position_m += scene->origin_m;
+        out.things[i] = thing;
+    }
+    tell_near(out, 0);
+    tell_near(out, 1);
+    add_planes(out);
+    out.blocked = kNoBody;
+    for (std::size_t i = world->driven.size(); i-- > 0;)
+        if (world->driven[i].blocked) out.blocked = static_cast<std::uint32_t>(i);
+}
+
+Dynamics::Dynamics(std::shared_ptr<const DynamicsScene> scene) : impl_(std::make_unique<Impl>()) {
+    contract_pre(scene != nullptr);
+    set_up_bullet();
+    impl_->scene = std::move(scene);
+    impl_->world = std::make_unique<World>(*impl_->scene);
+}
+
+Dynamics::~Dynamics() = default;
+
+void Dynamics::push(unsigned hand, const HandPush& push) {
+    contract_pre(hand < 2);
+    if (push.game != impl_->game || push.body >= impl_->scene->bodies.size()) return;
+    if (!(push.dt_s > 0.0) || !std::isfinite(push.dt_s) || !std::isfinite(push.time_s) || !is_finite(push.force_n) ||
+        !is_finite(push.moment_nm))
+        return;
+    impl_->world->pushes[hand].push_back(push);
+}
+
+void Dynamics::place_hand(unsigned hand, const HandPlace& place) {
+    contract_pre(hand < 2);
+    impl_->hands[hand] = place;
+    impl_->hands[hand].present = place.present && is_finite(place.at_m) && std::isfinite(place.radius_m);
+}
+
+void Dynamics::drive(std::uint32_t thing, const Placement& at, bool present) {
+    contract_pre(thing < impl_->scene->driven.size());
+    if (!is_finite(at.position_m)) return;
+    Driven& driven = impl_->world->driven[thing];
+    driven.to = {impl_->local(at.position_m), normalized(at.rotation), 1.0};
+    driven.present = present;
+}
+
+void Dynamics::walker(const Vec3& feet_m, double radius_m, double height_m) {
+    World& w = *impl_->world;
+    const bool wanted = is_finite(feet_m) && height_m > 0.0 && radius_m > 0.0;
+    const double length = std::max(0.0, height_m - 2.0 * radius_m);
+    if (w.walker &&
+        (!wanted || w.walker_shape->getRadius() != radius_m || 2.0 * w.walker_shape->getHalfHeight() != length)) {
+        w.world.removeRigidBody(w.walker.get());
+        w.walker.reset();
+    }
+    if (!wanted) return;
+    const Placement at{impl_->local(feet_m) + Vec3(0, 0, radius_m + 0.5 * length), {}, 1.0};
+    if (!w.walker) {
+        w.walker_shape = std::make_unique<btCapsuleShapeZ>(radius_m, length);
+        w.kinematic(w.walker, w.walker_shape.get(), *impl_->scene, kWalker, 0, at);
+        w.walker->setFriction(0.5);
+        w.walker->setRestitution(0.0);
+        return;
+    }
+    const double way = glm::length(at.position_m - ours(w.walker->getWorldTransform().getOrigin()));
+    w.walker->setWorldTransform(bullet(at));
+    if (way > 0.5) w.walker->setInterpolationWorldTransform(bullet(at));
+    w.walker->forceActivationState(way > 1e-9 ? ACTIVE_TAG : ISLAND_SLEEPING);
+    w.world.updateSingleAabb(w.walker.get());
+}
+
+void Dynamics::lead(std::uint32_t body, const Vec3& to_m, double most_n, const Rotation& turn) {
+    std::vector<Lead>& leads = impl_->world->leads;
+    if (body >= impl_->scene->bodies.size() || !(most_n > 0.0) || !is_finite(to_m)) {
+        leads.clear();
+        return;
+    }
+    leads.assign(1, {body, impl_->local(to_m), most_n, normalized(turn)});
+}
+
+void Dynamics::step(DynamicsFrame& out, std::vector<BodyEvent>& events) {
+    Impl& s = *impl_;
+    s.wake_near_hands();
+    s.drive_things();
+    s.apply_forces();
+    s.world->world.stepSimulation(kStep_s, 0, kStep_s);
+    ++s.steps;
+    s.hear(events);
+    for (std::size_t i = 0; i < s.world->bodies.size(); ++i) s.put_back(i, events);
+    s.limit_awake(out);
+    s.tell(out);
+}
+
+void Dynamics::restart() {
+    impl_->world.reset();
+    impl_->world = std::make_unique<World>(*impl_->scene);
+    ++impl_->game;
+}
+
+double Dynamics::time_s() const { return impl_->now_s(); }
+void Dynamics::skip(double seconds) {
+    contract_pre(seconds >= 0.0 && std::isfinite(seconds));
+    impl_->begin_s += seconds;
+    for (std::vector<HandPush>& pushes : impl_->world->pushes)
+        std::erase_if(pushes, [&](const HandPush& push) { return push.time_s < impl_->now_s(); });
+}
+const DynamicsScene& Dynamics::scene() const { return *impl_->scene; }
+Placement Dynamics::middle(std::uint32_t body) const {
+    contract_pre(body < impl_->scene->bodies.size());
+    Placement at = ours(impl_->rigid(body).getWorldTransform());
+    at.position_m += impl_->scene->origin_m;
+    return at;
+}
+Vec3 Dynamics::speed_m_per_s(std::uint32_t body) const {
+    contract_pre(body < impl_->scene->bodies.size());
+    return ours(impl_->rigid(body).getLinearVelocity());
+}
+bool Dynamics::awake(std::uint32_t body) const {
+    contract_pre(body < impl_->scene->bodies.size());
+    return impl_->rigid(body).isActive();
+}
+bool Dynamics::blocked(std::uint32_t thing) const {
+    contract_pre(thing < impl_->scene->driven.size());
+    return impl_->world->driven[thing].blocked;
+}
+
+}  // namespace handrail

@@ -1,0 +1,65 @@
+// The servo's own model of one body that a hand touches or holds: moved on every tick by the very force that the hand
+// feels, by gravity and by the contact planes that the engine told last, and drawn back by the engine's later word.
+// Poses that come from an engine with a delay would give the hand energy without bound; a model moved on the spot gives
+// none. Plain state; real-time safe; + - x / and square root only. Cost by contacts: docs/results.md. Sources: Stewart
+// & Trinkle 1996 (contacts as impulses); Catto, Iterative dynamics with temporal coherence, 2005 (sequential impulses,
+// warm start).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "haptic/render/body_word.h"
+
+namespace handrail {
+
+class HeldBody {
+public:
+    // What the body does at a moment.
+    struct State {
+        double time_s = 0.0;
+        Placement at;  // of the body's frame (BodyWord::at)
+        Vec3 speed_m_per_s{0.0}, turn_rad_per_s{0.0};
+    };
+
+    // From a word and from where the hand has seen the body until now; the difference goes over kCorrect_s.
+    void begin(const BodyWord& word, const State& seen) noexcept;
+    // A word about a moment within the last kHistory ticks, or before; a younger one that the model has not come to
+    // counts as well. Words go forward in time.
+    void hear(const BodyWord& word) noexcept;
+    // One tick from the state's time on. World newtons, the moment about the body's middle.
+    void tick(const Vec3& force_n, const Vec3& moment_nm, double dt_s) noexcept;
+    // Stands still from here on until the next word: the engine is silent.
+    void rest() noexcept;
+    void limit_speed(double most_m_per_s) noexcept;
+
+    const State& state() const noexcept { return state_; }
+    double word_s() const noexcept { return word_.time_s; }
+    std::uint32_t body() const noexcept { return word_.body; }
+    const BodyWord& word() const noexcept { return word_; }
+    Vec3 speed_at(const Vec3& world_m) const noexcept {
+        return state_.speed_m_per_s + glm::cross(state_.turn_rad_per_s, world_m - state_.at.position_m);
+    }
+    // How far the engine's last word lay from what the model said of the same moment.
+    double apart_m() const noexcept { return apart_m_; }
+
+    static constexpr double kCorrect_s = 0.03;
+    static constexpr std::size_t kHistory = 64;
+    static constexpr int kRounds = 12;
+
+private:
+    struct Point;  // a contact made ready for the rounds of one tick
+    void correct(double dt_s) noexcept;
+    void solve(double dt_s) noexcept;
+
+    State state_;
+    BodyWord word_;
+    std::array<State, kHistory> history_{};  // ring, shifted with every correction
+    std::size_t first_ = 0, count_ = 0;
+    std::array<Vec3, BodyWord::kMostPlanes> impulse_{};  // of the last tick: along the normal and two tangents
+    Stick stick_;
+    Vec3 owed_m_{0.0}, owed_m_per_s_{0.0}, owed_rad_{0.0}, owed_rad_per_s_{0.0};
+    double apart_m_ = 0.0;
+};
+
+}  // namespace handrail

@@ -1,0 +1,62 @@
+// What docs/developer.md shows of a new feature of the session: a class over the context, tried without the session.
+#include <gmock/gmock.h>
+
+#include "tests/support/box_scene.h"
+#include "tests/unit/features/plain_session.h"
+
+namespace handrail {
+namespace {
+
+// Counts the steps that one walks. A feature owns its state, looks at the session through the context, and is neither
+// copied nor moved, since open lists may know it by its place. App thread only.
+class StepCount {
+public:
+    explicit StepCount(const SessionContext& context) : context_(context) {}
+    StepCount(const StepCount&) = delete;
+    StepCount& operator=(const StepCount&) = delete;
+
+    void enter_world() {
+        walked_m_ = 0.0;
+        was_m_ = context_.body.feet_m();
+    }
+    // Once a tick. What is further than a step is no walking: the body was put there.
+    void tick() {
+        const Vec3 off = context_.body.feet_m() - was_m_;
+        const double moved_m = std::hypot(off.x, off.y);
+        if (moved_m < context_.settings.walk.step_length_m) walked_m_ += moved_m;
+        was_m_ = context_.body.feet_m();
+    }
+    // False: it is another's. A real feature has a command of its own.
+    bool act(Command command, double now_s) {
+        if (command != Command::ProgressReport) return false;
+        context_.answer(std::to_string(std::lround(walked_m_ / context_.settings.walk.step_length_m)), now_s);
+        return true;
+    }
+
+private:
+    const SessionContext& context_;
+    double walked_m_ = 0.0;
+    Vec3 was_m_{0.0};
+};
+
+TEST(NewFeature, counts_steps_without_a_session) {
+    test::SceneBuilder builder;
+    builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");
+    test::PlainSession plain(builder.share());
+    StepCount steps(plain.context);
+    steps.enter_world();
+    const double step_m = plain.person.settings.walk.step_length_m;
+    const auto walk = [&](const Vec3& to_m) {
+        plain.body.walker->place(to_m);
+        steps.tick();
+    };
+    const Vec3 from_m = plain.body.feet_m();
+    for (int i = 1; i <= 20; ++i) walk(from_m + Vec3(0.0, 0.5 * step_m * i, 0.0));
+    walk(from_m + Vec3(5.0, 0.0, 0.0));  // set down elsewhere
+    EXPECT_FALSE(steps.act(Command::Exits, 0.0)) << "another's command";
+    EXPECT_TRUE(steps.act(Command::ProgressReport, 0.0));
+    EXPECT_THAT(plain.said(), testing::ElementsAre("10"));
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,126 @@
+// What persons and the program write as text: settings, what is kept beside a world, scenarios, languages, paths of a
+// hand. All but the path come as files.
+#include <cmath>
+#include <cstdlib>
+
+#include "app/core/kept/side_file.h"
+#include "app/core/scenario/scenario.h"
+#include "app/main/path_csv.h"
+#include "settings/settings.h"
+#include "tests/fuzz/harness.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail::fuzz {
+namespace {
+
+// In memory where there is such a place: saving waits for the disk each time.
+struct InMemory {
+    InMemory() {
+        if (std::filesystem::exists("/dev/shm")) ::setenv("TMPDIR", "/dev/shm", 0);
+    }
+};
+const InMemory in_memory;
+
+const test::TemporaryFolder& folder() {
+    static const test::TemporaryFolder made;
+    return made;
+}
+
+std::string rows_text(const SettingsStore& store) {
+    std::string text;
+    for (const SettingRow& row : store.explain()) text += row.key + '=' + row.value + '\n';
+    return text;
+}
+
+}  // namespace
+
+// What was read can be saved with a change and read again as it was; what could not be understood is never replaced.
+std::string settings_fault(std::string_view bytes) {
+    const std::filesystem::path file = folder().write("settings.toml", bytes);
+    SettingsStore store;
+    for (const Diagnostic& problem : store.load_file(file, SettingSource::UserFile))
+        if (std::string fault = words_fault(problem.sentence()); !fault.empty()) return fault;
+    if (!store.set("workspace.scale", store.values().workspace.scale == 30.0 ? "31" : "30", SettingSource::Live))
+        return "a live change was refused";
+    const Result<void> saved = store.save_user_file();
+    if (!saved) {
+        if (test::content_of(file) != bytes) return "a file was changed by a saving that failed";
+        return words_fault(saved.error().sentence());
+    }
+    SettingsStore again;
+    again.load_file(file, SettingSource::UserFile);
+    if (rows_text(again) != rows_text(store)) return "settings changed by saving and reading: " + rows_text(again);
+    return {};
+}
+
+// Entries handed back and saved are there again; a file that cannot be understood is kept under another name.
+std::string side_file_fault(std::string_view bytes) {
+    const test::TemporaryFolder own;
+    const std::filesystem::path world = own.write("x.map", "{}"), path = own.write("x.map.handrail.toml", bytes);
+    SideFile file = SideFile::of_world(world, {});
+    for (const std::string& news : file.news())
+        if (std::string fault = words_fault(news); !fault.empty()) return fault;
+    if (!file.news().empty()) {
+        bool kept = false;
+        for (const auto& entry : std::filesystem::directory_iterator(own.path()))
+            kept = kept || test::content_of(entry.path()) == bytes;
+        if (!kept) return "a file that could not be read was lost";
+    }
+    for (const char* list : {"mark", "room_name", "way"}) {
+        std::vector<SideEntry> entries = file.entries(list);
+        if (auto fault = file.fault_of_list(list))
+            if (std::string words = words_fault(fault->sentence()); !words.empty()) return words;
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            if (std::string words = words_fault(file.fault_in(list, i, "This is no entry.").sentence()); !words.empty())
+                return words;
+            for (const double number : numbers_of(entries[i], "place_m", 3))
+                if (!std::isfinite(number)) return "a place that is not finite";
+        }
+        SideEntry added{{"name", std::string("here")}};
+        put_place(added, Vec3(1.0, 2.5, -3.0));
+        entries.push_back(added);
+        file.set_entries(list, entries);
+        if (const Result<void> saved = file.save(); !saved) return words_fault(saved.error().sentence());
+        if (SideFile::of_world(world, {}).entries(list) != entries)
+            return std::string("entries changed by saving and reading: ") + list;
+    }
+    return {};
+}
+
+std::string scenario_fault(std::string_view bytes) {
+    folder().write("box.map", "{\n\"classname\" \"worldspawn\"\n}\n");
+    const Result<Scenario> scenario = read_scenario(folder().write("scenario.toml", bytes), {folder().path()});
+    if (!scenario) return words_fault(scenario.error().sentence());
+    if (scenario->expectations.empty()) return "a scenario that expects nothing";
+    for (const ScenarioAction& action : scenario->actions)
+        if (action.at_s && !std::isfinite(*action.at_s)) return "a time that is not finite";
+    return std::isfinite(scenario->tail_s) && scenario->tail_s >= 0.0 ? std::string() : "a tail that is none";
+}
+
+// Whatever a language says, the texts it could not give are said in another, and every text is said.
+std::string language_fault(std::string_view bytes) {
+    folder().write("xx.toml", bytes);
+    const Result<std::vector<Diagnostic>> spoken = speak_language("xx", folder().path());
+    std::string fault = spoken ? std::string() : words_fault(spoken.error().sentence());
+    if (spoken)
+        for (const Diagnostic& diagnostic : *spoken)
+            if (fault.empty()) fault = words_fault(diagnostic.sentence());
+    for (const std::string& said : {phrase("program.path_time"), phrase("program.path_cells", {{"count", 3}}),
+                                    phrase("program.path_no_number", {{"text", "x"}})})
+        if (fault.empty() && (said.empty() || !is_utf8(said))) fault = "a text that cannot be said";
+    if (!speak_language("en")) fault = "English is gone";
+    return fault;
+}
+
+std::string path_fault(std::string_view bytes) {
+    const Result<std::vector<PathRow>> rows = parse_path(bytes, "fuzz.csv");
+    if (!rows) return words_fault(rows.error().sentence());
+    for (std::size_t i = 0; i < rows->size(); ++i)
+        if (!std::isfinite((*rows)[i].t_s) || (i > 0 && !((*rows)[i].t_s > (*rows)[i - 1].t_s)))
+            return "time does not go on";
+    return {};
+}
+
+}  // namespace handrail::fuzz

@@ -1,0 +1,69 @@
+// Maps, meshes and pictures: a Scene that holds together, or an error.
+#include <zlib.h>
+
+#include "tests/fuzz/harness.h"
+#include "worlds/readers/height_picture.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail::fuzz {
+namespace {
+
+std::string scene_fault(const Result<Scene>& scene) {
+    if (!scene) return words_fault(scene.error().sentence());
+    if (const Result<void> valid = validate(*scene); !valid) return valid.error().sentence();
+    for (const Diagnostic& diagnostic : scene->report.warnings)
+        if (std::string fault = words_fault(diagnostic.sentence()); !fault.empty()) return fault;
+    return {};
+}
+
+std::uint32_t big_endian(std::string_view bytes) {
+    std::uint32_t value = 0;
+    for (const char c : bytes.substr(0, 4)) value = value << 8 | static_cast<unsigned char>(c);
+    return value;
+}
+
+// The same PNG with the checksums of its chunks right, so that what was changed gets past them.
+std::string with_right_checksums(std::string_view bytes) {
+    std::string png(bytes);
+    for (std::size_t at = 8; at + 12 <= png.size();) {
+        const std::size_t length = big_endian(std::string_view(png).substr(at));
+        if (length > png.size() - at - 12) break;
+        const auto* chunk = reinterpret_cast<const Bytef*>(png.data()) + at + 4;
+        const auto checksum = static_cast<std::uint32_t>(::crc32(0, chunk, static_cast<uInt>(length + 4)));
+        for (std::size_t i = 0; i < 4; ++i) png[at + 8 + length + i] = static_cast<char>(checksum >> (24 - 8 * i));
+        at += 12 + length;
+    }
+    return png;
+}
+
+std::string picture_of_fault(std::string_view bytes) {
+    const Result<HeightPicture> picture = read_height_picture(bytes, "fuzz.png");
+    if (!picture) return words_fault(picture.error().sentence());
+    if (picture->width < 1 || picture->height < 1) return "a picture without points";
+    if (picture->width > kLargestPictureSide || picture->height > kLargestPictureSide)
+        return "a picture larger than the largest";
+    if (picture->depths.size() != static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height))
+        return "a picture of another size";
+    for (const float depth : picture->depths)
+        if (!(depth >= 0.0F && depth <= 1.0F)) return "a depth that is none";
+    return {};
+}
+
+}  // namespace
+
+std::string map_fault(std::string_view bytes) {
+    ReadOptions options;
+    options.read_beside = [](const std::string&) -> Result<std::string> { return fail("There is no such file."); };
+    return scene_fault(read_quake_map(bytes, "fuzz.map", options));
+}
+
+std::string obj_fault(std::string_view bytes) { return scene_fault(read_obj(bytes, "fuzz.obj")); }
+
+std::string ifc_fault(std::string_view bytes) { return scene_fault(read_ifc(bytes, "fuzz.ifc")); }
+
+std::string picture_fault(std::string_view bytes) {
+    if (std::string fault = picture_of_fault(bytes); !fault.empty()) return fault;
+    return picture_of_fault(with_right_checksums(bytes));
+}
+
+}  // namespace handrail::fuzz

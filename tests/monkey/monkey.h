@@ -1,0 +1,110 @@
+// Somebody, or something, that presses whatever there is: keys, characters, lines, hands that jump, devices that break
+// and come and go, settings, other worlds, in virtual time against the same AppCore and servo as the program. The same
+// seed does the same.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "app/core/session/headless_session.h"
+#include "audio-cues/sinks/recording_sinks.h"
+
+namespace handrail::test {
+
+// Sinks that count and remember little, since a long session would fill memory.
+class CountingAudio final : public AudioSink {
+public:
+    void play(const SoundCue&) override { ++heard; }
+    void set_loop(const SoundCue&) override { ++heard; }
+    void set_listener(const Listener&) override {}
+    void stop_all() override {}
+    void tick(double) override {}
+    long heard = 0;
+};
+class CountingSpeech final : public SpeechSink {
+public:
+    void say(const Utterance& utterance) override { take(utterance); }
+    void write(const Utterance& utterance) override { take(utterance); }
+    void stop() override {}
+    bool speaking() const override { return false; }
+    void tick(double) override {}
+    long lines = 0, empty = 0, damaged = 0;  // damaged: no UTF-8
+    std::deque<std::string> last;
+
+private:
+    void take(const Utterance& utterance);
+};
+
+class Monkey {
+public:
+    Monkey(std::uint32_t seed, std::vector<std::shared_ptr<const Scene>> worlds);
+
+    // One random act and a little time. Returns false, and fault() says why, at the first thing that must never be.
+    bool act();
+    const std::string& fault() const { return fault_; }
+    // The last acts, and what was said last: for whoever looks into a fault.
+    std::string story() const;
+    const std::map<std::string, long>& done() const { return done_; }  // acts by kind
+    double seconds() const { return seconds_; }
+    long lines() const { return speech_.lines; }
+
+private:
+    std::uint32_t below(std::uint32_t n) { return random_() % n; }
+    double between(double low, double high) {
+        return low + (high - low) * (static_cast<double>(random_()) / 4294967295.0);
+    }
+    bool chance(double share) { return between(0.0, 1.0) < share; }
+    AppCore& app() { return session_->app(); }
+
+    void begin();
+    void note(std::string kind, const std::string& what = {});
+    void one_act();
+    void press_something();
+    void key();
+    void text();
+    void line();
+    void hand();
+    void trouble();
+    void device();
+    void setting();
+    void world();
+    void owner();  // what the program around the app does
+    void run(double seconds);
+    void check_tick();
+    void check_places();
+    void expect_an_answer();
+    void fail(std::string what);
+    std::string word();
+
+    std::mt19937 random_;
+    std::vector<std::shared_ptr<const Scene>> worlds_;
+    std::vector<SettingRow> settings_;
+    CountingAudio audio_;
+    CountingSpeech speech_;
+    std::unique_ptr<HeadlessSession> session_;
+    HandFacts facts_[2];
+    std::vector<Command> held_;
+    std::deque<std::string> acts_;
+    std::map<std::string, long> done_;
+    std::string fault_;
+    double seconds_ = 0.0;
+    // The place was free when it was last looked at, under these circumstances; it must stay so while they are the
+    // same.
+    struct Free {
+        bool known = false;
+        std::uint32_t generation = 0, jump = 0;
+        double gain = 0.0;  // of the force, at the last tick
+    };
+    Free ball_free_[2];
+    std::shared_ptr<const Scene> walls_of_;
+    std::unique_ptr<BodyWorld> walls_;
+    double least_radius_m_ = 1.0;  // that the setting had: a body takes its size when it enters a world
+    double body_free_m_ = 0.0;     // likewise, of a body of that radius; 0: it was not free
+};
+
+}  // namespace handrail::test

@@ -1,0 +1,45 @@
+// What the built programs are guarded by, as readelf tells of them: both start at random addresses, their tables are
+// read-only once they run, and functions with arrays notice when their stack was written over.
+#include <array>
+#include <cstdio>
+
+#include "tests/support/run_program.h"
+
+namespace handrail::test {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+
+std::string told_of(const char* program) {
+    std::string text;
+    const std::string command =
+        std::string("readelf --wide --file-header --program-headers --dynamic --dyn-syms '") + program + "' 2>&1";
+    if (FILE* pipe = ::popen(command.c_str(), "r")) {
+        std::array<char, 4096> piece{};
+        while (std::fgets(piece.data(), piece.size(), pipe)) text += piece.data();
+        ::pclose(pipe);
+    }
+    return text;
+}
+
+TEST(Hardened, programs_start_at_random_addresses_with_read_only_tables_and_guarded_stacks) {
+    if (!HANDRAIL_HARDENED)
+        GTEST_SKIP() << "This preset is built without, or for a sanitizer, which guards in its own way.";
+    for (const char* program : {HANDRAIL_PROGRAM, HANDRAIL_GUARD}) {
+        SCOPED_TRACE(program);
+        const std::string told = told_of(program);
+        EXPECT_THAT(told, ContainsRegex("Type: +DYN \\(Position-Independent Executable file\\)"));
+        EXPECT_THAT(told, HasSubstr("GNU_RELRO"));
+        EXPECT_THAT(told, HasSubstr("BIND_NOW"));
+        EXPECT_THAT(told, ContainsRegex("GNU_STACK[ 0-9a-fx]* RW "));  // a stack that cannot be run
+        EXPECT_THAT(told, HasSubstr("__stack_chk_fail"));
+    }
+#ifdef __OPTIMIZE__
+    EXPECT_THAT(told_of(HANDRAIL_PROGRAM), ContainsRegex("__[a-z]+_chk@"));  // the C library's checked calls
+#endif
+    EXPECT_THAT(told_of(HANDRAIL_PROGRAM), HasSubstr("__glibcxx_assert_fail"));
+}
+
+}  // namespace
+}  // namespace handrail::test

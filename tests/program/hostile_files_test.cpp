@@ -1,0 +1,123 @@
+// What a person, a script or a system may hand the program instead of what it expects: pipes for files, closed
+// descriptors, floods, and leaving at once.
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/program/endless_world.h"
+#include "tests/support/environment.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+extern "C" char** environ;
+
+namespace handrail::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using SteadyTime = std::chrono::steady_clock;
+
+ProgramRun run(std::vector<std::string> arguments, ProgramCall call = {}) {
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = std::move(arguments);
+    call.allowed_s = 30.0;
+    return run_program(call);
+}
+
+TEST(HostileFiles, pipes_that_nobody_writes_and_endless_devices_are_one_sentence_each) {
+    const TemporaryFolder folder;
+    const auto fifo = [&](const std::string& name) {
+        const fs::path path = folder.path() / name;
+        EXPECT_EQ(::mkfifo(path.c_str(), 0600), 0);
+        return path.string();
+    };
+    const auto expect_refused = [](const ProgramRun& run, const std::string& name) {
+        EXPECT_FALSE(run.timed_out) << name;
+        EXPECT_THAT(run.err + run.out, HasSubstr("no ordinary file")) << name;
+        EXPECT_THAT(run.err + run.out, HasSubstr(name));
+    };
+    expect_refused(run({"info", fifo("world.map")}), "world.map");
+    expect_refused(run({"--no-window", "--device", "none", fifo("other.map")}), "other.map");
+    expect_refused(run({"info", "/dev/zero"}), "zero");
+    EXPECT_FALSE(run({"scenario", fifo("scenario.toml")}).timed_out);  // refused before it is opened
+    fs::create_directories(folder.path() / "handrail");
+    fifo("handrail/settings.toml");
+    ProgramCall call;
+    call.environment["XDG_CONFIG_HOME"] = folder.path();
+    expect_refused(run({"settings", "--explain"}, call), "settings.toml");
+    // A picture beside a world, and what is kept beside it.
+    std::ifstream in(fs::path(TEST_WORLDS) / "first_room.map");
+    std::string map{std::istreambuf_iterator<char>(in), {}};
+    const std::size_t at = map.find("\"classname\" \"worldspawn\"");
+    ASSERT_NE(at, std::string::npos);
+    map.insert(at, "\"texture_picture\" \"picture.png\"\n\"texture_size\" \"64\"\n");
+    folder.write("room.map", map);
+    fifo("picture.png");
+    expect_refused(run({"info", (folder.path() / "room.map").string()}), "picture.png");
+}
+
+// With a descriptor closed, the first file that is opened would get its number, and what is printed would go into it.
+TEST(HostileFiles, closed_descriptors_are_open_before_anything_else) {
+    const TemporaryFolder home;
+    std::array<int, 2> input{-1, -1};
+    ASSERT_EQ(::pipe2(input.data(), O_CLOEXEC), 0);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, input[0], 0);
+    posix_spawn_file_actions_addclose(&actions, 1);
+    posix_spawn_file_actions_addclose(&actions, 2);
+    std::string program = HANDRAIL_PROGRAM, no_window = "--no-window", device = "--device", none = "none";
+    std::array<char*, 5> argv{program.data(), no_window.data(), device.data(), none.data(), nullptr};
+    std::vector<std::string> variables;
+    for (const auto& [name, value] : bare_environment(home.path()))
+        if (!value.empty()) variables.push_back(name + "=" + value);
+    for (const std::string sanitizer : {"LSAN_OPTIONS", "TSAN_OPTIONS"})  // what foreign libraries do
+        if (const char* options = std::getenv(sanitizer.c_str())) variables.push_back(sanitizer + "=" + options);
+    std::vector<char*> envp;
+    for (std::string& variable : variables) envp.push_back(variable.data());
+    envp.push_back(nullptr);
+    pid_t child = -1;
+    ASSERT_EQ(::posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), envp.data()), 0);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(input[0]);
+    const auto target = [&](int number) {
+        std::error_code ec;
+        return fs::read_symlink("/proc/" + std::to_string(child) + "/fd/" + std::to_string(number), ec).string();
+    };
+    const auto end = SteadyTime::now() + std::chrono::seconds(20);
+    while (SteadyTime::now() < end && (target(1) != "/dev/null" || target(2) != "/dev/null")) ::poll(nullptr, 0, 10);
+    EXPECT_EQ(target(1), "/dev/null");
+    EXPECT_EQ(target(2), "/dev/null");
+    ::close(input[1]);
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+}
+
+TEST(HostileFiles, loading_is_left_as_soon_as_a_signal_asks_for_it) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("endless.obj", endless_obj());
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        ProgramCall call;
+        call.close_input = false;
+        call.signal_when_said = number;
+        call.signal_after = "Handrail.";
+        const ProgramRun left = run({"--no-window", "--device", "none", world.string()}, call);
+        EXPECT_FALSE(left.timed_out) << number;
+        EXPECT_EQ(left.exit_status, 0) << number << ": " << left.err;
+    }
+}
+
+}  // namespace
+}  // namespace handrail::test

@@ -1,0 +1,153 @@
+// A person at the real window of the program, on a virtual display, who does not want to wait for a world that is being
+// read.
+#include <X11/Xlib.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <future>
+#include <thread>
+
+#include "tests/program/endless_world.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/virtual_display.h"
+
+namespace handrail::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool wait_for(const std::function<bool()>& condition, double seconds) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    while (std::chrono::steady_clock::now() < end) {
+        if (condition()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+}
+
+class LoadingWindow : public testing::Test {
+protected:
+    static constexpr double kPatience_s = 30.0;  // for what takes a second on a machine of its own
+
+    void SetUp() override {
+        display_ = VirtualDisplay::start();
+        if (!display_) GTEST_SKIP() << "Xvfb or xdotool is not installed";
+        endless_ = folder_.write("endless.obj", endless_obj());
+        fs::copy_file(fs::path(TEST_WORLDS) / "first_room.map", folder_.path() / "first_room.map");
+    }
+
+    // A program that a failed test left running goes with its display.
+    void TearDown() override { display_.reset(); }
+
+    void start(const fs::path& world) {
+        ProgramCall call;
+        call.program = "/bin/sh";
+        call.arguments = {"-c",
+                          R"(said=$1; shift; exec "$@" >"$said" 2>&1)",
+                          "sh",
+                          said_file().string(),
+                          HANDRAIL_PROGRAM,
+                          "--device",
+                          "none",
+                          world.string()};
+        call.environment["DISPLAY"] = ::getenv("DISPLAY");
+        call.environment["LIBGL_ALWAYS_SOFTWARE"] = "1";
+        call.environment["HANDRAIL_WORLDS"] = folder_.path().string();
+        call.environment["ASAN_OPTIONS"] = "detect_leaks=0";  // Mesa's own leaks
+        call.allowed_s = 120.0;
+        run_ = std::async(std::launch::async, [call] { return run_program(call); });
+        ASSERT_TRUE(wait_for(
+            [&] {
+                return display_->xdotool("search --onlyvisible --name Handrail windowfocus --sync >/dev/null 2>&1");
+            },
+            kPatience_s))
+            << said();
+    }
+    void press(const std::string& key) { ASSERT_TRUE(display_->xdotool("key " + key)) << key; }
+    fs::path said_file() const { return folder_.path() / "said"; }
+    std::string said() const {
+        std::ifstream file(said_file());
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    bool says(const std::string& words) {
+        return wait_for([&] { return said().find(words) != std::string::npos; }, kPatience_s);
+    }
+    void expect_it_ends() {
+        ASSERT_EQ(run_.wait_for(std::chrono::duration<double>(kPatience_s)), std::future_status::ready) << said();
+        EXPECT_EQ(run_.get().exit_status, 0) << said();
+        EXPECT_EQ(said().find("say: Endless. "), std::string::npos) << "it was never entered";
+    }
+
+    TemporaryFolder folder_;
+    std::unique_ptr<VirtualDisplay> display_;
+    fs::path endless_;
+    std::future<ProgramRun> run_;
+};
+
+// As a desktop's button does.
+bool close_window() {
+    Display* display = XOpenDisplay(nullptr);
+    if (!display) return false;
+    ::Window root = 0, parent = 0, *children = nullptr;
+    unsigned count = 0;
+    bool found = false;
+    if (XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count))
+        for (unsigned i = 0; i < count; ++i) {
+            char* name = nullptr;
+            if (!XFetchName(display, children[i], &name) || !name) continue;
+            if (std::string(name) == "Handrail") {
+                XEvent event{};
+                event.xclient.type = ClientMessage;
+                event.xclient.window = children[i];
+                event.xclient.message_type = XInternAtom(display, "WM_PROTOCOLS", False);
+                event.xclient.format = 32;
+                event.xclient.data.l[0] = static_cast<long>(XInternAtom(display, "WM_DELETE_WINDOW", False));
+                found = XSendEvent(display, children[i], False, NoEventMask, &event) != 0;
+            }
+            XFree(name);
+        }
+    if (children) XFree(children);
+    XCloseDisplay(display);
+    return found;
+}
+
+TEST_F(LoadingWindow, escape_ends_the_program_while_its_first_world_is_read) {
+    start(endless_);
+    press("Escape");
+    expect_it_ends();
+}
+
+TEST_F(LoadingWindow, closing_it_ends_the_program_while_its_first_world_is_read) {
+    start(endless_);
+    ASSERT_TRUE(close_window());
+    expect_it_ends();
+}
+
+TEST_F(LoadingWindow, escape_gives_up_a_second_world_and_the_first_goes_on) {
+    start(folder_.path() / "first_room.map");
+    ASSERT_TRUE(says("facing north")) << said();
+    press("Tab");
+    ASSERT_TRUE(says("Menu")) << said();
+    press("w");
+    ASSERT_TRUE(says("Worlds")) << said();
+    press("Return");
+    ASSERT_TRUE(says("visited before")) << said();
+    press("e");
+    ASSERT_TRUE(says("Endless, comes with Handrail")) << said();
+    press("Return");
+    ASSERT_TRUE(says("Going to Endless.")) << said();
+    press("Escape");
+    ASSERT_TRUE(says("Endless is not read any further. You stay in First room.")) << said();
+    press("c");
+    ASSERT_TRUE(says("Facing north")) << said();
+    press("Escape");
+    ASSERT_TRUE(says("Press Escape again")) << said();
+    press("Escape");
+    expect_it_ends();
+}
+
+}  // namespace
+}  // namespace handrail::test

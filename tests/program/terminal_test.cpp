@@ -1,0 +1,152 @@
+// The program at a terminal of its own, as a person has it: keys act at once, words behind a colon, and however it ends
+// the terminal is as it was.
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "tests/support/child_process.h"
+#include "tests/support/pty_job.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+namespace {
+
+// The program in a terminal, until the folder of its home is gone.
+struct AtTerminal {
+    TemporaryFolder home;
+    std::unique_ptr<PtyJob> job;
+
+    explicit AtTerminal(std::vector<std::string> arguments = {}, Environment more = {}) {
+        Environment environment = bare_environment(home.path().string());
+        environment["TERM"] = "xterm-256color";
+        for (const auto& [name, value] : more) environment[name] = value;
+        arguments.insert(arguments.begin(), {HANDRAIL_PROGRAM, "--no-window", "--device", "none"});
+        job = PtyJob::start([arguments, environment] {
+            for (const auto& [name, value] : environment) {
+                if (value.empty()) ::unsetenv(name.c_str());
+                else ::setenv(name.c_str(), value.c_str(), 1);
+            }
+            std::vector<char*> words;
+            for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+            words.push_back(nullptr);
+            ::execv(words[0], words.data());
+            ::_exit(127);
+        });
+    }
+    // What is said from now on has this in it.
+    bool after(const std::string& typed, const std::string& said) const {
+        const std::size_t from = job->said().size();
+        job->type(typed);
+        return job->says(said, from);
+    }
+    bool in_first_room() const { return job && job->says("facing north"); }
+};
+
+TEST(Terminal, says_first_how_to_act_there_and_names_keys_that_exist) {
+    const AtTerminal at;
+    ASSERT_TRUE(at.in_first_room()) << at.job->said();
+    EXPECT_TRUE(at.job->gives_keys());
+    const std::string& said = at.job->said();
+    EXPECT_LT(said.find("Handrail. Keys act here at once. A colon begins a word, and Enter does it."), 40U) << said;
+    EXPECT_TRUE(at.job->says("Press Up to walk a step."));
+    EXPECT_EQ(said.find("Type forward"), std::string::npos);
+}
+
+TEST(Terminal, keys_act_at_once_and_words_behind_a_colon) {
+    const AtTerminal at;
+    ASSERT_TRUE(at.in_first_room()) << at.job->said();
+    EXPECT_TRUE(at.after("\x1b[C", "North-east")) << "an arrow";
+    EXPECT_TRUE(
+        at.after(":hea\x7f"
+                 "ading\r",
+                 "Facing north"))
+        << "a word";
+    EXPECT_TRUE(at.after("\t", "1 of 10")) << "the menu";
+    EXPECT_TRUE(at.after("\x1b[B", "2 of 10")) << "down the list";
+    at.job->send(SIGTERM);
+    EXPECT_EQ(at.job->ends(), 0);
+    EXPECT_TRUE(at.job->as_before());
+}
+
+TEST(Terminal, by_lines_where_it_knows_no_keys) {
+    const AtTerminal at({}, {{"TERM", "dumb"}});
+    ASSERT_TRUE(at.in_first_room()) << at.job->said();
+    EXPECT_TRUE(at.job->as_before()) << "untouched";
+    EXPECT_TRUE(at.job->says("Type forward to walk a step."));
+    EXPECT_TRUE(at.after("heading\n", "Facing north"));
+    at.job->type("quit\n");
+    EXPECT_EQ(at.job->ends(), 0);
+    EXPECT_TRUE(at.job->as_before());
+}
+
+TEST(Terminal, is_as_it_was_however_the_program_ends) {
+    struct Way {
+        std::string name;
+        std::string typed;
+        int signal;
+        int status;
+    };
+    for (const Way& way : {Way{"Escape twice", "\x1b", 0, 0}, Way{"Ctrl+C", "\x03", 0, 0}, Way{"TERM", "", SIGTERM, 0},
+                           Way{"HUP", "", SIGHUP, 0}, Way{"INT", "", SIGINT, 0}, Way{"QUIT", "\x1c", 0, 128 + SIGQUIT},
+                           Way{"a crash", "", SIGSEGV, 128 + SIGSEGV}, Way{"abort", "", SIGABRT, 128 + SIGABRT}}) {
+        const AtTerminal at;
+        ASSERT_TRUE(at.in_first_room()) << at.job->said();
+        ASSERT_TRUE(at.job->gives_keys()) << way.name;
+        EXPECT_TRUE(way.name != "Escape twice" || at.after("\x1b", "again")) << at.job->said();
+        if (way.signal != 0) at.job->send(way.signal);
+        else at.job->type(way.typed);
+        if (way.status > 128) expect_ended_by(way.status - 128, at.job->ends());
+        else EXPECT_EQ(at.job->ends(), way.status) << way.name;
+        EXPECT_TRUE(at.job->as_before()) << way.name;
+    }
+}
+
+TEST(Terminal, is_as_it_was_while_stopped_and_gives_keys_again_when_it_goes_on) {
+    const AtTerminal at;
+    ASSERT_TRUE(at.in_first_room()) << at.job->said();
+    at.job->type("\x1a");
+    ASSERT_TRUE(at.job->stops());
+    EXPECT_TRUE(at.job->as_before());
+    at.job->in_foreground();
+    EXPECT_TRUE(eventually([&] { return at.job->gives_keys(); }));
+    EXPECT_TRUE(at.after("c", "Facing north"));
+    at.job->send(SIGTERM);
+    EXPECT_EQ(at.job->ends(), 0);
+    EXPECT_TRUE(at.job->as_before());
+}
+
+TEST(Terminal, survives_a_person_who_presses_everything) {
+    const AtTerminal at;
+    ASSERT_TRUE(at.in_first_room()) << at.job->said();
+    unsigned state = 12345;
+    const auto next = [&state](unsigned below) { return (state = state * 1664525U + 1013904223U) / 65536U % below; };
+    const char* kSequences[] = {"\x1b[A",
+                                "\x1b[B",
+                                "\x1b[C",
+                                "\x1b[D",
+                                "\x1b[1;2A",
+                                "\x1b[1;5B",
+                                "\x1bOP",
+                                "\x1b[15~",
+                                "\x1b[3~",
+                                "\x1b[99~",
+                                "\x1b[200~forward 2\n\x1b[201~",
+                                ":where\r",
+                                "\t",
+                                "\x1b[24~"};
+    for (int i = 0; i < 600; ++i) {
+        std::string bytes =
+            next(3) == 0 ? kSequences[next(std::size(kSequences))] : std::string(1, static_cast<char>(32 + next(95)));
+        at.job->type(bytes);
+        if (i % 20 == 0) at.job->says("never said", 0, 0.02);
+    }
+    at.job->send(SIGTERM);
+    EXPECT_EQ(at.job->ends(), 0) << at.job->said().substr(at.job->said().size() > 2000 ? at.job->said().size() - 2000
+                                                                                       : 0);
+    EXPECT_TRUE(at.job->as_before());
+}
+
+}  // namespace
+}  // namespace handrail::test

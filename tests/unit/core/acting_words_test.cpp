@@ -1,0 +1,100 @@
+// What is said of how to act: words to who types, keys to who presses; nothing of force where there is no device; and
+// what gives way is named like what does not.
+#include "tests/support/map_text.h"
+#include "tests/unit/core/app_session.h"
+#include "tests/unit/core/explorer.h"
+#include "worlds/base/typist.h"
+
+namespace handrail {
+namespace {
+
+using test::box_brush;
+using test::entity;
+using test::key;
+
+struct Typist {
+    Typist() { speak_to_typist(true); }
+    ~Typist() { speak_to_typist(false); }
+};
+
+TEST(ActingWords, are_the_words_of_commands_for_who_types) {
+    const Typist typist;
+    EXPECT_EQ(KeyMap({}).keys_of(Command::DropMark), "mark");
+    test::AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.run(0.1);
+    EXPECT_TRUE(s.heard("Type forward to walk a step. The word where tells where you are, help the words."))
+        << s.news();
+    EXPECT_EQ(s.ask(Command::Ways), "No way is kept here yet. keep-way keeps the one that you planned or walked last.");
+    EXPECT_EQ(s.ask(Command::WhatIsThis), "There is no touch device. The word where tells what is around you.");
+    EXPECT_EQ(s.ask(Command::StopEverything), "Stopped. forces lets sounds be heard again.");
+    // All that was said names no key.
+    for (const std::string& line : s.said)
+        for (const char* word : {"Press", "F1", "F2", "F12", "Shift+", "Enter", "Escape", "Grave"})
+            EXPECT_EQ(line.find(word), std::string::npos) << line;
+}
+
+TEST(ActingWords, are_keys_for_who_presses_them) {
+    test::AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.run(0.1);
+    EXPECT_TRUE(s.heard("Press Up to walk a step. F2 tells where you are, F1 the keys."));
+    EXPECT_EQ(s.ask(Command::Ways),
+              "No way is kept here yet. Control+8 keeps the one that you planned or walked last.");
+}
+
+TEST(WithNoDevice, no_force_is_spoken_of) {
+    test::AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.run(0.1);
+    for (const Command command : {Command::ToggleForces, Command::ToggleForces, Command::StopEverything,
+                                  Command::ToggleForces, Command::TakeMe, Command::CrossLines}) {
+        s.ask(command);
+        s.run(0.5);
+    }
+    EXPECT_TRUE(s.heard("There is no touch device."));
+    EXPECT_TRUE(s.heard("Stopped."));
+    EXPECT_TRUE(s.heard("Going on"));
+    for (const std::string& line : s.said) EXPECT_EQ(line.find("orce"), std::string::npos) << line;
+    EXPECT_EQ(s.count(SoundKind::ForcesOn) + s.count(SoundKind::ForcesOff), 0);
+    EXPECT_FALSE(s.app.tuning().panic);
+    EXPECT_TRUE(s.app.tuning().forces_on) << "a device that is plugged in later is not off";
+}
+
+TEST(WhatGivesWay, is_named_while_it_is_pressed) {
+    for (const char* soft : {"elastic", "plastic"}) {
+        const std::string room = test::room_brushes(0, 0, 0, 320, 640, 128);
+        const std::string cushion =
+            entity("func_wall", key("name", "Big cushion") + key("soft", soft) + key("soft_depth", "16"),
+                   box_brush(96, 64, 0, 224, 192, 20));
+        auto scene =
+            read_quake_map(entity("worldspawn", key("building", "1"), room) +
+                               entity("info_player_start", key("origin", "160 40 24") + key("angle", "90")) + cushion,
+                           "soft.map", {});
+        ASSERT_TRUE(scene);
+        test::Explorer person(std::make_shared<const Scene>(std::move(*scene)), "sim-t");
+        person.tap(Command::ScaleDetail, 1.5);
+        const double ground_m = 20.0 / 32.0;
+        // Down onto it, a millimetre at a time, until it pushes back and nothing hard does.
+        bool pressed = false;
+        person.hold({0.0, 0.04, 0.0});
+        person.tap(Command::ScaleRoom, 1.5);
+        for (double z = 0.0; z > -0.06 && !pressed; z -= 0.001) {
+            person.hold({0.0, 0.03, z}, 0.05);
+            person.run(0.05);
+            pressed = person.tool().soft_n > 0.2 && person.tool().contacts.count == 0;
+        }
+        ASSERT_TRUE(pressed) << soft << " at " << person.tool().proxy_m.z << ", its top at " << ground_m;
+        const FeatureId felt = person.tool().touched();
+        EXPECT_EQ(person.app().scene()->features[felt.value].name, "Big cushion");
+        const std::size_t from = person.lines();
+        person.tap(Command::WhatIsThis, 1.0);
+        EXPECT_TRUE(person.heard("Big cushion", from)) << person.all_heard(from);
+        person.hold({0.0, 0.03, 0.03});
+        person.run(0.3);
+        EXPECT_FALSE(person.tool().touches());
+    }
+}
+
+}  // namespace
+}  // namespace handrail

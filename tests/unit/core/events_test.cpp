@@ -1,0 +1,37 @@
+// What a session tells of as facts while somebody walks through our house.
+#include <gtest/gtest.h>
+
+#include "tests/unit/core/way_walker.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_and_being_put_elsewhere) {
+    test::AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.run(0.1);
+    s.ask(Command::Exits);  // from here on the rooms are known
+    (void)s.app.take_events();
+    ASSERT_TRUE(test::go_to_room(s, "Kitchen", 90.0));
+    int rooms = 0, doors = 0;
+    std::string last;
+    for (const SessionEvent& event : s.app.take_events()) {
+        if (const auto* entered = std::get_if<RoomEntered>(&event.what)) {
+            ++rooms;
+            last = entered->name;
+        }
+        doors += std::holds_alternative<DoorUsed>(event.what) ? 1 : 0;
+        EXPECT_LE(event.time_s, s.now);
+    }
+    EXPECT_GT(rooms, 0);
+    EXPECT_GT(doors, 0);
+    EXPECT_EQ(sentence_case(last), "Kitchen");
+    s.app.apply(Placed{{6.0, -4.0, 0.0}, 0.5}, s.now);
+    const std::vector<SessionEvent> put = s.app.take_events();
+    ASSERT_EQ(put.size(), 1U);
+    EXPECT_EQ(std::get<Teleported>(put[0].what).feet_m, Vec3(6.0, -4.0, 0.0));
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,555 @@
+// Who rides on what moves, and what moving things do where they meet a body or one another; trains, turning parts,
+// lifts with doors and buttons.
+#include <random>
+
+#include "app/core/world/mover_meeting.h"
+#include "tests/support/map_text.h"
+#include "tests/support/scale.h"
+#include "tests/unit/core/app_session.h"
+#include "tests/unit/core/explorer.h"
+#include "worlds/scene/models.h"
+
+namespace handrail {
+namespace {
+
+using test::box_brush;
+using test::entity;
+using test::key;
+
+// A hall 10 by 20 m and 6 m high, one unit being 1/32 m; the base is 1 m from its south wall at x 5 m and looks north.
+std::shared_ptr<const Scene> hall(const std::string& entities, bool game = false,
+                                  const std::string& more_building = {}) {
+    const std::string room = test::room_brushes(0, 0, 0, 320, 640, 192) + more_building;
+    const std::string base = entity("info_player_start", key("origin", "160 32 24") + key("angle", "90"));
+    auto scene = read_quake_map(
+        entity("worldspawn", key("message", "Hall") + key("building", game ? "0" : "1"), room) + base + entities,
+        "moving.map", {});
+    EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
+    EXPECT_TRUE(scene->report.warnings.empty()) << scene->report.warnings.front().sentence();
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+struct Rider : test::AppSession {
+    explicit Rider(std::shared_ptr<const Scene> scene, const Vec3& feet_m = {5.0, 1.0, 0.0}) {
+        app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0);
+        app.apply(Placed{feet_m, 0.0}, 0.0);
+    }
+    void turn_round() {
+        const double before = app.heading_rad();
+        for (int i = 0; i < 24 && std::abs(wrap_angle(app.heading_rad() - before)) < kPi - 0.05; ++i)
+            tap(Command::TurnRight, 0.3);
+    }
+    Placement thing(std::size_t i) const { return app.bodies().poses()[i].at; }
+    bool in_something() const {
+        return BodyWorld(app.scene(), places()).blocked(app.feet_m() + Vec3(0.0, 0.0, 1e-3), {0.25, 1.6});
+    }
+    std::vector<Placement> places() const {
+        std::vector<Placement> all;
+        for (std::size_t i = 0; i < app.scene()->placed.size(); ++i) all.push_back(thing(i));
+        return all;
+    }
+    // The highest that the soles come, and whether the body was ever inside something on the way.
+    double highest_m(double seconds) {
+        double highest = app.feet_m().z;
+        for (const double until = now + seconds; now < until;) {
+            run(1.0 / 60.0);
+            highest = std::max(highest, app.feet_m().z);
+            EXPECT_FALSE(in_something()) << "at " << now << " s";
+        }
+        return highest;
+    }
+};
+
+// 2 m up, its top level with the floor of the hall below. Another brush of the floor lies level with it and farther
+// east, which was taken for what one stands on.
+const std::string kLevelLift =
+    entity("func_plat", key("name", "Lift") + key("height", "64"), box_brush(96, 96, 0, 224, 224, 64));
+const std::string kFloorPlate = box_brush(100, 70, -8, 250, 250, 0);
+
+TEST(Riding, a_lift_whose_top_is_level_with_the_floor_takes_along_who_stands_on_it) {
+    Rider rider(hall(kLevelLift, true, kFloorPlate));
+    rider.walk(2.5);
+    EXPECT_NEAR(rider.highest_m(3.0), 2.0, 0.02);
+    EXPECT_TRUE(rider.heard("Lift stops at the top"));
+    // Nobody gets off, so it waits above and goes down again with its passenger.
+    rider.app.apply(Placed{{5.0, 1.0, 0.0}, 0.0}, rider.now);
+    rider.run(12.0);
+    EXPECT_TRUE(rider.heard("Lift is back"));
+}
+
+TEST(Riding, a_body_with_a_hand_is_taken_along_and_its_workspace_with_it) {
+    test::Explorer rider(hall(kLevelLift, true, kFloorPlate), "sim-t");
+    const auto above_soles_m = [&] { return rider.tool().proxy_m.z - rider.app().feet_m().z; };
+    const double before_m = above_soles_m();
+    rider.app().apply(Placed{{5.0, 5.0, 0.0}, 0.0}, rider.now_s());
+    EXPECT_TRUE(rider.wait_for([&] { return rider.app().feet_m().z > 1.99; }, 4.0));
+    rider.run(0.3);
+    EXPECT_NEAR(above_soles_m(), before_m, 0.02);
+}
+
+TEST(Riding, one_steps_off_above_and_the_lift_goes_down_alone) {
+    const std::string ledge = entity("func_wall", key("name", "ledge"), box_brush(96, 224, 0, 224, 400, 64));
+    Rider rider(hall(kLevelLift + ledge, true));
+    rider.app.apply(Placed{{5.0, 5.5, 0.0}, 0.0}, rider.now);
+    rider.run(0.6);
+    rider.walk(2.2);
+    EXPECT_GT(rider.app.feet_m().y, 7.3);
+    rider.run(6.0);
+    EXPECT_NEAR(rider.app.feet_m().z, 2.0, 0.01);
+    EXPECT_TRUE(rider.heard("Lift is back"));
+}
+
+TEST(Riding, who_has_a_foot_beside_a_lift_that_goes_down_is_taken_wholly_onto_it) {
+    // Drawn level with a floor 2 m up round its shaft; it is called, and waits above as its maker says.
+    const std::string shaft = box_brush(0, 0, 0, 96, 640, 64) + box_brush(224, 0, 0, 320, 640, 64) +
+                              box_brush(96, 0, 0, 224, 96, 64) + box_brush(96, 224, 0, 224, 640, 64);
+    const std::string lift =
+        entity("func_plat", key("name", "Lift") + key("height", "64") + key("targetname", "lift") + key("speed", "40"),
+               box_brush(96, 96, 56, 224, 224, 64));
+    Rider rider(hall(lift, true, shaft), {5.0, 3.1, 2.0});
+    rider.run(0.2);
+    rider.tap(Command::Use, 0.0);
+    double lowest = 9.0;
+    for (int i = 0; i < 150; ++i) {
+        rider.run(1.0 / 60.0);
+        lowest = std::min(lowest, rider.app.feet_m().z);
+        ASSERT_FALSE(rider.in_something()) << i;
+    }
+    EXPECT_NEAR(lowest, 0.0, 0.02);
+    EXPECT_GE(rider.app.feet_m().y, 3.25 - 1e-6);
+}
+
+TEST(Meeting, a_lift_under_a_low_ceiling_goes_back_and_does_not_try_again_while_one_stands_on_it) {
+    const std::string low =
+        entity("func_wall", key("name", "beam"), box_brush(90, 90, 100, 230, 230, 128));  // from 3.1 m up
+    Rider rider(hall(kLevelLift + low, true));
+    rider.app.apply(Placed{{5.0, 5.0, 0.0}, 0.0}, rider.now);
+    const double highest = rider.highest_m(10.0);
+    EXPECT_GT(highest, 1.2) << "up to where the head is at the beam";
+    EXPECT_LE(highest, 100.0 / 32.0 - 1.7);
+    EXPECT_TRUE(rider.heard("Lift met you and goes back"));
+    EXPECT_EQ(std::count_if(rider.said.begin(), rider.said.end(),
+                            [](const std::string& s) { return s.find("met you") != std::string::npos; }),
+              1);
+    EXPECT_NEAR(rider.app.feet_m().z, 0.0, 0.02);
+}
+
+TEST(Meeting, a_lift_that_comes_down_on_somebody_goes_back_up) {
+    const std::string lift = entity(
+        "func_plat",
+        key("name", "Lift") + key("height", "96") + key("targetname", "lift") + key("wait", "1") + key("speed", "40"),
+        box_brush(96, 96, 88, 224, 224, 96));
+    const std::string button = entity("func_button", key("target", "lift") + key("name", "Button") + key("angle", "90"),
+                                      box_brush(150, 20, 30, 170, 22, 40));
+    Rider rider(hall(lift + button, true));
+    rider.app.apply(Placed{{5.0, 1.2, 0.0}, kPi}, rider.now);
+    rider.tap(Command::Use, 0.0);
+    rider.app.apply(Placed{{5.0, 5.0, 0.0}, 0.0}, rider.now);
+    for (int i = 0; i < 300; ++i) {
+        rider.run(1.0 / 60.0);
+        ASSERT_FALSE(rider.in_something()) << i;
+    }
+    EXPECT_TRUE(rider.heard("Lift met you and goes back"));
+    EXPECT_NEAR(rider.app.feet_m().z, 0.0, 0.02);
+}
+
+// ---- trains ----
+
+std::string corner(const std::string& name, const std::string& next, const std::string& origin,
+                   const std::string& more = {}) {
+    return entity("path_corner", key("targetname", name) + key("target", next) + key("origin", origin) + more);
+}
+// A platform 2 by 2 m, 0.25 m thick, round a square of 4 m, 1 m a second.
+const std::string kTrack = corner("a", "b", "32 32 16") + corner("b", "c", "160 32 16", key("wait", "2")) +
+                           corner("c", "d", "160 160 16") + corner("d", "a", "32 160 16");
+std::string train(const std::string& more = {}) {
+    return entity("func_train", key("name", "Car") + key("target", "a") + key("speed", "32") + more,
+                  box_brush(0, 0, 0, 64, 64, 8));
+}
+
+TEST(Trains, go_from_stop_to_stop_wait_where_the_map_says_and_begin_anew) {
+    Rider rider(hall(train() + kTrack, true), {9.0, 18.0, 0.0});
+    const Mover& mover = rider.app.scene()->movers.at(0);
+    ASSERT_EQ(mover.stops.size(), 4U);
+    EXPECT_EQ(mover.after_last, 0);
+    // Its least corner goes to the corners of the path; 4 m a side, 2 s at the second.
+    struct At {
+        double s;
+        Vec3 there_m;
+    };
+    for (const At& at : {At{2.0, {3, 1, 0.5}}, At{5.0, {5, 1, 0.5}}, At{7.0, {5, 2, 0.5}}, At{12.0, {3, 5, 0.5}},
+                         At{16.0, {1, 3, 0.5}}, At{20.0, {3, 1, 0.5}}}) {
+        rider.run(at.s - rider.now);
+        EXPECT_NEAR(glm::length(rider.thing(0).position_m - at.there_m), 0.0, 0.05) << "at " << at.s << " s";
+    }
+}
+
+TEST(Trains, carry_who_stands_on_them_round_and_tell_them_of_stops) {
+    Rider rider(hall(train() + kTrack, true), {2.0, 2.0, 0.75});
+    rider.run(0.1);
+    const Vec3 on_it = rider.app.feet_m() - rider.thing(0).position_m;
+    for (int i = 0; i < 18; ++i) {
+        rider.run(1.0);
+        const Vec3 now_on_it = rider.app.feet_m() - rider.thing(0).position_m;
+        EXPECT_NEAR(glm::length(now_on_it - on_it), 0.0, 0.02) << "after " << i << " s";
+    }
+    EXPECT_TRUE(rider.heard("Car stops"));
+    EXPECT_TRUE(rider.heard("Car moves"));
+}
+
+TEST(Trains, without_a_way_back_stand_at_the_last_stop) {
+    Rider rider(hall(train() + corner("a", "b", "32 32 16") + corner("b", "", "96 32 16"), true), {9.0, 18.0, 0.0});
+    rider.run(10.0);
+    EXPECT_NEAR(rider.thing(0).position_m.x, 3.0, 1e-9);
+}
+
+TEST(Trains, that_something_names_wait_for_it) {
+    const std::string button = entity("func_button", key("target", "car") + key("name", "Button") + key("angle", "90"),
+                                      box_brush(280, 580, 30, 300, 582, 40));
+    Rider rider(hall(train(key("targetname", "car")) + kTrack + button, true), {9.0, 17.5, 0.0});
+    rider.run(3.0);
+    EXPECT_NEAR(rider.thing(0).position_m.x, 1.0, 1e-9);
+    rider.tap(Command::Use, 2.0);
+    EXPECT_GT(rider.thing(0).position_m.x, 2.0);
+}
+
+TEST(Trains, without_two_corners_are_told_with_their_line_and_stand) {
+    const auto scene = read_quake_map(entity("worldspawn", {}, test::room_brushes(0, 0, 0, 320, 640, 128)) + train() +
+                                          corner("a", "nowhere", "32 32 16"),
+                                      "t.map", {});
+    ASSERT_TRUE(scene);
+    ASSERT_EQ(scene->report.warnings.size(), 1U);
+    EXPECT_NE(scene->report.warnings[0].sentence().find("path_corner"), std::string::npos);
+    EXPECT_GT(scene->report.warnings[0].line, 1);
+    EXPECT_FALSE(scene->movers.at(0).moves());
+}
+
+// A wall across the hall with an opening 3 m wide and 3 m high, and a track of 12 m through it.
+const std::string kGate = entity("func_wall", key("name", "gate wall"),
+                                 box_brush(0, 304, 0, 112, 320, 128) + box_brush(208, 304, 0, 320, 320, 128) +
+                                     box_brush(112, 304, 96, 208, 320, 128));
+const std::string kThrough = corner("a", "b", "128 160 16") + corner("b", "a", "128 544 16");
+
+TEST(Trains, go_through_a_doorway_with_their_passenger_and_wait_for_who_stands_in_it) {
+    Rider rider(hall(train() + kThrough + kGate, true), {5.0, 6.0, 0.75});
+    rider.run(12.3);
+    EXPECT_GT(rider.app.feet_m().y, 17.0) << "through the doorway";
+    EXPECT_TRUE(rider.bumped.empty());
+    // Now somebody stands in the doorway. It comes back, and waits before them.
+    rider.app.apply(Placed{{5.0, 9.75, 0.0}, 0.0}, rider.now);
+    for (int i = 0; i < 900; ++i) {
+        rider.run(1.0 / 60.0);
+        ASSERT_FALSE(rider.in_something()) << i;
+    }
+    EXPECT_TRUE(rider.heard("Car met you and waits"));
+    EXPECT_NEAR(rider.app.feet_m().y, 9.75, 1e-6) << "it pushes nobody";
+    EXPECT_GT(rider.thing(0).position_m.y, 9.9);
+    rider.app.apply(Placed{{9.0, 9.0, 0.0}, 0.0}, rider.now);
+    rider.run(4.0);
+    EXPECT_LT(rider.thing(0).position_m.y, 8.0) << "and goes on when they are gone";
+}
+
+TEST(Meeting, a_train_waits_before_a_shut_door_until_it_is_opened) {
+    // The door comes first in the file. It slides up by its height less 8 units: 2.75 m of free height, and the car is
+    // 0.75 m high.
+    const std::string door =
+        entity("func_door", key("name", "Gate") + key("angle", "-1") + key("wait", "20") + key("targetname", "gate"),
+               box_brush(112, 308, 0, 208, 316, 96));
+    const std::string button = entity("func_button", key("target", "gate") + key("name", "Button") + key("angle", "90"),
+                                      box_brush(280, 580, 30, 300, 582, 40));
+    Rider rider(hall(door + train() + kThrough + kGate + button, true), {9.0, 17.5, 0.0});
+    rider.run(12.0);
+    const double before_m = 308.0 / 32.0 - 2.0;
+    EXPECT_NEAR(rider.thing(1).position_m.y, before_m, 0.05);
+    rider.tap(Command::Use, 5.0);
+    EXPECT_GT(rider.thing(1).position_m.y, before_m + 2.0);
+}
+
+TEST(Meeting, of_two_that_want_one_place_the_earlier_goes_and_the_later_waits_and_goes_back) {
+    // Two sliding leaves whose ways cross at a right angle; a button for each, and both are pressed at once.
+    const auto leaf = [](const char* name, const char* angle, const std::string& box) {
+        return entity("func_door",
+                      key("name", name) + key("angle", angle) + key("speed", "32") + key("lip", "0") +
+                          key("targetname", name) + key("wait", "30") + key("spawnflags", "4"),
+                      box);
+    };
+    const std::string east = leaf("East", "0", box_brush(64, 320, 32, 128, 336, 64)),
+                      north = leaf("North", "90", box_brush(136, 240, 32, 152, 304, 64));
+    const std::string trigger =
+        entity("trigger_multiple", key("target", "East"), box_brush(260, 560, 0, 300, 600, 64, "trigger")) +
+        entity("trigger_multiple", key("target", "North"), box_brush(260, 560, 0, 300, 600, 64, "trigger"));
+    Rider rider(hall(east + north + trigger, true), {5.0, 18.0, 0.0});
+    rider.app.apply(Placed{{8.75, 18.1, 0.0}, 0.0}, rider.now);
+    double farthest_north = 0.0;
+    for (int i = 0; i < 480; ++i) {
+        rider.run(1.0 / 60.0);
+        const Scene& scene = *rider.app.scene();
+        ASSERT_FALSE(things_meet(*scene.placed[0].model, rider.thing(0), *scene.placed[1].model, rider.thing(1))) << i;
+        farthest_north = std::max(farthest_north, rider.thing(1).position_m.y);
+    }
+    EXPECT_NEAR(rider.thing(0).position_m.x, (96.0 + 64.0) / 32.0, 1e-9) << "the earlier has its way";
+    EXPECT_LT(farthest_north, 272.0 / 32.0 + 1.0) << "the later waited before it";
+    EXPECT_NEAR(rider.thing(1).position_m.y, 272.0 / 32.0, 1e-9) << "and went back";
+}
+
+// ---- turning parts ----
+
+std::string turner(const std::string& more, const std::string& brushes) {
+    return entity("func_rotating", key("name", "Paddle") + more, brushes);
+}
+
+TEST(TurningParts, turn_by_their_speed_about_the_axis_that_their_flags_say) {
+    struct Case {
+        const char* flags;
+        Vec3 axis;
+        double sign;
+    };
+    for (const Case& c : {Case{"1", {0, 0, 1}, 1.0}, Case{"3", {0, 0, 1}, -1.0}, Case{"5", {1, 0, 0}, 1.0},
+                          Case{"9", {0, 1, 0}, 1.0}}) {
+        Rider rider(
+            hall(turner(key("speed", "30") + key("spawnflags", c.flags), box_brush(140, 300, 60, 180, 310, 70)), true),
+            {9.0, 1.0, 0.0});
+        rider.run(4.0 - rider.now);
+        const Rotation wanted = rotation_about(c.axis, c.sign * radians_from_degrees(120.0)),
+                       is = rider.thing(0).rotation;
+        const double alike = std::abs(wanted.w * is.w + wanted.x * is.x + wanted.y * is.y + wanted.z * is.z);
+        EXPECT_GT(alike, std::cos(radians_from_degrees(1.0))) << c.flags;
+    }
+}
+
+TEST(TurningParts, turn_about_the_middle_of_their_origin_brush) {
+    const auto scene = hall(turner(key("speed", "30"), box_brush(140, 300, 60, 180, 310, 70) +
+                                                           box_brush(138, 303, 63, 142, 307, 67, "origin")),
+                            true);
+    EXPECT_NEAR(glm::length(scene->movers.at(0).pivot_m - Vec3(140, 305, 65) / 32.0), 0.0, 1e-12);
+}
+
+TEST(TurningParts, take_along_who_stands_on_them_and_turn_them_too) {
+    Rider rider(hall(turner(key("speed", "20"), box_brush(64, 224, 0, 256, 416, 4)), true), {7.0, 10.0, 0.3});
+    rider.run(0.2);
+    const Vec3 middle{5.0, 10.0, 0.125};
+    const Vec3 began = rider.app.feet_m() - middle;
+    const double angle = std::atan2(began.y, began.x), heading = rider.app.heading_rad(),
+                 turned_before = std::atan2(rider.thing(0).rotation.z, rider.thing(0).rotation.w) * 2.0;
+    rider.run(3.0);
+    const Vec3 now = rider.app.feet_m() - middle;
+    const double turned = std::atan2(rider.thing(0).rotation.z, rider.thing(0).rotation.w) * 2.0 - turned_before;
+    EXPECT_NEAR(turned, radians_from_degrees(60.0), 0.02);
+    EXPECT_NEAR(std::hypot(now.x, now.y), 2.0, 0.01);
+    EXPECT_NEAR(wrap_angle(std::atan2(now.y, now.x) - angle - turned), 0.0, 0.02);
+    EXPECT_NEAR(wrap_angle(rider.app.heading_rad() - heading + turned), 0.0, 1e-6) << "to the left, as it turns";
+}
+
+TEST(TurningParts, wait_for_who_stands_in_their_way) {
+    // An arm 4 m long at the height of the hips; somebody stands where it comes by after a quarter of a turn.
+    Rider rider(hall(turner(key("speed", "45"), box_brush(96, 316, 28, 224, 324, 36)), true), {5.0, 11.5, 0.0});
+    for (int i = 0; i < 300; ++i) {
+        rider.run(1.0 / 60.0);
+        ASSERT_FALSE(rider.in_something()) << i;
+    }
+    EXPECT_TRUE(rider.heard("Paddle met you and waits"));
+    const Placement waits = rider.thing(0);
+    rider.run(1.0);
+    EXPECT_TRUE(rider.thing(0) == waits);
+    rider.app.apply(Placed{{9.0, 1.0, 0.0}, 0.0}, rider.now);
+    rider.run(1.0);
+    EXPECT_FALSE(rider.thing(0) == waits);
+}
+
+TEST(TurningParts, are_felt_as_they_come_by_and_push_the_hand) {
+    // A flat arm sweeps over where the hand is: four ends a turn, so it comes by within a second.
+    test::Explorer person(
+        hall(turner(key("speed", "60"), box_brush(128, 60, 30, 192, 68, 50) + box_brush(156, 32, 30, 164, 96, 50)),
+             true),
+        "sim-t");
+    person.app().apply(Placed{{5.0, 0.5, 0.0}, 0.0}, person.now_s());
+    double strongest_n = 0.0;
+    bool named = false;
+    const FeatureId arm = person.app().scene()->movers.at(0).feature;
+    for (int i = 0; i < 240 && !named; ++i) {
+        for (double z = -0.02; z <= 0.021 && !named; z += 0.02) {
+            person.hold({0.0, 0.03, z});
+            person.run(0.1);
+            strongest_n = std::max(strongest_n, glm::length(person.tool().force_n));
+            named = person.tool().touches() && person.tool().touched() == arm && strongest_n > 0.1;
+        }
+    }
+    EXPECT_TRUE(named) << strongest_n << " N";
+}
+
+// ---- a lift of a building ----
+
+// Two storeys 3 m apart, each with a door that opens only while the lift is there, and a button beside it.
+std::shared_ptr<const Scene> two_storeys(const std::string& more = {}) {
+    const std::string upper = box_brush(0, 0, 88, 320, 128, 96) + box_brush(0, 176, 88, 320, 640, 96) +
+                              box_brush(0, 128, 88, 136, 176, 96) + box_brush(184, 128, 88, 320, 176, 96);
+    const std::string lift = entity("func_plat", key("name", "Lift") + key("targetname", "lift") + key("height", "96"),
+                                    box_brush(137, 129, 92, 183, 175, 96));
+    std::string doors;
+    for (const double z : {0.0, 96.0}) {
+        doors += entity("func_door",
+                        key("name", z == 0.0 ? "Lower lift door" : "Upper lift door") + key("lift", "lift") +
+                            key("angle", "180") + key("lip", "0") + key("wait", "2"),
+                        box_brush(144, 122, z, 176, 124, z + 60));
+        doors +=
+            entity("func_button",
+                   key("name", z == 0.0 ? "Lower button" : "Upper button") + key("target", "lift") + key("angle", "90"),
+                   box_brush(180, 119, z + 32, 184, 120, z + 36));
+    }
+    return hall(lift + doors + more, false, upper);
+}
+
+TEST(LiftsOfBuildings, are_called_by_their_door_and_by_their_buttons_and_open_it_only_where_they_stand) {
+    Rider rider(two_storeys(), {5.0, 2.9, 0.0});
+    const Scene& scene = *rider.app.scene();
+    ASSERT_EQ(scene.movers.size(), 5U);
+    ASSERT_TRUE(scene.movers[0].rests_far);
+    const auto height = [&] { return rider.thing(0).position_m.z; };
+    const double below = height();
+    const auto open = [&](std::size_t door) { return rider.thing(door).position_m.x < 4.5; };
+    rider.run(5.0);
+    EXPECT_EQ(height(), below);
+    EXPECT_FALSE(open(1)) << "shut until somebody wants it";
+    rider.tap(Command::Use, 1.5);
+    EXPECT_TRUE(open(1));
+    EXPECT_TRUE(rider.heard("Lower lift door opens"));
+    rider.run(5.0);
+    EXPECT_FALSE(open(1)) << "it shuts by itself";
+    // From above by the button.
+    rider.app.apply(Placed{{182.0 / 32.0, 3.2, 3.0}, 0.0}, rider.now);
+    rider.tap(Command::Use, 0.0);
+    EXPECT_TRUE(rider.heard("Upper button pressed"));
+    for (int i = 0; i < 400; ++i) {
+        rider.run(1.0 / 60.0);
+        if (std::abs(height() - below) > 1e-9) {
+            ASSERT_FALSE(open(1));
+        }
+        if (std::abs(height() - below - 3.0) > 1e-9) {
+            ASSERT_EQ(rider.thing(2).position_m.x, 5.0);
+        }
+    }
+    EXPECT_NEAR(height() - below, 3.0, 1e-9);
+    EXPECT_TRUE(rider.heard("Lift stops at the top"));
+    EXPECT_TRUE(rider.heard("Upper lift door opens"));
+}
+
+TEST(LiftsOfBuildings, take_somebody_up_by_keys_alone_and_keep_nobody_in) {
+    Rider rider(two_storeys(), {5.0, 2.9, 0.0});
+    rider.tap(Command::Use, 1.5);
+    rider.walk(2.0);
+    EXPECT_GT(rider.app.feet_m().y, 4.2) << "in the cabin";
+    rider.run(10.0);
+    EXPECT_LT(rider.thing(1).position_m.x, 4.5) << "open as long as somebody is in it who has not sent it off";
+    rider.tap(Command::Use, 8.0);
+    EXPECT_NEAR(rider.app.feet_m().z, 3.0, 0.02);
+    EXPECT_TRUE(rider.heard("Lift stops at the top"));
+    rider.turn_round();
+    rider.walk(2.5);
+    EXPECT_LT(rider.app.feet_m().y, 3.6) << "out through the upper door";
+    EXPECT_NEAR(rider.app.feet_m().z, 3.0, 0.02);
+}
+
+TEST(LiftsOfBuildings, wait_with_their_door_open_for_who_stands_in_it) {
+    Rider rider(two_storeys(), {5.0, 2.9, 0.0});
+    rider.tap(Command::Use, 1.5);
+    rider.app.apply(Placed{{5.0, 123.0 / 32.0, 0.0}, 0.0}, rider.now);
+    const double below = rider.thing(0).position_m.z;
+    // Somebody else calls it from above.
+    rider.run(0.5);
+    rider.run(20.0);
+    EXPECT_EQ(rider.thing(0).position_m.z, below);
+    EXPECT_FALSE(rider.in_something());
+}
+
+TEST(LiftsOfBuildings, tell_of_a_door_whose_lift_there_is_not) {
+    const auto scene = read_quake_map(
+        entity("worldspawn", key("building", "1"), test::room_brushes(0, 0, 0, 320, 640, 128)) +
+            entity("func_door", key("lift", "nolift") + key("hinge", "west"), box_brush(144, 122, 0, 176, 124, 60)),
+        "t.map", {});
+    ASSERT_TRUE(scene);
+    ASSERT_EQ(scene->report.warnings.size(), 1U);
+    EXPECT_NE(scene->report.warnings[0].sentence().find("nolift"), std::string::npos);
+}
+
+TEST(LiftsOfBuildings, our_school_has_one_by_which_one_gets_up_and_down_by_keys_alone) {
+    Rider rider(test::our_world("school.map"), {14.15, 10.2, 0.0});
+    rider.run(0.2);
+    for (const double floor_m : {3.4, 0.0}) {
+        rider.tap(Command::Use, 2.0);
+        rider.walk(2.2);
+        ASSERT_GT(rider.app.feet_m().y, 11.2) << "in the cabin";
+        rider.tap(Command::Use, 9.0);
+        EXPECT_NEAR(rider.app.feet_m().z, floor_m, 0.02);
+        rider.turn_round();
+        rider.walk(2.0);
+        rider.turn_round();
+        ASSERT_LT(rider.app.feet_m().y, 10.7) << "in the corridor";
+        EXPECT_NEAR(rider.app.feet_m().z, floor_m, 0.02);
+        rider.run(8.0);  // until its door is shut again
+    }
+}
+
+// ---- what they rest on ----
+
+TEST(ThingsMeet, agrees_with_boxes_and_never_says_apart_of_what_shares_a_point) {
+    std::mt19937 random(20260);
+    std::uniform_real_distribution<double> part(-1.0, 1.0);
+    const auto cube = *box_model({1.0, 0.6, 1.4});
+    int met = 0;
+    for (int i = 0; i < test::scaled(4000); ++i) {
+        const bool turned = i % 2 == 1;
+        const Placement a{{0.0, 0.0, 0.0},
+                          turned ? normalized({part(random), part(random), part(random), part(random)}) : Rotation{},
+                          1.0};
+        const Placement b{Vec3(part(random), part(random), part(random)) * 2.0,
+                          turned ? normalized({part(random), part(random), part(random), part(random)}) : Rotation{},
+                          1.0};
+        const bool said = things_meet(*cube, a, *cube, b);
+        met += said ? 1 : 0;
+        EXPECT_EQ(said, things_meet(*cube, b, *cube, a)) << i;
+        if (!turned) {
+            const Vec3 gap = glm::abs(b.position_m) - Vec3(1.0, 0.6, 1.4);
+            EXPECT_EQ(said, std::max({gap.x, gap.y, gap.z}) <= -kMeetingDepth_m) << i;
+            continue;
+        }
+        const PlacedFrame one(a), other(b);
+        bool shared = false;
+        for (double x = -0.48; x < 0.49 && !shared; x += 0.08)
+            for (double y = -0.28; y < 0.29 && !shared; y += 0.08)
+                for (double z = -0.68; z < 0.69 && !shared; z += 0.08) {
+                    const Vec3 in_other = other.to_own(one.to_world({x, y, z}));
+                    shared = std::abs(in_other.x) < 0.48 && std::abs(in_other.y) < 0.28 && std::abs(in_other.z) < 0.68;
+                }
+        EXPECT_TRUE(said || !shared) << i;
+    }
+    EXPECT_GT(met, test::scaled(100));
+}
+
+TEST(BodyWorld, made_on_from_the_last_one_is_the_same_as_made_anew) {
+    const auto scene = [] {
+        std::vector<int> apart;
+        return std::make_shared<const Scene>(with_movers_apart(*test::our_world("house.map"), 128, apart));
+    }();
+    const BodyWorld first(scene);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    for (int round = 0; round < 4; ++round) {
+        std::vector<Placement> places;
+        for (std::size_t i = 0; i < scene->placed.size(); ++i) places.push_back(scene->movers[i].at(part(random)));
+        const BodyWorld made_on(first, scene, places), anew(scene, places);
+        for (int i = 0; i < test::scaled(3000); ++i) {
+            const auto somewhere = [&] {
+                return scene->bounds_m.min_m +
+                       scene->bounds_m.size_m() * Vec3(part(random), part(random), part(random));
+            };
+            const Vec3 from = somewhere(), to = i % 2 ? somewhere() : from + Vec3(part(random), part(random), 0.0);
+            const TraceHit a = made_on.trace(from, to, {0.25, 1.8}), b = anew.trace(from, to, {0.25, 1.8});
+            ASSERT_EQ(a.end_m, b.end_m);
+            ASSERT_EQ(a.feature, b.feature);
+            ASSERT_EQ(made_on.blocked(from, {0.25, 1.8}), anew.blocked(from, {0.25, 1.8}));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,290 @@
+// Two sessions in one world: what either adds, changes or deletes is in the file in the end, whatever the order in
+// which they save.
+#include <gmock/gmock.h>
+#include <sys/file.h>
+
+#include <map>
+#include <random>
+#include <set>
+
+#include "app/core/kept/folder_lock.h"
+#include "app/core/kept/side_merge.h"
+#include "tests/support/random_families.h"
+#include "tests/support/scale.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/core/app_session.h"
+#include "worlds/base/files.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TemporaryFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+SideEntry entry(const std::string& name, double x) {
+    return {{"name", name}, {"place_m", std::vector<double>{x, 0.0, 0.0}}};
+}
+
+std::vector<std::string> names(const std::vector<SideEntry>& entries) {
+    std::vector<std::string> all;
+    for (const SideEntry& one : entries) all.push_back(text_of(one, "name"));
+    return all;
+}
+
+TEST(SideMerge, keeps_what_either_added_and_drops_what_either_deleted) {
+    const std::vector<SideEntry> base{entry("a", 1.0), entry("b", 2.0), entry("c", 3.0)};
+    const MergedEntries merged =
+        merge_entries(base, {base[0], base[2], entry("mine", 4.0)}, {base[0], base[1], entry("theirs", 5.0)});
+    EXPECT_THAT(names(merged.entries), ElementsAre("a", "mine", "theirs"));
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+    EXPECT_TRUE(merged.differs);
+}
+
+TEST(SideMerge, takes_each_change_that_one_alone_made) {
+    const std::vector<SideEntry> base{entry("a", 1.0), entry("b", 2.0)};
+    const MergedEntries merged = merge_entries(base, {entry("A", 1.0), base[1]}, {base[0], entry("b", 2.5)});
+    ASSERT_EQ(merged.entries.size(), 2U);
+    EXPECT_TRUE(same(merged.entries[0], entry("A", 1.0)));
+    EXPECT_TRUE(same(merged.entries[1], entry("b", 2.5)));
+    EXPECT_THAT(merged.conflicts, IsEmpty());
+}
+
+TEST(SideMerge, keeps_both_where_both_changed_the_same_and_tells_the_name) {
+    const std::vector<SideEntry> base{entry("a", 1.0), entry("b", 2.0), entry("c", 3.0)};
+    const MergedEntries merged = merge_entries(base, {entry("mine", 1.0), entry("b changed", 2.0)},
+                                               {entry("theirs", 1.0), entry("c changed", 3.0)});
+    EXPECT_THAT(names(merged.entries), UnorderedElementsAre("mine", "theirs", "b changed", "c changed"))
+        << "a change counts more than a deletion";
+    EXPECT_THAT(merged.conflicts, UnorderedElementsAre("mine", "b changed", "c changed"));
+    // The same change by both is no conflict, and the same new entry is one.
+    const MergedEntries alike = merge_entries(base, {entry("x", 1.0), base[1], base[2], entry("new", 9.0)},
+                                              {entry("x", 1.0), base[1], base[2], entry("new", 9.0)});
+    EXPECT_THAT(names(alike.entries), ElementsAre("x", "b", "c", "new"));
+    EXPECT_THAT(alike.conflicts, IsEmpty());
+    EXPECT_FALSE(alike.differs);
+}
+
+TEST(SideMerge, tells_of_a_name_that_both_gave_to_something_new) {
+    const MergedEntries merged = merge_entries({}, {entry("Mark 1", 1.0)}, {entry("mark 1", 2.0)});
+    EXPECT_EQ(merged.entries.size(), 2U);
+    EXPECT_THAT(merged.twice, ElementsAre("mark 1"));
+}
+
+TEST(SideMerge, counts_what_is_no_number_as_unchanged) {
+    SideEntry odd = entry("a", std::nan(""));
+    odd["near_m"] = std::nan("");
+    const MergedEntries merged = merge_entries({odd, odd}, {odd, odd}, {odd, odd});
+    EXPECT_EQ(merged.entries.size(), 2U);
+    EXPECT_FALSE(merged.differs);
+}
+
+TEST(SideMerge, merges_tables_key_by_key) {
+    const MergedTable merged = merge_table({{"a", 1.0}, {"b", 1.0}, {"c", 1.0}},
+                                           {{"a", 2.0}, {"b", 1.0}, {"c", 2.0}, {"d", 1.0}}, {{"a", 1.0}, {"c", 3.0}});
+    EXPECT_TRUE(same(merged.table, SideEntry{{"a", 2.0}, {"c", 2.0}, {"d", 1.0}}));
+    EXPECT_THAT(merged.conflicts, ElementsAre("c"));
+}
+
+// The twin knows each entry by a number and holds all that is said of it; the code knows only what the file holds.
+class Twin {
+public:
+    using Values = std::map<int, std::set<std::string>>;  // of each entry that is there
+    struct Session {
+        Values base, now;
+        bool changed = false;
+    };
+    Session a, b;
+    Values file;
+
+    // What is said of an entry is a set: what both began with and neither took away stays, and whatever either has
+    // added. So a change counts more than a deletion, and of two changes both stay.
+    void save(Session& s) {
+        if (!std::exchange(s.changed, false)) return;
+        std::set<int> all;
+        for (const Values* one : {&s.base, &s.now, &file})
+            for (const auto& [id, values] : *one) all.insert(id);
+        Values merged;
+        const auto at = [](const Values& values, int id) {
+            const auto found = values.find(id);
+            return found == values.end() ? std::set<std::string>{} : found->second;
+        };
+        for (const int id : all) {
+            const auto before = at(s.base, id), here = at(s.now, id), there = at(file, id);
+            std::set<std::string> stays;
+            for (const std::string& value : before)
+                if (here.contains(value) && there.contains(value)) stays.insert(value);
+            for (const auto& values : {here, there})
+                for (const std::string& value : values)
+                    if (!before.contains(value)) stays.insert(value);
+            if (!stays.empty()) merged[id] = stays;
+        }
+        file = s.base = s.now = merged;
+    }
+};
+
+std::multiset<std::string> all_of(const Twin::Values& values) {
+    std::multiset<std::string> all;
+    for (const auto& [id, ones] : values) all.insert(ones.begin(), ones.end());
+    return all;
+}
+
+TEST(TwoSessions, random_interleavings_of_their_edits_lose_nothing) {
+    const std::uint32_t seed = test::seed_of_run();
+    SCOPED_TRACE(::testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const auto upto = [&](int most) { return std::uniform_int_distribution(0, most)(random); };
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("a.map", "x");
+    const int runs = test::scaled(20);
+    for (int run = 0; run < runs; ++run) {
+        fs::remove(folder.path() / "a.map.handrail.toml");
+        std::vector<SideFile> files;
+        for (int i = 0; i < 2; ++i) files.push_back(SideFile::of_world(world, {}));
+        Twin twin;
+        int last_id = 0, last_name = 0;
+        for (int step = 0; step < 40; ++step) {
+            const int who = upto(1);
+            SideFile& file = files[static_cast<std::size_t>(who)];
+            Twin::Session& session = who == 0 ? twin.a : twin.b;
+            std::vector<SideEntry> list = file.entries("mark");
+            const auto here = names(list);
+            ASSERT_EQ(std::multiset<std::string>(here.begin(), here.end()), all_of(session.now))
+                << "run " << run << ", step " << step;
+            const int what = upto(9);
+            // An entry that two have changed stands there twice, and nobody could say which is which: such are left as
+            // they are.
+            std::vector<int> plain;
+            for (const auto& [id, values] : session.now)
+                if (values.size() == 1) plain.push_back(id);
+            const auto place = [&](int id) {
+                return std::find_if(list.begin(), list.end(),
+                                    [&](const SideEntry& one) { return numbers_of(one, "place_m", 3)[0] == id; });
+            };
+            if (what < 4) {
+                const std::string name = "n" + std::to_string(++last_name);
+                list.push_back(entry(name, ++last_id));
+                session.now[last_id] = {name};
+            } else if (what < 6 && !plain.empty()) {
+                const int id = plain[static_cast<std::size_t>(upto(static_cast<int>(plain.size()) - 1))];
+                const std::string name = "n" + std::to_string(++last_name);
+                (*place(id))["name"] = name;
+                session.now[id] = {name};
+            } else if (what < 7 && !plain.empty()) {
+                const int id = plain[static_cast<std::size_t>(upto(static_cast<int>(plain.size()) - 1))];
+                list.erase(place(id));
+                session.now.erase(id);
+            } else {
+                ASSERT_TRUE(file.save());
+                twin.save(session);
+                const auto there = names(SideFile::of_world(world, {}).entries("mark"));
+                ASSERT_EQ(std::multiset<std::string>(there.begin(), there.end()), all_of(twin.file))
+                    << "run " << run << ", step " << step;
+                continue;
+            }
+            session.changed = true;
+            std::shuffle(list.begin(), list.end(), random);
+            file.set_entries("mark", list);
+        }
+    }
+}
+
+TEST(TwoSessions, one_that_saves_learns_what_the_other_has_added) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("a.map", "x");
+    SideFile mine = SideFile::of_world(world, {}), theirs = SideFile::of_world(world, {});
+    theirs.set_entries("mark", {entry("theirs", 1.0)});
+    theirs.set_table("other", {{"kept", true}});
+    ASSERT_TRUE(theirs.save());
+    EXPECT_FALSE(theirs.take_over().differs);
+    mine.set_entries("mark", {entry("mine", 2.0)});
+    ASSERT_TRUE(mine.save());
+    EXPECT_THAT(names(mine.entries("mark")), ElementsAre("mine", "theirs"));
+    EXPECT_EQ(mine.table("other").size(), 1U);
+    EXPECT_TRUE(mine.take_over().differs);
+    EXPECT_FALSE(mine.take_over().differs) << "once";
+}
+
+TEST(TwoSessions, what_was_damaged_meanwhile_is_kept_aside_and_told) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("a.map", "x");
+    SideFile mine = SideFile::of_world(world, {});
+    mine.set_entries("mark", {entry("mine", 2.0)});
+    folder.write("a.map.handrail.toml", "[[mark]]\nname = \"theirs");
+    ASSERT_TRUE(mine.save());
+    EXPECT_EQ(test::content_of(folder.path() / "a.map.handrail.toml.damaged"), "[[mark]]\nname = \"theirs");
+    EXPECT_THAT(mine.take_over().news, ElementsAre(HasSubstr("damaged in line 2")));
+    EXPECT_THAT(names(SideFile::of_world(world, {}).entries("mark")), ElementsAre("mine"));
+}
+
+TEST(TwoSessions, one_waits_for_the_others_save_and_says_so_where_it_does_not_end) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.write("a.map", "x");
+    SideFile mine = SideFile::of_world(world, {});
+    mine.set_entries("mark", {entry("mine", 2.0)});
+    {
+        const FolderLock other(folder.path(), 1.0);
+        ASSERT_TRUE(other.held());
+        const auto saved = mine.save();
+        ASSERT_FALSE(saved);
+        EXPECT_THAT(saved.error().sentence(), HasSubstr("another session"));
+        EXPECT_FALSE(fs::exists(folder.path() / "a.map.handrail.toml"));
+    }
+    EXPECT_TRUE(mine.save()) << "nothing was forgotten";
+    EXPECT_TRUE(fs::exists(folder.path() / "a.map.handrail.toml"));
+}
+
+struct Visitor : test::AppSession {
+    explicit Visitor(const fs::path& world) {
+        app.apply(WorldEntered{make_ready(test::world_in(world)), SideFile::of_world(world, {})}, now);
+        run(0.1);
+    }
+    // Sets a mark and takes the name it is given.
+    std::string mark(const std::string& name) {
+        ask(Command::DropMark);
+        return line(name);
+    }
+    std::string marks() {
+        ask(Command::Marks);
+        std::string all;
+        for (const ListItem& item : app.dialogue().view().items) all += item.name + "; ";
+        app.apply(KeyTapped{"Escape"}, now);
+        listen();
+        return all;
+    }
+};
+
+TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_said) {
+    const TemporaryFolder folder;
+    const fs::path world = folder.path() / "first_room.map";
+    fs::copy_file(fs::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/first_room.map", world);
+    Visitor first(world), second(world);
+    first.mark("Coat");
+    second.hold(Command::Forward, 0.5);
+    second.mark("Shoes");
+    EXPECT_THAT(second.marks(), testing::AllOf(HasSubstr("Coat"), HasSubstr("Shoes")));
+    first.hold(Command::Back, 0.5);
+    first.mark("Hat");
+    EXPECT_THAT(first.marks(), testing::AllOf(HasSubstr("Coat"), HasSubstr("Shoes"), HasSubstr("Hat")));
+    std::vector<std::string> there = names(SideFile::of_world(world, {}).entries("mark"));
+    EXPECT_THAT(there, UnorderedElementsAre("Coat", "Shoes", "Hat"));
+    // Both delete and rename the same one.
+    SideFile other = SideFile::of_world(world, {});
+    std::vector<SideEntry> list = other.entries("mark");
+    for (SideEntry& one : list)
+        if (text_of(one, "name") == "Coat") one["name"] = std::string("Jacket");
+    other.set_entries("mark", list);
+    ASSERT_TRUE(other.save());
+    first.ask(Command::DeleteMark);
+    first.news();
+    first.line("Coat");
+    EXPECT_THAT(first.news(),
+                HasSubstr("Another session changed the same as you did: Jacket. What both wrote is kept."));
+    EXPECT_THAT(first.marks(), testing::AllOf(HasSubstr("Jacket"), testing::Not(HasSubstr("Coat"))));
+}
+
+}  // namespace
+}  // namespace handrail

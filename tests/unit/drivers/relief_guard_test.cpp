@@ -1,0 +1,204 @@
+#include "haptic/drivers/relief_guard.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/eventfd.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <fstream>
+#include <thread>
+
+#include "haptic/drivers/guarded_device.h"
+#include "tests/support/precompiled.h"
+
+namespace handrail {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A second guard on a thread of its own, with the program and the first guard in the test's hands.
+struct Reliever {
+    HandMailbox mailbox;
+    int guard = ::eventfd(0, EFD_NONBLOCK);  // as a process descriptor: readable when it has ended
+    std::array<int, 2> ends{-1, -1};
+    std::atomic<int> zeroed{0}, killed{0}, status{-1};
+    std::atomic<bool> refuse{false}, dies_when_killed{true}, held_by_two{false};
+    std::atomic<bool> ended{false};
+    std::thread thread;
+
+    Reliever() {
+        ::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends.data());
+        thread = std::thread([this] {
+            status = relieve_guard(
+                mailbox, guard, ends[1],
+                [this]() -> Result<void> {
+                    if (!ended) held_by_two = true;
+                    ++zeroed;
+                    return refuse ? fail("It is not plugged in.") : Result<void>{};
+                },
+                [this] {
+                    ++killed;
+                    if (dies_when_killed) end_guard();
+                });
+        });
+    }
+    ~Reliever() {
+        end_guard();
+        leave();
+        thread.join();
+        ::close(guard);
+        ::close(ends[1]);
+    }
+    void end_guard() {
+        ended = true;
+        const std::uint64_t one = 1;
+        [[maybe_unused]] const auto written = ::write(guard, &one, sizeof one);
+    }
+    void leave() {
+        if (ends[0] >= 0) ::close(std::exchange(ends[0], -1));
+    }
+    std::string message() const {
+        std::array<char, 256> bytes{};
+        const auto size = ::recv(ends[0], bytes.data(), bytes.size(), 0);
+        return size > 0 ? std::string(bytes.begin(), bytes.begin() + size) : std::string();
+    }
+    bool comes_to(ReliefState wanted) const {
+        for (int i = 0; i < 20000 && mailbox.relief != wanted; ++i) std::this_thread::sleep_for(1ms);
+        return mailbox.relief == wanted;
+    }
+};
+
+TEST(ReliefGuard, zeroes_the_device_when_the_first_guard_dies_with_it) {
+    Reliever relief;
+    EXPECT_EQ(relief.message(), "r");
+    relief.mailbox.holds = true;
+    relief.end_guard();
+    ASSERT_TRUE(relief.comes_to(ReliefState::Zero));
+    EXPECT_EQ(relief.zeroed, 1);
+    EXPECT_EQ(relief.killed, 0);
+}
+
+TEST(ReliefGuard, ends_a_first_guard_that_stands_still_before_it_touches_the_device) {
+    Reliever relief;
+    relief.mailbox.holds = true;
+    for (int i = 0; i < 60; ++i, std::this_thread::sleep_for(5ms)) ++relief.mailbox.beats;
+    EXPECT_EQ(relief.killed, 0) << "it answers";
+    ASSERT_TRUE(relief.comes_to(ReliefState::Zero));
+    EXPECT_EQ(relief.killed, 1);
+    EXPECT_FALSE(relief.held_by_two);
+}
+
+TEST(ReliefGuard, leaves_a_device_alone_that_the_first_guard_had_let_go) {
+    Reliever relief;
+    std::this_thread::sleep_for(250ms);  // opening takes a guard seconds, and it counts no rounds meanwhile
+    EXPECT_EQ(relief.killed, 0);
+    relief.end_guard();
+    ASSERT_TRUE(relief.comes_to(ReliefState::Zero));
+    EXPECT_EQ(relief.zeroed, 0);
+}
+
+TEST(ReliefGuard, outlives_the_program_and_still_takes_the_force_away) {
+    Reliever relief;
+    relief.mailbox.holds = true;
+    relief.leave();
+    ASSERT_TRUE(relief.comes_to(ReliefState::Zero)) << "the first guard stands still and nobody else is there";
+    EXPECT_EQ(relief.killed, 1);
+    EXPECT_EQ(relief.zeroed, 1);
+}
+
+TEST(ReliefGuard, tells_that_the_device_may_push_and_tries_on) {
+    Reliever relief;
+    EXPECT_EQ(relief.message(), "r");
+    relief.refuse = true;
+    relief.mailbox.holds = true;
+    relief.end_guard();
+    EXPECT_TRUE(relief.comes_to(ReliefState::Zeroing));
+    ASSERT_TRUE(relief.comes_to(ReliefState::Failed));
+    EXPECT_EQ(relief.message(), "fIt is not plugged in.");
+    relief.refuse = false;
+    EXPECT_TRUE(relief.comes_to(ReliefState::Zero)) << "it was plugged in again";
+}
+
+template <class Condition>
+bool tick_until(GuardedDevice& device, Condition&& condition) {
+    for (int i = 0; i < 20000; ++i, std::this_thread::sleep_for(1ms)) {
+        const DeviceSample sample = device.read(0.0);
+        device.write({{0.0, 2.0, 0.0}});
+        if (condition(sample)) return true;
+    }
+    return false;
+}
+
+TEST(GuardedDevice, is_said_to_push_until_the_second_guard_has_its_zero) {
+    for (const int signal : {SIGKILL, SIGSTOP}) {
+        GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"echo"});
+        ASSERT_TRUE(device.open());
+        ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
+        ::kill(device.guard_process(), signal);
+        EXPECT_TRUE(tick_until(device, [](const DeviceSample& sample) {
+            return !sample.connected && sample.loss == DeviceLoss::ForceOff;
+        })) << signal;
+        EXPECT_TRUE(device.guard_ended());
+        device.close();
+        EXPECT_FALSE(device.may_push());
+        EXPECT_THAT(device.take_news(), testing::Each(testing::Not(testing::HasSubstr("Let go"))));
+    }
+}
+
+TEST(GuardedDevice, says_on_closing_that_it_may_push_where_zero_was_not_confirmed) {
+    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"stubborn"});
+    ASSERT_TRUE(device.open());
+    ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
+    ::kill(device.guard_process(), SIGKILL);
+    ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return !sample.connected; }));
+    EXPECT_EQ(device.read(0.0).loss, DeviceLoss::MayPush);
+    device.close();
+    EXPECT_TRUE(device.may_push());
+    EXPECT_THAT(device.take_news(), testing::Contains("Let go of the grip and switch the Falcon off: its force could "
+                                                      "not be taken away. The Falcon is not plugged in."));
+}
+
+TEST(GuardedDevice, gets_a_new_second_guard_for_one_that_died) {
+    GuardedDevice device(*find_device_spec("falcon"), STANDIN_GUARD, {"echo"});
+    ASSERT_TRUE(device.open());
+    ASSERT_TRUE(tick_until(device, [](const DeviceSample& sample) { return sample.fresh; }));
+    const pid_t first = device.relief_process();
+    ::kill(first, SIGKILL);
+    for (int i = 0; i < 5000 && device.relief_process() == first; ++i, std::this_thread::sleep_for(1ms))
+        device.take_news();
+    ASSERT_NE(device.relief_process(), first);
+    ::kill(device.guard_process(), SIGKILL);
+    EXPECT_TRUE(tick_until(
+        device, [](const DeviceSample& sample) { return !sample.connected && sample.loss == DeviceLoss::ForceOff; }));
+}
+
+TEST(GuardProcess, refuses_a_mailbox_that_could_be_cut_off_below_it) {
+    for (const bool sealed : {false, true}) {
+        const int memory = ::memfd_create("mailbox", MFD_ALLOW_SEALING);
+        ASSERT_EQ(::ftruncate(memory, sizeof(HandMailbox)), 0);
+        if (sealed) {
+            ASSERT_EQ(::fcntl(memory, F_ADD_SEALS, F_SEAL_SHRINK), 0);
+        }
+        void* mapped = ::mmap(nullptr, sizeof(HandMailbox), PROT_READ | PROT_WRITE, MAP_SHARED, memory, 0);
+        new (mapped) HandMailbox;
+        const std::string number = std::to_string(memory);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            ::execl(STANDIN_GUARD, STANDIN_GUARD, "hold", number.c_str(), "9998", "9999", "en", "", "absent", nullptr);
+            ::_exit(99);
+        }
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        EXPECT_EQ(WEXITSTATUS(status), sealed ? 1 : 2) << "2: refused; 1: no device";
+        ::munmap(mapped, sizeof(HandMailbox));
+        ::close(memory);
+    }
+}
+
+}  // namespace
+}  // namespace handrail

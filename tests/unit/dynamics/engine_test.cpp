@@ -1,0 +1,414 @@
+// The engine alone: what falls, slides, rolls, stacks and sleeps, to the bit the same every time.
+#include <bit>
+#include <random>
+
+#include "tests/support/scale.h"
+#include "tests/unit/dynamics/rig.h"
+
+namespace handrail::test {
+namespace {
+
+BodyNature nature(double kg, double friction = 0.4) {
+    BodyNature n;
+    n.mass_kg = kg;
+    n.friction = n.friction_static = friction;
+    n.elasticity = 0.0;
+    n.rolling = 0.0;
+    return n;
+}
+
+// Steps, and throws the events away.
+void run(Dynamics& engine, int steps) {
+    DynamicsFrame frame;
+    std::vector<BodyEvent> events;
+    for (int i = 0; i < steps; ++i) engine.step(frame, events);
+}
+
+// Twenty boxes, balls and cylinders over a floor of tiles with a wall.
+std::shared_ptr<const DynamicsScene> heap(unsigned seed, const Vec3& at = Vec3(0.0)) {
+    std::mt19937 random(seed);
+    const auto unit = [&] { return random() / 4294967296.0; };
+    DynamicsSceneBuilder builder(at);
+    for (int x = -3; x < 3; ++x)
+        for (int y = -3; y < 3; ++y) builder.add_fixed_box({at + Vec3(x, y, -0.5), at + Vec3(x + 1, y + 1, 0)}, kFloor);
+    builder.add_fixed_box({at + Vec3(1, -3, 0), at + Vec3(1.2, 3, 1)}, kWall);
+    for (std::uint32_t i = 0; i < 20; ++i) {
+        const double r = 0.06 + 0.1 * unit();
+        const DynamicsPiece piece =
+            i % 3 == 0   ? ball_of(r)
+            : i % 3 == 1 ? box_of(r)
+                         : make_piece(RoundShape(CylinderShape{Vec3(0, 0, -r), Vec3(0, 0, 1), 2 * r, 0.7 * r}));
+        BodyNature n = nature(0.1 + 4.0 * unit());
+        n.elasticity = 0.3;
+        n.rolling = 0.05;
+        EXPECT_EQ(builder.add_body(std::span(&piece, 1), FeatureId{10 + i}, i,
+                                   {at + Vec3(unit() * 2 - 1, unit() * 2 - 1, 0.3 + 0.1 * i), {}, 1.0}, n),
+                  BodyFault::None);
+    }
+    return builder.build();
+}
+
+std::uint64_t bits_of(const Dynamics& engine) {
+    std::uint64_t sum = 1469598103934665603ULL;
+    const auto mix = [&](double v) { sum = (sum ^ std::bit_cast<std::uint64_t>(v)) * 1099511628211ULL; };
+    for (std::uint32_t i = 0; i < engine.scene().bodies.size(); ++i) {
+        const Placement at = engine.middle(i);
+        for (int k = 0; k < 3; ++k) mix(at.position_m[k]);
+        for (const double q : {at.rotation.w, at.rotation.x, at.rotation.y, at.rotation.z}) mix(q);
+    }
+    return sum;
+}
+
+// The same pushes on the same steps.
+std::uint64_t play(Dynamics& engine, std::uint32_t game, int steps) {
+    DynamicsFrame frame;
+    std::vector<BodyEvent> events;
+    for (int i = 0; i < steps; ++i) {
+        HandPush push;
+        push.time_s = engine.time_s();
+        push.dt_s = Dynamics::kStep_s;
+        push.body = static_cast<std::uint32_t>(i / 40) % 20;
+        push.game = game;
+        push.force_n = Vec3(20.0 * std::cos(0.1 * i), 5.0, 8.0);
+        engine.push(0, push);
+        engine.place_hand(0, {engine.middle(push.body).position_m, 0.02, true});
+        engine.step(frame, events);
+    }
+    return bits_of(engine);
+}
+
+TEST(Dynamics, gives_the_same_bits_in_two_runs_and_after_a_restart) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        SCOPED_TRACE(seed);
+        const int steps = scaled(600);
+        Dynamics a(heap(seed));
+        const std::uint64_t first = play(a, 1, steps);
+        auto clutter =
+            std::make_unique<std::vector<std::vector<int>>>(137, std::vector<int>(91));  // another heap history
+        Dynamics b(heap(seed));
+        EXPECT_EQ(play(b, 1, steps), first);
+        clutter.reset();
+        const std::uint64_t start = bits_of(Dynamics(heap(seed)));
+        b.restart();
+        EXPECT_EQ(bits_of(b), start);
+        EXPECT_EQ(play(b, 2, steps), first);
+    }
+}
+
+TEST(Dynamics, is_the_same_far_from_the_origin_when_the_scene_says_where_its_zero_is) {
+    Dynamics near(heap(4)), far(heap(4, Vec3(5000.0, -3000.0, 200.0)));
+    run(near, scaled(480));
+    run(far, scaled(480));
+    // The scene's own rounding at 5 km is 1e-12 m, and the heap makes more of it; it must settle to a heap of the same
+    // kind, not of other physics.
+    for (std::uint32_t i = 0; i < 20; ++i) {
+        EXPECT_GT(far.middle(i).position_m.z - 200.0, 0.03) << i;
+        EXPECT_LT(glm::length(far.speed_m_per_s(i)), 8.0) << i;
+    }
+    // One body alone is the same to a micrometre.
+    for (const Vec3& at : {Vec3(0.0), Vec3(5000.0, -3000.0, 200.0)}) {
+        DynamicsSceneBuilder builder(at);
+        builder.add_fixed_box({at + Vec3(-5, -5, -1), at + Vec3(5, 5, 0)});
+        const DynamicsPiece ball = ball_of(0.1);
+        ASSERT_EQ(builder.add_body(std::span(&ball, 1), kThing, 0, {at + Vec3(0, 0, 1), {}, 1.0}, nature(1)),
+                  BodyFault::None);
+        Dynamics engine(builder.build());
+        run(engine, 480);
+        EXPECT_NEAR(engine.middle(0).position_m.z - at.z, 0.1, 2e-4);
+    }
+}
+
+TEST(Dynamics, falls_slides_and_rolls_as_the_formulas_say) {
+    // Free fall for a quarter of a second.
+    {
+        DynamicsSceneBuilder builder;
+        builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)});
+        const DynamicsPiece box = box_of(0.2);
+        ASSERT_EQ(builder.add_body(std::span(&box, 1), kThing, 0, {Vec3(0, 0, 5), {}, 1.0}, nature(1)),
+                  BodyFault::None);
+        Dynamics engine(builder.build());
+        run(engine, 60);
+        EXPECT_NEAR(engine.speed_m_per_s(0).z, -9.81 * 0.25, 1e-9);
+    }
+    // A ball down ten degrees: 5/7 g sin after a second.
+    {
+        const double slope = kPi / 18.0;
+        DynamicsSceneBuilder builder;
+        builder.set_gravity(Vec3(9.81 * std::sin(slope), 0.0, -9.81 * std::cos(slope)));
+        builder.add_fixed_box({Vec3(-50, -5, -1), Vec3(50, 5, 0)});
+        const DynamicsPiece ball = ball_of(0.2);
+        ASSERT_EQ(builder.add_body(std::span(&ball, 1), kThing, 0, {Vec3(0, 0, 0.2), {}, 1.0}, nature(1)),
+                  BodyFault::None);
+        Dynamics engine(builder.build());
+        run(engine, 240);
+        EXPECT_NEAR(engine.speed_m_per_s(0).x, 5.0 / 7.0 * 9.81 * std::sin(slope), 0.005);
+    }
+    // A crate that slides comes to rest after v^2 / (2 mu g).
+    {
+        DynamicsSceneBuilder builder;
+        builder.add_fixed_box({Vec3(-50, -5, -1), Vec3(50, 5, 0)});
+        const DynamicsPiece box = box_of(0.2);
+        ASSERT_EQ(builder.add_body(std::span(&box, 1), kThing, 0, {Vec3(0, 0, 0.2), {}, 1.0}, nature(4)),
+                  BodyFault::None);
+        Dynamics engine(builder.build());
+        run(engine, 10);
+        HandPush push;
+        push.time_s = engine.time_s();
+        push.dt_s = Dynamics::kStep_s;
+        push.body = 0;
+        push.game = 1;
+        push.force_n = Vec3(4.0 * 2.0 / Dynamics::kStep_s, 0, 0);  // 2 m/s at once
+        engine.push(0, push);
+        run(engine, 480);
+        EXPECT_NEAR(engine.middle(0).position_m.x, 2.0 * 2.0 / (2.0 * 0.4 * 9.81), 0.02);
+        EXPECT_LT(glm::length(engine.speed_m_per_s(0)), 1e-3);
+    }
+}
+
+TEST(Dynamics, lets_a_stack_of_five_stand_and_sleep) {
+    DynamicsSceneBuilder builder;
+    builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)});
+    const DynamicsPiece box = box_of(0.15);
+    for (std::uint32_t i = 0; i < 5; ++i)
+        ASSERT_EQ(
+            builder.add_body(std::span(&box, 1), FeatureId{5 + i}, i, {Vec3(0, 0, 0.15 + 0.3 * i), {}, 1.0}, nature(2)),
+            BodyFault::None);
+    Dynamics engine(builder.build());
+    run(engine, 1200);
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        EXPECT_NEAR(engine.middle(i).position_m.z, 0.15 + 0.3 * i, 2e-3);
+        EXPECT_LT(std::abs(engine.middle(i).position_m.x), 2e-3);
+        EXPECT_FALSE(engine.awake(i)) << i;
+    }
+    // A hand that comes near wakes the one it comes to.
+    engine.place_hand(0, {Vec3(0.17, 0, 1.35), 0.02, true});
+    run(engine, 1);
+    EXPECT_TRUE(engine.awake(4));
+}
+
+TEST(Dynamics, lets_nothing_through_walls_floors_and_sheets_however_fast) {
+    std::mt19937 random(11);
+    const auto unit = [&] { return random() / 4294967296.0; };
+    for (int run_number = 0; run_number < scaled(60); ++run_number) {
+        SCOPED_TRACE(run_number);
+        DynamicsSceneBuilder builder;
+        builder.add_fixed_box({Vec3(-2, -2, -0.1), Vec3(2, 2, 0)});
+        for (int side = 0; side < 4; ++side) {  // walls of 5 cm, one of them a sheet
+            const double s = side % 2 ? 1.0 : -1.0;
+            if (side == 3) {
+                builder.add_sheet({-2, 2, 0}, {2, 2, 0}, {2, 2, 4});
+                builder.add_sheet({-2, 2, 0}, {2, 2, 4}, {-2, 2, 4});
+            } else if (side < 2) {
+                builder.add_fixed_box({Vec3(std::min(s * 2, s * 2.05), -2, 0), Vec3(std::max(s * 2, s * 2.05), 2, 4)});
+            } else {
+                builder.add_fixed_box({Vec3(-2, -2.05, 0), Vec3(2, -2, 4)});
+            }
+        }
+        builder.add_fixed_box({Vec3(-2.1, -2.1, 4), Vec3(2.1, 2.1, 4.1)});
+        const double r = 0.04 + 0.1 * unit();
+        const DynamicsPiece piece = run_number % 2 ? ball_of(r) : box_of(r);
+        BodyNature n = nature(0.05 + unit());
+        n.elasticity = 0.6;
+        ASSERT_EQ(builder.add_body(std::span(&piece, 1), kThing, 0, {Vec3(0, 0, 1), {}, 1.0}, n), BodyFault::None);
+        Dynamics engine(builder.build());
+        for (int hit = 0; hit < 6; ++hit) {
+            HandPush push;
+            push.time_s = engine.time_s();
+            push.dt_s = Dynamics::kStep_s;
+            push.body = 0;
+            push.game = 1;
+            const Vec3 way = glm::normalize(Vec3(unit() - 0.5, unit() - 0.5, unit() - 0.5));
+            push.force_n = way * (n.mass_kg * 20.0 / Dynamics::kStep_s);
+            push.moment_nm = Vec3(unit(), unit(), unit()) * 0.2;
+            engine.push(0, push);
+            run(engine, 40);
+            const Vec3 at = engine.middle(0).position_m;
+            EXPECT_LT(std::max(std::abs(at.x), std::abs(at.y)), 2.0) << at.x << " " << at.y << " " << at.z;
+            EXPECT_GT(at.z, 0.0);
+            EXPECT_LT(at.z, 4.0);
+        }
+    }
+}
+
+TEST(Dynamics, puts_back_what_falls_out_of_the_world_and_says_so) {
+    DynamicsSceneBuilder builder;
+    builder.add_fixed_box({Vec3(-1, -1, -1), Vec3(1, 1, 0)});
+    const DynamicsPiece ball = ball_of(0.1);
+    ASSERT_EQ(builder.add_body(std::span(&ball, 1), kThing, 0, {Vec3(1.5, 0, 1), {}, 1.0}, nature(1)), BodyFault::None);
+    Dynamics engine(builder.build());
+    DynamicsFrame frame;
+    std::vector<BodyEvent> events;
+    int falls = 0, back = 0;
+    for (int i = 0; i < 480; ++i) {
+        engine.step(frame, events);
+        for (const BodyEvent& event : events) {
+            falls += event.kind == BodyEvent::Kind::Falls;
+            if (event.kind != BodyEvent::Kind::PutBack) continue;
+            ++back;
+            EXPECT_EQ(engine.middle(0).position_m, Vec3(1.5, 0, 1));
+        }
+        events.clear();
+    }
+    EXPECT_EQ(back, 1);
+    EXPECT_GE(falls, 1);
+}
+
+TEST(Dynamics, keeps_the_number_of_moving_bodies_bounded_and_forgets_none) {
+    DynamicsSceneBuilder builder;
+    builder.add_fixed_box({Vec3(-20, -20, -1), Vec3(20, 20, 0)});
+    const DynamicsPiece ball = ball_of(0.1);
+    for (std::uint32_t i = 0; i < DynamicsScene::kMostBodies; ++i)
+        ASSERT_EQ(
+            builder.add_body(std::span(&ball, 1), FeatureId{5 + i}, i, {Vec3(i % 16, i / 16, 1), {}, 1.0}, nature(1)),
+            BodyFault::None);
+    EXPECT_EQ(builder.add_body(std::span(&ball, 1), kThing, 0, {}, nature(1)), BodyFault::TooMany);
+    Dynamics engine(builder.build());
+    DynamicsFrame frame;
+    std::vector<BodyEvent> events;
+    std::uint32_t most = 0;
+    for (int i = 0; i < 2400; ++i) {
+        engine.step(frame, events);
+        if (i > 0) most = std::max(most, frame.awake);
+    }
+    EXPECT_EQ(most, Dynamics::kMostAwake);
+    EXPECT_EQ(frame.waiting, 0U);
+    for (std::uint32_t i = 0; i < DynamicsScene::kMostBodies; ++i)
+        EXPECT_NEAR(engine.middle(i).position_m.z, 0.1, 2e-3) << i;
+}
+
+TEST(Dynamics, carries_a_body_on_a_lift_and_stops_a_door_before_one_that_is_jammed) {
+    DynamicsSceneBuilder builder;
+    builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)}, kFloor);
+    builder.add_fixed_box({Vec3(1.0, -1, 0), Vec3(1.5, 1, 2)}, kWall);
+    const DynamicsPiece platform = make_box_piece({Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 0.1)});
+    const DynamicsPiece leaf = make_box_piece({Vec3(-0.05, -0.5, 0), Vec3(0.05, 0.5, 2)});
+    const std::uint32_t lift =
+        builder.add_driven(std::span(&platform, 1), FeatureId{3}, kNoBody, {Vec3(-2, 0, 0), {}, 1.0});
+    const std::uint32_t door =
+        builder.add_driven(std::span(&leaf, 1), FeatureId{4}, kNoBody, {Vec3(0.2, 0, 0), {}, 1.0});
+    const DynamicsPiece crate = box_of(0.15);
+    ASSERT_EQ(builder.add_body(std::span(&crate, 1), kThing, 0, {Vec3(-2, 0, 0.25), {}, 1.0}, nature(4)),
+              BodyFault::None);
+    ASSERT_EQ(builder.add_body(std::span(&crate, 1), FeatureId{6}, 1, {Vec3(0.6, 0, 0.15), {}, 1.0}, nature(4)),
+              BodyFault::None);
+    Dynamics engine(builder.build());
+    DynamicsFrame frame;
+    std::vector<BodyEvent> events;
+    bool blocked = false;
+    for (int i = 0; i < 720; ++i) {  // the lift goes up two metres in two seconds, the door would close to x = 0.95
+        const double part = std::min(1.0, i / 480.0);
+        engine.drive(lift, {Vec3(-2, 0, 2.0 * part), {}, 1.0});
+        engine.drive(door, {Vec3(0.2 + 0.75 * part, 0, 0), {}, 1.0});
+        engine.step(frame, events);
+        blocked = blocked || frame.blocked == door;
+        EXPECT_LT(engine.middle(1).position_m.x, 0.87) << i;  // never into the wall, which begins at 1
+    }
+    EXPECT_NEAR(engine.middle(0).position_m.z, 2.25, 5e-3);
+    EXPECT_NEAR(engine.middle(0).position_m.x, -2.0, 5e-3);
+    EXPECT_TRUE(blocked);
+    EXPECT_TRUE(engine.blocked(door));
+    EXPECT_NEAR(engine.middle(1).position_m.x, 0.85, 0.01);
+    // It opens again as soon as it is sent back.
+    for (int i = 0; i < 120; ++i) {
+        engine.drive(door, {Vec3(0.2, 0, 0), {}, 1.0});
+        engine.step(frame, events);
+    }
+    EXPECT_EQ(frame.blocked, kNoBody);
+}
+
+TEST(Dynamics, keeps_bodies_out_of_somebody_who_walks) {
+    DynamicsSceneBuilder builder;
+    builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)});
+    const DynamicsPiece ball = ball_of(0.1);
+    ASSERT_EQ(builder.add_body(std::span(&ball, 1), kThing, 0, {Vec3(-1, 0, 0.1), {}, 1.0}, nature(1)),
+              BodyFault::None);
+    Dynamics engine(builder.build());
+    engine.walker(Vec3(0.0), 0.25, 1.7);
+    HandPush push;
+    push.time_s = engine.time_s();
+    push.dt_s = Dynamics::kStep_s;
+    push.body = 0;
+    push.game = 1;
+    push.force_n = Vec3(2.0 / Dynamics::kStep_s, 0, 0);
+    engine.push(0, push);
+    for (int i = 0; i < 480; ++i) {
+        run(engine, 1);
+        // The capsule is round below: a ball of 0.1 m touches it with its middle 0.316 m from the axis.
+        EXPECT_GT(glm::length(Vec2(engine.middle(0).position_m)), 0.31) << i;
+    }
+    // Walking on, the ball is pushed along and not walked over.
+    for (int i = 0; i < 240; ++i) {
+        engine.walker(Vec3(-0.005 * i, 0, 0), 0.25, 1.7);
+        run(engine, 1);
+        EXPECT_GT(glm::length(Vec2(engine.middle(0).position_m - Vec3(-0.005 * i, 0, 0))), 0.31) << i;
+    }
+}
+
+TEST(Dynamics, leads_a_body_by_keys_with_no_more_than_the_force_it_is_given) {
+    DynamicsSceneBuilder builder;
+    builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)});
+    const DynamicsPiece crate = box_of(0.15);
+    ASSERT_EQ(builder.add_body(std::span(&crate, 1), kThing, 0, {Vec3(0, 0, 0.15), {}, 1.0}, nature(4)),
+              BodyFault::None);
+    ASSERT_EQ(builder.add_body(std::span(&crate, 1), FeatureId{6}, 1, {Vec3(2, 0, 0.15), {}, 1.0}, nature(12)),
+              BodyFault::None);
+    Dynamics engine(builder.build());
+    const Rotation quarter = rotation_about({0, 0, 1}, kPi / 2);
+    engine.lead(0, Vec3(0.5, 0.5, 0.65), 50.0, quarter);
+    run(engine, 480);
+    EXPECT_LT(glm::length(engine.middle(0).position_m - Vec3(0.5, 0.5, 0.65)), 0.01);
+    EXPECT_NEAR(std::abs(engine.middle(0).rotation.z), std::sqrt(0.5), 0.01);
+    engine.lead(1, Vec3(2, 0, 0.65), 50.0);  // 12 kg weigh 118 N
+    run(engine, 480);
+    EXPECT_NEAR(engine.middle(1).position_m.z, 0.15, 5e-3);
+    EXPECT_LT(engine.middle(0).position_m.z, 0.2);  // let go, it fell
+}
+
+TEST(Dynamics, tells_of_an_impact_what_was_hit_and_how_hard) {
+    DynamicsSceneBuilder builder;
+    builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(5, 5, 0)}, kFloor);
+    const DynamicsPiece crate = box_of(0.15);
+    ASSERT_EQ(builder.add_body(std::span(&crate, 1), kThing, 0, {Vec3(0, 0, 0.65), {}, 1.0}, nature(4)),
+              BodyFault::None);
+    Dynamics engine(builder.build());
+    DynamicsFrame frame;
+    std::vector<BodyEvent> events;
+    for (int i = 0; i < 720; ++i) engine.step(frame, events);
+    ASSERT_FALSE(events.empty());
+    const auto hit =
+        std::find_if(events.begin(), events.end(), [](const BodyEvent& e) { return e.kind == BodyEvent::Kind::Hit; });
+    ASSERT_NE(hit, events.end());
+    EXPECT_EQ(hit->other, kFloor);
+    EXPECT_NEAR(hit->impulse_ns, 4.0 * std::sqrt(2.0 * 9.81 * 0.5), 0.8);
+    EXPECT_EQ(events.back().kind, BodyEvent::Kind::Rests);
+}
+
+TEST(Dynamics, refuses_bodies_without_volume_or_with_senseless_numbers) {
+    DynamicsSceneBuilder builder;
+    const DynamicsPiece ball = ball_of(0.1), point = ball_of(0.0);
+    const auto add = [&](const DynamicsPiece& piece, BodyNature n, const Vec3& at = Vec3(0.0)) {
+        return builder.add_body(std::span(&piece, 1), kThing, 0, {at, {}, 1.0}, n);
+    };
+    EXPECT_EQ(add(point, nature(1)), BodyFault::NoVolume);
+    EXPECT_EQ(builder.add_body({}, kThing, 0, {}, nature(1)), BodyFault::NoVolume);
+    EXPECT_EQ(add(ball, nature(0)), BodyFault::BadMass);
+    EXPECT_EQ(add(ball, nature(std::nan(""))), BodyFault::BadMass);
+    EXPECT_EQ(add(ball, nature(1e5)), BodyFault::BadMass);
+    EXPECT_EQ(add(ball, nature(1, -1)), BodyFault::BadNature);
+    EXPECT_EQ(add(ball, nature(1), Vec3(std::nan(""), 0, 0)), BodyFault::BadPlace);
+    EXPECT_EQ(add(ball, nature(1)), BodyFault::None);
+    Dynamics engine(builder.build());  // no building at all: it falls and is put back
+    HandPush bad;
+    bad.body = 7;
+    bad.dt_s = 1e-3;
+    engine.push(0, bad);
+    bad.body = 0;
+    bad.game = 1;
+    bad.force_n = Vec3(std::nan(""), 0, 0);
+    engine.push(0, bad);
+    run(engine, 720);
+    EXPECT_TRUE(is_finite(engine.middle(0).position_m));
+}
+
+}  // namespace
+}  // namespace handrail::test

@@ -1,0 +1,458 @@
+// A hand and bodies in one closed loop, in virtual time: what is felt of weight, friction and mass, and that it gives
+// the hand no energy.
+#include <random>
+
+#include "tests/support/scale.h"
+#include "tests/unit/dynamics/rig.h"
+
+namespace handrail::test {
+namespace {
+
+BodyNature nature(double kg, double friction = 0.4) {
+    BodyNature n;
+    n.mass_kg = kg;
+    n.friction = n.friction_static = friction;
+    n.elasticity = 0.0;
+    n.rolling = 0.0;
+    return n;
+}
+
+const HandIntent kNothing{};
+
+TEST(HeldBody, lets_a_crate_of_four_kilograms_break_away_at_its_friction_and_then_slide_on_with_less) {
+    BodyWorldMaker world;
+    world.floor();
+    BodyNature n = nature(4.0, 0.32);
+    n.friction_static = 0.4;
+    world.body(box_of(0.2), Vec3(0, 0, 0.2), n);
+    HandSetup setup;
+    setup.origin_m = Vec3(-0.2 - 0.04 - 0.004, 0, 0.1);
+    BodyRig rig(world, {setup});
+    LoopSettings settings = light_hand(3.0, 0.0);
+    settings.hand.dry_friction_n = 0.0;
+    ClosedLoop loop(settings, Vec3(0.0));
+    double breaks_n = 0.0;
+    for (int i = 0; i < 24000 && breaks_n == 0.0; ++i) {
+        loop.tick(
+            [&](double now) {
+                return HandIntent{Vec3(0.0), Vec3(0.05 * now, 0, 0)};
+            },
+            [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+        // Three quarters of a millimetre of the hand a second; the push of 0.05 N a second is then 0.02 N above what it
+        // broke at.
+        if (i > 1500 && rig.engine.speed_m_per_s(0).x > 0.015) breaks_n = -rig.hands[0]->force_n.x;
+    }
+    EXPECT_NEAR(breaks_n, 0.4 * 4.0 * 9.81 / 20.0, 0.05 * 0.785);
+    // Pushed on by a hand that keeps 10 mm/s: the sliding friction.
+    BodyWorldMaker same;
+    same.floor();
+    same.body(box_of(0.2), Vec3(0, 0, 0.2), n);
+    BodyRig again(same, {setup});
+    ClosedLoop slow(light_hand(3.0, 300.0), Vec3(0.0));
+    double mean_n = 0.0;
+    for (int i = 0; i < 3000; ++i) {
+        slow.tick(
+            [&](double now) {
+                return HandIntent{Vec3(0.01 * now, 0, 0), Vec3(0.0)};
+            },
+            [&](const Vec3& hand, double, double) { return again.render(0, hand); });
+        if (i >= 2000) mean_n -= again.hands[0]->force_n.x / 1000.0;
+    }
+    EXPECT_NEAR(mean_n, 0.32 * 4.0 * 9.81 / 20.0, 0.04);
+}
+
+TEST(HeldBody, weighs_in_the_grip_what_it_weighs) {
+    for (const double kg : {0.05, 0.5, 1.0, 2.0, 4.0}) {
+        SCOPED_TRACE(kg);
+        BodyWorldMaker world;
+        world.floor();
+        world.body(box_of(0.2), Vec3(0, 0, 0.2), nature(kg));
+        HandSetup setup;
+        setup.origin_m = Vec3(0, 0, 0.39);
+        BodyRig rig(world, {setup});
+        rig.hands[0]->want_grip = true;
+        ClosedLoop loop(light_hand(3.0), Vec3(0.0));
+        double mean_n = 0.0;
+        for (int i = 0; i < 4000; ++i) {
+            loop.tick(
+                [&](double now) {
+                    return HandIntent{Vec3(0, 0, 0.02 * std::clamp(now - 0.3, 0.0, 1.0)), Vec3(0.0)};
+                },
+                [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+            if (i >= 3000) mean_n -= rig.hands[0]->force_n.z / 1000.0;
+        }
+        EXPECT_EQ(rig.hands[0]->bodies().holds(), 0U);
+        EXPECT_GT(rig.engine.middle(0).position_m.z, 0.25);
+        EXPECT_NEAR(mean_n, kg * 9.81 / 20.0, 0.02 * kg * 9.81 / 20.0 + 1e-3);
+        // Let go it falls, and lies where it was before.
+        rig.hands[0]->want_grip = false;
+        for (int i = 0; i < 1500; ++i)
+            loop.tick(
+                [&](double) {
+                    return HandIntent{Vec3(0, 0, 0.02), Vec3(0.0)};
+                },
+                [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+        EXPECT_NEAR(rig.engine.middle(0).position_m.z, 0.2, 3e-3);
+    }
+}
+
+TEST(HeldBody, has_the_mass_it_has) {
+    for (const double kg : {0.05, 1.0, 4.0}) {
+        SCOPED_TRACE(kg);
+        BodyWorldMaker world;
+        world.floor();
+        world.body(ball_of(0.2), Vec3(0, 0, 0.2), nature(kg, 0.0));
+        HandSetup setup;
+        setup.origin_m = Vec3(-0.2 - 0.04 - 0.004, 0, 0.2);
+        BodyRig rig(world, {setup});
+        LoopSettings settings = light_hand(0.0, 0.0);
+        settings.hand.damping_ns_per_m = settings.hand.dry_friction_n = 0.0;
+        ClosedLoop loop(settings, Vec3(0.0));
+        double n = 0, st = 0, sv = 0, stt = 0, stv = 0;
+        for (int i = 0; i < 1000; ++i) {
+            const LoopTick t = loop.tick(
+                [&](double) {
+                    return HandIntent{Vec3(0.0), Vec3(0.3, 0, 0)};
+                },
+                [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+            if (i < 200) continue;
+            const double at = 1e-3 * i, v = t.velocity_m_per_s.x;
+            ++n, st += at, sv += v, stt += at * at, stv += at * v;
+        }
+        const double a = (n * stv - st * sv) / (n * stt - st * st);
+        EXPECT_NEAR(0.3 / a - 0.4, kg, 0.05 * kg + 0.002);
+    }
+}
+
+// The hand is led exactly, without delay and encoder, on a random closed way of four seconds and rests a second; no
+// damping at all.
+double worst_energy_mj(bool push, double kg, int seeds) {
+    double worst = -1e9;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        BodyWorldMaker world;
+        world.floor();
+        BodyNature n = nature(kg, 0.0);
+        n.elasticity = 0.9;
+        if (push) n.string = BodyNature::String{Vec3(0, 0, 0.2), 20.0};
+        else world.dynamics().set_gravity(Vec3(0.0));
+        world.body(ball_of(0.2), Vec3(0, 0, push ? 0.2 : 3.0), n);
+        HandSetup setup;
+        setup.stiffness_n_per_m = setup.grip_n_per_m = 400.0;
+        setup.damping_ns_per_m = setup.grip_ns_per_m = 0.0;
+        setup.origin_m = push ? Vec3(-0.24, 0, 0.2) : Vec3(-0.21, 0, 3.0);
+        BodyRig rig(world, {setup});
+        rig.hands[0]->want_grip = !push;
+        std::mt19937 random(static_cast<unsigned>(seed));
+        double phase[4], size[4];
+        for (int k = 0; k < 4; ++k) {
+            phase[k] = random() / 4294967296.0 * 2.0 * kPi;
+            size[k] = 0.004 / (k + 1) * (0.5 + random() / 4294967296.0);
+        }
+        const auto path = [&](double t) {
+            t = std::min(t, 4.0);
+            double x = 0.0;
+            for (int k = 0; k < 4; ++k) x += size[k] * (std::sin(kPi * (k + 1) * t + phase[k]) - std::sin(phase[k]));
+            return Vec3(x, 0, 0);
+        };
+        double work = 0.0;
+        Vec3 last(0.0), last_n(0.0);
+        for (int i = 0; i < 5000; ++i) {
+            const Vec3 hand = path(1e-3 * i), force = rig.render(0, hand);
+            if (i > 0) work += glm::dot(0.5 * (force + last_n), hand - last);
+            last = hand;
+            last_n = force;
+        }
+        worst = std::max(worst, 1e3 * work);
+    }
+    return worst;
+}
+
+TEST(HeldBody, gives_the_hand_no_energy_on_closed_ways_without_any_damping) {
+    for (const bool push : {false, true})
+        for (const double kg : {0.05, 0.2, 1.0}) {
+            const double worst = worst_energy_mj(push, kg, scaled(20));
+            EXPECT_LE(worst, 0.05) << (push ? "pushed against a string, " : "in the grip, ") << kg << " kg";
+            RecordProperty((push ? "push_" : "grip_") + std::to_string(kg), std::to_string(worst));
+        }
+}
+
+TEST(HeldBody, is_quiet_in_a_light_hand_however_late_the_engine_is) {
+    for (const double kg : {0.05, 0.2, 1.0, 4.0})
+        for (const int late : {1, 4, 16}) {
+            SCOPED_TRACE(testing::Message() << kg << " kg, " << late << " ms late");
+            BodyWorldMaker world;
+            world.floor();
+            world.body(ball_of(0.2), Vec3(0, 0, 3.0), nature(kg, 0.0));
+            HandSetup setup;
+            setup.grip_n_per_m = 1567.0;
+            setup.latency_ticks = late;
+            setup.origin_m = Vec3(-0.21, 0, 3.0);
+            BodyRig rig(world, {setup});
+            rig.hands[0]->want_grip = true;
+            ClosedLoop loop(light_hand(), Vec3(0.0));
+            const double weight_n = kg * 9.81 / 20.0;
+            std::vector<double> before, after, place_before, place_after;
+            for (int i = 0; i < 4500; ++i) {
+                loop.tick(
+                    [&](double now) {
+                        return HandIntent{Vec3(now > 0.5 && now < 0.6 ? 0.004 : 0.0, 0, 0), Vec3(0, 0, weight_n)};
+                    },
+                    [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+                (i < 3000 ? before : after).push_back(rig.hands[0]->force_n.x);
+                (i < 3000 ? place_before : place_after).push_back(rig.engine.middle(0).position_m.x / 20.0);
+            }
+            before.erase(before.begin(), before.begin() + 1500);
+            place_before.erase(place_before.begin(), place_before.begin() + 1500);
+            EXPECT_TRUE(peak_to_peak(place_after) < 0.15e-3 ||
+                        peak_to_peak(place_after) < 0.8 * peak_to_peak(place_before))
+                << peak_to_peak(place_after);
+            EXPECT_TRUE(peak_to_peak(after) < 0.15 + 0.18e-3 * 1567 || peak_to_peak(after) < 0.8 * peak_to_peak(before))
+                << peak_to_peak(after);
+        }
+}
+
+TEST(HeldBody, dropped_on_a_still_hand_never_rises_above_where_it_came_from) {
+    for (const double kg : {0.05, 1.0}) {
+        SCOPED_TRACE(kg);
+        BodyWorldMaker world;
+        world.floor();
+        world.body(box_of(0.2), Vec3(0, 0, 1.70), nature(kg));
+        HandSetup setup;
+        setup.origin_m = Vec3(0, 0, 1);
+        BodyRig rig(world, {setup});
+        ClosedLoop loop(light_hand(3.0), Vec3(0.0));
+        double rises = 0.0, force = 0.0;
+        for (int i = 0; i < 2500; ++i) {
+            loop.tick([&](double) { return kNothing; },
+                      [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+            force = std::max(force, glm::length(rig.hands[0]->force_n));
+            if (i > 450) rises = std::max(rises, rig.engine.middle(0).position_m.z);
+        }
+        EXPECT_GT(force, 0.02) << "it was felt";
+        EXPECT_LT(rises, 1.70);
+    }
+}
+
+TEST(HeldBody, is_led_by_two_hands_at_once_and_rests_between_them) {
+    for (const double kg : {0.05, 0.2, 1.0, 4.0}) {
+        SCOPED_TRACE(kg);
+        BodyWorldMaker world;
+        world.floor();
+        world.body(box_of(0.2), Vec3(0, 0, 0.2), nature(kg, 0.0));
+        HandSetup left, right;
+        left.origin_m = Vec3(-0.24, 0, 0.2);
+        right.origin_m = Vec3(0.24, 0, 0.2);
+        BodyRig rig(world, {left, right});
+        ClosedLoop a(light_hand(), Vec3(-0.001, 0, 0)), b(light_hand(), Vec3(0.001, 0, 0));
+        std::vector<double> force, at;
+        const double press = 1.0 / 300 + 1.0 / 800;
+        for (int i = 0; i < 6000; ++i) {
+            a.tick(
+                [&](double now) {
+                    return HandIntent{Vec3(press + (now > 2 ? 0.005 : 0), 0, 0), Vec3(0.0)};
+                },
+                [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+            b.tick(
+                [&](double now) {
+                    return HandIntent{Vec3(-press + (now > 2 ? 0.005 : 0), 0, 0), Vec3(0.0)};
+                },
+                [&](const Vec3& hand, double, double) { return rig.render(1, hand); });
+            if (i < 5000) continue;
+            force.push_back(rig.hands[0]->force_n.x);
+            at.push_back(rig.engine.middle(0).position_m.x / 20.0);
+        }
+        EXPECT_LT(peak_to_peak(force), 0.05);
+        EXPECT_NEAR(at.back(), 0.005, 0.5e-3);
+        EXPECT_NEAR(rig.hands[0]->force_n.x, -1.0, 0.1);
+    }
+}
+
+TEST(HeldBody, squeezed_between_hand_and_wall_stands_still_and_is_felt_as_the_wall) {
+    for (const double kg : {0.05, 1.0, 400.0}) {
+        SCOPED_TRACE(kg);
+        BodyWorldMaker world;
+        world.floor();
+        world.box({Vec3(0.2, -5, 0), Vec3(1.2, 5, 5)}, kWall);
+        world.body(box_of(0.2), Vec3(0, 0, 0.2), nature(kg));
+        HandSetup setup;
+        setup.stiffness_n_per_m = 1567.0;
+        setup.origin_m = Vec3(-0.24, 0, 0.2);
+        BodyRig rig(world, {setup});
+        ClosedLoop loop(light_hand(), Vec3(-0.002, 0, 0));
+        std::vector<double> force, at;
+        for (int i = 0; i < 4500; ++i) {
+            loop.tick(
+                [&](double) {
+                    return HandIntent{Vec3(2.5 / 300, 0, 0), Vec3(0.0)};
+                },
+                [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+            if (i < 3500) continue;
+            force.push_back(rig.hands[0]->force_n.x);
+            at.push_back(rig.engine.middle(0).position_m.x);
+        }
+        EXPECT_LT(peak_to_peak(force), 0.35);
+        EXPECT_LT(std::abs(at.back()), 0.006);  // a third of a millimetre of the hand
+        EXPECT_LT(rig.hands[0]->force_n.x, -1.2);
+    }
+}
+
+TEST(HandBodies, pushes_a_row_and_a_stack_and_none_goes_through_another) {
+    BodyWorldMaker world;
+    world.floor();
+    for (int i = 0; i < 3; ++i) world.body(box_of(0.15), Vec3(0.31 * i, 0, 0.15), nature(1.0, 0.3));
+    world.body(box_of(0.15), Vec3(0, 0, 0.45), nature(1.0, 0.3));  // on the first
+    HandSetup setup;
+    setup.origin_m = Vec3(-0.15 - 0.04 - 0.02, 0, 0.12);
+    BodyRig rig(world, {setup});
+    ClosedLoop loop(light_hand(3.0), Vec3(0.0));
+    double most_j = 0.0;
+    for (int i = 0; i < 3000; ++i) {
+        const LoopTick t = loop.tick(
+            [&](double now) {
+                return HandIntent{Vec3(0.02 * std::min(now, 2.0), 0, 0), Vec3(0.0)};
+            },
+            [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+        most_j = std::max(most_j, t.work_j);
+    }
+    EXPECT_GT(rig.engine.middle(0).position_m.x, 0.5);
+    for (std::uint32_t i = 0; i + 1 < 3; ++i)
+        EXPECT_GT(rig.engine.middle(i + 1).position_m.x - rig.engine.middle(i).position_m.x, 0.29) << i;
+    EXPECT_NEAR(rig.engine.middle(3).position_m.z, 0.45, 0.01);
+    EXPECT_NEAR(rig.engine.middle(3).position_m.x, rig.engine.middle(0).position_m.x, 0.1);
+    EXPECT_LT(most_j, 5e-5);
+}
+
+TEST(HandBodies, a_plank_jammed_in_a_corridor_holds_and_gives_no_more_than_the_ceiling) {
+    BodyWorldMaker world;
+    world.floor();
+    world.box({Vec3(-3, 0.25, 0), Vec3(3, 0.5, 1)}, kWall);
+    world.box({Vec3(-3, -0.5, 0), Vec3(3, -0.25, 1)}, kWall);
+    // Half a metre wide and longer than that: turned, it jams.
+    const DynamicsPiece plank = make_box_piece({Vec3(-0.3, -0.1, -0.1), Vec3(0.3, 0.1, 0.1)});
+    world.body(plank, Vec3(0, 0, 0.1), nature(2.0, 0.6));
+    HandSetup setup;
+    setup.ceiling_n = 2.5;
+    setup.friction = 0.3;
+    setup.origin_m = Vec3(-0.3 - 0.04 - 0.02, 0.08, 0.1);  // beside its middle, so it turns
+    BodyRig rig(world, {setup});
+    ClosedLoop loop(light_hand(3.0), Vec3(0.0));
+    double most_n = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+        loop.tick(
+            [&](double now) {
+                return HandIntent{Vec3(0.02 * now, 0, 0), Vec3(0.0)};
+            },
+            [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+        most_n = std::max(most_n, glm::length(rig.hands[0]->force_n));
+        const Vec3 at = rig.engine.middle(0).position_m;
+        ASSERT_LT(std::abs(at.y), 0.2) << i;
+        ASSERT_GT(at.z, 0.05) << i;
+    }
+    EXPECT_LE(most_n, 2.5 + 1e-12);
+}
+
+TEST(HandBodies, a_safe_slips_out_of_the_grip_at_the_ceiling_and_is_called_heavy) {
+    BodyWorldMaker world;
+    world.floor();
+    world.body(box_of(0.3), Vec3(0, 0, 0.3), nature(400.0));
+    HandSetup setup;
+    setup.ceiling_n = 2.5;
+    setup.origin_m = Vec3(0, 0, 0.59);
+    BodyRig rig(world, {setup});
+    rig.hands[0]->want_grip = true;
+    ClosedLoop loop(light_hand(3.0), Vec3(0.0));
+    int heavy = 0;
+    double most_n = 0.0;
+    bool slipped = false;
+    for (int i = 0; i < 4000; ++i) {
+        loop.tick(
+            [&](double now) {
+                return HandIntent{Vec3(0, 0, 0.04 * now), Vec3(0.0)};
+            },
+            [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+        heavy += rig.hands[0]->bodies().heavy() == 0U;
+        most_n = std::max(most_n, glm::length(rig.hands[0]->force_n));
+        if (rig.hands[0]->bodies().holds() == kNoBody && i > 100) {
+            slipped = true;
+            rig.hands[0]->want_grip = false;
+        }
+    }
+    EXPECT_TRUE(slipped);
+    EXPECT_GE(heavy, 1);
+    EXPECT_LE(most_n, 2.5 + 1e-12);
+    EXPECT_NEAR(rig.engine.middle(0).position_m.z, 0.3, 1e-3);
+}
+
+TEST(HandBodies, keeps_what_it_holds_upright_and_turns_it_by_quarters) {
+    BodyWorldMaker world;
+    world.floor();
+    const DynamicsPiece plank = make_box_piece({Vec3(-0.4, -0.1, -0.05), Vec3(0.4, 0.1, 0.05)});
+    world.body(plank, Vec3(0, 0, 0.05), nature(1.0));
+    HandSetup setup;
+    setup.origin_m = Vec3(0.3, 0, 0.09);  // far from its middle
+    BodyRig rig(world, {setup});
+    rig.hands[0]->want_grip = true;
+    ClosedLoop loop(light_hand(3.0), Vec3(0.0));
+    const auto run = [&](int ticks, double lift_m) {
+        for (int i = 0; i < ticks; ++i)
+            loop.tick(
+                [&](double) {
+                    return HandIntent{Vec3(0, 0, lift_m), Vec3(0.0)};
+                },
+                [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+    };
+    run(2000, 0.04);
+    const Placement lifted = rig.engine.middle(0);
+    EXPECT_GT(lifted.position_m.z, 0.4);
+    EXPECT_GT(std::abs(lifted.rotation.w), std::cos(0.5 * 0.35));  // its weight turns it by under 20 degrees
+    rig.hands[0]->bodies().turn_held(rotation_about({0, 0, 1}, kPi / 2));
+    run(1500, 0.04);
+    const Rotation turned = rig.engine.middle(0).rotation;
+    EXPECT_NEAR(std::abs(turned.z), std::sqrt(0.5), 0.12);
+}
+
+TEST(HandBodies, gives_the_same_bits_in_two_runs) {
+    const auto play = [] {
+        BodyWorldMaker world;
+        world.floor();
+        for (int i = 0; i < 4; ++i)
+            world.body(i % 2 ? ball_of(0.15) : box_of(0.15), Vec3(0.4 * i, 0.01 * i, 0.15), nature(0.5 + i, 0.3));
+        HandSetup setup;
+        setup.origin_m = Vec3(-0.25, 0, 0.14);
+        BodyRig rig(world, {setup});
+        ClosedLoop loop(light_hand(3.0), Vec3(0.0));
+        std::vector<double> felt;
+        for (int i = 0; i < 1500; ++i) {
+            rig.hands[0]->want_grip = i > 900 && i < 1200;
+            loop.tick(
+                [&](double now) {
+                    return HandIntent{Vec3(0.03 * now, 0.002 * std::sin(5 * now), 0), Vec3(0.0)};
+                },
+                [&](const Vec3& hand, double, double) { return rig.render(0, hand); });
+            for (int k = 0; k < 3; ++k) felt.push_back(rig.hands[0]->force_n[k]);
+        }
+        for (std::uint32_t b = 0; b < 4; ++b)
+            for (int k = 0; k < 3; ++k) felt.push_back(rig.engine.middle(b).position_m[k]);
+        return felt;
+    };
+    EXPECT_EQ(play(), play());
+}
+
+TEST(HandBodies, lets_a_body_stand_when_the_engine_is_silent_and_go_on_when_it_speaks_again) {
+    BodyWorldMaker world;
+    world.floor();
+    world.body(box_of(0.2), Vec3(0, 0, 0.2), nature(1.0));
+    HandSetup setup;
+    setup.origin_m = Vec3(-0.24, 0, 0.2);
+    setup.latency_ticks = 400;
+    BodyRig rig(world, {setup});
+    for (int i = 0; i < 3000; ++i) {
+        const Vec3 force = rig.render(0, Vec3(std::min(0.002, 2e-6 * i), 0, 0));
+        ASSERT_TRUE(is_finite(force)) << i;
+        ASSERT_LT(glm::length(force), 4.0) << i;
+    }
+    EXPECT_GT(rig.engine.middle(0).position_m.x, -0.01);
+}
+
+}  // namespace
+}  // namespace handrail::test

@@ -1,0 +1,49 @@
+// The hand's side of movable bodies neither allocates nor frees: every way to operator new and delete in this program
+// is counted.
+#include "tests/support/count_allocations.h"
+#include "tests/unit/dynamics/rig.h"
+
+namespace handrail::test {
+namespace {
+
+TEST(HandBodies, never_allocate_or_free_in_a_tick) {
+    BodyWorldMaker world;
+    world.floor();
+    world.box({Vec3(0.9, -5, 0), Vec3(1.9, 5, 5)}, kWall);
+    BodyNature nature;
+    for (int i = 0; i < 6; ++i)
+        world.body(i % 2 ? ball_of(0.1) : box_of(0.1), Vec3(0.25 * i - 0.5, 0.02 * i, 0.1), nature);
+    HandSetup setup;
+    setup.ceiling_n = 2.5;
+    const auto moves = world.moves();
+    Dynamics engine(moves);
+    Hand hand(0, world.felt(), *moves, setup);
+    DynamicsFrame frame;
+    std::vector<BodyEvent> events;
+    engine.step(frame, events);
+    long during = 0, held = 0, contacts = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const double now_s = Dynamics::kStep_s + 1e-3 * i;
+        const Vec3 goal =
+            Vec3(-0.8 + 0.4e-3 * i, 0.1 * std::sin(0.003 * i), 0.12 + 0.1 * std::sin(0.005 * i)) / setup.scale;
+        hand.want_grip = i % 900 > 500;
+        const long before = allocations;
+        hand.hear(frame);
+        hand.tick(goal, now_s, 1e-3);
+        hand.bodies().turn_held({std::sqrt(0.5), 0, 0, std::sqrt(0.5)});
+        hand.bodies().heavy();
+        during += allocations - before;
+        held += hand.bodies().holds() != kNoBody;
+        contacts += hand.touch.contacts.count;
+        hand.send_to(engine);
+        if (i == 2500) engine.restart();  // nothing of the game before holds; the hand's side begins anew inside a tick
+        while (engine.time_s() + Dynamics::kStep_s <= now_s + 1e-3) engine.step(frame, events);
+        events.clear();
+    }
+    EXPECT_EQ(during, 0);
+    EXPECT_GT(held, 50);
+    EXPECT_GT(contacts, 100);
+}
+
+}  // namespace
+}  // namespace handrail::test

@@ -1,0 +1,87 @@
+// What features tell of as facts, each over plain state alone.
+#include <gmock/gmock.h>
+
+#include "app/core/context/touch_events.h"
+#include "app/core/movers/doors.h"
+#include "app/core/whereabouts/asking.h"
+#include "tests/support/box_scene.h"
+#include "tests/unit/features/plain_session.h"
+
+namespace handrail {
+namespace {
+
+std::shared_ptr<const Scene> yard() {
+    test::SceneBuilder builder;
+    builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");
+    builder.start({0.0, 0.0, 0.0}, 0.0);
+    return builder.share();
+}
+
+TEST(Events, come_in_their_order_and_once) {
+    Events events;
+    events.tell(HelpAsked{Command::Exits}, 1.0);
+    events.tell(Teleported{{1.0, 2.0, 3.0}, 0.5}, 2.0);
+    const std::vector<SessionEvent> told = events.take();
+    ASSERT_EQ(told.size(), 2U);
+    EXPECT_EQ(told[0].time_s, 1.0);
+    EXPECT_EQ(std::get<HelpAsked>(told[0].what).command, Command::Exits);
+    EXPECT_EQ(std::get<Teleported>(told[1].what).feet_m, Vec3(1.0, 2.0, 3.0));
+    EXPECT_TRUE(events.take().empty());
+}
+
+TEST(Events, that_nobody_takes_are_the_newest_only) {
+    Events events;
+    const std::size_t more = 10;
+    for (std::size_t i = 0; i < Events::kMost + more; ++i)
+        events.tell(RoomEntered{static_cast<std::uint32_t>(i), {}}, static_cast<double>(i));
+    const std::vector<SessionEvent> told = events.take();
+    ASSERT_EQ(told.size(), Events::kMost);
+    for (std::size_t i = 0; i < told.size(); ++i) ASSERT_EQ(std::get<RoomEntered>(told[i].what).room, i + more);
+}
+
+TEST(Events, tell_of_a_touch_when_it_is_another_thing) {
+    test::PlainSession plain(yard());
+    TouchEvents touch(plain.context);
+    const auto feel = [&](ToolState& tool, FeatureId feature) {
+        tool.contacts.count = feature == kNoFeature ? 0 : 1;
+        tool.contacts.contacts[0].feature = feature;
+        tool.contacts.strongest = 0;
+        tool.contact_n = 1.5;
+        touch.tick(0.0);
+    };
+    feel(plain.hands.tool, FeatureId{3});
+    feel(plain.hands.tool, FeatureId{3});
+    feel(plain.hands.left_tool, FeatureId{3});
+    feel(plain.hands.tool, kNoFeature);
+    feel(plain.hands.tool, FeatureId{3});
+    const std::vector<SessionEvent> told = plain.events.take();
+    ASSERT_EQ(told.size(), 3U) << "once each hand, and again after letting go";
+    for (const std::size_t i : {0U, 1U, 2U}) {
+        const auto& touched = std::get<Touched>(told[i].what);
+        EXPECT_EQ(touched.feature, FeatureId{3});
+        EXPECT_EQ(touched.left, i == 1);
+        EXPECT_EQ(touched.force_n, 1.5);
+    }
+}
+
+TEST(Events, tell_of_help_that_was_asked_and_of_no_other_command) {
+    test::PlainSession plain(yard());
+    Rooms rooms(plain.context);
+    Asking asking(plain.context, rooms);
+    rooms.enter_world(plain.as_read);
+    EXPECT_TRUE(asking.act(Command::Heading, 1.0));
+    EXPECT_FALSE(asking.act(Command::Use, 2.0));
+    EXPECT_TRUE(rooms.act(Command::Exits, 3.0));
+    std::vector<Command> asked;
+    std::vector<double> at_s;
+    for (const SessionEvent& event : plain.events.take())
+        if (const auto* help = std::get_if<HelpAsked>(&event.what)) {
+            asked.push_back(help->command);
+            at_s.push_back(event.time_s);
+        }
+    EXPECT_THAT(asked, testing::ElementsAre(Command::Heading, Command::Exits));
+    EXPECT_THAT(at_s, testing::ElementsAre(1.0, 3.0));
+}
+
+}  // namespace
+}  // namespace handrail

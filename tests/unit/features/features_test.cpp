@@ -1,0 +1,79 @@
+// Features of the session, each over plain state alone.
+#include <gmock/gmock.h>
+
+#include "app/core/movers/doors.h"
+#include "app/core/movers/triggers.h"
+#include "app/core/whereabouts/asking.h"
+#include "tests/support/box_scene.h"
+#include "tests/unit/features/plain_session.h"
+
+namespace handrail {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// A floor with a pillar 3 m north of the base and a pool around it.
+std::shared_ptr<const Scene> yard() {
+    test::SceneBuilder builder;
+    builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");
+    builder.box({-0.5, 3.0, 0.0}, {0.5, 4.0, 2.0}, "pillar");
+    builder.box({-2.0, 2.0, 0.0}, {2.0, 5.0, 0.3}, "pool", SolidRole::Liquid, {}, FeatureKind::Liquid);
+    builder.start({0.0, 0.0, 0.0}, 0.0);
+    return builder.share();
+}
+
+TEST(Features, answer_what_is_ahead_without_a_session) {
+    test::PlainSession plain(yard());
+    Rooms rooms(plain.context);
+    Asking asking(plain.context, rooms);
+    EXPECT_TRUE(asking.act(Command::AheadOfMe, 0.0));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("illar")));
+    plain.body.heading_rad = plain.body.heading_goal_rad = kPi;
+    EXPECT_TRUE(asking.act(Command::Heading, 0.0));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("south")));
+    EXPECT_FALSE(asking.act(Command::Use, 0.0)) << "another's command";
+    EXPECT_THAT(plain.said(), IsEmpty());
+}
+
+TEST(Features, use_nothing_where_nothing_is_in_reach) {
+    test::PlainSession plain(yard());
+    Doors doors(plain.context, plain.world, plain.body);
+    EXPECT_TRUE(doors.act(Command::Use, 0.0));
+    EXPECT_EQ(plain.said().size(), 1U);
+    EXPECT_FALSE(doors.act(Command::Exits, 0.0)) << "another's command";
+    EXPECT_FALSE(doors.take_arrived());
+}
+
+TEST(Features, tell_of_a_liquid_once_each_time_one_walks_into_it) {
+    test::PlainSession plain(yard());
+    Triggers triggers(plain.context, plain.world);
+    triggers.tick(0.0);
+    EXPECT_THAT(plain.said(), IsEmpty());
+    for (int time = 0; time < 2; ++time) {
+        plain.body.walker->place({0.0, 2.5, 0.0});
+        triggers.tick(1.0);
+        EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("ool")));
+        triggers.tick(1.1);
+        EXPECT_THAT(plain.said(), IsEmpty()) << "still in it";
+        plain.body.walker->place({0.0, 0.0, 0.0});
+        triggers.tick(2.0);
+        EXPECT_THAT(plain.said(), IsEmpty());
+    }
+}
+
+TEST(Features, ask_for_rooms_that_nobody_has_looked_for_yet) {
+    test::PlainSession plain(yard());
+    Rooms rooms(plain.context);
+    EXPECT_FALSE(rooms.looked_for());
+    EXPECT_FALSE(rooms.known()) << "in no world";
+    rooms.enter_world(plain.as_read);
+    EXPECT_FALSE(rooms.found()) << "nothing is looked for by this question";
+    EXPECT_TRUE(rooms.known()) << "now they are looked for";
+    EXPECT_TRUE(rooms.found());
+    EXPECT_TRUE(rooms.looked_for());
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,245 @@
+// What the hand feels, where its workspace lies and when it has force, over plain state alone.
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <thread>
+
+#include "app/core/hand/forces.h"
+#include "app/core/hand/workspace.h"
+#include "tests/support/box_scene.h"
+#include "tests/unit/features/plain_session.h"
+
+namespace handrail {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// A floor with a block 2 m north of the base and a bead on top of it that is too small to feel at large scales.
+std::shared_ptr<const Scene> block_with_bead() {
+    test::SceneBuilder builder;
+    builder.box({-5.0, -5.0, -0.5}, {5.0, 5.0, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    builder.box({-0.5, 2.0, 0.0}, {0.5, 3.0, 1.5}, "block");
+    builder.box({0.0, 2.5, 1.5}, {0.02, 2.52, 1.52}, "bead");
+    builder.start({0.0, 0.0, 0.0}, 0.0);
+    return builder.share();
+}
+
+struct WithHand {
+    explicit WithHand(bool present = true) : plain(block_with_bead()) {
+        plain.hands.right.present = present;
+        plain.hands.right.simulated = true;
+        plain.hands.right.spec = *find_device_spec("sim-t");
+    }
+    void enter() {
+        touch.enter_world(nullptr, 0.0);
+        workspace.publish(0.0, PoseChange::Placed);
+        feel_at(plain.hands.pose.origin_m);
+    }
+    // The servo has told that the hand is there, in the workspace as it lies now.
+    void feel_at(const Vec3& place_m) {
+        ToolState& tool = plain.hands.tool;
+        tool.ticks = 1;
+        tool.hip_m = tool.proxy_m = place_m;
+        tool.workspace_jump = plain.hands.pose.jump;
+        tool.hand_m = (place_m - plain.hands.pose.origin_m) / scale_now();  // while the workspace looks north
+    }
+    double scale_now() const { return plain.hands.tuning.touch.world_m_per_hand_m; }
+    // Where a hand at that place of the device would be.
+    Vec3 world_m(const Vec3& hand_m) const { return plain.hands.pose.origin_m + hand_m * scale_now(); }
+
+    test::PlainSession plain;
+    HeldKeys keys;
+    TouchView touch{plain.context, plain.world, plain.body, plain.hands};
+    Workspace workspace{plain.context, plain.person, plain.hands, keys, touch};
+    Forces forces{plain.context, plain.hands};
+};
+
+TEST(TouchViewFeature, tells_once_what_the_scale_leaves_out) {
+    WithHand one;
+    one.plain.person.settings.workspace.scale = 200.0;
+    one.enter();
+    ASSERT_EQ(one.touch.plan().left_out.size(), 1U);
+    EXPECT_EQ(one.plain.world.scene->features[one.touch.plan().left_out[0].value].name, "bead");
+    EXPECT_THAT(one.touch.news(), HasSubstr("small thing"));
+    EXPECT_EQ(one.touch.news(), "");
+    EXPECT_EQ(one.scale_now(), 200.0);
+    one.plain.person.settings.haptic.simplify = false;
+    one.touch.retune();
+    EXPECT_TRUE(one.touch.stale());
+    const auto felt = one.touch.felt();
+    EXPECT_TRUE(one.touch.adapt(1.0));
+    EXPECT_NE(one.touch.felt(), felt);
+    EXPECT_FALSE(one.touch.stale());
+    EXPECT_EQ(one.touch.news(), phrase("simplify.nothing"));
+}
+
+TEST(TouchViewFeature, feels_what_it_felt_until_the_new_is_made_beside) {
+    WithHand one;
+    one.touch.make_beside();
+    one.plain.person.settings.workspace.scale = 200.0;
+    one.enter();
+    const auto sharp = one.touch.felt();
+    EXPECT_TRUE(one.touch.busy());
+    EXPECT_TRUE(one.touch.plan().changes_nothing());
+    bool made = false;
+    for (int i = 0; i < 5000 && !made; ++i) {
+        made = one.touch.take_made(1.0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    ASSERT_TRUE(made);
+    EXPECT_NE(one.touch.felt(), sharp);
+    EXPECT_FALSE(one.touch.plan().changes_nothing());
+}
+
+TEST(TouchViewFeature, asks_again_for_openings_that_were_awaited) {
+    WithHand one;
+    int asked = 0;
+    bool awaited = true;
+    one.touch.openings = [&] {
+        ++asked;
+        return KnownOpenings{{}, awaited};
+    };
+    one.plain.person.settings.workspace.scale = 400.0;
+    one.enter();
+    ASSERT_GT(asked, 0);
+    const int before = asked;
+    EXPECT_FALSE(one.touch.widen_openings(false, 1.0));
+    EXPECT_EQ(asked, before) << "nobody has found the rooms yet";
+    awaited = false;
+    EXPECT_FALSE(one.touch.widen_openings(true, 1.0)) << "there were none, so nothing is felt otherwise";
+    EXPECT_GT(asked, before);
+    const int after = asked;
+    EXPECT_FALSE(one.touch.widen_openings(true, 2.0));
+    EXPECT_EQ(asked, after) << "they are known now";
+}
+
+TEST(WorkspaceFeature, keeps_the_place_under_the_hand_when_the_scale_changes) {
+    WithHand one;
+    one.enter();
+    const Vec3 place = one.plain.hands.pose.origin_m + Vec3(2.0, -0.6, 0.3);
+    one.feel_at(place);
+    const Vec3 hand = one.plain.hands.tool.hand_m;
+    const std::uint32_t jump = one.plain.hands.pose.jump;
+    EXPECT_TRUE(one.workspace.act(Command::ScaleDetail, 1.0));
+    EXPECT_THAT(one.plain.said(), ElementsAre(HasSubstr("etail")));
+    EXPECT_GT(one.plain.hands.pose.jump, jump);
+    EXPECT_LT(glm::length(one.world_m(hand) - place), 1e-9);
+}
+
+TEST(WorkspaceFeature, needs_a_hand_and_says_so) {
+    WithHand one(false);
+    one.enter();
+    for (const Command command : {Command::ScaleRoom, Command::WorkspaceLeft, Command::WorkspaceCentre, Command::Grab,
+                                  Command::WorkspaceTurnLeft}) {
+        EXPECT_TRUE(one.workspace.act(command, 0.0));
+        EXPECT_THAT(one.plain.said(), ElementsAre(phrase("session.no_hand")));
+    }
+    EXPECT_FALSE(one.workspace.act(Command::Forward, 0.0)) << "another's command";
+    EXPECT_FALSE(one.workspace.pushed(0.0));
+}
+
+TEST(WorkspaceFeature, is_pushed_by_a_tap_for_a_moment_and_by_a_held_key_for_longer) {
+    WithHand one;
+    one.enter();
+    EXPECT_TRUE(one.workspace.act(Command::WorkspaceRight, 1.0));
+    one.plain.context.tick_s = 1.1;
+    EXPECT_FALSE(one.workspace.idle());
+    one.workspace.push(Vec3(0.0), 1.1);
+    EXPECT_GT(one.plain.hands.tuning.workspace.push_hand_m_per_s.x, 0.0);
+    one.plain.context.tick_s = 1.5;
+    EXPECT_TRUE(one.workspace.idle());
+    one.workspace.push({0.0, 0.01, 0.0}, 1.5);
+    EXPECT_EQ(one.plain.hands.tuning.workspace.push_hand_m_per_s, Vec3(0.0, 0.01, 0.0)) << "as it is carried";
+    one.keys.press(Command::WorkspaceUp);
+    one.workspace.push({0.0, 0.01, 0.0}, 2.0);
+    EXPECT_GT(one.plain.hands.tuning.workspace.push_hand_m_per_s.z, 0.0);
+    EXPECT_EQ(one.plain.hands.tuning.workspace.push_hand_m_per_s.y, 0.0) << "keys count first";
+}
+
+TEST(WorkspaceFeature, brings_a_hand_out_of_what_it_is_in) {
+    WithHand one;
+    one.enter();
+    EXPECT_EQ(one.workspace.bring_out(one.workspace.middle_m(), false, 0.0), "");
+    const Vec3 inside(0.0, 2.2, 0.7);
+    one.feel_at(inside);
+    const Vec3 hand = one.plain.hands.tool.hand_m;
+    EXPECT_THAT(one.workspace.bring_out(one.workspace.middle_m(), false, 1.0), HasSubstr("lock"));
+    const Vec3 out = one.world_m(hand);
+    EXPECT_LT(out.y, 2.0 - 0.5 * one.plain.hands.tuning.touch.radius_m) << "the nearest side";
+}
+
+TEST(WorkspaceFeature, moves_the_simulated_hand_no_farther_than_it_reaches) {
+    WithHand one;
+    one.enter();
+    EXPECT_TRUE(one.workspace.act(Command::HandUp, 0.0));
+    EXPECT_GT(one.workspace.hand_target_m().z, 0.0);
+    one.keys.press(Command::HandLeft);
+    for (int i = 0; i < 600; ++i) one.workspace.move_hand_by_keys(1.0 / 60.0);
+    EXPECT_NEAR(glm::length(one.workspace.hand_target_m()), one.plain.hands.right.spec.workspace_radius_m, 1e-9);
+    EXPECT_TRUE(one.workspace.act(Command::HandCentre, 0.0));
+    EXPECT_EQ(one.workspace.hand_target_m(), Vec3(0.0));
+}
+
+TEST(ForcesFeature, stop_at_once_and_come_back_by_their_key) {
+    WithHand one;
+    EXPECT_TRUE(one.forces.know_stops(1)) << "the switch was pressed";
+    EXPECT_TRUE(one.forces.stop(1.0));
+    EXPECT_TRUE(one.plain.hands.tuning.panic);
+    EXPECT_THAT(one.plain.said(), ElementsAre(HasSubstr("topped")));
+    EXPECT_FALSE(one.forces.stop(1.1)) << "the window tells of the same press";
+    EXPECT_FALSE(one.forces.know_stops(1));
+    EXPECT_TRUE(one.forces.act(Command::ToggleForces, 2.0));
+    EXPECT_FALSE(one.plain.hands.tuning.panic);
+    EXPECT_TRUE(one.plain.hands.tuning.forces_on);
+    EXPECT_EQ(one.plain.hands.tuning.stops_let_go, 1U);
+    EXPECT_THAT(one.plain.said(), ElementsAre(phrase("session.forces_on")));
+    EXPECT_TRUE(one.forces.act(Command::ToggleForces, 3.0));
+    EXPECT_FALSE(one.plain.hands.tuning.forces_on);
+    EXPECT_FALSE(one.forces.act(Command::Home, 3.0)) << "another's command";
+}
+
+TEST(ForcesFeature, take_a_hand_that_was_offered_by_the_same_key) {
+    WithHand one(false);
+    one.forces.offer("Touch", 0.0);
+    EXPECT_FALSE(one.forces.offer_taken());
+    EXPECT_TRUE(one.forces.act(Command::ToggleForces, 1.0));
+    EXPECT_TRUE(one.forces.offer_taken());
+    EXPECT_FALSE(one.forces.offer_taken()) << "true once";
+    EXPECT_EQ(one.plain.said().size(), 1U);
+    EXPECT_TRUE(one.forces.act(Command::ToggleForces, 2.0));
+    EXPECT_THAT(one.plain.said(), ElementsAre(phrase("session.no_hand")));
+}
+
+TEST(ForcesFeature, propose_a_break_every_quarter_of_an_hour_of_touching_whatever_the_device) {
+    WithHand one;
+    one.plain.hands.tool.contact_s = 10.0 * 60.0;
+    one.forces.tell_break(1.0);
+    EXPECT_THAT(one.plain.said(), IsEmpty());
+    one.forces.take(one.plain.hands.right);
+    EXPECT_EQ(one.plain.hands.tool.contact_s, 0.0);
+    one.plain.hands.tool.contact_s = 6.0 * 60.0;
+    one.forces.tell_break(2.0);
+    EXPECT_EQ(one.plain.said().size(), 1U) << "sixteen minutes with both";
+    one.forces.tell_break(3.0);
+    EXPECT_THAT(one.plain.said(), IsEmpty());
+}
+
+TEST(ForcesFeature, say_when_a_device_that_was_too_warm_may_act_again) {
+    WithHand one;
+    ToolState& tool = one.plain.hands.tool;
+    tool.fault = Fault::TooHot;
+    tool.fault_latched = tool.fault_lasts = true;
+    EXPECT_TRUE(one.forces.act(Command::ToggleForces, 0.0));
+    one.forces.tick(0.0);
+    EXPECT_THAT(one.plain.said(), ElementsAre(phrase("session.too_warm")));
+    tool.fault_lasts = false;
+    one.forces.tick(1.0);
+    EXPECT_EQ(one.plain.said().size(), 1U);
+    one.forces.tick(2.0);
+    EXPECT_THAT(one.plain.said(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,299 @@
+// The mark list and kept ways, each over plain state alone.
+#include <gmock/gmock.h>
+
+#include <optional>
+
+#include "app/core/places/kept_ways.h"
+#include "app/core/places/mark_list.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/features/plain_session.h"
+
+namespace handrail {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+// A yard with a fountain that its map calls a landmark.
+std::shared_ptr<const Scene> yard() {
+    test::SceneBuilder builder;
+    builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    const FeatureId fountain = builder.box({5.0, 5.0, 0.0}, {6.0, 6.0, 1.5}, "fountain");
+    builder.scene().features[fountain.value].landmark = true;
+    builder.start({0.0, 0.0, 0.0}, 0.0);
+    return builder.share();
+}
+
+struct Place : test::PlainSession {
+    Place() : PlainSession(yard()) {
+        context.asks.save_additions = [this](double) { ++saved; };
+        rooms.enter_world(as_read);
+    }
+    void stand_at(const Vec3& feet_m) { body.walker->place(feet_m); }
+    // What is said to a line that is typed, or to an item of the open list by its name.
+    std::vector<std::string> line(const std::string& typed) {
+        const DialogueReply reply = lists.dialogue.line(typed, context.tick_s);
+        EXPECT_TRUE(reply.taken && !reply.denied) << typed << ": " << reply.words;
+        return said();
+    }
+    std::vector<std::string> items() const {
+        std::vector<std::string> names;
+        for (const ListItem& item : lists.dialogue.view().items) names.push_back(item.name);
+        return names;
+    }
+    int saved = 0;
+    Rooms rooms{context};
+};
+
+struct Marker : Place {
+    Marker() { marks.enter_world(); }
+    // Where sounds of that kind were played since this was last asked; words are dropped.
+    std::size_t heard(SoundKind kind) {
+        std::size_t count = 0;
+        for (const CueRequest& cue : cues.take()) count += cue.kind == CueRequestKind::Play && cue.sound == kind;
+        return count;
+    }
+    MarkList marks{context, world.marks};
+};
+
+TEST(MarkListFeature, sets_names_and_deletes_marks_and_keeps_each_change) {
+    Marker m;
+    m.stand_at({1.0, 2.0, 0.0});
+    EXPECT_TRUE(m.marks.act(Command::DropMark, 1.0));
+    EXPECT_THAT(m.said(), ElementsAre(HasSubstr("Mark 1")));
+    EXPECT_EQ(m.saved, 1);
+    EXPECT_THAT(m.line("My place"), ElementsAre("My place"));
+    EXPECT_EQ(m.saved, 2);
+    ASSERT_EQ(m.world.marks.size(), 1U);
+    EXPECT_EQ(m.world.marks[0].name, "My place");
+    EXPECT_EQ(m.world.marks[0].place_m, m.body.feet_m());
+    std::vector<Error> faults;
+    EXPECT_EQ(read_marks(m.additions, faults).size(), 1U) << "they are among what is saved";
+
+    EXPECT_TRUE(m.marks.act(Command::DeleteMark, 2.0));
+    EXPECT_THAT(m.items(), ElementsAre("My place"));
+    (void)m.said();
+    EXPECT_THAT(m.line("enter"), ElementsAre("My place deleted"));
+    EXPECT_EQ(m.saved, 3);
+    EXPECT_THAT(m.world.marks, IsEmpty());
+    EXPECT_THAT(read_marks(m.additions, faults), IsEmpty());
+    EXPECT_TRUE(m.marks.act(Command::DeleteMark, 3.0));
+    EXPECT_FALSE(m.lists.dialogue.is_open()) << "there is none to be deleted";
+    EXPECT_FALSE(m.marks.act(Command::Find, 4.0)) << "another's command";
+}
+
+TEST(MarkListFeature, sets_a_mark_where_the_hand_is_when_its_button_goes_down) {
+    Marker m;
+    m.person.settings.marks.button = 2;
+    m.hands.right.present = true;
+    m.hands.tool.ticks = 1;
+    m.hands.tool.proxy_m = {3.0, 1.0, 1.0};
+    m.marks.tick_button(0.0);
+    EXPECT_THAT(m.world.marks, IsEmpty());
+    m.hands.tool.buttons = 1U << 1;
+    m.marks.tick_button(0.1);
+    m.marks.tick_button(0.2);
+    ASSERT_EQ(m.world.marks.size(), 1U) << "once while it is held";
+    EXPECT_EQ(m.world.marks[0].place_m, m.hands.tool.proxy_m);
+    EXPECT_FALSE(m.lists.dialogue.is_open()) << "a hand that presses a button does not type";
+    m.marks.enter_world();
+    m.marks.tick_button(0.3);
+    EXPECT_EQ(m.world.marks.size(), 1U) << "it was held all the time";
+    m.hands.tuning.workspace.grab_buttons = 1U << 1;
+    m.hands.tool.buttons = 0;
+    m.marks.tick_button(0.4);
+    m.hands.tool.buttons = 1U << 1;
+    m.marks.tick_button(0.5);
+    EXPECT_EQ(m.world.marks.size(), 1U) << "that button grabs the world";
+}
+
+TEST(MarkListFeature, tells_a_mark_each_time_one_comes_near_and_not_on_entering) {
+    Marker m;
+    m.person.settings.marks.ask_name = false;
+    (void)m.marks.act(Command::DropMark, 0.0);
+    m.marks.enter_world();
+    m.marks.tick(0.1);
+    (void)m.said();
+    m.marks.tick(0.2);
+    EXPECT_THAT(m.said(), IsEmpty()) << "one stands at it since one came in";
+    for (int time = 0; time < 2; ++time) {
+        m.stand_at({4.0, 0.0, 0.0});
+        m.marks.tick(1.0);
+        EXPECT_THAT(m.said(), IsEmpty());
+        m.stand_at({0.5, 0.0, 0.0});
+        m.marks.tick(2.0);
+        EXPECT_THAT(m.said(), ElementsAre(HasSubstr("Mark 1")));
+        m.marks.tick(2.1);
+        EXPECT_THAT(m.said(), IsEmpty()) << "told once";
+    }
+}
+
+TEST(MarkListFeature, plays_a_landmark_when_the_body_comes_near_it) {
+    Marker m;
+    m.marks.tick(0.0);
+    EXPECT_EQ(m.heard(SoundKind::Landmark), 0U);
+    m.stand_at({5.5, 4.0, 0.0});
+    m.marks.tick(0.1);
+    EXPECT_EQ(m.heard(SoundKind::Landmark), 1U);
+    m.marks.tick(0.2);
+    EXPECT_EQ(m.heard(SoundKind::Landmark), 0U);
+    m.stand_at({0.0, 0.0, 0.0});
+    m.marks.tick(0.3);
+    m.hands.tuning.panic = true;
+    m.stand_at({5.5, 4.0, 0.0});
+    m.marks.tick(0.4);
+    EXPECT_EQ(m.heard(SoundKind::Landmark), 0U) << "everything was stopped";
+}
+
+TEST(MarkListFeature, lists_the_marks_below_the_lines_of_others) {
+    Marker m;
+    int chosen = 0, adjusted = 0;
+    std::optional<Goal> found;
+    m.marks.rows_above = [&] {
+        return std::vector<MarkList::Row>{
+            {{"bell", "off"}, [&](double) { ++chosen; }},
+            {{"help", "7", true}, [](double) {}, [&](int by) { return std::to_string(7 + (adjusted += by)); }}};
+    };
+    m.marks.on_find = [&](const Goal& mark, double) { found = mark; };
+    m.person.settings.marks.ask_name = false;
+    m.stand_at({2.0, 0.0, 0.0});
+    (void)m.marks.act(Command::DropMark, 0.0);
+    EXPECT_TRUE(m.marks.act(Command::Marks, 1.0));
+    EXPECT_THAT(m.items(), ElementsAre("bell", "help", HasSubstr("Mark 1")));
+    (void)m.line("enter");
+    EXPECT_EQ(chosen, 1);
+    EXPECT_FALSE(found);
+    (void)m.marks.act(Command::Marks, 2.0);
+    (void)m.line("down");
+    EXPECT_EQ(m.lists.dialogue.line("right", 2.0).words, "8");
+    (void)m.line("down");
+    (void)m.line("enter");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->box_m.min_m, m.body.feet_m());
+}
+
+TEST(MarkListFeature, tells_once_what_of_the_file_is_no_mark) {
+    const test::TemporaryFolder folder;
+    const auto world = folder.write("yard.map", "a world");
+    folder.write("yard.map.handrail.toml",
+                 "[[mark]]\nname = \"Well\"\nplace_m = [1.0, 1.0, 0.0]\n\n[[mark]]\nname = \"Nowhere\"\n");
+    Marker m;
+    m.additions = SideFile::of_world(world, {});
+    m.marks.enter_world();
+    ASSERT_EQ(m.world.marks.size(), 1U);
+    EXPECT_EQ(m.world.marks[0].name, "Well");
+    m.marks.tell_faults(0.0);
+    EXPECT_THAT(m.said(), ElementsAre(HasSubstr("the mark Nowhere needs place_m")));
+    m.marks.tell_faults(0.1);
+    EXPECT_THAT(m.said(), IsEmpty());
+}
+
+struct Keeper : Place {
+    Keeper() { ways.enter_world(0.0); }
+    // From the base 6 m east, and kept under that name.
+    void keep(const std::string& name) {
+        for (double x = 0.0; x <= 6.0; x += 0.25) body.crumbs_m.emplace_back(x, 0.0, 0.0);
+        stand_at({6.0, 0.0, 0.0});
+        EXPECT_TRUE(ways.act(Command::KeepWay, 1.0));
+        EXPECT_THAT(items(), ElementsAre("All that you walked here", "Begin a way here"));
+        (void)line("All that you walked here");
+        EXPECT_THAT(line(name), ElementsAre("Way " + name + " kept"));
+        body.crumbs_m.clear();
+    }
+    void choose(const std::string& way) {
+        EXPECT_TRUE(ways.act(Command::Ways, 2.0));
+        (void)said();
+        (void)line(way);
+    }
+    PlannedStops planned{context, rooms};
+    KeptWays ways{context, rooms, planned};
+};
+
+TEST(KeptWaysFeature, keep_what_was_walked_under_a_name_of_its_own) {
+    Keeper k;
+    EXPECT_TRUE(k.ways.act(Command::Ways, 0.0));
+    EXPECT_THAT(k.said(), ElementsAre(HasSubstr("No way is kept here yet")));
+    k.keep("To the east");
+    EXPECT_EQ(k.saved, 1);
+    std::vector<Error> faults;
+    const std::vector<SavedWay> kept = read_ways(k.additions, faults);
+    ASSERT_EQ(kept.size(), 1U);
+    EXPECT_LT(glm::length(kept[0].stops.back().place_m - Vec3(6.0, 0.0, 0.0)), 0.3);
+    k.choose("To the east");
+    (void)k.line("Another name");
+    EXPECT_THAT(k.line("East"), ElementsAre("East"));
+    k.choose("East");
+    EXPECT_THAT(k.line("Delete it"), ElementsAre("Way East deleted"));
+    EXPECT_THAT(read_ways(k.additions, faults), IsEmpty());
+    EXPECT_EQ(k.saved, 3);
+    EXPECT_FALSE(k.ways.act(Command::Routes, 3.0)) << "another's command";
+}
+
+TEST(KeptWaysFeature, hand_their_stops_to_whoever_goes_along_them) {
+    Keeper k;
+    std::vector<Stop> gone;
+    bool by_hand = false;
+    k.ways.on_go = [&](const std::vector<Stop>& stops, bool hand, double) { gone = stops, by_hand = hand; };
+    k.keep("East");
+    k.choose("East");
+    EXPECT_THAT(k.items(), ElementsAre("Hear it", "Follow it by ear", "Have your hand led along it", "Backwards",
+                                       "Add a stop at its end", "Another name", "Delete it"));
+    (void)k.line("Follow it by ear");
+    ASSERT_EQ(gone.size(), 2U);
+    EXPECT_FALSE(by_hand);
+    EXPECT_NEAR(gone.back().place_m.x, 6.0, 0.3);
+    k.choose("East");
+    (void)k.line("Backwards");
+    (void)k.line("Have your hand led along it");
+    EXPECT_TRUE(by_hand);
+    EXPECT_NEAR(gone.back().place_m.x, 0.0, 0.3);
+    k.choose("East");
+    EXPECT_THAT(k.line("Hear it"), ElementsAre(AllOf(HasSubstr("East. From "), HasSubstr("in all."))));
+}
+
+TEST(KeptWaysFeature, offer_what_was_planned_when_it_has_two_stops) {
+    Keeper k;
+    ASSERT_TRUE(k.rooms.known());
+    k.planned.note({.name = "Fountain", .place_m = {5.5, 4.0, 0.0}, .thing = {}, .room = {}, .kept = {}}, {0, 0, 0});
+    EXPECT_TRUE(k.ways.act(Command::KeepWay, 1.0));
+    EXPECT_THAT(k.items(), ElementsAre("The way you planned last", "Begin a way here"));
+}
+
+TEST(KeptWaysFeature, follow_the_new_name_of_a_room_and_read_again_what_another_wrote) {
+    Keeper k;
+    const Stop here{.name = "Door", .place_m = {0.0, 0.0, 0.0}, .thing = {}, .room = "Old yard", .kept = {}},
+        there{.name = "Gate", .place_m = {4.0, 0.0, 0.0}, .thing = {}, .room = "Street", .kept = {}};
+    write_ways(k.additions, {{"Out", {here, there}, {}, {}}});
+    k.ways.follow_room_name("old yard", "Court");
+    std::vector<Error> faults;
+    EXPECT_EQ(read_ways(k.additions, faults)[0].stops[0].room, "Old yard") << "it knows nothing of them yet";
+    k.ways.take_again();
+    k.ways.follow_room_name("", "Nothing");
+    k.ways.follow_room_name("old yard", "Court");
+    EXPECT_EQ(read_ways(k.additions, faults)[0].stops[0].room, "Court");
+    EXPECT_EQ(read_ways(k.additions, faults)[0].stops[1].room, "Street");
+    EXPECT_EQ(k.saved, 0) << "who renames a room saves";
+}
+
+TEST(KeptWaysFeature, tell_which_of_them_no_longer_fit_once_the_rooms_are_known) {
+    Keeper k;
+    const Stop here{.name = "Base", .place_m = {0.0, 0.0, 0.0}, .thing = {}, .room = {}, .kept = {}},
+        there{.name = "Statue", .place_m = {4.0, 0.0, 0.0}, .thing = "statue", .room = {}, .kept = {}};
+    write_ways(k.additions, {{"To the statue", {here, there}, "0badf00d", {}}});
+    k.ways.enter_world(0.0);
+    EXPECT_TRUE(k.rooms.found()) << "a doubtful way is the reason to look for rooms";
+    (void)k.said();
+    k.ways.tell_unfit(1.0);
+    EXPECT_THAT(k.said(), ElementsAre(AllOf(HasSubstr("1 of 1 no longer fits"), HasSubstr("Statue is gone"))));
+    k.choose("To the statue");
+    EXPECT_THAT(k.line("Keep it as it is found here"), ElementsAre("Way To the statue kept"));
+    k.ways.tell_unfit(3.0);
+    EXPECT_THAT(k.said(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace handrail

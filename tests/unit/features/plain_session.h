@@ -1,0 +1,52 @@
+// What a session's features look at, as plain state that a test sets up by itself: no session, no servo, no clock.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/core/context/session_context.h"
+#include "app/core/world/entering.h"
+#include "haptic/compile/compile_haptic.h"
+
+namespace handrail::test {
+
+struct PlainSession {
+    explicit PlainSession(std::shared_ptr<const Scene> scene) {
+        EnteringWorld entering = make_ready(std::move(scene));
+        as_read = entering.file;
+        world.scene = entering.scene;
+        world.thing_of_mover = entering.thing_of_mover;
+        haptic = compile_haptic(*world.scene, {});
+        world.things.enter(*world.scene, *haptic, {}, 0.0);
+        world.movers.enter(world.scene->movers);
+        world.solids = std::move(entering.body);
+        body.walker =
+            std::make_unique<Walker>(*world.solids, body_size(*world.scene, person.settings.walk.body_radius_m));
+        body.walker->place(entering.feet_m);
+        body.heading_rad = body.heading_goal_rad = entering.heading_rad;
+        world.home_feet_m = body.feet_m();
+    }
+    // All that was said since this was last asked.
+    std::vector<std::string> said() {
+        std::vector<std::string> words;
+        for (CueRequest& cue : cues.take())
+            if (cue.kind == CueRequestKind::Say) words.push_back(std::move(cue.text));
+        return words;
+    }
+
+    Person person{Settings{}};
+    HandsState hands;
+    WorldState world;
+    BodyState body;
+    Cues cues{body};
+    Lists lists{cues};
+    SideFile additions;
+    std::shared_ptr<const Scene> as_read;
+    std::shared_ptr<const HapticScene> haptic;
+    Events events;
+    SessionContext context{person.settings, person.keys, world, body, hands, cues, lists, additions, events};
+};
+
+}  // namespace handrail::test

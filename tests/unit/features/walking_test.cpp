@@ -1,0 +1,188 @@
+// Walking, moving by ear and the ground underfoot, over plain state alone.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/core/walking/walking.h"
+#include "tests/support/box_scene.h"
+#include "tests/unit/features/plain_session.h"
+
+namespace handrail {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double kTick_s = 1.0 / 60.0;
+
+// A floor of 20 by 20 metres with nothing round it, and a wall across it 3 m north of the base.
+std::shared_ptr<const Scene> terrace() {
+    test::SceneBuilder builder;
+    builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor");
+    builder.box({-10.0, 3.0, 0.0}, {10.0, 3.3, 2.5}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.box({4.0, -1.0, 0.0}, {4.2, 1.0, 2.0}, "gate", SolidRole::Solid, {}, FeatureKind::Door);
+    builder.start({0.0, 0.0, 0.0}, 0.0);
+    return builder.share();
+}
+
+struct OnFoot {
+    OnFoot() : plain(terrace()) {
+        plain.context.asks.place = [this](const Vec3& feet_m, double heading_rad, double) {
+            walking.set_down(feet_m, heading_rad);
+        };
+        by_ear.where_am_i = [] { return std::string("here"); };
+        walking.on_bumped = [this](FeatureId feature, double) { bumped.push_back(feature); };
+        walking.enter_world();
+        settle();
+    }
+    void tick() { walking.tick(now_s += kTick_s, kTick_s); }
+    // Until nothing is on its way any more, ten seconds at most.
+    void settle() {
+        tick();
+        for (int i = 0; i < 600 && !walking.idle(); ++i) tick();
+    }
+    void tap(Command command) {
+        EXPECT_TRUE(walking.act(command, now_s));
+        settle();
+    }
+    const Vec3& feet_m() const { return plain.body.feet_m(); }
+
+    test::PlainSession plain;
+    HeldKeys keys;
+    ByEar by_ear{plain.context, plain.body, keys};
+    Footing footing{plain.context, plain.body};
+    Walking walking{plain.context, plain.body, keys, by_ear, footing};
+    std::vector<FeatureId> bumped;
+    double now_s = 0.0;
+};
+
+int count_of(const std::vector<CueRequest>& cues, CueRequestKind kind) {
+    return static_cast<int>(
+        std::count_if(cues.begin(), cues.end(), [kind](const CueRequest& cue) { return cue.kind == kind; }));
+}
+
+TEST(WalkingFeature, goes_a_step_for_a_tap_and_hears_it) {
+    OnFoot one;
+    one.tap(Command::Forward);
+    EXPECT_NEAR(one.feet_m().y, one.plain.person.settings.walk.step_length_m, 1e-6);
+    EXPECT_EQ(count_of(one.plain.cues.take(), CueRequestKind::Footstep), 1);
+    one.tap(Command::TurnRight);
+    EXPECT_NEAR(one.plain.body.heading_rad, radians_from_degrees(one.plain.person.settings.walk.turn_deg), 1e-9);
+    EXPECT_FALSE(one.walking.act(Command::Use, one.now_s)) << "another's command";
+    EXPECT_EQ(one.walking.path_m().size(), 3U) << "a point for each quarter of a metre";
+}
+
+TEST(WalkingFeature, tells_a_bump_once_until_the_body_has_got_away) {
+    OnFoot one;
+    one.keys.press(Command::Forward);
+    for (int i = 0; i < 300; ++i) one.tick();
+    EXPECT_EQ(count_of(one.plain.cues.take(), CueRequestKind::Bump), 1);
+    ASSERT_EQ(one.bumped.size(), 1U);
+    EXPECT_EQ(one.plain.world.scene->features[one.bumped[0].value].kind, FeatureKind::Wall);
+    one.keys.release_all();
+    one.tap(Command::Back);
+    one.tap(Command::Forward);
+    one.tap(Command::Forward);
+    EXPECT_EQ(count_of(one.plain.cues.take(), CueRequestKind::Bump), 1);
+}
+
+TEST(WalkingFeature, takes_what_is_no_number_for_a_stick_at_rest) {
+    OnFoot one;
+    one.walking.steer({std::numeric_limits<double>::quiet_NaN(), 0.0, std::numeric_limits<double>::infinity()});
+    for (int i = 0; i < 60; ++i) one.tick();
+    EXPECT_EQ(one.feet_m().y, 0.0);
+    EXPECT_EQ(one.plain.body.heading_rad, 0.0);
+    one.walking.steer({2.0, 0.0, 0.0});
+    for (int i = 0; i < 60; ++i) one.tick();
+    EXPECT_NEAR(one.feet_m().y, one.plain.person.settings.walk.speed_m_per_s, 1e-6) << "never faster than a key";
+}
+
+TEST(WalkingFeature, stops_at_an_edge_until_the_key_comes_again) {
+    OnFoot one;
+    one.walking.set_down({0.0, -9.0, 0.0}, kPi);
+    one.settle();
+    (void)one.plain.said();
+    one.keys.press(Command::Forward);
+    for (int i = 0; i < 120; ++i) one.tick();
+    EXPECT_GT(one.feet_m().y, -10.1);
+    EXPECT_TRUE(one.plain.body.walker->state().on_ground);
+    EXPECT_THAT(one.plain.said(), ::testing::Contains(phrase("walking.edge_very_deep")));
+    one.tick();
+    EXPECT_THAT(one.plain.said(), IsEmpty()) << "told once for a press";
+    one.keys.release_all();
+    EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s));
+    for (int i = 0; i < 60; ++i) one.tick();
+    EXPECT_FALSE(one.plain.body.walker->state().on_ground) << "asked for twice";
+}
+
+TEST(WalkingFeature, comes_home_when_it_falls_out_of_the_world) {
+    OnFoot one;
+    one.walking.set_down({30.0, 0.0, 0.0}, 1.0);
+    for (int i = 0; i < 600 && one.feet_m().x > 1.0; ++i) one.tick();
+    EXPECT_EQ(one.feet_m(), one.plain.world.home_feet_m);
+    EXPECT_THAT(one.plain.said(), ::testing::Contains(phrase("session.fell_out")));
+}
+
+TEST(ByEarFeature, leaps_to_what_is_in_sight_and_back) {
+    OnFoot one;
+    one.tap(Command::UndoLeap);
+    EXPECT_THAT(one.plain.said(), ElementsAre(phrase("walking.nothing_to_undo")));
+    one.tap(Command::LeapNext);
+    EXPECT_GT(one.feet_m().x, 3.0) << "before the gate";
+    EXPECT_LT(one.feet_m().x, 4.0);
+    EXPECT_THAT(one.plain.said(), ElementsAre(HasSubstr("ate")));
+    one.tap(Command::UndoLeap);
+    EXPECT_NEAR(glm::length(one.feet_m()), 0.0, 1e-3);
+    EXPECT_THAT(one.plain.said(), ElementsAre(HasSubstr("here")));
+}
+
+TEST(ByEarFeature, is_not_put_back_into_what_stands_there) {
+    OnFoot one;
+    const Vec3 gate_m{4.1, 0.0, 0.0};
+    one.walking.set_down(gate_m, 0.0);
+    ASSERT_TRUE(one.plain.world.solids->blocked(one.feet_m(), one.plain.body.walker->shape()));
+    one.tap(Command::LeapNext);
+    ASSERT_FALSE(one.plain.world.solids->blocked(one.feet_m(), one.plain.body.walker->shape()));
+    (void)one.plain.said();
+    const Vec3 free_m = one.feet_m();
+    one.tap(Command::UndoLeap);
+    EXPECT_EQ(one.feet_m(), free_m);
+    EXPECT_THAT(one.plain.said(), ElementsAre(phrase("walking.nothing_to_undo")));
+}
+
+TEST(ByEarFeature, goes_back_the_way_it_came) {
+    OnFoot one;
+    for (int i = 0; i < 3; ++i) one.tap(Command::Forward);
+    one.tap(Command::TurnLeft);
+    one.tap(Command::Back);
+    const double away_m = glm::length(one.feet_m());
+    ASSERT_GT(away_m, 1.0);
+    one.keys.press(Command::Retrace);
+    EXPECT_TRUE(one.walking.act(Command::Retrace, one.now_s));
+    EXPECT_TRUE(one.by_ear.leads());
+    for (int i = 0; i < 1200 && one.by_ear.leads(); ++i) one.tick();
+    EXPECT_LT(glm::length(one.feet_m()), 0.05);
+    EXPECT_THAT(one.plain.said(), ::testing::Contains(phrase("walking.at_beginning")));
+}
+
+TEST(ByEarFeature, trails_a_wall_until_another_key_ends_it) {
+    OnFoot one;
+    one.walking.set_down({-5.0, 2.4, 0.0}, kPi / 2.0);
+    one.settle();
+    one.keys.press(Command::TrailLeft);
+    EXPECT_TRUE(one.walking.act(Command::TrailLeft, one.now_s));
+    for (int i = 0; i < 120; ++i) one.tick();
+    EXPECT_GT(one.feet_m().x, -4.0);
+    EXPECT_NEAR(one.feet_m().y, 3.0 - one.plain.body.walker->size().radius_m - Trail::kGap_m, 0.01);
+    const auto normal = one.by_ear.wall_at_side();
+    ASSERT_TRUE(normal);
+    EXPECT_NEAR(normal->y, -1.0, 1e-6) << "out of the wall";
+    EXPECT_TRUE(one.walking.act(Command::TurnRight, one.now_s));
+    EXPECT_FALSE(one.by_ear.leads());
+    EXPECT_FALSE(one.by_ear.wall_at_side());
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,435 @@
+// Wayfinding over plain state alone: stops, ways by ear and by the hand, beacon and warmer, and the guide over them.
+#include <gmock/gmock.h>
+
+#include "app/core/wayfinding/guide.h"
+#include "app/core/wayfinding/way_words.h"
+#include "tests/support/box_scene.h"
+#include "tests/unit/features/plain_session.h"
+
+namespace handrail {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+// A yard with a wall across it that ends 6 m east of the base; a bench stands 4 m north of the base, behind the wall,
+// a well 4 m south of it.
+std::shared_ptr<const Scene> yard() {
+    test::SceneBuilder builder;
+    builder.box({-10.0, -10.0, -0.5}, {10.0, 10.0, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    builder.box({-10.0, 2.0, 0.0}, {6.0, 2.2, 3.0}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.box({-0.5, 4.0, 0.0}, {0.5, 4.6, 0.8}, "bench");
+    builder.box({-0.5, -5.0, 0.0}, {0.5, -4.0, 1.2}, "well");
+    builder.start({0.0, 0.0, 0.0}, 0.0);
+    return builder.share();
+}
+
+struct Yard : test::PlainSession {
+    Yard() : PlainSession(yard()) { rooms.enter_world(as_read); }
+
+    Goal goal(const std::string& name) const {
+        for (const Goal& one : goals(context))
+            if (one.name == name) return one;
+        ADD_FAILURE() << "no " << name;
+        return {};
+    }
+    // A device whose force may act, its ball so high above the soles.
+    void give_hand(const Vec3& at_m) {
+        hands.right.present = true;
+        hands.right.spec.workspace_radius_m = 0.1;
+        hands.tuning.forces_on = true;
+        hands.tuning.focused = true;
+        hands.tuning.touch.radius_m = 0.02;
+        hands.tool.ticks = 1;
+        hands.tool.proxy_m = hands.tool.hip_m = at_m;
+    }
+    void stand(const Vec3& feet_m) { body.walker->place(feet_m); }
+    void felt(const GuidancePath& path, GuidancePhase phase) {
+        hands.tool.guidance.number = path.number;
+        hands.tool.guidance.phase = phase;
+    }
+
+    Rooms rooms{context};
+    Doors doors{context, world, body};
+};
+
+struct Plans : Yard {
+    WayPlans plans{context, rooms};
+};
+
+Stop stop(const std::string& name, const Vec3& place_m) {
+    Stop one;
+    one.name = name;
+    one.place_m = place_m;
+    return one;
+}
+
+// ---- stops ----
+
+TEST(Wayfinding, knows_everything_with_a_name_and_the_marks_the_nearest_first) {
+    Yard plain;
+    Mark mark;
+    mark.name = "Puddle";
+    mark.place_m = {0.0, 1.0, 0.0};
+    plain.world.marks.push_back(mark);
+    std::vector<std::string> names;
+    for (const Goal& goal : goals(plain.context)) names.push_back(goal.name);
+    EXPECT_THAT(names, Contains("Bench"));
+    ASSERT_FALSE(names.empty());
+    EXPECT_EQ(names.front(), "Puddle");
+    plain.stand({0.0, 3.5, 0.0});
+    EXPECT_EQ(goals(plain.context).front().name, "Bench");
+}
+
+TEST(Wayfinding, plans_one_way_of_stops_each_from_where_the_one_before_ended) {
+    Yard plain;
+    ASSERT_TRUE(plain.rooms.known());
+    PlannedStops planned(plain.context, plain.rooms);
+    const Stop bench = stop_at_goal(plain.context, plain.rooms, plain.goal("Bench"), {0.0, 0.0, 0.0}),
+               well = stop_at_goal(plain.context, plain.rooms, plain.goal("Well"), bench.place_m);
+    EXPECT_EQ(bench.thing, "bench");
+    EXPECT_LT(bench.thing_m, 1.0);
+    planned.note(bench, {0.0, 0.0, 0.0});
+    ASSERT_EQ(planned.stops().size(), 2U);
+    EXPECT_TRUE(near_stop(planned.stops().front(), {0.0, 0.0, 0.0}, 0.5));
+    planned.note(bench, bench.place_m);
+    EXPECT_EQ(planned.stops().size(), 2U) << "one is on the way there already";
+    planned.note(well, bench.place_m);
+    ASSERT_EQ(planned.stops().size(), 3U);
+    EXPECT_EQ(planned.stops().back().name, "Well");
+    planned.note(bench, {-8.0, -8.0, 0.0});
+    ASSERT_EQ(planned.stops().size(), 2U) << "from elsewhere: another way";
+    EXPECT_TRUE(near_stop(planned.stops().front(), {-8.0, -8.0, 0.0}, 0.5));
+}
+
+TEST(Wayfinding, finds_the_thing_of_a_stop_where_it_is_by_now) {
+    Yard plain;
+    Stop at = stop("Sit", {0.0, 3.7, 0.0});
+    EXPECT_FALSE(goal_of(plain.context, at).feature);
+    at.thing = "bench";
+    EXPECT_EQ(goal_of(plain.context, at).feature, plain.goal("Bench").feature);
+    EXPECT_EQ(goal_of(plain.context, at).name, "Sit");
+}
+
+TEST(Wayfinding, tells_a_whole_way_with_its_stops) {
+    Yard plain;
+    ASSERT_TRUE(plain.rooms.known());
+    const std::vector<Stop> stops{stop("Here", {0.0, 0.0, 0.0}), stop("", {8.0, 1.0, 0.0}),
+                                  stop("There", {8.0, 6.0, 0.0}), stop("End", {0.0, 8.0, 0.0})};
+    const std::string words = whole_way_words(plain.context, plain.rooms, "Round", stops);
+    EXPECT_THAT(words, HasSubstr("Round"));
+    EXPECT_LT(words.find("There"), words.find("End"));
+    EXPECT_THAT(words, Not(HasSubstr("not reached")));
+    plain.person.settings.walk.step_length_m *= 0.5;
+    EXPECT_NE(whole_way_words(plain.context, plain.rooms, "Round", stops), words) << "told in steps";
+}
+
+// ---- plans ----
+
+TEST(Wayfinding, goes_along_the_stops_of_a_kept_way_and_past_those_without_a_name) {
+    Plans plain;
+    ASSERT_TRUE(plain.rooms.known());
+    WayPlans& plans = plain.plans;
+    EXPECT_FALSE(plans.next());
+    plans.begin({stop("Here", {0.0, 0.0, 0.0}), stop("", {8.0, 1.0, 0.0}), stop("There", {8.0, 6.0, 0.0}),
+                 stop("End", {0.0, 8.0, 0.0})},
+                true, false);
+    EXPECT_TRUE(plans.runs_to("There"));
+    const Route route = plans.on({0.0, 0.0, 0.0});
+    ASSERT_TRUE(route.reaches);
+    EXPECT_GT(route.length_m, 8.0 + 4.9) << "by way of the stop without a name";
+    plans.pass(9.0);
+    EXPECT_LT(plans.looked_at({0.0, 0.0, 0.0}).length_m, route.length_m) << "past it, the nearest way counts";
+    ASSERT_TRUE(plans.next());
+    EXPECT_TRUE(plans.runs_to("End"));
+    EXPECT_FALSE(plans.next()) << "there";
+    EXPECT_FALSE(plans.running());
+}
+
+TEST(Wayfinding, leads_a_hand_straight_or_round_what_stands_between) {
+    Plans plain;
+    plain.give_hand({0.0, 0.0, 1.0});
+    const WayForHand straight = plain.plans.for_hand(plain.goal("Well"), GuidancePath::kMostPoints);
+    EXPECT_EQ(straight.points_m.size(), 2U);
+    EXPECT_EQ(plain.plans.changes(), 0U) << "no walk was planned";
+    const WayForHand round = plain.plans.for_hand(plain.goal("Bench"), GuidancePath::kMostPoints);
+    EXPECT_TRUE(round.reaches);
+    EXPECT_GT(round.points_m.size(), 2U);
+    double east_m = -1e9;
+    for (const Vec3& point : round.points_m) east_m = std::max(east_m, point.x);
+    EXPECT_GT(east_m, 6.0) << "round the end of the wall";
+    EXPECT_EQ(plain.plans.changes(), 1U);
+    EXPECT_FALSE(plain.plans.last_m().empty());
+    plain.plans.enter_world();
+    EXPECT_TRUE(plain.plans.last_m().empty());
+}
+
+// ---- by ear ----
+
+TEST(Wayfinding, tells_a_way_and_then_each_step_of_it_by_ear) {
+    Plans plain;
+    ASSERT_TRUE(plain.rooms.known());
+    EarWay ear(plain.context, plain.rooms, plain.plans);
+    ear.tell_on(0.0);
+    const std::vector<std::string> none = plain.said();
+    ear.follow_to({0.0, 8.0, 0.0}, "Fence", "Well then.", 0.0);
+    ASSERT_TRUE(ear.following());
+    EXPECT_THAT(plain.said(), ElementsAre(testing::AllOf(testing::StartsWith("Well then. "), HasSubstr("Fence"))));
+    EXPECT_EQ(ear.name(), "Fence");
+    ear.tell_on(0.0);
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Fence")));
+    bool arrived = false;
+    const std::vector<Vec3> way = plain.plans.last_m();
+    for (std::size_t i = 1; i < way.size(); ++i)
+        for (int step = 1; step <= 20; ++step) {
+            plain.stand(way[i - 1] + (way[i] - way[i - 1]) * (step / 20.0));
+            const RouteFollower::Said said = ear.tick();
+            EXPECT_FALSE(said.left);
+            arrived |= said.arrived;
+        }
+    EXPECT_TRUE(arrived);
+    EXPECT_FALSE(ear.following());
+    ear.tell_on(0.0);
+    EXPECT_EQ(plain.said(), none);
+    ear.follow_to({0.0, -8.0, 0.0}, "Hedge", {}, 0.0);
+    plain.stand({-9.0, 9.0, 0.0});
+    EXPECT_TRUE(ear.tick().left);
+}
+
+// ---- by the hand ----
+
+struct Hand : Plans {
+    Hand() {
+        give_hand({0.0, 0.0, 1.0});
+        goal = Yard::goal("Well");
+        way = plans.for_hand(*goal, GuidancePath::kMostPoints);
+    }
+    // A pull that acts and that the servo feels.
+    void pull(double now_s) {
+        hand.pull(way, 1.0, "Taking you.", now_s);
+        hand.tick(goal, now_s + 1.1);
+        felt(hand.path(), GuidancePhase::Acts);
+        (void)said();
+    }
+
+    std::optional<Goal> goal;
+    WayForHand way;
+    HandLead hand{context, rooms, plans, doors};
+};
+
+TEST(Wayfinding, pulls_a_hand_a_second_after_telling_it) {
+    Hand plain;
+    EXPECT_TRUE(plain.hand.may_lead());
+    plain.hands.keys_alone = true;
+    EXPECT_FALSE(plain.hand.may_lead());
+    plain.hands.keys_alone = false;
+    plain.hand.pull(plain.way, 0.6, "Taking you.", 0.0);
+    EXPECT_THAT(plain.said(), ElementsAre("Taking you."));
+    EXPECT_TRUE(plain.hand.at_work());
+    plain.hand.tick(plain.goal, 0.9);
+    EXPECT_EQ(plain.hand.path().number, 0U);
+    plain.hand.tick(plain.goal, 1.1);
+    EXPECT_EQ(plain.hand.path().number, 1U);
+    EXPECT_EQ(plain.hand.path().kind, GuidanceKind::Pull);
+    EXPECT_EQ(plain.hand.path().strength, 0.6);
+    plain.hand.end();
+    EXPECT_EQ(plain.hand.path().number, 0U);
+    EXPECT_FALSE(plain.hand.at_work());
+}
+
+TEST(Wayfinding, numbers_what_the_servo_gets_on_from_world_to_world) {
+    Hand plain;
+    plain.pull(0.0);
+    const std::uint32_t before = plain.hand.path().number;
+    plain.hand.enter_world();
+    EXPECT_EQ(plain.hand.path().number, 0U);
+    plain.pull(10.0);
+    EXPECT_EQ(plain.hand.path().number, before + 1);
+}
+
+TEST(Wayfinding, tells_how_being_led_has_ended) {
+    Hand plain;
+    plain.pull(0.0);
+    EXPECT_FALSE(plain.hand.tick(plain.goal, 1.2));
+    EXPECT_TRUE(plain.hand.at_work());
+    plain.felt(plain.hand.path(), GuidancePhase::Arrived);
+    const auto arrival = plain.hand.tick(plain.goal, 1.3);
+    ASSERT_TRUE(arrival);
+    EXPECT_TRUE(arrival->by_pull);
+    EXPECT_FALSE(arrival->to_nearest);
+    EXPECT_THAT(plain.said(), IsEmpty()) << "what follows is for others to say";
+    plain.pull(10.0);
+    plain.felt(plain.hand.path(), GuidancePhase::LetGo);
+    EXPECT_FALSE(plain.hand.tick(plain.goal, 12.0));
+    EXPECT_EQ(plain.said().size(), 1U);
+    EXPECT_FALSE(plain.hand.at_work());
+}
+
+TEST(Wayfinding, wants_a_new_way_for_who_walked_off_once_all_is_at_rest) {
+    Hand plain;
+    plain.pull(0.0);
+    EXPECT_FALSE(plain.hand.wants_new_way(plain.goal, 1.2));
+    plain.stand({1.0, 0.0, 0.0});
+    EXPECT_FALSE(plain.hand.wants_new_way(plain.goal, 1.3));
+    plain.felt(plain.hand.path(), GuidancePhase::LetGo);
+    EXPECT_FALSE(plain.hand.tick(plain.goal, 1.3));
+    EXPECT_THAT(plain.said(), IsEmpty()) << "nobody held against it";
+    EXPECT_TRUE(plain.hand.at_work());
+    EXPECT_FALSE(plain.hand.wants_new_way(plain.goal, 1.5));
+    EXPECT_TRUE(plain.hand.wants_new_way(plain.goal, 1.7));
+}
+
+TEST(Wayfinding, carries_the_workspace_on_where_the_way_leads_out_of_reach) {
+    Hand plain;
+    plain.pull(0.0);
+    EXPECT_EQ(plain.hand.carry(), Vec3(0.0));
+    plain.hands.tool.hand_m = {0.0, -0.09, 0.0};  // the well is south of it
+    EXPECT_LT(plain.hand.carry().y, 0.0);
+    EXPECT_TRUE(plain.hand.take_carried());
+    plain.hands.tool.hand_m = Vec3(0.0);
+    EXPECT_EQ(plain.hand.carry(), Vec3(0.0));
+    EXPECT_TRUE(plain.hand.take_carried()) << "it had until now";
+    EXPECT_FALSE(plain.hand.take_carried());
+}
+
+TEST(Wayfinding, lays_grooves_along_the_last_way_while_nothing_else_acts) {
+    Hand plain;
+    plain.hand.tick(plain.goal, 0.0);
+    EXPECT_EQ(plain.hand.path().number, 0U) << "not wished for";
+    plain.person.settings.guidance.grooves = true;
+    plain.plans.know({{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}});
+    plain.hand.tick(plain.goal, 0.1);
+    const std::uint32_t first = plain.hand.path().number;
+    EXPECT_GT(first, 0U);
+    EXPECT_EQ(plain.hand.path().kind, GuidanceKind::Grooves);
+    plain.felt(plain.hand.path(), GuidancePhase::Acts);
+    plain.hand.tick(plain.goal, 0.2);
+    EXPECT_EQ(plain.hand.path().number, first) << "they lie";
+    plain.plans.know({{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
+    plain.hand.tick(plain.goal, 0.3);
+    EXPECT_EQ(plain.hand.path().number, first + 1) << "another way";
+    plain.hands.tuning.panic = true;
+    plain.hand.tick(plain.goal, 0.4);
+    EXPECT_EQ(plain.hand.path().number, 0U);
+}
+
+// ---- by sounds ----
+
+TEST(Wayfinding, calls_from_a_thing_until_one_is_there) {
+    Plans plain;
+    Seek seek(plain.context, plain.rooms, plain.plans, plain.doors);
+    EXPECT_FALSE(seek.tick_beacon(0.0));
+    seek.start_beacon(plain.goal("Bench"));
+    EXPECT_THAT(seek.beacon_words(0.0), Not(IsEmpty())) << "round the wall";
+    plain.cues.take();
+    EXPECT_FALSE(seek.tick_beacon(1.0));
+    EXPECT_THAT(plain.cues.take(), Not(IsEmpty()));
+    EXPECT_TRUE(seek.beacon_along().planned_in);
+    plain.stand({0.0, 3.5, 0.0});
+    bool there = false;
+    for (int tick = 0; tick < 60 && !there; ++tick) there = seek.tick_beacon(2.0 + 0.1 * tick);
+    EXPECT_TRUE(there);
+    EXPECT_FALSE(seek.beacon().on());
+    EXPECT_FALSE(seek.tick_beacon(9.0));
+}
+
+TEST(Wayfinding, tells_warmer_as_found_only_on_the_thing_s_side_of_a_wall) {
+    Plans plain;
+    Seek seek(plain.context, plain.rooms, plain.plans, plain.doors);
+    Goal bell{"Bell", point_box({0.0, 2.5, 1.0}), kNoFeature};
+    plain.stand({0.0, 1.6, 0.0});
+    seek.start_warmer(bell);
+    (void)seek.warmer_words(0.0);
+    for (int tick = 0; tick < 40; ++tick) seek.tick_warmer(0.1 * tick);
+    EXPECT_TRUE(seek.warmer().on()) << "0.9 m away, beyond the wall";
+    (void)plain.said();
+    plain.stand({0.0, 3.2, 0.0});
+    for (int tick = 40; tick < 80; ++tick) seek.tick_warmer(0.1 * tick);
+    EXPECT_FALSE(seek.warmer().on());
+    EXPECT_THAT(plain.said(), Contains(HasSubstr("Bell")));
+}
+
+// ---- the guide over all of them ----
+
+struct Guided : Yard {
+    // Walks along the way that was planned last; all that is said on it.
+    std::vector<std::string> walk() {
+        std::vector<std::string> heard;
+        const std::vector<Vec3> way = guide.way_m();
+        for (std::size_t i = 1; i < way.size(); ++i)
+            for (int step = 1; step <= 40 && guide.way_m() == way; ++step) {
+                stand(way[i - 1] + (way[i] - way[i - 1]) * (step / 40.0));
+                guide.follow(now_s += 0.1);
+                for (std::string& one : said()) heard.push_back(std::move(one));
+            }
+        return heard;
+    }
+
+    Guide guide{context, rooms, doors};
+    double now_s = 0.0;
+};
+
+TEST(Wayfinding, chooses_what_to_go_to_and_forgets_it_in_another_world) {
+    Guided plain;
+    EXPECT_FALSE(plain.guide.act(Command::Use, 0.0)) << "another's command";
+    EXPECT_TRUE(plain.guide.act(Command::TakeMe, 0.0));
+    ASSERT_TRUE(plain.lists.dialogue.is_open()) << "of all that has a name";
+    const auto items = plain.lists.dialogue.view().items;
+    const auto well =
+        std::find_if(items.begin(), items.end(), [](const ListItem& item) { return item.name == "Well"; });
+    ASSERT_NE(well, items.end());
+    plain.lists.dialogue.line(std::to_string(well - items.begin() + 1), 0.0);
+    ASSERT_TRUE(plain.guide.goal());
+    EXPECT_EQ(plain.guide.goal()->name, "Well");
+    plain.guide.enter_world();
+    EXPECT_FALSE(plain.guide.goal());
+    EXPECT_TRUE(plain.guide.planned().stops().empty());
+}
+
+TEST(Wayfinding, sets_and_mutes_the_beacon_on_what_is_ahead) {
+    Guided plain;
+    plain.body.heading_rad = plain.body.heading_goal_rad = kPi;
+    EXPECT_TRUE(plain.guide.act(Command::SetBeacon, 0.0));
+    EXPECT_TRUE(plain.guide.beacon().on());
+    EXPECT_EQ(plain.guide.beacon().name(), "Well");
+    plain.guide.mute_beacon(0.0);
+    EXPECT_FALSE(plain.guide.beacon().on());
+    plain.guide.mute_beacon(0.0);
+    EXPECT_TRUE(plain.guide.beacon().on()) << "to the same thing again";
+}
+
+TEST(Wayfinding, leads_along_a_kept_way_by_ear_from_stop_to_stop) {
+    Guided plain;
+    ASSERT_TRUE(plain.rooms.known());
+    plain.guide.go_along(
+        {stop("Gate", {0.0, 0.0, 0.0}), stop("Corner", {8.0, 0.0, 0.0}), stop("Shed", {8.0, 7.0, 0.0})}, false, 0.0);
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Corner"))) << "one is at the first stop";
+    EXPECT_THAT(plain.walk(), Contains(HasSubstr("Shed"))) << "on from the second";
+    const std::vector<std::string> last = plain.walk();
+    ASSERT_FALSE(last.empty());
+    EXPECT_THAT(last.back(), HasSubstr("Shed"));
+    EXPECT_THAT(plain.walk(), IsEmpty()) << "there";
+}
+
+TEST(Wayfinding, leads_by_ear_where_no_force_may_act) {
+    Guided plain;
+    plain.give_hand({0.0, 0.0, 1.0});
+    plain.hands.tuning.forces_on = false;
+    plain.guide.open_tools(plain.goal("Bench"), 0.0);
+    plain.said();
+    plain.lists.dialogue.line("2", 0.0);  // take me there
+    EXPECT_EQ(plain.guide.path().number, 0U);
+    EXPECT_THAT(plain.said(), Contains(HasSubstr("Bench")));
+    EXPECT_FALSE(plain.guide.way_m().empty());
+    EXPECT_EQ(plain.guide.planned().stops().size(), 2U);
+    plain.hands.tuning.forces_on = true;
+    plain.guide.take_me(1.0);
+    plain.guide.lead(2.5);
+    EXPECT_GT(plain.guide.path().number, 0U) << "and by the hand where it may";
+}
+
+}  // namespace
+}  // namespace handrail

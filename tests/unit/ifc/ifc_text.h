@@ -1,0 +1,36 @@
+// Small IFC files as text: the bundled house, changed for a test.
+#pragma once
+
+#include <string>
+
+#include "tests/support/precompiled.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/readers/reader.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail::test {
+
+// A hall of 8 by 4 m: Küche to the west, Living room to the east, a door in the wall between, one to the south, a
+// window to the north.
+inline std::string small_house(const std::string& name = "small_house.ifc") {
+    return content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/ifc/worlds" / name);
+}
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+// With more instances before the end of the data.
+inline std::string with_instances(const std::string& text, const std::string& more) {
+    const std::size_t at = text.rfind("ENDSEC;");
+    return text.substr(0, at) + more + text.substr(at);
+}
+
+inline bool in_a_solid(const Scene& scene, const Vec3& at_m) {
+    return std::any_of(scene.solids.begin(), scene.solids.end(),
+                       [&](const Solid& s) { return s.role == SolidRole::Solid && contains(s.shape, at_m); });
+}
+
+}  // namespace handrail::test

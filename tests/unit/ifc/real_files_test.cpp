@@ -1,0 +1,93 @@
+// Real buildings, where they are at hand: ../shared/worlds beside the project.
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "tests/support/real_worlds.h"
+#include "tests/unit/ifc/ifc_text.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
+
+namespace handrail {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+std::string rooms_of(const Scene& scene, const StatedPortal& portal) {
+    std::string numbers;
+    for (const std::uint32_t r : portal.rooms) numbers += (numbers.empty() ? "" : " ") + scene.stated->rooms[r].number;
+    return numbers;
+}
+
+TEST(Duplex, is_what_its_makers_say_it_is) {
+    const auto path = test::real_world("duplex-apartment.ifc");
+    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    const Result<Scene> scene = read_world(*path);
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    const Result<void> valid = validate(*scene);
+    ASSERT_TRUE(valid.has_value()) << valid.error().sentence();
+    const StatedBuilding& stated = *scene->stated;
+    EXPECT_EQ(stated.schema, "IFC2X3");
+    EXPECT_EQ(stated.rooms.size(), 21U);
+    EXPECT_EQ(scene->report.doors, 14);
+    EXPECT_EQ(stated.windows, 24);
+    EXPECT_EQ(stated.stairs, 2);
+    EXPECT_EQ(stated.furnishings, 61);
+    EXPECT_EQ(stated.storeys.size(), 4U);
+    // By the 265 boundaries of the file, read by hand: 10 doors between two rooms, 4 to the outside.
+    std::multiset<std::string> doors;
+    for (const StatedPortal& portal : stated.portals)
+        if (portal.kind == StatedPortalKind::Door) {
+            doors.insert(rooms_of(*scene, portal));
+            EXPECT_TRUE(portal.passable) << portal.name;
+            EXPECT_FALSE(portal.opened_by_box) << portal.name;
+        }
+    EXPECT_EQ(doors, (std::multiset<std::string>{"A101", "B101", "A102", "B102", "A101 A104", "B104 B101", "A201 A202",
+                                                 "A201 A203", "A201 A204", "A205 A204", "B201 B202", "B201 B203",
+                                                 "B201 B204", "B205 B204"}));
+    // The stair of flat B lies in a space that calls itself Room.
+    std::vector<std::string> odd;
+    for (const Diagnostic& warning : scene->report.warnings) odd.push_back(warning.sentence());
+    EXPECT_THAT(odd, Contains(HasSubstr("B105")));
+    EXPECT_THAT(odd, Not(Contains(HasSubstr("A105"))));
+    for (const StatedRoom& room : stated.rooms)
+        EXPECT_EQ(room.holds_stairs, room.number == "A105" || room.number == "B105") << room.number;
+}
+
+TEST(Duplex, is_walked_from_the_front_door_to_the_bedrooms) {
+    const auto path = test::real_world("duplex-apartment.ifc");
+    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    const Result<Scene> scene = read_world(*path);
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    const auto navigation = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(navigation.has_value()) << navigation.error().sentence();
+    ASSERT_EQ(scene->starts.size(), 4U);
+    const RoomGraph graph = make_rooms(*scene, (*navigation)->space());
+    int reached = 0;
+    for (const Room& room : graph.rooms)
+        if (room.map_name.starts_with("Bedroom")) {
+            ++reached;
+            EXPECT_TRUE((*navigation)->reachable(scene->starts[0].feet_m, room.middle_m)) << room.name;
+        }
+    EXPECT_EQ(reached, 4);
+}
+
+TEST(RealIfc, houses_of_ifc_4_and_4x3_come_out_whole) {
+    const auto house = test::real_world("fzk-haus.ifc"), parts = test::real_world("wall-door-column-ifc4x3.ifc");
+    if (!house || !parts) GTEST_SKIP() << "../shared/worlds is not there";
+    const Result<Scene> scene = read_world(*house);
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    EXPECT_EQ(scene->stated->rooms.size(), 7U);
+    EXPECT_EQ(scene->report.doors, 5);
+    EXPECT_EQ(scene->stated->windows, 11);
+    EXPECT_EQ(scene->stated->openings, scene->stated->openings_cut);
+    const Result<Scene> few = read_world(*parts);
+    ASSERT_TRUE(few.has_value()) << few.error().sentence();
+    EXPECT_EQ(few->stated->schema.substr(0, 6), "IFC4X3");
+    EXPECT_EQ(few->report.doors, 1);
+    EXPECT_GE(few->report.brushes, 3);
+}
+
+}  // namespace
+}  // namespace handrail

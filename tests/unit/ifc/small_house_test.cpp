@@ -1,0 +1,160 @@
+// A house of our own, small enough to be worked out by hand, always at hand.
+#include <gmock/gmock.h>
+
+#include <map>
+
+#include "tests/unit/ifc/ifc_text.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
+
+namespace handrail {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+
+Scene scene_of(const std::string& text) {
+    Result<Scene> scene = read_ifc(text, "house.ifc");
+    EXPECT_TRUE(scene.has_value()) << scene.error().sentence();
+    if (!scene) return {};
+    const Result<void> valid = validate(*scene);
+    EXPECT_TRUE(valid.has_value()) << valid.error().sentence();
+    return std::move(*scene);
+}
+std::vector<std::string> rooms_of(const Scene& scene, const StatedPortal& portal) {
+    std::vector<std::string> names;
+    for (const std::uint32_t r : portal.rooms) names.push_back(scene.stated->rooms[r].name);
+    return names;
+}
+
+TEST(SmallHouse, has_the_rooms_doors_and_storeys_that_the_file_states) {
+    for (const char* file : {"small_house.ifc", "small_house_millimetres.ifc"}) {
+        SCOPED_TRACE(file);
+        const Scene scene = scene_of(test::small_house(file));
+        ASSERT_TRUE(scene.stated);
+        const StatedBuilding& stated = *scene.stated;
+        EXPECT_EQ(scene.name, "Häuschen");
+        ASSERT_EQ(stated.storeys.size(), 1U);
+        EXPECT_EQ(stated.storeys[0].name, "Ground floor");
+        EXPECT_EQ(stated.storeys[0].rooms, 2);
+        ASSERT_EQ(stated.rooms.size(), 2U);
+        EXPECT_EQ(stated.rooms[0].name, "Küche");
+        EXPECT_NEAR(stated.rooms[0].area_m2, 3.95 * 4.0, 1e-6);
+        EXPECT_NEAR(stated.rooms[1].height_m, 2.5, 1e-6);
+        ASSERT_EQ(stated.portals.size(), 2U);
+        EXPECT_THAT(rooms_of(scene, stated.portals[0]), ElementsAre("Küche"));
+        EXPECT_THAT(rooms_of(scene, stated.portals[1]), ElementsAre("Küche", "Living room"));
+        EXPECT_NEAR(stated.portals[1].width_m, 0.9, 1e-6);
+        EXPECT_EQ(stated.openings, 3);
+        EXPECT_EQ(stated.openings_cut, 3);
+        EXPECT_EQ(stated.windows, 1);
+        EXPECT_EQ(stated.furnishings, 1);
+        for (const StatedPortal& portal : stated.portals) {
+            EXPECT_TRUE(portal.passable);
+            EXPECT_FALSE(portal.opened_by_box);
+        }
+    }
+}
+
+TEST(SmallHouse, is_solid_where_walls_are_and_free_where_doors_were_cut) {
+    const Scene scene = scene_of(test::small_house());
+    EXPECT_TRUE(test::in_a_solid(scene, {0.5, -0.1, 1.0})) << "south wall";
+    EXPECT_FALSE(test::in_a_solid(scene, {1.5, -0.1, 1.0})) << "front door";
+    EXPECT_TRUE(test::in_a_solid(scene, {1.5, -0.1, 2.2})) << "above it";
+    EXPECT_TRUE(test::in_a_solid(scene, {4.0, 0.5, 1.0})) << "wall between";
+    EXPECT_FALSE(test::in_a_solid(scene, {4.0, 1.5, 1.0})) << "inner door";
+    EXPECT_TRUE(test::in_a_solid(scene, {5.5, 4.1, 0.5})) << "under the window";
+    EXPECT_TRUE(test::in_a_solid(scene, {5.5, 4.1, 1.5})) << "its pane";
+    EXPECT_FALSE(test::in_a_solid(scene, {5.5, 4.18, 1.5})) << "before the pane";
+    EXPECT_TRUE(test::in_a_solid(scene, {6.5, 2.4, 0.5})) << "table";
+    EXPECT_FALSE(test::in_a_solid(scene, {2.0, 2.0, 1.0})) << "kitchen";
+    EXPECT_TRUE(test::in_a_solid(scene, {-3.0, -3.0, -0.1})) << "ground outside";
+}
+
+TEST(SmallHouse, has_leaves_that_swing_as_ifc_says) {
+    const Scene scene = scene_of(test::small_house());
+    ASSERT_EQ(scene.movers.size(), 2U);
+    // Of the front door x runs east and it opens north, about its west edge: counter-clockwise.
+    EXPECT_NEAR(scene.movers[0].swing_rad, 0.5 * kPi, 1e-12);
+    EXPECT_NEAR(scene.movers[0].pivot_m.x, 1.005, 1e-6);
+    EXPECT_EQ(scene.features[scene.movers[0].feature.value].hinge, "west");
+    EXPECT_EQ(scene.features[scene.movers[1].feature.value].hinge, "south");
+    EXPECT_EQ(scene.features[scene.movers[0].feature.value].kind, FeatureKind::Door);
+}
+
+TEST(SmallHouse, is_walked_through_by_the_rooms_of_its_file) {
+    const Scene scene = scene_of(test::small_house());
+    const auto navigation = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(navigation.has_value()) << navigation.error().sentence();
+    const RoomGraph graph = make_rooms(scene, (*navigation)->space());
+    std::vector<std::string> names;
+    for (const Room& room : graph.rooms) names.push_back(room.name);
+    EXPECT_THAT(names, UnorderedElementsAre("ground outside", "Küche", "Living room"));
+    ASSERT_EQ(graph.portals.size(), 2U);
+    for (const Portal& portal : graph.portals)
+        EXPECT_EQ(portal.kind, PassageKind::Door)
+            << graph.rooms[portal.rooms[0]].name << " and " << graph.rooms[portal.rooms[1]].name << " at "
+            << portal.place_m.x << " " << portal.place_m.y;
+    ASSERT_EQ(scene.starts.size(), 1U);
+    EXPECT_TRUE((*navigation)->reachable(scene.starts[0].feet_m, scene.stated->rooms[1].at_m));
+}
+
+TEST(SmallHouse, guesses_what_walls_are_made_of_and_says_so) {
+    const Scene scene = scene_of(test::small_house());
+    EXPECT_TRUE(std::any_of(scene.materials.begin(), scene.materials.end(),
+                            [](const Material& m) { return m.name == "brick" && m.guessed; }));
+    ASSERT_FALSE(scene.report.guessed.empty());
+    EXPECT_THAT(scene.report.guessed[0], HasSubstr("Ziegel"));
+}
+
+TEST(SmallHouse, stands_where_it_is_when_its_site_lies_thousands_of_kilometres_away) {
+    const std::string text = test::small_house();
+    // The one placement that leads from the site: its point becomes one near Karlsruhe in Gauss-Krueger metres.
+    const std::size_t line = text.find("=IFCLOCALPLACEMENT($,#");
+    ASSERT_NE(line, std::string::npos);
+    const std::string axis = text.substr(line + 22, text.find(')', line) - line - 22);
+    const std::size_t of_axis = text.find(axis + "=IFCAXIS2PLACEMENT3D(");
+    ASSERT_NE(of_axis, std::string::npos);
+    const std::string axis_line = text.substr(of_axis, text.find(';', of_axis) - of_axis);
+    const std::string point = axis_line.substr(axis_line.find('(') + 1, axis_line.find(',') - axis_line.find('(') - 1);
+    const Scene far = scene_of(test::replaced(text, point + "=IFCCARTESIANPOINT((0.,0.,0.))",
+                                              point + "=IFCCARTESIANPOINT((3457000.125,5432000.25,115.))"));
+    const Scene near = scene_of(text);
+    ASSERT_EQ(far.solids.size(), near.solids.size());
+    EXPECT_EQ(far.stated->openings_cut, 3);
+    for (std::size_t i = 0; i < far.solids.size(); ++i)
+        EXPECT_LT(glm::length(far.solids[i].shape.bounds_m.min_m - near.solids[i].shape.bounds_m.min_m), 1e-5)
+            << "solid " << i;
+}
+
+TEST(SmallHouse, opens_a_door_by_a_box_where_something_stands_in_it_and_names_both) {
+    // A second wall in the place of the one between, without an opening.
+    const std::string text = test::small_house();
+    const std::size_t at = text.find("'middle'");
+    ASSERT_NE(at, std::string::npos);
+    const std::size_t begin = text.rfind('\n', at) + 1, end = text.find('\n', at);
+    std::string wall = text.substr(begin, end - begin + 1);
+    wall = "#90001" + wall.substr(wall.find('='));
+    const Scene scene = scene_of(test::with_instances(text, test::replaced(wall, "'middle'", "'forgotten wall'")));
+    EXPECT_TRUE(scene.stated->portals[1].opened_by_box);
+    EXPECT_TRUE(scene.stated->portals[1].passable);
+    EXPECT_FALSE(scene.stated->portals[0].opened_by_box);
+    ASSERT_EQ(scene.report.warnings.size(), 1U);
+    EXPECT_THAT(scene.report.warnings[0].sentence(), AllOf(HasSubstr("inner door"), HasSubstr("forgotten wall")));
+    EXPECT_FALSE(test::in_a_solid(scene, {4.0, 1.45, 1.0}));
+}
+
+TEST(SmallHouse, gives_the_same_scene_for_the_same_bytes) {
+    const Scene a = scene_of(test::small_house()), b = scene_of(test::small_house());
+    ASSERT_EQ(a.solids.size(), b.solids.size());
+    for (std::size_t i = 0; i < a.solids.size(); ++i) {
+        ASSERT_EQ(a.solids[i].shape.planes.size(), b.solids[i].shape.planes.size());
+        for (std::size_t k = 0; k < a.solids[i].shape.planes.size(); ++k)
+            EXPECT_EQ(a.solids[i].shape.planes[k].offset_m, b.solids[i].shape.planes[k].offset_m);
+    }
+    EXPECT_EQ(a.features.size(), b.features.size());
+}
+
+}  // namespace
+}  // namespace handrail

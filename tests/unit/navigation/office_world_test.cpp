@@ -1,0 +1,99 @@
+// The generated office buildings: that they are what they say, before anything is measured on them.
+#include <set>
+
+#include "tests/support/box_scene.h"
+#include "tests/support/office_world.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+TEST(OfficeWorld, is_the_same_text_for_the_same_size_and_seed_only) {
+    const std::string once = test::office_world(test::office_size(1'000, 7)).map;
+    EXPECT_EQ(once, test::office_world(test::office_size(1'000, 7)).map);
+    EXPECT_NE(once, test::office_world(test::office_size(1'000, 8)).map);
+}
+
+TEST(OfficeWorld, has_the_brushes_asked_for_and_a_square_metre_for_each) {
+    for (const int brushes : {1'000, 3'000, 10'000, 50'000}) {
+        const test::OfficeWorld office = test::office_world(test::office_size(brushes));
+        EXPECT_EQ(office.brushes, brushes);
+        EXPECT_NEAR(office.floor_m2, brushes, 0.15 * brushes);
+        EXPECT_EQ(office.doors, office.rooms);
+    }
+    const test::OfficeWorld full = test::office_world(test::office_size(50'000));
+    EXPECT_GE(full.doors, 1'000);
+    EXPECT_EQ(test::office_size(50'000).storeys, 5);
+}
+
+TEST(OfficeWorld, is_read_without_a_warning_and_each_of_its_rooms_can_be_walked_to_through_its_own_door) {
+    test::OfficeSize size;
+    size.storeys = 2;
+    size.corridors = 1;
+    size.rooms_along_corridor = 2;
+    size.brushes = 300;
+    const test::OfficeWorld office = test::office_world(size);
+    EXPECT_EQ(office.rooms, 8);
+    const Result<Scene> scene = read_quake_map(office.map, "office.map");
+    ASSERT_TRUE(scene) << scene.error().message;
+    EXPECT_EQ(scene->report.warnings_in_all, 0) << scene->report.warnings.front().message;
+    EXPECT_EQ(scene->report.brushes, 300);
+    EXPECT_EQ(scene->report.doors, 8);
+    auto navigation = Navigation::make(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(navigation) << navigation.error().message;
+    const RoomGraph graph = make_rooms(*scene, (*navigation)->space());
+    int doors = 0;
+    std::set<std::uint32_t> behind_doors;
+    for (const Portal& portal : graph.portals) {
+        if (portal.kind != PassageKind::Door) continue;
+        ++doors;
+        for (const std::uint32_t room : portal.rooms) behind_doors.insert(room);
+    }
+    EXPECT_EQ(doors, office.doors);
+    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
+        const Room& room = graph.rooms[r];
+        EXPECT_TRUE((*navigation)->reachable(scene->starts.front().feet_m, room.middle_m)) << room.name;
+        if (room.map_name.empty()) continue;
+        EXPECT_TRUE(behind_doors.contains(r)) << room.name;
+        EXPECT_NEAR(room.bounds_m.size_m().x, 4.9, 0.2) << room.name;
+    }
+    EXPECT_GE(graph.rooms.size(), 11U);  // 8 rooms, a floor outside them on each storey, the stairs
+}
+
+TEST(Rooms, are_not_found_any_further_once_they_are_given_up) {
+    const Result<Scene> scene = read_quake_map(test::office_world(test::office_size(300)).map, "office.map");
+    ASSERT_TRUE(scene);
+    const auto space = make_walk_space(*scene, WalkBody{});
+    ASSERT_TRUE(space);
+    EXPECT_FALSE(make_rooms(*scene, *space).rooms.empty());
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_TRUE(make_rooms(*scene, *space, stop.get_token()).rooms.empty());
+}
+
+TEST(Rooms, are_known_where_floors_are_too_many_for_a_mesh_of_ways) {
+    test::SceneBuilder islands;
+    Scene scene;
+    constexpr int kAlong = 176;
+    for (int x = 0; x < kAlong; ++x)
+        for (int y = 0; y < kAlong; ++y)
+            islands.box({3.0 * x, 3.0 * y, -4.0}, {3.0 * x + 0.8, 3.0 * y + 0.8, 0.0}, "island", SolidRole::Solid, {},
+                        FeatureKind::Floor);
+    islands.start({0.4, 0.4, 0.0}, 0.0);
+    scene = islands.scene();
+    for (int x = 0; x < kAlong; ++x)
+        for (int y = 0; y < kAlong; ++y) scene.sounds.push_back({{3.0 * x + 0.4, 3.0 * y + 0.4, 0.5}, "bird", "bird"});
+    WalkBody body;
+    body.cell_m = 0.4;
+    const auto made = Navigation::make(scene, body);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ((*made)->mesh(), nullptr);
+    EXPECT_EQ(make_rooms(scene, (*made)->space()).rooms.size(), static_cast<std::size_t>(kAlong) * kAlong);
+    EXPECT_TRUE((*made)->plan({0.2, 0.2, 0.0}, {0.6, 0.6, 0.0}).reaches);
+    EXPECT_FALSE((*made)->plan({0.2, 0.2, 0.0}, {3.4, 0.4, 0.0}).reaches);
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,216 @@
+// Routes for words and the body that follows them, in rooms of a few boxes: what stops a body, what it slides along,
+// the doorway it slides into, and that routes keep off edges and know their own errors.
+#include "worlds/navigation/word_route.h"
+
+#include <random>
+
+#include "app/core/world/walker.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/random_families.h"
+#include "worlds/navigation/navigation.h"
+
+namespace handrail {
+namespace {
+
+using test::SceneBuilder;
+
+constexpr double kStep_m = 0.7;
+
+struct Room {
+    std::shared_ptr<Navigation> navigation;
+    std::unique_ptr<BlindGround> ground;
+};
+
+void wall(SceneBuilder& b, const Vec3& low, const Vec3& high) {
+    b.box(low, high, "wall", SolidRole::Solid, "brick", FeatureKind::Wall);
+}
+Room room_of(SceneBuilder& b) {
+    const BodySize size = body_size(b.scene(), 0.25);
+    auto made = Navigation::make(b.scene(), walk_body(b.scene(), size.radius_m, size.height_m, size.step_up_m));
+    EXPECT_TRUE(made);
+    Room room{*made, nullptr};
+    room.ground = std::make_unique<BlindGround>(room.navigation->space(), std::vector<WordDoor>{});
+    return room;
+}
+// 10 by 10 m, with a wall across at y = 5 and a gap of so many metres round `gap_x`.
+SceneBuilder two_rooms(double gap_x, double gap_m = 0.9) {
+    SceneBuilder b;
+    b.box({0, 0, -0.2}, {10, 10, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
+    wall(b, {-0.2, -0.2, 0}, {10.2, 0, 2.6});
+    wall(b, {-0.2, 10, 0}, {10.2, 10.2, 2.6});
+    wall(b, {-0.2, 0, 0}, {0, 10, 2.6});
+    wall(b, {10, 0, 0}, {10.2, 10, 2.6});
+    wall(b, {0, 4.9, 0}, {gap_x - 0.5 * gap_m, 5.1, 2.6});
+    wall(b, {gap_x + 0.5 * gap_m, 4.9, 0}, {10, 5.1, 2.6});
+    b.start({2, 2, 0}, 0.0);
+    return b;
+}
+BlindBody at(const Room& room, double x, double y) { return room.ground->body_at({x, y, 0.0}); }
+
+TEST(BlindGround, stops_a_body_where_the_walker_stops_and_slides_it_where_the_walker_slides) {
+    SceneBuilder b = two_rooms(5.0);
+    const Room room = room_of(b);
+    const auto scene = b.share();
+    const BodyWorld world(scene);
+    std::mt19937 random(test::seed_of_run());
+    RecordProperty("seed", static_cast<int>(test::seed_of_run()));
+    const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
+    for (int i = 0; i < 200; ++i) {
+        const double x = 0.5 + 9.0 * part(), y = 0.5 + 3.8 * part(), heading = 2.0 * kPi * part(), far = 6.0 * part();
+        // Near the angle at which it either slides or stops, and where a frame is met, the two may differ.
+        const double askew = std::abs(std::remainder(heading, 0.5 * kPi));
+        if (std::abs(askew - std::asin(kStoppedBelow)) < 0.15) continue;
+        BlindBody body = at(room, x, y);
+        const Paced paced = room.ground->walk(body, heading, far, PaceEnd::Steps, {});
+        if (std::abs(body.at_m.x - 5.0) < 1.2 && body.at_m.y > 3.0) continue;  // lined up, or through
+        Walker walker(world, body_size(*scene, 0.25));
+        walker.place({x, y, 0.0});
+        double walked_m = 0.0;
+        while (walked_m < paced.walked_m - 1e-6) {
+            const double way_m = std::min(0.02, paced.walked_m - walked_m);
+            const WalkResult r = walker.tick(forward_of_heading(heading) * (way_m * 60.0), 1.0 / 60.0);
+            if (r.walked_m < 0.1 * way_m) break;
+            walked_m += r.walked_m;
+        }
+        EXPECT_NEAR(walker.state().feet_m.x, body.at_m.x, 0.15) << x << " " << y << " " << heading << " " << far;
+        EXPECT_NEAR(walker.state().feet_m.y, body.at_m.y, 0.15) << x << " " << y << " " << heading << " " << far;
+    }
+}
+
+TEST(BlindGround, slides_a_body_into_the_doorway_whose_frame_it_has_met_and_into_no_other_gap) {
+    std::mt19937 random(test::seed_of_run());
+    RecordProperty("seed", static_cast<int>(test::seed_of_run()));
+    const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
+    for (int i = 0; i < 12; ++i) {
+        const double gap_x = 2.0 + 6.0 * part();
+        SceneBuilder b = two_rooms(gap_x);
+        const Room room = room_of(b);
+        for (int k = 0; k < 20; ++k) {
+            const double off_m = (2.0 * part() - 1.0) * 1.5, heading = (2.0 * part() - 1.0) * 0.3;
+            BlindBody body = at(room, gap_x + off_m, 4.6);
+            if (!room.navigation->space().straight({gap_x + off_m, 4.6, 0}, {gap_x + off_m, 4.3, 0})) continue;
+            const auto aside_m = room.ground->line_up_m(body, heading, {});
+            if (aside_m) {
+                EXPECT_LE(std::abs(*aside_m), kLineUp_m + 0.1);
+                EXPECT_LE(*aside_m * off_m, 0.0) << "away from the doorway";
+            }
+            // 20 cm are free to each side of the middle, so this far it always finds in, and farther never. On its way
+            // to the wall it comes a little farther to the side.
+            const bool sure = std::abs(off_m) < 0.55;
+            if (sure) {
+                EXPECT_TRUE(aside_m) << off_m << " " << heading;
+            }
+            if (std::abs(off_m) > 0.95) {
+                EXPECT_FALSE(aside_m) << off_m << " " << heading;
+            }
+            const Paced paced = room.ground->walk(body, heading, 3.0, PaceEnd::Steps, {});
+            if (sure) {
+                EXPECT_GT(body.at_m.y, 5.2) << off_m << " " << heading;
+            }
+            if (std::abs(off_m) > 0.95) {
+                EXPECT_TRUE(paced.stopped);
+            }
+        }
+    }
+    // A gap of three metres is no doorway: whoever meets its corner is stopped.
+    SceneBuilder wide = two_rooms(5.0, 3.0);
+    const Room room = room_of(wide);
+    EXPECT_FALSE(room.ground->line_up_m(at(room, 3.4, 4.6), 0.0, {}));
+}
+
+TEST(BlindGround, mirrored_is_mirrored) {
+    SceneBuilder b = two_rooms(4.0), mirrored = two_rooms(6.0);
+    const Room one = room_of(b), other = room_of(mirrored);
+    for (const double off_m : {-0.8, -0.6, -0.5, -0.4, -0.3, 0.0, 0.3, 0.4, 0.5, 0.6, 0.8}) {
+        const auto a = one.ground->line_up_m(at(one, 4.0 + off_m, 4.6), 0.0, {}),
+                   c = other.ground->line_up_m(at(other, 6.0 - off_m, 4.6), 0.0, {});
+        EXPECT_EQ(a.has_value(), c.has_value()) << off_m;
+        if (a && c) {
+            EXPECT_NEAR(*a, -*c, 0.11) << off_m;
+        }
+    }
+}
+
+TEST(WordRoute, comes_through_a_doorway_with_errors_in_a_few_legs) {
+    std::mt19937 random(test::seed_of_run());
+    RecordProperty("seed", static_cast<int>(test::seed_of_run()));
+    const auto part = [&] { return static_cast<double>(random() % 10001) / 10000.0; };
+    for (int i = 0; i < 10; ++i) {
+        SceneBuilder b = two_rooms(1.0 + 8.0 * part());
+        const Room room = room_of(b);
+        const WordPlanner planner(*room.ground, kStep_m);
+        const Vec3 from(0.5 + 9.0 * part(), 0.5 + 3.5 * part(), 0.0);
+        WordGoal goal(room.navigation->space().spans.size(), 0);
+        for (std::uint32_t s = 0; s < goal.size(); ++s) goal[s] = room.navigation->space().place_m(s).y > 5.5 ? 1 : 0;
+        const auto route = planner.plan(from, 0.0, goal, {});
+        ASSERT_TRUE(route);
+        EXPECT_LE(route->legs.size(), 6U);
+        EXPECT_EQ(planner.try_out(*route, from, 0.0, goal, {}, {0.0, 0.0, 0.0}, 1, 1), 1);
+        EXPECT_GE(planner.try_out(*route, from, 0.0, goal, {}, {}, 100, random()), 90);
+        for (const WordLeg& leg : route->legs) {
+            EXPECT_GE(leg.steps, 1);
+            EXPECT_GE(leg.turn_notches, -7);
+            EXPECT_LE(leg.turn_notches, 8);
+        }
+    }
+}
+
+TEST(WordRoute, there_is_none_to_where_nobody_comes_and_none_once_it_is_stopped) {
+    SceneBuilder b = two_rooms(5.0, 0.3);  // too narrow for the body
+    b.start({2, 8, 0}, 0.0);
+    const Room room = room_of(b);
+    const WordPlanner planner(*room.ground, kStep_m);
+    WordGoal north(room.navigation->space().spans.size(), 0), south = north;
+    bool any = false;
+    for (std::uint32_t s = 0; s < north.size(); ++s) {
+        north[s] = room.navigation->space().place_m(s).y > 5.5 ? 1 : 0;
+        south[s] = room.navigation->space().place_m(s).y < 1.0 ? 1 : 0;
+        any = any || north[s];
+    }
+    ASSERT_TRUE(any);
+    EXPECT_FALSE(planner.plan({2, 4, 0}, 0.0, north, {}));
+    EXPECT_TRUE(planner.plan({2, 4, 0}, 0.0, south, {}));
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(planner.plan({2, 4, 0}, 0.0, south, {}, {}, stop.get_token()));
+}
+
+// A platform that is left by a drop of half a metre on two sides.
+TEST(WordRoute, never_leads_a_body_with_errors_over_an_edge) {
+    SceneBuilder b;
+    b.box({0, 0, -0.2}, {3, 12, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
+    b.box({3, 0, -1.2}, {10, 9, -1.0}, "pit", SolidRole::Solid, "wood", FeatureKind::Floor);
+    b.box({3, 9, -0.2}, {10, 12, 0}, "floor", SolidRole::Solid, "wood", FeatureKind::Floor);
+    wall(b, {-0.2, -0.2, -1.2}, {10.2, 0, 2.6});
+    wall(b, {-0.2, 12, -1.2}, {10.2, 12.2, 2.6});
+    wall(b, {-0.2, 0, -1.2}, {0, 12, 2.6});
+    wall(b, {10, 0, -1.2}, {10.2, 12, 2.6});
+    b.start({1.5, 2, 0}, 0.0);
+    const Room room = room_of(b);
+    const WordPlanner planner(*room.ground, kStep_m);
+    const Vec3 from(1.2, 1.5, 0.0);
+    const WordGoal goal = goal_round(room.navigation->space(), {9.0, 11.0, 0.0}, 1.0);
+    const auto route = planner.plan(from, 0.0, goal, {});
+    ASSERT_TRUE(route);
+    const auto scene = b.share();
+    const BodyWorld world(scene);
+    std::mt19937 random(test::seed_of_run());
+    RecordProperty("seed", static_cast<int>(test::seed_of_run()));
+    const auto error = [&] { return static_cast<double>(random() % 20001) / 10000.0 - 1.0; };
+    for (int i = 0; i < 30; ++i) {
+        Walker walker(world, body_size(*scene, 0.25));
+        walker.place(from);
+        int notch = 0;
+        for (const WordLeg& leg : route->legs) {
+            notch += leg.turn_notches;
+            const double heading = notch_heading_rad(notch) + 0.087 * error();
+            const double most_m = leg.steps * kStep_m * (leg.end == PaceEnd::Steps ? 1.0 + 0.1 * error() : 1.5);
+            for (double walked_m = 0.0; walked_m < most_m; walked_m += 0.02)
+                walker.tick(forward_of_heading(heading) * 1.2, 1.0 / 60.0);
+        }
+        EXPECT_NEAR(walker.state().feet_m.z, 0.0, 0.01) << i;
+    }
+}
+
+}  // namespace
+}  // namespace handrail

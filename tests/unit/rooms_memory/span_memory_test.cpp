@@ -1,0 +1,132 @@
+// What finding places, ways and rooms holds at most, counted by every allocation of this program.
+#include <malloc.h>
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <thread>
+
+#include "app/core/whereabouts/rooms_of_world.h"
+#include "app/core/world/walker.h"
+#include "tests/support/office_world.h"
+#include "tests/support/scale.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
+#include "worlds/readers/reader.h"
+
+namespace {
+
+std::atomic<std::size_t> held{0}, most_held{0}, room_for{~std::size_t{0}};  // room_for: beyond it there is no memory
+
+void* counted(std::size_t bytes, const std::nothrow_t&) noexcept {
+    void* made = held + bytes > room_for ? nullptr : std::malloc(bytes);
+    if (!made) return nullptr;
+    const std::size_t now = held += malloc_usable_size(made);
+    for (std::size_t most = most_held; now > most && !most_held.compare_exchange_weak(most, now);) {
+    }
+    return made;
+}
+void* counted(std::size_t bytes) {
+    void* made = counted(bytes, std::nothrow);
+    if (!made) throw std::bad_alloc();
+    return made;
+}
+void given_back(void* made) {
+    if (made) held -= malloc_usable_size(made);
+    std::free(made);
+}
+
+}  // namespace
+
+void* operator new(std::size_t bytes) { return counted(bytes); }
+void* operator new[](std::size_t bytes) { return counted(bytes); }
+void* operator new(std::size_t bytes, const std::nothrow_t& tag) noexcept {
+    return counted(bytes, tag);
+}  // std::stable_sort's buffer
+void* operator new[](std::size_t bytes, const std::nothrow_t& tag) noexcept { return counted(bytes, tag); }
+void operator delete(void* made) noexcept { given_back(made); }
+void operator delete[](void* made) noexcept { given_back(made); }
+void operator delete(void* made, std::size_t) noexcept { given_back(made); }
+void operator delete[](void* made, std::size_t) noexcept { given_back(made); }
+
+namespace handrail {
+namespace {
+
+// A sanitizer gets an office that it can walk through in seconds; there what a world takes however small it is weighs
+// more (238 bytes).
+constexpr bool kSmall = test::kSanitizerScale < 1.0;
+constexpr int kBrushes = kSmall ? 500 : 2'000;
+constexpr double kMost_bytes = kSmall ? 300.0 : 150.0;
+
+TEST(SpanMemory, is_at_most_150_bytes_for_each_place_to_stand_at_the_peak) {
+    const Result<Scene> scene = read_quake_map(test::office_world(test::office_size(kBrushes)).map, "office.map");
+    ASSERT_TRUE(scene);
+    const BodySize size = body_size(*scene, 0.25);
+    const std::size_t before = held;
+    most_held = before;
+    const auto bytes_each = [&](std::size_t spans) {
+        return static_cast<double>(most_held - before) / static_cast<double>(spans);
+    };
+    const auto made = Navigation::make(*scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m));
+    ASSERT_TRUE(made);
+    const std::size_t spans = (*made)->space().spans.size();
+    EXPECT_GT(spans, 200U * kBrushes);
+    EXPECT_LE(bytes_each(spans), kMost_bytes) << "with the ways";
+    const RoomGraph graph = make_rooms(*scene, (*made)->space());
+    EXPECT_GT(graph.rooms.size(), kBrushes / 40U);
+    EXPECT_LE(bytes_each(spans), kMost_bytes) << "with the rooms";
+    RecordProperty("bytes_for_each_place", std::to_string(bytes_each(spans)));
+}
+
+// A flat exported in millimetres and read in metres, and one floor that goes on for ever.
+TEST(SpanMemory, is_hardly_taken_for_worlds_that_are_too_large_for_ways) {
+    for (const auto& [wide, deep] : {std::pair{60'000, 40'000}, std::pair{188'000, 188'000}}) {
+        std::string mesh;
+        // Walls from room to room, a chair in each.
+        auto box = [&, points = 0](double x0, double y0, double x1, double y1, double z1) mutable {
+            for (const double z : {0.0, z1})
+                for (const auto& [x, y] : {std::pair{x0, y0}, std::pair{x1, y0}, std::pair{x1, y1}, std::pair{x0, y1}})
+                    mesh += fmt::format("v {} {} {}\n", x, y, z);
+            for (const auto& f : {std::array{1, 2, 3, 4}, std::array{5, 6, 7, 8}, std::array{1, 2, 6, 5},
+                                  std::array{2, 3, 7, 6}, std::array{3, 4, 8, 7}, std::array{4, 1, 5, 8}})
+                mesh += fmt::format("f {} {} {} {}\n", points + f[0], points + f[1], points + f[2], points + f[3]);
+            points += 8;
+        };
+        mesh += "o floor\n";
+        box(0, 0, wide, deep, 200);
+        for (int x = 0; x < 5; ++x) {
+            mesh += fmt::format("o wall {}\n", x);
+            box(x * wide / 5.0, 0, x * wide / 5.0 + 100, deep - 1000, 2800);
+        }
+        const Result<Scene> scene = read_obj(mesh, "flat.obj");
+        ASSERT_TRUE(scene);
+        const std::size_t before = held;
+        most_held = before;
+        const auto made = Navigation::make(*scene, WalkBody{});
+        ASSERT_FALSE(made);
+        EXPECT_EQ(made.error().message, "This world is too large to find ways through it on foot.");
+        EXPECT_LT(most_held - before, std::size_t{1} << 20);
+    }
+}
+
+TEST(SpanMemory, that_is_not_there_is_a_world_too_large_for_ways_and_nothing_worse) {
+    const auto scene =
+        std::make_shared<const Scene>(*read_quake_map(test::office_world(test::office_size(300)).map, "office.map"));
+    for (const bool at_once : {true, false})
+        for (const std::size_t room : {std::size_t{100'000}, std::size_t{1'000'000}, std::size_t{4'000'000}}) {
+            room_for = held + room;
+            RoomsOfWorld rooms(scene, WalkBody{}, at_once);
+            while (!rooms.ready()) std::this_thread::yield();
+            room_for = ~std::size_t{0};
+            EXPECT_FALSE(rooms.found());
+            EXPECT_EQ(rooms.problem(), "This world is too large to find ways through it on foot.");
+        }
+    RoomsOfWorld rooms(scene, WalkBody{}, true);
+    EXPECT_TRUE(rooms.ready());
+    EXPECT_TRUE(rooms.found());
+}
+
+}  // namespace
+}  // namespace handrail

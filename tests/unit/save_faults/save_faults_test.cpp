@@ -1,0 +1,370 @@
+// Saving and loading when the disk or the memory gives way at any step: the answer is a sentence or std::bad_alloc, and
+// every file is wholly the old or wholly the new one. toml++ 3.3 ends the program where it cannot make its own error
+// for want of memory; files are whole then too, which a child process shows.
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <functional>
+#include <iostream>
+#include <map>
+
+#include "app/core/kept/last_place.h"
+#include "app/core/kept/side_file.h"
+#include "app/core/kept/world_shelf.h"
+#include "settings/settings.h"
+#include "tests/support/scale.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/save_faults/injected.h"
+#include "worlds/base/files.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+using test::BrokenDisk;
+using test::NoMemory;
+using test::TemporaryFolder;
+using test::WriteFault;
+
+SideEntry mark(const std::string& name, double x) {
+    return {{"name", name}, {"place_m", std::vector<double>{x, 0.1, -3.25}}};
+}
+
+// Something of a person's that is saved as one file.
+struct Kept {
+    std::string name;
+    std::string file;  // below the folder
+    // Makes ready what is saved, and returns what saves it: false where it told of a failure.
+    std::function<std::function<bool()>(const fs::path& folder)> change;
+    bool tells;  // of a failure
+};
+
+std::vector<Kept> all_kept() {
+    return {
+        {"settings", "settings.toml",
+         [](const fs::path& folder) {
+             auto store = std::make_shared<SettingsStore>();
+             store->load_file(folder / "settings.toml", SettingSource::UserFile);
+             EXPECT_TRUE(store->set("workspace.scale", "17", SettingSource::Live));
+             return [store] { return store->save_user_file().has_value(); };
+         },
+         true},
+        {"what was added to a world", "a.map.handrail.toml",
+         [](const fs::path& folder) {
+             auto file = std::make_shared<SideFile>(SideFile::of_world(folder / "a.map", {}));
+             std::vector<SideEntry> marks = file->entries("mark");
+             marks.push_back(mark("new", 2.0));
+             file->set_entries("mark", marks);
+             return [file] { return file->save().has_value(); };
+         },
+         true},
+        {"the list of last worlds", "recent-worlds.txt",
+         [](const fs::path& folder) {
+             auto list = std::make_shared<RecentWorlds>(folder / "recent-worlds.txt");
+             return [list, folder] {
+                 list->add(folder / "a.map");
+                 return true;
+             };
+         },
+         false},
+        {"the last place", "place.toml",
+         [](const fs::path& folder) {
+             return [folder] {
+                 return write_file_atomically(folder / "place.toml", text_of(LastPlace{"/a.map", {1.0, 2.0, 3.0}, 0.5}))
+                     .has_value();
+             };
+         },
+         true},
+    };
+}
+
+// A folder as a person has it, with a file of each kind.
+struct Home {
+    Home() {
+        folder.write("a.map", "x");
+        folder.write("settings.toml", "# mine\n[speech]\nverbosity = 3 # as I like it\n[unknown]\nkey = 1\n");
+        folder.write("a.map.handrail.toml",
+                     "[[mark]]\nname = \"old\"\nplace_m = [1.0, 2.0, 3.0]\n[[stranger]]\nkept = true\n");
+        folder.write("recent-worlds.txt", "/worlds/old.map\n");
+        folder.write("place.toml", text_of(LastPlace{"/old.map", {}, 0.0}));
+    }
+    std::map<std::string, std::string> all() const {
+        std::map<std::string, std::string> files;
+        for (const auto& file : fs::directory_iterator(folder.path()))
+            files[file.path().filename().string()] = test::content_of(file.path());
+        return files;
+    }
+    TemporaryFolder folder;
+};
+
+// As it stands after a save that works.
+std::string saved(const Kept& kept) {
+    const Home home;
+    // Where paths are kept, they are those of the folder: every home is looked at as if it were at the same place.
+    EXPECT_TRUE(kept.change(home.folder.path())()) << kept.name;
+    std::string text = test::content_of(home.folder.path() / kept.file);
+    for (std::size_t at; (at = text.find(home.folder.path().string())) != std::string::npos;)
+        text.replace(at, home.folder.path().string().size(), "HOME");
+    return text;
+}
+
+// Where memory is short comments may go and a number may have more zeros; nothing else.
+std::vector<std::string> meaning(const Kept& kept, const std::string& text) {
+    const TemporaryFolder folder;
+    folder.write("a.map", "x");
+    folder.write(kept.file, text);
+    std::vector<std::string> all;
+    if (kept.file == "settings.toml") {
+        SettingsStore store;
+        for (const Diagnostic& problem : store.load_file(folder.path() / kept.file, SettingSource::UserFile))
+            all.push_back(problem.message);
+        for (const SettingRow& row : store.explain()) all.push_back(row.key + " " + row.value);
+    } else if (kept.file == "a.map.handrail.toml") {
+        const SideFile file = SideFile::of_world(folder.path() / "a.map", {});
+        for (const SideEntry& entry : file.entries("mark")) {
+            all.push_back(text_of(entry, "name"));
+            for (const double number : numbers_of(entry, "place_m", 3)) all.push_back(fmt::format("{}", number));
+        }
+        all.push_back(fmt::format("{} {}", file.entries("stranger").size(), file.news().size()));
+    } else {
+        all.push_back(text);
+    }
+    return all;
+}
+
+bool same_meaning(const Kept& kept, const std::string& text, const std::string& after) {
+    return text == after || (!after.empty() && meaning(kept, text) == meaning(kept, after));
+}
+
+// Old or new as a whole, nothing else touched, nothing left beside it. True: the new one.
+bool expect_whole(const Kept& kept, const Home& home, const std::map<std::string, std::string>& before,
+                  const std::string& after) {
+    std::map<std::string, std::string> now = home.all();
+    std::string text = now[kept.file];
+    for (std::size_t at; (at = text.find(home.folder.path().string())) != std::string::npos;)
+        text.replace(at, home.folder.path().string().size(), "HOME");
+    const bool old = text == before.at(kept.file);
+    EXPECT_TRUE(old || same_meaning(kept, text, after)) << kept.name << " is half a file:\n" << text;
+    now[kept.file] = before.at(kept.file);
+    EXPECT_EQ(now, before) << kept.name;
+    return !old;
+}
+
+TEST(SaveFaults, disk_that_fails_at_any_step_leaves_the_old_file_and_is_told) {
+    for (const Kept& kept : all_kept()) {
+        const std::string after = saved(kept);
+        for (const int error : {ENOSPC, EIO, EDQUOT, EROFS}) {
+            long step = 0;
+            for (bool struck = true; struck; ++step) {
+                ASSERT_LT(step, 100);
+                const Home home;
+                const auto before = home.all();
+                ASSERT_NE(after, before.at(kept.file));
+                const auto save = kept.change(home.folder.path());
+                bool worked = false;
+                {
+                    const BrokenDisk broken(WriteFault::Error, step, error);
+                    worked = save();
+                    struck = BrokenDisk::struck();
+                }
+                SCOPED_TRACE(::testing::Message() << kept.name << ", errno " << error << " at step " << step);
+                const bool is_new = expect_whole(kept, home, before, after);
+                EXPECT_TRUE(is_new == worked || !kept.tells);
+                EXPECT_TRUE(is_new || struck);
+            }
+            EXPECT_GE(step, 6) << "opened, written, its mode, flushed, renamed, the folder flushed";
+        }
+    }
+}
+
+TEST(SaveFaults, failure_is_told_with_its_reason_and_saving_again_works) {
+    const Home home;
+    SettingsStore store;
+    store.load_file(home.folder.path() / "settings.toml", SettingSource::UserFile);
+    ASSERT_TRUE(store.set("workspace.scale", "17", SettingSource::Live));
+    {
+        const BrokenDisk broken(WriteFault::ShortThenError, 1, ENOSPC);
+        const auto failed = store.save_user_file();
+        ASSERT_FALSE(failed);
+        EXPECT_THAT(failed.error().sentence(), testing::HasSubstr("settings.toml"));
+        EXPECT_THAT(failed.error().sentence(), testing::HasSubstr("No space left"));
+    }
+    EXPECT_TRUE(store.save_user_file());
+    EXPECT_THAT(test::content_of(home.folder.path() / "settings.toml"),
+                testing::AllOf(testing::HasSubstr("scale = 17"), testing::HasSubstr("# as I like it")));
+}
+
+TEST(SaveFaults, writes_that_take_only_a_part_or_are_interrupted_are_gone_on_with) {
+    for (const Kept& kept : all_kept()) {
+        const std::string after = saved(kept);
+        for (const auto& [fault, error] : {std::pair{WriteFault::Short, 0}, std::pair{WriteFault::Error, EINTR}}) {
+            const Home home;
+            const auto before = home.all();
+            const auto save = kept.change(home.folder.path());
+            {
+                const BrokenDisk broken(fault, 1, error);  // the first write, after the file was made
+                EXPECT_TRUE(save());
+                EXPECT_TRUE(BrokenDisk::struck());
+            }
+            EXPECT_TRUE(expect_whole(kept, home, before, after)) << kept.name;
+        }
+    }
+}
+
+TEST(SaveFaults, disk_that_runs_full_in_the_middle_leaves_the_old_file) {
+    for (const Kept& kept : all_kept()) {
+        const Home home;
+        const auto before = home.all();
+        const auto save = kept.change(home.folder.path());
+        {
+            const BrokenDisk broken(WriteFault::ShortThenError, 1, ENOSPC);
+            const bool worked = save();
+            EXPECT_FALSE(worked && kept.tells) << kept.name;
+        }
+        EXPECT_FALSE(expect_whole(kept, home, before, {})) << kept.name;
+    }
+}
+
+// Every allocation up to a few hundred, then ever fewer of them.
+long next_step(long step) { return step + 1 + step / (test::kSanitizerScale < 1.0 ? 10 : 60); }
+
+enum class End { Worked, Told, NoMemory, Died };
+
+// What came of `act` in a child process that has no memory from the n-th allocation on. `struck`: it came to that one.
+End in_child(const std::function<bool()>& act, long step, bool all_after, bool& struck) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0)
+            ::dup2(nowhere, STDERR_FILENO);  // what terminate() has to say
+        int end = 0;
+        {
+            const NoMemory none(step, all_after);
+            try {
+                end = act() ? 0 : 1;
+            } catch (const std::bad_alloc&) {
+                end = 2;
+            }
+        }
+        ::_exit(end + (NoMemory::struck() ? 10 : 0));
+    }
+    int status = 0;
+    EXPECT_EQ(::waitpid(child, &status, 0), child);
+    struck = true;
+    if (!WIFEXITED(status)) {
+        EXPECT_EQ(WTERMSIG(status), SIGABRT) << "allocation " << step;
+        return End::Died;
+    }
+    struck = WEXITSTATUS(status) >= 10;
+    return static_cast<End>(WEXITSTATUS(status) % 10);
+}
+
+TEST(SaveFaults, memory_that_ends_at_any_allocation_leaves_the_old_file_or_the_new_one) {
+    for (const Kept& kept : all_kept()) {
+        const std::string after = saved(kept);
+        int ends[4] = {};
+        for (const bool all_after : {false, true}) {
+            long step = 0;
+            for (bool struck = true; struck; step = next_step(step)) {
+                const Home home;
+                const auto before = home.all();
+                const auto save = kept.change(home.folder.path());
+                const End end = in_child(save, step, all_after, struck);
+                ++ends[static_cast<int>(end)];
+                SCOPED_TRACE(::testing::Message()
+                             << kept.name << ", allocation " << step << (all_after ? " and all after it" : ""));
+                const bool is_new = expect_whole(kept, home, before, after);
+                EXPECT_TRUE(is_new || end != End::Worked || !kept.tells);
+                EXPECT_TRUE(end == End::Worked || struck);
+            }
+        }
+        std::cout << "    " << kept.name << ": worked " << ends[0] << ", told " << ends[1] << ", bad_alloc " << ends[2]
+                  << ", died " << ends[3] << "\n";
+        EXPECT_GT(ends[2], 3) << kept.name;
+    }
+}
+
+TEST(SaveFaults, what_memory_did_not_suffice_for_is_saved_the_next_time) {
+    const Home home;
+    const auto before = home.all();
+    const Kept kept = all_kept()[1];
+    const std::string after = saved(kept);
+    const auto save = kept.change(home.folder.path());
+    {
+        const NoMemory none(0, true);
+        EXPECT_THROW(save(), std::bad_alloc);
+    }
+    EXPECT_FALSE(expect_whole(kept, home, before, after));
+    EXPECT_TRUE(save());
+    EXPECT_TRUE(expect_whole(kept, home, before, after));
+}
+
+// Something that is read, told as one text: the same whenever it works.
+struct Read {
+    std::string name;
+    std::function<std::string(const fs::path& folder)> read;
+};
+
+std::string told(const Result<Scene>& scene) {
+    if (!scene) return scene.error().sentence();
+    return fmt::format("{} {} {} {}", scene->name, scene->features.size(), scene->solids.size(),
+                       scene->report.warnings_in_all);
+}
+
+TEST(LoadFaults, memory_that_ends_at_any_allocation_changes_no_file_and_reading_works_afterwards) {
+    const Home home;
+    const fs::path folder = home.folder.path();
+    fs::copy_file(fs::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/first_room.map", folder / "room.map");
+    home.folder.write("odd.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 9\nf 1 3 4\n");
+    home.folder.write("odd.map", "{\n\"classname\" \"worldspawn\"\n{\n( 0 0 0 ) ( 1 0 0 )");
+    home.folder.write("session-old.toml", text_of(LastPlace{"/old.map", {1.0, 2.0, 3.0}, 0.0}));
+    const std::vector<Read> all{
+        {"settings",
+         [](const fs::path& at) {
+             SettingsStore store;
+             const auto problems = store.load_file(at / "settings.toml", SettingSource::UserFile);
+             return fmt::format("{} {}", store.values().speech.verbosity,
+                                problems.empty() ? "" : problems[0].sentence());
+         }},
+        {"what was added to a world",
+         [](const fs::path& at) {
+             const SideFile file = SideFile::of_world(at / "a.map", {});
+             return fmt::format("{} {} {}", file.entries("mark").size(), file.entries("stranger").size(),
+                                file.news().size());
+         }},
+        {"the list of last worlds",
+         [](const fs::path& at) { return RecentWorlds(at / "recent-worlds.txt").worlds().at(0).string(); }},
+        {"the last place",
+         [](const fs::path& at) {
+             const auto place = read_whole_file(at / "session-old.toml").and_then(read_last_place);
+             return place ? place->world.string() : place.error().sentence();
+         }},
+        {"a map", [](const fs::path& at) { return told(read_world(at / "room.map", {})); }},
+        {"a damaged map", [](const fs::path& at) { return told(read_world(at / "odd.map", {})); }},
+        {"a damaged mesh", [](const fs::path& at) { return told(read_world(at / "odd.obj", {})); }},
+    };
+    const auto before = home.all();
+    for (const Read& one : all) {
+        const std::string expected = one.read(folder);
+        for (const bool all_after : {false, true}) {
+            long step = 0, thrown = 0;
+            for (bool struck = true; struck; step = next_step(step)) {
+                const End end = in_child([&] { return one.read(folder) == expected; }, step, all_after, struck);
+                thrown += end == End::NoMemory;
+                EXPECT_TRUE(struck || end == End::Worked) << one.name;
+                ASSERT_EQ(home.all(), before) << one.name << ", allocation " << step;
+            }
+            EXPECT_GT(thrown, 3) << one.name;
+        }
+        EXPECT_EQ(one.read(folder), expected) << one.name;
+        EXPECT_EQ(home.all(), before) << one.name;
+    }
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,125 @@
+#include "app/core/dialogue/command_words.h"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "app/core/dialogue/dialogue.h"
+#include "app/core/dialogue/key_map.h"
+#include "app/terminal/terminal.h"
+#include "tests/support/spoken_language.h"
+#include "worlds/base/typist.h"
+
+namespace handrail {
+namespace {
+
+std::vector<std::string> words_in(const std::string& text) {
+    std::istringstream stream(text);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    return words;
+}
+
+TEST(CommandWords, are_there_for_every_command_in_every_language_and_no_two_commands_share_one) {
+    std::set<std::string> wanted;
+    for (const CommandInfo& row : command_table()) wanted.insert("command_word." + std::string(row.word));
+    for (const LanguageName& language : bundled_languages()) {
+        const test::InLanguage spoken(language.code);
+        std::set<std::string> found;
+        std::map<std::string, std::string> owner;
+        for (const CommandInfo& row : command_table()) owner[std::string(row.word)] = row.word;
+        for (const auto& [key, text] : bundled_texts(language.code)) {
+            if (!key.starts_with("command_word.")) continue;
+            found.insert(key);
+            const std::string command = key.substr(std::string_view("command_word.").size());
+            EXPECT_FALSE(words_in(text).empty()) << key;
+            for (const std::string& word : words_in(text)) {
+                const auto [held, fresh] = owner.emplace(word, command);
+                EXPECT_EQ(held->second, command) << language.code << ": " << word;
+                ASSERT_TRUE(find_command(command)) << key;
+                EXPECT_EQ(command_of_word(word), find_command(command)->command) << word;
+                EXPECT_FALSE(is_quit_word(word)) << word;
+            }
+        }
+        EXPECT_EQ(found, wanted) << language.code;
+        // The table's words are known in every language, and each command is called by a word that is understood.
+        for (const CommandInfo& row : command_table()) {
+            EXPECT_EQ(command_of_word(row.word), row.command) << row.word;
+            EXPECT_EQ(command_of_word(spoken_word(row.command)), row.command) << spoken_word(row.command);
+        }
+    }
+}
+
+TEST(CommandWords, are_those_of_the_table_in_english_with_plain_ones_beside_them) {
+    for (const CommandInfo& row : command_table()) EXPECT_EQ(spoken_word(row.command), row.word);
+    const std::map<std::string, Command> plain{
+        {"up", Command::Forward}, {"down", Command::Back},   {"again", Command::Repeat}, {"tab", Command::Menu},
+        {"open", Command::Use},   {"doors", Command::Exits}, {"exit", Command::Leave},   {"UP", Command::Forward}};
+    for (const auto& [word, command] : plain) EXPECT_EQ(command_of_word(word), command) << word;
+    EXPECT_EQ(command_of_word("vorwärts"), std::nullopt);
+    EXPECT_EQ(command_of_word(""), std::nullopt);
+}
+
+TEST(CommandWords, are_german_for_who_speaks_german_umlauts_written_out_or_not) {
+    const test::InLanguage german("de");
+    for (const char* word : {"vorwärts", "VORWÄRTS", "vorwaerts", "Vorwaerts", "vor", "forward"})
+        EXPECT_EQ(command_of_word(word), Command::Forward) << word;
+    EXPECT_EQ(parse_terminal_line("links 3")->command, Command::TurnLeft);
+    EXPECT_EQ(parse_terminal_line("links 3")->times, 3);
+    EXPECT_EQ(command_of_word("gebaeude"), Command::ScaleBuilding);
+    EXPECT_EQ(command_of_word("beenden"), Command::Leave);
+    EXPECT_TRUE(parse_terminal_line("schluss")->leave);
+    EXPECT_TRUE(parse_terminal_line("quit")->leave);
+    EXPECT_THAT(parse_terminal_line("lincks").error().message, testing::HasSubstr("„links“"));
+    EXPECT_THAT(terminal_help(), testing::HasSubstr("vorwärts: "));
+    EXPECT_THAT(terminal_help(), testing::Not(testing::HasSubstr("forward")));
+    speak_to(ActsBy::Lines);
+    EXPECT_EQ(KeyMap({}).keys_of(Command::DropMark), "marke");
+    speak_to(ActsBy::WindowKeys);
+}
+
+// What the texts tell a person to type is understood.
+TEST(CommandWords, that_german_texts_name_are_understood) {
+    const test::InLanguage german("de");
+    std::size_t seen = 0;
+    for (const auto& [key, text] : bundled_texts("de")) {
+        // The set-up by voice has answers of its own.
+        if (!key.ends_with("_typed") || key.starts_with("wizard")) continue;
+        for (std::size_t at = text.find("„"); at != std::string::npos; at = text.find("„", at + 1)) {
+            const std::size_t begin = at + std::string_view("„").size();
+            const std::string word = text.substr(begin, text.find("“", begin) - begin);
+            if (word.starts_with('{')) continue;
+            ++seen;
+            const bool command = parse_terminal_line(word).has_value();
+            EXPECT_TRUE(command || list_word(word) != word) << key << ": " << word;
+        }
+    }
+    EXPECT_GT(seen, 40U);
+}
+
+TEST(ListWords, stand_for_the_keys_of_a_list_and_give_way_to_names) {
+    const test::InLanguage german("de");
+    Dialogue dialogue;
+    std::vector<std::size_t> chosen;
+    ListSpec list;
+    list.title = "Welten";
+    list.items = {{"Haus", {}, false}, {"Schule", {}, false}, {"Ende des Flurs", {}, false}};
+    list.chosen = [&](std::size_t i) { chosen.push_back(i); };
+    list.stays_open = true;
+    dialogue.open(list);
+    EXPECT_THAT(dialogue.line("runter", 0.0).words, testing::HasSubstr("Schule"));
+    EXPECT_THAT(dialogue.line("hoch", 0.0).words, testing::HasSubstr("Haus"));
+    EXPECT_THAT(dialogue.line("Down", 0.0).words, testing::HasSubstr("Schule"));
+    EXPECT_THAT(dialogue.line("liste", 0.0).words, testing::HasSubstr("3: Ende des Flurs"));
+    dialogue.line("wählen", 0.0);
+    dialogue.line("waehlen", 0.0);
+    dialogue.line("ende", 0.0);
+    EXPECT_THAT(chosen, testing::ElementsAre(1U, 1U, 2U)) << "a name that begins so comes before the key of that name";
+    dialogue.line("abbrechen", 0.0);
+    EXPECT_FALSE(dialogue.is_open());
+}
+
+}  // namespace
+}  // namespace handrail

@@ -1,0 +1,285 @@
+#include "app/terminal/key_decoder.h"
+
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "app/core/dialogue/command.h"
+#include "app/core/dialogue/key_map.h"
+#include "app/core/dialogue/key_sets.h"
+#include "app/core/dialogue/terminal_sends.h"
+#include "worlds/base/typist.h"
+
+namespace handrail {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+TerminalInput key(std::string name, std::string text = {}) { return {std::move(name), std::move(text), false}; }
+TerminalInput pasted(std::string text) { return {{}, std::move(text), true}; }
+
+std::vector<TerminalInput> decoded(std::string_view bytes, const TerminalKeyboard& keyboard = {}) {
+    KeyDecoder decoder(keyboard);
+    std::vector<TerminalInput> all = decoder.take(bytes);
+    for (TerminalInput& input : decoder.time_out()) all.push_back(std::move(input));
+    return all;
+}
+
+struct Sequence {
+    std::string bytes;
+    std::string name;
+};
+
+// Every key of a PC keyboard with every modifier, as xterm and its kin send them.
+std::vector<Sequence> xterm_sequences() {
+    std::vector<Sequence> all;
+    const char* kHeld[] = {"",         "Shift+",         "Alt+",         "Alt+Shift+",
+                           "Control+", "Control+Shift+", "Control+Alt+", "Control+Alt+Shift+"};
+    const std::pair<char, const char*> kLetters[] = {{'A', "Up"},  {'B', "Down"}, {'C', "Right"}, {'D', "Left"},
+                                                     {'F', "End"}, {'H', "Home"}, {'P', "F1"},    {'Q', "F2"},
+                                                     {'R', "F3"},  {'S', "F4"}};
+    const std::pair<int, const char*> kNumbers[] = {{2, "Insert"}, {3, "Delete"}, {5, "PageUp"}, {6, "PageDown"},
+                                                    {15, "F5"},    {17, "F6"},    {18, "F7"},    {19, "F8"},
+                                                    {20, "F9"},    {21, "F10"},   {23, "F11"},   {24, "F12"}};
+    for (int modifiers = 1; modifiers <= 8; ++modifiers) {
+        const std::string held = kHeld[modifiers - 1], number = std::to_string(modifiers);
+        for (const auto& [letter, name] : kLetters) all.push_back({"\x1b[1;" + number + letter, held + name});
+        for (const auto& [code, name] : kNumbers)
+            all.push_back({"\x1b[" + std::to_string(code) + ";" + number + "~", held + name});
+    }
+    for (const auto& [letter, name] : kLetters) {
+        all.push_back({std::string("\x1bO") + letter, name});
+        if (letter < 'P') all.push_back({std::string("\x1b[") + letter, name});
+    }
+    for (const auto& [code, name] : kNumbers) all.push_back({"\x1b[" + std::to_string(code) + "~", name});
+    all.push_back({"\x1b[Z", "Shift+Tab"});
+    return all;
+}
+
+std::vector<Sequence> other_sequences() {
+    return {// VT220 and the Linux console.
+            {"\x1b[1~", "Home"},
+            {"\x1b[4~", "End"},
+            {"\x1b[11~", "F1"},
+            {"\x1b[12~", "F2"},
+            {"\x1b[13~", "F3"},
+            {"\x1b[14~", "F4"},
+            {"\x1b[[A", "F1"},
+            {"\x1b[[B", "F2"},
+            {"\x1b[[C", "F3"},
+            {"\x1b[[D", "F4"},
+            {"\x1b[[E", "F5"},
+            {"\x1b[25~", "Shift+F1"},
+            {"\x1b[26~", "Shift+F2"},
+            {"\x1b[28~", "Shift+F3"},
+            {"\x1b[29~", "Shift+F4"},
+            {"\x1b[31~", "Shift+F5"},
+            {"\x1b[32~", "Shift+F6"},
+            {"\x1b[33~", "Shift+F7"},
+            {"\x1b[34~", "Shift+F8"},
+            {"\x1b[G", "Keypad5"},
+            {"\x1b[E", "Keypad5"},
+            // rxvt.
+            {"\x1b[7~", "Home"},
+            {"\x1b[8~", "End"},
+            {"\x1b[a", "Shift+Up"},
+            {"\x1b[b", "Shift+Down"},
+            {"\x1b[c", "Shift+Right"},
+            {"\x1b[d", "Shift+Left"},
+            {"\x1bOa", "Control+Up"},
+            {"\x1bOb", "Control+Down"},
+            {"\x1bOc", "Control+Right"},
+            {"\x1bOd", "Control+Left"},
+            {"\x1b[7$", "Shift+Home"},
+            {"\x1b[3^", "Control+Delete"},
+            {"\x1b[8^", "Control+End"},
+            {"\x1b[6^", "Control+PageDown"},
+            {"\x1b[5@", "Control+Shift+PageUp"},
+            {"\x1b[11^", "Control+F1"},
+            {"\x1b\x1b[A", "Alt+Up"},
+            {"\x1b\x1b[D", "Alt+Left"},
+            {"\x1b\x1bOa", "Control+Alt+Up"},
+            // Older ones with the modifiers alone, and a keypad in application mode.
+            {"\x1b[5A", "Control+Up"},
+            {"\x1bO2D", "Shift+Left"},
+            {"\x1bOM", "KeypadEnter"},
+            {"\x1bOp", "Keypad0"},
+            {"\x1bOy", "Keypad9"},
+            {"\x1bOn", "KeypadDecimal"},
+            {"\x1bOj", "KeypadMultiply"},
+            // xterm's modifyOtherKeys and the protocol of kitty, with its releases and lone modifiers.
+            {"\x1b[27;5;56~", "Control+8"},
+            {"\x1b[56;5u", "Control+8"},
+            {"\x1b[27u", "Escape"},
+            {"\x1b[13;2u", "Shift+Enter"},
+            {"\x1b[9;5u", "Control+Tab"},
+            {"\x1b[57442;5u", "Control"},
+            {"\x1b[1;5:1A", "Control+Up"},
+            {"\x1b[1;5:2A", "Control+Up"},
+            {"\x1b[32;5u", "Control+Space"},
+            {"\x1b[110;6u", "Control+Shift+N"},
+            // Control characters, and Alt with a key.
+            {"\t", "Tab"},
+            {"\r", "Enter"},
+            {"\n", "Enter"},
+            {"\x7f", "Backspace"},
+            {"\x0e", "Control+N"},
+            {"\x1bq", "Alt+Q"},
+            {"\x1bQ", "Alt+Shift+Q"},
+            {"\x1b\x0e", "Control+Alt+N"},
+            {"\x1b\r", "Alt+Enter"},
+            {"\x1b\x7f", "Alt+Backspace"},
+            {"\x1b[", "Alt+LeftBracket"},
+            {"\x1bO", "Alt+Shift+O"},
+            {"\x1b", "Escape"}};
+}
+
+TEST(KeyDecoder, knows_every_sequence_by_the_windows_name) {
+    for (const auto& sequences : {xterm_sequences(), other_sequences()})
+        for (const Sequence& sequence : sequences)
+            EXPECT_THAT(decoded(sequence.bytes), ElementsAre(key(sequence.name)))
+                << testing::PrintToString(sequence.bytes);
+    EXPECT_THAT(decoded(std::string(1, '\0')), ElementsAre(key("Control+Space")));
+}
+
+// However the bytes are torn apart on their way, as long as nothing times out.
+TEST(KeyDecoder, tells_the_same_of_bytes_cut_anywhere) {
+    std::string all;
+    std::vector<TerminalInput> expected;
+    for (const auto& sequences : {xterm_sequences(), other_sequences()})
+        for (const Sequence& sequence : sequences) {
+            if (sequence.bytes == "\x1b" || sequence.bytes == "\x1b[" || sequence.bytes == "\x1bO") continue;
+            for (std::size_t cut = 1; cut < sequence.bytes.size(); ++cut) {
+                KeyDecoder decoder;
+                EXPECT_THAT(decoder.take(sequence.bytes.substr(0, cut)), IsEmpty()) << sequence.name << " at " << cut;
+                EXPECT_TRUE(decoder.waits());
+                EXPECT_THAT(decoder.take(sequence.bytes.substr(cut)), ElementsAre(key(sequence.name)));
+                EXPECT_FALSE(decoder.waits());
+            }
+            all += sequence.bytes;
+            expected.push_back(key(sequence.name));
+        }
+    KeyDecoder decoder;
+    std::vector<TerminalInput> one_by_one;
+    for (const char byte : all)
+        for (TerminalInput& input : decoder.take({&byte, 1})) one_by_one.push_back(std::move(input));
+    EXPECT_EQ(one_by_one, expected);
+    EXPECT_EQ(decoded(all), expected) << "all in one piece";
+}
+
+TEST(KeyDecoder, takes_an_escape_for_a_key_once_nothing_follows_it) {
+    KeyDecoder decoder;
+    EXPECT_THAT(decoder.take("\x1b"), IsEmpty());
+    EXPECT_TRUE(decoder.waits());
+    EXPECT_THAT(decoder.time_out(), ElementsAre(key("Escape")));
+    EXPECT_FALSE(decoder.waits());
+    EXPECT_THAT(decoder.take("[A"), ElementsAre(key("LeftBracket", "["), key("Shift+A", "A")));
+    EXPECT_THAT(decoded("\x1b\x1b"), ElementsAre(key("Escape"), key("Escape")));
+    EXPECT_THAT(decoded("\x1b\x1b\x1b"), ElementsAre(key("Escape"), key("Escape"), key("Escape")));
+}
+
+TEST(KeyDecoder, passes_over_what_nobody_knows_and_goes_on_behind_it) {
+    for (const char* unknown :
+         {"\x1b[99~", "\x1b[1;1R", "\x1b[?1;2c", "\x1b[>0;276;0c", "\x1b[<0;3;4M", "\x1b[I", "\x1b[O", "\x1b[12;34x",
+          "\x1bOz", "\x1b[[Z", "\x1b[57999u", "\x1b[1;5:3A", "\x1b\x1b[99~", "\x1b[?1;2$y", "\x1c", "\xff", "\xc3x"}) {
+        const auto inputs = decoded(std::string(unknown) + "k");
+        ASSERT_FALSE(inputs.empty()) << testing::PrintToString(unknown);
+        EXPECT_EQ(inputs.back(), key("K", "k")) << testing::PrintToString(unknown);
+        for (const TerminalInput& input : inputs) EXPECT_NE(input.key, "Escape") << testing::PrintToString(unknown);
+    }
+    // One that never ends, and one that was cut off for good.
+    EXPECT_EQ(decoded("\x1b[" + std::string(1000, '1') + "~k").back(), key("K", "k"));
+    EXPECT_THAT(decoded("\x1b[1;"), IsEmpty());
+}
+
+TEST(KeyDecoder, gives_letters_digits_and_signs_as_keys_with_what_they_type) {
+    EXPECT_THAT(decoded("aA1 -/`~"),
+                ElementsAre(key("A", "a"), key("Shift+A", "A"), key("1", "1"), key("Space", " "), key("Minus", "-"),
+                            key("Slash", "/"), key("Grave", "`"), key("Shift+Grave", "~")));
+    EXPECT_THAT(decoded("^%("), ElementsAre(key("Shift+6", "^"), key("Shift+5", "%"), key("Shift+9", "(")));
+    const TerminalKeyboard german = terminal_keyboard("de", "xterm-256color", '\x7f');
+    EXPECT_THAT(decoded("&%)/§", german), ElementsAre(key("Shift+6", "&"), key("Shift+5", "%"), key("Shift+9", ")"),
+                                                      key("Slash", "/"), key("Shift+3", "§")));
+    EXPECT_THAT(decoded("äß€😀"), ElementsAre(key("", "ä"), key("", "ß"), key("", "€"), key("", "😀")));
+    KeyDecoder cut;
+    EXPECT_THAT(cut.take("\xe2\x82"), IsEmpty());
+    EXPECT_THAT(cut.take("\xac"), ElementsAre(key("", "€")));
+}
+
+TEST(KeyDecoder, asks_the_terminal_what_its_backspace_sends) {
+    EXPECT_THAT(decoded("\x08"), ElementsAre(key("Control+H")));
+    EXPECT_THAT(decoded("\x08\x7f", terminal_keyboard("en", "xterm", '\x08')),
+                ElementsAre(key("Backspace"), key("Backspace")));
+    EXPECT_THAT(decoded("\x1b[25~", terminal_keyboard("en", "rxvt-unicode", '\x7f')), ElementsAre(key("Shift+F3")));
+}
+
+TEST(KeyDecoder, gives_what_is_pasted_as_text_and_no_key_of_it) {
+    const std::string paste = "\x1b[200~forward 3\rtür\x1b[201~k";
+    KeyDecoder whole;
+    EXPECT_THAT(whole.take(paste), ElementsAre(pasted("forward 3\rtür"), key("K", "k")));
+    for (std::size_t cut = 1; cut < paste.size(); ++cut) {
+        KeyDecoder decoder;
+        std::string text;
+        std::vector<TerminalInput> keys;
+        for (const std::string& part : {paste.substr(0, cut), paste.substr(cut)})
+            for (const TerminalInput& input : decoder.take(part)) {
+                if (input.pasted) text += input.text;
+                else keys.push_back(input);
+            }
+        EXPECT_EQ(text, "forward 3\rtür") << cut;
+        EXPECT_THAT(keys, ElementsAre(key("K", "k"))) << cut;
+    }
+    // One whose end was lost ends with the next key.
+    EXPECT_THAT(decoded("\x1b[200~abc\x1b[Bk"), ElementsAre(pasted("abc"), key("Down"), key("K", "k")));
+}
+
+// What help names at a terminal is what a terminal can send: exactly the keys that some bytes stand for.
+TEST(TerminalSends, exactly_the_keys_that_have_a_sequence) {
+    std::set<std::string> sent;
+    const auto note = [&](const std::string& bytes) {
+        const auto inputs = decoded(bytes);
+        if (inputs.size() == 1) sent.insert(inputs.front().key);
+    };
+    for (int byte = 0; byte < 128; ++byte) {
+        // These are signals, or Backspace on some terminals.
+        if (byte == 3 || byte == 8 || byte == 26 || byte == 28) continue;
+        note(std::string(1, static_cast<char>(byte)));
+        note(std::string("\x1b") + static_cast<char>(byte));
+    }
+    for (const Sequence& sequence : xterm_sequences()) note(sequence.bytes);
+    std::set<std::string> asked;
+    const auto ask = [&](std::string_view names) {
+        std::istringstream words{std::string(names)};
+        for (std::string name; words >> name;) asked.insert(name);
+    };
+    for (const CommandInfo& row : command_table()) ask(row.key);
+    for (const KeyboardHand hand : {KeyboardHand::Left, KeyboardHand::Right})
+        for (const SetKeys& row : keys_for(hand)) ask(row.keys);
+    EXPECT_GT(asked.size(), 120U);
+    int cannot = 0;
+    for (const std::string& name : asked) {
+        EXPECT_EQ(terminal_sends(name), sent.contains(name)) << name;
+        cannot += !terminal_sends(name);
+    }
+    EXPECT_GT(cannot, 10) << "Control, Control+8 and others";
+    EXPECT_TRUE(terminal_sends("alt+w"));
+}
+
+// What Handrail says to press at a terminal can be pressed there; where nothing can, the word is named.
+TEST(KeyMap, names_at_a_terminal_the_keys_that_it_sends_and_else_the_word) {
+    const std::map<std::string, std::string> changes{{"where", "Keypad5 F2"}};
+    const KeyMap keys(changes);
+    EXPECT_EQ(keys.keys_of(Command::StopSpeech), "Control");
+    speak_to(ActsBy::TerminalKeys);
+    EXPECT_EQ(keys.keys_of(Command::StopSpeech), "colon quiet");
+    EXPECT_EQ(keys.keys_of(Command::WhereAmI), "F2");
+    EXPECT_EQ(keys.keys_of(Command::LastPlace), "colon last-place");
+    EXPECT_EQ(keys.keys_of(Command::Repeat), "Space or Q");
+    speak_to(ActsBy::WindowKeys);
+}
+
+}  // namespace
+}  // namespace handrail

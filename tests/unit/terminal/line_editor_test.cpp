@@ -1,0 +1,108 @@
+#include "app/terminal/line_editor.h"
+
+#include <gmock/gmock.h>
+
+namespace handrail {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+// The terminal's line after this was written to it, from its last line end on.
+std::string shown(const std::string& written) {
+    std::string line;
+    for (std::size_t i = 0; i < written.size(); ++i) {
+        if (written[i] == '\n') {
+            line.clear();
+        } else if (written[i] == '\b') {
+            while (!line.empty() && (static_cast<unsigned char>(line.back()) & 0xC0U) == 0x80U) line.pop_back();
+            if (!line.empty()) line.pop_back();
+            i += 2;  // the blank over it, and back
+        } else {
+            line += written[i];
+        }
+    }
+    return line;
+}
+
+struct Typed {
+    LineEditor editor;
+    std::string written;
+    std::vector<std::string> lines;
+    bool left = false;
+
+    explicit Typed(std::string_view prompt = ":") : written(editor.open(prompt)) {}
+    Typed& put(std::string_view bytes) {
+        KeyDecoder decoder;
+        auto inputs = decoder.take(bytes);
+        for (TerminalInput& input : decoder.time_out()) inputs.push_back(std::move(input));
+        for (const TerminalInput& input : inputs) {
+            LineEditor::Reply reply = editor.take(input);
+            written += reply.echo;
+            left = left || reply.left;
+            for (std::string& line : reply.lines) lines.push_back(std::move(line));
+        }
+        return *this;
+    }
+};
+
+TEST(LineEditor, shows_what_is_typed_and_gives_the_line_at_enter) {
+    Typed typed;
+    typed.put("forward 3");
+    EXPECT_EQ(shown(typed.written), ":forward 3");
+    EXPECT_THAT(typed.lines, IsEmpty());
+    typed.put("\r");
+    EXPECT_THAT(typed.lines, ElementsAre("forward 3"));
+    EXPECT_EQ(shown(typed.written), "");
+    EXPECT_FALSE(typed.editor.is_open());
+}
+
+TEST(LineEditor, deletes_whole_characters_and_the_whole_line) {
+    Typed typed;
+    typed.put("tür\x7f\x7f");
+    EXPECT_EQ(shown(typed.written), ":t");
+    typed.put("\x7f\x7f\x7f");
+    EXPECT_EQ(shown(typed.written), ":") << "not beyond its begin";
+    typed.put("wohin\x15wo\r");
+    EXPECT_THAT(typed.lines, ElementsAre("wo"));
+}
+
+TEST(LineEditor, is_given_up_by_escape_and_leaves_other_keys_alone) {
+    Typed typed;
+    typed.put("where\x1b");
+    EXPECT_TRUE(typed.left);
+    EXPECT_FALSE(typed.editor.is_open());
+    EXPECT_THAT(typed.lines, IsEmpty());
+    Typed other;
+    EXPECT_FALSE(other.editor.take({"Up", {}, false}).taken);
+    EXPECT_FALSE(other.editor.take({"F12", {}, false}).taken);
+    EXPECT_TRUE(other.editor.is_open());
+}
+
+TEST(LineEditor, takes_each_line_of_what_is_pasted) {
+    Typed typed;
+    typed.put("\x1b[200~forward 3\r\nwhere\nri\x1b[201~");
+    EXPECT_THAT(typed.lines, ElementsAre("forward 3", "where"));
+    EXPECT_TRUE(typed.editor.is_open());
+    typed.put("ght\r");
+    EXPECT_THAT(typed.lines, ElementsAre("forward 3", "where", "right"));
+    Typed whole;
+    whole.put("\x1b[200~where\n\x1b[201~");
+    EXPECT_FALSE(whole.editor.is_open());
+}
+
+TEST(LineEditor, of_a_line_without_end_keeps_a_part_and_shows_no_more) {
+    Typed typed;
+    typed.put(std::string(100'000, 'a'));
+    typed.put("\r");
+    ASSERT_EQ(typed.lines.size(), 1U);
+    EXPECT_EQ(typed.lines.front().size(), LineEditor::kLongest);
+    Typed strange;
+    strange.put(
+        "\x1b[200~a\x07\x9b"
+        "b\x1b[201~\r");
+    EXPECT_EQ(strange.written.find('\x07'), std::string::npos) << "nothing that a terminal would obey";
+}
+
+}  // namespace
+}  // namespace handrail

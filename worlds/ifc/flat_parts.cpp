@@ -1,0 +1,186 @@
+#include "worlds/ifc/flat_parts.h"
+
+#include <algorithm>
+
+namespace handrail {
+namespace {
+
+constexpr double kSame_m = 1e-6;
+constexpr std::size_t kMostCorners = 4000;
+
+double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+Ring without_repeats(const Ring& ring) {
+    Ring kept;
+    for (const Vec2& p : ring)
+        if (kept.empty() || glm::length(p - kept.back()) > kSame_m) kept.push_back(p);
+    while (kept.size() > 1 && glm::length(kept.front() - kept.back()) <= kSame_m) kept.pop_back();
+    return kept;
+}
+
+// Straight corners left out.
+Ring tidied(const Ring& ring) {
+    const Ring all = without_repeats(ring);
+    Ring kept;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Vec2 in = all[i] - all[(i + all.size() - 1) % all.size()], out = all[(i + 1) % all.size()] - all[i];
+        if (std::abs(cross(in, out)) > 1e-9 * glm::length(in) * glm::length(out) || glm::dot(in, out) < 0.0)
+            kept.push_back(all[i]);
+    }
+    return kept;
+}
+
+// No corner turns right, and all together turn round once.
+bool is_convex(const Ring& ring, double slack) {
+    double turn = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 in = ring[(i + 1) % ring.size()] - ring[i],
+                   out = ring[(i + 2) % ring.size()] - ring[(i + 1) % ring.size()];
+        const double c = cross(in, out);
+        if (c < -slack * glm::length(in) * glm::length(out)) return false;
+        turn += std::atan2(c, glm::dot(in, out));
+    }
+    return std::abs(turn - 2.0 * kPi) < 0.1;
+}
+
+struct Edge {
+    Vec2 left{0.0}, right{0.0};
+    double at(double x) const { return left.y + (right.y - left.y) * (x - left.x) / (right.x - left.x); }
+};
+
+// Between two edges and two upright lines.
+struct Trapezoid {
+    std::size_t low = 0, high = 0;
+    double from = 0.0, to = 0.0;
+};
+
+std::vector<Edge> upright_free_edges(const std::vector<Ring>& rings) {
+    std::vector<Edge> edges;
+    for (const Ring& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            if (std::abs(a.x - b.x) <= kSame_m) continue;
+            edges.push_back(a.x < b.x ? Edge{a, b} : Edge{b, a});
+        }
+    return edges;
+}
+
+// Where edges begin, end and cross; what lies nearer together than kSame_m is one.
+std::vector<double> lines_of(const std::vector<Edge>& edges) {
+    std::vector<double> lines;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        lines.push_back(edges[i].left.x);
+        lines.push_back(edges[i].right.x);
+        for (std::size_t j = 0; j < i; ++j) {
+            const double from = std::max(edges[i].left.x, edges[j].left.x),
+                         to = std::min(edges[i].right.x, edges[j].right.x);
+            if (!(from < to)) continue;
+            const double a = edges[i].at(from) - edges[j].at(from), b = edges[i].at(to) - edges[j].at(to);
+            if ((a > kSame_m && b < -kSame_m) || (a < -kSame_m && b > kSame_m))
+                lines.push_back(from + (to - from) * a / (a - b));
+        }
+    }
+    std::sort(lines.begin(), lines.end());
+    lines.erase(std::unique(lines.begin(), lines.end(), [](double a, double b) { return b - a <= kSame_m; }),
+                lines.end());
+    return lines;
+}
+
+// The union of two polygons that share an edge, where it is convex.
+bool joined(const Ring& a, const Ring& b, Ring& both) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const Vec2 &a0 = a[i], &a1 = a[(i + 1) % a.size()], &b0 = b[j], &b1 = b[(j + 1) % b.size()];
+            if (glm::length(a0 - b1) > 2.0 * kSame_m || glm::length(a1 - b0) > 2.0 * kSame_m) continue;
+            both.clear();
+            for (std::size_t k = 1; k <= a.size(); ++k) both.push_back(a[(i + k) % a.size()]);
+            for (std::size_t k = 2; k < b.size(); ++k) both.push_back(b[(j + k) % b.size()]);
+            both = tidied(both);
+            return both.size() >= 3 && is_convex(both, 1e-9);
+        }
+    return false;
+}
+
+void join_neighbours(std::vector<Ring>& parts) {
+    constexpr std::size_t kMostTried = 400;
+    if (parts.size() > kMostTried) return;
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        for (std::size_t j = i + 1; j < parts.size();) {
+            Ring both;
+            if (!joined(parts[i], parts[j], both)) {
+                ++j;
+                continue;
+            }
+            parts[i] = std::move(both);
+            parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(j));
+            j = i + 1;  // what did not fit before may fit now
+        }
+}
+
+}  // namespace
+
+double signed_area(const Ring& ring) {
+    double twice = 0.0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) twice += cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+    return 0.5 * twice;
+}
+
+bool inside(const std::vector<Ring>& rings, const Vec2& at) {
+    bool in = false;
+    for (const Ring& ring : rings)
+        for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+            if ((ring[i].y > at.y) != (ring[j].y > at.y) &&
+                at.x < (ring[j].x - ring[i].x) * (at.y - ring[i].y) / (ring[j].y - ring[i].y) + ring[i].x)
+                in = !in;
+    return in;
+}
+
+std::vector<Ring> convex_parts(const std::vector<Ring>& rings) {
+    std::vector<Ring> good;
+    std::size_t corners = 0;
+    for (const Ring& ring : rings) {
+        Ring kept = tidied(ring);
+        corners += kept.size();
+        if (kept.size() >= 3) good.push_back(std::move(kept));
+    }
+    if (good.empty() || corners > kMostCorners) return {};
+    if (good.size() == 1) {
+        if (signed_area(good[0]) < 0.0) std::reverse(good[0].begin(), good[0].end());
+        if (is_convex(good[0], 1e-9)) return good;
+    }
+    const std::vector<Edge> edges = upright_free_edges(good);
+    const std::vector<double> lines = lines_of(edges);
+    std::vector<Trapezoid> all, open;
+    for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+        const double from = lines[k], to = lines[k + 1], middle = 0.5 * (from + to);
+        std::vector<std::pair<double, std::size_t>> across;
+        for (std::size_t e = 0; e < edges.size(); ++e)
+            if (edges[e].left.x < middle && edges[e].right.x > middle) across.emplace_back(edges[e].at(middle), e);
+        std::sort(across.begin(), across.end());
+        std::vector<Trapezoid> next;
+        for (std::size_t i = 0; i + 1 < across.size(); i += 2) {
+            Trapezoid made{across[i].second, across[i + 1].second, from, to};
+            const auto before = std::find_if(
+                open.begin(), open.end(), [&](const Trapezoid& o) { return o.low == made.low && o.high == made.high; });
+            if (before != open.end()) {
+                made.from = before->from;
+                open.erase(before);
+            }
+            next.push_back(made);
+        }
+        all.insert(all.end(), open.begin(), open.end());
+        open = std::move(next);
+    }
+    all.insert(all.end(), open.begin(), open.end());
+    std::vector<Ring> parts;
+    for (const Trapezoid& t : all) {
+        const Edge &low = edges[t.low], &high = edges[t.high];
+        Ring part =
+            tidied({{t.from, low.at(t.from)}, {t.to, low.at(t.to)}, {t.to, high.at(t.to)}, {t.from, high.at(t.from)}});
+        if (part.size() >= 3 && signed_area(part) > 1e-8) parts.push_back(std::move(part));
+    }
+    join_neighbours(parts);
+    return parts;
+}
+
+}  // namespace handrail

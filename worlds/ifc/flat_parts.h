@@ -1,0 +1,20 @@
+// Flat outlines with holes, cut into convex parts. Pure functions.
+#pragma once
+
+#include <vector>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+using Ring = std::vector<Vec2>;
+
+double signed_area(const Ring& ring);
+// Inside by the even-odd rule.
+bool inside(const std::vector<Ring>& rings, const Vec2& at);
+// Convex polygons, counter-clockwise, that together are what lies inside by the even-odd rule; rings may have either
+// direction, touch and cross. One convex ring stays as it is. Trapezoids between upright lines, joined where their
+// union is convex. O(n squared) for n corners; nothing for more than 4,000.
+std::vector<Ring> convex_parts(const std::vector<Ring>& rings);
+
+}  // namespace handrail

@@ -1,0 +1,343 @@
+#include "worlds/ifc/ifc_building.h"
+
+#include <algorithm>
+
+#include "worlds/geometry/box_index.h"
+#include "worlds/geometry/clip.h"
+#include "worlds/ifc/ifc_spaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kFarAway_m = 10'000.0;  // numbers further from zero are an origin elsewhere
+constexpr double kThrough_m = 1.0;       // how far an opening is lengthened through its wall
+
+bool is_part(PartRole role) { return role != PartRole::Opening && role != PartRole::Space && role != PartRole::Storey; }
+
+// What does not swing or slide out of the way. Furniture beside a door is told by walking, not cut.
+bool blocks(PartRole role) {
+    switch (role) {
+        case PartRole::Wall:
+        case PartRole::Slab:
+        case PartRole::Roof:
+        case PartRole::Cover:
+        case PartRole::Structure:
+        case PartRole::Panel:
+        case PartRole::Column:
+        case PartRole::Beam:
+        case PartRole::Window:
+        case PartRole::Other:
+            return true;
+        default:
+            return false;
+    }
+}
+
+// Turned upright: a door's width runs level, whatever its placement says.
+Frame upright(const Frame& frame) {
+    Frame axes = frame;
+    axes.z = {0, 0, 1};
+    Vec3 x{frame.x.x, frame.x.y, 0.0};
+    if (glm::length(x) < 0.1) x = {1, 0, 0};
+    axes.x = x / glm::length(x);
+    axes.y = glm::cross(axes.z, axes.x);
+    return axes;
+}
+
+class Reader {
+public:
+    Reader(IfcModel& model, const IfcRelations& relations, const std::function<void(double)>& progress,
+           std::stop_token stop)
+        : model_(model), relations_(relations), progress_(progress), shapes_(model, stop), stop_(std::move(stop)) {}
+
+    IfcBuilding read() {
+        building_.schema = model_.file().schema();
+        find_origin();
+        read_names();
+        read_parts();
+        read_spaces(building_, model_, relations_, shapes_);
+        if (progress_) progress_(0.7);
+        for (std::size_t i = 0; i < building_.parts.size() && !stop_.stop_requested(); ++i)
+            cut_openings(building_.parts[i]);
+        for (std::size_t i = 0; i < building_.parts.size(); ++i) find_gap(i);
+        if (progress_) progress_(1.0);
+        building_.skipped = relations_.skipped;
+        for (const auto& [name, count] : lone_panels_) building_.skipped[name] += count;
+        building_.not_read = shapes_.not_read();
+        building_.approximated = shapes_.approximated();
+        building_.odd_placements = model_.odd_placements();
+        building_.too_large = shapes_.too_large();
+        return std::move(building_);
+    }
+
+private:
+    Frame frame_of(std::uint64_t product) {
+        Frame frame = model_.placement(reference_at(model_.values(product), 5));
+        frame.origin_m -= building_.origin_m;
+        return frame;
+    }
+    Body body_of(std::uint64_t product, const Frame& frame) {
+        Body body = transformed(shapes_.body_of(reference_at(model_.values(product), 6)), frame);
+        building_.far += drop_far(body);
+        return body;
+    }
+
+    // Georeferenced files stand thousands of kilometres from zero, where doubles are still fine but planes are far from
+    // their points. By site or building, else by the first part.
+    void find_origin() {
+        const auto consider = [&](const Vec3& at) {
+            if (building_.origin_m == Vec3(0.0) && is_finite(at) && glm::length(at) > kFarAway_m)
+                building_.origin_m = at;
+        };
+        for (const std::string_view wanted : {"IFCSITE", "IFCBUILDING"})
+            for (const StepInstance& instance : model_.file().instances())
+                if (instance.name == wanted)
+                    consider(model_.placement(reference_at(model_.values(instance.id), 5)).origin_m);
+        for (const StepInstance& instance : model_.file().instances()) {
+            if (role_of(instance.name) != PartRole::Wall && role_of(instance.name) != PartRole::Slab) continue;
+            const Frame frame = model_.placement(reference_at(model_.values(instance.id), 5));
+            if (const Aabb box = shapes_.body_of(reference_at(model_.values(instance.id), 6)).bounds_m();
+                !box.empty()) {
+                if (const Vec3 at = frame.at(box.centre_m());
+                    glm::length(at - building_.origin_m) > kFarAway_m && is_finite(at))
+                    building_.origin_m = at;
+                break;
+            }
+        }
+    }
+
+    void read_names() {
+        for (const std::string_view wanted : {"IFCBUILDING", "IFCPROJECT"})
+            for (const StepInstance& instance : model_.file().instances()) {
+                if (instance.name != wanted) continue;
+                const Values v = model_.file().values_of(instance);
+                for (const std::size_t i : {std::size_t{wanted == "IFCBUILDING" ? 7U : 5U}, std::size_t{2}}) {
+                    const std::string name = text_at(v, i);
+                    const bool word = std::count_if(name.begin(), name.end(),
+                                                    [](char c) { return (c < '0' || c > '9') && c != ' '; }) >= 3;
+                    if (building_.name.empty() && word) building_.name = name;
+                }
+            }
+    }
+
+    void read_parts() {
+        std::map<std::uint64_t, std::size_t> place;
+        const std::size_t all = model_.file().instances().size();
+        for (std::size_t i = 0; i < all; ++i) {
+            if (stop_.stop_requested()) return;
+            if (progress_ && (i & 0xff) == 0) progress_(0.6 * static_cast<double>(i) / static_cast<double>(all));
+            const StepInstance& instance = model_.file().instances()[i];
+            const std::optional<PartRole> role = role_of(instance.name);
+            if (!role || !is_part(*role)) continue;
+            const Values v = model_.file().values_of(instance);
+            IfcPart part;
+            part.role = *role;
+            part.id = instance.id;
+            part.line = instance.line;
+            part.guid = text_at(v, 0);
+            part.name = text_at(v, 2);
+            part.frame = frame_of(instance.id);
+            part.body = body_of(instance.id, part.frame);
+            part.box = part.body.bounds_m();
+            for (const std::string& word : material_words(model_, relations_, instance.id))
+                part.words += (part.words.empty() ? "" : "; ") + word;
+            if (part.role == PartRole::Door || part.role == PartRole::Window) {
+                part.height_m = number_at(v, 8) * model_.metres_per_unit();
+                part.width_m = number_at(v, 9) * model_.metres_per_unit();
+                part.operation = operation_of(instance.id, v);
+            }
+            part.whole = building_.parts.size();
+            place.emplace(instance.id, building_.parts.size());
+            building_.parts.push_back(std::move(part));
+        }
+        for (std::size_t i = 0; i < building_.parts.size(); ++i) join_to_whole(i, place);
+    }
+
+    std::string operation_of(std::uint64_t door, const Values& v) const {
+        if (const std::string_view own = word_at(v, 11); !own.empty()) return std::string(own);
+        const auto type = relations_.type_of.find(door);
+        if (type == relations_.type_of.end()) return {};
+        const Values of_type = model_.values(type->second);
+        return std::string(word_at(of_type, model_.name(type->second) == "IFCDOORSTYLE" ? 8 : 10));
+    }
+
+    // Flights, landings and stringers are the stairs; panels of a curtain wall are wall; a panel of nothing is no
+    // building.
+    void join_to_whole(std::size_t i, const std::map<std::uint64_t, std::size_t>& place) {
+        IfcPart& part = building_.parts[i];
+        std::uint64_t at = part.id;
+        bool within = false;
+        for (int depth = 0; depth < 8; ++depth) {
+            const auto whole = relations_.whole_of.find(at);
+            if (whole == relations_.whole_of.end()) break;
+            at = whole->second;
+            const auto found = place.find(at);
+            if (found == place.end()) break;
+            within = true;
+            const PartRole role = building_.parts[found->second].role;
+            if ((role == PartRole::Stairs || role == PartRole::Ramp) && part.role != PartRole::Railing)
+                part.whole = found->second;
+        }
+        if (part.role != PartRole::Panel) return;
+        if (within) return;
+        ++lone_panels_[std::string(model_.name(part.id))];
+        part.body = {};
+    }
+
+    void cut_openings(IfcPart& host) {
+        const auto openings = relations_.openings.find(host.id);
+        if (openings == relations_.openings.end()) return;
+        for (const std::uint64_t opening : openings->second) {
+            if (stop_.stop_requested()) return;
+            const bool building = blocks(host.role);  // not the niche of a cabinet
+            building_.openings += building ? 1 : 0;
+            const Body shape = body_of(opening, frame_of(opening));
+            const bool filled = relations_.filled_by.contains(opening);
+            bool cut = host.body.empty() && !shape.empty() && cut_pieces(host, opening, shape, filled);
+            for (const ConvexSolid& solid : solids_around(shape))
+                cut = cut_through(host.body, solid, frame_of(opening), filled, host.role) || cut;
+            building_.openings_cut += cut && building ? 1 : 0;
+            if (!cut && building) building_.openings_uncut.push_back(static_cast<std::size_t>(model_.line(opening)));
+        }
+    }
+    // The host has no body of its own, its parts have.
+    bool cut_pieces(const IfcPart& host, std::uint64_t opening, const Body& shape, bool filled) {
+        bool cut = false;
+        for (IfcPart& piece : building_.parts) {
+            const auto whole = relations_.whole_of.find(piece.id);
+            if (whole == relations_.whole_of.end() || whole->second != host.id || piece.body.empty()) continue;
+            for (const ConvexSolid& solid : solids_around(shape))
+                cut = cut_through(piece.body, solid, frame_of(opening), filled, piece.role) || cut;
+        }
+        return cut;
+    }
+
+    // An opening without an inside is taken as the box of its corners.
+    static std::vector<ConvexSolid> solids_around(const Body& shape) {
+        if (!shape.solids.empty() || shape.sheets.empty()) return shape.solids;
+        const Aabb box = shape.bounds_m();
+        if (std::optional<ConvexSolid> solid = box_solid(box.min_m, box.max_m, {})) return {*solid};
+        return {};
+    }
+
+    static bool cut_through(Body& body, const ConvexSolid& solid, const Frame& opening, bool filled, PartRole role) {
+        const bool flat = role == PartRole::Slab || role == PartRole::Roof;
+        const Frame axes = upright(opening);
+        // Through a wall: the level direction in which the opening is thinner than the host is long.
+        Vec3 way = flat ? Vec3(0, 0, 1) : axes.y;
+        if (!flat)
+            if (const std::optional<Reach> x = reach_along(body, axes.x), y = reach_along(body, axes.y);
+                x && y && x->most - x->least < y->most - y->least)
+                way = axes.x;
+        std::vector<Plane> planes = solid.planes;
+        const double longer_m = filled ? kThrough_m : 2e-3;
+        for (Plane& plane : planes)
+            if (std::abs(glm::dot(plane.normal, way)) > 0.9) plane.offset_m += longer_m;
+        const bool hollow = body.solids.empty();
+        const std::optional<Reach> host = reach_along(body, way);
+        if (!cut_away(body, planes)) return false;
+        if (hollow && host) add_jambs(body, planes, way, *host);
+        return true;
+    }
+    // A wall that is only its surface would be open to its inside.
+    static void add_jambs(Body& body, const std::vector<Plane>& planes, const Vec3& way, const Reach& host) {
+        std::vector<Plane> within = planes;
+        std::erase_if(within, [&](const Plane& p) { return std::abs(glm::dot(p.normal, way)) > 0.9; });
+        within.push_back({way, host.most});
+        within.push_back({-way, -host.least});
+        const Aabb box = body.bounds_m();
+        const std::optional<ConvexSolid> gap = solid_within(within, box.centre_m(), glm::length(box.size_m()));
+        if (!gap) return;
+        for (std::size_t i = 0; i < gap->planes.size(); ++i)
+            if (std::abs(glm::dot(gap->planes[i].normal, way)) < 0.9) body.sheets.push_back(gap->faces[i]);
+    }
+
+    // From the opening where there is one, narrowed to the wall's thickness; else from the door's own form.
+    void find_gap(std::size_t i) {
+        const IfcPart& part = building_.parts[i];
+        if (part.role != PartRole::Door && part.role != PartRole::Window) return;
+        WallGap gap;
+        gap.axes = upright(part.frame);
+        Body shape;
+        const IfcPart* host = nullptr;
+        if (const auto opening = relations_.opening_of.find(part.id); opening != relations_.opening_of.end()) {
+            shape = body_of(opening->second, frame_of(opening->second));
+            if (const auto of = relations_.host_of.find(opening->second); of != relations_.host_of.end())
+                for (const IfcPart& other : building_.parts)
+                    if (other.id == of->second) host = &other;
+        }
+        if (shape.empty()) shape = part.body;
+        if (host && !host->body.empty())  // a door that lies along y of its placement
+            if (const auto x = reach_along(shape, gap.axes.x), y = reach_along(shape, gap.axes.y);
+                x && y && y->most - y->least > 1.5 * (x->most - x->least)) {
+                const auto hx = reach_along(host->body, gap.axes.x), hy = reach_along(host->body, gap.axes.y);
+                if (hx->most - hx->least < hy->most - hy->least)
+                    gap.axes.x = gap.axes.y, gap.axes.y = glm::cross(gap.axes.z, gap.axes.x);
+            }
+        for (int axis = 0; axis < 3; ++axis) {
+            const Vec3 way = axis == 0 ? gap.axes.x : axis == 1 ? gap.axes.y : gap.axes.z;
+            std::optional<Reach> reach = reach_along(shape, way);
+            const double at = glm::dot(gap.axes.origin_m, way);
+            if (!reach) reach = Reach{at, at + (axis == 0 ? part.width_m : axis == 1 ? 0.1 : part.height_m)};
+            if (axis == 1 && host)
+                if (const std::optional<Reach> wall = reach_along(host->body, way);
+                    wall && wall->most - wall->least < 1.5) {
+                    reach->least = std::max(reach->least, wall->least);
+                    reach->most = std::min(reach->most, wall->most);
+                    if (reach->least > reach->most) *reach = *wall;
+                }
+            gap.least_m[axis] = reach->least - at;
+            gap.most_m[axis] = reach->most - at;
+        }
+        gap.cut = host != nullptr;
+        const double reach_m = glm::length(gap.axes.origin_m) + glm::length(gap.least_m) + glm::length(gap.most_m);
+        if (reach_m < kFarthestPart_m && gap.most_m.x - gap.least_m.x > 0.05 && gap.most_m.z - gap.least_m.z > 0.05)
+            building_.gaps.emplace(i, gap);
+    }
+
+    IfcModel& model_;
+    const IfcRelations& relations_;
+    const std::function<void(double)>& progress_;
+    IfcShapes shapes_;
+    std::stop_token stop_;
+    IfcBuilding building_;
+    std::map<std::string, int, std::less<>> lone_panels_;
+};
+
+// What of a gap a body takes that goes through: 0.5 m wide and up to 1.8 m tall, above a threshold.
+std::optional<ConvexSolid> way_through(const WallGap& gap) {
+    constexpr double kWide_m = 0.5, kTall_m = 1.8, kThreshold_m = 0.2, kBeyond_m = 0.1;
+    const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),
+                 half = 0.5 * std::min(kWide_m, gap.most_m.x - gap.least_m.x - 0.02);
+    const Vec3 least{middle - half, gap.least_m.y - kBeyond_m, gap.least_m.z + kThreshold_m};
+    const Vec3 most{middle + half, gap.most_m.y + kBeyond_m, std::min(gap.least_m.z + kTall_m, gap.most_m.z - 0.02)};
+    return box_solid(least, most, gap.axes);
+}
+
+}  // namespace
+
+IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const std::function<void(double)>& progress,
+                          const std::stop_token& stop) {
+    return Reader(model, relations, progress, stop).read();
+}
+
+bool can_pass(const IfcBuilding& building, const WallGap& gap) {
+    const std::optional<ConvexSolid> body = way_through(gap);
+    return body && std::none_of(building.parts.begin(), building.parts.end(), [&](const IfcPart& part) {
+               return blocks(part.role) && overlap(part.box, body->bounds_m) && meets(part.body, *body);
+           });
+}
+
+std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap) {
+    std::vector<std::string> cut;
+    const std::optional<ConvexSolid> body = way_through(gap);
+    if (!body) return cut;
+    for (IfcPart& part : building.parts)
+        if (blocks(part.role) && overlap(part.box, body->bounds_m) && meets(part.body, *body)) {
+            cut_away(part.body, body->planes);
+            cut.push_back(part.name);
+        }
+    return cut;
+}
+
+}  // namespace handrail

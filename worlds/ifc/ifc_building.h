@@ -1,0 +1,60 @@
+// The parts of a building from an IFC file, with their bodies where they stand: openings cut, doors proven. Between the
+// file and the Scene. One reading thread.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "worlds/ifc/ifc_relations.h"
+#include "worlds/ifc/ifc_shapes.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+
+struct IfcPart {
+    PartRole role = PartRole::Other;
+    std::uint64_t id = 0;
+    int line = 0;
+    std::string name, guid;
+    Frame frame;            // of its placement, from the world's origin
+    Body body;              // in the world
+    Aabb box;               // around it, before openings were cut
+    std::string words;      // what it is made of, in the file's words
+    std::size_t whole = 0;  // place of the part that it is felt as a piece of: a flight's stairs; else itself
+    double width_m = 0.0, height_m = 0.0;  // of doors and windows as stated; 0: not
+    std::string operation;                 // of a door: "SINGLE_SWING_LEFT"
+};
+
+// Where a door or window stands in its wall, in the axes of its placement: x along it, y through the wall, z up.
+struct WallGap {
+    Frame axes;
+    Vec3 least_m{0.0}, most_m{0.0};
+    bool cut = false;  // through a wall that the file names
+};
+
+struct IfcBuilding {
+    std::string name, schema;
+    Vec3 origin_m{0.0};          // of the file, taken off everything
+    std::vector<IfcPart> parts;  // in file order; openings and spaces are not among them
+    std::vector<StatedStorey> storeys;
+    std::vector<StatedRoom> rooms;
+    std::vector<std::uint64_t> room_ids;
+    std::map<std::size_t, WallGap> gaps;  // of doors and windows, by their place in `parts`
+    int openings = 0, openings_cut = 0;
+    std::vector<std::size_t> openings_uncut;  // lines
+    std::map<std::string, int, std::less<>> skipped, not_read;
+    int approximated = 0, odd_placements = 0, far = 0;
+    bool too_large = false;
+};
+
+// Progress runs from 0 to 1. Stopped, it is of no use.
+IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const std::function<void(double)>& progress,
+                          const std::stop_token& stop);
+
+// Sweeps a body through a gap against everything but doors; what stands in its way is cut free by a box. The names of
+// those; empty: it passed.
+std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap);
+// A body of 0.5 m passes through.
+bool can_pass(const IfcBuilding& building, const WallGap& gap);
+
+}  // namespace handrail

@@ -1,0 +1,249 @@
+// Leaves, panes, who joins whom, the ground outside and where one starts: the ways of an IFC building.
+#include <algorithm>
+
+#include "worlds/base/language.h"
+#include "worlds/geometry/clip.h"
+#include "worlds/ifc/ifc_scene.h"
+#include "worlds/ifc/ifc_spaces.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLeafThick_m = 0.04, kPaneThick_m = 0.06, kClear_m = 0.005;
+constexpr double kLeafTravel_s = 1.0;
+constexpr double kGroundAround_m = 8.0, kGroundThick_m = 0.2, kUnderThreshold_m = 0.02;
+constexpr double kCeiling_m = 1.0;  // between the rooms of two storeys, at most
+constexpr double kBeforeDoor_m = 1.5;
+
+double middle(double a, double b) { return 0.5 * (a + b); }
+
+}  // namespace
+
+void IfcScene::add_leaf(const WallGap& gap, double from, double to, bool hinge_at_least, std::size_t i,
+                        std::uint32_t group) {
+    const IfcPart& part = building_.parts[i];
+    const double y = middle(gap.least_m.y, gap.most_m.y);
+    const Vec3 least{from + kClear_m, y - 0.5 * kLeafThick_m, gap.least_m.z + kClear_m},
+        most{to - kClear_m, y + 0.5 * kLeafThick_m, gap.most_m.z - kClear_m};
+    std::optional<ConvexSolid> leaf = box_solid(least, most, gap.axes);
+    if (!leaf) return;
+    const FeatureId feature = add_feature(FeatureKind::Door, "door", {}, part.line);
+    Mover mover;
+    mover.feature = feature;
+    mover.group = group;
+    mover.wait_s = -1.0;  // the person shuts it again
+    mover.travel_s = kLeafTravel_s;
+    if (part.operation.find("SLIDING") != std::string::npos) {
+        mover.pivot_m = leaf->bounds_m.centre_m();
+        mover.slide_m = gap.axes.x * ((hinge_at_least ? -1.0 : 1.0) * (to - from));
+    } else if (part.operation.starts_with("ROLLINGUP")) {
+        mover.pivot_m = leaf->bounds_m.centre_m();
+        mover.slide_m = {0.0, 0.0, most.z - least.z};
+    } else {
+        // Towards +y, as IFC has it, about the edge on that side.
+        mover.pivot_m = gap.axes.at({hinge_at_least ? least.x : most.x, most.y, least.z});
+        mover.swing_rad = hinge_at_least ? 0.5 * kPi : -0.5 * kPi;
+        Feature& named = scene_.features[feature.value];
+        named.hinge = compass_point(
+            std::atan2((hinge_at_least ? -gap.axes.x : gap.axes.x).x, (hinge_at_least ? -gap.axes.x : gap.axes.x).y));
+        named.handle = compass_point(
+            std::atan2((hinge_at_least ? gap.axes.x : -gap.axes.x).x, (hinge_at_least ? gap.axes.x : -gap.axes.x).y));
+    }
+    const std::string of_material = touch_material(part);
+    add_solid(std::move(*leaf), SolidRole::Mover, feature, of_material, part.line);
+    scene_.movers.push_back(std::move(mover));
+}
+
+void IfcScene::add_door(std::size_t i, const WallGap& gap) {
+    const IfcPart& part = building_.parts[i];
+    StatedPortal portal = portal_of(i, gap);
+    const auto group = static_cast<std::uint32_t>(scene_.movers.size());
+    const std::size_t before = scene_.features.size();
+    ++plain_;
+    if (part.operation.starts_with("DOUBLE")) {
+        const double half = middle(gap.least_m.x, gap.most_m.x);
+        add_leaf(gap, gap.least_m.x, half, true, i, group);
+        add_leaf(gap, half, gap.most_m.x, false, i, group);
+    } else {
+        add_leaf(gap, gap.least_m.x, gap.most_m.x, part.operation.find("RIGHT") == std::string::npos, i, group);
+    }
+    if (scene_.features.size() > before) portal.feature = {static_cast<std::uint32_t>(before)};
+    if (portal.rooms.size() == 1) outer_doors_.push_back(stated_->portals.size());
+    stated_->portals.push_back(std::move(portal));
+}
+
+void IfcScene::add_window(std::size_t i, const WallGap& gap) {
+    const IfcPart& part = building_.parts[i];
+    if (!gap.cut) {  // its own form stands where nothing says which wall it is in
+        add_part(i);
+        return;
+    }
+    const double y = middle(gap.least_m.y, gap.most_m.y);
+    ++plain_;
+    if (std::optional<ConvexSolid> pane = box_solid({gap.least_m.x, y - 0.5 * kPaneThick_m, gap.least_m.z},
+                                                    {gap.most_m.x, y + 0.5 * kPaneThick_m, gap.most_m.z}, gap.axes))
+        add_solid(std::move(*pane), SolidRole::Solid, thing_of(i), "glass", part.line);
+}
+
+StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
+    const IfcPart& part = building_.parts[i];
+    StatedPortal portal;
+    portal.name = part.name;
+    portal.guid = part.guid;
+    portal.source = {part.line, 0};
+    portal.place_m =
+        gap.axes.at({middle(gap.least_m.x, gap.most_m.x), middle(gap.least_m.y, gap.most_m.y), gap.least_m.z});
+    portal.width_m = gap.most_m.x - gap.least_m.x;
+    portal.height_m = gap.most_m.z - gap.least_m.z;
+    std::vector<std::uint32_t> beside, stated;
+    for (const std::uint32_t room : rooms_beside(stated_->rooms, gap))
+        if (room != kNotStated && std::find(beside.begin(), beside.end(), room) == beside.end()) beside.push_back(room);
+    if (const auto found = relations_.spaces_at.find(part.id); found != relations_.spaces_at.end())
+        for (const std::uint64_t space : found->second)
+            if (const auto at = std::find(building_.room_ids.begin(), building_.room_ids.end(), space);
+                at != building_.room_ids.end())
+                stated.push_back(static_cast<std::uint32_t>(at - building_.room_ids.begin()));
+    std::sort(beside.begin(), beside.end());
+    std::sort(stated.begin(), stated.end());
+    portal.by_boundaries = !stated.empty();
+    // A boundary with a third room is a wall that runs on; what lies on the two sides says which two are meant.
+    const bool within = std::includes(stated.begin(), stated.end(), beside.begin(), beside.end());
+    portal.rooms = stated.empty() || (stated.size() > 2 && within && !beside.empty()) ? beside : stated;
+    if (!stated.empty() && portal.rooms != beside) ++differing_;
+    if (const auto freed = freed_.find(i); freed != freed_.end()) {
+        portal.opened_by_box = true;
+        std::string names;
+        for (const std::string& name : freed->second) names += (names.empty() ? "" : ", ") + name;
+        warn(part.line, phrase("ifc.door_blocked", {{"door", part.name}, {"names", names}}), phrase("ifc.then_opened"));
+    }
+    portal.passable = can_pass(building_, gap);
+    return portal;
+}
+
+// Which rooms a flight of stairs or a ramp joins: by what lies at its two ends.
+void IfcScene::join_flights() {
+    for (const auto& [i, feature] : thing_) {
+        const IfcPart& part = building_.parts[i];
+        if (part.role != PartRole::Stairs && part.role != PartRole::Ramp && part.role != PartRole::Lift) continue;
+        const Aabb box = scene_.features[feature.value].bounds_m;
+        if (box.empty()) continue;
+        StatedPortal portal;
+        portal.kind = part.role == PartRole::Stairs ? StatedPortalKind::Stairs
+                      : part.role == PartRole::Ramp ? StatedPortalKind::Ramp
+                                                    : StatedPortalKind::Lift;
+        portal.name = part.name;
+        portal.guid = part.guid;
+        portal.feature = feature;
+        portal.source = {part.line, 0};
+        portal.place_m = {box.centre_m().x, box.centre_m().y, box.min_m.z};
+        portal.width_m = std::min(box.size_m().x, box.size_m().y);
+        portal.height_m = box.size_m().z;
+        for (const double z : {box.min_m.z + 0.1, box.max_m.z + 0.1}) {
+            std::map<std::uint32_t, int> votes;
+            for (int ix = 0; ix < 7; ++ix)
+                for (int iy = 0; iy < 7; ++iy) {
+                    const Vec3 at{box.min_m.x - 0.3 + (box.size_m().x + 0.6) * ix / 6.0,
+                                  box.min_m.y - 0.3 + (box.size_m().y + 0.6) * iy / 6.0, z};
+                    for (std::uint32_t r = 0; r < stated_->rooms.size(); ++r)
+                        if (holds(stated_->rooms[r], at)) ++votes[r];
+                }
+            const auto most = std::max_element(votes.begin(), votes.end(),
+                                               [](const auto& a, const auto& b) { return a.second < b.second; });
+            if (most == votes.end()) continue;
+            if (std::find(portal.rooms.begin(), portal.rooms.end(), most->first) == portal.rooms.end())
+                portal.rooms.push_back(most->first);
+        }
+        std::sort(portal.rooms.begin(), portal.rooms.end());
+        stated_->portals.push_back(std::move(portal));
+        if (part.role == PartRole::Stairs) note_stairwell(box);
+    }
+}
+
+// The room that stairs all but fill.
+void IfcScene::note_stairwell(const Aabb& stairs) {
+    for (StatedRoom& room : stated_->rooms) {
+        int held = 0;
+        for (int ix = 0; ix < 5; ++ix)
+            for (int iy = 0; iy < 5; ++iy)
+                held += holds(room, {stairs.min_m.x + stairs.size_m().x * (0.5 + ix) / 5.0,
+                                     stairs.min_m.y + stairs.size_m().y * (0.5 + iy) / 5.0, stairs.min_m.z + 0.1})
+                            ? 1
+                            : 0;
+        const double covered_m2 = stairs.size_m().x * stairs.size_m().y * held / 25.0;
+        room.holds_stairs = room.holds_stairs || (room.area_m2 > 0.0 && covered_m2 > 0.5 * room.area_m2);
+    }
+}
+
+// Files end at the outer walls: who steps out needs something to stand on, at the height of the storey with most outer
+// doors.
+void IfcScene::add_ground() {
+    double level_m = scene_.bounds_m.min_m.z;
+    std::size_t most = 0;
+    for (const std::size_t a : outer_doors_) {
+        const double here_m = stated_->portals[a].place_m.z;
+        const auto count =
+            static_cast<std::size_t>(std::count_if(outer_doors_.begin(), outer_doors_.end(), [&](std::size_t b) {
+                return std::abs(stated_->portals[b].place_m.z - here_m) < 0.6;
+            }));
+        if (count > most || (count == most && here_m < level_m)) most = count, level_m = here_m;
+    }
+    level_m -= kUnderThreshold_m;
+    Body ground;
+    const Aabb box = grown(scene_.bounds_m, kGroundAround_m);
+    if (std::optional<ConvexSolid> slab =
+            box_solid({box.min_m.x, box.min_m.y, level_m - kGroundThick_m}, {box.max_m.x, box.max_m.y, level_m}, {}))
+        ground.solids.push_back(std::move(*slab));
+    // Not through the rooms of a basement, nor over the stairs that lead up from it.
+    for (const StatedRoom& room : stated_->rooms) {
+        if (room.floor_m > level_m - 0.3 || room.floor_m + room.height_m < level_m - kCeiling_m) continue;
+        for (const Ring& part : convex_parts(room.rings)) {
+            std::vector<Plane> planes;
+            for (std::size_t k = 0; k < part.size(); ++k) {
+                const Vec2 along = part[(k + 1) % part.size()] - part[k];
+                const Vec3 out = Vec3(along.y, -along.x, 0.0) / std::max(glm::length(along), 1e-12);
+                planes.push_back({out, glm::dot(out, Vec3(part[k].x, part[k].y, 0.0))});
+            }
+            cut_away(ground, planes);
+        }
+    }
+    const Aabb building = scene_.bounds_m;
+    const FeatureId feature = add_feature(FeatureKind::Object, "ground outside", {}, 0);
+    for (ConvexSolid& solid : ground.solids) add_solid(std::move(solid), SolidRole::Solid, feature, {}, 0);
+    scene_.bounds_m = building;
+    scene_.bounds_m.include(scene_.features[feature.value].bounds_m);
+}
+
+// Before each outer door, looking at it; the first is where most storeys' doors are. Without one in the largest room of
+// the lowest storey that has any.
+void IfcScene::add_starts() {
+    for (const std::size_t p : outer_doors_) {
+        const StatedPortal& portal = stated_->portals[p];
+        const auto gap = std::find_if(building_.gaps.begin(), building_.gaps.end(), [&](const auto& g) {
+            return building_.parts[g.first].guid == portal.guid && building_.parts[g.first].line == portal.source.line;
+        });
+        if (gap == building_.gaps.end()) continue;
+        const std::array<std::uint32_t, 2> beside = rooms_beside(stated_->rooms, gap->second);
+        const Vec3 out = gap->second.axes.y * (beside[0] == kNotStated ? -1.0 : 1.0);
+        Start start;
+        start.feet_m = portal.place_m + out * kBeforeDoor_m;
+        start.heading_rad = std::atan2(-out.x, -out.y);
+        start.name = stated_->rooms[portal.rooms[0]].name;
+        start.source = portal.source;
+        scene_.starts.push_back(std::move(start));
+    }
+    // Doors to the ground first, then balconies.
+    std::stable_sort(scene_.starts.begin(), scene_.starts.end(),
+                     [](const Start& a, const Start& b) { return a.feet_m.z < b.feet_m.z - 0.6; });
+    if (scene_.starts.empty() && !stated_->rooms.empty()) {
+        const StatedRoom* best = nullptr;
+        for (const StatedRoom& room : stated_->rooms)
+            if (!room.rings.empty() && (!best || room.floor_m < best->floor_m - 1.0 ||
+                                        (room.floor_m < best->floor_m + 1.0 && room.area_m2 > best->area_m2)))
+                best = &room;
+        if (best) scene_.starts.push_back({best->at_m, 0.0, false, best->name, best->source});
+    }
+    if (!scene_.starts.empty()) scene_.starts.front().base = true;
+}
+
+}  // namespace handrail

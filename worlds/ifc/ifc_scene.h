@@ -1,0 +1,55 @@
+// A building from an IFC file becomes a Scene: solids, sheets, leaves of doors, panes, a ground outside, starts. One
+// reading thread.
+#pragma once
+
+#include "worlds/ifc/ifc_building.h"
+#include "worlds/ifc/read_ifc.h"
+
+namespace handrail {
+
+class IfcScene {
+public:
+    IfcScene(IfcBuilding building, const IfcRelations& relations, const IfcModel& model, const IfcOptions& options);
+    Result<Scene> build(const std::string& file_name);
+
+private:
+    void prove_doors();
+    void add_parts();
+    void add_part(std::size_t part);
+    void add_door(std::size_t part, const WallGap& gap);
+    void add_window(std::size_t part, const WallGap& gap);
+    void add_leaf(const WallGap& gap, double from, double to, bool hinge_at_least, std::size_t part,
+                  std::uint32_t group);
+    void add_solid(ConvexSolid shape, SolidRole role, FeatureId feature, const std::string& material, int line);
+    FeatureId add_feature(FeatureKind kind, std::string_view made_name, const std::string& name, int line);
+    FeatureId thing_of(std::size_t part);
+    MaterialId material(const std::string& name, bool guessed);
+    std::string touch_material(const IfcPart& part);
+    StatedPortal portal_of(std::size_t part, const WallGap& gap);
+    void join_flights();
+    void note_stairwell(const Aabb& stairs);
+    void add_ground();
+    void add_starts();
+    void write_report();
+    void warn(int line, std::string message, std::string action);
+
+    IfcBuilding building_;
+    const IfcRelations& relations_;
+    const IfcModel& model_;
+    const IfcOptions& options_;
+    Scene scene_;
+    std::shared_ptr<StatedBuilding> stated_;
+    std::vector<std::vector<std::uint32_t>> looks_;
+    std::map<std::size_t, FeatureId> thing_;  // of wholes
+    std::map<std::string, std::set<std::string>> guessed_from_;
+    std::map<std::size_t, std::vector<std::string>> freed_;  // what was cut to open a door, by its part
+    std::vector<std::size_t> outer_doors_;                   // places in stated_->portals
+    int differing_ = 0, plain_ = 0;
+};
+
+// The touch material that a file's words for a material suggest, in English and German; empty: none.
+std::string_view material_of_words(std::string_view words);
+// "M_Chair-Breuer:M_Chair-Breuer:174845" -> "Chair-Breuer": what of a part's name can be spoken.
+std::string spoken_part_name(const std::string& name);
+
+}  // namespace handrail

@@ -1,0 +1,254 @@
+// Representations, mapped copies, sweeps and boolean results. Faces: ifc_faces.cpp.
+#include "worlds/ifc/ifc_shapes.h"
+
+#include <algorithm>
+#include <array>
+
+#include "worlds/ifc/ifc_curves.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kFarthest_m = 1e7;
+
+Plane plane_through(const Vec3& normal, const Vec3& at_m) { return {normal, glm::dot(normal, at_m)}; }
+
+// Cutting an outline into parts goes with its corners squared.
+std::size_t cost_of(const std::vector<Ring>& rings) {
+    std::size_t corners = 0;
+    for (const Ring& ring : rings) corners += ring.size();
+    return corners * corners / 500;
+}
+
+Ring regular(double radius_m, int corners) {
+    Ring ring;
+    for (int i = 0; i < corners; ++i)
+        ring.emplace_back(radius_m * std::cos(2.0 * kPi * i / corners), radius_m * std::sin(2.0 * kPi * i / corners));
+    return ring;
+}
+
+Frame across(const Vec3& from, const Vec3& to) {
+    Frame frame;
+    frame.origin_m = from;
+    frame.z = (to - from) / std::max(glm::length(to - from), 1e-12);
+    frame.x = any_perpendicular(frame.z);
+    frame.y = glm::cross(frame.z, frame.x);
+    return frame;
+}
+
+}  // namespace
+
+Body IfcShapes::body_of(std::uint64_t shape) {
+    const Values values = model_.values(shape);
+    const std::vector<std::uint64_t> all = references_at(values, 2);
+    // By what they call themselves: the body, else anything that is neither a line nor a box around it.
+    constexpr std::array<std::string_view, 4> kWanted{"Body", "Facetation", "Tessellation", "Body-FallBack"};
+    constexpr std::array<std::string_view, 14> kNever{
+        "Axis",     "FootPrint", "Box",     "Annotation",        "Profile",     "Reference", "Clearance",
+        "Lighting", "CoG",       "Curve2D", "GeometricCurveSet", "BoundingBox", "Surface",   "Plan"};
+    const auto called = [&](std::uint64_t id, std::string_view word) {
+        const Values of = model_.values(id);
+        return text_at(of, 1) == word || text_at(of, 2) == word;
+    };
+    for (const std::string_view word : kWanted)
+        for (const std::uint64_t id : all)
+            if (called(id, word))
+                if (Body body = representation(id, 0); !body.empty()) return body;
+    for (const std::uint64_t id : all)
+        if (std::none_of(kNever.begin(), kNever.end(), [&](std::string_view word) { return called(id, word); }))
+            if (Body body = representation(id, 0); !body.empty()) return body;
+    return {};
+}
+
+Body IfcShapes::representation(std::uint64_t id, int depth) {
+    Body body;
+    const Values values = model_.values(id);
+    for (const std::uint64_t one : references_at(values, 3)) body.add(item(one, depth));
+    return body;
+}
+
+Body IfcShapes::item(std::uint64_t id, int depth) {
+    if (depth > kDeepest || spent()) return {};
+    ++items_;
+    const std::string_view kind = model_.name(id);
+    const Values values = model_.values(id);
+    if (kind == "IFCMAPPEDITEM") return mapped(values, depth);
+    if (kind == "IFCEXTRUDEDAREASOLID" || kind == "IFCEXTRUDEDAREASOLIDTAPERED") return extruded(kind, values);
+    if (kind == "IFCREVOLVEDAREASOLID") return revolved(values);
+    if (kind == "IFCSWEPTDISKSOLID" || kind == "IFCSWEPTDISKSOLIDPOLYGONAL") return swept_disk(values);
+    if (kind == "IFCBOOLEANRESULT" || kind == "IFCBOOLEANCLIPPINGRESULT") return boolean(values, depth);
+    if (kind == "IFCCSGSOLID") return item(reference_at(values, 0), depth + 1);
+    if (kind == "IFCFACETEDBREP" || kind == "IFCMANIFOLDSOLIDBREP" || kind == "IFCADVANCEDBREP")
+        return shells({reference_at(values, 0)});
+    if (kind == "IFCFACETEDBREPWITHVOIDS" || kind == "IFCADVANCEDBREPWITHVOIDS") {
+        std::vector<std::uint64_t> all{reference_at(values, 0)};
+        for (const std::uint64_t hollow : references_at(values, 1)) all.push_back(hollow);
+        std::vector<FlatFace> faces;
+        for (const std::uint64_t shell : all) add_faces(shell, faces);
+        Body body;
+        // One part with hollows is no union of solids: its sheets.
+        for (const FlatFace& one : faces) body.add(body_of_faces({one}));
+        return body;
+    }
+    if (kind == "IFCSHELLBASEDSURFACEMODEL" || kind == "IFCFACEBASEDSURFACEMODEL")
+        return shells(references_at(values, 0));
+    if (kind == "IFCCLOSEDSHELL" || kind == "IFCOPENSHELL" || kind == "IFCCONNECTEDFACESET") return shells({id});
+    if (kind == "IFCTRIANGULATEDFACESET" || kind == "IFCPOLYGONALFACESET" || kind == "IFCTRIANGULATEDIRREGULARNETWORK")
+        return tessellated(kind, values);
+    if (Body made = primitive(kind, values); !made.empty()) return made;
+    ++not_read_[std::string(kind.empty() ? "nothing" : kind)];
+    return {};
+}
+
+Body IfcShapes::mapped(const Values& values, int depth) {
+    const std::uint64_t source = reference_at(values, 0);
+    std::shared_ptr<const Body>& known = maps_[source];
+    const Values of_source = model_.values(source);
+    if (!known) {
+        known = std::make_shared<const Body>();  // a map that holds itself is empty there
+        known = std::make_shared<const Body>(representation(reference_at(of_source, 1), depth + 1));
+    }
+    faces_ += known->sheets.size() + known->solids.size();
+    const Frame target = model_.transformation(reference_at(values, 1)),
+                origin = model_.axes(reference_at(of_source, 0));
+    return spent() ? Body{} : transformed(*known, target.of(origin));
+}
+
+Body IfcShapes::extruded(std::string_view kind, const Values& values) {
+    const Frame frame = model_.axes(reference_at(values, 1));
+    const Vec3 way =
+        model_.direction(reference_at(values, 2), {0, 0, 1}) * (number_at(values, 3) * model_.metres_per_unit());
+    if (kind.ends_with("TAPERED")) ++approximated_;
+    Body body;
+    for (const std::vector<Ring>& rings : profile_rings(model_, reference_at(values, 0))) {
+        if (spent()) break;
+        faces_ += cost_of(rings);
+        for (const Ring& part : convex_parts(rings))
+            if (std::optional<ConvexSolid> solid = prism(part, way, frame)) body.solids.push_back(std::move(*solid));
+    }
+    faces_ += body.solids.size();
+    return body;
+}
+
+// About an axis in the profile's own plane: wedges between two turns.
+Body IfcShapes::revolved(const Values& values) {
+    const Frame frame = model_.axes(reference_at(values, 1));
+    const Values axis = model_.values(reference_at(values, 2));
+    const Vec3 at = model_.point(reference_at(axis, 0)), way = model_.direction(reference_at(axis, 1), {0, 0, 1});
+    const double turn = std::clamp(number_at(values, 3) * model_.radians_per_unit(), -2.0 * kPi, 2.0 * kPi);
+    const int steps = std::clamp(static_cast<int>(std::ceil(std::abs(turn) / radians_from_degrees(7.5))), 1, 48);
+    const auto turned = [&](const Vec2& p, double angle) {
+        const Vec3 arm = Vec3(p.x, p.y, 0.0) - at;
+        const Vec3 along = way * glm::dot(way, arm), off = arm - along;
+        return frame.at(at + along + off * std::cos(angle) + glm::cross(way, off) * std::sin(angle));
+    };
+    Body body;
+    for (const std::vector<Ring>& rings : profile_rings(model_, reference_at(values, 0)))
+        for (const Ring& part : convex_parts(rings))
+            for (int i = 0; i < steps; ++i) {
+                const double a = turn * i / steps, b = turn * (i + 1) / steps;
+                std::vector<FlatFace> faces(2);
+                faces[0].rings.resize(1);
+                faces[1].rings.resize(1);
+                for (std::size_t k = 0; k < part.size(); ++k) {
+                    const Vec2 &p = part[k], &q = part[(k + 1) % part.size()];
+                    faces[0].rings[0].push_back(turned(p, a));
+                    faces[1].rings[0].push_back(turned(p, b));
+                    faces.push_back({{{turned(p, a), turned(q, a), turned(q, b), turned(p, b)}}});
+                }
+                faces_ += faces.size();
+                body.add(body_of_faces(faces));
+                if (spent()) return body;
+            }
+    return body;
+}
+
+Body IfcShapes::swept_disk(const Values& values) {
+    const std::vector<Vec3> line = curve_points(model_, reference_at(values, 0));
+    const double radius = number_at(values, 1) * model_.metres_per_unit();
+    Body body;
+    if (!(radius > 0.0) || line.size() > 2000) return body;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+        if (std::optional<ConvexSolid> solid =
+                prism(regular(radius, 8), {0.0, 0.0, glm::length(line[i + 1] - line[i])}, across(line[i], line[i + 1])))
+            body.solids.push_back(std::move(*solid));
+    faces_ += body.solids.size();
+    return body;
+}
+
+Body IfcShapes::primitive(std::string_view kind, const Values& values) {
+    const auto n = [&](std::size_t i) { return number_at(values, i) * model_.metres_per_unit(); };
+    const Frame frame = model_.axes(reference_at(values, 0));
+    Body body;
+    std::optional<ConvexSolid> solid;
+    if (kind == "IFCBLOCK") solid = box_solid({0, 0, 0}, {n(1), n(2), n(3)}, frame);
+    else if (kind == "IFCRIGHTCIRCULARCYLINDER") solid = prism(regular(n(2), 24), {0.0, 0.0, n(1)}, frame);
+    if (solid) body.solids.push_back(std::move(*solid));
+    return body;
+}
+
+IfcShapes::Cutter IfcShapes::half_space(std::string_view kind, const Values& values) {
+    const std::uint64_t surface = reference_at(values, 0);
+    if (model_.name(surface) != "IFCPLANE") return {{}, false};
+    const Values of_surface = model_.values(surface);
+    const Frame plane = model_.axes(reference_at(of_surface, 0));
+    // .T.: the normal points out of what is taken away.
+    if (!is_finite(plane.origin_m) || glm::length(plane.origin_m) > kFarthest_m) return {{}, false};
+    const Plane bound = plane_through(word_at(values, 1) == "F" ? -plane.z : plane.z, plane.origin_m);
+    if (kind != "IFCPOLYGONALBOUNDEDHALFSPACE") return {{{bound}}, true};
+    const Frame frame = model_.axes(reference_at(values, 2));
+    if (!is_finite(frame.origin_m) || glm::length(frame.origin_m) > kFarthest_m) return {{}, false};
+    Ring outline;
+    for (const Vec3& p : curve_points(model_, reference_at(values, 3)))
+        if (glm::length(p) < kFarthest_m) outline.emplace_back(p.x, p.y);
+    Cutter cutter;
+    for (const Ring& part : convex_parts({outline})) {
+        std::vector<Plane> planes{bound};
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            const Vec2 along = part[(i + 1) % part.size()] - part[i];
+            const Vec3 out = frame.turned({along.y, -along.x, 0.0});
+            planes.push_back(
+                plane_through(out / std::max(glm::length(out), 1e-300), frame.at({part[i].x, part[i].y, 0.0})));
+        }
+        cutter.parts.push_back(std::move(planes));
+    }
+    return cutter;
+}
+
+IfcShapes::Cutter IfcShapes::cutter(std::uint64_t id, int depth) {
+    const std::string_view kind = model_.name(id);
+    if (kind == "IFCHALFSPACESOLID" || kind == "IFCPOLYGONALBOUNDEDHALFSPACE" || kind == "IFCBOXEDHALFSPACE") {
+        ++items_;
+        return half_space(kind, model_.values(id));
+    }
+    Cutter cutter;
+    const Body body = item(id, depth + 1);
+    cutter.known = !body.solids.empty() && body.sheets.empty();
+    for (const ConvexSolid& solid : body.solids) cutter.parts.push_back(solid.planes);
+    return cutter;
+}
+
+Body IfcShapes::boolean(const Values& values, int depth) {
+    const std::string_view operation = word_at(values, 0);
+    Body first = item(reference_at(values, 1), depth + 1);
+    if (operation == "UNION") {
+        first.add(item(reference_at(values, 2), depth + 1));
+        return first;
+    }
+    const Cutter second = cutter(reference_at(values, 2), depth + 1);
+    if (!second.known) ++approximated_;
+    if (operation == "DIFFERENCE") {
+        for (const std::vector<Plane>& part : second.parts)
+            if (!spent()) cut_away(first, part);
+        return first;
+    }
+    Body common;
+    for (const std::vector<Plane>& part : second.parts) {
+        Body within = first;
+        keep_within(within, part);
+        common.add(std::move(within));
+    }
+    return common;
+}
+
+}  // namespace handrail

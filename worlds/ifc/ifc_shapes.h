@@ -1,0 +1,59 @@
+// Shape representations of IFC as bodies in the product's own frame, in metres. What is not read is counted by name.
+// One reading thread.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <stop_token>
+#include <string>
+
+#include "worlds/ifc/body.h"
+
+namespace handrail {
+
+class IfcShapes {
+public:
+    static constexpr int kDeepest = 24;                 // mapped items and boolean trees within each other
+    static constexpr std::size_t kMostItems = 400'000;  // items looked at in all
+    static constexpr std::size_t kMostFaces = 3'000'000;
+
+    IfcShapes(const IfcModel& model, std::stop_token stop) : model_(model), stop_(std::move(stop)) {}
+
+    // Of an IfcProductDefinitionShape: its body, else what other solid form there is.
+    Body body_of(std::uint64_t shape);
+    const std::map<std::string, int, std::less<>>& not_read() const { return not_read_; }
+    int approximated() const { return approximated_; }  // curved faces, cuts with what has no inside
+    bool too_large() const { return items_ >= kMostItems || faces_ >= kMostFaces; }
+
+private:
+    struct Cutter {
+        std::vector<std::vector<Plane>> parts;  // each a convex region, which may be open
+        bool known = true;
+    };
+    Body item(std::uint64_t id, int depth);
+    Body representation(std::uint64_t id, int depth);
+    Body mapped(const Values& values, int depth);
+    Body extruded(std::string_view kind, const Values& values);
+    Body revolved(const Values& values);
+    Body swept_disk(const Values& values);
+    Body boolean(const Values& values, int depth);
+    Body primitive(std::string_view kind, const Values& values);
+    Cutter cutter(std::uint64_t id, int depth);
+    Cutter half_space(std::string_view kind, const Values& values);
+    Body shells(const std::vector<std::uint64_t>& shells);
+    void add_faces(std::uint64_t shell, std::vector<FlatFace>& faces);
+    FlatFace face(std::uint64_t id);
+    std::vector<Vec3> loop(std::uint64_t id);
+    Body tessellated(std::string_view kind, const Values& values);
+    std::vector<Vec3> point_list(std::uint64_t id) const;
+    bool spent() const { return too_large() || stop_.stop_requested(); }
+
+    const IfcModel& model_;
+    std::stop_token stop_;
+    std::map<std::uint64_t, std::shared_ptr<const Body>> maps_;  // mapped representations in their own frame
+    std::map<std::string, int, std::less<>> not_read_;
+    std::size_t items_ = 0, faces_ = 0;
+    int approximated_ = 0;
+};
+
+}  // namespace handrail

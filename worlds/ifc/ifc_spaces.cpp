@@ -1,0 +1,109 @@
+#include "worlds/ifc/ifc_spaces.h"
+
+#include <algorithm>
+
+#include "worlds/geometry/clip.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLowest_m = 0.05;  // faces so near to a space's lowest point are its floor
+
+// The floor of a space, whatever form it has: never its solid, which in real files is often open.
+void outline(const Body& body, StatedRoom& room) {
+    if (body.empty()) return;
+    const Aabb box = body.bounds_m();
+    room.floor_m = box.min_m.z;
+    room.height_m = box.size_m().z;
+    double largest_m2 = 0.0;
+    const auto add = [&](const Polygon& face) {
+        const Vec3 area = area_vector_m2(face.points_m);
+        if (std::abs(area.z) < 0.99 * glm::length(area) || glm::length(area) < 1e-6) return;
+        if (std::any_of(face.points_m.begin(), face.points_m.end(),
+                        [&](const Vec3& p) { return p.z > box.min_m.z + kLowest_m; }))
+            return;
+        Ring ring;
+        for (const Vec3& p : face.points_m) ring.emplace_back(p.x, p.y);
+        room.area_m2 += std::abs(area.z);
+        if (std::abs(area.z) > largest_m2) {
+            largest_m2 = std::abs(area.z);
+            const Vec3 middle = centre_of(face);
+            room.at_m = {middle.x, middle.y, room.floor_m};
+        }
+        room.rings.push_back(std::move(ring));
+    };
+    for (const ConvexSolid& solid : body.solids)
+        for (const Polygon& face : solid.faces) add(face);
+    for (const Polygon& sheet : body.sheets) add(sheet);
+}
+
+}  // namespace
+
+void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& relations, IfcShapes& shapes) {
+    std::vector<std::uint64_t> storey_ids;
+    for (const StepInstance& instance : model.file().instances()) {
+        if (role_of(instance.name) != PartRole::Storey) continue;
+        const Values v = model.file().values_of(instance);
+        StatedStorey storey;
+        storey.name = text_at(v, 2).empty() ? text_at(v, 7) : text_at(v, 2);
+        storey.floor_m = model.placement(reference_at(v, 5)).origin_m.z - building.origin_m.z;
+        if (!(std::abs(storey.floor_m) <= kFarthestPart_m)) storey.floor_m = 0.0;
+        building.storeys.push_back(std::move(storey));
+        storey_ids.push_back(instance.id);
+    }
+    for (const StepInstance& instance : model.file().instances()) {
+        if (role_of(instance.name) != PartRole::Space) continue;
+        const Values v = model.file().values_of(instance);
+        StatedRoom room;
+        room.guid = text_at(v, 0);
+        room.number = text_at(v, 2);
+        room.name = text_at(v, 7).empty() ? room.number : text_at(v, 7);
+        room.source = {instance.line, 0};
+        Frame frame = model.placement(reference_at(v, 5));
+        frame.origin_m -= building.origin_m;
+        Body body = transformed(shapes.body_of(reference_at(v, 6)), frame);
+        building.far += drop_far(body);
+        outline(body, room);
+        const std::uint64_t storey = relations.whole_named(model, instance.id, "IFCBUILDINGSTOREY");
+        if (const auto at = std::find(storey_ids.begin(), storey_ids.end(), storey); at != storey_ids.end()) {
+            room.storey = static_cast<std::uint32_t>(at - storey_ids.begin());
+            ++building.storeys[room.storey].rooms;
+        }
+        building.rooms.push_back(std::move(room));
+        building.room_ids.push_back(instance.id);
+    }
+    // From the lowest up.
+    std::vector<std::uint32_t> order(building.storeys.size()), place(building.storeys.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return building.storeys[a].floor_m < building.storeys[b].floor_m;
+    });
+    std::vector<StatedStorey> sorted;
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+        place[order[i]] = i;
+        sorted.push_back(building.storeys[order[i]]);
+    }
+    building.storeys = std::move(sorted);
+    for (StatedRoom& room : building.rooms)
+        if (room.storey != kNotStated) room.storey = place[room.storey];
+}
+
+std::array<std::uint32_t, 2> rooms_beside(const std::vector<StatedRoom>& rooms, const WallGap& gap) {
+    constexpr double kNear_m = 0.15, kFar_m = 1.2, kStep_m = 0.15, kHeight_m = 0.9;
+    std::array<std::uint32_t, 2> found{kNotStated, kNotStated};
+    const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),
+                 height = std::min(gap.least_m.z + kHeight_m, 0.5 * (gap.least_m.z + gap.most_m.z));
+    for (const int side : {0, 1})
+        for (double away = kNear_m; away <= kFar_m + 1e-9 && found[static_cast<std::size_t>(side)] == kNotStated;
+             away += kStep_m) {
+            const Vec3 at = gap.axes.at({middle, side == 0 ? gap.least_m.y - away : gap.most_m.y + away, height});
+            for (std::uint32_t r = 0; r < rooms.size(); ++r)
+                if (holds(rooms[r], at)) {
+                    found[static_cast<std::size_t>(side)] = r;
+                    break;
+                }
+        }
+    return found;
+}
+
+}  // namespace handrail

@@ -1,0 +1,316 @@
+#include "worlds/navigation/blind_ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/base/contract.h"
+#include "worlds/scene/scene.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kPartOfCell = 0.8;   // of one stride on the grid
+constexpr double kDoorReach_m = 0.5;  // from where the leaf stops a body to where it can still be opened
+constexpr double kLeast_m = 1e-4;     // inside a cell's border
+constexpr double kRiser_m = 0.03;
+
+// The spans at which a body overlaps a leaf there.
+template <class Visit>
+void visit_leaf(const WalkSpace& space, const Aabb& own_m, const Placement& at, Visit visit) {
+    const PlacedFrame frame(at);
+    Aabb stands;
+    for (int corner = 0; corner < 8; ++corner)
+        stands.include(
+            frame.to_world({(corner & 1) ? own_m.max_m.x : own_m.min_m.x, (corner & 2) ? own_m.max_m.y : own_m.min_m.y,
+                            (corner & 4) ? own_m.max_m.z : own_m.min_m.z}));
+    const double reach_m = space.body.radius_m;
+    const auto cell = [&](double world, double origin, std::uint32_t count) {
+        return static_cast<std::uint32_t>(
+            std::clamp(std::floor((world - origin) / space.cell_m), 0.0, static_cast<double>(count - 1)));
+    };
+    const std::uint32_t x0 = cell(stands.min_m.x - reach_m, space.origin_m.x, space.width),
+                        x1 = cell(stands.max_m.x + reach_m, space.origin_m.x, space.width),
+                        y0 = cell(stands.min_m.y - reach_m, space.origin_m.y, space.depth),
+                        y1 = cell(stands.max_m.y + reach_m, space.origin_m.y, space.depth);
+    for (std::uint32_t y = y0; y <= y1; ++y)
+        for (std::uint32_t s = space.first[static_cast<std::size_t>(y) * space.width + x0];
+             s < space.first[static_cast<std::size_t>(y) * space.width + x1 + 1]; ++s) {
+            const Vec3 place = space.place_m(s);
+            if (place.z >= stands.max_m.z || place.z + space.body.height_m <= stands.min_m.z) continue;
+            const Vec3 own = frame.to_own(place);
+            const double own_reach_m = reach_m / at.scale;
+            if (own.x > own_m.min_m.x - own_reach_m && own.x < own_m.max_m.x + own_reach_m &&
+                own.y > own_m.min_m.y - own_reach_m && own.y < own_m.max_m.y + own_reach_m)
+                visit(s);
+        }
+}
+
+}  // namespace
+
+std::vector<WordDoor> word_doors(const Scene& scene, std::span<const int> thing_of_mover) {
+    std::vector<WordDoor> doors;
+    for (std::uint32_t i = 0; i < scene.movers.size(); ++i) {
+        const Mover& mover = scene.movers[i];
+        const Feature* feature = scene.find(mover.feature);
+        if (!feature || feature->kind != FeatureKind::Door || !mover.moves() || mover.endless()) continue;
+        if (i >= thing_of_mover.size() || thing_of_mover[i] < 0) continue;
+        const Aabb& own = scene.placed[static_cast<std::size_t>(thing_of_mover[i])].model->bounds_m;
+        if (own.empty() || own.size_m().z < std::min(own.size_m().x, own.size_m().y)) continue;  // a bridge
+        auto door = std::find_if(doors.begin(), doors.end(), [&](const WordDoor& d) { return d.group == mover.group; });
+        if (door == doors.end()) {
+            doors.push_back({i, mover.feature, mover.group, {}, false});
+            door = doors.end() - 1;
+        }
+        door->leaves.push_back({own, mover.at(0.0), mover.at(1.0)});
+        // A lift's door opens only where the lift is.
+        const bool opens = mover.by_hand || !mover.approach_m.empty();
+        door->opens = door->opens || (opens && mover.lift == kNoMover);
+    }
+    return doors;
+}
+
+BlindGround::BlindGround(const WalkSpace& space, std::vector<WordDoor> doors)
+    : space_(space), doors_(std::move(doors)) {
+    contract_pre(doors_.size() < 0xfffe);
+    const std::size_t count = space_.spans.size();
+    free_m_.assign(count, 0.0F);
+    for (std::size_t s = 0; s < count; ++s)
+        if (!space_.spans[s].stairs)
+            free_m_[s] = std::max(0.0F, space_.spans[s].clearance_m - static_cast<float>(1.5 * space_.cell_m));
+    if (doors_.empty()) return;
+    shut_leaf_.assign(count, 0);
+    open_leaf_.assign(count, 0);
+    near_door_.assign(count, kNothing);
+    std::vector<std::uint32_t> wave;
+    for (std::uint32_t d = 0; d < doors_.size(); ++d)
+        for (const WordDoor::Leaf& leaf : doors_[d].leaves) {
+            visit_leaf(space_, leaf.own_m, leaf.shut, [&](std::uint32_t s) {
+                shut_leaf_[s] = static_cast<std::uint16_t>(d + 1);
+                if (near_door_[s] == kNothing) wave.push_back(s);
+                near_door_[s] = d;
+            });
+            visit_leaf(space_, leaf.own_m, leaf.open,
+                       [&](std::uint32_t s) { open_leaf_[s] = static_cast<std::uint16_t>(d + 1); });
+        }
+    find_free();
+    // Whoever stands a little before it can open it.
+    const int rings = static_cast<int>(std::lround(kDoorReach_m / space_.cell_m));
+    for (int ring = 0; ring < rings; ++ring) {
+        std::vector<std::uint32_t> next;
+        for (const std::uint32_t s : wave)
+            for (const std::uint32_t n : space_.spans[s].next)
+                if (n != kNothing && near_door_[n] == kNothing) {
+                    near_door_[n] = near_door_[s];
+                    next.push_back(n);
+                }
+        wave = std::move(next);
+    }
+}
+
+// No farther than to where a leaf may be. Rings of neighbours are never farther apart than their number of cells, and
+// never nearer than that by more than the diagonal.
+void BlindGround::find_free() {
+    constexpr double kFarthest_m = 2.0, kDiagonal = 1.42;
+    std::vector<std::uint32_t> ring;
+    std::vector<bool> seen(space_.spans.size(), false);
+    for (std::uint32_t s = 0; s < space_.spans.size(); ++s)
+        if (shut_leaf_[s] || open_leaf_[s]) {
+            ring.push_back(s);
+            seen[s] = true;
+            free_m_[s] = 0.0F;
+        }
+    for (int r = 1; r * space_.cell_m < kFarthest_m && !ring.empty(); ++r) {
+        const auto most = static_cast<float>(std::max(0.0, (r / kDiagonal - 1.5) * space_.cell_m));
+        std::vector<std::uint32_t> next;
+        for (const std::uint32_t s : ring)
+            for (const std::uint32_t n : space_.spans[s].next)
+                if (n != kNothing && !seen[n]) {
+                    seen[n] = true;
+                    free_m_[n] = std::min(free_m_[n], most);
+                    next.push_back(n);
+                }
+        ring = std::move(next);
+    }
+}
+
+// Where nothing is near, all of the way at once. False: it is not known that nothing is.
+bool BlindGround::leap(BlindBody& body, const Vec2& ahead, double by_m) const {
+    const Vec2 to = body.at_m + ahead * by_m;
+    const auto x = static_cast<std::int64_t>(std::floor((to.x - space_.origin_m.x) / space_.cell_m)),
+               y = static_cast<std::int64_t>(std::floor((to.y - space_.origin_m.y) / space_.cell_m));
+    if (x < 0 || y < 0 || x >= space_.width || y >= space_.depth) return false;
+    const std::size_t cell = static_cast<std::size_t>(y) * space_.width + static_cast<std::size_t>(x);
+    for (std::uint32_t s = space_.first[cell]; s < space_.first[cell + 1]; ++s)
+        if (std::abs(space_.spans[s].floor_m - space_.spans[body.span].floor_m) < 0.01F && !space_.spans[s].stairs) {
+            body = {to, s};
+            return true;
+        }
+    return false;
+}
+
+BlindBody BlindGround::body_at(const Vec3& feet_m) const {
+    const std::uint32_t span = space_.nearest(feet_m, 1.0, 0.6, 3.0);
+    if (span == kNothing) return {};
+    const Vec3 place = space_.place_m(span);
+    const double half_m = 0.5 * space_.cell_m - kLeast_m;
+    return {{std::clamp(feet_m.x, place.x - half_m, place.x + half_m),
+             std::clamp(feet_m.y, place.y - half_m, place.y + half_m)},
+            span};
+}
+
+// A leaf holds whoever is not in it already: an opening leaf goes past a body.
+bool BlindGround::held(std::uint32_t from, std::uint32_t to, const DoorsOpen& open, bool through_doors) const {
+    if (shut_leaf_.empty()) return false;
+    const auto in = [&](std::uint32_t span, std::uint32_t& door) {
+        if (const std::uint16_t d = shut_leaf_[span]; d && !open[d - 1U] && !through_doors) {
+            door = d;
+            return true;
+        }
+        if (const std::uint16_t d = open_leaf_[span]; d && open[d - 1U]) {
+            door = d;
+            return true;
+        }
+        return false;
+    };
+    std::uint32_t there = 0, here = 0;
+    return in(to, there) && !(in(from, here) && here == there);
+}
+
+// Each axis by itself, so that it slides. False: it went on in neither.
+bool BlindGround::advance(BlindBody& body, const Vec2& by_m, const DoorsOpen& open, bool through_doors,
+                          bool& edge) const {
+    bool moved = false;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double by = by_m[axis];
+        if (by == 0.0) continue;
+        const std::uint32_t cell = space_.spans[body.span].cell;
+        const double low = (axis == 0 ? space_.origin_m.x + (cell % space_.width) * space_.cell_m
+                                      : space_.origin_m.y + (cell / space_.width) * space_.cell_m),
+                     high = low + space_.cell_m;
+        const double to = body.at_m[axis] + by;
+        if (to > low && to < high) {
+            body.at_m[axis] = to;
+            moved = true;
+            continue;
+        }
+        const int d = axis == 0 ? (by > 0.0 ? 0 : 2) : (by > 0.0 ? 1 : 3);
+        const std::uint32_t n = space_.spans[body.span].next[d];
+        if (n == kNothing || held(body.span, n, open, through_doors)) {
+            edge = edge || (n == kNothing && space_.spans[body.span].near_edge);
+            continue;
+        }
+        body.span = n;
+        body.at_m[axis] = to;
+        moved = true;
+    }
+    return moved;
+}
+
+Paced BlindGround::walk(BlindBody& body, double heading_rad, double most_m, PaceEnd end, const DoorsOpen& open,
+                        const std::function<bool(const BlindBody&)>& each_step, double step_m) const {
+    Paced paced;
+    if (body.span == kNothing) {
+        paced.stopped = true;
+        return paced;
+    }
+    const double stride_m = kPartOfCell * space_.cell_m;
+    const Vec2 ahead{std::sin(heading_rad), std::cos(heading_rad)};
+    const double start_z = space_.place_m(body.span).z;
+    const int window = std::max(2, static_cast<int>(std::lround(kStoppedWindow_m / stride_m)));
+    double window_from_m = 0.0, level_z = start_z, level_from_m = 0.0, next_step_m = step_m;
+    int strides = 0, lined_up = 0;
+    bool edge = false;
+    while (paced.walked_m < most_m - 1e-9) {
+        if (const auto free_m = static_cast<double>(free_m_[body.span]); free_m > 2.0 * stride_m) {
+            double by_m = std::min(free_m, most_m - paced.walked_m);
+            if (each_step) by_m = std::min(by_m, next_step_m - paced.walked_m);
+            if (by_m > stride_m && leap(body, ahead, by_m)) {
+                paced.walked_m += by_m;
+                strides = 0;
+                window_from_m = paced.walked_m;
+                if (end == PaceEnd::Stairs && std::abs(level_z - start_z) > kFlightRise_m &&
+                    paced.walked_m - level_from_m > kFlightOver_m) {
+                    paced.climbed = true;
+                    break;
+                }
+                if (each_step && paced.walked_m >= next_step_m - 1e-9) {
+                    next_step_m += step_m;
+                    if (!each_step(body)) break;
+                }
+                continue;
+            }
+        }
+        const double by_m = std::min(stride_m, most_m - paced.walked_m);
+        const Vec2 was = body.at_m;
+        advance(body, ahead * by_m, open, false, edge);
+        paced.walked_m += glm::length(body.at_m - was);
+        if (edge) {
+            paced.at_edge = paced.stopped = true;
+            break;
+        }
+        const double z = space_.place_m(body.span).z;
+        if (std::abs(z - level_z) > kRiser_m) {
+            level_z = z;
+            level_from_m = paced.walked_m;
+        }
+        if (end == PaceEnd::Stairs && std::abs(level_z - start_z) > kFlightRise_m &&
+            paced.walked_m - level_from_m > kFlightOver_m) {
+            paced.climbed = true;
+            break;
+        }
+        if (each_step && paced.walked_m >= next_step_m - 1e-9) {
+            next_step_m += step_m;
+            if (!each_step(body)) break;
+        }
+        if (++strides < window) continue;
+        const bool slow = paced.walked_m - window_from_m < kStoppedBelow * stride_m * strides;
+        strides = 0;
+        window_from_m = paced.walked_m;
+        if (!slow) continue;
+        // Into the doorway whose frame it has met.
+        const std::optional<double> aside_m = lined_up < 2 ? line_up_m(body, heading_rad, open) : std::nullopt;
+        if (!aside_m) {
+            paced.stopped = true;
+            break;
+        }
+        ++lined_up;
+        const Vec2 right = Vec2{ahead.y, -ahead.x} * std::copysign(stride_m, *aside_m);
+        for (double left_m = std::abs(*aside_m); left_m > 0.0; left_m -= stride_m)
+            advance(body, right, open, false, edge);
+    }
+    paced.rise_m = space_.place_m(body.span).z - start_z;
+    return paced;
+}
+
+std::optional<double> BlindGround::line_up_m(const BlindBody& body, double heading_rad, const DoorsOpen& open) const {
+    const double stride_m = kPartOfCell * space_.cell_m;
+    const Vec2 ahead{std::sin(heading_rad), std::cos(heading_rad)}, right{ahead.y, -ahead.x};
+    const auto goes_m = [&](BlindBody& from, const Vec2& way, double most_m, bool through_doors) {
+        bool edge = false;
+        const Vec2 start = from.at_m;
+        for (double left_m = most_m; left_m > 0.0 && !edge; left_m -= stride_m)
+            if (!advance(from, way * stride_m, open, through_doors, edge)) break;
+        return edge ? 0.0 : glm::dot(from.at_m - start, way);
+    };
+    // In a doorway it goes on, though for no wide way to the sides.
+    const auto opens_there = [&](BlindBody probe) {
+        if (goes_m(probe, ahead, kLineUpDeep_m, true) < kLineUpDeep_m - 2.0 * stride_m) return false;
+        BlindBody left = probe, to_right = probe;
+        return goes_m(left, -right, kDoorway_m, true) + goes_m(to_right, right, kDoorway_m, true) < kDoorway_m;
+    };
+    if (opens_there(body)) return 0.0;
+    BlindBody sides[2] = {body, body};
+    bool goes[2] = {true, true};
+    for (double aside_m = stride_m; aside_m <= kLineUp_m; aside_m += stride_m)
+        for (int side = 0; side < 2; ++side) {
+            if (!goes[side]) continue;
+            const double sign = side == 0 ? 1.0 : -1.0;
+            const Vec2 way = right * sign;
+            goes[side] = goes_m(sides[side], way, stride_m, false) > 0.25 * stride_m;
+            // A little farther in than where it just goes.
+            if (goes[side] && opens_there(sides[side])) return sign * (aside_m + stride_m);
+        }
+    return std::nullopt;
+}
+
+}  // namespace handrail

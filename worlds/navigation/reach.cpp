@@ -1,0 +1,72 @@
+#include "worlds/navigation/reach.h"
+
+#include <algorithm>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLeastRoom_m2 = 1.0;
+constexpr std::size_t kMostNamed = 4;
+
+std::vector<bool> reached_from(const RoomGraph& graph, std::uint32_t first) {
+    std::vector<std::vector<std::uint32_t>> leads_to(graph.rooms.size());
+    for (const Portal& portal : graph.portals) {
+        leads_to[portal.rooms[0]].push_back(portal.rooms[1]);
+        if (!portal.one_way) leads_to[portal.rooms[1]].push_back(portal.rooms[0]);
+    }
+    std::vector<bool> reached(graph.rooms.size(), false);
+    std::vector<std::uint32_t> open{first};
+    reached[first] = true;
+    while (!open.empty()) {
+        const std::uint32_t here = open.back();
+        open.pop_back();
+        for (const std::uint32_t next : leads_to[here]) {
+            if (reached[next]) continue;
+            reached[next] = true;
+            open.push_back(next);
+        }
+    }
+    return reached;
+}
+
+}  // namespace
+
+std::vector<std::string> unreachable_rooms(const Scene& scene, const WalkSpace& space, const RoomGraph& graph) {
+    const auto base =
+        std::find_if(scene.starts.begin(), scene.starts.end(), [](const Start& start) { return start.base; });
+    if (base == scene.starts.end()) return {};
+    const std::uint32_t first = room_at(graph, space, base->feet_m);
+    if (first == kNothing) return {};
+    const std::vector<bool> reached = reached_from(graph, first);
+    std::vector<std::string> names;
+    const auto add = [&](std::string name) {
+        name = capitalised(name);
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+    };
+    for (std::uint32_t i = 0; i < graph.rooms.size(); ++i) {
+        const Room& room = graph.rooms[i];
+        if (room.kind == RoomKind::Liquid) continue;  // a basin with a rim is nowhere to go
+        const bool named = room.given || !room.map_name.empty();
+        if (!reached[i] && (named || (room.kind != RoomKind::Niche && room.area_m2 >= kLeastRoom_m2))) add(room.name);
+    }
+    for (const RoomName& name : scene.room_names) {
+        const bool has_room = std::any_of(graph.rooms.begin(), graph.rooms.end(),
+                                          [&](const Room& room) { return room.map_name == name.name; });
+        if (!has_room && space.nearest(name.at_m, 1.0, 0.6, 3.0) == kNothing)
+            add(in_spoken_language(name.name, name.name_in));
+    }
+    return names;
+}
+
+std::string unreachable_words(const std::vector<std::string>& names) {
+    if (names.empty()) return {};
+    std::string list;
+    for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) list += (i ? ", " : "") + names[i];
+    if (names.size() > kMostNamed)
+        return phrase("rooms.unreachable_more", {{"names", list}, {"more", names.size() - kMostNamed}});
+    return phrase("rooms.unreachable", {{"names", list}, {"count", names.size()}});
+}
+
+}  // namespace handrail

@@ -1,0 +1,64 @@
+// Where there is room to stand in a column: the free stretches between what stands over it, with a floor below. For the
+// tiles and the estimate of how much floor there is.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "worlds/navigation/walk_obstacles.h"
+#include "worlds/navigation/walk_space.h"
+
+namespace handrail {
+
+inline constexpr double kLeastRoom_m = 1e-3;  // between floor and the highest place of the soles
+inline constexpr double kSky = 1e7;
+
+// What one obstacle takes of a column.
+struct ColumnInterval {
+    double low = 0.0, high = 0.0;
+    std::uint32_t obstacle = 0;
+    bool steep = false;
+};
+
+// The free stretches of one column with a floor to stand on, from below. `intervals` and `floors` of movers in the
+// order of their lower ends; those of which `skip` is true are not there. `put(floor, ceiling, ground)` is told each.
+template <class Skip, class Put>
+void free_stretches(std::span<const ColumnInterval> intervals, std::span<const ColumnInterval> floors, double step_up_m,
+                    Skip skip, Put put) {
+    const auto covered = [&](double floor_m) {  // by what moves there, a step higher
+        return std::any_of(floors.begin(), floors.end(), [&](const ColumnInterval& f) {
+            return !f.steep && f.high > floor_m + kLeastRoom_m && f.high <= floor_m + step_up_m;
+        });
+    };
+    const auto bearable = [&](double from, double to) {  // floors of movers in a free stretch
+        for (const ColumnInterval& f : floors)
+            if (!f.steep && f.high > from + kLeastRoom_m && f.high < to - kLeastRoom_m) put(f.high, to, f.obstacle);
+    };
+    double top = -std::numeric_limits<double>::infinity();
+    std::uint32_t ground = kNothing;
+    bool steep = true;
+    for (const ColumnInterval& i : intervals) {
+        if (skip(i)) continue;
+        if (i.low > top + kLeastRoom_m) {
+            if (!steep && !covered(top)) put(top, i.low, ground);
+            bearable(top, i.low);
+        }
+        // Of tops at one height the one that can be stood on counts.
+        if (i.high > top + kWalkRounding_m || (i.high > top - kWalkRounding_m && steep && !i.steep)) {
+            top = std::max(top, i.high);
+            ground = i.obstacle;
+            steep = i.steep;
+        }
+    }
+    if (!steep && !covered(top)) put(top, kSky, ground);
+    bearable(top, kSky);
+}
+
+// About how much floor there is in the whole scene to stand on, reached or not: it decides how fine the columns can be.
+// Exact enough to a few percent, from a fixed number of columns where there are more obstacles than that would be
+// worth.
+double standable_m2(const Obstacles& obstacles, const WalkBody& body, double exact_enough_m2);
+
+}  // namespace handrail

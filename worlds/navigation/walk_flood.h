@@ -1,0 +1,73 @@
+// Floods what can be reached on foot, tile by tile and breadth first, with furniture and without it at once, and writes
+// it as spans. For walk_space only.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <stop_token>
+#include <vector>
+
+#include "worlds/navigation/walk_tiles.h"
+
+namespace handrail {
+
+class Flood {
+public:
+    static constexpr std::size_t kMostSpans = 2'000'000;
+    static constexpr double kMostCells = 40e6;              // of the dense grid
+    static constexpr std::size_t kMostBytes = 400'000'000;  // of tiles
+
+    Flood(const Scene& scene, const WalkBody& body, const Obstacles& obstacles, const std::stop_token& stop);
+
+    // Wide: too many cells between its ends, not too much floor.
+    enum class End : std::uint8_t { Done, TooLarge, Wide, Stopped };
+    End run();
+    // After run(). False: stopped.
+    bool write(WalkSpace& space);
+    bool write(SpanGrid<WallSpan>& walls);
+    std::size_t reached() const { return layers_[kFurnished].reached; }
+    std::size_t reached_without_furniture() const { return layers_[kWalls].reached; }
+
+private:
+    using Layer = WalkTiles::Layer;
+    static constexpr Layer kFurnished = WalkTiles::kFurnished, kWalls = WalkTiles::kWalls;
+    using Tile = WalkTiles::Tile;
+    using Place = WalkTiles::Place;
+    using Spot = WalkTiles::Spot;
+    using Cell = WalkTiles::Cell;
+    using Range = WalkTiles::Range;
+
+    struct Found {
+        std::uint32_t tile = kNothing, place = 0;
+        Cell cell;
+    };
+    struct Extent {
+        std::size_t reached = 0;
+        bool any = false;
+        Cell low, high;
+    };
+
+    void visit(Layer layer, std::uint32_t tile, std::uint32_t place, Cell cell);
+    End spread(std::uint32_t tile);
+    void look_beside(std::uint32_t tile, const Spot& spot);
+    void seed_at(const Vec3& at, double level_m, double up_m, double down_m, bool on_building);
+    void seed();
+    template <class Span>
+    bool number(Layer layer, SpanGrid<Span>& grid, double& lowest);
+    template <class Span, class Each>
+    bool write_spans(Layer layer, SpanGrid<Span>& grid, Each each);
+    bool stopped() { return (++asked_ & 0xfff) == 0 && stop_.stop_requested(); }
+
+    const Scene& scene_;
+    WalkBody body_;
+    const Obstacles& obstacles_;
+    std::stop_token stop_;
+    WalkTiles tiles_;
+    std::deque<std::uint32_t> waiting_;
+    std::size_t asked_ = 0;
+    std::vector<std::uint32_t> near_;
+    std::array<Extent, 2> layers_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,175 @@
+#include "worlds/navigation/walk_obstacles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace handrail {
+namespace {
+
+constexpr double kWalkableNormalZ = 0.7;  // as walking has it: up to about 45 degrees
+constexpr double kFlatMost_m = 1.5;       // a door no thicker than this may be a bridge
+constexpr double kWideThing_m = 5.0;      // a thing as wide is a floor or platform
+constexpr double kTallThing_m = 2.3;      // a thing as high as a wall counts as one
+
+bool is_furniture(const Feature* feature) {
+    if (!feature || feature->kind != FeatureKind::Object || feature->bounds_m.empty()) return false;
+    const Vec3 size = feature->bounds_m.size_m();
+    return size.z < kTallThing_m && std::max(size.x, size.y) < kWideThing_m;
+}
+
+}  // namespace
+
+Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
+    std::vector<int> mover_of_feature(scene.features.size(), -1);
+    for (std::size_t m = 0; m < scene.movers.size(); ++m)
+        if (scene.movers[m].feature.value < mover_of_feature.size() && scene.movers[m].moves())
+            mover_of_feature[scene.movers[m].feature.value] = static_cast<int>(m);
+    std::size_t marked = 0;
+    const auto mark = [&](bool furniture) {
+        for (; marked < all.size(); ++marked) all[marked].furniture = furniture;
+    };
+    for (const Solid& solid : scene.solids) {
+        const int mover = solid.role == SolidRole::Mover && solid.feature.value < mover_of_feature.size()
+                              ? mover_of_feature[solid.feature.value]
+                              : -1;
+        const bool furniture = is_furniture(scene.find(solid.feature));
+        if (mover >= 0 && passes(scene, static_cast<std::uint32_t>(mover), solid)) continue;
+        add_solid(solid, nullptr, solid.feature, all);
+        mark(furniture);
+    }
+    for (const MeshTriangle& triangle : scene.triangles) add_triangle(triangle, nullptr, triangle.feature);
+    mark(false);
+    for (const PlacedModel& placed : scene.placed) {
+        const bool furniture = is_furniture(scene.find(placed.feature));
+        const PlacedFrame frame(placed.at);
+        for (const Solid& solid : placed.model->solids) add_solid(solid, &frame, placed.feature, all);
+        for (const MeshTriangle& triangle : placed.model->triangles) add_triangle(triangle, &frame, placed.feature);
+        mark(furniture);
+    }
+    for (const Solid& solid : scene.solids)
+        if (solid.role == SolidRole::Liquid) liquids.push_back(&solid);
+}
+
+bool Obstacles::column(const Obstacle& o, double x, double y, double& low, double& high, bool& steep) const {
+    low = -std::numeric_limits<double>::infinity();
+    high = -low;
+    double top_normal = 1.0;
+    for (std::uint32_t k = o.first_plane; k < o.first_plane + o.plane_count; ++k) {
+        const Plane& p = planes_[k];
+        const double level = p.offset_m - p.normal.x * x - p.normal.y * y;
+        if (std::abs(p.normal.z) < 1e-9) {
+            if (level <= kWalkRounding_m) return false;
+        } else if (p.normal.z > 0.0) {
+            if (const double z = level / p.normal.z; z < high) {
+                high = z;
+                top_normal = p.normal.z;
+            }
+        } else {
+            low = std::max(low, level / p.normal.z);
+        }
+    }
+    steep = top_normal < kWalkableNormalZ;
+    return low < high;
+}
+
+double Obstacles::support(const Vec3& n) const {
+    return body_.radius_m * std::sqrt(n.x * n.x + n.y * n.y) + std::max(0.0, -n.z * body_.height_m);
+}
+
+void Obstacles::finish(std::vector<Plane>& bounds, const Aabb& box, FeatureId feature, std::vector<Obstacle>& into) {
+    // The axis planes keep the sum of something sharp and a wide body from sticking out far.
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            Vec3 normal{0.0};
+            normal[axis] = sign;
+            if (std::none_of(bounds.begin(), bounds.end(),
+                             [&](const Plane& b) { return glm::dot(b.normal, normal) > 1.0 - 1e-9; }))
+                bounds.push_back({normal, sign > 0 ? box.max_m[axis] : -box.min_m[axis]});
+        }
+    Obstacle made{static_cast<std::uint32_t>(planes_.size()), static_cast<std::uint32_t>(bounds.size()), box, feature};
+    made.box_m.min_m -= Vec3(body_.radius_m, body_.radius_m, body_.height_m);
+    made.box_m.max_m += Vec3(body_.radius_m, body_.radius_m, 0.0);
+    for (Plane b : bounds) {
+        b.offset_m += support(b.normal);
+        planes_.push_back(b);
+    }
+    into.push_back(made);
+}
+
+void Obstacles::add_solid(const Solid& solid, const PlacedFrame* frame, FeatureId feature,
+                          std::vector<Obstacle>& into) {
+    if (solid.role != SolidRole::Solid && solid.role != SolidRole::Mover && solid.role != SolidRole::BodyClip) return;
+    std::vector<Plane> bounds = solid.shape.planes;
+    Aabb box = solid.shape.bounds_m;
+    if (frame) {
+        box = {};
+        for (const Polygon& face : solid.shape.faces)
+            for (const Vec3& p : face.points_m) box.include(frame->to_world(p));
+        for (Plane& plane : bounds) {
+            const double own = plane.offset_m;
+            plane.normal = frame->turned(plane.normal);
+            plane.offset_m = own * frame->scale + glm::dot(plane.normal, frame->position_m);
+        }
+    }
+    if (!box.empty() && is_finite(box.min_m) && is_finite(box.max_m)) finish(bounds, box, feature, into);
+}
+
+void Obstacles::add_triangle(const MeshTriangle& t, const PlacedFrame* frame, FeatureId feature) {
+    const auto at = [frame](const Vec3& p) { return frame ? frame->to_world(p) : p; };
+    const Vec3 corners[3] = {at(t.a_m), at(t.b_m), at(t.c_m)};
+    const Vec3 area = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const double length = glm::length(area);
+    if (!(length > 0.0) || !std::isfinite(length)) return;
+    const Vec3 n = area / length;
+    std::vector<Plane> bounds{{n, glm::dot(n, corners[0])}, {-n, -glm::dot(n, corners[0])}};
+    Aabb box;
+    for (int e = 0; e < 3; ++e) {
+        box.include(corners[e]);
+        const Vec3 side = glm::cross(corners[(e + 1) % 3] - corners[e], n);
+        if (const double l = glm::length(side); l > 0.0) bounds.push_back({side / l, glm::dot(side / l, corners[e])});
+    }
+    finish(bounds, box, feature, all);
+}
+
+// A door counts as open; what it bears at either end of its way counts as there. False: it stands in the way like a
+// wall.
+bool Obstacles::passes(const Scene& scene, std::uint32_t mover, const Solid& solid) {
+    const Mover& m = scene.movers[mover];
+    const Feature& feature = scene.features[m.feature.value];
+    if (!m.stops.empty()) return true;  // a train: it comes and goes, and waits for who is in its way
+    if (feature.kind != FeatureKind::Door && feature.kind != FeatureKind::Lift) return false;
+    const Vec3 size = feature.bounds_m.size_m();
+    const bool flat = size.z <= kFlatMost_m && size.z < 0.5 * std::min(size.x, size.y);
+    if (flat || feature.kind == FeatureKind::Lift || m.slide_m.z != 0.0) {
+        for (const double part : {0.0, 1.0}) {
+            PassingFloor floor;
+            floor.mover = mover;
+            const PlacedFrame frame(Placement{m.slide_m * part, {}, 1.0});
+            std::vector<Obstacle> made;
+            add_solid(solid, &frame, m.feature, made);
+            if (made.empty()) continue;
+            floor.shape = made.front();
+            passing.push_back(floor);
+        }
+    }
+    if (feature.kind == FeatureKind::Door && !flat) doors.emplace_back(solid.shape.bounds_m, mover);
+    return true;
+}
+
+std::vector<Aabb> boxes_of(const std::vector<Obstacle>& all) {
+    std::vector<Aabb> found;
+    found.reserve(all.size());
+    for (const Obstacle& o : all) found.push_back(o.box_m);
+    return found;
+}
+
+std::vector<Aabb> boxes_of(const std::vector<PassingFloor>& all) {
+    std::vector<Aabb> found;
+    found.reserve(all.size());
+    for (const PassingFloor& o : all) found.push_back(o.shape.box_m);
+    return found;
+}
+
+}  // namespace handrail

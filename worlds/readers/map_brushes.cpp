@@ -1,0 +1,79 @@
+#include "worlds/readers/map_brushes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace handrail {
+
+BuiltSolid MapBrushes::solid_of(const MapBrush& brush, bool report) {
+    std::vector<Plane>& planes = planes_;
+    planes.clear();
+    face_of_plane_.clear();
+    Vec3 middle{0.0};
+    double farthest_m = 0.0;
+    int degenerate = 0;
+    for (std::uint32_t i = 0; i < brush.faces.size(); ++i) {
+        const MapFace& face = brush.faces[i];
+        std::array<Vec3, 3> p;
+        for (std::size_t k = 0; k < 3; ++k) {
+            p[k] = face.points_units[k] * units_;
+            farthest_m = std::max({farthest_m, std::abs(p[k].x), std::abs(p[k].y), std::abs(p[k].z)});
+        }
+        Plane plane;
+        if (!plane_from_clockwise(p[0], p[1], p[2], plane)) {
+            if (report && degenerate == 0) diagnostics_.warn(face.place, "map.then_without_face", "map.flat_face");
+            ++degenerate;
+            continue;
+        }
+        planes.push_back(plane);
+        face_of_plane_.push_back(i);
+        middle += p[0];
+    }
+    if (farthest_m > kFarthestM) {
+        if (report) diagnostics_.warn(brush.place, "map.then_left_out", "map.far_brush");
+        BuiltSolid nothing;
+        nothing.fault = SolidFault::Open;
+        return nothing;
+    }
+    if (!planes.empty()) middle /= static_cast<double>(planes.size());
+    BuiltSolid built = solid_from_planes(planes, middle, 4.0 * farthest_m + 4096.0, {1e-6 * units_, 1e-4 * units_});
+    if (!report) return built;
+    if (built.fault == SolidFault::Empty) diagnostics_.warn(brush.place, "map.then_left_out", "map.flat_brush");
+    if (built.fault == SolidFault::Open) diagnostics_.warn(brush.place, "map.then_left_out", "map.leaky_brush");
+    if (built.was_inside_out) diagnostics_.warn(brush.place, "map.then_turned", "map.inside_out");
+    if (built.fault == SolidFault::None) dropped_faces_ += built.planes_without_face;
+    return built;
+}
+
+BuiltSolid MapBrushes::counted_solid_of(const MapBrush& brush) {
+    BuiltSolid built = solid_of(brush, true);
+    count(built);
+    return built;
+}
+
+void MapBrushes::count(const BuiltSolid& built) {
+    ++report_.brushes;
+    if (built.fault != SolidFault::None) {
+        ++left_out_;
+        return;
+    }
+    for (const Polygon& face : built.solid.faces) {
+        ++report_.polygons;
+        report_.triangles += static_cast<int>(face.points_m.size()) - 2;
+    }
+}
+
+const TextureFacts& MapBrushes::facts_of(std::string_view texture) {
+    const auto [found, is_new] = textures_.try_emplace(texture);
+    if (is_new) found->second = facts_of_texture(texture);
+    return found->second;
+}
+
+TextureSense MapBrushes::sense_of(const MapBrush& brush) {
+    for (const MapFace& face : brush.faces)
+        if (facts_of(face.texture).sense == TextureSense::Ordinary) return TextureSense::Ordinary;
+    return facts_of(brush.faces.front().texture).sense;
+}
+
+}  // namespace handrail

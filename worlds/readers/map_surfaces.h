@@ -1,0 +1,46 @@
+// How a surface of a map feels, by the keys of its entity: stiffness, friction, waves and pictures. One reading thread.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "worlds/geometry/clip.h"
+#include "worlds/readers/map_keys.h"
+#include "worlds/readers/reader.h"
+#include "worlds/scene/material.h"
+
+namespace handrail {
+
+// Equal for surfaces that feel alike, whatever they are made of.
+std::string look_of_surface(const Material& surface);
+
+class MapSurfaces {
+public:
+    // `built`: turns a brush into a solid, without warnings. What is given by reference outlives this object.
+    MapSurfaces(const ReadOptions& options, double metres_per_unit, Diagnostics& diagnostics, const MapKeys& keys,
+                std::function<BuiltSolid(const MapBrush&)> built)
+        : options_(options),
+          units_(metres_per_unit),
+          diagnostics_(diagnostics),
+          keys_(keys),
+          built_(std::move(built)) {}
+
+    // Without the name of a material.
+    Material read(const MapEntity& entity);
+
+private:
+    void read_wave(const MapEntity& entity, std::optional<double> depth_mm, double turn_rad, Material& surface);
+    void read_picture(const MapEntity& entity, std::optional<double> depth_mm, double turn_rad, Material& surface);
+
+    const ReadOptions& options_;
+    double units_;
+    Diagnostics& diagnostics_;
+    const MapKeys& keys_;
+    std::function<BuiltSolid(const MapBrush&)> built_;
+    std::map<std::string, std::shared_ptr<const HeightPicture>> pictures_;  // null: told already that it cannot be used
+};
+
+}  // namespace handrail

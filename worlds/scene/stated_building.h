@@ -1,0 +1,67 @@
+// What a file itself says about its building: storeys, rooms with outlines, doors with the rooms they join. Only
+// formats that know rooms fill it (IFC); what a .map or mesh leaves open is found by analysis (worlds/navigation).
+// Plain values, built by a reader, then never changed. World metres.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "worlds/base/feature_id.h"
+#include "worlds/base/vec.h"
+#include "worlds/scene/source_place.h"
+
+namespace handrail {
+
+inline constexpr std::uint32_t kNotStated = 0xffffffffU;
+
+struct StatedStorey {
+    std::string name;  // fit to be spoken, as the file has it: "Level 1"
+    double floor_m = 0.0;
+    int rooms = 0;  // that lie on it
+};
+
+struct StatedRoom {
+    std::string name;    // fit to be spoken: the long name, else the number
+    std::string number;  // "A101"; may be empty
+    std::string guid;    // of the file
+    std::uint32_t storey = kNotStated;
+    std::vector<std::vector<Vec2>> rings;  // outline and holes, by the even-odd rule; at least one ring of 3 points
+    double floor_m = 0.0, height_m = 0.0;
+    Vec3 at_m{0.0};  // on its floor, within the outline
+    double area_m2 = 0.0;
+    bool holds_stairs = false;  // stairs fill more than half of it
+    SourcePlace source;
+};
+
+enum class StatedPortalKind : std::uint8_t { Door, Opening, Stairs, Ramp, Lift };
+
+struct StatedPortal {
+    StatedPortalKind kind = StatedPortalKind::Door;
+    std::string name;  // as the file has it
+    std::string guid;
+    FeatureId feature = kNoFeature;  // the first leaf of a door; stairs and lifts as they are felt
+    std::vector<std::uint32_t>
+        rooms;          // places in StatedBuilding::rooms, rising; one: the other side is outside or has no name
+    Vec3 place_m{0.0};  // middle, at floor height
+    double width_m = 0.0, height_m = 0.0;
+    bool by_boundaries = false;  // the file states which rooms; else found by what lies on its two sides
+    bool opened_by_box = false;  // a body did not pass through what the file gives, so a box was cut free
+    bool passable = true;        // a body was swept through it
+    SourcePlace source;
+};
+
+struct StatedBuilding {
+    std::string schema;                 // "IFC2X3"
+    std::vector<StatedStorey> storeys;  // from the lowest up
+    std::vector<StatedRoom> rooms;      // in file order
+    std::vector<StatedPortal> portals;  // in file order
+    int windows = 0, openings = 0, openings_cut = 0, stairs = 0, ramps = 0, lifts = 0, furnishings = 0, skipped = 0;
+};
+
+// True when the place lies within the outline and, with the tolerance of a step, between floor and ceiling.
+bool holds(const StatedRoom& room, const Vec3& at_m);
+// How many rooms the largest group has whose members are joined by portals.
+int largest_connected(const StatedBuilding& building);
+
+}  // namespace handrail
