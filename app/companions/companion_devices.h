@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "haptic/drivers/companion.h"
 #include "worlds/base/clock.h"
 

@@ -11,7 +11,7 @@ CompanionSession::CompanionSession(Clock& clock, bool run_thread) : devices_(clo
     if (run_thread) devices_.start();
 }
 
-std::vector<std::string> CompanionSession::guide(AppCore& app, double now_s, bool busy_elsewhere) {
+std::vector<std::string> CompanionSession::guide(Session& app, double now_s, bool busy_elsewhere) {
     const Steering steering = busy_elsewhere ? Steering{} : devices_.steering();
     if (steering != steering_) app.apply(Steered{steering}, now_s);
     steering_ = steering;
@@ -23,7 +23,7 @@ std::vector<std::string> CompanionSession::guide(AppCore& app, double now_s, boo
     return devices_.take_news();
 }
 
-void CompanionSession::follow(const AppCore& app, std::span<const CueRequest> requests, const ToolState* tool,
+void CompanionSession::follow(const Session& app, std::span<const CueRequest> requests, const ToolState* tool,
                               double now_s) {
     if (!devices_.any() || !app.scene()) return;
     if (app.worlds_entered() != worlds_entered_) {

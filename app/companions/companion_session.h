@@ -20,10 +20,10 @@ public:
 
     // Before the app's tick: steers it and presses what was pressed, unless the person is busy elsewhere. Gives the
     // sentences that are due: what was found, what is gone.
-    std::vector<std::string> guide(AppCore& app, double now_s, bool busy_elsewhere = false);
+    std::vector<std::string> guide(Session& app, double now_s, bool busy_elsewhere = false);
     // After it: cues from what the app asks to be heard and what the hand touches; `tool` is nullptr where there is no
     // hand.
-    void follow(const AppCore& app, std::span<const CueRequest> requests, const ToolState* tool, double now_s);
+    void follow(const Session& app, std::span<const CueRequest> requests, const ToolState* tool, double now_s);
 
     CompanionDevices& devices() { return devices_; }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "app/main/session_voice.h"
 #include "app/main/world_visits.h"
 #include "app/wizard/wizard_session.h"
@@ -16,7 +16,7 @@ namespace handrail {
 class CarriedLines {
 public:
     // All outlive this object. by_person: typed by somebody who does not wait for a world in vain, as a script does.
-    CarriedLines(AppCore& app, WorldVisits& worlds, const SessionVoice& say, bool by_person)
+    CarriedLines(Session& app, WorldVisits& worlds, const SessionVoice& say, bool by_person)
         : app_(app), worlds_(worlds), say_(say), by_person_(by_person) {}
 
     void add(std::string line) { lines_.push_back(std::move(line)); }
@@ -34,7 +34,7 @@ private:
     void carry_out(const std::string& line, double now_s);
     void tap(Command command, double now_s);
 
-    AppCore& app_;
+    Session& app_;
     WorldVisits& worlds_;
     const SessionVoice& say_;
     const bool by_person_;

@@ -36,7 +36,7 @@ std::string Ears::voice_that_speaks() {
     return voice.empty() ? phrase("voice.text_alone") : voice;
 }
 
-void Ears::follow_world(const AppCore& app) {
+void Ears::follow_world(const Session& app) {
     if (app.scene() == given_scene_) return;
     given_scene_ = app.scene();
     if (std::exchange(given_world_, app.worlds_entered()) != app.worlds_entered()) sound_->enter_world(given_scene_);
@@ -44,7 +44,7 @@ void Ears::follow_world(const AppCore& app) {
 }
 
 // To whoever shows lists otherwise than in the picture, and before the words about them.
-void Ears::show_dialogue(const AppCore& app) {
+void Ears::show_dialogue(const Session& app) {
     if (!accessible_ && !braille_) return;
     DialogueView view = app.dialogue().view();
     if (view == shown_dialogue_) return;
@@ -59,7 +59,7 @@ void Ears::show_dialogue(const AppCore& app) {
     shown_dialogue_ = std::move(view);
 }
 
-void Ears::follow_listener(const AppCore& app) {
+void Ears::follow_listener(const Session& app) {
     if (!app.scene()) return;
     const Listener listener = app.listener();
     sound_->set_listener(listener);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/accessible/accessible.h"
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "audio-cues/sinks/audio_thread.h"
 #include "audio-cues/sinks/braille_display.h"
 #include "worlds/base/clock.h"
@@ -32,9 +32,9 @@ public:
     // longer than 1.5 s.
     std::string voice_that_speaks();
     // What this frame changed: the world, the list that is open, and from where one hears.
-    void follow_world(const AppCore& app);
-    void show_dialogue(const AppCore& app);
-    void follow_listener(const AppCore& app);
+    void follow_world(const Session& app);
+    void show_dialogue(const Session& app);
+    void follow_listener(const Session& app);
     void follow_hands(bool two);
     // The last sentence that was said, as of note_spoken.
     void note_spoken();

@@ -6,7 +6,7 @@
 
 #include "app/companions/companion_session.h"
 #include "app/core/kept/spoken_language.h"
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "app/main/commands.h"
 #include "app/main/ears.h"
 #include "app/main/end_signals.h"
@@ -273,7 +273,7 @@ private:
     LeftHand left_{clock_, switches_};
     std::vector<std::string> news_;  // said with the welcome
     Ears ears_;
-    AppCore app_;
+    Session app_;
     const SessionVoice say_{clock_, [this](std::string text, double asked_s) {
                                 app_.apply(Told{std::move(text), SpeechClass::Answer}, asked_s);
                                 hand_over();

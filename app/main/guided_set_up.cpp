@@ -71,7 +71,7 @@ void GuidedSetUp::hand_over() {
 
 void GuidedSetUp::end_if_finished(double now_s) {
     if (!session_->finished()) return;
-    AppCore& app = parts_.app;
+    Session& app = parts_.app;
     const bool stopped = session_->wizard().tuning().panic;
     confirms_ += session_->wizard().tuning().confirm;
     session_.reset();

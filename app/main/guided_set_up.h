@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "app/main/ears.h"
 #include "app/main/hand_in_use.h"
 #include "app/main/kept_settings.h"
@@ -23,7 +23,7 @@ public:
     struct Parts {
         const SettingsStore& settings;
         const ServoSwitches& switches;
-        AppCore& app;
+        Session& app;
         HandInUse& hand;
         Ears& ears;
         KeptSettings& kept;

@@ -31,7 +31,7 @@ void HandInUse::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> devic
     simulated_.reset();
     guarded_ = device.get();
     facts_ = facts;
-    AppCore& app = parts_.app;
+    Session& app = parts_.app;
     const Settings& settings = parts_.settings.values();
     tool_ = {};
     told_how_it_runs_ = guard_missed_ = false;
@@ -175,7 +175,7 @@ void HandInUse::offer_calibration() {
 // ---- what the servo is given ----
 
 void HandInUse::feel_world(std::uint32_t more_confirms) {
-    const AppCore& app = parts_.app;
+    const Session& app = parts_.app;
     if (!servo_ || !app.scene()) return;
     if (app.haptic_scene() != given_scene_) {
         given_scene_ = app.haptic_scene();

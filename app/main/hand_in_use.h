@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "app/main/commands.h"
 #include "app/main/find_hand.h"
 #include "app/main/session_voice.h"
@@ -26,7 +26,7 @@ public:
         Clock& clock;
         const ServoSwitches& switches;
         ServoLoop::EventRing& contacts;  // of whichever device is in use
-        AppCore& app;
+        Session& app;
         const SessionVoice& say;
     };
     explicit HandInUse(const Parts& parts) : parts_(parts) {}

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "app/main/world_visits.h"
 #include "app/window/keys.h"
 #include "app/wizard/wizard_session.h"
@@ -14,7 +14,7 @@ namespace handrail {
 class KeyActs {
 public:
     // Both outlive this object.
-    KeyActs(AppCore& app, WorldVisits& worlds) : app_(app), worlds_(worlds) {}
+    KeyActs(Session& app, WorldVisits& worlds) : app_(app), worlds_(worlds) {}
 
     void take(const KeyEvent& key, WizardSession* wizard, double now_s);
     // The characters of the key that was taken last.
@@ -23,7 +23,7 @@ public:
     bool closed() const { return closed_; }
 
 private:
-    AppCore& app_;
+    Session& app_;
     WorldVisits& worlds_;
     bool typing_ = false;  // a list or question was open when the last key went down
     bool closed_ = false;

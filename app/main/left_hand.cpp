@@ -57,7 +57,7 @@ bool LeftHand::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device
     return true;
 }
 
-void LeftHand::hand_over(const AppCore& app) {
+void LeftHand::hand_over(const Session& app) {
     if (!servo_ || !app.scene()) return;
     if (app.haptic_scene() != handed_scene_) {
         handed_scene_ = app.haptic_scene();

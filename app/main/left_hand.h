@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "app/main/find_hand.h"
 #include "haptic/servo/servo_loop.h"
 
@@ -24,7 +24,7 @@ public:
     bool take_change(std::vector<std::string>& news);
     const HandFacts& facts() const { return facts_; }
     // What this frame changed, to the servo.
-    void hand_over(const AppCore& app);
+    void hand_over(const Session& app);
     const ToolState& tool();
     // For the ears, from the start.
     ServoLoop::EventRing& contacts() { return contacts_; }

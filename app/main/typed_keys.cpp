@@ -30,7 +30,7 @@ void show(std::string_view text) {
 
 }  // namespace
 
-std::unique_ptr<TypedKeys> TypedKeys::open(AppCore& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock,
+std::unique_ptr<TypedKeys> TypedKeys::open(Session& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock,
                                            const SessionVoice& say) {
     if (terminal_kind().empty() || terminal_kind() == "dumb") return nullptr;
     auto terminal = RawTerminal::take(STDIN_FILENO, STDOUT_FILENO);
@@ -38,7 +38,7 @@ std::unique_ptr<TypedKeys> TypedKeys::open(AppCore& app, WorldVisits& worlds, Se
     return std::unique_ptr<TypedKeys>(new TypedKeys(std::move(terminal), app, worlds, switches, clock, say));
 }
 
-TypedKeys::TypedKeys(std::unique_ptr<RawTerminal> terminal, AppCore& app, WorldVisits& worlds, ServoSwitches& switches,
+TypedKeys::TypedKeys(std::unique_ptr<RawTerminal> terminal, Session& app, WorldVisits& worlds, ServoSwitches& switches,
                      Clock& clock, const SessionVoice& say)
     : app_(app),
       acts_(app, worlds),

@@ -21,7 +21,7 @@ class TypedKeys {
 public:
     // Null where standard input and output are no terminal, or one that knows no keys (TERM=dumb), as those of editors
     // are. All outlive this object; the terminal is given back when it ends.
-    static std::unique_ptr<TypedKeys> open(AppCore& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock,
+    static std::unique_ptr<TypedKeys> open(Session& app, WorldVisits& worlds, ServoSwitches& switches, Clock& clock,
                                            const SessionVoice& say);
 
     // Once a frame. To the wizard, where there is one.
@@ -30,14 +30,14 @@ public:
     bool closed() const { return closed_ || acts_.closed() || lines_.left(); }
 
 private:
-    TypedKeys(std::unique_ptr<RawTerminal> terminal, AppCore& app, WorldVisits& worlds, ServoSwitches& switches,
+    TypedKeys(std::unique_ptr<RawTerminal> terminal, Session& app, WorldVisits& worlds, ServoSwitches& switches,
               Clock& clock, const SessionVoice& say);
     void take_input(const TimedInput& came, WizardSession* wizard, double now_s);
     bool take_into_line(const TerminalInput& input, WizardSession* wizard, double now_s);
     void take_key(const TimedInput& came, WizardSession* wizard, double now_s);
     bool asked(const WizardSession* wizard) const { return !wizard && app_.dialogue().typing(); }
 
-    AppCore& app_;
+    Session& app_;
     KeyActs acts_;
     CarriedLines lines_;
     LineEditor editor_;

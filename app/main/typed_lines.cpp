@@ -9,7 +9,7 @@
 
 namespace handrail {
 
-TypedLines::TypedLines(AppCore& app, WorldVisits& worlds, ServoSwitches& switches, const SessionVoice& say)
+TypedLines::TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches, const SessionVoice& say)
     : app_(app),
       switches_(switches),
       typed_(::isatty(STDIN_FILENO) == 1),

@@ -13,7 +13,7 @@ namespace handrail {
 class TypedLines {
 public:
     // All outlive this object. Reads standard input from its construction on.
-    TypedLines(AppCore& app, WorldVisits& worlds, ServoSwitches& switches, const SessionVoice& say);
+    TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches, const SessionVoice& say);
 
     // Once a frame. To the wizard, where there is one. While a hand is sought the end of the lines does not end the
     // session.
@@ -24,7 +24,7 @@ public:
 private:
     bool stops_at_once(std::string_view line);
 
-    AppCore& app_;
+    Session& app_;
     ServoSwitches& switches_;
     const bool typed_;  // at a terminal
     CarriedLines lines_;

@@ -5,7 +5,7 @@
 
 namespace handrail {
 
-WindowInput::WindowInput(std::unique_ptr<Window> window, AppCore& app, WorldVisits& worlds, Ears& ears,
+WindowInput::WindowInput(std::unique_ptr<Window> window, Session& app, WorldVisits& worlds, Ears& ears,
                          ServoSwitches& switches, Clock& clock)
     : app_(app), ears_(ears), clock_(clock), acts_(app, worlds), window_(std::move(window)) {
     ears.braille()->window = window_->number();

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "app/main/ears.h"
 #include "app/main/key_acts.h"
 #include "app/main/world_visits.h"
@@ -17,7 +17,7 @@ namespace handrail {
 class WindowInput {
 public:
     // All outlive this object; the ears have what goes with a window.
-    WindowInput(std::unique_ptr<Window> window, AppCore& app, WorldVisits& worlds, Ears& ears, ServoSwitches& switches,
+    WindowInput(std::unique_ptr<Window> window, Session& app, WorldVisits& worlds, Ears& ears, ServoSwitches& switches,
                 Clock& clock);
 
     // Once a frame. To the wizard, where there is one.
@@ -27,7 +27,7 @@ public:
     void draw(const ViewState& view) { window_->draw(view); }
 
 private:
-    AppCore& app_;
+    Session& app_;
     Ears& ears_;
     Clock& clock_;
     KeyActs acts_;

@@ -8,7 +8,7 @@
 
 #include "app/core/kept/last_place.h"
 #include "app/core/kept/world_shelf.h"
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "app/main/commands.h"
 #include "app/main/session_voice.h"
 #include "app/main/world_loading.h"
@@ -20,7 +20,7 @@ constexpr double kLoadingToldEvery_s = 2.0;  // how far the reading of a world i
 class WorldVisits {
 public:
     // All outlive this object.
-    WorldVisits(const ExploreArguments& arguments, AppCore& app, const SessionVoice& say)
+    WorldVisits(const ExploreArguments& arguments, Session& app, const SessionVoice& say)
         : arguments_(arguments), app_(app), say_(say) {}
 
     // What was amiss with the list of worlds, and then of a session before this one that was never left, with the way
@@ -44,7 +44,7 @@ private:
     void begin_reading(const std::filesystem::path& path, const CommonArguments& common, double now_s);
 
     const ExploreArguments& arguments_;
-    AppCore& app_;
+    Session& app_;
     const SessionVoice& say_;
     RecentWorlds recent_{recent_worlds_path()};
     SessionTrace trace_{sessions_folder()};

@@ -17,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "audio-cues/plan/cue_planner.h"
 #include "haptic/servo/servo_tick.h"
 #include "settings/settings.h"

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "tests/support/office_world.h"
 #include "worlds/base/clock.h"
 #include "worlds/readers/reader.h"
@@ -43,7 +43,7 @@ public:
         HandFacts hand;
         hand.present = hand.simulated = true;
         hand.spec = *find_device_spec("sim-t");
-        AppCore app(Settings{}, hand);
+        Session app(Settings{}, hand);
         app.find_rooms_beside();
         app.feel_beside();
         const double enter_ms = timed([&] { app.apply(WorldEntered{std::move(ready)}, now_s_); });
@@ -98,14 +98,14 @@ private:
         act();
         return busy_ms() - begun_ms;
     }
-    void ticks(AppCore& app, int count) {
+    void ticks(Session& app, int count) {
         for (int i = 0; i < count; ++i) {
             now_s_ += 1.0 / 60.0;
             worst_tick_ = std::max(worst_tick_, timed([&] { app.tick(now_s_, ToolState{}); }));
             (void)app.take_cues();
         }
     }
-    void until_made(AppCore& app) {
+    void until_made(Session& app) {
         ticks(app, 3);
         for (int i = 0; i < 60000 && app.works_beside(); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -1,5 +1,5 @@
 // Somebody, or something, that presses whatever there is: keys, characters, lines, hands that jump, devices that break
-// and come and go, settings, other worlds, in virtual time against the same AppCore and servo as the program. The same
+// and come and go, settings, other worlds, in virtual time against the same Session and servo as the program. The same
 // seed does the same.
 #pragma once
 
@@ -59,7 +59,7 @@ private:
         return low + (high - low) * (static_cast<double>(random_()) / 4294967295.0);
     }
     bool chance(double share) { return between(0.0, 1.0) < share; }
-    AppCore& app() { return session_->app(); }
+    Session& app() { return session_->app(); }
 
     void begin();
     void note(std::string kind, const std::string& what = {});

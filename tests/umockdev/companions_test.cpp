@@ -66,7 +66,7 @@ protected:
     bool busy_elsewhere_ = false;
     VirtualClock clock_;
     CompanionSession session_{clock_, false};
-    AppCore app_{Settings{}, HandFacts{}};
+    Session app_{Settings{}, HandFacts{}};
     std::vector<std::string> news_, said_;
     std::vector<CueRequest> cues_;
 };

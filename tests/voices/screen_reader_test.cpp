@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "tests/voices/desktop.h"
 #include "tests/voices/exploring.h"
 
@@ -200,7 +200,7 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
         if name(i) != before: break
     print(i, '|', before, '|', ' '.join(names), '|', before if i in last else name(i), '|', act)
 )";
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     std::size_t worked = 0, changed = 0;
     for (std::vector<std::string>& parts : work_at_desk(kWork, 5)) {
         SCOPED_TRACE(parts[1]);
@@ -250,7 +250,7 @@ for i in range(desk.childCount):
     while time.time() < until and (item.name, value.currentValue) == before: time.sleep(0.02)
     print(i, '|', ' '.join(repr(n) for n in shown), '|', item.name, '|', repr(value.currentValue))
 )";
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     std::size_t worked = 0;
     for (const std::vector<std::string>& parts : work_at_desk(kWork, 4)) {
         ASSERT_EQ(parts.size(), 4U);

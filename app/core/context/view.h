@@ -1,4 +1,4 @@
-// What can be seen: a plain snapshot that AppCore hands to the window (and to nothing else) each frame. App thread.
+// What can be seen: a plain snapshot that Session hands to the window (and to nothing else) each frame. App thread.
 #pragma once
 
 #include <memory>

@@ -6,7 +6,7 @@
 #include <array>
 #include <memory>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "audio-cues/plan/sinks.h"
 #include "haptic/device/simulated_device.h"
 #include "haptic/servo/servo_switches.h"
@@ -20,7 +20,7 @@ public:
     // servo.
     HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech);
 
-    AppCore& app() { return app_; }
+    Session& app() { return app_; }
     // A second hand, the left one; from then on the one of the constructor is the right one. Facts of none take it away
     // again.
     void give_left_hand(const HandFacts& facts);
@@ -58,7 +58,7 @@ private:
     void servo(std::size_t which);
     void cues();
 
-    AppCore app_;
+    Session app_;
     HandFacts facts_;
     AudioSink& audio_;
     SpeechSink& speech_;

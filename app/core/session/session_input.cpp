@@ -1,11 +1,11 @@
 #include "app/core/session/session_input.h"
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "worlds/base/overloaded.h"
 
 namespace handrail {
 
-bool AppCore::apply(SessionInput input, double now_s) {
+bool Session::apply(SessionInput input, double now_s) {
     bool taken = true;
     std::visit(Overloaded{
                    [&](const CommandDown& in) { press(in.command, now_s); },

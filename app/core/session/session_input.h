@@ -1,4 +1,4 @@
-// The one way in: everything that reaches a session from outside, as one value each, applied by AppCore::apply alone.
+// The one way in: everything that reaches a session from outside, as one value each, applied by Session::apply alone.
 // Window, terminal, scenarios, tests and whatever plays a session again use the same. Plain data.
 #pragma once
 

@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "app/core/menu/setting_lists.h"
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
 
-void AppCore::wire() {
+void Session::wire() {
     context_.asks.save_additions = [this](double now_s) { save_additions(now_s); };
     context_.asks.place = [this](const Vec3& feet_m, double heading_rad, double now_s) {
         place(feet_m, heading_rad, now_s);

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
@@ -80,7 +80,7 @@ struct AppSession {
                            [&](const std::string& s) { return s.find(part) != std::string::npos; });
     }
     int count(SoundKind kind) const { return static_cast<int>(std::count(sounds.begin(), sounds.end(), kind)); }
-    AppCore app;
+    Session app;
     ToolState tool;
     double now = 0.0;
     std::vector<std::string> said;

@@ -31,7 +31,7 @@ class DeskSession : public test::Explorer {
 public:
     explicit DeskSession(const char* device, const Settings& settings = {})
         : Explorer(open_ground(), device, settings, furnish) {}
-    static void furnish(AppCore& app, WorldEntered& world) {
+    static void furnish(Session& app, WorldEntered& world) {
         app.apply(WorldsKnown{{std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps", {}}}, 0.0);
         SideFile& additions = world.additions.emplace();
         std::vector<Mark> marks(2);
@@ -95,7 +95,7 @@ public:
 const char* const kDevices[] = {"sim-t", "sim-f"};
 
 TEST(DeskPanel, controls_are_large_enough_far_enough_apart_within_reach_and_all_there_on_every_device) {
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     for (const DeviceSpec& spec : device_specs()) {
         SCOPED_TRACE(spec.name);
         std::vector<int> seen(app.desk_visit().desk().controls().size(), 0);
@@ -157,7 +157,7 @@ TEST(DeskPanel, the_hand_feels_a_detent_for_each_position_of_sliders_and_knobs) 
 
 TEST(DeskPanel, a_control_has_one_number_whichever_page_lies_there) {
     // What is still pressed while the page turns would else be taken for another control of the new page.
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     const auto controls = app.desk_visit().desk().controls();
     const DeviceSpec& spec = *find_device_spec("sim-f");
     const DeskPanel first = lay_out_desk(controls, spec, 0);
@@ -290,7 +290,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
 
 TEST(Desk, a_world_is_chosen_from_its_list_and_gone_to_by_the_button_beside_it) {
     DeskSession s(nullptr);
-    AppCore& app = s.app();
+    Session& app = s.app();
     const std::size_t world = *app.desk_visit().desk().find("World"),
                       go = *app.desk_visit().desk().find("Go to that world");
     EXPECT_FALSE(app.take_world_request());
@@ -311,7 +311,7 @@ TEST(Desk, a_world_is_chosen_from_its_list_and_gone_to_by_the_button_beside_it) 
 
 TEST(Desk, a_beacon_is_put_on_the_mark_of_its_list_and_taken_off_again) {
     DeskSession s(nullptr);
-    AppCore& app = s.app();
+    Session& app = s.app();
     const std::size_t mark = *app.desk_visit().desk().find("Mark"),
                       beacon = *app.desk_visit().desk().find("Beacon on that mark");
     EXPECT_EQ(app.desk_visit().desk().value(mark), "Bench");
@@ -332,7 +332,7 @@ TEST(Desk, a_beacon_is_put_on_the_mark_of_its_list_and_taken_off_again) {
 
 TEST(Desk, steps_or_metres_where_one_is_and_what_is_explored_are_told_there) {
     DeskSession s(nullptr);
-    AppCore& app = s.app();
+    Session& app = s.app();
     const std::size_t units = *app.desk_visit().desk().find("Steps or metres"),
                       where = *app.desk_visit().desk().find("Where am I");
     EXPECT_EQ(app.desk_visit().desk().value(units), "steps");
@@ -353,7 +353,7 @@ TEST(Desk, steps_or_metres_where_one_is_and_what_is_explored_are_told_there) {
 
 TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
     const test::InLanguage german("en");  // and English again in the end
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     ASSERT_TRUE(app.desk_visit().desk().find("Speech volume"));
     Settings settings;
     settings.speech.language = "de";
@@ -375,7 +375,7 @@ TEST(Desk, lists_and_lessons_speak_german_where_that_is_spoken) {
 
 // As a screen reader sets it: to the nearest position, so that hand, keys and tree come to the same values.
 TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     const Desk& desk = app.desk_visit().desk();
     const auto find = [&](const char* name) { return *desk.find(name); };
     const std::size_t volume = find("Sound volume"), knob = find("Volume knob"), rate = find("Speech rate"),
@@ -425,7 +425,7 @@ TEST(Desk, quantities_are_numbers_and_go_to_the_nearest_position) {
 }
 
 TEST(Desk, grooves_are_switched_there_and_felt_in_the_world) {
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     const std::size_t grooves = *app.desk_visit().desk().find("Grooves in the floor");
     EXPECT_EQ(app.desk_visit().desk().value(grooves), "off");
     EXPECT_EQ(app.desk_visit().step(grooves, 1), "on");
@@ -481,7 +481,7 @@ TEST(Desk, can_be_switched_off_wholly) {
 TEST(Desk, a_value_between_two_positions_goes_to_the_next_one_either_way) {
     Settings settings;
     settings.sound.volume = 0.83;
-    AppCore app(settings, HandFacts{});
+    Session app(settings, HandFacts{});
     const std::size_t volume = *app.desk_visit().desk().find("Sound volume");
     EXPECT_EQ(app.desk_visit().desk().value(volume), "83 percent");
     EXPECT_EQ(app.desk_visit().step(volume, 1), "90 percent");

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
 #include "worlds/base/text.h"
 
@@ -193,10 +193,10 @@ struct Open {
             if (cue.kind == CueRequestKind::Say) lines.push_back(cue.text);
         return lines;
     }
-    AppCore app;
+    Session app;
 };
 
-TEST(AppCoreLists, hold_everything_that_can_be_done_and_do_it) {
+TEST(SessionLists, hold_everything_that_can_be_done_and_do_it) {
     Open s;
     s.app.apply(CommandDown{Command::Menu}, 0.0);
     s.app.apply(CommandUp{Command::Menu}, 0.0);
@@ -212,7 +212,7 @@ TEST(AppCoreLists, hold_everything_that_can_be_done_and_do_it) {
     EXPECT_THAT(s.said().back(), HasSubstr("Facing north"));
 }
 
-TEST(AppCoreLists, never_keep_the_keys_that_stop_force_sound_or_speech) {
+TEST(SessionLists, never_keep_the_keys_that_stop_force_sound_or_speech) {
     Open s;
     s.app.open_list({.title = "List", .items = {{"one", {}}}, .chosen = [](std::size_t) {}}, 0.0);
     for (const char* key : {"F12", "Control", "Grave"}) EXPECT_FALSE(s.app.apply(KeyTapped{key}, 0.0)) << key;
@@ -223,7 +223,7 @@ TEST(AppCoreLists, never_keep_the_keys_that_stop_force_sound_or_speech) {
     EXPECT_FALSE(s.app.dialogue().is_open()) << "in another world the list may mean nothing";
 }
 
-TEST(AppCoreLists, let_go_of_what_was_held) {
+TEST(SessionLists, let_go_of_what_was_held) {
     Open s;
     s.app.apply(CommandDown{Command::Forward}, 0.0);
     s.app.open_list({.title = "List", .items = {{"one", {}}}, .chosen = [](std::size_t) {}}, 0.0);

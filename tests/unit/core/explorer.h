@@ -18,7 +18,7 @@ class Explorer {
 public:
     // device: null for keys only. `before` is done before the world is entered.
     Explorer(std::shared_ptr<const Scene> scene, const char* device, const Settings& settings = {},
-             const std::function<void(AppCore&, WorldEntered&)>& before = {})
+             const std::function<void(Session&, WorldEntered&)>& before = {})
         : session_(settings, facts(device), audio_, speech_) {
         WorldEntered world{make_ready(std::move(scene))};
         if (before) before(app(), world);
@@ -35,7 +35,7 @@ public:
         if (device) facts.spec = *find_device_spec(device);
         return facts;
     }
-    AppCore& app() { return session_.app(); }
+    Session& app() { return session_.app(); }
     const ToolState& tool() const { return session_.tool(); }
     double now_s() const { return session_.now_s(); }
 

@@ -11,8 +11,8 @@ std::shared_ptr<const Scene> world(const char* file) {
     return test::world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file);
 }
 
-struct Session : test::AppSession {
-    explicit Session(const Settings& settings = {}) : AppSession(settings, hand()) {}
+struct Visitor : test::AppSession {
+    explicit Visitor(const Settings& settings = {}) : AppSession(settings, hand()) {}
     static HandFacts hand() {
         HandFacts facts;
         facts.present = facts.simulated = true;
@@ -33,7 +33,7 @@ struct Session : test::AppSession {
 
 TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentences) {
     const test::InLanguage german("de");
-    Session s;
+    Visitor s;
     s.app.apply(WorldEntered{make_ready(world("worlds/maps/house.map"))}, 0.0);
     s.run(0.1);
     const std::string here =
@@ -97,7 +97,7 @@ std::shared_ptr<const Scene> platform() {
 
 TEST(GermanSession, warns_of_a_drop_and_holds_at_its_edge_in_german) {
     const test::InLanguage german("de");
-    Session s;
+    Visitor s;
     s.app.apply(WorldEntered{make_ready(platform())}, 0.0);
     s.run(0.1);
     s.said.clear();
@@ -109,7 +109,7 @@ TEST(GermanSession, warns_of_a_drop_and_holds_at_its_edge_in_german) {
 
 TEST(GermanSession, tells_what_of_a_place_was_learnt_and_what_is_left_in_german) {
     const test::InLanguage german("de");
-    Session s;
+    Visitor s;
     s.app.apply(WorldEntered{make_ready(world("tests/scenarios/worlds/two_rooms_door.map"))}, 0.0);
     s.run(0.1);
     EXPECT_EQ(s.ask(Command::LearnPlace),
@@ -132,7 +132,7 @@ TEST(GermanSession, tells_what_of_a_place_was_learnt_and_what_is_left_in_german)
 }
 
 TEST(GermanSession, made_names_of_rooms_and_walls_follow_the_language_and_the_maps_own_names_do_not) {
-    Session s;
+    Visitor s;
     s.app.apply(WorldEntered{make_ready(world("tests/scenarios/worlds/two_rooms_door.map"))}, 0.0);
     s.run(0.1);
     const std::string english = s.ask(Command::WhereAmI);

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "app/core/scenario/session_log.h"
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/newcomer.h"

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "app/core/scenario/session_log.h"
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
 #include "tests/unit/core/app_session.h"

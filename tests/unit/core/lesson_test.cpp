@@ -1,6 +1,6 @@
 #include "app/core/lessons/lesson.h"
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
 #include "worlds/base/language.h"
 
@@ -94,7 +94,7 @@ TEST(Lessons, of_the_beacon_are_over_when_it_was_set_and_reached_and_not_when_it
 // The same through the session: the thing is chosen from the list, the body walks there, the beacon ends.
 TEST(Lessons, of_the_beacon_lead_a_body_to_the_thing_it_chose) {
     const World w;
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     double now = 0.0;
     std::string text;
     const auto run = [&](double seconds) {
@@ -146,7 +146,7 @@ TEST(Lessons, say_little_enough_for_two_minutes) {
 // Through the session, where it goes on after it was left.
 TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done) {
     const World w;
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     std::map<std::string, std::string> saved;
     double now = 0.0;
     const auto said = [&] {
@@ -181,7 +181,7 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
 
     Settings next;
     next.welcome.step = 3;
-    AppCore later(next, HandFacts{});
+    Session later(next, HandFacts{});
     later.apply(FirstMinutesBegun{"a voice", true}, 0.0);
     later.apply(WorldEntered{make_ready(w.scene)}, 0.0);
     std::string text;
@@ -202,7 +202,7 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
 
 TEST(FirstMinutes, are_skipped_by_whoever_does_something_else_and_the_world_greets_then) {
     const World w;
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     app.apply(FirstMinutesBegun{"a voice", true}, 0.0);
     app.apply(WorldEntered{make_ready(w.scene)}, 0.0);
     app.take_cues();

@@ -3,7 +3,7 @@
 #include <random>
 #include <set>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/random_families.h"
 
@@ -207,10 +207,10 @@ TEST(Coordinates, say_metres_from_the_origin_and_height_above_what_is_below) {
 }
 
 // The keys, through the session.
-TEST(AppCoreQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_level) {
+TEST(SessionQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_level) {
     Settings settings;
     settings.speech.directions = DirectionChoice::Clock;
-    AppCore app(settings, HandFacts{});
+    Session app(settings, HandFacts{});
     app.apply(WorldEntered{make_ready(hall().share())}, 0.0);
     double now = 0.0;
     const auto ask = [&](Command command) {

@@ -11,8 +11,8 @@ namespace {
 
 std::shared_ptr<const Scene> house() { return test::our_world("house.map"); }
 
-struct Session : test::AppSession {
-    explicit Session(bool beside = false) {
+struct Visitor : test::AppSession {
+    explicit Visitor(bool beside = false) {
         if (beside) app.find_rooms_beside();
     }
 };
@@ -32,7 +32,7 @@ TEST(RoomsInASession, tell_on_entering_which_room_one_cannot_walk_to) {
         return std::make_shared<const Scene>(std::move(*scene));
     };
     for (const bool open : {false, true}) {
-        Session s;
+        Visitor s;
         s.app.apply(WorldEntered{make_ready(
                         world(open ? box_brush(144, 400, 70, 176, 410, 128) : box_brush(144, 400, 0, 176, 410, 128)))},
                     0.0);
@@ -44,7 +44,7 @@ TEST(RoomsInASession, tell_on_entering_which_room_one_cannot_walk_to) {
 }
 
 TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
-    Session s;
+    Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
     EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall. You are ")) << s.said.back();
@@ -67,7 +67,7 @@ TEST(RoomsInASession, tell_the_name_on_entering_another_one_unless_switched_off)
     for (const bool told : {true, false}) {
         Settings settings;
         settings.speech.rooms = told;
-        Session s;
+        Visitor s;
         s.app.apply(WorldEntered{make_ready(house())}, 0.0);
         s.app.apply(SettingsChanged{settings}, 0.0);
         s.run(0.1);
@@ -81,7 +81,7 @@ TEST(RoomsInASession, tell_the_name_on_entering_another_one_unless_switched_off)
 }
 
 TEST(RoomsInASession, lead_to_another_room_in_words_and_along_the_way) {
-    Session s;
+    Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
     s.ask(Command::Routes);
@@ -148,7 +148,7 @@ TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
 )",
                                 "balcony.map");
     ASSERT_TRUE(scene);
-    Session s;
+    Visitor s;
     s.app.apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*scene)))}, 0.0);
     s.run(0.1);
     s.ask(Command::Routes);
@@ -159,7 +159,7 @@ TEST(RoomsInASession, say_plainly_where_there_is_no_way) {
 }
 
 TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
-    Session s(true);
+    Visitor s(true);
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     // Another world gives up what was being looked for.
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
@@ -171,7 +171,7 @@ TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
 }
 
 TEST(RoomsInASession, are_drawn_on_the_plan_by_the_names_they_go_by_and_cost_nothing_without_it) {
-    Session s;
+    Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.ask(Command::Exits);
     s.run(0.1);

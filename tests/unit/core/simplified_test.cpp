@@ -34,7 +34,7 @@ bool is_felt(const HapticScene& scene, FeatureId feature) {
                        [&](const SurfaceLabel& label) { return label.feature == feature; });
 }
 
-double room_round(const AppCore& app, const Vec3& at_m) {
+double room_round(const Session& app, const Vec3& at_m) {
     return surrounding_of(*app.haptic_scene(), app.bodies().poses(), at_m, 1.0).distance_m;
 }
 
@@ -136,7 +136,7 @@ TEST(Simplified, needs_a_hand_and_keeps_what_bears_a_mark) {
 
 TEST(Simplified, knows_the_marks_of_a_world_and_no_others_before_it_is_compiled_once) {
     const auto house = test::our_world("house.map");
-    AppCore app({}, Explorer::facts("sim-t"));
+    Session app({}, Explorer::facts("sim-t"));
     app.apply(WorldEntered{make_ready(house)}, 0.0);
     const FeatureId stand = feature_named(*app.scene(), "Globe's stand");
     EXPECT_FALSE(is_felt(*app.haptic_scene(), stand));
@@ -196,7 +196,7 @@ std::shared_ptr<const Scene> open_rooms() {
 }
 
 TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) {
-    AppCore app({}, Explorer::facts("sim-t"));
+    Session app({}, Explorer::facts("sim-t"));
     app.find_rooms_beside();
     app.apply(WorldEntered{make_ready(open_rooms())}, 0.0);
     app.apply(CommandDown{Command::ScaleBuilding}, 0.0);
@@ -216,7 +216,7 @@ TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) 
 }
 
 // Until all that is made beside is there; real time, since it is made on a thread.
-std::string wait_for_touch(AppCore& app, double& now) {
+std::string wait_for_touch(Session& app, double& now) {
     std::string said;
     for (int frame = 0; frame < 20000 && (app.works_beside() || frame < 2); ++frame) {
         app.tick(now += 1.0 / 60.0, {});
@@ -238,7 +238,7 @@ bool any_rounded(const HapticScene& scene) {
 // itself waits for nothing.
 TEST(Simplified, makes_beside_the_session_what_it_makes_at_once) {
     const auto house = test::our_world("house.map");
-    AppCore beside({}, Explorer::facts("sim-t")), at_once({}, Explorer::facts("sim-t"));
+    Session beside({}, Explorer::facts("sim-t")), at_once({}, Explorer::facts("sim-t"));
     beside.feel_beside();
     beside.apply(WorldEntered{make_ready_to_touch(house)}, 0.0);
     at_once.apply(WorldEntered{make_ready(house)}, 0.0);
@@ -292,7 +292,7 @@ TEST(Simplified, makes_beside_the_session_what_it_makes_at_once) {
 // session, too.
 TEST(Simplified, settles_beside_the_session_what_has_come_to_rest) {
     const auto house = test::our_world("house.map");
-    AppCore app({}, Explorer::facts(nullptr));
+    Session app({}, Explorer::facts(nullptr));
     app.feel_beside();
     app.apply(WorldEntered{make_ready(house)}, 0.0);
     double now = 0.0;
@@ -389,7 +389,7 @@ TEST(Simplified, changes_under_the_hand_without_leaving_it_in_a_wall_or_a_jolt) 
 TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
     Settings settings;
     settings.desk.use = false;
-    AppCore app(settings, Explorer::facts("sim-t"));
+    Session app(settings, Explorer::facts("sim-t"));
     app.apply(LeftHandChanged{Explorer::facts("sim-t")}, 0.0);
     app.apply(WorldEntered{make_ready(open_rooms())}, 0.0);
     std::mt19937 random(test::seed_of_run());

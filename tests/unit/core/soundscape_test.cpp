@@ -3,7 +3,7 @@
 #include <random>
 #include <set>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "audio-cues/plan/sound_table.h"
 #include "tests/support/box_scene.h"
 
@@ -218,20 +218,20 @@ TEST(Soundscape, follows_sources_of_a_crowded_map_within_a_few_ticks_at_bounded_
     EXPECT_TRUE(playing.contains(59));
 }
 
-TEST(AppCoreSounds, ears_know_the_room_they_are_in) {
+TEST(SessionSounds, ears_know_the_room_they_are_in) {
     SceneBuilder b = closed_room("tile", "concrete", "concrete");
     b.start({3, 2, 0}, 0.0);
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     app.apply(WorldEntered{make_ready(b.share())}, 0.0);
     app.tick(0.1, ToolState{});
     EXPECT_NEAR(app.listener().reverberation_s, 3.6, 0.4);
 }
 
-TEST(AppCoreSounds, session_tells_the_planner_what_the_world_sounds_like) {
+TEST(SessionSounds, session_tells_the_planner_what_the_world_sounds_like) {
     SceneBuilder b = two_rooms();
     b.scene().sounds.push_back({{2.0, 3.0, 1.6}, "Clock", "clock_tick", 0.5});
     b.start({2, 1, 0}, 0.0);
-    AppCore app(Settings{}, HandFacts{});
+    Session app(Settings{}, HandFacts{});
     app.apply(WorldEntered{make_ready(b.share())}, 0.0);
     app.tick(0.1, ToolState{});
     const std::vector<CueRequest> cues = app.take_cues();

@@ -14,7 +14,7 @@ namespace {
 
 using test::SceneBuilder;
 
-// A body that trails until the time is up or the wall ends, as AppCore moves it, and what it was told.
+// A body that trails until the time is up or the wall ends, as Session moves it, and what it was told.
 struct Trailed {
     std::vector<TrailEvent> events;
     std::vector<Vec3> feet_m;

@@ -93,16 +93,16 @@ TEST(SideMerge, merges_tables_key_by_key) {
 class Twin {
 public:
     using Values = std::map<int, std::set<std::string>>;  // of each entry that is there
-    struct Session {
+    struct One {
         Values base, now;
         bool changed = false;
     };
-    Session a, b;
+    One a, b;
     Values file;
 
     // What is said of an entry is a set: what both began with and neither took away stays, and whatever either has
     // added. So a change counts more than a deletion, and of two changes both stay.
-    void save(Session& s) {
+    void save(One& s) {
         if (!std::exchange(s.changed, false)) return;
         std::set<int> all;
         for (const Values* one : {&s.base, &s.now, &file})
@@ -149,7 +149,7 @@ TEST(TwoSessions, random_interleavings_of_their_edits_lose_nothing) {
         for (int step = 0; step < 40; ++step) {
             const int who = upto(1);
             SideFile& file = files[static_cast<std::size_t>(who)];
-            Twin::Session& session = who == 0 ? twin.a : twin.b;
+            Twin::One& session = who == 0 ? twin.a : twin.b;
             std::vector<SideEntry> list = file.entries("mark");
             const auto here = names(list);
             ASSERT_EQ(std::multiset<std::string>(here.begin(), here.end()), all_of(session.now))

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "app/core/scenario/session_log.h"
-#include "app/core/session/app_core.h"
 #include "app/core/session/headless_session.h"
+#include "app/core/session/session.h"
 #include "audio-cues/sinks/recording_sinks.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/real_worlds.h"
@@ -44,7 +44,7 @@ struct Walk {
             return cue.kind == CueRequestKind::Play && cue.sound == kind;
         }));
     }
-    AppCore app;
+    Session app;
     double now = 0.0;
     std::vector<CueRequest> cues;
 };

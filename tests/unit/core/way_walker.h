@@ -13,7 +13,7 @@ namespace handrail::test {
 inline bool walk_along(AppSession& person, const std::function<bool()>& there, double seconds) {
     // Who turns a hand's breadth before a point cuts the corners that ways go round by no more than that.
     constexpr double kAtPoint_m = 0.05, kStuck_s = 0.5, kDoorOpens_s = 2.5;
-    AppCore& app = person.app;
+    Session& app = person.app;
     std::vector<Vec3> way;
     std::size_t at = 0;
     Vec3 was = app.feet_m();
@@ -63,7 +63,7 @@ inline bool go_to_room(AppSession& person, const std::string& room, double secon
 // Walks straight from place to place, whatever may be planned. `run(seconds)` lets time pass and gives
 // what it is then.
 template <class Run>
-void steer_along(AppCore& app, const std::vector<Vec3>& places, Run run) {
+void steer_along(Session& app, const std::vector<Vec3>& places, Run run) {
     double now_s = run(0.0);
     for (const Vec3& place : places)
         for (int frame = 0; frame < 600; ++frame) {

@@ -200,7 +200,7 @@ bool is_app(const std::string& file) {
 TEST(Classes, of_the_app_are_small_or_listed_here_with_sizes_that_only_fall) {
     const std::map<std::string, ClassSize> larger{
         {"Accessible::Impl", {7, 30}},
-        {"AppCore", {52, 42}},
+        {"Session", {52, 42}},
         {"Wizard", {12, 31}},
     };
     std::map<std::string, ClassSize> left = larger;

@@ -1,27 +1,27 @@
-// AppCore's part on what the person adds to a world: its file when one enters, and when it or another session changes
+// Session's part on what the person adds to a world: its file when one enters, and when it or another session changes
 // it. App thread only.
 #include <utility>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
 
 // What was added to the world that is entered.
-void AppCore::take_additions() {
+void Session::take_additions() {
     if (side_file_next_) additions_ = std::move(*std::exchange(side_file_next_, std::nullopt));
     else additions_ = SideFile();
     guide_.enter_world();
     mark_list_.enter_world();
 }
 
-void AppCore::tell_additions(double now_s) {
+void Session::tell_additions(double now_s) {
     for (const std::string& news : additions_.news()) say(news, SpeechClass::Answer, now_s);
     mark_list_.tell_faults(now_s);
     kept_ways_.enter_world(now_s);
 }
 
-void AppCore::save_additions(double now_s) {
+void Session::save_additions(double now_s) {
     if (const auto saved = additions_.save(); !saved)
         say(phrase("guide.not_kept", {{"why", saved.error().sentence()}}), SpeechClass::Alarm, now_s);
     const SideFile::TakenOver taken = additions_.take_over();
@@ -30,7 +30,7 @@ void AppCore::save_additions(double now_s) {
 }
 
 // Another session has added to this world or changed what was added: everything is as the file has it now.
-void AppCore::take_others_additions() {
+void Session::take_others_additions() {
     lists_.dialogue.close_all();  // a list goes by places that may have shifted
     mark_list_.take_again();
     kept_ways_.take_again();

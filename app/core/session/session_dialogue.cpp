@@ -1,7 +1,7 @@
-// AppCore's part on lists and typed answers: which keys go to them, and what is said. App thread only.
+// Session's part on lists and typed answers: which keys go to them, and what is said. App thread only.
 #include <algorithm>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 
 namespace handrail {
 namespace {
@@ -22,14 +22,14 @@ std::string_view without_blanks(std::string_view text) {
 
 }  // namespace
 
-bool AppCore::reply(const DialogueReply& reply, double now_s) {
+bool Session::reply(const DialogueReply& reply, double now_s) {
     if (!reply.taken) return false;
     if (reply.denied) play(SoundKind::Denied, now_s);
     if (!reply.words.empty()) answer(reply.words, now_s);
     return true;
 }
 
-bool AppCore::take_key(std::string_view key, double now_s) {
+bool Session::take_key(std::string_view key, double now_s) {
     if (works_always(person_.keys, key)) return false;
     if (menu_.commands().take_key(std::string(key), now_s)) return true;
     if (!lists_.dialogue.is_open()) return false;
@@ -37,19 +37,19 @@ bool AppCore::take_key(std::string_view key, double now_s) {
     return reply(lists_.dialogue.key(key, now_s), now_s);
 }
 
-bool AppCore::take_text(std::string_view utf8, double now_s) {
+bool Session::take_text(std::string_view utf8, double now_s) {
     if (!lists_.dialogue.is_open()) return false;
     quiet(now_s);
     return reply(lists_.dialogue.typed(utf8, now_s), now_s);
 }
 
-bool AppCore::take_act(const ItemAct& act, double now_s) {
+bool Session::take_act(const ItemAct& act, double now_s) {
     if (!lists_.dialogue.is_open()) return false;
     quiet(now_s);
     return reply(lists_.dialogue.act(act, now_s), now_s);
 }
 
-bool AppCore::take_line(std::string_view line, double now_s) {
+bool Session::take_line(std::string_view line, double now_s) {
     const std::string_view bare = without_blanks(line);
     if (lesson_session_.take_line(bare, now_s) || menu_.commands().take_line(bare, now_s)) return true;
     if (!lists_.dialogue.is_open()) return false;

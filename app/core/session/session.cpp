@@ -1,4 +1,4 @@
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@
 namespace handrail {
 namespace {}  // namespace
 
-AppCore::AppCore(const Settings& settings, const HandFacts& hand) : person_(settings) {
+Session::Session(const Settings& settings, const HandFacts& hand) : person_(settings) {
     hands_.right = hand;
     wire();
     lay_device_overrides(person_.settings, hands_.right);
@@ -23,7 +23,7 @@ AppCore::AppCore(const Settings& settings, const HandFacts& hand) : person_(sett
     for (const std::string& problem : person_.keys.problems()) say(problem, SpeechClass::Answer, 0.0);
 }
 
-void AppCore::enter_world(EnteringWorld world, double now_s) {
+void Session::enter_world(EnteringWorld world, double now_s) {
     settled_.give_up();
     body_.walker.reset();
     // The world one leaves is let go of beside everything else.
@@ -63,7 +63,7 @@ void AppCore::enter_world(EnteringWorld world, double now_s) {
     hunt_.begin_awaited(now_s);
 }
 
-void AppCore::set_hand(const HandFacts& hand, const Settings& settings, double now_s) {
+void Session::set_hand(const HandFacts& hand, const Settings& settings, double now_s) {
     forces_.take(hand);
     guide_.let_go();
     workspace_.take_hand();
@@ -71,7 +71,7 @@ void AppCore::set_hand(const HandFacts& hand, const Settings& settings, double n
     change_settings(settings, now_s);
 }
 
-std::string AppCore::entering_text() const {
+std::string Session::entering_text() const {
     const FreeSpace space = free_space(*world_.solids, feet_m(), kLookHeight_m, body_.heading_rad);
     std::string text = sentence_case(spoken_name(*world_.scene)) + ".";
     if (space.width_m > 0.0 && space.depth_m > 0.0)
@@ -87,7 +87,7 @@ std::string AppCore::entering_text() const {
     return text + " " + phrase("session.where_help_is");
 }
 
-void AppCore::press(Command command, double now_s) {
+void Session::press(Command command, double now_s) {
     if (keys_held_.held(command)) return;
     // Any key interrupts what is being said; Repeat wants it again, and Stop says so itself.
     if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward &&
@@ -99,9 +99,9 @@ void AppCore::press(Command command, double now_s) {
     act(command, now_s);
 }
 
-void AppCore::release(Command command) { keys_held_.release(command); }
+void Session::release(Command command) { keys_held_.release(command); }
 
-void AppCore::set_focus(bool focused) {
+void Session::set_focus(bool focused) {
     if (!focused) walking_.steer({});
     hands_.tuning.focused = focused;
     if (!focused) {
@@ -110,16 +110,16 @@ void AppCore::set_focus(bool focused) {
     }
 }
 
-void AppCore::know_stops(std::uint32_t stops, double now_s) {
+void Session::know_stops(std::uint32_t stops, double now_s) {
     if (forces_.know_stops(stops)) act(Command::StopEverything, now_s);
 }
 
-bool AppCore::idle() const {
+bool Session::idle() const {
     if (!lesson_session_.idle() || calibration_asked_) return false;
     return walking_.idle() && workspace_.idle() && !keys_held_.any();
 }
 
-void AppCore::act(Command command, double now_s) {
+void Session::act(Command command, double now_s) {
     if (!world_.scene) return;
     if (desk_visit_.refuses(command, now_s)) return;
     if (walking_.act(command, now_s) || workspace_.act(command, now_s) || forces_.act(command, now_s) ||
@@ -240,7 +240,7 @@ void AppCore::act(Command command, double now_s) {
     }
 }
 
-void AppCore::place(const Vec3& feet_m, double heading_rad, double now_s) {
+void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {
     contract_pre(world_.scene != nullptr);
     contract_pre(is_finite(feet_m) && std::isfinite(heading_rad));
     walking_.set_down(feet_m, heading_rad);
@@ -249,7 +249,7 @@ void AppCore::place(const Vec3& feet_m, double heading_rad, double now_s) {
 }
 
 // The body out of what it stands in, and the hand.
-void AppCore::bring_out(double now_s) {
+void Session::bring_out(double now_s) {
     const Vec3 workspace_was_m = workspace_.middle_m();
     std::string said = walking_.bring_out(now_s);
     const std::string of_hand = workspace_.bring_out(workspace_was_m, !said.empty(), now_s);
@@ -259,7 +259,7 @@ void AppCore::bring_out(double now_s) {
 }
 
 // The same world with something added or removed: everything else goes on.
-void AppCore::change_world(Scene scene, double now_s) {
+void Session::change_world(Scene scene, double now_s) {
     settled_.give_up();
     world_.scene = std::make_shared<const Scene>(std::move(scene));
     touch_view_.change_world(now_s);
@@ -267,7 +267,7 @@ void AppCore::change_world(Scene scene, double now_s) {
 
 // Everything has come to rest: where it is now is where it is found, drawn and led to. The walls that a body meets are
 // there already.
-void AppCore::settle(double) {
+void Session::settle(double) {
     if (touch_view_.beside()) {
         settled_.begin(
             [scene = world_.scene, now = things_now(world_)](const std::stop_token&) -> std::shared_ptr<const Scene> {
@@ -279,7 +279,7 @@ void AppCore::settle(double) {
     world_.movers.follow(world_.scene->movers);
 }
 
-void AppCore::take_settled() {
+void Session::take_settled() {
     auto settled = settled_.take();
     if (!settled || !*settled || world_.things.moving() || world_.movers.any_moving())
         return;  // what moves again settles again
@@ -289,7 +289,7 @@ void AppCore::take_settled() {
     settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
 }
 
-Result<void> AppCore::add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at,
+Result<void> Session::add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at,
                                 const std::string& material, double now_s) {
     if (!world_.scene) return fail(phrase("session.no_world"));
     if (world_.scene->placed.size() >= HapticScene::kMostBodies)
@@ -300,7 +300,7 @@ Result<void> AppCore::add_thing(const std::string& name, std::shared_ptr<const S
     return {};
 }
 
-Result<void> AppCore::remove_thing(const std::string& name, double now_s) {
+Result<void> Session::remove_thing(const std::string& name, double now_s) {
     if (!world_.scene) return fail(phrase("session.no_world"));
     auto changed = without_placed(world_now(world_), name);
     if (!changed) return tl::unexpected(changed.error());
@@ -308,7 +308,7 @@ Result<void> AppCore::remove_thing(const std::string& name, double now_s) {
     return {};
 }
 
-Result<void> AppCore::send_thing(const std::string& name, const Placement& to, double speed_m_per_s) {
+Result<void> Session::send_thing(const std::string& name, const Placement& to, double speed_m_per_s) {
     const int thing = world_.scene ? find_placed(*world_.scene, name) : -1;
     if (thing < 0) return fail(phrase("session.none_to_move", {{"name", name}}));
     if (!is_finite(to.position_m) || !std::isfinite(to.scale) || !(to.scale > 0.0) || !(speed_m_per_s > 0.0) ||
@@ -320,13 +320,13 @@ Result<void> AppCore::send_thing(const std::string& name, const Placement& to, d
     return {};
 }
 
-std::optional<Placement> AppCore::thing_at(const std::string& name) const {
+std::optional<Placement> Session::thing_at(const std::string& name) const {
     const int thing = world_.scene ? find_placed(*world_.scene, name) : -1;
     if (thing < 0) return std::nullopt;
     return world_.things.at(static_cast<std::size_t>(thing));
 }
 
-void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
+void Session::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
     contract_pre(std::isfinite(now_s));
     hands_.tool = tool;
     hands_.left_tool = left_tool;
@@ -375,15 +375,15 @@ void AppCore::tick(double now_s, const ToolState& tool, const ToolState& left_to
     forces_.tell_break(now_s);
 }
 
-void AppCore::set_left_hand(const HandFacts& hand, double now_s) {
+void Session::set_left_hand(const HandFacts& hand, double now_s) {
     hands_.left = hand;
     hands_.left_tool = {};
     if (world_.scene) publish_pose(now_s, PoseChange::Moved);
 }
 
-Listener AppCore::listener() const { return {body_.ears_m(), body_.heading_rad, soundscape_.reverberation_s()}; }
+Listener Session::listener() const { return {body_.ears_m(), body_.heading_rad, soundscape_.reverberation_s()}; }
 
-ViewState AppCore::view(const ToolState& tool, const std::string& last_spoken) const {
+ViewState Session::view(const ToolState& tool, const std::string& last_spoken) const {
     ViewState view;
     view.scene = world_.scene;
     view.feet_m = feet_m();

@@ -1,13 +1,13 @@
-// AppCore's part on settings that change while it goes on: all of them from outside, one of them by a command. App
+// Session's part on settings that change while it goes on: all of them from outside, one of them by a command. App
 // thread only.
 #include "app/core/context/device_settings.h"
 #include "app/core/kept/spoken_language.h"
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "settings/adjust.h"
 
 namespace handrail {
 
-void AppCore::change_settings(const Settings& settings, double now_s) {
+void Session::change_settings(const Settings& settings, double now_s) {
     if (settings.speech.language != person_.settings.speech.language) {
         for (const Diagnostic& fault : speak_as_set(settings.speech, menu_.languages().folder()))
             say(fault.sentence(), SpeechClass::Answer, now_s);
@@ -20,7 +20,7 @@ void AppCore::change_settings(const Settings& settings, double now_s) {
 }
 
 // A live change, wherever it comes from: at once in force, stored and saved by whoever owns the settings.
-Result<void> AppCore::change_setting(std::string_view key, const std::string& value, double now_s) {
+Result<void> Session::change_setting(std::string_view key, const std::string& value, double now_s) {
     Settings changed = person_.settings;
     if (auto done = handrail::change_setting(changed, key, value); !done) return done;
     person_.changes.emplace_back(std::string(key), setting_text(changed, key).value_or(value));
@@ -42,7 +42,7 @@ Result<void> AppCore::change_setting(std::string_view key, const std::string& va
 }
 
 // The same as a list has it; what it is then, or why it cannot be.
-std::string AppCore::change_setting(std::string_view key, const std::string& value) {
+std::string Session::change_setting(std::string_view key, const std::string& value) {
     Settings changed = person_.settings;
     if (const auto set = set_in(changed, key, value); !set) return set.error().message;
     person_.changes.emplace_back(std::string(key), value);

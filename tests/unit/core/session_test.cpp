@@ -1,4 +1,4 @@
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 
 #include "haptic/render/free_place.h"
 
@@ -26,8 +26,8 @@ std::shared_ptr<const Scene> room() {
     return b.share();
 }
 
-struct Session {
-    explicit Session(bool device = false) : app(Settings{}, facts(device)) {
+struct SessionAlone {
+    explicit SessionAlone(bool device = false) : app(Settings{}, facts(device)) {
         app.apply(WorldEntered{make_ready(room())}, 0.0);
     }
     static HandFacts facts(bool device) {
@@ -58,13 +58,13 @@ struct Session {
         return static_cast<int>(
             std::count_if(cues.begin(), cues.end(), [&](const CueRequest& cue) { return cue.kind == kind; }));
     }
-    AppCore app;
+    Session app;
     ToolState tool;
     double now = 0.0;
     std::vector<CueRequest> cues;
 };
 
-TEST(AppCore, says_once_on_entering_where_many_materials_crowd_unless_that_is_switched_off) {  // G3
+TEST(Session, says_once_on_entering_where_many_materials_crowd_unless_that_is_switched_off) {  // G3
     Scene scene = *room();
     for (const char* name : {"concrete", "wood", "carpet", "rubber", "steel grille", "glass"}) {
         Material material;
@@ -74,7 +74,7 @@ TEST(AppCore, says_once_on_entering_where_many_materials_crowd_unless_that_is_sw
         Settings settings;
         for (const bool hint : {true, false}) {
             settings.speech.crowding_hint = hint;
-            AppCore app(settings, Session::facts(false));
+            Session app(settings, SessionAlone::facts(false));
             app.apply(WorldEntered{make_ready(std::make_shared<Scene>(scene))}, 0.0);
             int told = 0;
             for (double now = 0.0; now < 1.0; now += 0.1) {
@@ -87,9 +87,9 @@ TEST(AppCore, says_once_on_entering_where_many_materials_crowd_unless_that_is_sw
     }
 }
 
-TEST(AppCore, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sharp_at_scales_for_details) {  // G7
+TEST(Session, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sharp_at_scales_for_details) {  // G7
     Settings settings;
-    AppCore app(settings, Session::facts(true));
+    Session app(settings, SessionAlone::facts(true));
     app.apply(WorldEntered{make_ready(room())}, 0.0);
     const auto largest = [&] {
         const auto& all = app.haptic_scene()->roundings_m;
@@ -110,8 +110,8 @@ TEST(AppCore, rounds_edges_by_hand_millimetres_at_room_scale_and_leaves_them_sha
     EXPECT_EQ(largest(), 0.0);
 }
 
-TEST(AppCore, says_on_entering_what_how_large_where_which_way_and_what_to_try) {
-    Session s;
+TEST(Session, says_on_entering_what_how_large_where_which_way_and_what_to_try) {
+    SessionAlone s;
     s.run(0.1);
     ASSERT_FALSE(s.said().empty());
     const std::string line = s.said().front();
@@ -120,8 +120,8 @@ TEST(AppCore, says_on_entering_what_how_large_where_which_way_and_what_to_try) {
         EXPECT_THAT(line, testing::HasSubstr(part));
 }
 
-TEST(AppCore, a_tap_is_one_step_and_a_bump_names_the_wall_once) {
-    Session s;
+TEST(Session, a_tap_is_one_step_and_a_bump_names_the_wall_once) {
+    SessionAlone s;
     s.tap(Command::Forward);
     s.run(1.0);
     EXPECT_NEAR(s.app.feet_m().y, 1.2, 1e-3);
@@ -136,16 +136,16 @@ TEST(AppCore, a_tap_is_one_step_and_a_bump_names_the_wall_once) {
     EXPECT_EQ(s.count(CueRequestKind::Bump), 2);
 }
 
-TEST(AppCore, taps_while_walking_are_walked_one_after_the_other) {
-    Session s;
+TEST(Session, taps_while_walking_are_walked_one_after_the_other) {
+    SessionAlone s;
     for (int i = 0; i < 3; ++i) s.tap(Command::Forward);
     s.run(3.0);
     EXPECT_NEAR(s.app.feet_m().y, 0.5 + 3 * 0.7, 1e-3);
     EXPECT_EQ(s.count(CueRequestKind::Footstep), 3);
 }
 
-TEST(AppCore, turns_snap_to_notches_and_the_body_follows_at_a_bounded_rate) {
-    Session s;
+TEST(Session, turns_snap_to_notches_and_the_body_follows_at_a_bounded_rate) {
+    SessionAlone s;
     s.tap(Command::TurnRight);
     EXPECT_LT(s.app.heading_rad(), radians_from_degrees(22.5));
     s.run(0.5);
@@ -158,8 +158,8 @@ TEST(AppCore, turns_snap_to_notches_and_the_body_follows_at_a_bounded_rate) {
     EXPECT_EQ(s.said().back(), "East");
 }
 
-TEST(AppCoreSteering, a_stick_walks_as_fast_as_it_is_pushed_and_stops_when_let_go) {
-    Session s;
+TEST(SessionSteering, a_stick_walks_as_fast_as_it_is_pushed_and_stops_when_let_go) {
+    SessionAlone s;
     s.app.apply(Steered{{.ahead = 0.5}}, s.now);
     s.run(1.0);
     EXPECT_NEAR(s.app.feet_m().y, 1.0, 0.02);
@@ -177,8 +177,8 @@ TEST(AppCoreSteering, a_stick_walks_as_fast_as_it_is_pushed_and_stops_when_let_g
     EXPECT_EQ(s.app.feet_m(), at);
 }
 
-TEST(AppCoreSteering, a_stick_turns_at_90_degrees_a_second_and_tells_where_to_once_it_rests) {
-    Session s;
+TEST(SessionSteering, a_stick_turns_at_90_degrees_a_second_and_tells_where_to_once_it_rests) {
+    SessionAlone s;
     s.app.apply(Steered{{.turn_right = 1.0}}, s.now);
     s.run(0.5);
     EXPECT_NEAR(s.app.heading_rad(), 0.8, 0.02);
@@ -189,8 +189,8 @@ TEST(AppCoreSteering, a_stick_turns_at_90_degrees_a_second_and_tells_where_to_on
     EXPECT_EQ(s.said().size(), 2U);
 }
 
-TEST(AppCoreSteering, what_is_no_number_is_rest_and_a_lost_keyboard_lets_go) {
-    Session s;
+TEST(SessionSteering, what_is_no_number_is_rest_and_a_lost_keyboard_lets_go) {
+    SessionAlone s;
     const Vec3 at = s.app.feet_m();
     s.app.apply(
         Steered{{std::nan(""), std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}},
@@ -204,13 +204,13 @@ TEST(AppCoreSteering, what_is_no_number_is_rest_and_a_lost_keyboard_lets_go) {
     EXPECT_EQ(s.app.feet_m(), at);
 }
 
-TEST(AppCoreSteering, passage_is_as_wide_as_the_room_across_the_way) {
-    Session s;
+TEST(SessionSteering, passage_is_as_wide_as_the_room_across_the_way) {
+    SessionAlone s;
     EXPECT_NEAR(s.app.passage_width_m(), 6.0, 1e-3);
 }
 
-TEST(AppCore, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
-    Session s(true);
+TEST(Session, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
+    SessionAlone s(true);
     s.tap(Command::TurnRight);
     s.run(0.5);
     EXPECT_EQ(s.app.pose().heading_rad, 0.0);
@@ -225,7 +225,7 @@ TEST(AppCore, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
     EXPECT_EQ(s.app.take_setting_changes().back().second, "map");
 }
 
-TEST(AppCore, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
+TEST(Session, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
     Settings settings;
     settings.haptic.ceiling = ForceCeiling::Full;
     settings.workspace.devices["sim-t"].scale = 90.0;
@@ -236,7 +236,7 @@ TEST(AppCore, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
     measured.offset_up_m = 0.01;
     settings.damaged_profiles.insert("sim-t 8");
     const auto core_of = [&](const std::string& serial) {
-        AppCore core(settings, HandFacts{true, true, *find_device_spec("sim-t"), serial});
+        Session core(settings, HandFacts{true, true, *find_device_spec("sim-t"), serial});
         core.apply(WorldEntered{make_ready(room())}, 0.0);
         return std::pair(core.tuning(), core.pose().origin_m - core.feet_m());
     };
@@ -251,8 +251,8 @@ TEST(AppCore, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
     EXPECT_EQ(core_of("9").first.force_ceiling_n, find_device_spec("sim-t")->peak_force_n);
 }
 
-TEST(AppCore, workspace_reaches_further_ahead_than_behind_in_the_frame_in_force) {
-    Session s(true);
+TEST(Session, workspace_reaches_further_ahead_than_behind_in_the_frame_in_force) {
+    SessionAlone s(true);
     s.run(0.1);
     EXPECT_NEAR(s.app.pose().origin_m.y - s.app.feet_m().y, 0.01 * 60.0, 1e-12);
     for (int i = 0; i < 4; ++i) s.tap(Command::TurnRight);
@@ -262,8 +262,8 @@ TEST(AppCore, workspace_reaches_further_ahead_than_behind_in_the_frame_in_force)
     EXPECT_NEAR(s.app.pose().origin_m.x - s.app.feet_m().x, 0.01 * 60.0, 1e-9);
 }
 
-TEST(AppCore, leaving_wants_a_second_escape_within_five_seconds) {
-    Session s;
+TEST(Session, leaving_wants_a_second_escape_within_five_seconds) {
+    SessionAlone s;
     s.tap(Command::Leave);
     EXPECT_FALSE(s.app.wants_to_leave());
     s.run(6.0);
@@ -273,8 +273,8 @@ TEST(AppCore, leaving_wants_a_second_escape_within_five_seconds) {
     EXPECT_TRUE(s.app.wants_to_leave());
 }
 
-TEST(AppCore, f12_raises_panic_until_f_confirms) {
-    Session s(true);
+TEST(Session, f12_raises_panic_until_f_confirms) {
+    SessionAlone s(true);
     const std::uint32_t confirm = s.app.tuning().confirm;
     s.tap(Command::StopEverything);
     EXPECT_TRUE(s.app.tuning().panic);
@@ -287,8 +287,8 @@ TEST(AppCore, f12_raises_panic_until_f_confirms) {
     EXPECT_FALSE(s.app.tuning().forces_on);
 }
 
-TEST(AppCore, a_stop_seen_by_the_servos_switch_is_followed_and_only_f_lets_it_go) {
-    Session s(true);
+TEST(Session, a_stop_seen_by_the_servos_switch_is_followed_and_only_f_lets_it_go) {
+    SessionAlone s(true);
     s.app.apply(Stopped{1}, s.now);
     s.app.apply(CommandDown{Command::StopEverything}, s.now);  // the window tells of the same press
     s.run(0.1);
@@ -302,8 +302,8 @@ TEST(AppCore, a_stop_seen_by_the_servos_switch_is_followed_and_only_f_lets_it_go
     EXPECT_EQ(s.app.tuning().stops_let_go, 1U);
 }
 
-TEST(AppCore, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
-    Session s(true);
+TEST(Session, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
+    SessionAlone s(true);
     s.tool.fault = Fault::Unplugged;
     s.tool.fault_latched = s.tool.fault_lasts = true;
     s.run(0.1);
@@ -325,8 +325,8 @@ TEST(AppCore, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
     EXPECT_EQ(s.said().back(), "The motors of the touch device are still too warm.");
 }
 
-TEST(AppCore, losing_the_keyboard_is_handed_to_the_servo_and_lets_keys_go) {
-    Session s(true);
+TEST(Session, losing_the_keyboard_is_handed_to_the_servo_and_lets_keys_go) {
+    SessionAlone s(true);
     s.app.apply(CommandDown{Command::Forward}, s.now);
     s.app.apply(FocusChanged{false}, s.now);
     EXPECT_FALSE(s.app.tuning().focused);
@@ -339,8 +339,8 @@ TEST(AppCore, losing_the_keyboard_is_handed_to_the_servo_and_lets_keys_go) {
     EXPECT_TRUE(s.app.tuning().focused);
 }
 
-TEST(AppCore, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key) {
-    Session s(false);
+TEST(Session, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key) {
+    SessionAlone s(false);
     s.app.apply(HandOffered{"Falcon"}, s.now);
     s.run(0.1);
     EXPECT_EQ(s.said().back(), "I found a Falcon. Press F or the grave key to use it.");
@@ -352,7 +352,7 @@ TEST(AppCore, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key)
     const Vec3 feet = s.app.feet_m();
     s.tool.contact_s = 500.0;
     s.run(0.1);
-    s.app.apply(HandChanged{Session::facts(true), Settings{}}, s.now);
+    s.app.apply(HandChanged{SessionAlone::facts(true), Settings{}}, s.now);
     s.tool = ToolState{};
     s.tap(Command::ToggleForces);
     EXPECT_FALSE(s.app.tuning().forces_on) << "now it is the force key again";
@@ -362,8 +362,8 @@ TEST(AppCore, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key)
     EXPECT_THAT(s.said().back(), testing::HasSubstr("15 minutes"));
 }
 
-TEST(AppCore, hints_at_a_break_once_for_each_quarter_hour_of_contact) {
-    Session s(true);
+TEST(Session, hints_at_a_break_once_for_each_quarter_hour_of_contact) {
+    SessionAlone s(true);
     const auto hints = [&] {
         const auto lines = s.said();
         return std::count_if(lines.begin(), lines.end(),
@@ -381,8 +381,8 @@ TEST(AppCore, hints_at_a_break_once_for_each_quarter_hour_of_contact) {
     EXPECT_EQ(hints(), 2);
 }
 
-TEST(AppCore, what_is_this_tells_the_name_and_on_asking_again_the_size) {
-    Session s(true);
+TEST(Session, what_is_this_tells_the_name_and_on_asking_again_the_size) {
+    SessionAlone s(true);
     s.tool.contacts.count = 1;
     s.tool.contacts.contacts[0].feature = FeatureId{5};
     s.run(0.1);
@@ -392,23 +392,23 @@ TEST(AppCore, what_is_this_tells_the_name_and_on_asking_again_the_size) {
     EXPECT_THAT(s.said().back(), testing::HasSubstr("1 by 0.5 metres"));
 }
 
-TEST(AppCore, the_ball_is_four_per_cent_of_a_six_metre_room_and_never_too_big_for_a_door) {
-    Session s(true);
+TEST(Session, the_ball_is_four_per_cent_of_a_six_metre_room_and_never_too_big_for_a_door) {
+    SessionAlone s(true);
     EXPECT_NEAR(s.app.tuning().touch.radius_m, 0.12, 1e-12);
     SceneBuilder b;
     b.box({0, 0, 0}, {0.6, 0.1, 2}, "Door", SolidRole::Mover, "wood", FeatureKind::Door);
-    AppCore narrow(Settings{}, Session::facts(true));
+    Session narrow(Settings{}, SessionAlone::facts(true));
     narrow.apply(WorldEntered{make_ready(b.share())}, 0.0);
     EXPECT_NEAR(narrow.tuning().touch.radius_m, 0.1, 1e-12);
 }
 
-TEST(AppCore, falling_out_of_the_world_brings_one_back_to_the_base) {
+TEST(Session, falling_out_of_the_world_brings_one_back_to_the_base) {
     SceneBuilder b;
     b.box({-1, -1, -0.2}, {1, 1, 0}, "floor");
     b.start({0, 0, 0}, 0.0);
     Settings settings;
     settings.walk.stop_at_drops = false;
-    AppCore app(settings, Session::facts(false));
+    Session app(settings, SessionAlone::facts(false));
     app.apply(WorldEntered{make_ready(b.share())}, 0.0);
     app.apply(CommandDown{Command::Forward}, 0.0);
     double lowest = 0.0;
@@ -421,8 +421,8 @@ TEST(AppCore, falling_out_of_the_world_brings_one_back_to_the_base) {
     EXPECT_NEAR(app.feet_m().z, 0.0, 1e-3);
 }
 
-TEST(AppCore, home_goes_back_and_every_command_can_be_given_without_harm) {
-    Session s(true);
+TEST(Session, home_goes_back_and_every_command_can_be_given_without_harm) {
+    SessionAlone s(true);
     for (int round = 0; round < 2; ++round)
         for (const CommandInfo& row : command_table())
             if (row.command != Command::Leave) s.tap(row.command);
@@ -434,8 +434,8 @@ TEST(AppCore, home_goes_back_and_every_command_can_be_given_without_harm) {
     EXPECT_FALSE(s.app.wants_to_leave());
 }
 
-TEST(AppCore, sets_things_down_moves_and_removes_them_while_everything_goes_on) {
-    Session s(true);
+TEST(Session, sets_things_down_moves_and_removes_them_while_everything_goes_on) {
+    SessionAlone s(true);
     s.run(0.1);
     const auto world = s.app.haptic_scene()->world;
     const auto box = box_model({0.5, 0.5, 0.5});
@@ -475,8 +475,8 @@ TEST(AppCore, sets_things_down_moves_and_removes_them_while_everything_goes_on) 
     EXPECT_FALSE(s.app.remove_thing("crate", s.now));
 }
 
-TEST(AppCore, brings_body_and_hand_out_of_what_they_are_in) {
-    Session s(true);
+TEST(Session, brings_body_and_hand_out_of_what_they_are_in) {
+    SessionAlone s(true);
     s.tool.hip_m = Vec3(3.0, 1.5, 1.0);
     s.run(0.1);
     s.tap(Command::BringOut);
@@ -498,8 +498,8 @@ TEST(AppCore, brings_body_and_hand_out_of_what_they_are_in) {
     EXPECT_GE(std::max(std::abs(s.app.feet_m().x - 3.0), std::abs(s.app.feet_m().y - 2.0)), 1.25 - 1e-3);
 }
 
-TEST(AppCore, says_the_scale_first_and_keeps_the_place_under_the_hand) {
-    Session s(true);
+TEST(Session, says_the_scale_first_and_keeps_the_place_under_the_hand) {
+    SessionAlone s(true);
     s.run(0.1);
     s.tool.ticks = 10;
     s.tool.workspace_jump = s.app.pose().jump;
@@ -525,8 +525,8 @@ TEST(AppCore, says_the_scale_first_and_keeps_the_place_under_the_hand) {
     EXPECT_EQ(s.app.settings().workspace.scale, 60.0) << "a named scale changes no setting";
 }
 
-TEST(AppCore, building_scale_lays_the_building_round_the_hand_and_not_the_hand_into_a_wall) {
-    Session s(true);
+TEST(Session, building_scale_lays_the_building_round_the_hand_and_not_the_hand_into_a_wall) {
+    SessionAlone s(true);
     s.run(0.1);
     s.tool.ticks = 10;
     s.tool.workspace_jump = s.app.pose().jump;
@@ -542,8 +542,8 @@ TEST(AppCore, building_scale_lays_the_building_round_the_hand_and_not_the_hand_i
     EXPECT_LT(glm::length(s.app.pose().origin_m - Vec3(3.0, 2.0, 1.0)), 1.0);
 }
 
-TEST(AppCore, workspace_stays_when_it_does_not_follow_the_walk) {
-    Session s(true);
+TEST(Session, workspace_stays_when_it_does_not_follow_the_walk) {
+    SessionAlone s(true);
     Settings own;
     own.workspace.follows_walk = false;
     s.app.apply(SettingsChanged{own}, s.now);
@@ -557,8 +557,8 @@ TEST(AppCore, workspace_stays_when_it_does_not_follow_the_walk) {
     EXPECT_NEAR(s.app.pose().origin_m.y, before.y + 0.7, 1e-3);
 }
 
-TEST(AppCore, grabbing_by_key_ends_with_the_key_the_stop_key_and_a_lost_window) {
-    Session s(true);
+TEST(Session, grabbing_by_key_ends_with_the_key_the_stop_key_and_a_lost_window) {
+    SessionAlone s(true);
     s.run(0.1);
     for (const auto& end : std::vector<std::function<void()>>{
              [&] { s.tap(Command::Grab); }, [&] { s.tap(Command::StopEverything); },
@@ -570,8 +570,8 @@ TEST(AppCore, grabbing_by_key_ends_with_the_key_the_stop_key_and_a_lost_window) 
     }
 }
 
-TEST(AppCore, the_ways_to_move_the_workspace_are_the_persons_choice) {
-    Session s(true);
+TEST(Session, the_ways_to_move_the_workspace_are_the_persons_choice) {
+    SessionAlone s(true);
     EXPECT_TRUE(s.app.tuning().workspace.rim);
     EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 1U);
     Settings own;
@@ -586,8 +586,8 @@ TEST(AppCore, the_ways_to_move_the_workspace_are_the_persons_choice) {
     EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 0U) << "the button that is held to feel anything does not grab";
 }
 
-TEST(AppCore, two_hands_have_their_own_limits_and_go_along_with_each_others_workspace) {
-    Session s(true);
+TEST(Session, two_hands_have_their_own_limits_and_go_along_with_each_others_workspace) {
+    SessionAlone s(true);
     HandFacts left;
     left.present = left.simulated = true;
     left.spec = *find_device_spec("sim-t");

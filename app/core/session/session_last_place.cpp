@@ -1,7 +1,7 @@
-// AppCore's part on going on where a session that was never left had come to. App thread only.
+// Session's part on going on where a session that was never left had come to. App thread only.
 #include <algorithm>
 
-#include "app/core/session/app_core.h"
+#include "app/core/session/session.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -11,7 +11,7 @@ constexpr double kOutside_m = 10.0;  // farther out of the world nobody has stoo
 
 }  // namespace
 
-void AppCore::ask_for_last_place(double now_s) {
+void Session::ask_for_last_place(double now_s) {
     if (!last_place_) {
         play(SoundKind::Denied, now_s);
         return answer(phrase("last_place.none"), now_s);
@@ -19,7 +19,7 @@ void AppCore::ask_for_last_place(double now_s) {
     last_place_wanted_ = last_place_;
 }
 
-void AppCore::go_on_at(const LastPlace& last, double now_s) {
+void Session::go_on_at(const LastPlace& last, double now_s) {
     const Vec3 room(kOutside_m);
     const Aabb& bounds = world_.scene->bounds_m;
     if (bounds.empty() || glm::any(glm::lessThan(last.feet_m, bounds.min_m - room)) ||

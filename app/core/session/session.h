@@ -58,11 +58,11 @@
 
 namespace handrail {
 
-class AppCore {
+class Session {
 public:
-    AppCore(const Settings& settings, const HandFacts& hand);
-    AppCore(const AppCore&) = delete;  // lists that are open and sounds that wait know it by its place
-    AppCore& operator=(const AppCore&) = delete;
+    Session(const Settings& settings, const HandFacts& hand);
+    Session(const Session&) = delete;  // lists that are open and sounds that wait know it by its place
+    Session& operator=(const Session&) = delete;
 
     // The one way in (session_input.h). False where a key, text, line or act was not taken. now_s as in tick.
     bool apply(SessionInput input, double now_s);
@@ -188,7 +188,7 @@ private:
     void quiet(double now_s) { cues_.quiet(now_s); }
     void rescale(const Settings& changed, double now_s) { workspace_.rescale(changed, now_s); }
     void feel_otherwise(const Settings& changed, double now_s) { workspace_.feel_otherwise(changed, now_s); }
-    // Lists: app_core_dialogue.cpp.
+    // Lists: session_dialogue.cpp.
     bool reply(const DialogueReply& reply, double now_s);
     std::string change_setting(std::string_view key, const std::string& value);
     void bring_out(double now_s);
@@ -196,7 +196,7 @@ private:
     void change_world(Scene scene, double now_s);
     void settle(double now_s);
     void take_settled();
-    // What the person added: app_core_additions.cpp.
+    // What the person added: session_additions.cpp.
     void take_additions();
     void tell_additions(double now_s);
     void save_additions(double now_s);
