@@ -108,6 +108,7 @@ struct Settings {
         bool corner = true, drop = true,
              ways = true;         // cues as those above: corners and openings; edges; doors and stairs ahead
         bool swap_sides = false;  // left and right ear are exchanged, for headphones worn or wired the other way round
+        bool as_text = false;     // every cue is told in a few words of text, for who reads instead of hearing
         bool workspace = true;    // a cue as those above: rim and grip
         bool desk = true;         // likewise: what clicks at the desk
         bool marks = true;        // likewise: marks, landmarks and clues that are near

@@ -113,6 +113,7 @@ const std::array kTable{
     SettingInfo{"sound.beacon", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.beacon)}},
     SettingInfo{"sound.guide", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.guide)}},
     SettingInfo{"sound.swap_sides", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.swap_sides)}},
+    SettingInfo{"sound.as_text", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.as_text)}},
     SettingInfo{"desk.use", "", kPersonOnly, SwitchField{HANDRAIL_AT(desk.use)}},
     SettingInfo{"pads.use", "", kPersonOnly, SwitchField{HANDRAIL_AT(pads.use)}},
     SettingInfo{"pads.triggers", "", kPersonOnly, SwitchField{HANDRAIL_AT(pads.triggers)}},

@@ -66,8 +66,9 @@ void Ears::follow_listener(const Session& app) {
     if (braille_) braille_->heading_rad = listener.heading_rad;
 }
 
-void Ears::follow_hands(bool two) {
+void Ears::follow_hands(bool two, bool stands_in) {
     if (std::exchange(two_hands_, two) != two) sound_->set_two_hands(two);
+    if (std::exchange(hand_stands_in_, stands_in) != stands_in) sound_->set_hand_stands_in(stands_in);
 }
 
 void Ears::note_spoken() {

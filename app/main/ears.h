@@ -35,7 +35,7 @@ public:
     void follow_world(const Session& app);
     void show_dialogue(const Session& app);
     void follow_listener(const Session& app);
-    void follow_hands(bool two);
+    void follow_hands(bool two, bool stands_in);
     // The last sentence that was said, as of note_spoken.
     void note_spoken();
     const std::string& last_spoken() const { return last_spoken_; }
@@ -49,7 +49,7 @@ private:
     std::unique_ptr<AudioThread> sound_;
     std::shared_ptr<const Scene> given_scene_;  // what it was last given
     int given_world_ = 0;
-    bool two_hands_ = false;
+    bool two_hands_ = false, hand_stands_in_ = false;
     std::string last_spoken_;
 };
 

@@ -219,7 +219,7 @@ private:
     void notice_left_hand(double now_s) {
         std::vector<std::string> news;
         if (left_.take_change(news)) app_.apply(LeftHandChanged{left_.facts()}, now_s);
-        ears_.follow_hands(app_.two_hands());
+        ears_.follow_hands(app_.two_hands(), hand_.stands_in());
         for (std::string& sentence : news) say_(std::move(sentence));
     }
 

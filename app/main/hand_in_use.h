@@ -50,6 +50,8 @@ public:
 
     // There is a servo, and so something that feels.
     bool driven() const { return servo_ != nullptr; }
+    // A simulated one that nobody asked for.
+    bool stands_in() const { return facts_.present && facts_.simulated && !hand_without_looking(wanted()); }
     // A hand that can be set up. A simulated one counts only for who asked for one: nobody else wants to be asked to
     // move its grip.
     bool can_be_set_up() const;

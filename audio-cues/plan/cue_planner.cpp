@@ -28,7 +28,7 @@ constexpr double kDemonstrates_s = 2.5;
 constexpr std::uint32_t kDemonstration = 0xffffffffU;             // the source of a loop that is only shown
 constexpr double kSlowestPulse_hz = 1.5, kFastestPulse_hz = 8.0;  // of the wall tone, at its range and at the wall
 constexpr double kAlarmFloor = 0.2;                               // settings: everything but alarms may fall below
-constexpr std::size_t kMostAlarmsWaiting = 4;
+constexpr std::size_t kMostAlarmsWaiting = 4, kMostWarningsWaiting = 4;
 
 double to_decimetre(double length_m) { return std::round(length_m * 10.0) / 10.0; }
 
@@ -107,10 +107,16 @@ void CuePlanner::tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& spe
     // 4. One voice.
     speak_waiting(inputs.now_s, speech);
     demonstrate(inputs.now_s, audio, speech);
+    // 5. Sounds as text, after what was said of the same.
+    for (const SoundCue& cue : sounds_to_tell_)
+        if (std::string text = sound_words_.tell(cue, inputs.listener, inputs.now_s); !text.empty())
+            speech.write({.text = std::move(text), .speech_class = SpeechClass::Ambient});
+    sounds_to_tell_.clear();
 }
 
 void CuePlanner::flush(double now_s, SpeechSink& speech) {
     write_waiting(alarms_, now_s, speech);
+    write_waiting(warnings_, now_s, speech);
     write_waiting(answers_, now_s, speech);
 }
 
@@ -126,7 +132,16 @@ double CuePlanner::volume_of(SoundKind kind) const {
     return kind == SoundKind::Alarm ? std::max(volume, kAlarmFloor) : volume;
 }
 
-void CuePlanner::play(SoundCue cue, AudioSink& audio) const {
+// A sound that is switched off is not told either; one that is only turned down is.
+void CuePlanner::tell_sound(const SoundCue& cue) {
+    const SoundInfo& row = info(cue.kind);
+    if (!settings_.sound.as_text || (row.on != nullptr && !(settings_.sound.*row.on))) return;
+    if (cue.loudness > 0.0) sounds_to_tell_.push_back(cue);
+    else sound_words_.forget(cue.kind, cue.source);
+}
+
+void CuePlanner::play(SoundCue cue, AudioSink& audio) {
+    tell_sound(cue);
     cue.loudness = std::clamp(cue.loudness, 0.0, 1.0) * volume_of(cue.kind);
     if (cue.kind == SoundKind::Alarm) cue.loudness = std::max(cue.loudness, kAlarmFloor);
     if (cue.loudness > 0.0) audio.play(cue);
@@ -152,6 +167,7 @@ void CuePlanner::touch(Hand& hand, const ContactEvent& event) {
 void CuePlanner::keep_world_sounds(AudioSink& audio) {
     for (const SoundCue& asked : world_sounds_) {
         SoundCue cue = asked;
+        tell_sound(hushed_ ? SoundCue{.kind = cue.kind, .loudness = 0.0, .source = cue.source} : cue);
         cue.loudness = hushed_ ? 0.0 : cue.loudness * volume_of(cue.kind);
         audio.set_loop(cue);
     }
@@ -243,6 +259,7 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
         }
         case ContactEventKind::FaultRaised:
             stop_slide(hand, audio);
+            if (hand_stands_in_) return;
             play(
                 {.kind = is_pause(event.fault) ? SoundKind::ForcesOff : SoundKind::Alarm, .event_time_s = event.time_s},
                 audio);
@@ -269,7 +286,7 @@ void CuePlanner::on_contact(const ContactEvent& event, AudioSink& audio) {
             play({.kind = SoundKind::Click, .event_time_s = event.time_s}, audio);
             return;
         case ContactEventKind::FaultCleared:
-            play({.kind = SoundKind::ForcesOn, .event_time_s = event.time_s}, audio);
+            if (!hand_stands_in_) play({.kind = SoundKind::ForcesOn, .event_time_s = event.time_s}, audio);
             return;
     }
 }
@@ -303,7 +320,8 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             const Feature* feature = scene_ ? scene_->find(request.feature) : nullptr;
             if (cue.material == SoundClass::Generic && feature != nullptr) cue.material = sound_of(feature->material);
             play(cue, audio);
-            name_touched(hands_[0], false, request.feature, asked_s, 0.0, kKeepBump_s);
+            if (request.text.empty()) name_touched(hands_[0], false, request.feature, asked_s, 0.0, kKeepBump_s);
+            else warn(request, asked_s, now_s, speech);
             return;
         }
         case CueRequestKind::WallTone: {
@@ -313,6 +331,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             cue.pulses_per_s =
                 kSlowestPulse_hz + (kFastestPulse_hz - kSlowestPulse_hz) * std::clamp(request.loudness, 0.0, 1.0);
             const bool on = cue.loudness > 0.0;
+            tell_sound(cue);
             if (on || wall_tone_on_) audio.set_loop(cue);
             wall_tone_on_ = on;
             return;
@@ -373,10 +392,29 @@ void CuePlanner::ask(const std::string& text, SpeechClass speech_class, double a
     if (speech_class == SpeechClass::Alarm) {
         if (alarms_.size() == kMostAlarmsWaiting) alarms_.pop_front();
         alarms_.push_back(std::move(waiting));
+    } else if (settings_.speech.verbosity > 0 && speech_class == SpeechClass::Warning) {
+        if (warnings_.size() == kMostWarningsWaiting) warnings_.pop_front();
+        waiting.repeatable = true;
+        warnings_.push_back(std::move(waiting));
     } else if (settings_.speech.verbosity > 0) {
         waiting.expires_s = asked_s + kKeepName_s;
         (speech_class == SpeechClass::Contact ? hands_[0].name : hint_) = std::move(waiting);
     }
+}
+
+// A step that was blocked: said, or written where it has just been said, so that whoever reads has an answer to each
+// step and whoever listens only the thud.
+void CuePlanner::warn(const CueRequest& request, double asked_s, double now_s, SpeechSink& speech) {
+    if (settings_.speech.verbosity <= 0) return;
+    const auto said = said_at_s_.find(speakable(request.text));
+    if (said == said_at_s_.end() || now_s - said->second >= kSayAgain_s)
+        return ask(request.text, SpeechClass::Warning, asked_s, true);
+    said->second = now_s;
+    Waiting again{.utterance = {.text = speakable(request.written.empty() ? request.text : request.written),
+                                .speech_class = SpeechClass::Warning},
+                  .asked_s = asked_s,
+                  .repeatable = true};
+    if (keep_line(again, now_s)) speech.write(again.utterance);
 }
 
 void CuePlanner::answer(Waiting waiting, double now_s, SpeechSink& speech) {
@@ -404,13 +442,18 @@ void CuePlanner::speak_waiting(double now_s, SpeechSink& speech) {
         say_now(alarms_.front(), now_s, speech);
         alarms_.pop_front();
     }
-    while (!answers_.empty() && !busy_with(SpeechClass::Alarm)) {
+    while (!warnings_.empty() && !busy_with(SpeechClass::Alarm) && !busy_with(SpeechClass::Warning)) {
+        say_now(warnings_.front(), now_s, speech);
+        warnings_.pop_front();
+    }
+    while (!answers_.empty() && !busy_with(SpeechClass::Alarm) && !busy_with(SpeechClass::Warning)) {
         const bool same_reply = answers_.front().asked_s == speaking_asked_s_;
         if (busy_with(SpeechClass::Answer) && same_reply) break;
         say_now(answers_.front(), now_s, speech);
         answers_.pop_front();
     }
-    const bool engaged = waiting() || busy_with(SpeechClass::Alarm) || busy_with(SpeechClass::Answer);
+    const bool engaged =
+        waiting() || busy_with(SpeechClass::Alarm) || busy_with(SpeechClass::Warning) || busy_with(SpeechClass::Answer);
     for (Hand& hand : hands_) {
         // One hand's name does not cut the other's short; it waits as behind an answer.
         const bool others = busy_with(SpeechClass::Contact) && naming_ != hand.number;

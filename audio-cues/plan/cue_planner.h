@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "audio-cues/plan/sinks.h"
+#include "audio-cues/plan/sound_words.h"
 #include "haptic/servo/servo_tick.h"
 #include "settings/settings.h"
 #include "worlds/scene/scene.h"
@@ -21,7 +22,8 @@ namespace handrail {
 enum class CueRequestKind : std::uint8_t {
     Say,          // text, speech_class; `repeatable` lifts the 5 s rule (answers to keys)
     Footstep,     // material, position
-    Bump,         // body met `feature` at `position`; thud, and its name unless that was said within 5 s
+    Bump,         // body met `feature` at `position`; thud, and `text` as a warning; within 5 s of the last time it is
+                  // not said again but `written`, each time
     WallTone,     // loudness by distance, at `position`; loudness 0: off
     StopSpeech,   // Control key: the voice is silent and what waited to be said is dropped
     SilenceAll,   // F12: voice and sounds; loops stay off until the next step, bump or touch
@@ -38,7 +40,7 @@ enum class CueRequestKind : std::uint8_t {
 struct CueRequest {
     CueRequestKind kind = CueRequestKind::Say;
     double time_s = 0.0;  // Answers of one and the same time are one reply: said one after the other
-    std::string text;
+    std::string text, written;
     SpeechClass speech_class = SpeechClass::Answer;
     bool repeatable = false;
     SoundKind sound = SoundKind::Beep;
@@ -72,12 +74,12 @@ struct CueInputs {
 // Empty when the feature has no name. Two levels up is what a second press of the same question wants.
 std::string describe_feature(const Scene& scene, FeatureId id, int verbosity);
 
-// Speech. Names and hints are silent, in every sink, at verbosity 0 ("sounds only"); alarms and answers are said at
-// every level, since a person who asks is owed an answer. A text is not said twice within 5 s unless its request is
-// `repeatable`. A name is said 40 ms after the touch, the newest one only, so that a corner gives one name and not two
-// halves; while an answer or alarm is speaking, it waits and is dropped when the hand has left meanwhile. Sounds.
-// Loudness is the product of Settings::Sound; alarms never fall below 0.2. Contact sounds do not follow the 5 s rule;
-// only the same feature within 50 ms is chatter and is heard once.
+// Speech. Names, hints and warnings are silent, in every sink, at verbosity 0 ("sounds only"); alarms and answers are
+// said at every level, since a person who asks is owed an answer. A text is not said twice within 5 s unless its
+// request is `repeatable`. A name is said 40 ms after the touch, the newest one only, so that a corner gives one name
+// and not two halves; while an answer or alarm is speaking, it waits and is dropped when the hand has left meanwhile.
+// Sounds. Loudness is the product of Settings::Sound; alarms never fall below 0.2. Contact sounds do not follow the 5 s
+// rule; only the same feature within 50 ms is chatter and is heard once.
 class CuePlanner {
 public:
     explicit CuePlanner(Settings settings);
@@ -89,12 +91,14 @@ public:
     void follow_edit(std::shared_ptr<const Scene> scene);
     // With two hands it is said which one touches: "Left hand: door".
     void set_two_hands(bool two) { two_hands_ = two; }
+    // The hand is simulated, for want of a device: nothing is heard of its force, which nobody feels.
+    void set_hand_stands_in(bool stands_in) { hand_stands_in_ = stands_in; }
     // Handles all inputs in order, contacts first, and drives the sinks, their tick() included. `now_s` never goes
     // back.
     void tick(const CueInputs& inputs, AudioSink& audio, SpeechSink& speech);
     // At the end: what still waits is written, so that text sinks hold every answer.
     void flush(double now_s, SpeechSink& speech);
-    bool waiting() const { return !alarms_.empty() || !answers_.empty(); }
+    bool waiting() const { return !alarms_.empty() || !warnings_.empty() || !answers_.empty(); }
     const std::vector<SpokenLine>& spoken() const { return spoken_; }  // at most the last kMaxSpoken lines
     std::uint64_t spoken_in_all() const { return spoken_in_all_; }
 
@@ -148,7 +152,9 @@ private:
     bool keep_line(const Waiting& waiting, double now_s);  // false: said within 5 s
     void say_now(const Waiting& waiting, double now_s, SpeechSink& speech);
     double volume_of(SoundKind kind) const;  // 0 where it is switched off
-    void play(SoundCue cue, AudioSink& audio) const;
+    void play(SoundCue cue, AudioSink& audio);
+    void tell_sound(const SoundCue& cue);
+    void warn(const CueRequest& request, double asked_s, double now_s, SpeechSink& speech);
     SoundClass sound_of(MaterialId material) const;
 
     Settings settings_;
@@ -158,18 +164,21 @@ private:
     std::uint64_t spoken_in_all_ = 0;
     std::size_t back_ = 0;                               // how far back in the history the person is; 0: not at all
     std::unordered_map<std::string, double> said_at_s_;  // texts of the last 5 s
-    std::deque<Waiting> alarms_, answers_;
+    std::deque<Waiting> alarms_, warnings_, answers_;
     std::optional<Waiting> hint_;
     SpeechClass speaking_class_ = SpeechClass::Ambient;  // of the last utterance; counts while the sink is speaking
     double speaking_asked_s_ = 0.0;
 
     std::array<Hand, 2> hands_;  // the only or right one, the left one
     bool two_hands_ = false;
+    bool hand_stands_in_ = false;
     std::uint8_t naming_ = 0;  // whose touch was named last
     bool wall_tone_on_ = false;
     std::vector<SoundCue> world_sounds_;  // as asked for, before volume; those that sound are the ones with a volume
     bool hushed_ = false;                 // after SilenceAll, until something happens
     bool left_foot_ = false;
+    SoundWords sound_words_;
+    std::vector<SoundCue> sounds_to_tell_;  // of this tick
     struct Demonstration {
         SoundCue cue;
         bool playing = false;  // a loop

@@ -14,10 +14,12 @@
 namespace handrail {
 
 // Who may interrupt whom: a class cuts itself short and everything after it in this list, never anything before it.
-// Alarms alone wait for each other, so that none is lost. CuePlanner keeps these rules; a sink that is told to say
+// Alarms and warnings wait for others of their own, so that none is
+// lost. CuePlanner keeps these rules; a sink that is told to say
 // something always says it at once.
 enum class SpeechClass : std::uint8_t {
-    Alarm,    // safety: cuts all
+    Alarm,    // of a device or of the program itself: cuts all
+    Warning,  // what a foot must know at once: a drop, stairs, something shut, a step that was blocked
     Answer,   // reply to a key
     Contact,  // name of what is touched or bumped into: newest replaces older
     Ambient,  // hints: dropped when anything else speaks

@@ -55,6 +55,11 @@ void AudioThread::set_two_hands(bool two) {
     inbox_.two_hands = two;
 }
 
+void AudioThread::set_hand_stands_in(bool stands_in) {
+    const std::lock_guard lock(mutex_);
+    inbox_.hand_stands_in = stands_in;
+}
+
 std::string AudioThread::who_speaks() {
     const std::lock_guard lock(mutex_);
     return who_;
@@ -77,6 +82,7 @@ void AudioThread::step() {
         audio_->set_sound(inbox.settings->sound);
     }
     if (inbox.two_hands) planner_.set_two_hands(*inbox.two_hands);
+    if (inbox.hand_stands_in) planner_.set_hand_stands_in(*inbox.hand_stands_in);
     if (inbox.scene) planner_.enter_world(std::move(*inbox.scene));
     if (inbox.edited) planner_.follow_edit(std::move(*inbox.edited));
     drops_out_.store(audio_->drops_out(), std::memory_order_relaxed);

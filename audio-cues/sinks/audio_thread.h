@@ -48,6 +48,7 @@ public:
     void follow_edit(std::shared_ptr<const Scene> scene);  // see CuePlanner
     std::vector<SpokenLine> take_spoken();                 // what was said since the last call, oldest first
     void set_two_hands(bool two);
+    void set_hand_stands_in(bool stands_in);  // see CuePlanner
     void set_listener(const Listener& listener) { listener_.publish(listener); }
     // Something is being said or waits to be, as of the last tick.
     bool speaking() const { return speaking_.load(std::memory_order_relaxed); }
@@ -62,7 +63,7 @@ private:
         std::vector<CueRequest> requests;
         std::optional<Settings> settings;
         std::optional<std::shared_ptr<const Scene>> scene, edited;
-        std::optional<bool> two_hands;
+        std::optional<bool> two_hands, hand_stands_in;
     };
 
     void run();

@@ -220,6 +220,7 @@ std::span<const Note> BeepSpeech::pattern(SpeechClass speech_class) {
     switch (speech_class) {
         case SpeechClass::Alarm:
             return kAlarm;
+        case SpeechClass::Warning:
         case SpeechClass::Answer:
             return kAnswer;
         case SpeechClass::Contact:

@@ -289,6 +289,95 @@ TEST_F(CuePlannerTest, bump_names_what_it_met_and_further_bumps_are_thuds_only) 
     EXPECT_EQ(audio.sounds()[0].cue.material, SoundClass::Plaster);
 }
 
+TEST_F(CuePlannerTest, a_blocked_step_is_said_once_in_5_s_and_written_each_time) {
+    CueRequest bump = request(CueRequestKind::Bump);
+    bump.feature = FeatureId{kNorth};
+    bump.text = "North wall, plaster";
+    bump.written = "Blocked. North wall, plaster";
+    for (int i = 0; i < 4; ++i) {
+        tick({}, {bump});
+        wait(1.0);
+    }
+    EXPECT_THAT(said(true), ElementsAre("North wall, plaster"));
+    EXPECT_THAT(said(), ElementsAre(bump.text, bump.written, bump.written, bump.written));
+    EXPECT_THAT(heard(), ElementsAre(SoundKind::Bump, SoundKind::Bump, SoundKind::Bump, SoundKind::Bump));
+    EXPECT_EQ(speech.lines()[0].utterance.speech_class, SpeechClass::Warning);
+    wait(5.0);
+    tick({}, {bump});
+    EXPECT_THAT(said(true), ElementsAre(bump.text, bump.text)) << "after five seconds anew";
+    set([](Settings& s) { s.speech.verbosity = 0; });
+    tick({}, {bump});
+    EXPECT_EQ(speech.lines().size(), 5U) << "sounds alone";
+}
+
+TEST_F(CuePlannerWithVoice, a_warning_is_said_each_time_and_cuts_an_answer) {
+    tick({}, {text("You are in a long room with four doors and a window to the yard")});
+    wait(0.3);
+    for (int i = 0; i < 3; ++i) {
+        tick({}, {text("Drop, 1 step ahead", SpeechClass::Warning)});
+        wait(1.6);
+    }
+    EXPECT_TRUE(speech.lines()[0].cut);
+    EXPECT_THAT(said(true), ElementsAre("You are in a long room with four doors and a window to the yard",
+                                        "Drop, 1 step ahead", "Drop, 1 step ahead", "Drop, 1 step ahead"));
+    for (std::size_t i = 1; i < 4; ++i) EXPECT_FALSE(speech.lines()[i].cut);
+}
+
+TEST_F(CuePlannerWithVoice, warnings_wait_for_alarms_and_for_each_other_and_answers_for_both) {
+    tick({}, {text("Facing north"), text("Stairs up", SpeechClass::Warning), text("Drop", SpeechClass::Warning),
+              text("The touch device was unplugged", SpeechClass::Alarm)});
+    wait(6.0);
+    EXPECT_THAT(said(true), ElementsAre("The touch device was unplugged", "Stairs up", "Drop", "Facing north"));
+    for (const HeardSpeech& line : speech.lines()) EXPECT_FALSE(line.cut) << line.utterance.text;
+}
+
+TEST_F(CuePlannerTest, a_hand_that_stands_in_for_a_device_has_no_force_to_speak_of) {
+    planner.set_hand_stands_in(true);
+    ContactEvent fault = event(ContactEventKind::FaultRaised, kNoFeature.value);
+    for (const Fault kind : {Fault::Stalled, Fault::LateLoop}) {
+        fault.fault = kind;
+        tick({fault});
+        tick({event(ContactEventKind::FaultCleared, kNoFeature.value)});
+        wait(1.0);
+    }
+    EXPECT_THAT(said(), IsEmpty());
+    EXPECT_THAT(heard(), IsEmpty());
+    planner.set_hand_stands_in(false);
+    tick({fault});
+    EXPECT_THAT(said(), ElementsAre(fault_sentence(Fault::LateLoop)));
+}
+
+TEST_F(CuePlannerTest, sounds_are_told_as_text_only_where_that_is_wished_for) {
+    CueRequest door = request(CueRequestKind::Play), clock = request(CueRequestKind::WorldSound);
+    door.sound = SoundKind::DoorNear;
+    door.position_m = {0.0, 2.0, 1.0};
+    clock.sound = SoundKind::Clock;
+    clock.position_m = {3.0, 0.0, 1.0};
+    tick({}, {door, clock});
+    EXPECT_THAT(said(), IsEmpty());
+    set([](Settings& s) { s.sound.as_text = true; });
+    tick({}, {door});
+    EXPECT_THAT(said(), ElementsAre("Door near, ahead", "Clock, right"));
+    tick({}, {door});
+    wait(1.0);
+    EXPECT_EQ(said().size(), 2U) << "a knock that beats is told again only after a while, a clock much later";
+    wait(3.0);
+    tick({}, {door});
+    EXPECT_EQ(said().back(), "Door near, ahead");
+    CueRequest step = request(CueRequestKind::Footstep);
+    step.material = SoundClass::Carpet;
+    tick({}, {step});
+    tick({}, {step});
+    EXPECT_EQ(said().back(), "Steps on carpet");
+    EXPECT_EQ(said().size(), 4U) << "a floor is told where it changes";
+    for (const std::string& line : said()) EXPECT_EQ(line.find_first_of("[](){}"), std::string::npos) << line;
+    for (const HeardSpeech& line : speech.lines()) EXPECT_FALSE(line.voiced) << "read, not spoken";
+    set([](Settings& s) { s.sound.ways = false; });
+    wait(4.0);
+    tick({}, {door});
+    EXPECT_EQ(said().size(), 4U) << "what is switched off is not told either";
+}
+
 TEST_F(CuePlannerTest, footsteps_sound_like_the_floor_and_the_feet_differ) {
     CueRequest step = request(CueRequestKind::Footstep);
     step.material = SoundClass::Tile;
