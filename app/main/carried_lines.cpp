@@ -14,6 +14,22 @@ bool leaves(std::string_view line) {
     return parsed && (parsed->leave || parsed->command == Command::Leave);
 }
 
+// So many steps or notches at once: a second one is no answer to what the first met.
+bool counts_by_itself(Command command) {
+    switch (command) {
+        case Command::Forward:
+        case Command::Back:
+        case Command::TurnLeft:
+        case Command::TurnRight:
+        case Command::TrailLeft:
+        case Command::TrailRight:
+        case Command::Retrace:
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace
 
 void CarriedLines::drop() {
@@ -35,7 +51,7 @@ bool CarriedLines::take(double now_s, WizardSession* wizard) {
     if (now_s < settle_until_s_) return true;
     if (repeat_left_ > 0) {
         --repeat_left_;
-        tap(repeat_command_, now_s);
+        tap(repeat_command_, 1, now_s);
         return true;
     }
     if (lines_.empty()) return false;
@@ -69,13 +85,14 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
         say_(terminal_help());
     } else if (parsed->command) {
         repeat_command_ = *parsed->command;
-        repeat_left_ = parsed->times - 1;
-        tap(repeat_command_, now_s);
+        const bool counts = counts_by_itself(repeat_command_);
+        repeat_left_ = counts ? 0 : parsed->times - 1;
+        tap(repeat_command_, counts ? parsed->times : 1, now_s);
     }
 }
 
-void CarriedLines::tap(Command command, double now_s) {
-    app_.apply(CommandDown{command}, now_s);
+void CarriedLines::tap(Command command, int times, double now_s) {
+    app_.apply(CommandDown{command, times}, now_s);
     app_.apply(CommandUp{command}, now_s);
     // A hand that was told to move needs a moment to be there.
     if (command >= Command::HandForward && command <= Command::HandCentre) settle_until_s_ = now_s + kSettles_s;

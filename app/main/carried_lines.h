@@ -32,7 +32,7 @@ public:
 private:
     bool answer(WizardSession& wizard, double now_s);
     void carry_out(const std::string& line, double now_s);
-    void tap(Command command, double now_s);
+    void tap(Command command, int times, double now_s);
 
     Session& app_;
     WorldVisits& worlds_;

@@ -39,7 +39,7 @@ TEST(Explore, commands_from_standard_input_are_carried_out_in_order) {
     const ProgramRun run =
         explore({"--no-window", "--device", "none"}, "forward 5\nwhere\nright 2\nheading\nwheer\nquit\nforward\n");
     EXPECT_EQ(run.exit_status, 0) << run.err;
-    const std::size_t wall = run.out.find("North wall, plaster");
+    const std::size_t wall = run.out.find("5 steps, then north wall, plaster");
     const std::size_t where = run.out.find("Ahead: north wall, plaster, close by");
     const std::size_t heading = run.out.find("Facing north-east, 45 degrees");
     EXPECT_NE(wall, std::string::npos) << run.out;

@@ -51,13 +51,13 @@ TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_are_
                                 "You are set up.",
                                 "You are in a small room, six by four metres",
                                 "Type forward to walk",
-                                "North wall, plaster",
+                                "then north wall, plaster",
                                 "Your first wall.",
                                 "radiator",
                                 "Radiator",
                                 "Well found.",
+                                "then east wall, wood",
                                 "Corner.",
-                                "East wall, wood",
                                 "Back to the door: type home.",
                                 "handle on your right",
                                 "What next.",
@@ -151,7 +151,7 @@ TEST_F(FirstMinutes, go_on_at_the_next_start_where_they_were_left) {
 
 TEST_F(FirstMinutes, give_way_to_a_script_that_knows_nothing_of_them_and_to_the_end_of_input) {
     const ProgramRun script = run({"--device", "none"}, "forward 5\nwhere\nquit\n");
-    expect_in_order(script.out, {"Welcome.", "First room.", "North wall, plaster", "close by"});
+    expect_in_order(script.out, {"Welcome.", "First room.", "then north wall, plaster", "close by"});
     const TemporaryFolder other;
     ProgramCall call;
     call.program = HANDRAIL_PROGRAM;

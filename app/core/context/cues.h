@@ -20,6 +20,8 @@ public:
     explicit Cues(const BodyState& body) : body_(body) {}
 
     void say(std::string text, SpeechClass speech_class, double now_s);
+    // What a foot must know at once: drops, stairs, what is shut or blocks. Said each time.
+    void warn(std::string text, double now_s) { say(std::move(text), SpeechClass::Warning, now_s); }
     // To what the person asked or did.
     void answer(std::string text, double now_s) { say(std::move(text), SpeechClass::Answer, now_s); }
     void play(SoundKind kind, double now_s) { cue(sound_at(kind, body_.ears_m(), now_s)); }

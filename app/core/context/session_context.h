@@ -56,6 +56,7 @@ struct SessionContext {
     void say(std::string text, SpeechClass speech_class, double now_s) const {
         cues.say(std::move(text), speech_class, now_s);
     }
+    void warn(std::string text, double now_s) const { cues.warn(std::move(text), now_s); }
     void answer(std::string text, double now_s) const { cues.answer(std::move(text), now_s); }
     void play(SoundKind kind, double now_s) const { cues.play(kind, now_s); }
     void play_at(SoundKind kind, const Vec3& place_m, double now_s) const { cues.play_at(kind, place_m, now_s); }

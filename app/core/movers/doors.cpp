@@ -16,7 +16,8 @@ constexpr double kReach_m = 1.2;           // from the middle of the body to wha
 constexpr double kBounced_hand_m = 0.015;  // off a door that it has just met, while one hears which it is
 constexpr double kNearThing_m = 0.1;       // farther from a thing nobody stands on it
 constexpr double kWaist_m = 1.0;
-constexpr double kCeiling = -0.7;  // normals that look down as much belong to what is overhead
+constexpr double kBesideOne_m = 3.0;  // a door that shuts as near may be the one that one is about to go through
+constexpr double kCeiling = -0.7;     // normals that look down as much belong to what is overhead
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
 
@@ -286,7 +287,7 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
                                     : button ? "movers.is_out_again"
                                              : "movers.is_back",
                                     {{"name", name}}),
-                             SpeechClass::Ambient, now_s);
+                             opens && distance_m < kBesideOne_m ? SpeechClass::Warning : SpeechClass::Ambient, now_s);
         } else if (event.kind == MoverEvent::Kind::TurnsBack) {
             const bool opens_again = feature.kind == FeatureKind::Door && !event.at_rest;
             context_.say(phrase(opens_again ? "movers.met_you" : "movers.met_you_goes_back",

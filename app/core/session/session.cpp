@@ -87,7 +87,7 @@ std::string Session::entering_text() const {
     return text + " " + phrase("session.where_help_is");
 }
 
-void Session::press(Command command, double now_s) {
+void Session::press(Command command, double now_s, int times) {
     if (keys_held_.held(command)) return;
     // Any key interrupts what is being said; Repeat wants it again, and Stop says so itself.
     if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward &&
@@ -96,7 +96,7 @@ void Session::press(Command command, double now_s) {
     if (lesson_session_.takes(command, now_s)) return;
     lesson_session_.note(command);
     if (info(command).hold) keys_held_.press(command);
-    act(command, now_s);
+    act(command, now_s, times);
 }
 
 void Session::release(Command command) { keys_held_.release(command); }
@@ -119,10 +119,10 @@ bool Session::idle() const {
     return walking_.idle() && workspace_.idle() && !keys_held_.any();
 }
 
-void Session::act(Command command, double now_s) {
+void Session::act(Command command, double now_s, int times) {
     if (!world_.scene) return;
     if (desk_visit_.refuses(command, now_s)) return;
-    if (walking_.act(command, now_s) || workspace_.act(command, now_s) || forces_.act(command, now_s) ||
+    if (walking_.act(command, now_s, times) || workspace_.act(command, now_s) || forces_.act(command, now_s) ||
         learning_.act(command, now_s) || hunt_.act(command, now_s))
         return;
     switch (command) {

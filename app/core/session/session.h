@@ -165,7 +165,7 @@ private:
     void set_left_hand(const HandFacts& hand, double now_s);
     void offer_hand(const std::string& spoken_name, double now_s) { forces_.offer(spoken_name, now_s); }
     void change_settings(const Settings& settings, double now_s);
-    void press(Command command, double now_s);
+    void press(Command command, double now_s, int times = 1);
     void release(Command command);
     bool take_key(std::string_view key, double now_s);
     bool take_text(std::string_view utf8, double now_s);
@@ -179,7 +179,7 @@ private:
     void say(std::string text, SpeechClass speech_class, double now_s) {
         cues_.say(std::move(text), speech_class, now_s);
     }
-    void act(Command command, double now_s);
+    void act(Command command, double now_s, int times = 1);
     void publish_pose(double now_s, PoseChange change) { workspace_.publish(now_s, change); }
     void play(SoundKind kind, double now_s) { cues_.play(kind, now_s); }
     void play_at(SoundKind kind, const Vec3& place_m, double now_s) { cues_.play_at(kind, place_m, now_s); }

@@ -8,7 +8,7 @@ namespace handrail {
 bool Session::apply(SessionInput input, double now_s) {
     bool taken = true;
     std::visit(Overloaded{
-                   [&](const CommandDown& in) { press(in.command, now_s); },
+                   [&](const CommandDown& in) { press(in.command, now_s, in.times); },
                    [&](const CommandUp& in) { release(in.command); },
                    [&](const KeyTapped& in) { taken = take_key(in.key, now_s); },
                    [&](const TextTyped& in) { taken = take_text(in.utf8, now_s); },

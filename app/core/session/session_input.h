@@ -23,6 +23,7 @@ namespace handrail {
 // A command's key goes down, and up again.
 struct CommandDown {
     Command command;
+    int times = 1;  // of steps and turns, as when a count was typed; else once
 };
 struct CommandUp {
     Command command;

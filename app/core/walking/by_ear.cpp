@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/core/context/telling.h"
+#include "app/core/walking/paces.h"
 #include "app/core/world/questions.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
@@ -16,7 +17,6 @@ namespace {
 constexpr double kRayHeight_m = 1.0;  // of what looks for doors and walls
 constexpr double kCrumb_m = 0.25;
 constexpr std::size_t kMostCrumbs = 4000, kMostUndo = 16, kMostPlaces = 64;
-constexpr double kMostTaps = 8.0;  // steps that are still to go
 constexpr double kSquareReach_m = 3.0;
 constexpr double kMarkHeight_m = 1.5;  // of a mark, above or below the waist, to count as on this floor
 
@@ -74,7 +74,7 @@ void ByEar::notice(Command command) {
     }
 }
 
-bool ByEar::act(Command command, double now_s) {
+bool ByEar::act(Command command, double now_s, int times) {
     const double step_m = context_.settings.walk.step_length_m;
     switch (command) {
         case Command::TrailLeft:
@@ -82,7 +82,7 @@ bool ByEar::act(Command command, double now_s) {
             const TrailSide side = command == Command::TrailLeft ? TrailSide::Left : TrailSide::Right;
             if (!start_trail(side, now_s)) return true;
             trail_to_event_ = false;
-            trail_left_m_ = std::min(trail_left_m_ + step_m, kMostTaps * step_m);
+            trail_left_m_ = more_to_go_m(trail_left_m_, step_m, times);
             return true;
         }
         case Command::TrailOn:
@@ -110,7 +110,7 @@ bool ByEar::act(Command command, double now_s) {
             }
             if (!retracing_) context_.answer(phrase("walking.going_back"), now_s);
             retracing_ = true;
-            retrace_left_m_ = std::min(retrace_left_m_ + step_m, kMostTaps * step_m);
+            retrace_left_m_ = more_to_go_m(retrace_left_m_, step_m, times);
             return true;
         default:
             return false;
@@ -237,7 +237,7 @@ void ByEar::square_up(double now_s) {
     const double origin = nearest ? std::atan2(-nearest->normal.x, -nearest->normal.y) : 0.0;
     body_.heading_goal_rad =
         wrap_angle(origin + std::round(wrap_angle(body_.heading_goal_rad - origin) / quarter) * quarter);
-    const std::string compass = compass_word(body_.heading_goal_rad);
+    const std::string compass = fine_compass_word(body_.heading_goal_rad);
     context_.play(SoundKind::TurnTick, now_s);
     if (!nearest) return context_.answer(phrase("walking.square", {{"compass", compass}}), now_s);
     const std::string wall = sentence_case(name_of(context_, nearest->feature)),
@@ -305,7 +305,7 @@ void ByEar::leap(int by, double now_s) {
             context_.play(SoundKind::Arrived, now_s);
             context_.answer(
                 phrase("walking.leapt",
-                       {{"name", name}, {"where", sentence_case(where)}, {"compass", compass_word(bearing)}}),
+                       {{"name", name}, {"where", sentence_case(where)}, {"compass", fine_compass_word(bearing)}}),
                 now_s);
             return;
         }

@@ -27,7 +27,8 @@ public:
     // Whatever else the person does ends trailing and going back; told of every command before it is acted on.
     void notice(Command command);
     // False: it is another's.
-    bool act(Command command, double now_s);
+    // times: of steps along a wall or back.
+    bool act(Command command, double now_s, int times = 1);
     // Trailing or going back leads the body now.
     bool leads() const;
     // Where they want the body to go, metres per second, level; none: the person's own keys count.

@@ -52,7 +52,7 @@ void Footing::notice(Command command, double now_s) {
     }
 }
 
-bool Footing::held_at_edge(const WalkerState& before, double now_s) {
+bool Footing::held_at_edge(const WalkerState& before, Paces& paces, double now_s) {
     if (!context_.settings.walk.stop_at_drops || !before.on_ground) return false;
     const Vec3 moved = body_.feet_m() - before.feet_m;
     if (moved.x * moved.x + moved.y * moved.y < 1e-12) return false;
@@ -67,8 +67,11 @@ bool Footing::held_at_edge(const WalkerState& before, double now_s) {
     if (std::exchange(edge_.held, true)) return true;
     edge_.at_s = now_s;
     context_.play(SoundKind::Denied, now_s);
-    context_.answer(
-        drop->depth_m ? phrase("walking.edge", {{"metres", *drop->depth_m}}) : phrase("walking.edge_very_deep"), now_s);
+    std::string steps = paces.take(context_);
+    steps = steps.empty() || !tells_steps(context_) ? std::string() : steps + ". ";
+    context_.warn(steps + (drop->depth_m ? phrase("walking.edge", {{"metres", *drop->depth_m}})
+                                         : phrase("walking.edge_very_deep")),
+                  now_s);
     return true;
 }
 
@@ -115,9 +118,9 @@ void Footing::tell_underfoot(const Vec3& moved_m, const WalkResult& walked, doub
     if (underfoot_.risers != 0 && underfoot_.since_riser_m > kLanding_m) {
         const int risers = std::exchange(underfoot_.risers, 0);
         if (std::abs(risers) >= 3 && context_.settings.walk.callouts)
-            context_.say(
+            context_.warn(
                 phrase(risers > 0 ? "walking.landing" : "walking.foot_of_stairs", {{"steps", std::abs(risers)}}),
-                SpeechClass::Contact, now_s);
+                now_s);
     }
     if (walked.walked_m > 1e-6 && underfoot_.risers == 0) {
         const double slope = ground_slope(*context_.world.solids, body_.feet_m(), std::atan2(moved_m.x, moved_m.y));
@@ -142,18 +145,17 @@ void Footing::tell_ahead(double now_s) {
         context_.cues.cue(sound_at(up ? SoundKind::StairsUp : SoundKind::StairsDown, ahead.stairs->place_m, now_s));
         if (context_.settings.walk.callouts) {
             const std::string distance = distance_words(ahead.stairs->distance_m, distances(context_));
-            context_.say(ahead.stairs->whole
-                             ? phrase(up ? "walking.stairs_up" : "walking.stairs_down",
-                                      {{"steps", ahead.stairs->risers}, {"distance", distance}})
-                             : phrase(up ? "walking.stairs_up_on" : "walking.stairs_down_on", {{"distance", distance}}),
-                         SpeechClass::Contact, now_s);
+            context_.warn(ahead.stairs->whole ? phrase(up ? "walking.stairs_up" : "walking.stairs_down",
+                                                       {{"steps", ahead.stairs->risers}, {"distance", distance}})
+                                              : phrase(up ? "walking.stairs_up_on" : "walking.stairs_down_on",
+                                                       {{"distance", distance}}),
+                          now_s);
         }
     }
     if (ahead.drop && ahead.drop->distance_m <= kDropWarning_m && context_.settings.walk.callouts &&
         tell_place_once(ahead.drop->place_m, true, now_s))
-        context_.say(
-            phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances(context_))}}),
-            SpeechClass::Contact, now_s);
+        context_.warn(
+            phrase("walking.drop", {{"distance", distance_words(ahead.drop->distance_m, distances(context_))}}), now_s);
 }
 
 // The beat before an edge, and knocks from a door that is faced; silent for one who stands still.

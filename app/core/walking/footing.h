@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/core/context/session_context.h"
+#include "app/core/walking/paces.h"
 #include "app/core/world/hazards.h"
 #include "app/core/world/walker.h"
 
@@ -23,7 +24,8 @@ public:
     // A key that walks, pressed at an edge, goes over it; told of every command before it is acted on.
     void notice(Command command, double now_s);
     // Takes the body back to `before` when it stands over a drop that was not asked for twice. True: it was.
-    bool held_at_edge(const WalkerState& before, double now_s);
+    // The steps that led there are told with it.
+    bool held_at_edge(const WalkerState& before, Paces& paces, double now_s);
     // While the body stands: tells of what the ground does. before_m: where it stood a tick ago.
     void tick(const Vec3& before_m, const WalkResult& walked, double now_s);
     // Of footsteps: higher uphill.

@@ -22,7 +22,8 @@ constexpr double kFreeTurn_rad = 5.0 * kPi / 180.0;
 constexpr double kTiltRate_rad_per_s = 0.8;
 constexpr double kMostTilt_rad = 1.2;
 constexpr double kToneRange_m = 2.0;
-constexpr double kMostPendingSteps = 8.0;
+constexpr double kHeadingTold_s = 0.1;  // after the last of several turns: one heading for all of them
+constexpr double kRests_s = 0.1;        // then the body has come to rest
 constexpr double kPathPoint_m = 0.25;
 constexpr std::size_t kMostPathPoints = 4000;
 constexpr double kOutOfWorld_m = 20.0;  // below its lowest place
@@ -35,6 +36,8 @@ void Walking::enter_world() {
     footing_.enter_world();
     pending_way_m_ = since_footstep_m_ = 0.0;
     blocked_ = false;
+    heading_due_s_.reset();
+    paces_.begin();
 }
 
 void Walking::set_down(const Vec3& feet_m, double heading_rad) {
@@ -42,6 +45,8 @@ void Walking::set_down(const Vec3& feet_m, double heading_rad) {
     body_.heading_rad = body_.heading_goal_rad = wrap_angle(heading_rad);
     pending_way_m_ = since_footstep_m_ = 0.0;
     blocked_ = false;
+    heading_due_s_.reset();
+    paces_.begin();
     path_m_.push_back(body_.feet_m());
     by_ear_.set_down();
     footing_.set_down();
@@ -49,7 +54,7 @@ void Walking::set_down(const Vec3& feet_m, double heading_rad) {
 
 void Walking::go_home(double now_s) {
     context_.asks.place(context_.world.home_feet_m, context_.world.home_heading_rad, now_s);
-    context_.answer(phrase("session.home", {{"compass", compass_word(body_.heading_rad)}}), now_s);
+    context_.answer(phrase("session.home", {{"compass", fine_compass_word(body_.heading_rad)}}), now_s);
 }
 
 std::string Walking::bring_out(double now_s) {
@@ -84,23 +89,23 @@ double Walking::passage_width_m() const {
                : 0.0;
 }
 
-bool Walking::act(Command command, double now_s) {
+bool Walking::act(Command command, double now_s, int times) {
     by_ear_.notice(command);
     footing_.notice(command, now_s);
-    if (by_ear_.act(command, now_s)) return true;
+    if (by_ear_.act(command, now_s, times)) return true;
     const double notch_rad = radians_from_degrees(context_.settings.walk.turn_deg);
     switch (command) {
         case Command::Forward:
-            step(1.0);
+            step(1.0, times);
             return true;
         case Command::Back:
-            step(-1.0);
+            step(-1.0, times);
             return true;
         case Command::TurnLeft:
-            turn_by(-notch_rad, now_s);
+            turn_by(-notch_rad, times, now_s);
             return true;
         case Command::TurnRight:
-            turn_by(notch_rad, now_s);
+            turn_by(notch_rad, times, now_s);
             return true;
         case Command::FreeLeft:
         case Command::FreeRight:
@@ -119,25 +124,32 @@ bool Walking::act(Command command, double now_s) {
     }
 }
 
-void Walking::step(double sign) {
-    if (pending_way_m_ * sign < 0.0) pending_way_m_ = 0.0;
-    const double step_m = context_.settings.walk.step_length_m, most_m = kMostPendingSteps * step_m;
-    pending_way_m_ = std::clamp(pending_way_m_ + sign * step_m, -most_m, most_m);
+void Walking::step(double sign, int times) {
+    const double left_m = std::max(0.0, pending_way_m_ * sign);
+    pending_way_m_ = sign * more_to_go_m(left_m, context_.settings.walk.step_length_m, times);
     blocked_ = false;
 }
 
-// To the next notch that way.
-void Walking::turn_by(double by_rad, double now_s) {
+// To the next notch that way, or to one so many further on.
+void Walking::turn_by(double by_rad, int times, double now_s) {
     const double notch_rad = std::abs(by_rad);
-    body_.heading_goal_rad = wrap_angle(std::round((body_.heading_goal_rad + by_rad) / notch_rad) * notch_rad);
+    const double goal_rad = std::round((body_.heading_goal_rad + by_rad) / notch_rad) * notch_rad;
+    body_.heading_goal_rad = wrap_angle(goal_rad + (times - 1) * by_rad);
     last_turn_repeat_s_ = now_s;
     context_.cues.cue(
         sound_at(SoundKind::TurnTick, body_.ears_m() + forward_of_heading(body_.heading_goal_rad), now_s));
-    context_.answer(sentence_case(compass_word(body_.heading_goal_rad)), now_s);
+    heading_due_s_ = now_s + kHeadingTold_s;
+}
+
+void Walking::tell_heading(double now_s) {
+    if (!heading_due_s_ || now_s < *heading_due_s_) return;
+    heading_due_s_.reset();
+    context_.answer(sentence_case(fine_compass_word(body_.heading_goal_rad)), now_s);
 }
 
 void Walking::tick(double now_s, double dt_s) {
     turn(now_s, dt_s);
+    tell_heading(now_s);
     if (keys_.held(Command::TurnLeft) != keys_.held(Command::TurnRight) && now_s - last_turn_repeat_s_ >= kTurnRepeat_s)
         act(keys_.held(Command::TurnLeft) ? Command::TurnLeft : Command::TurnRight, now_s);
     const double tilt = keys_.sign(Command::TiltUp, Command::TiltDown);
@@ -157,9 +169,9 @@ void Walking::turn(double now_s, double dt_s) {
         std::abs(left) <= most ? body_.heading_goal_rad : wrap_angle(body_.heading_rad + std::copysign(most, left));
     if (std::exchange(stick_turns_, free_turn != 0.0) && !stick_turns_)
         context_.answer(free_keys_told_ ? phrase("session.compass_degrees",
-                                                 {{"compass", sentence_case(compass_word(body_.heading_goal_rad))},
+                                                 {{"compass", sentence_case(fine_compass_word(body_.heading_goal_rad))},
                                                   {"degrees", whole_degrees(body_.heading_goal_rad)}})
-                                        : sentence_case(compass_word(body_.heading_goal_rad)),
+                                        : sentence_case(fine_compass_word(body_.heading_goal_rad)),
                         now_s);
     free_keys_told_ = free_keys != 0.0;
 }
@@ -187,7 +199,7 @@ void Walking::walk(double now_s, double dt_s) {
     }
     const WalkerState stood = body_.walker->state();
     WalkResult walked = body_.walker->tick(wish, dt_s);
-    if (footing_.held_at_edge(stood, now_s)) {
+    if (footing_.held_at_edge(stood, paces_, now_s)) {
         halt();
         by_ear_.halt();
         walked.walked_m = 0.0;
@@ -207,14 +219,16 @@ void Walking::walk(double now_s, double dt_s) {
     tell_step(stood, walked, now_s);
     body_.ground = walked.ground;
     if (walked.landed) context_.say(phrase("session.fell", {{"metres", walked.fell_m}}), SpeechClass::Answer, now_s);
+    if (way != 0.0) paces_.walked(walked.walked_m);
 
     if (walked.bump && !(by_ear_.leads() && walked.walked_m > 0.0)) {
         halt();
-        if (!blocked_) tell_bump(*walked.bump, now_s);
+        if (!blocked_) tell_bump(*walked.bump, std::atan2(wish.x, wish.y), now_s);
         blocked_ = true;
     } else if (way != 0.0 && walked.walked_m > 0.9 * std::abs(way)) {
         blocked_ = false;
     }
+    tell_rest(way != 0.0 || by_ear_.leads(), now_s);
     // Out of the world: back to the base instead of falling for ever.
     const Aabb& bounds_m = context_.world.scene->bounds_m;
     if (!bounds_m.empty() && feet.z < bounds_m.min_m.z - kOutOfWorld_m) {
@@ -242,7 +256,15 @@ void Walking::tell_step(const WalkerState& before, const WalkResult& walked, dou
     context_.cues.cue(std::move(cue));
 }
 
-void Walking::tell_bump(const TraceHit& met, double now_s) {
+// Whoever types hears no footsteps where there is no sound, and reads how many there were.
+void Walking::tell_rest(bool goes, double now_s) {
+    if (goes) walked_s_ = now_s;
+    if (goes || now_s - walked_s_ < kRests_s) return;
+    std::string steps = paces_.take(context_);
+    if (!steps.empty() && tells_steps(context_)) context_.answer(std::move(steps), now_s);
+}
+
+void Walking::tell_bump(const TraceHit& met, double way_rad, double now_s) {
     since_footstep_m_ = 0.0;
     CueRequest bump;
     bump.kind = CueRequestKind::Bump;
@@ -250,6 +272,9 @@ void Walking::tell_bump(const TraceHit& met, double now_s) {
     bump.feature = met.feature;
     bump.material = context_.world.scene->material(met.material).sound;
     bump.position_m = body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m) - met.normal * body_.walker->size().radius_m;
+    const std::string what = met_words(context_, met, way_rad);
+    bump.text = paces_.take_blocked(context_, what);
+    if (!what.empty()) bump.written = blocked_words(what);
     context_.cues.cue(std::move(bump));
     if (on_bumped) on_bumped(met.feature, now_s);
 }

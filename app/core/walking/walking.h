@@ -3,11 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/core/walking/by_ear.h"
 #include "app/core/walking/footing.h"
+#include "app/core/walking/paces.h"
 #include "app/core/walking/steering.h"
 
 namespace handrail {
@@ -23,8 +25,9 @@ public:
     void enter_world();
     // Puts the body somewhere else in this world, as near above it as there is room; what it was about to do ends.
     void set_down(const Vec3& feet_m, double heading_rad);
-    // Steps, turns, trails, leaps and Home. False: it is another's, and still ends trailing where it is of that kind.
-    bool act(Command command, double now_s);
+    // Steps, turns, trails, leaps and Home; of steps and turns so many. False: it is another's, and still ends trailing
+    // where it is of that kind.
+    bool act(Command command, double now_s, int times = 1);
     // Turns, tilts and walks for dt_s, up to 0.1 s.
     void tick(double now_s, double dt_s);
     // The tone of the nearest wall ahead, where the person wants one.
@@ -55,12 +58,14 @@ public:
     std::function<void(FeatureId feature, double now_s)> on_bumped;
 
 private:
-    void step(double sign);
-    void turn_by(double by_rad, double now_s);
+    void step(double sign, int times);
+    void turn_by(double by_rad, int times, double now_s);
     void turn(double now_s, double dt_s);
     void walk(double now_s, double dt_s);
     void tell_step(const WalkerState& before, const WalkResult& walked, double now_s);
-    void tell_bump(const TraceHit& met, double now_s);
+    void tell_heading(double now_s);
+    void tell_rest(bool goes, double now_s);
+    void tell_bump(const TraceHit& met, double way_rad, double now_s);
 
     const SessionContext& context_;
     BodyState& body_;
@@ -73,6 +78,9 @@ private:
     bool blocked_ = false;  // a bump was told and the body has not got away since
     bool stick_turns_ = false, free_keys_told_ = false;
     double last_turn_repeat_s_ = 0.0;
+    std::optional<double> heading_due_s_;  // when the way one faces is told; put off by each further turn
+    Paces paces_;
+    double walked_s_ = -1e9;  // when the body went last
     double tilt_rad_ = 0.0;
     double tone_loudness_ = 0.0;
     std::vector<Vec3> path_m_;

@@ -7,6 +7,7 @@
 #include "app/core/walking/walking.h"
 #include "tests/support/box_scene.h"
 #include "tests/unit/features/plain_session.h"
+#include "worlds/base/typist.h"
 
 namespace handrail {
 namespace {
@@ -115,6 +116,117 @@ TEST(WalkingFeature, stops_at_an_edge_until_the_key_comes_again) {
     EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s));
     for (int i = 0; i < 60; ++i) one.tick();
     EXPECT_FALSE(one.plain.body.walker->state().on_ground) << "asked for twice";
+}
+
+// Whoever types, while it lives.
+struct ByLines {
+    ByLines() { speak_to(ActsBy::Lines); }
+    ~ByLines() { speak_to(ActsBy::WindowKeys); }
+    ByLines(const ByLines&) = delete;
+    ByLines& operator=(const ByLines&) = delete;
+};
+
+// What is said of the steps, and of a step that was blocked when that is all that is read of it.
+std::vector<std::string> told(OnFoot& one) {
+    std::vector<std::string> words;
+    for (CueRequest& cue : one.plain.cues.take())
+        if (cue.kind == CueRequestKind::Say || cue.kind == CueRequestKind::Bump) words.push_back(std::move(cue.text));
+    return words;
+}
+
+TEST(WalkingFeature, walks_as_many_steps_as_were_typed) {
+    OnFoot one;
+    one.walking.set_down({0.0, -8.0, 0.0}, 0.0);
+    EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s, 11));
+    one.settle();
+    EXPECT_NEAR(one.feet_m().y, -8.0 + 11 * 0.7, 1e-6);
+    EXPECT_TRUE(one.walking.act(Command::Back, one.now_s, 11));
+    one.settle();
+    EXPECT_NEAR(one.feet_m().y, -8.0, 1e-6);
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s));
+    one.settle();
+    EXPECT_NEAR(one.feet_m().y, -8.0 + 8 * 0.7, 1e-6) << "keys that are tapped fast wait, but not for ever";
+}
+
+TEST(WalkingFeature, a_count_is_one_wish_at_an_edge) {
+    OnFoot one;
+    one.walking.set_down({0.0, -9.0, 0.0}, kPi);
+    EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s, 12));
+    one.settle();
+    EXPECT_TRUE(one.plain.body.walker->state().on_ground) << "the other eleven do not ask a second time";
+    EXPECT_GT(one.feet_m().y, -10.3);
+}
+
+TEST(WalkingFeature, who_types_is_told_each_step_and_what_ended_it) {
+    const ByLines typist;
+    OnFoot one;
+    one.tap(Command::Forward);
+    for (int i = 0; i < 12; ++i) one.tick();
+    EXPECT_THAT(told(one), ElementsAre("1 step"));
+    EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s, 9));
+    one.settle();
+    for (int i = 0; i < 12; ++i) one.tick();
+    EXPECT_THAT(told(one), ElementsAre("3 steps, then wall"));
+    for (int i = 0; i < 2; ++i) {
+        one.tap(Command::Forward);
+        for (int frame = 0; frame < 12; ++frame) one.tick();
+        EXPECT_THAT(told(one), ElementsAre("Blocked. Wall")) << "each time";
+    }
+    one.walking.set_down({0.0, -9.0, 0.0}, kPi);
+    EXPECT_TRUE(one.walking.act(Command::Forward, one.now_s, 5));
+    one.settle();
+    EXPECT_THAT(told(one), ElementsAre("Drop, 1 step ahead", "1 step. " + phrase("walking.edge_very_deep")));
+}
+
+TEST(WalkingFeature, a_blocked_step_says_on_which_side_it_was_met) {
+    OnFoot one;
+    const auto met = [&](const Vec3& feet_m, double heading_rad, Command command) {
+        one.walking.set_down(feet_m, heading_rad);
+        one.settle();
+        (void)told(one);
+        EXPECT_TRUE(one.walking.act(command, one.now_s));
+        one.settle();
+        const std::vector<std::string> words = told(one);
+        return words.empty() ? std::string() : words.front();
+    };
+    EXPECT_EQ(met({0.0, 2.7, 0.0}, 0.0, Command::Forward), "Wall");
+    EXPECT_EQ(met({0.0, 2.7, 0.0}, kPi, Command::Back), "Wall, behind");
+    // The gate is four metres east, two metres wide: past its end with one shoulder.
+    EXPECT_EQ(met({3.7, 1.2, 0.0}, 0.5 * kPi, Command::Forward), "Gate, right shoulder");
+    EXPECT_EQ(met({3.7, -1.2, 0.0}, 0.5 * kPi, Command::Forward), "Gate, left shoulder");
+    one.walking.steer({0.0, 1.0, 0.0});
+    one.walking.set_down({3.7, 0.0, 0.0}, 0.0);
+    (void)told(one);
+    for (int i = 0; i < 20; ++i) one.tick();
+    EXPECT_THAT(told(one), ElementsAre("Gate, right"));
+    one.plain.person.settings.speech.verbosity = 0;
+    one.walking.steer({});
+    EXPECT_EQ(met({0.0, 2.7, 0.0}, 0.0, Command::Forward), "") << "the thud alone";
+}
+
+TEST(WalkingFeature, tells_one_heading_in_sixteen_winds_for_several_turns) {
+    OnFoot one;
+    for (int i = 0; i < 8; ++i) {
+        EXPECT_TRUE(one.walking.act(Command::TurnRight, one.now_s));
+        for (int frame = 0; frame < 3; ++frame) one.tick();
+    }
+    one.settle();
+    for (int frame = 0; frame < 12; ++frame) one.tick();
+    EXPECT_THAT(told(one), ElementsAre("South"));
+    EXPECT_TRUE(one.walking.act(Command::TurnRight, one.now_s, 3));
+    one.settle();
+    for (int frame = 0; frame < 12; ++frame) one.tick();
+    EXPECT_THAT(told(one), ElementsAre("West-south-west"));
+    std::vector<std::string> winds;
+    for (int i = 0; i < 16; ++i) {
+        one.tap(Command::TurnLeft);
+        for (int frame = 0; frame < 12; ++frame) one.tick();
+        const std::vector<std::string> heading = told(one);
+        ASSERT_EQ(heading.size(), 1U);
+        winds.push_back(heading.front());
+    }
+    std::sort(winds.begin(), winds.end());
+    EXPECT_EQ(std::unique(winds.begin(), winds.end()), winds.end()) << "each notch has a name of its own";
 }
 
 TEST(WalkingFeature, comes_home_when_it_falls_out_of_the_world) {
