@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/core/context/device_settings.h"
+#include "app/core/dialogue/brief_words.h"
 #include "app/core/world/world_now.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -71,20 +72,20 @@ void Session::set_hand(const HandFacts& hand, const Settings& settings, double n
     change_settings(settings, now_s);
 }
 
+// What it is, how large, where one is and which way one faces, what to try: at most kMostOnEntering words.
 std::string Session::entering_text() const {
-    const FreeSpace space = free_space(*world_.solids, feet_m(), kLookHeight_m, body_.heading_rad);
-    std::string text = sentence_case(spoken_name(*world_.scene)) + ".";
-    if (space.width_m > 0.0 && space.depth_m > 0.0)
-        text +=
-            " " + phrase("session.space", {{"size", size_words(space.width_m, space.depth_m, distances(context_))}});
+    constexpr std::size_t kMostOnEntering = 35;
     const Vec3 size = world_.scene->bounds_m.empty() ? Vec3(0.0) : world_.scene->bounds_m.size_m();
-    if (size.x > 1.5 * space.width_m + 2.0 || size.y > 1.5 * space.depth_m + 2.0)
-        text += " " + phrase("session.all_of_it", {{"wide", size.x}, {"deep", size.y}});
-    text += " " + where_am_i() + " ";
-    if (hands_.right.present && !hands_.right.simulated) text += phrase("session.begin_with_hand");
-    else if (hands_.right.present) text += phrase("session.begin_with_simulated_hand");
-    else text += phrase("session.begin_with_keys");
-    return text + " " + phrase("session.where_help_is");
+    const std::string world = sentence_case(spoken_name(*world_.scene));
+    const bool named_large = size.x >= 0.5 && size.y >= 0.5;
+    std::string first = named_large
+                            ? phrase("session.world_of_size", {{"world", world}, {"wide", size.x}, {"deep", size.y}})
+                            : world + ".";
+    std::string hints = phrase(hands_.right.present && !hands_.right.simulated ? "session.begin_with_hand"
+                                                                               : "session.begin_with_keys") +
+                        " " + phrase("session.where_help_is");
+    const std::size_t rest = kMostOnEntering - std::min(kMostOnEntering, count_words(first) + count_words(hints));
+    return first + " " + asking_.where_am_i(std::min(rest, Asking::kMostWords)) + " " + hints;
 }
 
 void Session::press(Command command, double now_s, int times) {

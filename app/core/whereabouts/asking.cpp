@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/core/context/telling.h"
+#include "app/core/dialogue/brief_words.h"
+#include "app/core/whereabouts/exit_words.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
 namespace {
 
-constexpr std::size_t kMostLandmarks = 2;   // told first
-constexpr std::size_t kMostThingsTold = 4;  // in all, by "where am I"
-constexpr std::size_t kMostThings = 24;     // looked at
-constexpr double kHandPoints_m = 0.3;       // a hand nearer to the body points nowhere
-constexpr int kTellName = 2, kTellAll = 4;  // verbosity
+constexpr std::size_t kMostWaysFirst = 2;                  // out of a room, before what is ahead
+constexpr std::size_t kMostThingsTold = 4;                 // by "where am I" asked again
+constexpr std::size_t kMostThings = 24;                    // looked at
+constexpr double kHandPoints_m = 0.3;                      // a hand nearer to the body points nowhere
+constexpr int kTellName = 2, kTellMore = 3, kTellAll = 4;  // verbosity
+constexpr double kSamePlace_m = 0.05, kSameTurn_rad = 0.02;
 constexpr double kOpen = 0.95, kShut = 0.05;
 
 }  // namespace
@@ -28,7 +32,7 @@ bool Asking::act(Command command, double now_s) {
 bool Asking::answer(Command command, double now_s) {
     switch (command) {
         case Command::WhereAmI:
-            context_.answer(rooms_.here_words(now_s) + where_am_i(), now_s);
+            context_.answer(where_words_now(now_s), now_s);
             return true;
         case Command::Heading:
             context_.answer(heading_words(), now_s);
@@ -62,7 +66,9 @@ Telling Asking::telling() const {
             context_.body.heading_rad};
 }
 
-Asker Asking::asker() const { return {*context_.world.solids, context_.body.feet_m(), context_.body.heading_rad}; }
+Asker Asking::asker() const {
+    return {*context_.world.solids, context_.body.feet_m(), context_.body.heading_rad, context_.body.walker->size()};
+}
 
 // What can change about a thing, and how a door hangs as one sees it from here.
 std::string Asking::state_of(const Sight& sight) const {
@@ -96,52 +102,106 @@ std::string Asking::tell_sights(std::span<const Sight> sights) const {
     return text;
 }
 
-std::string Asking::where_am_i() const {
+// "table, 2 steps; north wall, plaster, 5 steps", where the direction has been told.
+std::string Asking::tell_there(std::span<const Sight> sights) const {
+    std::string text;
+    for (const Sight& sight : sights)
+        text += (text.empty() ? "" : "; ") + handrail::tell_there(sight, state_of(sight), telling());
+    return text;
+}
+
+std::string Asking::place_and_heading() const {
     const bool home =
         glm::length(context_.body.feet_m() - context_.world.home_feet_m) < 0.5 * context_.settings.walk.step_length_m;
     const bool at_door = std::any_of(context_.world.scene->features.begin(), context_.world.scene->features.end(),
                                      [](const Feature& feature) { return feature.base; });
-    const std::string compass = compass_word(context_.body.heading_rad);
-    std::string text =
-        !home ? phrase("questions.you_are_in", {{"world", spoken_name(*context_.world.scene)}, {"compass", compass}})
-        : at_door ? phrase("questions.you_are_at_door", {{"compass", compass}})
-                  : phrase("questions.you_are_at_base", {{"compass", compass}});
-    // Two landmarks first, then what a straight look meets on four sides, then what else is near.
+    std::string place;
+    if (const std::uint32_t room = room_here(); room != kNothing) place = rooms_.graph().rooms[room].name;
+    if (home) place = joined(place, phrase(at_door ? "questions.at_door" : "questions.at_base"));
+    if (place.empty()) place = spoken_name(*context_.world.scene);
+    return phrase("questions.place_facing",
+                  {{"place", sentence_case(place)}, {"compass", fine_compass_word(context_.body.heading_goal_rad)}});
+}
+
+// Where rooms are known by now and there is more than one of them.
+std::uint32_t Asking::room_here() const {
+    if (!rooms_.found() || rooms_.graph().rooms.size() < 2) return kNothing;
+    return room_at(rooms_.graph(), rooms_.space(), context_.body.feet_m());
+}
+
+// The nearest first; where rooms are not known, the doors in sight.
+std::vector<std::string> Asking::ways_out() const {
+    if (const std::uint32_t room = room_here(); room != kNothing)
+        return exit_sentences(context_, rooms_.graph(), room, ExitOrder::Nearest);
+    std::vector<std::string> doors;
+    for (const Sight& sight : in_sight(asker(), kMostThings)) {
+        const Feature* feature = context_.world.scene->find(sight.seen.feature);
+        if (!feature || feature->kind != FeatureKind::Door) continue;
+        const std::string where =
+            brief_place_words(sight.seen.distance_m, sight.seen.bearing_rad, context_.body.heading_goal_rad,
+                              context_.settings.speech.directions, distances(context_));
+        doors.push_back(phrase("rooms.exit", {{"exit", sentence_case(sight.name)}, {"where", where}}));
+    }
+    return doors;
+}
+
+std::string Asking::where_am_i(std::size_t most_words) const {
+    std::vector<std::string> ways = ways_out();
+    std::vector<std::string> sentences{place_and_heading()};
+    const auto first = ways.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(ways.size(), kMostWaysFirst));
+    sentences.insert(sentences.end(), ways.begin(), first);
+    sentences.push_back(side_sentence(0));
+    sentences.insert(sentences.end(), first, ways.end());
+    if (context_.settings.speech.verbosity < kTellMore) return brief_text(sentences, most_words);
+    return brief_text(sentences, std::numeric_limits<std::size_t>::max()) + " " + what_else();
+}
+
+// "Right: east wall, plaster, 2 steps."
+std::string Asking::side_sentence(int quarter) const {
+    const auto seen = sight_along(asker(), context_.body.heading_rad + quarter * kPi / 2.0);
+    const std::string side =
+        sentence_case(side_words(quarter, context_.body.heading_rad, context_.settings.speech.directions));
+    if (!seen) return phrase("questions.side_open", {{"side", side}});
+    return phrase("questions.side",
+                  {{"side", side}, {"what", handrail::tell_there(*seen, state_of(*seen), telling())}});
+}
+
+// Landmarks first, then right, behind and left, then what else is near.
+std::string Asking::what_else() const {
     std::vector<Sight> things = in_sight(asker(), kMostThings);
-    std::stable_partition(things.begin(), things.end(), [&](const Sight& thing) {
-        const Feature* feature = context_.world.scene->find(thing.seen.feature);
-        return feature && feature->landmark;
-    });
     const auto is_landmark = [&](const Sight& thing) {
         const Feature* feature = context_.world.scene->find(thing.seen.feature);
         return feature && feature->landmark;
     };
-    const auto first_other = std::find_if_not(things.begin(), things.end(), is_landmark);
-    const auto landmarks =
-        std::min<std::size_t>(kMostLandmarks, static_cast<std::size_t>(first_other - things.begin()));
-    const std::string near = tell_sights(std::span(things).first(landmarks));
-    if (!near.empty()) text += " " + near;
-    for (int quarter = 0; quarter < 4; ++quarter) {
+    std::erase_if(things, [&](const Sight& thing) {
+        const Feature* feature = context_.world.scene->find(thing.seen.feature);
+        return feature && feature->kind == FeatureKind::Door;
+    });
+    std::stable_partition(things.begin(), things.end(), is_landmark);
+    if (things.size() > kMostThingsTold) things.resize(kMostThingsTold);
+    const auto others = std::find_if_not(things.begin(), things.end(), is_landmark);
+    std::string text = tell_sights(std::span(things.begin(), others));
+    for (int quarter = 1; quarter < 4; ++quarter) {
         const auto seen = sight_along(asker(), context_.body.heading_rad + quarter * kPi / 2.0);
-        const std::string side =
-            sentence_case(side_words(quarter, context_.body.heading_rad, context_.settings.speech.directions));
-        const bool told =
-            seen && std::any_of(things.begin(), things.begin() + static_cast<std::ptrdiff_t>(landmarks),
-                                [&](const Sight& thing) { return thing.seen.feature == seen->seen.feature; });
-        if (told) continue;
-        text += ' ';
-        if (!seen) text += phrase("questions.side_open", {{"side", side}});
-        else if (context_.settings.speech.verbosity <= 1)
-            text += phrase("questions.side", {{"side", side}, {"what", seen->name}});
-        else {
-            const std::string what = joined(name_of(context_, seen->seen.feature),
-                                            distance_words(seen->seen.distance_m, distances(context_)));
-            text += phrase("questions.side", {{"side", side}, {"what", what}});
-        }
+        if (seen && std::any_of(things.begin(), things.end(),
+                                [&](const Sight& thing) { return thing.seen.feature == seen->seen.feature; }))
+            continue;  // told by itself
+        text += (text.empty() ? "" : " ") + side_sentence(quarter);
     }
-    const auto rest = std::span(things).subspan(landmarks);
-    const std::string others = tell_sights(rest.first(std::min(rest.size(), kMostThingsTold - landmarks)));
-    return others.empty() ? text : text + " " + others;
+    const std::string rest = tell_sights(std::span(others, things.end()));
+    return rest.empty() ? text : text + (text.empty() ? "" : " ") + rest;
+}
+
+// Again at the same place: what the first answer left out.
+std::string Asking::where_words_now(double now_s) {
+    if (rooms_.known()) rooms_.notice(now_s, true);
+    const Stood here{context_.body.feet_m(), context_.body.heading_goal_rad};
+    const bool again = asked_at_ && glm::length(asked_at_->feet_m - here.feet_m) < kSamePlace_m &&
+                       std::abs(wrap_angle(asked_at_->heading_rad - here.heading_rad)) < kSameTurn_rad &&
+                       context_.settings.speech.verbosity < kTellMore;
+    if (again) asked_at_.reset();
+    else asked_at_ = here;
+    return again ? what_else() : where_am_i();
 }
 
 std::string Asking::around_me() const {
@@ -153,7 +213,9 @@ std::string Asking::around_me() const {
             sentence_case(side_words(i, context_.body.heading_rad, context_.settings.speech.directions));
         if (!text.empty()) text += ' ';
         if (!sight) text += phrase("questions.side_open", {{"side", side}});
-        else text += phrase("questions.side_sights", {{"side", side}, {"sights", tell_sights(std::span(&*sight, 1))}});
+        else
+            text += phrase("questions.side",
+                           {{"side", side}, {"what", handrail::tell_there(*sight, state_of(*sight), telling())}});
     }
     return text;
 }
@@ -173,14 +235,13 @@ void Asking::look_round(int by, double now_s) {
     const std::vector<Sight> sights = look_towards(asker(), bearing);
     const std::string direction =
         sentence_case(direction_words(bearing, context_.body.heading_rad, context_.settings.speech.directions, false));
-    context_.answer(sights.empty()
-                        ? phrase("questions.side_open", {{"side", direction}})
-                        : phrase("questions.side_sights", {{"side", direction}, {"sights", tell_sights(sights)}}),
+    context_.answer(sights.empty() ? phrase("questions.side_open", {{"side", direction}})
+                                   : phrase("questions.side", {{"side", direction}, {"what", tell_there(sights)}}),
                     now_s);
 }
 
 std::string Asking::heading_words() const {
-    return phrase("questions.facing_degrees", {{"compass", compass_word(context_.body.heading_goal_rad)},
+    return phrase("questions.facing_degrees", {{"compass", fine_compass_word(context_.body.heading_goal_rad)},
                                                {"degrees", whole_degrees(context_.body.heading_goal_rad)}});
 }
 

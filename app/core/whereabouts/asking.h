@@ -2,8 +2,10 @@
 // place, scale. App thread only.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/core/context/session_context.h"
 #include "app/core/whereabouts/rooms.h"
@@ -13,12 +15,17 @@ namespace handrail {
 
 class Asking {
 public:
+    static constexpr std::size_t kMostWords = 25;
+
     Asking(const SessionContext& context, Rooms& rooms) : context_(context), rooms_(rooms) {}
 
     // The questions. False: it is another's.
     bool act(Command command, double now_s);
-    // The answer to "where am I" without the room.
-    std::string where_am_i() const;
+    // The answer to "where am I": place, which way one faces, ways out, what is ahead; at most kMostWords of it at the
+    // default level, all there is from level 3 on.
+    std::string where_am_i(std::size_t most_words = kMostWords) const;
+    // What of it is left out there: the other sides and what else is near.
+    std::string what_else() const;
 
 private:
     bool answer(Command command, double now_s);
@@ -26,6 +33,12 @@ private:
     Asker asker() const;
     std::string state_of(const Sight& sight) const;
     std::string tell_sight(const Sight& sight) const;
+    std::string place_and_heading() const;
+    std::uint32_t room_here() const;
+    std::string side_sentence(int quarter) const;
+    std::string where_words_now(double now_s);
+    std::string tell_there(std::span<const Sight> sights) const;
+    std::vector<std::string> ways_out() const;
     std::string tell_sights(std::span<const Sight> sights) const;
     std::string around_me() const;
     std::string ahead_of_me() const;
@@ -39,6 +52,11 @@ private:
     const SessionContext& context_;
     Rooms& rooms_;
     LookRound look_round_;
+    struct Stood {
+        Vec3 feet_m{0.0};
+        double heading_rad = 0.0;
+    };
+    std::optional<Stood> asked_at_;                                   // "where am I", and answered in brief
     FeatureId described_ = kNoFeature, left_described_ = kNoFeature;  // what "what is this" last told of
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/core/context/telling.h"
+#include "app/core/whereabouts/exit_words.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/navigation/reach.h"
@@ -135,27 +136,16 @@ void Rooms::tell_exits(bool unvisited_only, double now_s) {
     if (!have(now_s)) return;
     if (here_ == kNothing) return context_.answer(phrase("rooms.nowhere"), now_s);
     const RoomGraph& graph = of_world_->graph();
-    std::string told;
-    int count = 0;
-    for (const std::uint32_t p : exits_of(graph, here_, context_.body.feet_m(), context_.body.heading_rad)) {
-        const Portal& portal = graph.portals[p];
-        const std::uint32_t other = portal.rooms[0] == here_ ? portal.rooms[1] : portal.rooms[0];
-        if (unvisited_only && visited_[other]) continue;
-        ++count;
-        const Vec3 off = portal.place_m - context_.body.feet_m();
-        const std::string what = passage_name(context_, portal.kind, portal.feature, 0.0), to = graph.rooms[other].name;
-        const std::string exit = sentence_case(what);
-        const std::string where = joined(where_words(context_, std::hypot(off.x, off.y), std::atan2(off.x, off.y)),
-                                         lock_words(context_, portal.feature));
-        told += " " + (to == what ? phrase("rooms.exit", {{"exit", exit}, {"where", where}})
-                                  : phrase("rooms.exit_to", {{"exit", exit}, {"room", to}, {"where", where}}));
-    }
+    const std::vector<std::string> exits =
+        exit_sentences(context_, graph, here_, ExitOrder::Clockwise,
+                       [&](std::uint32_t other) { return !unvisited_only || !visited_[other]; });
     const std::string room = sentence_case(graph.rooms[here_].name);
-    if (count == 0)
+    if (exits.empty())
         return context_.answer(phrase(unvisited_only ? "rooms.every_exit_taken" : "rooms.no_exits", {{"room", room}}),
                                now_s);
     context_.answer(
-        phrase(unvisited_only ? "rooms.exits_not_taken" : "rooms.exits", {{"room", room}, {"count", count}}) + told,
+        phrase(unvisited_only ? "rooms.exits_not_taken" : "rooms.exits", {{"room", room}, {"count", exits.size()}}) +
+            " " + fmt::format("{}", fmt::join(exits, " ")),
         now_s);
 }
 

@@ -74,7 +74,7 @@ std::vector<Sight> in_sight(const Asker& asker, std::size_t most) {
 }
 
 std::optional<Sight> sight_along(const Asker& asker, double bearing_rad) {
-    const auto seen = look(asker.world, asker.feet_m, kLookHeight_m, bearing_rad);
+    const auto seen = body_meets(asker.world, asker.feet_m, asker.size, bearing_rad);
     if (!seen) return std::nullopt;
     return sight_of(asker.world.scene(), *seen);
 }
@@ -150,6 +150,14 @@ std::string tell(const Sight& sight, const std::string& state, const Telling& ho
     if (sight.surface || how.verbosity == 3) text = joined(text, sight.material);
     if (how.verbosity == 3) text = joined(text, state);
     return joined(text, place);
+}
+
+std::string tell_there(const Sight& sight, const std::string& state, const Telling& how) {
+    std::string text = sight.name;
+    if (how.verbosity <= 1) return text;
+    if (sight.surface || how.verbosity >= 3) text = joined(text, sight.material);
+    if (how.verbosity >= 3) text = joined(text, state);
+    return joined(text, distance_words(sight.seen.distance_m, how.distances));
 }
 
 std::string steps_of_size(const Feature& feature, const DistanceWords& how) {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/core/dialogue/words.h"
-#include "app/core/world/surroundings.h"
+#include "app/core/world/body_meets.h"
 
 namespace handrail {
 
@@ -23,6 +23,7 @@ struct Asker {
     const BodyWorld& world;
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
+    BodySize size{};  // what stands in its way is in the way of all of it
 };
 
 // A thing, a surface or a sound that can be told of.
@@ -35,7 +36,7 @@ struct Sight {
 
 // Things and named sounds in line of sight, nearest first, at most `most`; of several with one name the nearest.
 std::vector<Sight> in_sight(const Asker& asker, std::size_t most);
-// The surface or thing straight in that direction; none: nothing within kSightRange_m.
+// What a body would bump into straight in that direction; none: nothing within kSightRange_m.
 std::optional<Sight> sight_along(const Asker& asker, double bearing_rad);
 
 // "Around me": for each quarter ahead, right, behind and left the nearest thing there, else what a straight look meets,
@@ -56,6 +57,8 @@ struct Telling {
 };
 // state: "shut", "open", ...; empty where it has none. Side words as the person sees it from where they stand.
 std::string tell(const Sight& sight, const std::string& state, const Telling& how);
+// The same where its direction has been told already: "table, 2 steps".
+std::string tell_there(const Sight& sight, const std::string& state, const Telling& how);
 // "hinged left, handle right" of a door seen in that direction; empty where the world does not say.
 std::string sides_of_door(const Feature& door, double bearing_rad);
 

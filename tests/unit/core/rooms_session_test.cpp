@@ -47,7 +47,7 @@ TEST(RoomsInASession, name_the_room_and_its_exits_clockwise) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);
     s.run(0.1);
-    EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall. You are ")) << s.said.back();
+    EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Hall, at the door, base, facing north. ")) << s.said.back();
     const std::string exits = s.ask(Command::Exits);
     EXPECT_TRUE(exits.starts_with("Hall. ")) << exits;
     // Facing north from the front door: the way up ahead, then east, south, west.
@@ -76,7 +76,7 @@ TEST(RoomsInASession, tell_the_name_on_entering_another_one_unless_switched_off)
         s.app.apply(Placed{{9.5, 3.0, 0.0}, 0.0}, s.now);
         s.run(0.2);
         EXPECT_EQ(std::count(s.said.begin(), s.said.end(), "Study"), told ? 1 : 0);
-        EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Study. "));
+        EXPECT_TRUE(s.ask(Command::WhereAmI).starts_with("Study, facing north. "));
     }
 }
 

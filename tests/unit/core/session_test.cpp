@@ -115,8 +115,8 @@ TEST(Session, says_on_entering_what_how_large_where_which_way_and_what_to_try) {
     s.run(0.1);
     ASSERT_FALSE(s.said().empty());
     const std::string line = s.said().front();
-    for (const char* part : {"Test room", "6 by 4 metres, 9 by 6 steps", "at the base", "facing north",
-                             "Ahead: north wall, plaster, 5 steps", "Press Up"})
+    for (const char* part :
+         {"Test room, 6 by 4 metres", "At the base, facing north", "Ahead: north wall, plaster, 5 steps", "Press Up"})
         EXPECT_THAT(line, testing::HasSubstr(part));
 }
 

@@ -1,0 +1,71 @@
+#include "app/core/dialogue/brief_words.h"
+
+#include <array>
+#include <cmath>
+
+#include "worlds/base/contract.h"
+#include "worlds/base/language.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+long hour_of(double turn_rad) {
+    const long hour = (std::lround(turn_rad / (kPi / 6.0)) + 12) % 12;
+    return hour == 0 ? 12 : hour;
+}
+
+}  // namespace
+
+std::string brief_direction_words(double bearing_rad, double heading_rad, DirectionChoice choice) {
+    contract_pre(std::isfinite(bearing_rad) && std::isfinite(heading_rad));
+    if (choice == DirectionChoice::Compass) return compass_word(bearing_rad);
+    const double turn_rad = wrap_angle(bearing_rad - heading_rad);
+    if (choice == DirectionChoice::Clock) return phrase("direction.hour", {{"hour", hour_of(turn_rad)}});
+    // Which sixteenth: one is slightly, two are half, three to five to the side, six and seven behind it.
+    constexpr std::array kRight{"direction.ahead",        "direction.slightly_right", "direction.half_right",
+                                "direction.right",        "direction.right",          "direction.right",
+                                "direction.behind_right", "direction.behind_right",   "direction.behind"};
+    constexpr std::array kLeft{"direction.ahead",       "direction.slightly_left", "direction.half_left",
+                               "direction.left",        "direction.left",          "direction.left",
+                               "direction.behind_left", "direction.behind_left",   "direction.behind"};
+    const auto sixteenths = static_cast<std::size_t>(std::lround(std::abs(turn_rad) / (kPi / 8.0)));
+    return phrase(turn_rad >= 0.0 ? kRight[sixteenths] : kLeft[sixteenths]);
+}
+
+std::string brief_place_words(double distance_m, double bearing_rad, double heading_rad, DirectionChoice choice,
+                              const DistanceWords& how) {
+    const std::string distance = distance_words(distance_m, how),
+                      direction = brief_direction_words(bearing_rad, heading_rad, choice);
+    const std::string ahead = phrase("direction.ahead"), behind = phrase("direction.behind");
+    const bool runs_on = !is_close_by(distance_m, how) &&
+                         (direction == ahead || direction == behind || choice == DirectionChoice::Compass);
+    return runs_on ? phrase("place.runs_on", {{"distance", distance}, {"direction", direction}})
+                   : joined(distance, direction);
+}
+
+std::size_t count_words(std::string_view text) {
+    std::size_t words = 0;
+    bool inside = false;
+    for (const char c : text) {
+        const bool blank = c == ' ' || c == '\n' || c == '\t';
+        if (!blank && !inside) ++words;
+        inside = !blank;
+    }
+    return words;
+}
+
+std::string brief_text(const std::vector<std::string>& sentences, std::size_t most) {
+    std::string text;
+    std::size_t words = 0;
+    for (const std::string& sentence : sentences) {
+        const std::size_t more = count_words(sentence);
+        if (more == 0 || (!text.empty() && words + more > most)) continue;
+        if (!text.empty()) text += ' ';
+        text += sentence;
+        words += more;
+    }
+    return text;
+}
+
+}  // namespace handrail

@@ -1,0 +1,21 @@
+#include "app/core/world/body_meets.h"
+
+#include <cmath>
+
+#include "worlds/base/contract.h"
+
+namespace handrail {
+
+std::optional<Seen> body_meets(const BodyWorld& world, const Vec3& feet_m, const BodySize& size, double bearing_rad,
+                               double range_m) {
+    contract_pre(is_finite(feet_m) && std::isfinite(bearing_rad));
+    contract_pre(range_m > 0.0 && size.height_m > size.step_up_m);
+    const Vec3 from = feet_m + Vec3(0.0, 0.0, size.step_up_m);
+    const BodyShape body{size.radius_m, size.height_m - size.step_up_m};
+    const TraceHit hit = world.trace(from, from + forward_of_heading(bearing_rad) * range_m, body);
+    if (!hit.hit) return std::nullopt;
+    const Vec3 point = hit.end_m - hit.normal * size.radius_m;
+    return Seen{bearing_rad, hit.fraction * range_m + size.radius_m, hit.feature, point};
+}
+
+}  // namespace handrail

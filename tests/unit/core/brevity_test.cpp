@@ -1,0 +1,237 @@
+// How many words an answer may take, counted in every room of the house and the school: place and ways out first, more
+// only for who asks again. And what is ahead is what one bumps into.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cctype>
+#include <set>
+
+#include "app/core/dialogue/brief_words.h"
+#include "tests/support/box_scene.h"
+#include "tests/support/spoken_language.h"
+#include "tests/unit/core/app_session.h"
+#include "worlds/base/typist.h"
+
+namespace handrail {
+namespace {
+
+using test::AppSession;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr std::array kWorlds{"house.map", "school.map"};
+constexpr std::array kLanguages{"en", "de"};
+
+// Sentences, by the stops that blanks follow.
+std::vector<std::string> sentences_of(const std::string& text) {
+    std::vector<std::string> all;
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '.' && (i + 1 == text.size() || text[i + 1] == ' ')) {
+            all.push_back(text.substr(begin, i + 1 - begin));
+            begin = i + 2;
+        }
+    if (begin < text.size()) all.push_back(text.substr(begin));
+    return all;
+}
+
+// A visitor in the middle of each room one after the other, facing each of the four quarters in turn.
+template <class Each>
+void in_every_room(const char* world, Each each) {
+    AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
+    s.run(0.1);
+    s.ask(Command::Exits);  // from now on the rooms are known
+    s.ask(Command::PlanView);
+    s.run(0.1);
+    const auto rooms = s.app.view({}, {}).rooms;
+    ASSERT_TRUE(rooms);
+    ASSERT_GT(rooms->size(), 5U);
+    double heading_rad = 0.0;
+    for (const DrawnRoom& room : *rooms) {
+        s.app.apply(Placed{room.middle_m, heading_rad += 0.5 * kPi}, s.now);
+        s.run(0.1);
+        each(s, room);
+    }
+}
+
+TEST(Brevity, where_am_i_takes_at_most_25_words_and_begins_with_the_room_and_the_heading) {
+    for (const char* world : kWorlds)
+        for (const char* language : kLanguages) {
+            const test::InLanguage spoken(language);
+            int all = 0, rooms = 0;
+            in_every_room(world, [&](AppSession& s, const DrawnRoom&) {
+                const std::string brief = s.ask(Command::WhereAmI);
+                EXPECT_LE(count_words(brief), 25U) << brief;
+                EXPECT_EQ(brief.find(phrase("questions.place_facing", {{"place", ""}, {"compass", ""}}).substr(0, 2)),
+                          sentences_of(brief).front().find(", "))
+                    << brief;
+                all += static_cast<int>(count_words(brief));
+                ++rooms;
+                const std::string more = s.ask(Command::WhereAmI);
+                EXPECT_NE(more, brief) << "asked again it tells the rest";
+                EXPECT_EQ(s.ask(Command::WhereAmI), brief) << "and then the same again";
+            });
+            EXPECT_LE(all, 22 * rooms) << world << " " << language;
+        }
+}
+
+TEST(Brevity, each_exit_takes_at_most_four_words_beyond_its_name) {
+    for (const char* world : kWorlds)
+        for (const DirectionChoice directions :
+             {DirectionChoice::Sides, DirectionChoice::Clock, DirectionChoice::Compass}) {
+            Settings settings;
+            settings.speech.directions = directions;
+            AppSession s(settings);
+            s.app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
+            s.run(0.1);
+            s.ask(Command::Exits);
+            for (int turn = 0; turn < 16; ++turn) {
+                s.tap(Command::TurnRight, 0.3);
+                const std::vector<std::string> told = sentences_of(s.ask(Command::Exits));
+                ASSERT_GT(told.size(), 2U);
+                for (std::size_t i = 2; i < told.size(); ++i) {
+                    const std::string where = told[i].substr(told[i].find(": ") + 1);
+                    EXPECT_LE(count_words(where), 4U) << told[i];
+                    EXPECT_NE(told[i].find(": "), std::string::npos) << told[i];
+                }
+            }
+        }
+}
+
+TEST(Brevity, entering_a_world_takes_at_most_35_words_and_says_what_to_do) {
+    for (const char* world : kWorlds)
+        for (const char* language : kLanguages)
+            for (const ActsBy who : {ActsBy::WindowKeys, ActsBy::Lines}) {
+                const test::InLanguage spoken(language);
+                speak_to(who);
+                AppSession s;
+                s.app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
+                s.listen();
+                ASSERT_FALSE(s.said.empty());
+                EXPECT_LE(count_words(s.said.front()), 35U) << s.said.front();
+                EXPECT_THAT(s.said.front(), HasSubstr(phrase("session.begin_with_keys")));
+                EXPECT_THAT(s.said.front(), HasSubstr(fine_compass_word(s.app.heading_rad())));
+                speak_to(ActsBy::WindowKeys);
+            }
+}
+
+TEST(Brevity, help_is_a_list_by_topic_with_a_search) {
+    AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.run(0.1);
+    EXPECT_LE(count_words(s.ask(Command::Help)), 12U);
+    ASSERT_TRUE(s.app.dialogue().is_open());
+    EXPECT_LE(s.app.dialogue().view().items.size(), 9U);
+    EXPECT_THAT(s.line("search"), HasSubstr("Escape cancels"));
+    s.line("beacon");
+    ASSERT_TRUE(s.app.dialogue().is_open());
+    for (const ListItem& item : s.app.dialogue().view().items) {
+        const auto command = std::find_if(command_table().begin(), command_table().end(),
+                                          [&](const CommandInfo& row) { return row.help().starts_with(item.name); });
+        ASSERT_NE(command, command_table().end()) << item.name;
+        EXPECT_TRUE(std::string(command->help()).find("eacon") != std::string::npos ||
+                    command->word.find("beacon") != std::string::npos)
+            << item.name;
+    }
+}
+
+TEST(Brevity, ahead_is_what_a_body_bumps_into) {
+    test::SceneBuilder builder;
+    builder.box({-5, -5, -0.2}, {5, 5, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    builder.box({-5, 3, 0}, {5, 3.2, 2.6}, "north wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    builder.box({-0.5, 2.8, 0.1}, {0.5, 3, 0.7}, "radiator", SolidRole::Solid, "metal", FeatureKind::Object);
+    builder.box({4, -0.2, 1.5}, {4.2, 0.2, 2.6}, "shelf", SolidRole::Solid, "wood", FeatureKind::Object);
+    builder.start({0, 0, 0}, 0.0);
+    AppSession s;
+    s.app.apply(WorldEntered{make_ready(builder.share())}, 0.0);
+    s.run(0.1);
+    EXPECT_THAT(s.ask(Command::WhereAmI), HasSubstr("Ahead: radiator, 4 steps."));
+    EXPECT_TRUE(s.ask(Command::AheadOfMe).starts_with("Radiator, ")) << "lower than the eye that looks";
+    s.walk(5.0);
+    ASSERT_FALSE(s.bumped.empty());
+    EXPECT_EQ(s.app.scene()->features[s.bumped.back().value].name, "radiator");
+    s.tap(Command::Home, 0.3);
+    s.tap(Command::TurnRight, 0.3);
+    for (int i = 0; i < 3; ++i) s.tap(Command::TurnRight, 0.3);
+    EXPECT_THAT(s.ask(Command::WhereAmI), HasSubstr("Ahead: shelf, ")) << "at the height of the head";
+}
+
+TEST(Brevity, what_is_around_is_told_without_its_direction_twice) {
+    for (const char* world : kWorlds)
+        in_every_room(world, [&](AppSession& s, const DrawnRoom&) {
+            for (const std::string& sentence : sentences_of(s.ask(Command::AroundMe)))
+                for (const char* word : {"ahead", "left", "right", "behind"}) {
+                    std::string lower = sentence;
+                    std::transform(lower.begin(), lower.end(), lower.begin(),
+                                   [](unsigned char c) { return std::tolower(c); });
+                    const std::size_t first = lower.find(word);
+                    if (first == std::string::npos) continue;
+                    EXPECT_EQ(lower.find(word, first + 1), std::string::npos) << sentence;
+                }
+        });
+}
+
+TEST(FindList, holds_several_of_one_name_once_and_finds_by_any_word) {
+    AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("school.map"))}, 0.0);
+    s.run(0.1);
+    s.ask(Command::Exits);
+    s.ask(Command::Find);
+    std::set<std::string> names;
+    for (const ListItem& item : s.app.dialogue().view().items) EXPECT_TRUE(names.insert(item.name).second) << item.name;
+    const std::vector<ListItem> items = s.app.dialogue().view().items;
+    const auto tables = std::find_if(items.begin(), items.end(), [](const ListItem& i) { return i.name == "Table"; });
+    ASSERT_NE(tables, items.end());
+    EXPECT_THAT(tables->value, HasSubstr(" of them, the nearest "));
+    EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](const ListItem& item) {
+        return item.value.find("Library") != std::string::npos;
+    })) << "told with its room";
+    EXPECT_TRUE(std::any_of(items.begin(), items.end(), [](const ListItem& item) {
+        return item.value.find("one storey above") != std::string::npos;
+    })) << "and its storey";
+    // By a word that is not the first; a group then asks which one.
+    EXPECT_THAT(s.line("desk"), HasSubstr("desk"));
+    s.app.apply(KeyTapped{"Escape"}, s.now);
+    s.listen();
+    EXPECT_EQ(s.said.back(), "Closed");
+    s.ask(Command::Find);
+    EXPECT_THAT(s.line("table"), HasSubstr("Table: which one. Table, "));
+    s.app.apply(KeyTapped{"Enter"}, s.now);
+    ASSERT_TRUE(s.app.guide().goal());
+    EXPECT_EQ(s.app.guide().goal()->name, "Table");
+}
+
+TEST(FindList, is_narrowed_to_one_kind) {
+    AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.run(0.1);
+    s.ask(Command::Find);
+    const std::size_t all = s.app.dialogue().view().items.size();
+    s.line("end");
+    EXPECT_EQ(s.line("right"), "doors");
+    const std::vector<ListItem> doors = s.app.dialogue().view().items;
+    EXPECT_LT(doors.size(), all);
+    EXPECT_GT(doors.size(), 2U);
+    for (std::size_t i = 0; i + 1 < doors.size(); ++i)
+        EXPECT_TRUE(doors[i].name.find("oor") != std::string::npos || doors[i].name.find("ate") != std::string::npos)
+            << doors[i].name;
+    EXPECT_EQ(doors.back().value, "doors");
+    EXPECT_EQ(s.line("left"), "everything");
+    EXPECT_EQ(s.app.dialogue().view().items.size(), all);
+}
+
+TEST(Lists, answer_what_only_asks_and_refuse_other_commands_with_the_reason) {
+    AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.run(0.1);
+    s.ask(Command::Marks);
+    ASSERT_TRUE(s.app.dialogue().is_open());
+    EXPECT_THAT(s.line("where"), HasSubstr("acing north"));
+    EXPECT_TRUE(s.app.dialogue().is_open());
+    EXPECT_EQ(s.line("forward"), "\"forward\" works once this list is closed. Escape closes it.");
+    EXPECT_TRUE(s.app.dialogue().is_open());
+}
+
+}  // namespace
+}  // namespace handrail
