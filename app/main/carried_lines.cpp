@@ -81,8 +81,6 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
     if (!parsed) return say_(parsed.error().message);
     if (parsed->leave) {
         left_ = true;
-    } else if (parsed->command == Command::Help) {
-        say_(terminal_help());
     } else if (parsed->command) {
         repeat_command_ = *parsed->command;
         const bool counts = counts_by_itself(repeat_command_);

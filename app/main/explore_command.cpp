@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 #include "app/companions/companion_session.h"
@@ -32,6 +33,12 @@ namespace {
 
 constexpr double kFrame_s = 1.0 / 60.0;
 constexpr double kLastWords_s = 3.0;  // how long the end waits for what is being said
+
+bool a_display_is_there() {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY"})
+        if (const char* display = std::getenv(name); display && *display) return true;
+    return false;
+}
 
 std::string joined(const std::vector<std::string>& sentences) {
     std::string text;
@@ -86,7 +93,8 @@ private:
         const bool first = !settings_.values().welcome.done && !arguments_.world && !arguments_.calibrate;
         const std::string voice = first ? ears_.voice_that_speaks() : std::string{};
         asked_s_ = clock_.now_s();
-        if (first) app_.apply(FirstMinutesBegun{voice, true}, asked_s_);
+        if (first)
+            app_.apply(FirstMinutesBegun{voice, ears_.has_sound()}, asked_s_);  // without, there is nothing to set up
         news_.push_back(worlds_.take_news());
         news_.push_back(worlds_.crash_words(!speaks_to_typist(), asked_s_));
         say_(first ? joined(news_) : phrase("program.welcome", {{"news", joined(news_)}}), asked_s_);
@@ -98,7 +106,9 @@ private:
         auto opened = Window::open();
         if (!opened) {
             ears_.close_accessible();
-            return news_.push_back(opened.error().message);
+            // Nor who has no display of a picture.
+            if (a_display_is_there()) news_.push_back(opened.error().message);
+            return;
         }
         window_.emplace(std::move(*opened), app_, worlds_, ears_, switches_, clock_);
         speak_to_typist(false);

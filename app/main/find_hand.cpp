@@ -40,8 +40,8 @@ Result<std::optional<Hand>> choose_hand(const std::string& wanted, std::vector<s
             if (device.usable) return real_hand(device);
             news.push_back(device.problem);
         }
-        if (news.empty()) news.push_back(phrase("program.no_device_found"));
-        else news.push_back(phrase("program.simulated_instead"));
+        // Nobody who has no device wants to hear of it before a hand is asked for.
+        if (!news.empty()) news.push_back(phrase("program.simulated_instead"));
         return std::nullopt;
     }
     for (const FoundDevice& device : found) {

@@ -50,13 +50,6 @@ Result<TerminalLine> parse_terminal_line(std::string_view line) {
     return parsed;
 }
 
-std::string terminal_help() {
-    std::string commands;
-    for (const CommandInfo& row : command_table())
-        commands += fmt::format("{}{}: {}", commands.empty() ? "" : " ", spoken_word(row.command), row.help());
-    return phrase("terminal.help", {{"commands", commands}});
-}
-
 std::vector<std::string> LineInput::take() {
     std::vector<std::string> lines;
     for (std::size_t bytes = 0; !ended_ && bytes < kBytesAtOnce;) {

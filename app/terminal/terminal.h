@@ -29,9 +29,6 @@ struct TerminalLine {
 // nearest of the latter, a bad count says what it takes.
 Result<TerminalLine> parse_terminal_line(std::string_view line);
 
-// "Type a word and Enter: forward, back, ...": said once at the start and by "help".
-std::string terminal_help();
-
 // Lines from a file descriptor without ever blocking. Owns nothing.
 class LineInput {
 public:

@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kConnectionPoll_s = 0.5, kReopen_s = 5.0;
 
+bool leads_by_sound(SoundKind kind) { return is_beacon(kind) || kind == SoundKind::Bell || kind == SoundKind::Warmer; }
+
 }  // namespace
 
 // Which device there is, and what of it is lost and found again; what is heard is the parts'.
@@ -49,6 +51,7 @@ struct OpenALSink::Impl {
     bool never_had = false;
     bool drops_out = false;
     std::optional<std::string> news;
+    std::optional<std::string> untold;  // that there is no sound, until somebody is to go by it
 
     Result<void> open() {
         if (options.output == Output::Device && open_playback()) return {};
@@ -123,6 +126,7 @@ struct OpenALSink::Impl {
             if (!device.playback_is_there()) return;
             change_device();
             lost = !device.is_open() || device.is_loopback();
+            if (!lost) untold.reset();
             if (!lost)
                 news = never_had ? phrase("sound_output.here_now", {{"device", device.name()}})
                                  : phrase("sound_output.back", {{"device", device.name()}});
@@ -138,7 +142,7 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
     auto impl = std::make_unique<Impl>(options, std::move(voice));
     if (auto opened = impl->open(); !opened) return tl::unexpected(opened.error());
     if (options.output == Output::Device && impl->device.is_loopback()) {
-        impl->news = phrase("sound_output.none_found");
+        impl->untold = phrase("sound_output.none_found");
         impl->lost = true;  // one may be plugged in later
         impl->never_had = true;
     }
@@ -146,6 +150,8 @@ Result<std::unique_ptr<OpenALSink>> OpenALSink::open(std::shared_ptr<VoiceChanne
 }
 
 void OpenALSink::play(const SoundCue& cue) {
+    // That nothing sounds matters to who is to go by sound, and not before.
+    if (leads_by_sound(cue.kind) && impl_->untold) impl_->news = std::exchange(impl_->untold, std::nullopt);
     if (impl_->device.is_open()) impl_->voices.play(cue);
 }
 

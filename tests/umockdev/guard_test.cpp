@@ -460,7 +460,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
     const test::TemporaryFolder home;
     RunningProgram program(home.path(), "auto");
-    ASSERT_TRUE(program.says("No touch device was found.") && program.says("First room.")) << program.said();
+    ASSERT_TRUE(program.says("First room.")) << program.said();
     test::MockFalconBus bus(bed.bed);
     {
         const std::lock_guard guard(bus.lock);
@@ -468,7 +468,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     }
     ASSERT_TRUE(program.says("I found a Falcon. Type forces to use it.")) << program.said();
     program.type("where\n");
-    ASSERT_TRUE(program.says("You are at the door, base")) << "the keyboard goes on meanwhile";
+    ASSERT_TRUE(program.says("At the door, base")) << "the keyboard goes on meanwhile";
     program.type("forces\n");
     ASSERT_TRUE(program.says("Opening the Falcon.") && program.says("The Falcon is ready.")) << program.said();
     // The hand moves first; then there is force against the wall it is pushed into.

@@ -1,5 +1,6 @@
 #include "app/core/context/telling.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/core/world/questions.h"
@@ -10,6 +11,15 @@ namespace handrail {
 namespace {
 
 constexpr double kStorey_m = 1.5, kWaist_m = 1.0;
+constexpr double kUsualStorey_m = 3.0;
+
+// "two storeys above"; empty on this one. rise_m: of its lowest part; nearest_m: of what of it is nearest to the waist.
+std::string storey_words(double rise_m, double nearest_m) {
+    if (nearest_m <= kStorey_m + kWaist_m && nearest_m >= -kStorey_m) return {};
+    const auto storeys = static_cast<int>(std::floor((rise_m + 0.5) / kUsualStorey_m));
+    return nearest_m > 0.0 ? phrase("guide.storeys_above", {{"storeys", std::max(1, storeys)}})
+                           : phrase("guide.storeys_below", {{"storeys", std::max(1, -storeys)}});
+}
 
 }  // namespace
 
@@ -39,12 +49,11 @@ std::string where_words(const SessionContext& context, const Aabb& box) {
     const double level_m = std::hypot(way.x, way.y);
     const std::string distance = distance_words(level_m, distances(context)),
                       direction = relative_words(std::atan2(way.x, way.y), context.body.heading_rad);
-    return phrase("guide.where", {{"distance", distance},
-                                  {"far", level_m >= 0.5 * context.settings.walk.step_length_m ? "yes" : "no"},
-                                  {"direction", direction},
-                                  {"storey", way.z > kStorey_m + kWaist_m ? "above"
-                                             : way.z < -kStorey_m         ? "below"
-                                                                          : "this"}});
+    const std::string where =
+        phrase("guide.where", {{"distance", distance},
+                               {"far", level_m >= 0.5 * context.settings.walk.step_length_m ? "yes" : "no"},
+                               {"direction", direction}});
+    return joined(where, storey_words(box.min_m.z - context.body.feet_m().z, way.z));
 }
 
 std::string how_far_words(const SessionContext& context, double way_m) {

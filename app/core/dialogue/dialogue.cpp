@@ -21,7 +21,23 @@ std::string_view without_blanks(std::string_view text) {
                                            : text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-bool begins_with(const std::string& name, const std::string& begin) { return lower_ascii(name).starts_with(begin); }
+bool begins_with(const std::string& name, const std::string& begin) {
+    return !begin.empty() && lower_ascii(name).starts_with(begin);
+}
+
+// A word of the name that is not its first begins so.
+bool holds_word(const std::string& name, const std::string& begin) {
+    const std::string lower = lower_ascii(name);
+    for (std::size_t at = lower.find(begin); at != std::string::npos; at = lower.find(begin, at + 1))
+        if (at > 0 && (lower[at - 1] == ' ' || lower[at - 1] == '-')) return true;
+    return false;
+}
+
+// Two sentences, one after the other.
+std::string sentences(const std::string& first, const std::string& then) {
+    const bool ends = !first.empty() && std::string_view(".?!:").find(first.back()) != std::string_view::npos;
+    return first + (ends ? " " : ". ") + then;
+}
 
 // The last whole character, and what stays without it.
 std::string take_last_character(std::string& text) {
@@ -53,7 +69,7 @@ std::string Dialogue::open(ListSpec list) {
 
 std::string Dialogue::ask(TextSpec question) {
     stack_.push_back(std::make_unique<Part>(std::move(question)));
-    return back_words();
+    return sentences(back_words(), phrase("dialogue.escape_cancels"));
 }
 
 bool Dialogue::typing() const { return is_open() && std::holds_alternative<TextSpec>(*stack_.back()); }
@@ -110,9 +126,11 @@ DialogueReply Dialogue::list_key(ListSpec& list, std::string_view name) {
 template <class Change>
 DialogueReply Dialogue::change_value(ListSpec& list, Change change) {
     const std::size_t at = list.at;
+    const std::string name = list.items[at].name;
     std::string value = change(at);
-    if (is_open() && std::get_if<ListSpec>(stack_.back().get()) == &list && at < list.items.size())
-        list.items[at].value = value;
+    // The items may be others by now, and this one elsewhere.
+    if (is_open() && std::get_if<ListSpec>(stack_.back().get()) == &list && list.items[list.at].name == name)
+        list.items[list.at].value = value;
     return {true, false, std::move(value)};
 }
 
@@ -151,7 +169,7 @@ DialogueReply Dialogue::leave() {
     search_.clear();
     const auto& left = std::visit([](const auto& spec) -> const std::function<void()>& { return spec.left; }, *part);
     if (left) left();
-    if (!is_open()) return {true, false, left ? std::string() : phrase("dialogue.left")};
+    if (!is_open()) return {true, false, left ? std::string() : phrase("dialogue.closed")};
     return {true, false, back_words()};
 }
 
@@ -169,13 +187,15 @@ DialogueReply Dialogue::typed(std::string_view utf8, double now_s) {
     const bool goes_on = now_s - searched_s_ < kSearchGoesOn_s && search_ != letters;
     search_ = goes_on ? search_ + letters : letters;
     searched_s_ = now_s;
-    // A word that is being typed may stay where it is; a first letter goes on to the next one.
-    for (std::size_t step = goes_on ? 0 : 1; step <= list.items.size(); ++step) {
-        const std::size_t i = (list.at + step) % list.items.size();
-        if (!begins_with(list.items[i].name, search_)) continue;
-        list.at = i;
-        return {true, false, item_words(list)};
-    }
+    // A word that is being typed may stay where it is; a first letter goes on to the next one. Names that begin so come
+    // before those in which a later word does.
+    for (const auto fits : {begins_with, holds_word})
+        for (std::size_t step = goes_on ? 0 : 1; step <= list.items.size(); ++step) {
+            const std::size_t i = (list.at + step) % list.items.size();
+            if (!fits(list.items[i].name, search_)) continue;
+            list.at = i;
+            return {true, false, item_words(list)};
+        }
     return {true, true, phrase("dialogue.nothing_begins", {{"letters", search_}})};
 }
 
@@ -188,8 +208,7 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
         auto& question = std::get<TextSpec>(*stack_.back());
         if (list_word(text) == "escape") return leave();
         if (text.empty() && question.text.empty()) return {true, false, where()};
-        if (text.size() > kLongestTyped || !is_utf8(text))
-            return {true, true, phrase("dialogue.at_most", {{"bytes", kLongestTyped}})};
+        if (text.size() > kLongestTyped || !is_utf8(text)) return {true, true, phrase("dialogue.too_long")};
         if (!text.empty()) question.text = text;
         return finish(question);
     }
@@ -212,9 +231,10 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
     const bool is_number = error == std::errc{} && end == word.data() + word.size();
     std::size_t found = list->items.size();
     if (is_number && number >= 1 && number <= list->items.size()) found = number - 1;
-    for (const bool whole : {true, false})
+    const auto is = [](const std::string& name, const std::string& all) { return lower_ascii(name) == all; };
+    for (const auto fits : {+is, begins_with, holds_word})
         for (std::size_t i = 0; i < list->items.size() && found == list->items.size(); ++i)
-            if (whole ? lower_ascii(list->items[i].name) == word : begins_with(list->items[i].name, word)) found = i;
+            if (fits(list->items[i].name, word)) found = i;
     if (found == list->items.size()) {
         // Other words for the keys give way to names, which may begin like them.
         if (auto done = as_key(list_word(text))) return *done;
@@ -248,8 +268,12 @@ DialogueReply Dialogue::act(const ItemAct& act, double now_s) {
 void Dialogue::change_items(std::vector<ListItem> items) {
     auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
     if (!list || items.empty()) return;
+    const std::string name = list->items[list->at].name;
     list->items = std::move(items);
     list->at = std::min(list->at, list->items.size() - 1);
+    if (list->items[list->at].name == name) return;
+    for (std::size_t i = 0; i < list->items.size(); ++i)
+        if (list->items[i].name == name) list->at = i;
 }
 
 DialogueView Dialogue::view() const {

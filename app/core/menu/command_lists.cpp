@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "app/core/dialogue/command_words.h"
 #include "settings/adjust.h"
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
 #include "worlds/base/typist.h"
 
 namespace handrail {
@@ -52,7 +54,9 @@ void CommandLists::open(bool to_rebind, double now_s) {
     list.items.push_back({phrase("menu.all_of_it"), fmt::format("{}", command_table().size()), false});
     for (std::size_t i = 0; i < kTopics.size(); ++i)
         list.items.push_back({phrase(kTopics[i].key), fmt::format("{}", commands_of(i).size()), false});
+    if (!to_rebind) list.items.push_back({phrase("menu.search"), {}, false});
     list.chosen = [this, to_rebind](std::size_t i) {
+        if (i == kTopics.size() + 1) return ask_for_search(context_.tick_s);
         std::vector<Command> commands;
         if (i > 0) commands = commands_of(i - 1);
         else
@@ -71,6 +75,23 @@ void CommandLists::open(bool to_rebind, double now_s) {
         };
     }
     context_.open_list(std::move(list), now_s);
+}
+
+// By any part of what a command is called or does.
+void CommandLists::ask_for_search(double now_s) {
+    TextSpec question;
+    question.question = phrase("menu.search_for");
+    question.done = [this](const std::string& typed) {
+        const std::string part = lower_ascii(typed);
+        std::vector<Command> commands;
+        for (const CommandInfo& row : command_table())
+            if (lower_ascii(row.help()).find(part) != std::string::npos ||
+                lower_ascii(spoken_word(row.command)).find(part) != std::string::npos)
+                commands.push_back(row.command);
+        if (commands.empty()) return context_.answer(phrase("menu.none_found", {{"typed", typed}}), context_.tick_s);
+        open_commands(std::move(commands), false, context_.tick_s);
+    };
+    context_.ask_text(std::move(question), now_s);
 }
 
 void CommandLists::open_commands(std::vector<Command> commands, bool to_rebind, double now_s) {

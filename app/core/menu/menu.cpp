@@ -15,7 +15,7 @@ bool Menu::act(Command command, double now_s) {
             open(now_s);
             return true;
         case Command::Help:
-            context_.answer(all_keys(), now_s);
+            commands_.open(false, now_s);
             return true;
         case Command::InputHelp:
             commands_.toggle_input_help(now_s);
@@ -26,15 +26,6 @@ bool Menu::act(Command command, double now_s) {
         default:
             return false;
     }
-}
-
-std::string Menu::all_keys() const {
-    std::string text;
-    for (const CommandInfo& row : command_table()) {
-        const std::string keys = context_.keys.keys_of(row.command);
-        if (!keys.empty()) text += phrase("session.key_help", {{"keys", keys}, {"help", row.help()}}) + " ";
-    }
-    return text;
 }
 
 void Menu::open(double now_s) {
@@ -53,8 +44,8 @@ void Menu::open(double now_s) {
     add(phrase("menu.keys"), [this] { commands_.open(true, context_.tick_s); });
     add(phrase("menu.sounds"), [this] { open_sounds(context_.tick_s); });
     for (const auto& [key, command] :
-         {std::pair{"menu.say_keys", Command::Help}, std::pair{"menu.input_help", Command::InputHelp},
-          std::pair{"menu.set_up", Command::Calibrate}, std::pair{"menu.leave", Command::Leave}})
+         {std::pair{"menu.input_help", Command::InputHelp}, std::pair{"menu.set_up", Command::Calibrate},
+          std::pair{"menu.leave", Command::Leave}})
         add(phrase(key), [this, command = command] {
             context_.lists.dialogue.close_all();
             context_.asks.perform(command, context_.tick_s);

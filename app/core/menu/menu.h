@@ -27,7 +27,6 @@ public:
 private:
     void open(double now_s);
     void open_sounds(double now_s);
-    std::string all_keys() const;
 
     const SessionContext& context_;
     CommandLists commands_;

@@ -1,7 +1,9 @@
 // Session's part on lists and typed answers: which keys go to them, and what is said. App thread only.
 #include <algorithm>
 
+#include "app/core/dialogue/command_words.h"
 #include "app/core/session/session.h"
+#include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
@@ -12,6 +14,30 @@ bool works_always(const KeyMap& keys, std::string_view key) {
     if (!command) return false;
     return *command == Command::StopEverything || *command == Command::StopSpeech ||
            (*command == Command::ToggleForces && key.size() > 1);
+}
+
+// Answered while a list stays open.
+bool only_asks(Command command) {
+    switch (command) {
+        case Command::WhereAmI:
+        case Command::Heading:
+        case Command::AroundMe:
+        case Command::AheadOfMe:
+        case Command::LookNext:
+        case Command::LookBefore:
+        case Command::ScaleBar:
+        case Command::Coordinates:
+        case Command::WhatIsThis:
+        case Command::Exits:
+        case Command::UnvisitedExits:
+        case Command::Repeat:
+        case Command::HistoryBack:
+        case Command::HistoryForward:
+        case Command::StopSpeech:
+            return true;
+        default:
+            return false;
+    }
 }
 
 std::string_view without_blanks(std::string_view text) {
@@ -57,7 +83,15 @@ bool Session::take_line(std::string_view line, double now_s) {
         row && (row->command == Command::StopEverything || row->command == Command::ToggleForces))
         return false;
     quiet(now_s);
-    return reply(lists_.dialogue.line(line, now_s), now_s);
+    DialogueReply said = lists_.dialogue.line(line, now_s);
+    if (const auto command = command_of_word(bare); said.denied && command && !lists_.dialogue.typing()) {
+        if (only_asks(*command)) {
+            act(*command, now_s);
+            return true;
+        }
+        said.words = phrase("dialogue.close_first", {{"word", bare}});
+    }
+    return reply(said, now_s);
 }
 
 }  // namespace handrail

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/core/context/telling.h"
+#include "app/core/wayfinding/find_list.h"
 #include "app/core/wayfinding/hand_way.h"
 #include "app/core/world/questions.h"
 #include "audio-cues/plan/speakable.h"
@@ -186,14 +187,9 @@ void Guide::go_to_room(std::uint32_t room, double now_s) {
 
 // ---- to things ----
 
-// Everything that has a name, the nearest first, and then the ways to find it.
 void Guide::open_find(double now_s) {
-    const std::vector<Goal> all = goals(context_);
-    ListSpec list;
-    list.title = phrase("guide.find");
-    for (const Goal& goal : all) list.items.push_back({goal.name, where_words(context_, goal.box_m)});
-    list.chosen = [this, all](std::size_t i) { open_tools(all[i], context_.tick_s); };
-    context_.open_list(std::move(list), now_s);
+    open_find_list(
+        context_, rooms_, [this](const Goal& goal, double then_s) { open_tools(goal, then_s); }, now_s);
 }
 
 void Guide::open_tools(const Goal& goal, double now_s) {

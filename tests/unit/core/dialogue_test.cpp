@@ -126,7 +126,7 @@ TEST(Dialogue, takes_text_of_any_letters_and_deletes_whole_ones) {
     std::string typed;
     EXPECT_EQ(
         dialogue.ask({.question = "Name?", .text = "", .done = [&](std::string text) { typed = std::move(text); }}),
-        "Name?");
+        "Name? Escape cancels.");
     EXPECT_TRUE(dialogue.typing());
     EXPECT_TRUE(dialogue.key("Enter", 0.0).denied) << "nothing typed";
     for (const std::string& c : characters_of(" Kü洞𝄞x")) dialogue.typed(c, 0.0);

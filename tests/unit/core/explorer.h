@@ -68,16 +68,23 @@ public:
     // Chooses the thing in the list of everything that has a name, as deep in it as need be, and stays in the list of
     // ways to find it.
     bool choose(const std::string& name, FeatureId feature) {
-        tap(Command::Find);
-        const std::vector<ListItem> items = app().dialogue().view().items;
-        for (std::size_t i = 0; i < items.size(); ++i) {
-            if (items[i].name != name) continue;
-            line(std::to_string(i + 1));
-            if (app().guide().goal() && app().guide().goal()->feature == feature) return true;
-            key("Escape");
+        const auto chosen = [&] {
+            return app().dialogue().view().title == name && app().guide().goal() &&
+                   app().guide().goal()->feature == feature;
+        };
+        // Of several with one name there is one line, which opens the list of them.
+        for (std::size_t which = 0;; ++which) {
             tap(Command::Find);
+            const std::vector<ListItem> items = app().dialogue().view().items;
+            const auto at = std::find_if(items.begin(), items.end(), [&](const ListItem& i) { return i.name == name; });
+            if (at == items.end()) return false;
+            line(std::to_string(at - items.begin() + 1));
+            if (chosen()) return true;
+            if (app().dialogue().view().title == name || which >= app().dialogue().view().items.size()) return false;
+            line(std::to_string(which + 1));
+            if (chosen()) return true;
+            leave_lists();
         }
-        return false;
     }
     bool ask(const std::string& name, FeatureId feature, const std::string& way) {
         if (!choose(name, feature)) return false;

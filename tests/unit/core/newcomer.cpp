@@ -191,7 +191,11 @@ std::string Newcomer::choose(const std::string& key, const std::string& begin) {
     spoken = std::regex_replace(spoken, title, "", std::regex_constants::format_first_only);
     std::string before;
     for (int i = 0; i < 200; ++i) {
-        if (begins(spoken, begin)) return ask("Enter", 0.8);
+        if (begins(spoken, begin)) {
+            const std::string answer = ask("Enter", 0.8);
+            // Several of that name: the nearest.
+            return answer.find(": which one") == std::string::npos ? answer : ask("Enter", 0.8);
+        }
         if (spoken == before || spoken.empty()) break;
         before = spoken;
         spoken = ask("Down");

@@ -64,7 +64,11 @@ TEST_F(MenuAlone, leads_to_commands_and_has_them_performed) {
     EXPECT_FALSE(plain.lists.dialogue.is_open());
     plain.said();
     EXPECT_TRUE(menu.act(Command::Help, 1.0));
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Which way do I face")));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("What to do. All of it, "))) << "by topic, not all at once";
+    EXPECT_TRUE(plain.lists.dialogue.is_open());
+    line("search");
+    line("which way");
+    EXPECT_THAT(plain.said().back(), HasSubstr("Which way do I face"));
 }
 
 TEST_F(MenuAlone, gives_a_command_another_key) {

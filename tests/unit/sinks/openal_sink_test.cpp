@@ -664,6 +664,10 @@ TEST(OpenALSinkDevice, without_a_sound_device_it_says_so_and_goes_on_at_the_pace
     ASSERT_TRUE(opened) << opened.error().sentence();
     OpenALSink& sink = **opened;
     EXPECT_FALSE(sink.has_device());
+    EXPECT_EQ(sink.news(), std::nullopt) << "it does not matter yet";
+    sink.play({.kind = SoundKind::Footstep});
+    EXPECT_EQ(sink.news(), std::nullopt);
+    sink.play({.kind = SoundKind::Beacon});
     EXPECT_EQ(sink.news(), "No sound device was found. Everything that would be spoken is printed as text.");
     EXPECT_EQ(sink.news(), std::nullopt);
     EXPECT_EQ(sink.description(), "There is no sound device; sound is not heard.");
