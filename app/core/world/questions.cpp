@@ -79,6 +79,21 @@ std::optional<Sight> sight_along(const Asker& asker, double bearing_rad) {
     return sight_of(asker.world.scene(), *seen);
 }
 
+namespace {
+
+// What one bumps into that way, and what a straight look over it meets.
+void add_straight(const Asker& asker, double bearing_rad, std::vector<Sight>& sights) {
+    std::optional<Sight> beyond;
+    if (const auto seen = look(asker.world, asker.feet_m, kLookHeight_m, bearing_rad))
+        beyond = sight_of(asker.world.scene(), *seen);
+    for (const std::optional<Sight>& straight : {sight_along(asker, bearing_rad), beyond})
+        if (straight && std::none_of(sights.begin(), sights.end(),
+                                     [&](const Sight& sight) { return sight.name == straight->name; }))
+            sights.push_back(*straight);
+}
+
+}  // namespace
+
 std::array<std::optional<Sight>, 4> around(const Asker& asker) {
     std::array<std::optional<Sight>, 4> quarters;
     for (Sight& sight : in_sight(asker, kMostLooked)) {
@@ -97,10 +112,7 @@ std::vector<Sight> ahead(const Asker& asker) {
     std::erase_if(sights, [&](const Sight& sight) {
         return off_rad(sight.seen.bearing_rad, asker.heading_rad) > kQuarter_rad / 2.0 + 1e-9;
     });
-    const auto straight = sight_along(asker, asker.heading_rad);
-    if (straight &&
-        std::none_of(sights.begin(), sights.end(), [&](const Sight& sight) { return sight.name == straight->name; }))
-        sights.push_back(*straight);
+    add_straight(asker, asker.heading_rad, sights);
     sort_by_distance(sights);
     if (sights.size() > kMostAhead) sights.resize(kMostAhead);
     return sights;
@@ -112,10 +124,7 @@ std::vector<Sight> look_towards(const Asker& asker, double bearing_rad) {
         return off_rad(sight.seen.bearing_rad, bearing_rad) > kSixteenth_rad / 2.0 + 1e-9;
     });
     if (sights.size() > kMostTowards) sights.resize(kMostTowards);
-    const auto straight = sight_along(asker, bearing_rad);
-    if (straight &&
-        std::none_of(sights.begin(), sights.end(), [&](const Sight& sight) { return sight.name == straight->name; }))
-        sights.push_back(*straight);
+    add_straight(asker, bearing_rad, sights);
     sort_by_distance(sights);
     return sights;
 }

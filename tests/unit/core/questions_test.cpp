@@ -224,9 +224,9 @@ TEST(SessionQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_l
     };
     app.tick(0.1, ToolState{});
     EXPECT_THAT(ask(Command::AheadOfMe), HasSubstr("Bench, 3 steps at 12 o'clock."));
-    EXPECT_THAT(ask(Command::AroundMe), HasSubstr("9 o'clock: Clock, 4 steps at 9 o'clock."));
+    EXPECT_THAT(ask(Command::AroundMe), HasSubstr("9 o'clock: Clock, 4 steps."));
     EXPECT_THAT(ask(Command::LookNext), HasSubstr("At 12 o'clock: Bench"));
-    EXPECT_THAT(ask(Command::LookNext), HasSubstr("At 1 o'clock: North wall, plaster, 6 steps at 1 o'clock."));
+    EXPECT_THAT(ask(Command::LookNext), HasSubstr("At 1 o'clock: Bench, 3 steps; north wall, plaster, 6 steps."));
     EXPECT_THAT(ask(Command::Coordinates), HasSubstr("4.0 east, 4.0 north, height 0.0 metres"));
     EXPECT_THAT(ask(Command::ScaleBar), HasSubstr("25 metres"));
     settings.speech.verbosity = 1;
