@@ -57,7 +57,11 @@ public:
         : arguments_(arguments),
           settings_(settings),
           ears_(settings.values(), !arguments.no_window, clock_, contacts_, left_.contacts(), news_),
-          app_(settings.values(), HandFacts{}) {}
+          app_(settings.values(), HandFacts{},
+               {.rooms_beside = true,
+                .touch_beside = true,
+                .records_in = user_data_folder(),
+                .languages_in = user_languages_folder()}) {}
 
     // Exit status. Problems that keep it from starting go to `err` too.
     int run(std::ostream& err) {
@@ -81,10 +85,6 @@ private:
 
     // From what is there to the welcome.
     void begin() {
-        app_.keep_records_in(user_data_folder());
-        app_.find_languages_in(user_languages_folder());
-        app_.find_rooms_beside();
-        app_.feel_beside();
         for (const Diagnostic& problem : arguments_.settings_problems) news_.push_back(problem.sentence());
         open_window();
         if (!window_) open_terminal();
@@ -160,7 +160,7 @@ private:
     int explore(std::ostream& err) {
         double next_s = clock_.now_s();
         watch_lines();
-        while (!ended() && !app_.wants_to_leave()) {
+        while (!ended() && !app_.requests().leave) {
             const double now_s = clock_.now_s();
             app_.apply(Stopped{switches_.stops}, now_s);
             take_input(now_s);

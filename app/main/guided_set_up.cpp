@@ -9,7 +9,7 @@ namespace handrail {
 void GuidedSetUp::begin(std::span<const WizardPart> wanted) {
     session_ = std::make_unique<WizardSession>(parts_.settings.values(), wanted);
     stops_ = parts_.switches.stops;
-    let_go_ = parts_.app.tuning().stops_let_go;
+    let_go_ = parts_.app.hand().tuning.stops_let_go;
     parts_.hand.begin_set_up();
     CueRequest no_tone;
     no_tone.kind = CueRequestKind::WallTone;
@@ -18,9 +18,9 @@ void GuidedSetUp::begin(std::span<const WizardPart> wanted) {
 }
 
 void GuidedSetUp::begin_if_asked() {
-    if (!parts_.app.take_calibration_request() || session_) return;
+    if (!parts_.app.requests().take_set_up() || session_) return;
     std::vector<WizardPart> wanted;
-    const bool first = parts_.app.take_first_set_up();
+    const bool first = parts_.app.requests().take_first_set_up();
     for (const WizardPartInfo& part : wizard_parts())
         if (!first || (part.part != WizardPart::Reach && part.part != WizardPart::Step)) wanted.push_back(part.part);
     begin(wanted);
@@ -64,8 +64,8 @@ void GuidedSetUp::hand_over() {
     ServoTuning tuning = wizard.tuning();
     if (!tuning.panic) let_go_ = stops_;
     tuning.stops_let_go = let_go_;
-    tuning.focused = parts_.app.tuning().focused;
-    tuning.confirm += parts_.app.tuning().confirm + confirms_;
+    tuning.focused = parts_.app.hand().tuning.focused;
+    tuning.confirm += parts_.app.hand().tuning.confirm + confirms_;
     parts_.hand.feel_set_up(wizard.haptic_scene(), tuning, wizard.pose(), session_->simulated_hand());
 }
 
@@ -80,7 +80,7 @@ void GuidedSetUp::end_if_finished(double now_s) {
     if (!app.scene()) return;
     app.apply(SettingsChanged{parts_.settings.values()}, now_s);
     app.apply(Stopped{stops_}, now_s);
-    if (app.tuning().panic && !stopped) {  // stopped and gone on with in the wizard
+    if (app.hand().tuning.panic && !stopped) {  // stopped and gone on with in the wizard
         app.apply(CommandDown{Command::ToggleForces}, now_s);
         app.apply(CommandUp{Command::ToggleForces}, now_s);
     }

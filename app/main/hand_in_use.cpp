@@ -111,7 +111,7 @@ bool HandInUse::look(std::ostream& err) {
         for (std::string& sentence : search_->take_news()) parts_.say(std::move(sentence), asked_s_);
         return !ready || take_found(err);
     }
-    if (parts_.app.offer_taken() && offer_) {
+    if (parts_.app.requests().take_offered_hand() && offer_) {
         asked_s_ = parts_.clock.now_s();
         parts_.say(phrase("program.opening", {{"device", offer_->spoken_name}}), asked_s_);
         search_.emplace(offer_->name);
@@ -182,16 +182,16 @@ void HandInUse::feel_world(std::uint32_t more_confirms) {
         servo_->set_scene(given_scene_);
     }
     if (app.desk_visit().scene() != given_desk_) servo_->set_desk(given_desk_ = app.desk_visit().scene());
-    ServoTuning tuning = app.tuning();
-    tuning.confirm += more_confirms;
-    servo_->set_tuning(tuning);
-    servo_->set_pose(app.pose());
+    HandOutput told = app.hand();
+    told.tuning.confirm += more_confirms;
+    servo_->set_tuning(told.tuning);
+    servo_->set_pose(told.pose);
     if (std::exchange(given_bodies_, app.bodies().number()) != app.bodies().number()) servo_->set_bodies(app.bodies());
-    if (std::exchange(given_guidance_, app.guidance().number) != app.guidance().number)
-        servo_->set_guidance(app.guidance());
+    if (std::exchange(given_guidance_, told.guidance->number) != told.guidance->number)
+        servo_->set_guidance(*told.guidance);
     if (!simulated_) return;
     HandCommand command;
-    command.target_m = app.hand_target_m();
+    command.target_m = told.target_m;
     simulated_->command.publish(command);
 }
 

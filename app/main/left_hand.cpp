@@ -63,8 +63,9 @@ void LeftHand::hand_over(const Session& app) {
         handed_scene_ = app.haptic_scene();
         servo_->set_scene(handed_scene_);
     }
-    servo_->set_tuning(app.left_tuning());
-    servo_->set_pose(app.left_pose());
+    const HandOutput told = app.hand(1);
+    servo_->set_tuning(told.tuning);
+    servo_->set_pose(told.pose);
     if (std::exchange(handed_bodies_, app.bodies().number()) != app.bodies().number()) servo_->set_bodies(app.bodies());
 }
 

@@ -46,13 +46,13 @@ void WorldVisits::begin_reading(const std::filesystem::path& path, const CommonA
 }
 
 void WorldVisits::change(double now_s) {
-    if (const auto wanted = app_.take_world_request()) {
+    if (const auto wanted = app_.requests().take_world()) {
         if (next_) return say_(phrase("program.still_read", {{"world", name_of_file(next_path_)}}));
         CommonArguments common = arguments_.common;
         common.unit_m.reset();  // it was said of another world
         begin_reading(*wanted, common, now_s);
     }
-    if (const auto last = app_.take_last_place_request(); last && !next_) {
+    if (const auto last = app_.requests().take_last_place(); last && !next_) {
         std::error_code ec;
         if (std::filesystem::equivalent(last->world, path_, ec)) {
             app_.apply(WentOnAt{*last}, now_s);

@@ -43,9 +43,7 @@ public:
         HandFacts hand;
         hand.present = hand.simulated = true;
         hand.spec = *find_device_spec("sim-t");
-        Session app(Settings{}, hand);
-        app.find_rooms_beside();
-        app.feel_beside();
+        Session app(Settings{}, hand, {.rooms_beside = true, .touch_beside = true});
         const double enter_ms = timed([&] { app.apply(WorldEntered{std::move(ready)}, now_s_); });
         const double touch_s = since_begin();
         until_made(app);

@@ -270,19 +270,19 @@ void Monkey::world() {
 }
 
 void Monkey::owner() {
-    if (const auto wanted = app().take_world_request()) {
+    if (const auto wanted = app().requests().take_world()) {
         note("chosen", wanted->filename().string());
         app().apply(WorldEntered{make_ready(worlds_[below(static_cast<std::uint32_t>(worlds_.size()))])},
                     session_->now_s());
     }
-    if (app().take_first_set_up()) app().apply(SetUpOver{}, session_->now_s());
-    (void)app().take_calibration_request();
-    if (app().offer_taken() && !facts_[0].present) {
+    if (app().requests().take_first_set_up()) app().apply(SetUpOver{}, session_->now_s());
+    (void)app().requests().take_set_up();
+    if (app().requests().take_offered_hand() && !facts_[0].present) {
         facts_[0].present = facts_[0].simulated = true;
         facts_[0].spec = *find_device_spec("sim-t");
         session_->change_hand(facts_[0]);
     }
-    if (app().wants_to_leave()) begin();
+    if (app().requests().leave) begin();
 }
 
 void Monkey::one_act() {
@@ -313,7 +313,7 @@ bool Monkey::act() {
 void Monkey::run(double seconds) {
     for (const double until = session_->now_s() + seconds; session_->now_s() < until - 1e-9 && fault_.empty();) {
         seconds_ += 1e-3;
-        const double ceiling_n[] = {app().tuning().force_ceiling_n, app().left_tuning().force_ceiling_n};
+        const double ceiling_n[] = {app().hand().tuning.force_ceiling_n, app().hand(1).tuning.force_ceiling_n};
         session_->advance();
         for (std::size_t which = 0; which < 2; ++which) {
             if (!facts_[which].present) continue;

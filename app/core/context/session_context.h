@@ -3,7 +3,6 @@
 // it in its constructor, by name. App thread only.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "app/core/context/cues.h"
 #include "app/core/context/hands_state.h"
 #include "app/core/context/lists.h"
+#include "app/core/context/owner_requests.h"
 #include "app/core/context/person.h"
 #include "app/core/context/session_event.h"
 #include "app/core/kept/side_file.h"
@@ -36,8 +36,6 @@ struct SessionAsks {
     std::function<void(const std::vector<std::pair<Command, std::string>>& changes)> change_keys;
     // Has a setting saved that nothing follows which goes on already; key and value must fit.
     std::function<void(std::string_view key, const std::string& value)> keep_setting;
-    // The owner is to read that world and enter it.
-    std::function<void(const std::filesystem::path& file)> want_world;
 };
 
 struct SessionContext {
@@ -50,6 +48,7 @@ struct SessionContext {
     Lists& lists;
     SideFile& additions;  // to the world one is in: each topic writes lists and tables of its own
     Events& events;
+    OwnerRequests& requests;
     SessionAsks asks = {};
     double tick_s = -1.0;  // of the last tick: when what a list or a question leads to happens
 

@@ -44,7 +44,32 @@ struct Teleported {
     double heading_rad = 0.0;
 };
 
-using Happening = std::variant<Touched, RoomEntered, WallDone, HelpAsked, DoorUsed, Teleported>;
+// By what somebody is brought somewhere: a pull on the hand, lines under it, words step by step, a sound at the goal.
+enum class LedBy : std::uint8_t { Hand, Lines, Ear, Beacon };
+// From now on the person is led to a goal, or to the next stop of a way, or on from elsewhere; as it is told.
+struct Led {
+    std::string goal;
+    LedBy by = LedBy::Ear;
+};
+// The body, or the hand that is pulled, is off the way it is led along.
+struct LeftRoute {
+    std::string goal;
+    LedBy by = LedBy::Ear;
+};
+// A stop of a kept way is reached, and the way goes on from it.
+struct StopPassed {
+    std::string stop;
+    LedBy by = LedBy::Ear;
+};
+// The end of what one was led along is reached: the goal, or where one gets nearest to it.
+struct Arrived {
+    std::string goal;
+    LedBy by = LedBy::Ear;
+    bool to_nearest = false;
+};
+
+using Happening =
+    std::variant<Touched, RoomEntered, WallDone, HelpAsked, DoorUsed, Teleported, Led, LeftRoute, StopPassed, Arrived>;
 
 struct SessionEvent {
     double time_s = 0.0;

@@ -23,7 +23,7 @@ void Forces::toggle(double now_s) {
     const bool stopped = hands_.tuning.panic || stops_known_ != hands_.tuning.stops_let_go;
     if (offered_ && !stopped) {
         offered_ = false;
-        offer_taken_ = true;
+        context_.requests.offered_hand = true;
         return;
     }
     if (!hands_.right.present && !stopped) return context_.answer(phrase("session.no_hand"), now_s);

@@ -28,7 +28,6 @@ public:
     void take(const HandFacts& hand);
     // A device that could be used was plugged in: says so, and the force key takes it the next time.
     void offer(const std::string& spoken_name, double now_s);
-    bool offer_taken() { return std::exchange(offer_taken_, false); }  // true once
     // Tells when a confirmation would bring the force back, where that comes by itself.
     void tick(double now_s);
     // Proposes a break where one is due.
@@ -40,7 +39,7 @@ private:
 
     const SessionContext& context_;
     HandsState& hands_;
-    bool offered_ = false, offer_taken_ = false;
+    bool offered_ = false;
     bool fault_lasted_ = false;
     double stopped_s_ = -1e9;
     std::uint32_t stops_known_ = 0;

@@ -57,8 +57,8 @@ void LessonSession::tell(const LessonReply& reply, double now_s) {
     if (in_first_minutes() && reply.done) keep_welcome(static_cast<int>(run_->at()), false);
     if (reply.begin_here) on_begin_here(now_s);
     if (reply.set_up && owner_sets_up_) {
-        first_set_up_ = true;
-        on_set_up();
+        context_.requests.first_set_up = true;
+        context_.requests.set_up = true;
     }
     if (reply.finished) {
         const bool first = in_first_minutes();

@@ -30,9 +30,7 @@ public:
     void leave(double now_s);
     // The first minutes have not come to the world yet.
     bool greeting_waits() const;
-    // The set-up was asked for by the first minutes: headphones and the hand only; once for each time. The owner tells
-    // when it is over, or left.
-    bool take_first_set_up() { return std::exchange(first_set_up_, false); }
+    // The owner's set-up, which the first minutes asked for, is over, or left.
     void know_set_up_over() { set_up_over_ = true; }
 
     // Before anything is done. True: the command was the lesson's, or is not to be done.
@@ -51,7 +49,6 @@ public:
     // Set by the session.
     std::function<bool()> beacon_calls, at_beacon;    // the body is at what the beacon is on, or was
     std::function<std::string()> world_greeting;      // of the world one is in
-    std::function<void()> on_set_up;                  // the owner is to begin the set-up
     std::function<void(double now_s)> on_begin_here;  // the workspace belongs to where the hand is now
     std::function<void(double now_s)> on_hunt;        // in a larger building
     std::function<void(double now_s)> on_worlds;      // to be chosen from
@@ -80,7 +77,7 @@ private:
     std::vector<SaidLater> said_later_;
     enum class After { Nothing, Choose, Lessons } after_ = After::Nothing;
     std::string who_speaks_;
-    bool owner_sets_up_ = false, set_up_over_ = true, first_set_up_ = false;
+    bool owner_sets_up_ = false, set_up_over_ = true;
 };
 
 }  // namespace handrail

@@ -63,11 +63,11 @@ public:
 private:
     // World place -> device place, by the workspace as it is now.
     Vec3 in_device(const Vec3& world_m, bool left) {
-        const WorkspacePose pose = left ? session_.app().left_pose() : session_.app().pose();
+        const WorkspacePose pose = left ? session_.app().hand(1).pose : session_.app().hand().pose;
         const ToolState& tool = session_.tool(left);
         const Vec3 origin_m = pose.origin_m + (tool.workspace_jump == pose.jump ? tool.workspace_shift_m : Vec3(0.0));
         const WorkspaceFrame frame = frame_of(origin_m, pose.heading_rad);
-        return frame.turn_to_device(world_m - origin_m) / session_.app().tuning().touch.world_m_per_hand_m;
+        return frame.turn_to_device(world_m - origin_m) / session_.app().hand().tuning.touch.world_m_per_hand_m;
     }
     Vec3 hand_now(bool left) {
         session_.hand(left).state.refresh();
@@ -238,7 +238,7 @@ LoggedTick logged(HeadlessSession& session, std::size_t hand) {
     tick.hip_m = tool.hip_m;
     tick.proxy_m = tool.proxy_m;
     tick.radius_m = tool.ball_radius_m;
-    tick.scale = session.app().tuning().touch.world_m_per_hand_m;
+    tick.scale = session.app().hand().tuning.touch.world_m_per_hand_m;
     tick.contact = tool.touches();
     tick.touched = tool.touched();
     tick.feet_m = session.app().feet_m();
@@ -283,7 +283,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
     session.app().apply(WorldsKnown{{scenario.world.parent_path(), {}}}, 0.0);
     while (session.now_s() < kLongestRun_s) {
         // In virtual time a world is read in no time; one that cannot be read is said and the old one stays.
-        if (const auto wanted = session.app().take_world_request()) {
+        if (const auto wanted = session.app().requests().take_world()) {
             if (auto other = read_world(*wanted))
                 session.app().apply(WorldEntered{make_ready(std::make_shared<const Scene>(std::move(*other)))},
                                     session.now_s());

@@ -10,8 +10,9 @@ constexpr double kFrames_per_s = 60.0;
 
 }  // namespace
 
-HeadlessSession::HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech)
-    : app_(settings, hand), facts_(hand), audio_(audio), speech_(speech), planner_(settings) {
+HeadlessSession::HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech,
+                                 const SessionOptions& options)
+    : app_(settings, hand, options), facts_(hand), audio_(audio), speech_(speech), planner_(settings) {
     hands_[0].take(hand);
 }
 
@@ -84,11 +85,10 @@ void HeadlessSession::advance() {
 void HeadlessSession::servo(std::size_t which) {
     Hand& hand = hands_[which];
     const DeviceSample sample = hand.device->read(now_s());
-    const ServoTuning tuning = with_switches(which == 0 ? app_.tuning() : app_.left_tuning(), switches_);
-    const WorkspacePose pose = which == 0 ? app_.pose() : app_.left_pose();
-    hand.device->write(servo_tick(*hand.state, app_.haptic_scene().get(), tuning, pose, sample, now_s(), &app_.bodies(),
-                                  which == 0 ? app_.desk_visit().scene().get() : nullptr,
-                                  which == 0 ? &app_.guidance() : nullptr));
+    const HandOutput told = app_.hand(which);
+    hand.device->write(servo_tick(*hand.state, app_.haptic_scene().get(), with_switches(told.tuning, switches_),
+                                  told.pose, sample, now_s(), &app_.bodies(),
+                                  which == 0 ? app_.desk_visit().scene().get() : nullptr, told.guidance));
     hand.tool = hand.state->tool();
     for (const ContactEvent& event : hand.state->events()) {
         contacts_.push_back(event);

@@ -18,7 +18,8 @@ class HeadlessSession {
 public:
     // The sinks are told everything in virtual time and must outlive the session. A hand that is not present gets no
     // servo.
-    HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech);
+    HeadlessSession(const Settings& settings, const HandFacts& hand, AudioSink& audio, SpeechSink& speech,
+                    const SessionOptions& options = {});
 
     Session& app() { return app_; }
     // A second hand, the left one; from then on the one of the constructor is the right one. Facts of none take it away

@@ -14,60 +14,64 @@
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
-namespace {}  // namespace
 
-Session::Session(const Settings& settings, const HandFacts& hand) : person_(settings) {
-    hands_.right = hand;
+Session::Session(const Settings& settings, const HandFacts& hand, const SessionOptions& options)
+    : state_(settings, hand) {
     wire();
-    lay_device_overrides(person_.settings, hands_.right);
+    if (options.rooms_beside) where_.rooms.find_beside();
+    if (options.touch_beside) hand_.touch_view.make_beside();
+    if (!options.records_in.empty()) learn_.hunt.keep_records_in(options.records_in);
+    if (!options.languages_in.empty()) menu_.languages().find_in(options.languages_in);
+    lay_device_overrides(state_.person.settings, state_.hands.right);
     desk_visit_.furnish();
-    for (const std::string& problem : person_.keys.problems()) say(problem, SpeechClass::Answer, 0.0);
+    for (const std::string& problem : state_.person.keys.problems()) say(problem, SpeechClass::Answer, 0.0);
 }
 
 void Session::enter_world(EnteringWorld world, double now_s) {
     settled_.give_up();
-    body_.walker.reset();
+    state_.body.walker.reset();
     // The world one leaves is let go of beside everything else.
     auto left = std::make_shared<std::pair<std::shared_ptr<const Scene>, std::shared_ptr<const BodyWorld>>>(
-        std::move(world_.scene), std::move(world_.solids));
-    if (touch_view_.beside())
+        std::move(state_.world.scene), std::move(state_.world.solids));
+    if (hand_.touch_view.beside())
         settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
-    world_.scene = std::move(world.scene);
-    world_.thing_of_mover = std::move(world.thing_of_mover);
-    rooms_.enter_world(std::move(world.file));
+    state_.world.scene = std::move(world.scene);
+    state_.world.thing_of_mover = std::move(world.thing_of_mover);
+    where_.rooms.enter_world(std::move(world.file));
     take_additions();  // before the hand's scene is made: what bears a mark is not simplified
-    touch_view_.enter_world(std::move(world.sharp), now_s);
-    world_.movers.enter(world_.scene->movers);
-    world_.solids = std::move(world.body);
-    body_.walker =
-        std::make_unique<Walker>(*world_.solids, body_size(*world_.scene, person_.settings.walk.body_radius_m));
-    body_.walker->place(world.feet_m);
-    world_.home_feet_m = body_.walker->state().feet_m;
-    world_.home_heading_rad = body_.heading_rad = body_.heading_goal_rad = wrap_angle(world.heading_rad);
-    soundscape_.enter(*world_.scene);
-    learning_.enter_world(now_s);
-    hunt_.enter_world();
-    lists_.dialogue.close_all();  // what it was about may be gone
-    triggers_.enter_world();
-    walking_.enter_world();
-    context_.tick_s = now_s;
-    ++world_.entered;
+    hand_.touch_view.enter_world(std::move(world.sharp), now_s);
+    state_.world.movers.enter(state_.world.scene->movers);
+    state_.world.solids = std::move(world.body);
+    state_.body.walker = std::make_unique<Walker>(
+        *state_.world.solids, body_size(*state_.world.scene, state_.person.settings.walk.body_radius_m));
+    state_.body.walker->place(world.feet_m);
+    state_.world.home_feet_m = state_.body.walker->state().feet_m;
+    state_.world.home_heading_rad = state_.body.heading_rad = state_.body.heading_goal_rad =
+        wrap_angle(world.heading_rad);
+    soundscape_.enter(*state_.world.scene);
+    learn_.place.enter_world(now_s);
+    learn_.hunt.enter_world();
+    state_.lists.dialogue.close_all();  // what it was about may be gone
+    movers_.triggers.enter_world();
+    walk_.walking.enter_world();
+    state_.context.tick_s = now_s;
+    ++state_.world.entered;
 
     publish_pose(now_s, PoseChange::Placed);
     if (!greeting_waits()) say(entering_text(), SpeechClass::Answer, now_s);
-    if (person_.settings.speech.crowding_hint)
-        if (std::string crowded = crowded_view(*world_.scene); !crowded.empty())
+    if (state_.person.settings.speech.crowding_hint)
+        if (std::string crowded = crowded_view(*state_.world.scene); !crowded.empty())
             say(std::move(crowded), SpeechClass::Answer, now_s);
     tell_additions(now_s);
-    if (std::string news = greeting_waits() ? std::string() : touch_view_.news(); !news.empty())
+    if (std::string news = greeting_waits() ? std::string() : hand_.touch_view.news(); !news.empty())
         say(std::move(news), SpeechClass::Ambient, now_s);
-    hunt_.begin_awaited(now_s);
+    learn_.hunt.begin_awaited(now_s);
 }
 
 void Session::set_hand(const HandFacts& hand, const Settings& settings, double now_s) {
-    forces_.take(hand);
+    hand_.forces.take(hand);
     guide_.let_go();
-    workspace_.take_hand();
+    hand_.workspace.take_hand();
     desk_visit_.lay_out();
     change_settings(settings, now_s);
 }
@@ -75,56 +79,57 @@ void Session::set_hand(const HandFacts& hand, const Settings& settings, double n
 // What it is, how large, where one is and which way one faces, what to try: at most kMostOnEntering words.
 std::string Session::entering_text() const {
     constexpr std::size_t kMostOnEntering = 35;
-    const Vec3 size = world_.scene->bounds_m.empty() ? Vec3(0.0) : world_.scene->bounds_m.size_m();
-    const std::string world = sentence_case(spoken_name(*world_.scene));
+    const Vec3 size = state_.world.scene->bounds_m.empty() ? Vec3(0.0) : state_.world.scene->bounds_m.size_m();
+    const std::string world = sentence_case(spoken_name(*state_.world.scene));
     const bool named_large = size.x >= 0.5 && size.y >= 0.5;
     std::string first = named_large
                             ? phrase("session.world_of_size", {{"world", world}, {"wide", size.x}, {"deep", size.y}})
                             : world + ".";
-    std::string hints = phrase(hands_.right.present && !hands_.right.simulated ? "session.begin_with_hand"
-                                                                               : "session.begin_with_keys") +
-                        " " + phrase("session.where_help_is");
+    std::string hints =
+        phrase(state_.hands.right.present && !state_.hands.right.simulated ? "session.begin_with_hand"
+                                                                           : "session.begin_with_keys") +
+        " " + phrase("session.where_help_is");
     const std::size_t rest = kMostOnEntering - std::min(kMostOnEntering, count_words(first) + count_words(hints));
-    return first + " " + asking_.where_am_i(std::min(rest, Asking::kMostWords)) + " " + hints;
+    return first + " " + where_.asking.where_am_i(std::min(rest, Asking::kMostWords)) + " " + hints;
 }
 
 void Session::press(Command command, double now_s, int times) {
-    if (keys_held_.held(command)) return;
+    if (walk_.keys_held.held(command)) return;
     // Any key interrupts what is being said; Repeat wants it again, and Stop says so itself.
     if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward &&
         command != Command::StopSpeech && command != Command::StopEverything)
         quiet(now_s);
     if (lesson_session_.takes(command, now_s)) return;
     lesson_session_.note(command);
-    if (info(command).hold) keys_held_.press(command);
+    if (info(command).hold) walk_.keys_held.press(command);
     act(command, now_s, times);
 }
 
-void Session::release(Command command) { keys_held_.release(command); }
+void Session::release(Command command) { walk_.keys_held.release(command); }
 
 void Session::set_focus(bool focused) {
-    if (!focused) walking_.steer({});
-    hands_.tuning.focused = focused;
+    if (!focused) walk_.walking.steer({});
+    state_.hands.tuning.focused = focused;
     if (!focused) {
-        keys_held_.release_all();
-        workspace_.let_go();
+        walk_.keys_held.release_all();
+        hand_.workspace.let_go();
     }
 }
 
 void Session::know_stops(std::uint32_t stops, double now_s) {
-    if (forces_.know_stops(stops)) act(Command::StopEverything, now_s);
+    if (hand_.forces.know_stops(stops)) act(Command::StopEverything, now_s);
 }
 
 bool Session::idle() const {
-    if (!lesson_session_.idle() || calibration_asked_) return false;
-    return walking_.idle() && workspace_.idle() && !keys_held_.any();
+    if (!lesson_session_.idle() || state_.requests.set_up) return false;
+    return walk_.walking.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
 }
 
 void Session::act(Command command, double now_s, int times) {
-    if (!world_.scene) return;
+    if (!state_.world.scene) return;
     if (desk_visit_.refuses(command, now_s)) return;
-    if (walking_.act(command, now_s, times) || workspace_.act(command, now_s) || forces_.act(command, now_s) ||
-        learning_.act(command, now_s) || hunt_.act(command, now_s))
+    if (walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
+        hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s))
         return;
     switch (command) {
         case Command::WhereAmI:
@@ -136,10 +141,10 @@ void Session::act(Command command, double now_s, int times) {
         case Command::ScaleBar:
         case Command::Coordinates:
         case Command::WhatIsThis:
-            asking_.act(command, now_s);
+            where_.asking.act(command, now_s);
             break;
         case Command::Simplified:
-            simplified_list_.open(touch_view_.plan(), touch_view_.portals(), now_s);
+            simplified_list_.open(hand_.touch_view.plan(), hand_.touch_view.portals(), now_s);
             break;
         case Command::Repeat:
         case Command::HistoryBack:
@@ -155,7 +160,7 @@ void Session::act(Command command, double now_s, int times) {
             break;
         }
         case Command::StopEverything:
-            if (forces_.stop(now_s)) walking_.fall_silent();
+            if (hand_.forces.stop(now_s)) walk_.walking.fall_silent();
             break;
         case Command::BringOut:
             bring_out(now_s);
@@ -164,17 +169,17 @@ void Session::act(Command command, double now_s, int times) {
             ask_for_last_place(now_s);
             break;
         case Command::Use:
-            doors_.act(command, now_s);
+            movers_.doors.act(command, now_s);
             break;
         case Command::DropMark:
         case Command::DeleteMark:
         case Command::Marks:
-            mark_list_.act(command, now_s);
+            places_.marks.act(command, now_s);
             break;
         case Command::Exits:
         case Command::UnvisitedExits:
         case Command::NameRoom:
-            rooms_.act(command, now_s);
+            where_.rooms.act(command, now_s);
             break;
         case Command::SetBeacon:
         case Command::MuteBeacon:
@@ -186,11 +191,11 @@ void Session::act(Command command, double now_s, int times) {
             break;
         case Command::Ways:
         case Command::KeepWay:
-            kept_ways_.act(command, now_s);
+            places_.ways.act(command, now_s);
             break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
-            rooms_.show_plan(plan_view_);
+            where_.rooms.show_plan(plan_view_);
             answer(phrase(plan_view_ ? "session.plan" : "session.first_person"), now_s);
             break;
         case Command::Menu:
@@ -210,17 +215,20 @@ void Session::act(Command command, double now_s, int times) {
             cue(dictionary_.step(-1, listener(), now_s));
             break;
         case Command::Callouts:
-            person_.settings.walk.callouts = !person_.settings.walk.callouts;
-            person_.changes.emplace_back("walk.callouts", person_.settings.walk.callouts ? "true" : "false");
-            answer(phrase(person_.settings.walk.callouts ? "walking.callouts_on" : "walking.callouts_off"), now_s);
+            state_.person.settings.walk.callouts = !state_.person.settings.walk.callouts;
+            state_.person.changes.emplace_back("walk.callouts",
+                                               state_.person.settings.walk.callouts ? "true" : "false");
+            answer(phrase(state_.person.settings.walk.callouts ? "walking.callouts_on" : "walking.callouts_off"),
+                   now_s);
             break;
         case Command::VerbosityCycle:
-            person_.settings.speech.verbosity = (person_.settings.speech.verbosity + 1) % 5;
-            person_.changes.emplace_back("speech.verbosity", fmt::format("{}", person_.settings.speech.verbosity));
-            answer(phrase("session.verbosity", {{"level", person_.settings.speech.verbosity}}), now_s);
+            state_.person.settings.speech.verbosity = (state_.person.settings.speech.verbosity + 1) % 5;
+            state_.person.changes.emplace_back("speech.verbosity",
+                                               fmt::format("{}", state_.person.settings.speech.verbosity));
+            answer(phrase("session.verbosity", {{"level", state_.person.settings.speech.verbosity}}), now_s);
             break;
         case Command::Calibrate:
-            calibration_asked_ = true;
+            state_.requests.set_up = true;
             break;
         case Command::Desk:
             desk_visit_.open_list(now_s);
@@ -229,7 +237,7 @@ void Session::act(Command command, double now_s, int times) {
             if (at_desk()) {
                 publish_pose(now_s, PoseChange::Moved);  // a jump of the workspace ends the visit
             } else if (asked_to_leave_.lately(now_s)) {
-                wants_to_leave_ = true;
+                state_.requests.leave = true;
                 answer(phrase("session.goodbye"), now_s);
             } else {
                 asked_to_leave_.at_s = now_s;
@@ -242,18 +250,18 @@ void Session::act(Command command, double now_s, int times) {
 }
 
 void Session::place(const Vec3& feet_m, double heading_rad, double now_s) {
-    contract_pre(world_.scene != nullptr);
+    contract_pre(state_.world.scene != nullptr);
     contract_pre(is_finite(feet_m) && std::isfinite(heading_rad));
-    walking_.set_down(feet_m, heading_rad);
+    walk_.walking.set_down(feet_m, heading_rad);
     publish_pose(now_s, PoseChange::Placed);
-    events_.tell(Teleported{feet_m, body_.heading_rad}, now_s);
+    state_.events.tell(Teleported{feet_m, state_.body.heading_rad}, now_s);
 }
 
 // The body out of what it stands in, and the hand.
 void Session::bring_out(double now_s) {
-    const Vec3 workspace_was_m = workspace_.middle_m();
-    std::string said = walking_.bring_out(now_s);
-    const std::string of_hand = workspace_.bring_out(workspace_was_m, !said.empty(), now_s);
+    const Vec3 workspace_was_m = hand_.workspace.middle_m();
+    std::string said = walk_.walking.bring_out(now_s);
+    const std::string of_hand = hand_.workspace.bring_out(workspace_was_m, !said.empty(), now_s);
     if (!said.empty() && !of_hand.empty()) said += ' ';
     said += of_hand;
     answer(said.empty() ? phrase("session.inside_nothing") : said, now_s);
@@ -262,146 +270,154 @@ void Session::bring_out(double now_s) {
 // The same world with something added or removed: everything else goes on.
 void Session::change_world(Scene scene, double now_s) {
     settled_.give_up();
-    world_.scene = std::make_shared<const Scene>(std::move(scene));
-    touch_view_.change_world(now_s);
+    state_.world.scene = std::make_shared<const Scene>(std::move(scene));
+    hand_.touch_view.change_world(now_s);
 }
 
 // Everything has come to rest: where it is now is where it is found, drawn and led to. The walls that a body meets are
 // there already.
 void Session::settle(double) {
-    if (touch_view_.beside()) {
-        settled_.begin(
-            [scene = world_.scene, now = things_now(world_)](const std::stop_token&) -> std::shared_ptr<const Scene> {
-                return std::make_shared<const Scene>(with_things(*scene, now));
-            });
+    if (hand_.touch_view.beside()) {
+        settled_.begin([scene = state_.world.scene,
+                        now = things_now(state_.world)](const std::stop_token&) -> std::shared_ptr<const Scene> {
+            return std::make_shared<const Scene>(with_things(*scene, now));
+        });
         return;
     }
-    world_.scene = std::make_shared<const Scene>(world_now(world_));
-    world_.movers.follow(world_.scene->movers);
+    state_.world.scene = std::make_shared<const Scene>(world_now(state_.world));
+    state_.world.movers.follow(state_.world.scene->movers);
 }
 
 void Session::take_settled() {
     auto settled = settled_.take();
-    if (!settled || !*settled || world_.things.moving() || world_.movers.any_moving())
+    if (!settled || !*settled || state_.world.things.moving() || state_.world.movers.any_moving())
         return;  // what moves again settles again
-    auto left = std::exchange(world_.scene, std::move(*settled));
-    world_.movers.follow(world_.scene->movers);
-    rebuild_solids(world_, body_);
+    auto left = std::exchange(state_.world.scene, std::move(*settled));
+    state_.world.movers.follow(state_.world.scene->movers);
+    rebuild_solids(state_.world, state_.body);
     settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
 }
 
 Result<void> Session::add_thing(const std::string& name, std::shared_ptr<const Scene> model, const Placement& at,
                                 const std::string& material, double now_s) {
-    if (!world_.scene) return fail(phrase("session.no_world"));
-    if (world_.scene->placed.size() >= HapticScene::kMostBodies)
-        return fail(phrase("session.too_many_things", {{"count", world_.scene->placed.size()}}));
-    auto changed = with_placed(world_now(world_), name, std::move(model), at, material);
+    if (!state_.world.scene) return fail(phrase("session.no_world"));
+    if (state_.world.scene->placed.size() >= HapticScene::kMostBodies)
+        return fail(phrase("session.too_many_things", {{"count", state_.world.scene->placed.size()}}));
+    auto changed = with_placed(world_now(state_.world), name, std::move(model), at, material);
     if (!changed) return tl::unexpected(changed.error());
     change_world(std::move(*changed), now_s);
     return {};
 }
 
 Result<void> Session::remove_thing(const std::string& name, double now_s) {
-    if (!world_.scene) return fail(phrase("session.no_world"));
-    auto changed = without_placed(world_now(world_), name);
+    if (!state_.world.scene) return fail(phrase("session.no_world"));
+    auto changed = without_placed(world_now(state_.world), name);
     if (!changed) return tl::unexpected(changed.error());
     change_world(std::move(*changed), now_s);
     return {};
 }
 
 Result<void> Session::send_thing(const std::string& name, const Placement& to, double speed_m_per_s) {
-    const int thing = world_.scene ? find_placed(*world_.scene, name) : -1;
+    const int thing = state_.world.scene ? find_placed(*state_.world.scene, name) : -1;
     if (thing < 0) return fail(phrase("session.none_to_move", {{"name", name}}));
     if (!is_finite(to.position_m) || !std::isfinite(to.scale) || !(to.scale > 0.0) || !(speed_m_per_s > 0.0) ||
         !std::isfinite(speed_m_per_s))
         return fail(phrase("session.way_needs", {{"name", name}}));
     Placement there = to;
     there.rotation = normalized(to.rotation);
-    world_.things.send(static_cast<std::size_t>(thing), there, speed_m_per_s);
+    state_.world.things.send(static_cast<std::size_t>(thing), there, speed_m_per_s);
     return {};
 }
 
 std::optional<Placement> Session::thing_at(const std::string& name) const {
-    const int thing = world_.scene ? find_placed(*world_.scene, name) : -1;
+    const int thing = state_.world.scene ? find_placed(*state_.world.scene, name) : -1;
     if (thing < 0) return std::nullopt;
-    return world_.things.at(static_cast<std::size_t>(thing));
+    return state_.world.things.at(static_cast<std::size_t>(thing));
 }
 
 void Session::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
     contract_pre(std::isfinite(now_s));
-    hands_.tool = tool;
-    hands_.left_tool = left_tool;
-    if (!world_.scene) return;
-    const double dt_s = std::clamp(now_s - context_.tick_s, 0.0, 0.1);
-    context_.tick_s = now_s;
+    state_.hands.tool = tool;
+    state_.hands.left_tool = left_tool;
+    if (!state_.world.scene) return;
+    const double dt_s = std::clamp(now_s - state_.context.tick_s, 0.0, 0.1);
+    state_.context.tick_s = now_s;
     desk_visit_.tick(now_s);
     if (at_desk()) {
         // The world waits: nothing moves, walks or turns.
-        workspace_.move_hand_by_keys(dt_s);
-        forces_.tick(now_s);
+        hand_.workspace.move_hand_by_keys(dt_s);
+        hand_.forces.tick(now_s);
         publish_pose(now_s, PoseChange::Walked);
         return;
     }
-    doors_.tick(now_s, dt_s);
-    const bool mover_arrived = doors_.take_arrived();
-    if (world_.things.tick(now_s, dt_s) || mover_arrived) {
+    movers_.doors.tick(now_s, dt_s);
+    const bool mover_arrived = movers_.doors.take_arrived();
+    if (state_.world.things.tick(now_s, dt_s) || mover_arrived) {
         // From now on it is seen where it is, as soon as everything stands still again.
-        if (!world_.things.moving() && !world_.movers.any_moving()) settle(now_s);
-        rebuild_solids(world_, body_);
-    } else if (world_.things.moving() || world_.movers.any_moving() || world_.movers.any_endless()) {
-        rebuild_solids(world_, body_);
+        if (!state_.world.things.moving() && !state_.world.movers.any_moving()) settle(now_s);
+        rebuild_solids(state_.world, state_.body);
+    } else if (state_.world.things.moving() || state_.world.movers.any_moving() || state_.world.movers.any_endless()) {
+        rebuild_solids(state_.world, state_.body);
     }
     if (dt_s > 0.0) {
-        workspace_.move_hand_by_keys(dt_s);
-        walking_.tick(now_s, dt_s);
+        hand_.workspace.move_hand_by_keys(dt_s);
+        walk_.walking.tick(now_s, dt_s);
     }
-    forces_.tick(now_s);
+    hand_.forces.tick(now_s);
     lesson_session_.tick(now_s);
-    if (workspace_.pushed(now_s)) guide_.person_moved(now_s);
-    workspace_.push(guide_.carry(), now_s);
-    workspace_.tell_motion(now_s);
+    if (hand_.workspace.pushed(now_s)) guide_.person_moved(now_s);
+    hand_.workspace.push(guide_.carry(), now_s);
+    hand_.workspace.tell_motion(now_s);
     touch_events_.tick(now_s);
-    triggers_.tick(now_s);
-    rooms_.tick(now_s);
-    workspace_.take_touch(rooms_.looked_for(), greeting_waits(), now_s);
+    movers_.triggers.tick(now_s);
+    where_.rooms.tick(now_s);
+    hand_.workspace.take_touch(where_.rooms.looked_for(), greeting_waits(), now_s);
     take_settled();
     guide_.follow(now_s);
-    walking_.tell_walls(now_s);
-    soundscape_.tick(*world_.solids, listener().ears_m, now_s, cues_.waiting);
-    mark_list_.tick_button(now_s);
+    walk_.walking.tell_walls(now_s);
+    soundscape_.tick(*state_.world.solids, listener().ears_m, now_s, state_.cues.waiting);
+    places_.marks.tick_button(now_s);
     guide_.lead(now_s);
-    mark_list_.tick(now_s);
+    places_.marks.tick(now_s);
     guide_.call(now_s);
     publish_pose(now_s, PoseChange::Walked);
-    forces_.tell_break(now_s);
+    hand_.forces.tell_break(now_s);
 }
 
 void Session::set_left_hand(const HandFacts& hand, double now_s) {
-    hands_.left = hand;
-    hands_.left_tool = {};
-    if (world_.scene) publish_pose(now_s, PoseChange::Moved);
+    state_.hands.left = hand;
+    state_.hands.left_tool = {};
+    if (state_.world.scene) publish_pose(now_s, PoseChange::Moved);
 }
 
-Listener Session::listener() const { return {body_.ears_m(), body_.heading_rad, soundscape_.reverberation_s()}; }
+HandOutput Session::hand(std::size_t which) const {
+    const Workspace& workspace = hand_.workspace;
+    if (which == 1) return {workspace.left_pose(), hand_.touch_view.left_tuning()};
+    return {workspace.pose(), state_.hands.tuning, &guide_.path(), workspace.hand_target_m()};
+}
+
+Listener Session::listener() const {
+    return {state_.body.ears_m(), state_.body.heading_rad, soundscape_.reverberation_s()};
+}
 
 ViewState Session::view(const ToolState& tool, const std::string& last_spoken) const {
     ViewState view;
-    view.scene = world_.scene;
+    view.scene = state_.world.scene;
     view.feet_m = feet_m();
-    view.eyes_m = view.feet_m + Vec3(0.0, 0.0, body_.walker->size().eye_height_m);
-    view.heading_rad = body_.heading_rad;
-    view.tilt_rad = walking_.tilt_rad();
-    view.show_hand = hands_.right.present;
+    view.eyes_m = view.feet_m + Vec3(0.0, 0.0, state_.body.walker->size().eye_height_m);
+    view.heading_rad = state_.body.heading_rad;
+    view.tilt_rad = walk_.walking.tilt_rad();
+    view.show_hand = state_.hands.right.present;
     view.proxy_m = tool.proxy_m;
     view.ball_radius_m = tool.ball_radius_m;
     view.touching = tool.touches();
     view.plan_view = plan_view_;
-    view.forces_on = hands_.tuning.forces_on && hands_.tuning.focused && !hands_.tuning.panic;
-    view.north_up = person_.settings.workspace.frame == FrameChoice::Map;
+    view.forces_on = state_.hands.tuning.forces_on && state_.hands.tuning.focused && !state_.hands.tuning.panic;
+    view.north_up = state_.person.settings.workspace.frame == FrameChoice::Map;
     view.last_spoken = last_spoken;
-    view.path_m = walking_.path_m();
-    if (plan_view_) view.rooms = rooms_.drawing(), view.room = rooms_.here();
-    view.dialogue = lists_.dialogue.view();
+    view.path_m = walk_.walking.path_m();
+    if (plan_view_) view.rooms = where_.rooms.drawing(), view.room = where_.rooms.here();
+    view.dialogue = state_.lists.dialogue.view();
     return view;
 }
 

@@ -56,35 +56,35 @@ bool Session::reply(const DialogueReply& reply, double now_s) {
 }
 
 bool Session::take_key(std::string_view key, double now_s) {
-    if (works_always(person_.keys, key)) return false;
+    if (works_always(state_.person.keys, key)) return false;
     if (menu_.commands().take_key(std::string(key), now_s)) return true;
-    if (!lists_.dialogue.is_open()) return false;
+    if (!state_.lists.dialogue.is_open()) return false;
     quiet(now_s);
-    return reply(lists_.dialogue.key(key, now_s), now_s);
+    return reply(state_.lists.dialogue.key(key, now_s), now_s);
 }
 
 bool Session::take_text(std::string_view utf8, double now_s) {
-    if (!lists_.dialogue.is_open()) return false;
+    if (!state_.lists.dialogue.is_open()) return false;
     quiet(now_s);
-    return reply(lists_.dialogue.typed(utf8, now_s), now_s);
+    return reply(state_.lists.dialogue.typed(utf8, now_s), now_s);
 }
 
 bool Session::take_act(const ItemAct& act, double now_s) {
-    if (!lists_.dialogue.is_open()) return false;
+    if (!state_.lists.dialogue.is_open()) return false;
     quiet(now_s);
-    return reply(lists_.dialogue.act(act, now_s), now_s);
+    return reply(state_.lists.dialogue.act(act, now_s), now_s);
 }
 
 bool Session::take_line(std::string_view line, double now_s) {
     const std::string_view bare = without_blanks(line);
     if (lesson_session_.take_line(bare, now_s) || menu_.commands().take_line(bare, now_s)) return true;
-    if (!lists_.dialogue.is_open()) return false;
+    if (!state_.lists.dialogue.is_open()) return false;
     if (const CommandInfo* row = find_command(line);
         row && (row->command == Command::StopEverything || row->command == Command::ToggleForces))
         return false;
     quiet(now_s);
-    DialogueReply said = lists_.dialogue.line(line, now_s);
-    if (const auto command = command_of_word(bare); said.denied && command && !lists_.dialogue.typing()) {
+    DialogueReply said = state_.lists.dialogue.line(line, now_s);
+    if (const auto command = command_of_word(bare); said.denied && command && !state_.lists.dialogue.typing()) {
         if (only_asks(*command)) {
             act(*command, now_s);
             return true;

@@ -20,7 +20,7 @@ bool Session::apply(SessionInput input, double now_s) {
                    [&](const HandMoved& in) { move_hand(in.by_m); },
                    [&](const SettingsChanged& in) { change_settings(in.settings, now_s); },
                    [&](const HandChanged& in) {
-                       hands_.keys_alone = in.for_want_of_one;
+                       state_.hands.keys_alone = in.for_want_of_one;
                        set_hand(in.hand, in.settings, now_s);
                    },
                    [&](const LeftHandChanged& in) { set_left_hand(in.hand, now_s); },

@@ -96,7 +96,7 @@ struct Told {
     SpeechClass speech_class = SpeechClass::Answer;
 };
 // The first minutes, before a world is entered or in one. who_speaks: "speech-dispatcher"; owner_sets_up: the owner
-// runs the set-up by voice when take_calibration_request says so, else that part is left out.
+// runs the set-up by voice when requests() has it, else that part is left out.
 struct FirstMinutesBegun {
     std::string who_speaks;
     bool owner_sets_up = false;

@@ -16,21 +16,21 @@ void Session::ask_for_last_place(double now_s) {
         play(SoundKind::Denied, now_s);
         return answer(phrase("last_place.none"), now_s);
     }
-    last_place_wanted_ = last_place_;
+    state_.requests.last_place = last_place_;
 }
 
 void Session::go_on_at(const LastPlace& last, double now_s) {
     const Vec3 room(kOutside_m);
-    const Aabb& bounds = world_.scene->bounds_m;
+    const Aabb& bounds = state_.world.scene->bounds_m;
     if (bounds.empty() || glm::any(glm::lessThan(last.feet_m, bounds.min_m - room)) ||
         glm::any(glm::greaterThan(last.feet_m, bounds.max_m + room)))
         return answer(phrase("last_place.gone"), now_s);
-    by_ear_.keep_place();
+    walk_.by_ear.keep_place();
     place(last.feet_m, last.heading_rad, now_s);
-    if (world_.solids->blocked(feet_m(), body_.walker->shape())) {
-        const auto free = nearest_free_feet(*world_.solids, feet_m(), body_.walker->shape());
+    if (state_.world.solids->blocked(feet_m(), state_.body.walker->shape())) {
+        const auto free = nearest_free_feet(*state_.world.solids, feet_m(), state_.body.walker->shape());
         if (!free) {
-            walking_.go_home(now_s);
+            walk_.walking.go_home(now_s);
             return answer(phrase("last_place.gone"), now_s);
         }
         place(*free, last.heading_rad, now_s);

@@ -8,33 +8,33 @@
 namespace handrail {
 
 void Session::change_settings(const Settings& settings, double now_s) {
-    if (settings.speech.language != person_.settings.speech.language) {
+    if (settings.speech.language != state_.person.settings.speech.language) {
         for (const Diagnostic& fault : speak_as_set(settings.speech, menu_.languages().folder()))
             say(fault.sentence(), SpeechClass::Answer, now_s);
         desk_visit_.furnish();  // its controls' names
     }
-    person_.settings = settings;
-    lay_device_overrides(person_.settings, hands_.right);
-    person_.keys = KeyMap(person_.settings.keys, person_.settings.keyboard.hand);
-    if (world_.scene) workspace_.take_settings(now_s);
+    state_.person.settings = settings;
+    lay_device_overrides(state_.person.settings, state_.hands.right);
+    state_.person.keys = KeyMap(state_.person.settings.keys, state_.person.settings.keyboard.hand);
+    if (state_.world.scene) hand_.workspace.take_settings(now_s);
 }
 
 // A live change, wherever it comes from: at once in force, stored and saved by whoever owns the settings.
 Result<void> Session::change_setting(std::string_view key, const std::string& value, double now_s) {
-    Settings changed = person_.settings;
+    Settings changed = state_.person.settings;
     if (auto done = handrail::change_setting(changed, key, value); !done) return done;
-    person_.changes.emplace_back(std::string(key), setting_text(changed, key).value_or(value));
+    state_.person.changes.emplace_back(std::string(key), setting_text(changed, key).value_or(value));
     if (key == "workspace.scale" && at_desk()) {
         desk_visit_.keep_scale(value);
         return {};
     }
-    if (key == "haptic.simplify" && world_.scene && !at_desk()) {
+    if (key == "haptic.simplify" && state_.world.scene && !at_desk()) {
         feel_otherwise(changed, now_s);
         return {};
     }
     if (key != "workspace.scale") {
-        person_.settings = std::move(changed);
-        if (world_.scene) touch_view_.retune();
+        state_.person.settings = std::move(changed);
+        if (state_.world.scene) hand_.touch_view.retune();
         return {};
     }
     rescale(changed, now_s);
@@ -43,11 +43,11 @@ Result<void> Session::change_setting(std::string_view key, const std::string& va
 
 // The same as a list has it; what it is then, or why it cannot be.
 std::string Session::change_setting(std::string_view key, const std::string& value) {
-    Settings changed = person_.settings;
+    Settings changed = state_.person.settings;
     if (const auto set = set_in(changed, key, value); !set) return set.error().message;
-    person_.changes.emplace_back(std::string(key), value);
-    change_settings(changed, context_.tick_s);
-    return setting_line(key, person_.settings).value;
+    state_.person.changes.emplace_back(std::string(key), value);
+    change_settings(changed, state_.context.tick_s);
+    return setting_line(key, state_.person.settings).value;
 }
 
 }  // namespace handrail

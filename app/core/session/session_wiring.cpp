@@ -10,40 +10,39 @@
 namespace handrail {
 
 void Session::wire() {
-    context_.asks.save_additions = [this](double now_s) { save_additions(now_s); };
-    context_.asks.place = [this](const Vec3& feet_m, double heading_rad, double now_s) {
+    state_.context.asks.save_additions = [this](double now_s) { save_additions(now_s); };
+    state_.context.asks.place = [this](const Vec3& feet_m, double heading_rad, double now_s) {
         place(feet_m, heading_rad, now_s);
     };
-    context_.asks.perform = [this](Command command, double now_s) {
+    state_.context.asks.perform = [this](Command command, double now_s) {
         press(command, now_s);
         release(command);
     };
-    context_.asks.change_setting = [this](std::string_view key, const std::string& value) {
+    state_.context.asks.change_setting = [this](std::string_view key, const std::string& value) {
         return change_setting(key, value);
     };
-    context_.asks.change_keys = [this](const std::vector<std::pair<Command, std::string>>& changes) {
+    state_.context.asks.change_keys = [this](const std::vector<std::pair<Command, std::string>>& changes) {
         for (const auto& [command, keys] : changes) {
-            person_.settings.keys[std::string(info(command).word)] = keys;
-            person_.changes.emplace_back(fmt::format("keys.{}", info(command).word), keys);
+            state_.person.settings.keys[std::string(info(command).word)] = keys;
+            state_.person.changes.emplace_back(fmt::format("keys.{}", info(command).word), keys);
         }
-        person_.keys = KeyMap(person_.settings.keys, person_.settings.keyboard.hand);
+        state_.person.keys = KeyMap(state_.person.settings.keys, state_.person.settings.keyboard.hand);
     };
-    context_.asks.keep_setting = [this](std::string_view key, const std::string& value) {
-        const bool fits = handrail::change_setting(person_.settings, key, value).has_value();
+    state_.context.asks.keep_setting = [this](std::string_view key, const std::string& value) {
+        const bool fits = handrail::change_setting(state_.person.settings, key, value).has_value();
         contract_pre(fits);
-        if (fits) person_.changes.emplace_back(key, value);
+        if (fits) state_.person.changes.emplace_back(key, value);
     };
-    context_.asks.want_world = [this](const std::filesystem::path& file) { world_wanted_ = file; };
-    rooms_.on_known = [this](double now_s) { kept_ways_.tell_unfit(now_s); };
-    rooms_.on_renamed = [this](const std::string& before, const std::string& name) {
-        kept_ways_.follow_room_name(before, name);
+    where_.rooms.on_known = [this](double now_s) { places_.ways.tell_unfit(now_s); };
+    where_.rooms.on_renamed = [this](const std::string& before, const std::string& name) {
+        places_.ways.follow_room_name(before, name);
     };
-    kept_ways_.on_go = [this](const std::vector<Stop>& stops, bool by_hand, double now_s) {
+    places_.ways.on_go = [this](const std::vector<Stop>& stops, bool by_hand, double now_s) {
         guide_.go_along(stops, by_hand, now_s);
     };
-    mark_list_.on_find = [this](const Goal& mark, double now_s) { guide_.open_tools(mark, now_s); };
+    places_.marks.on_find = [this](const Goal& mark, double now_s) { guide_.open_tools(mark, now_s); };
     // Beside the marks: the beacon, and how much help being led gives.
-    mark_list_.rows_above = [this] {
+    places_.marks.rows_above = [this] {
         const auto help = [this] { return phrase("guide.percent", {{"percent", std::lround(100.0 * guide_.help())}}); };
         const std::string beacon = guide_.beacon().on() ? guide_.beacon().name() : phrase("setting_value.off");
         const auto change_help = [this, help](int by) {
@@ -54,57 +53,58 @@ void Session::wire() {
             {{phrase("guide.beacon"), beacon}, [this](double now_s) { guide_.mute_beacon(now_s); }},
             {{phrase("guide.help"), help(), true}, [this](double now_s) { guide_.take_me(now_s); }, change_help}};
     };
-    triggers_.on_leads_elsewhere = [this](const Vec3& feet_m, double heading_rad, double now_s) {
+    movers_.triggers.on_leads_elsewhere = [this](const Vec3& feet_m, double heading_rad, double now_s) {
         place(feet_m, heading_rad, now_s);
         play(SoundKind::FrameSwitch, now_s);
         answer(phrase("movers.elsewhere") + " " + where_am_i(), now_s);
     };
-    learning_.on_go_to_room = [this](std::uint32_t room, double now_s) { guide_.go_to_room(room, now_s); };
-    by_ear_.where_am_i = [this] { return where_am_i(); };
-    walking_.on_walked = [this](const WalkResult& walked, double now_s) {
-        learning_.note(walked.bump ? std::optional(walked.bump->normal) : std::nullopt, by_ear_.wall_at_side(), now_s);
-        hunt_.tick(now_s);
-        learning_.tick(now_s);
+    learn_.place.on_go_to_room = [this](std::uint32_t room, double now_s) { guide_.go_to_room(room, now_s); };
+    walk_.by_ear.where_am_i = [this] { return where_am_i(); };
+    walk_.walking.on_walked = [this](const WalkResult& walked, double now_s) {
+        learn_.place.note(walked.bump ? std::optional(walked.bump->normal) : std::nullopt, walk_.by_ear.wall_at_side(),
+                          now_s);
+        learn_.hunt.tick(now_s);
+        learn_.place.tick(now_s);
     };
-    walking_.on_bumped = [this](FeatureId feature, double now_s) {
+    walk_.walking.on_bumped = [this](FeatureId feature, double now_s) {
         lesson_session_.note_bump(feature);
         // In games a button is walked against.
-        if (const int met = mover_of(world_, feature);
-            met >= 0 && world_.scene->features[feature.value].kind == FeatureKind::Button)
-            doors_.press(static_cast<std::uint32_t>(met), false, now_s);
-        if (!lock_words(context_, feature).empty()) doors_.tell_shut(feature, now_s);
+        if (const int met = mover_of(state_.world, feature);
+            met >= 0 && state_.world.scene->features[feature.value].kind == FeatureKind::Button)
+            movers_.doors.press(static_cast<std::uint32_t>(met), false, now_s);
+        if (!lock_words(state_.context, feature).empty()) movers_.doors.tell_shut(feature, now_s);
     };
-    touch_view_.openings = [this] {
-        if (rooms_.beside() && !rooms_.looked_for()) return KnownOpenings{{}, true};
+    hand_.touch_view.openings = [this] {
+        if (where_.rooms.beside() && !where_.rooms.looked_for()) return KnownOpenings{{}, true};
         // Not known(): on entering a world its movers are not known yet, nor where their leaves stand.
-        return KnownOpenings{rooms_.look() ? open_portals(rooms_.graph()) : OpenPortals{}, false};
+        return KnownOpenings{where_.rooms.look() ? open_portals(where_.rooms.graph()) : OpenPortals{}, false};
     };
-    workspace_.rests_untold = [this] { return guide_.take_carried(); };
-    lists_.before_open = [this] {
-        keys_held_.release_all();
-        walking_.halt();
+    hand_.workspace.rests_untold = [this] { return guide_.take_carried(); };
+    state_.lists.before_open = [this] {
+        walk_.keys_held.release_all();
+        walk_.walking.halt();
     };
     desk_visit_.change_setting = [this](std::string_view key, const std::string& value, double now_s) {
         return change_setting(key, value, now_s);
     };
     desk_visit_.where_am_i = [this] { return where_am_i(); };
-    desk_visit_.progress = [this](double now_s) { return learning_.progress_words(now_s); };
+    desk_visit_.progress = [this](double now_s) { return learn_.place.progress_words(now_s); };
     desk_visit_.beacon = [this] { return guide_.beacon().on() ? std::optional(guide_.beacon().name()) : std::nullopt; };
     desk_visit_.on_beacon = [this](const Mark* mark) {
         if (!mark) return guide_.silence_beacon();
         guide_.call_from({mark->name, point_box(mark->place_m), kNoFeature});
     };
     desk_visit_.on_come = [this] {
-        keys_held_.release_all();
-        walking_.halt();
-        body_.heading_goal_rad = body_.heading_rad;
+        walk_.keys_held.release_all();
+        walk_.walking.halt();
+        state_.body.heading_goal_rad = state_.body.heading_rad;
     };
     desk_visit_.on_back = [this](const std::optional<std::string>& scale, double now_s) {
         if (scale) {
-            Settings changed = person_.settings;
+            Settings changed = state_.person.settings;
             if (handrail::change_setting(changed, "workspace.scale", *scale)) rescale(changed, now_s);
         }
-        if (touch_view_.stale()) feel_otherwise(Settings(person_.settings), now_s);
+        if (hand_.touch_view.stale()) feel_otherwise(Settings(state_.person.settings), now_s);
     };
     lesson_session_.beacon_calls = [this] { return guide_.beacon().on(); };
     lesson_session_.at_beacon = [this] {
@@ -112,20 +112,19 @@ void Session::wire() {
         return std::hypot(way.x, way.y) <= Beacon::kArrived_m;
     };
     lesson_session_.world_greeting = [this] { return entering_text(); };
-    lesson_session_.on_set_up = [this] { calibration_asked_ = true; };
     lesson_session_.on_begin_here = [this](double now_s) { publish_pose(now_s, PoseChange::Placed); };
     // Through rooms; where no house comes with the program, here.
     lesson_session_.on_hunt = [this](double now_s) {
         const auto house = menu_.worlds().bundled("house");
         if (!house) {
-            hunt_.act(Command::Hunt, now_s);
+            learn_.hunt.act(Command::Hunt, now_s);
             return;
         }
-        hunt_.await_world();
+        learn_.hunt.await_world();
         menu_.worlds().go_to(*house);
     };
     lesson_session_.on_worlds = [this](double now_s) { menu_.worlds().open(now_s); };
-    lesson_session_.on_settings = [this](double now_s) { open_setting_topics(context_, now_s); };
+    lesson_session_.on_settings = [this](double now_s) { open_setting_topics(state_.context, now_s); };
     simplified_list_.on_choose = [this](const Goal& goal, double now_s) { guide_.open_tools(goal, now_s); };
 }
 

@@ -32,7 +32,9 @@ void EarWay::follow(Route route, const std::string& name, const std::string& fir
     std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
     const std::string how = route_words(route, nodes, context_.body.heading_rad, distances(context_));
     context_.answer(words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
+    context_.events.tell(Led{goal, LedBy::Ear}, now_s);
     name_ = goal;
+    to_nearest_ = !route.reaches;
     plans_.know(route.points_m);
     planned_in_ = context_.world.scene;
     follower_.follow(std::move(route), std::move(nodes));

@@ -23,6 +23,7 @@ public:
     bool following() const { return follower_.following(); }
     // As it is told: of the goal or of the nearest place to it. Kept when the way is over.
     const std::string& name() const { return name_; }
+    bool to_nearest() const { return to_nearest_; }  // of what cannot be reached
     const Vec3& goal_m() const { return follower_.goal_m(); }
     double along_m() const { return follower_.along_m(); }
     // How far it goes on straight, which way, and to what.
@@ -38,6 +39,7 @@ private:
     WayPlans& plans_;
     RouteFollower follower_;
     std::string name_;
+    bool to_nearest_ = false;
     std::shared_ptr<const Scene> planned_in_;  // the world as it was when the way was planned
 };
 

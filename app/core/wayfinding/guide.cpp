@@ -82,6 +82,7 @@ void Guide::follow(double now_s) {
     const std::string name = ear_.name();
     if (said.left) {
         // Planned anew from here, and said once.
+        context_.events.tell(LeftRoute{name, LedBy::Ear}, now_s);
         context_.say(phrase("lead.left_way"), SpeechClass::Contact, now_s);
         if (plans_.runs_to(name)) go_on({}, now_s);
         else ear_.follow_to(goal_m, name, {}, now_s);
@@ -90,6 +91,7 @@ void Guide::follow(double now_s) {
         if (said.arrived && plans_.runs_to(name) && next_stop(said.text, now_s)) return;
         context_.say(said.text, SpeechClass::Contact, now_s);
         if (!said.arrived) return;
+        context_.events.tell(Arrived{name, LedBy::Ear, ear_.to_nearest()}, now_s);
         plans_.end();
         if (beacon().name() == name) silence_beacon();
     }
@@ -97,6 +99,7 @@ void Guide::follow(double now_s) {
 
 void Guide::lead(double now_s) {
     if (hand_.wants_new_way(goal_, now_s)) {
+        context_.events.tell(LeftRoute{goal_->name, LedBy::Hand}, now_s);
         const int errors = hand_.errors();
         lead_to(Goal(*goal_), phrase("lead.left_way"), now_s);
         hand_.count_errors_from(errors + 1);
@@ -107,6 +110,7 @@ void Guide::lead(double now_s) {
     const std::string name = goal_ ? goal_->name : std::string();
     if (arrival->to_nearest) plans_.end();
     if (plans_.runs_to(name) && plans_.by_hand() && next_stop(phrase("ways.reached", {{"stop", name}}), now_s)) return;
+    context_.events.tell(Arrived{name, arrival->by_pull ? LedBy::Hand : LedBy::Lines, arrival->to_nearest}, now_s);
     context_.answer(phrase(arrival->to_nearest ? "lead.nearest_place" : "lead.here", {{"goal", name}}), now_s);
 }
 
@@ -114,6 +118,7 @@ void Guide::call(double now_s) {
     if (seek_.tick_beacon(now_s)) {
         if (ear_.name() == beacon().name() && !plans_.running()) ear_.stop();  // told once
         context_.play(SoundKind::Arrived, now_s);
+        context_.events.tell(Arrived{beacon().name(), LedBy::Beacon}, now_s);
         context_.say(phrase("lead.here", {{"goal", beacon().name()}}), SpeechClass::Answer, now_s);
     }
     seek_.tick_warmer(now_s);
@@ -138,7 +143,9 @@ void Guide::go_on(const std::string& first, double now_s) {
 
 // A stop is reached: true when the way goes on from it, which has been told then. `words` tell that one is there.
 bool Guide::next_stop(const std::string& words, double now_s) {
+    const StopPassed passed{plans_.stop().name, plans_.by_hand() ? LedBy::Hand : LedBy::Ear};
     if (!plans_.next()) return false;
+    context_.events.tell(passed, now_s);
     go_on(words, now_s);
     return true;
 }
@@ -210,6 +217,7 @@ void Guide::open_tools(const Goal& goal, double now_s) {
 }
 
 void Guide::call_from(const Goal& goal) {
+    context_.events.tell(Led{goal.name, LedBy::Beacon}, context_.tick_s);
     goal_ = goal;
     seek_.start_beacon(goal);
 }
@@ -307,6 +315,7 @@ void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     std::string words = with_passages(beside(first, taking()), way);
     if (help() == 1.0) words = beside(words, phrase("lead.hold_to_end"));
     else if (help() > 0.0) words = beside(words, phrase("lead.help", {{"percent", std::lround(100.0 * help())}}));
+    context_.events.tell(Led{goal.name, LedBy::Hand}, now_s);
     hand_.pull(way, help() * context_.settings.guidance.strength, std::move(words), now_s);
 }
 
@@ -328,6 +337,7 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
     const bool straight = route.reaches && route.points_m.size() <= 2;
     if (in_sight || route.points_m.empty()) seek_.start_beacon(goal);
     if (route.points_m.empty() || (in_sight && straight)) {
+        context_.events.tell(Led{goal.name, LedBy::Beacon}, now_s);
         const std::string where = where_words(context_, goal.box_m);
         return context_.answer(beside(first, phrase("lead.follow_beacon", {{"goal", goal.name}, {"where", where}})),
                                now_s);
@@ -346,6 +356,7 @@ void Guide::cross_lines(const Goal& goal, double now_s) {
         const WayForHand way = plans_.for_hand(goal, HandLead::kMostLinePoints);
         if (way.reaches && way.points_m.size() >= 2) {
             const std::string where = where_words(context_, goal.box_m);
+            context_.events.tell(Led{goal.name, LedBy::Lines}, now_s);
             return hand_.lines(
                 way, with_passages(phrase("lead.lines_along", {{"goal", goal.name}, {"where", where}}), way), now_s);
         }

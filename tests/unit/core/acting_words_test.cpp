@@ -57,8 +57,8 @@ TEST(WithNoDevice, no_force_is_spoken_of) {
     EXPECT_TRUE(s.heard("Going on"));
     for (const std::string& line : s.said) EXPECT_EQ(line.find("orce"), std::string::npos) << line;
     EXPECT_EQ(s.count(SoundKind::ForcesOn) + s.count(SoundKind::ForcesOff), 0);
-    EXPECT_FALSE(s.app.tuning().panic);
-    EXPECT_TRUE(s.app.tuning().forces_on) << "a device that is plugged in later is not off";
+    EXPECT_FALSE(s.app.hand().tuning.panic);
+    EXPECT_TRUE(s.app.hand().tuning.forces_on) << "a device that is plugged in later is not off";
 }
 
 TEST(WhatGivesWay, is_named_while_it_is_pressed) {

@@ -293,12 +293,12 @@ TEST(Desk, a_world_is_chosen_from_its_list_and_gone_to_by_the_button_beside_it) 
     Session& app = s.app();
     const std::size_t world = *app.desk_visit().desk().find("World"),
                       go = *app.desk_visit().desk().find("Go to that world");
-    EXPECT_FALSE(app.take_world_request());
+    EXPECT_FALSE(app.requests().take_world());
     const std::string first = app.desk_visit().desk().value(world), second = app.desk_visit().step(world, 1);
     EXPECT_NE(first, second);
-    EXPECT_FALSE(app.take_world_request()) << "looking through the list goes nowhere";
+    EXPECT_FALSE(app.requests().take_world()) << "looking through the list goes nowhere";
     EXPECT_EQ(app.desk_visit().press(go), "Going to " + second + ".");
-    const auto wanted = app.take_world_request();
+    const auto wanted = app.requests().take_world();
     ASSERT_TRUE(wanted);
     EXPECT_EQ(name_of_file(*wanted), second);
     EXPECT_TRUE(std::filesystem::exists(*wanted));
@@ -306,7 +306,7 @@ TEST(Desk, a_world_is_chosen_from_its_list_and_gone_to_by_the_button_beside_it) 
     EXPECT_EQ(app.desk_visit().desk().value(world), "none");
     EXPECT_EQ(app.desk_visit().step(world, 1), "none");
     EXPECT_EQ(app.desk_visit().press(go), "There is no world to go to.");
-    EXPECT_FALSE(app.take_world_request());
+    EXPECT_FALSE(app.requests().take_world());
 }
 
 TEST(Desk, a_beacon_is_put_on_the_mark_of_its_list_and_taken_off_again) {
@@ -460,7 +460,7 @@ TEST(Desk, the_world_waits_and_escape_leads_back) {
     s.key("Escape");
     s.run(0.1);
     EXPECT_FALSE(s.app().at_desk());
-    EXPECT_FALSE(s.app().wants_to_leave());
+    EXPECT_FALSE(s.app().requests().leave);
     s.key("Up");
     s.run(1.0);
     EXPECT_GT(s.app().feet_m().y, 0.5);

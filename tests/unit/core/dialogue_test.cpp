@@ -214,7 +214,7 @@ TEST(SessionLists, hold_everything_that_can_be_done_and_do_it) {
 
 TEST(SessionLists, never_keep_the_keys_that_stop_force_sound_or_speech) {
     Open s;
-    s.app.open_list({.title = "List", .items = {{"one", {}}}, .chosen = [](std::size_t) {}}, 0.0);
+    s.app.apply(CommandDown{Command::Menu}, 0.0);
     for (const char* key : {"F12", "Control", "Grave"}) EXPECT_FALSE(s.app.apply(KeyTapped{key}, 0.0)) << key;
     for (const char* key : {"Up", "F", "W", "F2"}) EXPECT_TRUE(s.app.apply(KeyTapped{key}, 0.0)) << key;
     EXPECT_FALSE(s.app.apply(LineTyped{"stop"}, 0.0));
@@ -226,7 +226,7 @@ TEST(SessionLists, never_keep_the_keys_that_stop_force_sound_or_speech) {
 TEST(SessionLists, let_go_of_what_was_held) {
     Open s;
     s.app.apply(CommandDown{Command::Forward}, 0.0);
-    s.app.open_list({.title = "List", .items = {{"one", {}}}, .chosen = [](std::size_t) {}}, 0.0);
+    s.app.apply(CommandDown{Command::Menu}, 0.0);
     for (double now = 0.0; now < 1.0; now += 0.02) s.app.tick(now, ToolState{});
     EXPECT_NEAR(s.app.feet_m().y, 0.5, 0.05);
 }

@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_and_being_put_elsewhere) {
+TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_the_way_and_being_put_elsewhere) {
     test::AppSession s;
     s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
     s.run(0.1);
@@ -15,6 +15,7 @@ TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_and_being_put_e
     (void)s.app.take_events();
     ASSERT_TRUE(test::go_to_room(s, "Kitchen", 90.0));
     int rooms = 0, doors = 0;
+    std::vector<std::string> led, arrived;
     std::string last;
     for (const SessionEvent& event : s.app.take_events()) {
         if (const auto* entered = std::get_if<RoomEntered>(&event.what)) {
@@ -22,11 +23,20 @@ TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_and_being_put_e
             last = entered->name;
         }
         doors += std::holds_alternative<DoorUsed>(event.what) ? 1 : 0;
+        if (const auto* to = std::get_if<Led>(&event.what)) led.push_back(to->goal);
+        if (const auto* there = std::get_if<Arrived>(&event.what)) {
+            arrived.push_back(there->goal);
+            EXPECT_EQ(there->by, LedBy::Ear);
+            EXPECT_FALSE(there->to_nearest);
+        }
         EXPECT_LE(event.time_s, s.now);
     }
     EXPECT_GT(rooms, 0);
     EXPECT_GT(doors, 0);
     EXPECT_EQ(sentence_case(last), "Kitchen");
+    ASSERT_FALSE(led.empty());
+    EXPECT_EQ(led.front(), "Kitchen");
+    EXPECT_EQ(arrived, std::vector<std::string>{"Kitchen"});
     s.app.apply(Placed{{6.0, -4.0, 0.0}, 0.5}, s.now);
     const std::vector<SessionEvent> put = s.app.take_events();
     ASSERT_EQ(put.size(), 1U);

@@ -162,7 +162,9 @@ public:
     }
 
 private:
-    Vec3 pressed() const { return (p_.tool().hip_m - p_.tool().proxy_m) / p_.app().tuning().touch.world_m_per_hand_m; }
+    Vec3 pressed() const {
+        return (p_.tool().hip_m - p_.tool().proxy_m) / p_.app().hand().tuning.touch.world_m_per_hand_m;
+    }
     // How far it pressed against something before it gave way; none: it went.
     std::optional<Vec3> press_on(const Vec3& by_m, double speed_m_per_s) {
         p_.hold(p_.hand_m() + by_m, speed_m_per_s);
@@ -381,7 +383,7 @@ private:
         double nearer = 0.0;
     };
 
-    Vec3 proxy() const { return p_.tool().proxy_m / p_.app().tuning().touch.world_m_per_hand_m; }
+    Vec3 proxy() const { return p_.tool().proxy_m / p_.app().hand().tuning.touch.world_m_per_hand_m; }
     // The faster it ticks, the slower: it is near.
     double speed() const { return std::clamp(kFast * (interval_s_ - 0.05), 0.02, 0.10); }
     Vec3 next_way() {
@@ -546,7 +548,7 @@ TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_
         Explorer p(test::our_world("house.map"), "sim-t");
         lead_to_piano(p);
         const std::size_t from = p.lines();
-        const std::uint32_t first = p.app().guidance().number;
+        const std::uint32_t first = p.app().guide().path().number;
         if (how == std::string("walks")) {
             p.hold(p.hand_m());
             p.app().apply(CommandDown{Command::Back}, p.now_s());
@@ -560,13 +562,13 @@ TEST(TakenAlongAWay, a_hand_whose_body_walks_off_or_is_put_elsewhere_gets_a_new_
         p.run(3.0);
         if (how == std::string("pulls")) {
             EXPECT_TRUE(p.heard("Let go", from)) << p.all_heard(from);
-            EXPECT_EQ(p.app().guidance().number, 0U);
+            EXPECT_EQ(p.app().guide().path().number, 0U);
             continue;
         }
         EXPECT_FALSE(p.heard("Let go", from)) << how << ": " << p.all_heard(from);
         EXPECT_TRUE(p.heard("You have left the way. Taking your hand to Piano", from))
             << how << ": " << p.all_heard(from);
-        EXPECT_GT(p.app().guidance().number, first) << how;
+        EXPECT_GT(p.app().guide().path().number, first) << how;
         EXPECT_EQ(p.tool().guidance.phase, GuidancePhase::Acts) << how;
     }
 }

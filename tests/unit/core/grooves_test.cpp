@@ -54,13 +54,13 @@ TEST(Grooves, are_off_unless_wished_for_and_then_hold_a_hand_in_a_doorway) {
             return door->bounds_m.centre_m();
         }();
         p.run(1.0);
-        EXPECT_EQ(p.app().guidance().number != 0, wished);
+        EXPECT_EQ(p.app().guide().path().number != 0, wished);
         if (wished) {
-            EXPECT_EQ(p.app().guidance().kind, GuidanceKind::Grooves);
+            EXPECT_EQ(p.app().guide().path().kind, GuidanceKind::Grooves);
             EXPECT_EQ(p.tool().guidance.phase, GuidancePhase::Acts);
         }
-        const WorkspacePose pose = p.app().pose();
-        const double floor_m = p.app().tuning().touch.radius_m;
+        const WorkspacePose pose = p.app().hand().pose;
+        const double floor_m = p.app().hand().tuning.touch.radius_m;
         p.hold((Vec3(portal.x + 0.4, portal.y + 0.15, floor_m) - pose.origin_m) / 60.0);
         p.run(0.2);
         const Vec3 force = p.tool().guidance.force_n;
@@ -69,20 +69,20 @@ TEST(Grooves, are_off_unless_wished_for_and_then_hold_a_hand_in_a_doorway) {
         EXPECT_LE(glm::length(force), 0.8);
         if (!wished) continue;
         // Asked to be led, the hand feels the pull alone; let go, the grooves are back, now along the way as well.
-        const std::uint32_t doorways = p.app().guidance().count;
+        const std::uint32_t doorways = p.app().guide().path().count;
         p.hold(Vec3(0.0));
         p.tap(Command::Find);
         p.line("Desk");
         p.line("Take me there");
         p.run(1.3);
-        EXPECT_EQ(p.app().guidance().kind, GuidanceKind::Pull);
+        EXPECT_EQ(p.app().guide().path().kind, GuidanceKind::Pull);
         p.tap(Command::TakeMe);
         p.run(1.0);
-        EXPECT_EQ(p.app().guidance().kind, GuidanceKind::Grooves);
-        EXPECT_GT(p.app().guidance().count, doorways);
+        EXPECT_EQ(p.app().guide().path().kind, GuidanceKind::Grooves);
+        EXPECT_GT(p.app().guide().path().count, doorways);
         p.tap(Command::ToggleForces);
         p.run(0.5);
-        EXPECT_EQ(p.app().guidance().number, 0U);
+        EXPECT_EQ(p.app().guide().path().number, 0U);
     }
 }
 

@@ -67,7 +67,7 @@ struct Person : test::AppSession {
     void hand_at(const Vec3& world_m) {
         tool.ticks = 1;
         tool.hip_m = tool.proxy_m = world_m;
-        tool.workspace_jump = app.pose().jump;
+        tool.workspace_jump = app.hand().pose.jump;
     }
     void stand_at(const Vec3& feet_m, double heading_rad = 0.0) {
         app.apply(Placed{feet_m, heading_rad}, now);
@@ -517,15 +517,15 @@ TEST(TakeMe, is_told_a_second_before_the_servo_knows_of_it_and_only_one_is_known
     p.key("Enter");
     EXPECT_TRUE(p.heard("Taking your hand to Radiator"));
     EXPECT_EQ(p.count(SoundKind::GuideStart), 1);
-    EXPECT_EQ(p.app.guidance().number, 0U);
+    EXPECT_EQ(p.app.guide().path().number, 0U);
     p.run(0.7);
-    EXPECT_EQ(p.app.guidance().number, 0U);
+    EXPECT_EQ(p.app.guide().path().number, 0U);
     p.run(0.4);
-    EXPECT_NE(p.app.guidance().number, 0U);
-    EXPECT_EQ(p.app.guidance().points_m[p.app.guidance().count - 1].x, 5.8);
+    EXPECT_NE(p.app.guide().path().number, 0U);
+    EXPECT_EQ(p.app.guide().path().points_m[p.app.guide().path().count - 1].x, 5.8);
     p.tap(Command::TakeMe);
     EXPECT_TRUE(p.heard("Let go"));
-    EXPECT_EQ(p.app.guidance().number, 0U);
+    EXPECT_EQ(p.app.guide().path().number, 0U);
 }
 
 TEST(TakeMe, leads_round_what_stands_between_along_the_planned_way_and_by_ear_where_there_is_no_force) {
@@ -543,7 +543,7 @@ TEST(TakeMe, leads_round_what_stands_between_along_the_planned_way_and_by_ear_wh
     ask();
     EXPECT_TRUE(p.heard("Taking your hand to Radiator")) << testing::PrintToString(p.said);
     p.run(1.1);
-    const GuidancePath& path = p.app.guidance();
+    const GuidancePath& path = p.app.guide().path();
     ASSERT_GT(path.count, 2U);
     EXPECT_EQ(path.points_m[0], Vec3(1.2, 3.7, 0.3));
     const BodyWorld world(p.app.scene());
@@ -586,7 +586,7 @@ TEST(TakeMe, says_where_no_way_leads_and_goes_to_the_nearest_place_that_can_be_r
         hand.heard("No walking way found to Chest. Taking your hand to the nearest place that can be reached, "))
         << testing::PrintToString(hand.said);
     hand.run(1.1);
-    const GuidancePath& path = hand.app.guidance();
+    const GuidancePath& path = hand.app.guide().path();
     ASSERT_GE(path.count, 2U);
     EXPECT_NEAR(path.points_m[path.count - 1].x, 4.7, 0.1) << "before the wall";
     Person keys;

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 
 struct Person : test::AppSession {
-    Person() {
+    explicit Person(const SessionOptions& options = {}) : AppSession({}, {}, options) {
         test::SceneBuilder b;
         b.box({0, 0, -0.2}, {6, 4, 0}, "floor", SolidRole::Solid, "carpet", FeatureKind::Floor);
         b.start({3, 0.5, 0}, 0.0);
@@ -51,8 +51,7 @@ TEST(Language, of_a_file_of_ones_own_stands_in_the_list) {
     const test::TemporaryFolder folder;
     std::ofstream(folder.path() / "nl.toml") << "language.name = \"Nederlands\"\n";
     std::ofstream(folder.path() / "broken.toml") << "language.name = ";
-    Person p;
-    p.app.find_languages_in(folder.path());
+    Person p({.languages_in = folder.path()});
     p.line("language");
     const std::string all = p.line("list");
     EXPECT_THAT(all, HasSubstr("Nederlands"));

@@ -171,9 +171,9 @@ TEST(GoOnAtLastPlace, puts_the_body_there_and_home_stays_home) {
     session.ask(Command::Home);
     session.app.apply(LastPlaceKnown{last}, 0.0);
     session.ask(Command::LastPlace);
-    const auto wanted = session.app.take_last_place_request();
+    const auto wanted = session.app.requests().take_last_place();
     ASSERT_TRUE(wanted);
-    EXPECT_FALSE(session.app.take_last_place_request());
+    EXPECT_FALSE(session.app.requests().take_last_place());
     session.app.apply(WentOnAt{*wanted}, session.now);
     EXPECT_THAT(session.news(), HasSubstr("Where you were. "));
     EXPECT_LT(glm::length(session.app.feet_m() - last.feet_m), 0.05);

@@ -172,9 +172,9 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
     app.apply(CommandDown{Command::Use}, now += 0.1);
     app.apply(CommandUp{Command::Use}, now);
     EXPECT_THAT(run(1.0), HasSubstr("your headphones"));
-    EXPECT_TRUE(app.take_first_set_up());
-    EXPECT_TRUE(app.take_calibration_request());
-    EXPECT_FALSE(app.take_calibration_request());
+    EXPECT_TRUE(app.requests().take_first_set_up());
+    EXPECT_TRUE(app.requests().take_set_up());
+    EXPECT_FALSE(app.requests().take_set_up());
     app.apply(SetUpOver{}, now);
     EXPECT_THAT(run(1.0), HasSubstr("You are in a small room"));
     EXPECT_EQ(saved["welcome.step"], "3");
@@ -197,7 +197,7 @@ TEST(FirstMinutes, go_on_where_they_were_left_and_are_not_begun_again_once_done)
     app.apply(CommandDown{Command::Leave}, now += 1.0);
     EXPECT_THAT(said(), HasSubstr("The introduction is left"));
     EXPECT_EQ(saved["welcome.done"], "true");
-    EXPECT_FALSE(app.wants_to_leave());
+    EXPECT_FALSE(app.requests().leave);
 }
 
 TEST(FirstMinutes, are_skipped_by_whoever_does_something_else_and_the_world_greets_then) {

@@ -47,8 +47,8 @@ std::optional<Direction> direction_in(const std::string& text) {
 }
 
 Newcomer::Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records) {
-    session_ = std::make_unique<HeadlessSession>(Settings{}, HandFacts{}, audio_, speech_);
-    if (!records.empty()) session_->app().keep_records_in(records);
+    session_ = std::make_unique<HeadlessSession>(Settings{}, HandFacts{}, audio_, speech_,
+                                                 SessionOptions{.records_in = records});
     session_->app().apply(WorldEntered{make_ready(std::move(world))}, 0.0);
     wait(1.0);
 }

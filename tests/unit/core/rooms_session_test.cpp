@@ -12,9 +12,7 @@ namespace {
 std::shared_ptr<const Scene> house() { return test::our_world("house.map"); }
 
 struct Visitor : test::AppSession {
-    explicit Visitor(bool beside = false) {
-        if (beside) app.find_rooms_beside();
-    }
+    explicit Visitor(bool beside = false) : AppSession({}, {}, {.rooms_beside = beside}) {}
 };
 
 TEST(RoomsInASession, tell_on_entering_which_room_one_cannot_walk_to) {

@@ -213,13 +213,13 @@ TEST(Session, map_frame_never_turns_the_felt_world_and_walk_frame_does) {
     SessionAlone s(true);
     s.tap(Command::TurnRight);
     s.run(0.5);
-    EXPECT_EQ(s.app.pose().heading_rad, 0.0);
-    const std::uint32_t jump = s.app.pose().jump;
+    EXPECT_EQ(s.app.hand().pose.heading_rad, 0.0);
+    const std::uint32_t jump = s.app.hand().pose.jump;
     s.tap(Command::SwitchFrame);
     s.run(0.1);
     EXPECT_EQ(s.said().back(), "Walk, turning with you");
-    EXPECT_NE(s.app.pose().jump, jump);
-    EXPECT_NEAR(degrees_from_radians(s.app.pose().heading_rad), 22.5, 1e-9);
+    EXPECT_NE(s.app.hand().pose.jump, jump);
+    EXPECT_NEAR(degrees_from_radians(s.app.hand().pose.heading_rad), 22.5, 1e-9);
     s.tap(Command::SwitchFrame);
     EXPECT_EQ(s.said().back(), "Map, north up");
     EXPECT_EQ(s.app.take_setting_changes().back().second, "map");
@@ -238,7 +238,7 @@ TEST(Session, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
     const auto core_of = [&](const std::string& serial) {
         Session core(settings, HandFacts{true, true, *find_device_spec("sim-t"), serial});
         core.apply(WorldEntered{make_ready(room())}, 0.0);
-        return std::pair(core.tuning(), core.pose().origin_m - core.feet_m());
+        return std::pair(core.hand().tuning, core.hand().pose.origin_m - core.feet_m());
     };
     const auto [tuning, middle_m] = core_of("7");
     EXPECT_EQ(tuning.force_ceiling_n, 1.7);
@@ -254,37 +254,37 @@ TEST(Session, measured_profile_of_this_very_device_sets_workspace_and_ceiling) {
 TEST(Session, workspace_reaches_further_ahead_than_behind_in_the_frame_in_force) {
     SessionAlone s(true);
     s.run(0.1);
-    EXPECT_NEAR(s.app.pose().origin_m.y - s.app.feet_m().y, 0.01 * 60.0, 1e-12);
+    EXPECT_NEAR(s.app.hand().pose.origin_m.y - s.app.feet_m().y, 0.01 * 60.0, 1e-12);
     for (int i = 0; i < 4; ++i) s.tap(Command::TurnRight);
     s.run(1.0);
     s.tap(Command::SwitchFrame);
     s.run(0.1);
-    EXPECT_NEAR(s.app.pose().origin_m.x - s.app.feet_m().x, 0.01 * 60.0, 1e-9);
+    EXPECT_NEAR(s.app.hand().pose.origin_m.x - s.app.feet_m().x, 0.01 * 60.0, 1e-9);
 }
 
 TEST(Session, leaving_wants_a_second_escape_within_five_seconds) {
     SessionAlone s;
     s.tap(Command::Leave);
-    EXPECT_FALSE(s.app.wants_to_leave());
+    EXPECT_FALSE(s.app.requests().leave);
     s.run(6.0);
     s.tap(Command::Leave);
-    EXPECT_FALSE(s.app.wants_to_leave());
+    EXPECT_FALSE(s.app.requests().leave);
     s.tap(Command::Leave);
-    EXPECT_TRUE(s.app.wants_to_leave());
+    EXPECT_TRUE(s.app.requests().leave);
 }
 
 TEST(Session, f12_raises_panic_until_f_confirms) {
     SessionAlone s(true);
-    const std::uint32_t confirm = s.app.tuning().confirm;
+    const std::uint32_t confirm = s.app.hand().tuning.confirm;
     s.tap(Command::StopEverything);
-    EXPECT_TRUE(s.app.tuning().panic);
+    EXPECT_TRUE(s.app.hand().tuning.panic);
     EXPECT_EQ(s.count(CueRequestKind::SilenceAll), 1);
     s.tap(Command::ToggleForces);
-    EXPECT_FALSE(s.app.tuning().panic);
-    EXPECT_TRUE(s.app.tuning().forces_on);
-    EXPECT_NE(s.app.tuning().confirm, confirm);
+    EXPECT_FALSE(s.app.hand().tuning.panic);
+    EXPECT_TRUE(s.app.hand().tuning.forces_on);
+    EXPECT_NE(s.app.hand().tuning.confirm, confirm);
     s.tap(Command::ToggleForces);
-    EXPECT_FALSE(s.app.tuning().forces_on);
+    EXPECT_FALSE(s.app.hand().tuning.forces_on);
 }
 
 TEST(Session, a_stop_seen_by_the_servos_switch_is_followed_and_only_f_lets_it_go) {
@@ -292,14 +292,14 @@ TEST(Session, a_stop_seen_by_the_servos_switch_is_followed_and_only_f_lets_it_go
     s.app.apply(Stopped{1}, s.now);
     s.app.apply(CommandDown{Command::StopEverything}, s.now);  // the window tells of the same press
     s.run(0.1);
-    EXPECT_TRUE(s.app.tuning().panic);
-    EXPECT_EQ(s.app.tuning().stops_let_go, 0U);
+    EXPECT_TRUE(s.app.hand().tuning.panic);
+    EXPECT_EQ(s.app.hand().tuning.stops_let_go, 0U);
     EXPECT_EQ(s.count(CueRequestKind::SilenceAll), 1) << "one press, told twice";
     EXPECT_THAT(s.said().back(), testing::HasSubstr("Stopped."));
     s.tap(Command::ToggleForces);
-    EXPECT_FALSE(s.app.tuning().panic);
-    EXPECT_TRUE(s.app.tuning().forces_on);
-    EXPECT_EQ(s.app.tuning().stops_let_go, 1U);
+    EXPECT_FALSE(s.app.hand().tuning.panic);
+    EXPECT_TRUE(s.app.hand().tuning.forces_on);
+    EXPECT_EQ(s.app.hand().tuning.stops_let_go, 1U);
 }
 
 TEST(Session, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
@@ -312,9 +312,9 @@ TEST(Session, f_says_why_there_is_no_force_yet_and_when_there_may_be) {
     s.tool.fault_lasts = false;
     s.run(0.1);
     EXPECT_EQ(s.said().back(), "The touch device is plugged in again. Press F or the grave key to feel with it.");
-    const std::uint32_t confirm = s.app.tuning().confirm;
+    const std::uint32_t confirm = s.app.hand().tuning.confirm;
     s.tap(Command::ToggleForces);
-    EXPECT_NE(s.app.tuning().confirm, confirm);
+    EXPECT_NE(s.app.hand().tuning.confirm, confirm);
     EXPECT_EQ(s.said().back(), "Forces on");
     s.tool = ToolState{};
     s.run(0.1);
@@ -329,14 +329,14 @@ TEST(Session, losing_the_keyboard_is_handed_to_the_servo_and_lets_keys_go) {
     SessionAlone s(true);
     s.app.apply(CommandDown{Command::Forward}, s.now);
     s.app.apply(FocusChanged{false}, s.now);
-    EXPECT_FALSE(s.app.tuning().focused);
-    EXPECT_TRUE(s.app.tuning().forces_on) << "the person still wants them";
+    EXPECT_FALSE(s.app.hand().tuning.focused);
+    EXPECT_TRUE(s.app.hand().tuning.forces_on) << "the person still wants them";
     s.run(1.0);
     const double y = s.app.feet_m().y;
     s.run(1.0);
     EXPECT_EQ(s.app.feet_m().y, y);
     s.app.apply(FocusChanged{true}, s.now);
-    EXPECT_TRUE(s.app.tuning().focused);
+    EXPECT_TRUE(s.app.hand().tuning.focused);
 }
 
 TEST(Session, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key) {
@@ -344,18 +344,18 @@ TEST(Session, a_device_plugged_in_later_is_offered_and_taken_with_the_force_key)
     s.app.apply(HandOffered{"Falcon"}, s.now);
     s.run(0.1);
     EXPECT_EQ(s.said().back(), "I found a Falcon. Press F or the grave key to use it.");
-    EXPECT_FALSE(s.app.offer_taken());
+    EXPECT_FALSE(s.app.requests().take_offered_hand());
     s.tap(Command::ToggleForces);
-    EXPECT_TRUE(s.app.offer_taken());
-    EXPECT_FALSE(s.app.offer_taken()) << "once";
-    EXPECT_TRUE(s.app.tuning().forces_on);
+    EXPECT_TRUE(s.app.requests().take_offered_hand());
+    EXPECT_FALSE(s.app.requests().take_offered_hand()) << "once";
+    EXPECT_TRUE(s.app.hand().tuning.forces_on);
     const Vec3 feet = s.app.feet_m();
     s.tool.contact_s = 500.0;
     s.run(0.1);
     s.app.apply(HandChanged{SessionAlone::facts(true), Settings{}}, s.now);
     s.tool = ToolState{};
     s.tap(Command::ToggleForces);
-    EXPECT_FALSE(s.app.tuning().forces_on) << "now it is the force key again";
+    EXPECT_FALSE(s.app.hand().tuning.forces_on) << "now it is the force key again";
     EXPECT_EQ(s.app.feet_m(), feet);
     s.tool.contact_s = 401.0;  // of the new device; with the old one more than a quarter of an hour
     s.run(0.2);
@@ -394,12 +394,12 @@ TEST(Session, what_is_this_tells_the_name_and_on_asking_again_the_size) {
 
 TEST(Session, the_ball_is_four_per_cent_of_a_six_metre_room_and_never_too_big_for_a_door) {
     SessionAlone s(true);
-    EXPECT_NEAR(s.app.tuning().touch.radius_m, 0.12, 1e-12);
+    EXPECT_NEAR(s.app.hand().tuning.touch.radius_m, 0.12, 1e-12);
     SceneBuilder b;
     b.box({0, 0, 0}, {0.6, 0.1, 2}, "Door", SolidRole::Mover, "wood", FeatureKind::Door);
     Session narrow(Settings{}, SessionAlone::facts(true));
     narrow.apply(WorldEntered{make_ready(b.share())}, 0.0);
-    EXPECT_NEAR(narrow.tuning().touch.radius_m, 0.1, 1e-12);
+    EXPECT_NEAR(narrow.hand().tuning.touch.radius_m, 0.1, 1e-12);
 }
 
 TEST(Session, falling_out_of_the_world_brings_one_back_to_the_base) {
@@ -431,7 +431,7 @@ TEST(Session, home_goes_back_and_every_command_can_be_given_without_harm) {
     EXPECT_NEAR(s.app.feet_m().x, 3.0, 1e-9);
     EXPECT_NEAR(s.app.feet_m().y, 0.5, 1e-9);
     EXPECT_EQ(s.app.heading_rad(), 0.0);
-    EXPECT_FALSE(s.app.wants_to_leave());
+    EXPECT_FALSE(s.app.requests().leave);
 }
 
 TEST(Session, sets_things_down_moves_and_removes_them_while_everything_goes_on) {
@@ -483,11 +483,11 @@ TEST(Session, brings_body_and_hand_out_of_what_they_are_in) {
     EXPECT_EQ(s.said().back(), "You are inside nothing.");
     s.tool.hip_m = Vec3(1.5, 3.25, 0.6);  // in the table
     s.run(0.1);
-    const Vec3 before = s.app.pose().origin_m;
+    const Vec3 before = s.app.hand().pose.origin_m;
     s.tap(Command::BringOut);
     EXPECT_NE(s.said().back().find("Your hand was in Table"), std::string::npos) << s.said().back();
-    const Vec3 hand = s.tool.hip_m + s.app.pose().origin_m - before;
-    EXPECT_GE(surrounding_of(*s.app.haptic_scene(), {}, hand, 1.0).distance_m, s.app.tuning().touch.radius_m);
+    const Vec3 hand = s.tool.hip_m + s.app.hand().pose.origin_m - before;
+    EXPECT_GE(surrounding_of(*s.app.haptic_scene(), {}, hand, 1.0).distance_m, s.app.hand().tuning.touch.radius_m);
     s.app.apply(Placed{{3, 2, 0}, 0.0}, s.now);
     const auto box = box_model({2.0, 2.0, 2.0});
     ASSERT_TRUE(s.app.add_thing("block", *box, {Vec3(3, 2, 1), {}, 1.0}, "", s.now));
@@ -502,21 +502,21 @@ TEST(Session, says_the_scale_first_and_keeps_the_place_under_the_hand) {
     SessionAlone s(true);
     s.run(0.1);
     s.tool.ticks = 10;
-    s.tool.workspace_jump = s.app.pose().jump;
+    s.tool.workspace_jump = s.app.hand().pose.jump;
     s.tool.hand_m = Vec3(0.01, 0.02, 0.0);
-    s.tool.proxy_m = s.app.pose().origin_m + s.tool.hand_m * 60.0;
+    s.tool.proxy_m = s.app.hand().pose.origin_m + s.tool.hand_m * 60.0;
     s.run(0.1);
     s.cues.clear();
     for (const auto& [command, sentence, scale] :
          {std::tuple{Command::ScaleDetail, "Detail, 2.4 metres wide, 3 steps", 15.0},
           std::tuple{Command::ScaleFloor, "Floor, 19 metres wide, 25 steps", 120.0},
           std::tuple{Command::ScaleRoom, "Room, 9.6 metres wide, 14 steps", 60.0}}) {
-        const std::uint32_t jump = s.app.pose().jump;
+        const std::uint32_t jump = s.app.hand().pose.jump;
         s.app.apply(CommandDown{command}, s.now);
         s.app.apply(CommandUp{command}, s.now);
-        EXPECT_EQ(s.app.tuning().touch.world_m_per_hand_m, scale);
-        EXPECT_NEAR(glm::length(s.app.pose().origin_m + s.tool.hand_m * scale - s.tool.proxy_m), 0.0, 1e-9);
-        EXPECT_EQ(s.app.pose().jump, jump + 1);
+        EXPECT_EQ(s.app.hand().tuning.touch.world_m_per_hand_m, scale);
+        EXPECT_NEAR(glm::length(s.app.hand().pose.origin_m + s.tool.hand_m * scale - s.tool.proxy_m), 0.0, 1e-9);
+        EXPECT_EQ(s.app.hand().pose.jump, jump + 1);
         s.tool.workspace_jump = jump + 1;
         s.run(0.1);
         EXPECT_EQ(s.said().front(), sentence);
@@ -529,17 +529,17 @@ TEST(Session, building_scale_lays_the_building_round_the_hand_and_not_the_hand_i
     SessionAlone s(true);
     s.run(0.1);
     s.tool.ticks = 10;
-    s.tool.workspace_jump = s.app.pose().jump;
+    s.tool.workspace_jump = s.app.hand().pose.jump;
     // The middle of the bounds is (3, 2); at the scale that fits 6.4 by 4.4 m the hand would be in the north wall.
     s.tool.hand_m = Vec3(0.0, 0.035, 0.0);
-    s.tool.proxy_m = s.app.pose().origin_m + s.tool.hand_m * 60.0;
+    s.tool.proxy_m = s.app.hand().pose.origin_m + s.tool.hand_m * 60.0;
     s.run(0.1);
     s.app.apply(CommandDown{Command::ScaleBuilding}, s.now);
-    const double scale = s.app.tuning().touch.world_m_per_hand_m;
+    const double scale = s.app.hand().tuning.touch.world_m_per_hand_m;
     EXPECT_NEAR(scale, 0.5 * std::hypot(6.4, 4.4) / (0.8 * 0.08), 1e-9);
-    const Vec3 hand = s.app.pose().origin_m + s.tool.hand_m * scale;
-    EXPECT_GE(surrounding_of(*s.app.haptic_scene(), {}, hand, 1.0).distance_m, s.app.tuning().touch.radius_m);
-    EXPECT_LT(glm::length(s.app.pose().origin_m - Vec3(3.0, 2.0, 1.0)), 1.0);
+    const Vec3 hand = s.app.hand().pose.origin_m + s.tool.hand_m * scale;
+    EXPECT_GE(surrounding_of(*s.app.haptic_scene(), {}, hand, 1.0).distance_m, s.app.hand().tuning.touch.radius_m);
+    EXPECT_LT(glm::length(s.app.hand().pose.origin_m - Vec3(3.0, 2.0, 1.0)), 1.0);
 }
 
 TEST(Session, workspace_stays_when_it_does_not_follow_the_walk) {
@@ -548,13 +548,13 @@ TEST(Session, workspace_stays_when_it_does_not_follow_the_walk) {
     own.workspace.follows_walk = false;
     s.app.apply(SettingsChanged{own}, s.now);
     s.run(0.1);
-    const Vec3 before = s.app.pose().origin_m;
+    const Vec3 before = s.app.hand().pose.origin_m;
     s.tap(Command::Forward);
     s.run(1.0);
     EXPECT_NEAR(s.app.feet_m().y, 1.2, 1e-3);
-    EXPECT_EQ(s.app.pose().origin_m, before);
+    EXPECT_EQ(s.app.hand().pose.origin_m, before);
     s.tap(Command::WorkspaceCentre);
-    EXPECT_NEAR(s.app.pose().origin_m.y, before.y + 0.7, 1e-3);
+    EXPECT_NEAR(s.app.hand().pose.origin_m.y, before.y + 0.7, 1e-3);
 }
 
 TEST(Session, grabbing_by_key_ends_with_the_key_the_stop_key_and_a_lost_window) {
@@ -564,26 +564,27 @@ TEST(Session, grabbing_by_key_ends_with_the_key_the_stop_key_and_a_lost_window) 
              [&] { s.tap(Command::Grab); }, [&] { s.tap(Command::StopEverything); },
              [&] { s.app.apply(FocusChanged{false}, s.now); }, [&] { s.tap(Command::Home); }}) {
         s.tap(Command::Grab);
-        EXPECT_TRUE(s.app.tuning().workspace.grab_key);
+        EXPECT_TRUE(s.app.hand().tuning.workspace.grab_key);
         end();
-        EXPECT_FALSE(s.app.tuning().workspace.grab_key);
+        EXPECT_FALSE(s.app.hand().tuning.workspace.grab_key);
     }
 }
 
 TEST(Session, the_ways_to_move_the_workspace_are_the_persons_choice) {
     SessionAlone s(true);
-    EXPECT_TRUE(s.app.tuning().workspace.rim);
-    EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 1U);
+    EXPECT_TRUE(s.app.hand().tuning.workspace.rim);
+    EXPECT_EQ(s.app.hand().tuning.workspace.grab_buttons, 1U);
     Settings own;
     own.workspace.rim = false;
     own.workspace.grab_button = 3;
     s.app.apply(SettingsChanged{own}, s.now);
-    EXPECT_FALSE(s.app.tuning().workspace.rim);
-    EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 4U);
+    EXPECT_FALSE(s.app.hand().tuning.workspace.rim);
+    EXPECT_EQ(s.app.hand().tuning.workspace.grab_buttons, 4U);
     own.workspace.grab_button = 1;
     own.haptic.button_to_feel = true;
     s.app.apply(SettingsChanged{own}, s.now);
-    EXPECT_EQ(s.app.tuning().workspace.grab_buttons, 0U) << "the button that is held to feel anything does not grab";
+    EXPECT_EQ(s.app.hand().tuning.workspace.grab_buttons, 0U)
+        << "the button that is held to feel anything does not grab";
 }
 
 TEST(Session, two_hands_have_their_own_limits_and_go_along_with_each_others_workspace) {
@@ -596,22 +597,23 @@ TEST(Session, two_hands_have_their_own_limits_and_go_along_with_each_others_work
     Settings own;
     own.haptic.ceiling = ForceCeiling::Full;
     s.app.apply(SettingsChanged{own}, s.now);
-    EXPECT_EQ(s.app.left_tuning().force_ceiling_n, 3.3);
-    EXPECT_EQ(s.app.left_tuning().touch.rated_stiffness_n_per_m, 400.0);
+    EXPECT_EQ(s.app.hand(1).tuning.force_ceiling_n, 3.3);
+    EXPECT_EQ(s.app.hand(1).tuning.touch.rated_stiffness_n_per_m, 400.0);
     own.profiles[profile_key("sim-t", "")].ceiling_n = 0.9;
     s.app.apply(SettingsChanged{own}, s.now);
-    EXPECT_EQ(s.app.left_tuning().force_ceiling_n, 0.9) << "what was found comfortable with this device";
-    EXPECT_EQ(s.app.tuning().force_ceiling_n, ideal_device_spec().peak_force_n) << "and not with that one";
-    EXPECT_EQ(s.app.tuning().touch.rated_stiffness_n_per_m, ideal_device_spec().rated_stiffness_n_per_m);
+    EXPECT_EQ(s.app.hand(1).tuning.force_ceiling_n, 0.9) << "what was found comfortable with this device";
+    EXPECT_EQ(s.app.hand().tuning.force_ceiling_n, ideal_device_spec().peak_force_n) << "and not with that one";
+    EXPECT_EQ(s.app.hand().tuning.touch.rated_stiffness_n_per_m, ideal_device_spec().rated_stiffness_n_per_m);
     ToolState right_tool, left_tool;
-    const Vec3 origin = s.app.pose().origin_m;
-    right_tool.workspace_jump = left_tool.workspace_jump = s.app.pose().jump;
+    const Vec3 origin = s.app.hand().pose.origin_m;
+    right_tool.workspace_jump = left_tool.workspace_jump = s.app.hand().pose.jump;
     right_tool.workspace_shift_m = Vec3(1.0, 0.0, 0.0);
     left_tool.workspace_shift_m = Vec3(0.0, 0.0, 0.5);
     s.app.tick(s.now += 0.02, right_tool, left_tool);
     // Each servo adds its own: both workspaces lie at the sum.
-    EXPECT_LT(glm::length(s.app.pose().origin_m + right_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)), 1e-3);
-    EXPECT_LT(glm::length(s.app.left_pose().origin_m + left_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)),
+    EXPECT_LT(glm::length(s.app.hand().pose.origin_m + right_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)),
+              1e-3);
+    EXPECT_LT(glm::length(s.app.hand(1).pose.origin_m + left_tool.workspace_shift_m - origin - Vec3(1.0, 0.0, 0.5)),
               1e-3);
 }
 

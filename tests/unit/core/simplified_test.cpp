@@ -125,8 +125,8 @@ TEST(Simplified, needs_a_hand_and_keeps_what_bears_a_mark) {
     p.run(0.2);
     const Vec3 stand =
         p.app().scene()->features[feature_named(*p.app().scene(), "Coat stand").value].bounds_m.centre_m();
-    const double scale = p.app().tuning().touch.world_m_per_hand_m;
-    p.hold((stand + Vec3(0.3, 0.1, 0.2) - p.app().pose().origin_m) / scale);
+    const double scale = p.app().hand().tuning.touch.world_m_per_hand_m;
+    p.hold((stand + Vec3(0.3, 0.1, 0.2) - p.app().hand().pose.origin_m) / scale);
     p.tap(Command::DropMark);
     p.leave_lists();
     ASSERT_EQ(p.app().world().marks.size(), 1U);
@@ -196,8 +196,7 @@ std::shared_ptr<const Scene> open_rooms() {
 }
 
 TEST(Simplified, widens_openings_without_a_door_as_soon_as_the_rooms_are_found) {
-    Session app({}, Explorer::facts("sim-t"));
-    app.find_rooms_beside();
+    Session app({}, Explorer::facts("sim-t"), {.rooms_beside = true});
     app.apply(WorldEntered{make_ready(open_rooms())}, 0.0);
     app.apply(CommandDown{Command::ScaleBuilding}, 0.0);
     std::string said;
@@ -238,8 +237,7 @@ bool any_rounded(const HapticScene& scene) {
 // itself waits for nothing.
 TEST(Simplified, makes_beside_the_session_what_it_makes_at_once) {
     const auto house = test::our_world("house.map");
-    Session beside({}, Explorer::facts("sim-t")), at_once({}, Explorer::facts("sim-t"));
-    beside.feel_beside();
+    Session beside({}, Explorer::facts("sim-t"), {.touch_beside = true}), at_once({}, Explorer::facts("sim-t"));
     beside.apply(WorldEntered{make_ready_to_touch(house)}, 0.0);
     at_once.apply(WorldEntered{make_ready(house)}, 0.0);
     EXPECT_FALSE(any_rounded(*beside.haptic_scene())) << "sharp at first";
@@ -252,7 +250,7 @@ TEST(Simplified, makes_beside_the_session_what_it_makes_at_once) {
         SCOPED_TRACE(when);
         EXPECT_EQ(beside.haptic_scene()->obstacle_counts(), at_once.haptic_scene()->obstacle_counts());
         EXPECT_EQ(any_rounded(*beside.haptic_scene()), any_rounded(*at_once.haptic_scene()));
-        EXPECT_EQ(beside.tuning().touch.radius_m, at_once.tuning().touch.radius_m);
+        EXPECT_EQ(beside.hand().tuning.touch.radius_m, at_once.hand().tuning.touch.radius_m);
         ASSERT_EQ(beside.bodies().poses().size(), at_once.bodies().poses().size());
         EXPECT_EQ(beside.bodies().scene(), beside.haptic_scene()->generation);
         for (std::size_t i = 0; i < beside.bodies().poses().size(); ++i)
@@ -292,8 +290,7 @@ TEST(Simplified, makes_beside_the_session_what_it_makes_at_once) {
 // session, too.
 TEST(Simplified, settles_beside_the_session_what_has_come_to_rest) {
     const auto house = test::our_world("house.map");
-    Session app({}, Explorer::facts(nullptr));
-    app.feel_beside();
+    Session app({}, Explorer::facts(nullptr), {.touch_beside = true});
     app.apply(WorldEntered{make_ready(house)}, 0.0);
     double now = 0.0;
     wait_for_touch(app, now);
@@ -397,10 +394,11 @@ TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
     const double reach_m = 0.55 * find_device_spec("sim-t")->workspace_radius_m;
     ToolState right, left;
     const auto at_m = [&](const ToolState& tool, const WorkspacePose& pose) {
-        return frame_of(pose.origin_m, pose.heading_rad).to_world(tool.hand_m, app.tuning().touch.world_m_per_hand_m);
+        return frame_of(pose.origin_m, pose.heading_rad)
+            .to_world(tool.hand_m, app.hand().tuning.touch.world_m_per_hand_m);
     };
     const auto fits = [&](const Vec3& place_m) {
-        return room_round(app, place_m) >= 0.998 * app.tuning().touch.radius_m;
+        return room_round(app, place_m) >= 0.998 * app.hand().tuning.touch.radius_m;
     };
     int left_free = 0;
     const int rounds = 200;
@@ -410,13 +408,13 @@ TEST(Simplified, brings_both_hands_out_of_walls_in_their_one_workspace) {
         for (ToolState* tool : {&right, &left}) {
             tool->ticks = 1;
             tool->hand_m = Vec3(unit(random), unit(random), unit(random)) * reach_m;
-            tool->workspace_jump = app.pose().jump;
-            tool->proxy_m = at_m(*tool, app.pose());
+            tool->workspace_jump = app.hand().pose.jump;
+            tool->proxy_m = at_m(*tool, app.hand().pose);
         }
         app.tick(now_s += 1.0 / 60.0, right, left);
         app.apply(CommandDown{kScales[random() % kScales.size()]}, now_s);
-        EXPECT_TRUE(fits(at_m(right, app.pose()))) << "round " << round;
-        left_free += fits(at_m(left, app.left_pose()));
+        EXPECT_TRUE(fits(at_m(right, app.hand().pose))) << "round " << round;
+        left_free += fits(at_m(left, app.hand(1).pose));
     }
     EXPECT_GE(left_free, rounds * 97 / 100);
     std::cout << left_free << " of " << rounds << " left hands are free\n";
@@ -429,9 +427,9 @@ TEST(Simplified, leaves_a_ball_that_goes_through_every_doorway_at_each_scale) {
             Explorer p(test::our_world(file), device);
             for (const Command scale : kScales) {
                 p.tap(scale, 0.1);
-                const double ball_m = 2.0 * p.app().tuning().touch.radius_m;
+                const double ball_m = 2.0 * p.app().hand().tuning.touch.radius_m;
                 SimplifyOptions options;
-                options.world_m_per_hand_m = p.app().tuning().touch.world_m_per_hand_m;
+                options.world_m_per_hand_m = p.app().hand().tuning.touch.world_m_per_hand_m;
                 const Simplification plan = plan_simplification(*p.app().scene(), options);
                 for (std::uint32_t i = 0; i < p.app().scene()->features.size(); ++i) {
                     const Feature& door = p.app().scene()->features[i];

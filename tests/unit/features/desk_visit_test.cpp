@@ -25,7 +25,6 @@ class DeskAlone : public ::testing::Test {
 protected:
     DeskAlone() {
         plain.hands.right = {true, true, *find_device_spec("sim-t")};
-        plain.context.asks.want_world = [this](const std::filesystem::path& file) { wanted = file; };
         visit.change_setting = [this](std::string_view key, const std::string& value, double) {
             return change_setting(plain.person.settings, key, value);
         };
@@ -50,7 +49,6 @@ protected:
     test::PlainSession plain{ground()};
     DeskVisit visit{plain.context};
     std::optional<std::string> beacon;
-    std::optional<std::filesystem::path> wanted;
     std::vector<std::optional<std::string>> back_with;
     int came = 0;
     double now_s = 1.0;
@@ -127,11 +125,11 @@ TEST_F(DeskAlone, puts_the_beacon_on_a_mark_and_goes_to_a_world) {
 
     const std::size_t world = control("World"), go = control("Go to that world");
     visit.press(go);
-    EXPECT_FALSE(wanted) << "none is offered";
+    EXPECT_FALSE(plain.requests.world) << "none is offered";
     visit.offer_worlds({{}, {"/far/castle.map", "/far/mill.map"}});
     visit.step(world, 1);
     EXPECT_THAT(visit.press(go), HasSubstr("Mill"));
-    EXPECT_EQ(wanted, "/far/mill.map");
+    EXPECT_EQ(plain.requests.world, "/far/mill.map");
 }
 
 }  // namespace

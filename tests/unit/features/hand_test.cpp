@@ -203,10 +203,10 @@ TEST(ForcesFeature, stop_at_once_and_come_back_by_their_key) {
 TEST(ForcesFeature, take_a_hand_that_was_offered_by_the_same_key) {
     WithHand one(false);
     one.forces.offer("Touch", 0.0);
-    EXPECT_FALSE(one.forces.offer_taken());
+    EXPECT_FALSE(one.plain.requests.take_offered_hand());
     EXPECT_TRUE(one.forces.act(Command::ToggleForces, 1.0));
-    EXPECT_TRUE(one.forces.offer_taken());
-    EXPECT_FALSE(one.forces.offer_taken()) << "true once";
+    EXPECT_TRUE(one.plain.requests.take_offered_hand());
+    EXPECT_FALSE(one.plain.requests.take_offered_hand()) << "true once";
     EXPECT_EQ(one.plain.said().size(), 1U);
     EXPECT_TRUE(one.forces.act(Command::ToggleForces, 2.0));
     EXPECT_THAT(one.plain.said(), ElementsAre(phrase("session.no_hand")));

@@ -47,7 +47,7 @@ struct Learner : test::PlainSession {
     // Along the south wall, as one who trails it does; as a body that walks freely else.
     void walk_east(bool trails, double& now_s) {
         for (double x = 0.3; x < 9.8; x += 0.1, now_s += 0.1) {
-            body.walker->place({x, 0.35, 0.0});
+            stand({x, 0.35, 0.0});
             body.walker->tick(Vec3(0.0), 0.1);
             learning.note(std::nullopt, trails ? std::optional(Vec3(0.0, 1.0, 0.0)) : std::nullopt, now_s);
             learning.tick(now_s);
@@ -72,7 +72,7 @@ TEST(PlaceLearningFeature, tells_what_was_trailed_and_walked_since_the_world_was
 
 TEST(PlaceLearningFeature, counts_what_a_body_bumps_into_as_touched) {
     Learner learner;
-    learner.body.walker->place({1.0, 5.7, 0.0});
+    learner.stand({1.0, 5.7, 0.0});
     learner.learning.note(Vec3(0.0, -1.0, 0.0), std::nullopt, 0.1);
     EXPECT_THAT(learner.progress(0.2), HasSubstr("orth wall"));
 }
@@ -93,10 +93,7 @@ TEST(PlaceLearningFeature, plays_a_corner_once_where_the_hand_touches_two_walls)
     tool.contacts.contacts[1] = {.feature = feature_of("west wall"), .normal = {1.0, 0.0, 0.0}};
     const auto corners = [&](double now_s) {
         learner.learning.note(std::nullopt, std::nullopt, now_s);
-        std::size_t heard = 0;
-        for (const CueRequest& cue : learner.cues.take())
-            heard += cue.kind == CueRequestKind::Play && cue.sound == SoundKind::Corner;
-        return heard;
+        return learner.heard(SoundKind::Corner);
     };
     EXPECT_EQ(corners(1.0), 1U);
     EXPECT_EQ(corners(1.1), 0U) << "still in it";
@@ -149,7 +146,7 @@ struct Hunter : test::PlainSession {
     // Goes to the clock at that time; what is said there.
     std::vector<std::string> find_at(double now_s) {
         const Vec3 clock = clock_m().value();
-        body.walker->place(clock - Vec3(0.0, 0.0, 1.0));
+        stand(clock - Vec3(0.0, 0.0, 1.0));
         hunt.tick(now_s);
         return said();
     }

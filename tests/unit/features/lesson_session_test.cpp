@@ -36,7 +36,6 @@ protected:
         lessons.beacon_calls = [this] { return beacon; };
         lessons.at_beacon = [this] { return there; };
         lessons.world_greeting = [] { return "A small room."; };
-        lessons.on_set_up = [this] { ++set_ups; };
         lessons.on_begin_here = [this](double) { ++begun_here; };
         lessons.on_hunt = [this](double) { went_to = "hunt"; };
         lessons.on_worlds = [this](double) { went_to = "worlds"; };
@@ -55,7 +54,7 @@ protected:
     std::vector<Command> performed;
     std::map<std::string, std::string> kept;
     bool beacon = false, there = false;
-    int set_ups = 0, begun_here = 0;
+    int begun_here = 0;
     std::string went_to;
     double now_s = 1.0;
 };
@@ -68,9 +67,9 @@ TEST_F(LessonsAlone, welcome_set_up_and_go_on_as_the_first_minutes) {
     EXPECT_TRUE(lessons.takes(Command::Use, now_s));
     EXPECT_FALSE(lessons.idle());
     EXPECT_EQ(tick().size(), 1U);
-    EXPECT_EQ(set_ups, 1);
-    EXPECT_TRUE(lessons.take_first_set_up());
-    EXPECT_FALSE(lessons.take_first_set_up()) << "once";
+    EXPECT_TRUE(plain.requests.take_set_up());
+    EXPECT_TRUE(plain.requests.take_first_set_up());
+    EXPECT_FALSE(plain.requests.take_first_set_up()) << "once";
     EXPECT_THAT(kept, Contains(Pair("welcome.step", "1")));
     lessons.know_set_up_over();
     EXPECT_EQ(tick().size(), 1U);

@@ -32,7 +32,6 @@ protected:
     MenuAlone() {
         plain.context.tick_s = 1.0;
         plain.context.asks.perform = [this](Command command, double) { performed.push_back(command); };
-        plain.context.asks.want_world = [this](const std::filesystem::path& file) { wanted.push_back(file); };
         plain.context.asks.change_setting = [this](std::string_view key, const std::string& value) {
             if (const auto set = set_in(plain.person.settings, key, value); !set) return set.error().message;
             return setting_line(key, plain.person.settings).value;
@@ -50,7 +49,6 @@ protected:
     test::PlainSession plain{hall()};
     Menu menu{plain.context};
     std::vector<Command> performed;
-    std::vector<std::filesystem::path> wanted;
 };
 
 TEST_F(MenuAlone, leads_to_commands_and_has_them_performed) {
@@ -120,11 +118,12 @@ TEST_F(MenuAlone, goes_to_worlds_that_are_offered_or_typed) {
     menu.worlds().open(1.0);
     line("castle");
     EXPECT_THAT(plain.said().back(), HasSubstr("Castle"));
+    EXPECT_EQ(plain.requests.take_world(), "/far/castle.map");
     menu.worlds().open(1.0);
     line("another");
     line(folder.path().string());
     line("old mill");
-    EXPECT_THAT(wanted, ElementsAre("/far/castle.map", folder.path() / "old-mill.map"));
+    EXPECT_EQ(plain.requests.take_world(), folder.path() / "old-mill.map");
 }
 
 TEST_F(MenuAlone, asks_for_a_language_by_its_own_name) {

@@ -33,7 +33,6 @@ struct Place : test::PlainSession {
         context.asks.save_additions = [this](double) { ++saved; };
         rooms.enter_world(as_read);
     }
-    void stand_at(const Vec3& feet_m) { body.walker->place(feet_m); }
     // What is said to a line that is typed, or to an item of the open list by its name.
     std::vector<std::string> line(const std::string& typed) {
         const DialogueReply reply = lists.dialogue.line(typed, context.tick_s);
@@ -51,18 +50,12 @@ struct Place : test::PlainSession {
 
 struct Marker : Place {
     Marker() { marks.enter_world(); }
-    // Where sounds of that kind were played since this was last asked; words are dropped.
-    std::size_t heard(SoundKind kind) {
-        std::size_t count = 0;
-        for (const CueRequest& cue : cues.take()) count += cue.kind == CueRequestKind::Play && cue.sound == kind;
-        return count;
-    }
     MarkList marks{context, world.marks};
 };
 
 TEST(MarkListFeature, sets_names_and_deletes_marks_and_keeps_each_change) {
     Marker m;
-    m.stand_at({1.0, 2.0, 0.0});
+    m.stand({1.0, 2.0, 0.0});
     EXPECT_TRUE(m.marks.act(Command::DropMark, 1.0));
     EXPECT_THAT(m.said(), ElementsAre(HasSubstr("Mark 1")));
     EXPECT_EQ(m.saved, 1);
@@ -121,10 +114,10 @@ TEST(MarkListFeature, tells_a_mark_each_time_one_comes_near_and_not_on_entering)
     m.marks.tick(0.2);
     EXPECT_THAT(m.said(), IsEmpty()) << "one stands at it since one came in";
     for (int time = 0; time < 2; ++time) {
-        m.stand_at({4.0, 0.0, 0.0});
+        m.stand({4.0, 0.0, 0.0});
         m.marks.tick(1.0);
         EXPECT_THAT(m.said(), IsEmpty());
-        m.stand_at({0.5, 0.0, 0.0});
+        m.stand({0.5, 0.0, 0.0});
         m.marks.tick(2.0);
         EXPECT_THAT(m.said(), ElementsAre(HasSubstr("Mark 1")));
         m.marks.tick(2.1);
@@ -136,15 +129,15 @@ TEST(MarkListFeature, plays_a_landmark_when_the_body_comes_near_it) {
     Marker m;
     m.marks.tick(0.0);
     EXPECT_EQ(m.heard(SoundKind::Landmark), 0U);
-    m.stand_at({5.5, 4.0, 0.0});
+    m.stand({5.5, 4.0, 0.0});
     m.marks.tick(0.1);
     EXPECT_EQ(m.heard(SoundKind::Landmark), 1U);
     m.marks.tick(0.2);
     EXPECT_EQ(m.heard(SoundKind::Landmark), 0U);
-    m.stand_at({0.0, 0.0, 0.0});
+    m.stand({0.0, 0.0, 0.0});
     m.marks.tick(0.3);
     m.hands.tuning.panic = true;
-    m.stand_at({5.5, 4.0, 0.0});
+    m.stand({5.5, 4.0, 0.0});
     m.marks.tick(0.4);
     EXPECT_EQ(m.heard(SoundKind::Landmark), 0U) << "everything was stopped";
 }
@@ -160,7 +153,7 @@ TEST(MarkListFeature, lists_the_marks_below_the_lines_of_others) {
     };
     m.marks.on_find = [&](const Goal& mark, double) { found = mark; };
     m.person.settings.marks.ask_name = false;
-    m.stand_at({2.0, 0.0, 0.0});
+    m.stand({2.0, 0.0, 0.0});
     (void)m.marks.act(Command::DropMark, 0.0);
     EXPECT_TRUE(m.marks.act(Command::Marks, 1.0));
     EXPECT_THAT(m.items(), ElementsAre("bell", "help", HasSubstr("Mark 1")));
@@ -197,7 +190,7 @@ struct Keeper : Place {
     // From the base 6 m east, and kept under that name.
     void keep(const std::string& name) {
         for (double x = 0.0; x <= 6.0; x += 0.25) body.crumbs_m.emplace_back(x, 0.0, 0.0);
-        stand_at({6.0, 0.0, 0.0});
+        stand({6.0, 0.0, 0.0});
         EXPECT_TRUE(ways.act(Command::KeepWay, 1.0));
         EXPECT_THAT(items(), ElementsAre("All that you walked here", "Begin a way here"));
         (void)line("All that you walked here");

@@ -1,19 +1,20 @@
 // What a session's features look at, as plain state that a test sets up by itself: no session, no servo, no clock.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_state.h"
 #include "app/core/world/entering.h"
 #include "haptic/compile/compile_haptic.h"
 
 namespace handrail::test {
 
-struct PlainSession {
-    explicit PlainSession(std::shared_ptr<const Scene> scene) {
+struct PlainSession : SessionState {
+    explicit PlainSession(std::shared_ptr<const Scene> scene) : SessionState(Settings{}) {
         EnteringWorld entering = make_ready(std::move(scene));
         as_read = entering.file;
         world.scene = entering.scene;
@@ -35,18 +36,17 @@ struct PlainSession {
             if (cue.kind == CueRequestKind::Say) words.push_back(std::move(cue.text));
         return words;
     }
+    // How often that sound was asked for since this or said() was last asked.
+    std::size_t heard(SoundKind kind) {
+        const std::vector<CueRequest> asked = cues.take();
+        return static_cast<std::size_t>(std::count_if(asked.begin(), asked.end(), [&](const CueRequest& cue) {
+            return cue.kind == CueRequestKind::Play && cue.sound == kind;
+        }));
+    }
+    void stand(const Vec3& feet_m) { body.walker->place(feet_m); }
 
-    Person person{Settings{}};
-    HandsState hands;
-    WorldState world;
-    BodyState body;
-    Cues cues{body};
-    Lists lists{cues};
-    SideFile additions;
     std::shared_ptr<const Scene> as_read;
     std::shared_ptr<const HapticScene> haptic;
-    Events events;
-    SessionContext context{person.settings, person.keys, world, body, hands, cues, lists, additions, events};
 };
 
 }  // namespace handrail::test

@@ -46,7 +46,6 @@ struct Yard : test::PlainSession {
         hands.tool.ticks = 1;
         hands.tool.proxy_m = hands.tool.hip_m = at_m;
     }
-    void stand(const Vec3& feet_m) { body.walker->place(feet_m); }
     void felt(const GuidancePath& path, GuidancePhase phase) {
         hands.tool.guidance.number = path.number;
         hands.tool.guidance.phase = phase;
@@ -429,6 +428,79 @@ TEST(Wayfinding, leads_by_ear_where_no_force_may_act) {
     plain.guide.take_me(1.0);
     plain.guide.lead(2.5);
     EXPECT_GT(plain.guide.path().number, 0U) << "and by the hand where it may";
+}
+
+// ---- what it tells of as facts ----
+
+// "led Bench by 1": what, whither, and by which LedBy.
+std::vector<std::string> facts(Yard& plain) {
+    const auto fact = [](const char* what, const std::string& name, LedBy by) {
+        return fmt::format("{} {} by {}", what, name, static_cast<int>(by));
+    };
+    std::vector<std::string> told;
+    for (const SessionEvent& event : plain.events.take()) {
+        if (const auto* led = std::get_if<Led>(&event.what)) told.push_back(fact("led", led->goal, led->by));
+        if (const auto* left = std::get_if<LeftRoute>(&event.what)) told.push_back(fact("left", left->goal, left->by));
+        if (const auto* stop = std::get_if<StopPassed>(&event.what))
+            told.push_back(fact("passed", stop->stop, stop->by));
+        if (const auto* there = std::get_if<Arrived>(&event.what))
+            told.push_back(fact(there->to_nearest ? "near" : "arrived", there->goal, there->by));
+    }
+    return told;
+}
+
+TEST(Wayfinding, tells_of_stops_that_are_passed_and_of_the_end_as_facts) {
+    Guided plain;
+    ASSERT_TRUE(plain.rooms.known());
+    plain.guide.go_along(
+        {stop("Gate", {0.0, 0.0, 0.0}), stop("Corner", {8.0, 0.0, 0.0}), stop("Shed", {8.0, 7.0, 0.0})}, false, 0.0);
+    EXPECT_THAT(facts(plain), ElementsAre("led Corner by 2"));
+    plain.walk();
+    EXPECT_THAT(facts(plain), ElementsAre("passed Corner by 2", "led Shed by 2"));
+    plain.walk();
+    EXPECT_THAT(facts(plain), ElementsAre("arrived Shed by 2"));
+    plain.walk();
+    EXPECT_THAT(facts(plain), IsEmpty()) << "once";
+}
+
+TEST(Wayfinding, tells_of_a_way_that_was_left_as_a_fact) {
+    Guided plain;
+    ASSERT_TRUE(plain.rooms.known());
+    plain.guide.go_along({stop("Gate", {0.0, 0.0, 0.0}), stop("Shed", {8.0, 7.0, 0.0})}, false, 0.0);
+    (void)facts(plain);
+    plain.stand({-9.0, -9.0, 0.0});
+    plain.guide.follow(1.0);
+    EXPECT_THAT(facts(plain), ElementsAre("left Shed by 2", "led Shed by 2"));
+}
+
+TEST(Wayfinding, tells_of_a_hand_that_is_led_as_facts) {
+    Guided plain;
+    plain.give_hand({0.0, 0.0, 1.0});
+    plain.guide.open_tools(plain.goal("Well"), 0.0);
+    plain.guide.take_me(0.0);
+    EXPECT_THAT(facts(plain), ElementsAre("led Well by 0"));
+    plain.guide.lead(1.1);
+    plain.felt(plain.guide.path(), GuidancePhase::LetGo);
+    plain.stand({1.0, 0.0, 0.0});
+    plain.guide.lead(1.2);
+    plain.guide.lead(1.6);
+    EXPECT_THAT(facts(plain), ElementsAre("left Well by 0", "led Well by 0")) << "by who walked off";
+    plain.guide.lead(2.7);
+    plain.felt(plain.guide.path(), GuidancePhase::Arrived);
+    plain.guide.lead(2.8);
+    EXPECT_THAT(facts(plain), ElementsAre("arrived Well by 0"));
+    plain.lists.dialogue.line("4", 3.0);  // its lines
+    plain.guide.lead(4.1);
+    EXPECT_THAT(facts(plain), ElementsAre("led Well by 1"));
+}
+
+TEST(Wayfinding, tells_of_a_beacon_as_a_fact) {
+    Guided plain;
+    plain.guide.call_from(plain.goal("Bench"));
+    EXPECT_THAT(facts(plain), ElementsAre("led Bench by 3"));
+    plain.stand({0.0, 3.5, 0.0});
+    for (int tick = 0; tick < 60; ++tick) plain.guide.call(0.1 * tick);
+    EXPECT_THAT(facts(plain), ElementsAre("arrived Bench by 3")) << "once";
 }
 
 }  // namespace

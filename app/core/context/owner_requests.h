@@ -1,0 +1,31 @@
+// What a session asks of whoever owns it (the program, a scenario, a test): each waits until the owner takes it. Plain
+// state; app thread only.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "app/core/kept/last_place.h"
+
+namespace handrail {
+
+struct OwnerRequests {
+    // The set-up by voice; once for each time it was asked for.
+    bool take_set_up() { return std::exchange(set_up, false); }
+    // That one of the first minutes: headphones and the hand only. The owner tells when it is over, or left.
+    bool take_first_set_up() { return std::exchange(first_set_up, false); }
+    // The hand that was offered last is wanted, by the force key.
+    bool take_offered_hand() { return std::exchange(offered_hand, false); }
+    // To be read and entered.
+    std::optional<std::filesystem::path> take_world() { return std::exchange(world, std::nullopt); }
+    // To be gone on at: the owner reads that world where it is another one.
+    std::optional<LastPlace> take_last_place() { return std::exchange(last_place, std::nullopt); }
+
+    bool set_up = false, first_set_up = false, offered_hand = false;
+    std::optional<std::filesystem::path> world;
+    std::optional<LastPlace> last_place;
+    bool leave = false;  // the session is to end
+};
+
+}  // namespace handrail

@@ -1,0 +1,29 @@
+// All plain state that a session is made of, and the context through which its features look at it. The session owns
+// one, and so does a test of features without a session. App thread only.
+#pragma once
+
+#include "app/core/context/owner_requests.h"
+#include "app/core/context/session_context.h"
+
+namespace handrail {
+
+struct SessionState {
+    explicit SessionState(const Settings& settings, const HandFacts& hand = {}) : person(settings) {
+        hands.right = hand;
+    }
+    SessionState(const SessionState&) = delete;  // the context refers to it
+    SessionState& operator=(const SessionState&) = delete;
+
+    Person person;
+    HandsState hands;
+    WorldState world;
+    BodyState body;
+    Cues cues{body};
+    Lists lists{cues};
+    SideFile additions;
+    Events events;
+    OwnerRequests requests;
+    SessionContext context{person.settings, person.keys, world, body, hands, cues, lists, additions, events, requests};
+};
+
+}  // namespace handrail

@@ -1,0 +1,80 @@
+// The session's features that stand together on one floor, each struct made in the order in which they need each other:
+// the folder of the same name holds them. App thread only.
+#pragma once
+
+#include "app/core/context/session_state.h"
+#include "app/core/context/soundscape.h"
+#include "app/core/dialogue/held_keys.h"
+#include "app/core/hand/forces.h"
+#include "app/core/hand/touch_view.h"
+#include "app/core/hand/workspace.h"
+#include "app/core/learning/clock_hunt.h"
+#include "app/core/learning/place_learning.h"
+#include "app/core/movers/doors.h"
+#include "app/core/movers/triggers.h"
+#include "app/core/places/kept_ways.h"
+#include "app/core/places/mark_list.h"
+#include "app/core/walking/by_ear.h"
+#include "app/core/walking/footing.h"
+#include "app/core/walking/walking.h"
+#include "app/core/wayfinding/guide.h"
+#include "app/core/whereabouts/asking.h"
+#include "app/core/whereabouts/rooms.h"
+
+namespace handrail {
+
+// Where the body is: in which room, among what.
+struct Whereabouts {
+    explicit Whereabouts(SessionState& state) : rooms(state.context), asking(state.context, rooms) {}
+    Rooms rooms;
+    Asking asking;
+};
+
+// What moves when it is used, walked against or walked into.
+struct MoverFeatures {
+    explicit MoverFeatures(SessionState& state)
+        : doors(state.context, state.world, state.body), triggers(state.context, state.world) {}
+    Doors doors;
+    Triggers triggers;
+};
+
+// What moves the body: keys, sticks, and ears that lead it along walls.
+struct WalkingFeatures {
+    explicit WalkingFeatures(SessionState& state)
+        : by_ear(state.context, state.body, keys_held),
+          footing(state.context, state.body),
+          walking(state.context, state.body, keys_held, by_ear, footing) {}
+    HeldKeys keys_held;
+    ByEar by_ear;
+    Footing footing;
+    Walking walking;
+};
+
+// What the hand feels of the world, where its workspace lies in it, and with which force.
+struct HandFeatures {
+    HandFeatures(SessionState& state, const HeldKeys& keys_held)
+        : touch_view(state.context, state.world, state.body, state.hands),
+          workspace(state.context, state.person, state.hands, keys_held, touch_view),
+          forces(state.context, state.hands) {}
+    TouchView touch_view;
+    Workspace workspace;
+    Forces forces;
+};
+
+// What the person keeps of a world, to come back to.
+struct PlacesFeatures {
+    PlacesFeatures(SessionState& state, Rooms& rooms, const PlannedStops& planned)
+        : marks(state.context, state.world.marks), ways(state.context, rooms, planned) {}
+    MarkList marks;
+    KeptWays ways;
+};
+
+// What of a place is known by now, and the game that makes one look for more.
+struct LearningFeatures {
+    LearningFeatures(SessionState& state, Rooms& rooms, Soundscape& soundscape)
+        : place(state.context, rooms), hunt(state.context, rooms, soundscape) {}
+    PlaceLearning place;
+    ClockHunt hunt;
+};
+
+}  // namespace handrail
