@@ -27,7 +27,7 @@ void Wizard::watch_search() {
     if (sense_.search != WizardSearch::Ready || paused_) return;
     if (search_begun_s_ < 0.0) search_begun_s_ = now_s_;
     if (sense_.tool.ticks == 0 || now_s_ - search_begun_s_ < kFirstAnswer_s) return;
-    tuning_.touch.rated_stiffness_n_per_m = sense_.hand.spec.rated_stiffness_n_per_m;
+    felt_.tuning.touch.rated_stiffness_n_per_m = sense_.hand.spec.rated_stiffness_n_per_m;
     say(phrase("wizard.ready", {{"device", sense_.hand.spec.spoken_name()}}));
     go_on();
 }

@@ -36,23 +36,25 @@ std::string Wizard::ask_press() const {
 void Wizard::accept_press() { keep_gentlest(glm::length(sense_.tool.force_n)); }
 
 bool Wizard::watch_press(double dt_s) {
-    if (!sense_.tool.waiting_for_hand && tuning_.forces_on && !sense_.speaking && now_s_ - asked_s_ > kPressAfter_s)
-        tuning_.force_ceiling_n = std::min(kGentlestMost_n, tuning_.force_ceiling_n + kGentlestRise_n_per_s * dt_s);
-    if (tuning_.force_ceiling_n < kGentlestMost_n || !tuning_.forces_on) return false;
+    if (!sense_.tool.waiting_for_hand && felt_.tuning.forces_on && !sense_.speaking &&
+        now_s_ - asked_.begun_s > kPressAfter_s)
+        felt_.tuning.force_ceiling_n =
+            std::min(kGentlestMost_n, felt_.tuning.force_ceiling_n + kGentlestRise_n_per_s * dt_s);
+    if (felt_.tuning.force_ceiling_n < kGentlestMost_n || !felt_.tuning.forces_on) return false;
     held_top_s_ += dt_s;
     if (held_top_s_ <= kLetGoAfter_s) return false;
-    tuning_.forces_on = false;
+    felt_.tuning.forces_on = false;
     say(phrase("wizard.let_go", {{"force", newtons(kGentlestMost_n)}}));
     return false;
 }
 
 void Wizard::keep_gentlest(double felt_n) {
-    if (held_top_s_ > kLetGoAfter_s) gentlest_n_ = kGentlestMost_n;
+    if (held_top_s_ > kLetGoAfter_s) found_.gentlest_n = kGentlestMost_n;
     else if (felt_n >= kNoticed_n)
-        gentlest_n_ = std::clamp(std::round(felt_n * 100.0) / 100.0, kNoticed_n, kGentlestMost_n);
-    else gentlest_n_ = own_profile().gentlest_n.value_or(gentlest_n_);
-    change_profile("gentlest_n", fmt::format("{}", gentlest_n_));
-    say(phrase("wizard.felt", {{"force", newtons(gentlest_n_)}}));
+        found_.gentlest_n = std::clamp(std::round(felt_n * 100.0) / 100.0, kNoticed_n, kGentlestMost_n);
+    else found_.gentlest_n = own_profile().gentlest_n.value_or(found_.gentlest_n);
+    change_profile("gentlest_n", fmt::format("{}", found_.gentlest_n));
+    say(phrase("wizard.felt", {{"force", newtons(found_.gentlest_n)}}));
     go_on();
 }
 

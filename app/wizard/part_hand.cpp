@@ -17,7 +17,7 @@ bool Wizard::adjust_hand(WizardKey key) {
 }
 
 bool Wizard::watch_aside(double) {
-    const double aside_m = sense_.tool.hand_m.x - hand_at_start_m_.x;
+    const double aside_m = sense_.tool.hand_m.x - asked_.hand_m.x;
     if (!homed() || std::abs(aside_m) <= kMovedShare * radius_m()) return false;
     reply_s_ = now_s_;
     keep_hand(aside_m < 0.0 ? HoldingHand::Left : HoldingHand::Right);

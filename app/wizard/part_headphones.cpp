@@ -40,7 +40,8 @@ void Wizard::hear_bell() {
     if (paused_ || now_s_ < bell_due_s_) return;
     bell_due_s_ = now_s_ + kBellEvery_s;
     const Vec3 right = right_of_heading(sense_.listener.heading_rad);
-    play(SoundKind::Bell, sense_.listener.ears_m + right * (step_ == Step::BellLeft ? -kBellAside_m : kBellAside_m));
+    play(SoundKind::Bell,
+         sense_.listener.ears_m + right * (asked_.step == Step::BellLeft ? -kBellAside_m : kBellAside_m));
 }
 
 }  // namespace handrail

@@ -27,7 +27,7 @@ bool Wizard::watch_homing(double) {
     const bool pulled =
         legs(sense_.tool.homed_legs) > legs(homing_.legs_at_start) || (homed() && away_m < -kMovedShare * radius_m());
     const bool pushed = homed() && (homing_.newly_homed || away_m > kMovedShare * radius_m());
-    if (!(step_ == Step::Pull ? pulled : pushed)) return true;
+    if (!(asked_.step == Step::Pull ? pulled : pushed)) return true;
     reply_s_ = now_s_;
     if (fresh <= 0) click();
     say(phrase("wizard.good"));

@@ -87,7 +87,7 @@ bool Wizard::adjust_scale(WizardKey key) {
         const auto next = std::lower_bound(kScales.begin(), kScales.end(), reach_.scale - 1e-9);
         if (next != kScales.begin()) reach_.scale = *(next - 1);
     }
-    question_ = ask_scale();
+    asked_.text = ask_scale();
     if (before == reach_.scale) play(SoundKind::Denied, sense_.listener.ears_m);
     say(sentence_case(phrase("wizard.said", {{"words", span_words()}})));
     return true;
@@ -108,7 +108,7 @@ std::string Wizard::ask_beyond() const {
 bool Wizard::adjust_beyond(WizardKey key) {
     if (is_across(key)) return false;
     settings_.workspace.rim = !settings_.workspace.rim;
-    question_ = ask_beyond();
+    asked_.text = ask_beyond();
     say(settings_.workspace.rim ? phrase("wizard.on") : phrase("wizard.off"));
     return true;
 }

@@ -28,22 +28,22 @@ std::shared_ptr<const HapticScene> wall_scene(double face_y_m) {
 
 double Wizard::strongest_n() const { return std::min(sense_.hand.spec.peak_force_n, 40.0); }
 double Wizard::weakest_ceiling_n() const {
-    return std::min(strongest_n(), std::max(kLeastCeiling_n, 2.0 * gentlest_n_));
+    return std::min(strongest_n(), std::max(kLeastCeiling_n, 2.0 * found_.gentlest_n));
 }
 
 // Whoever never chose begins with light force, so that nobody is startled.
 double Wizard::first_ceiling_n() const { return own_profile().ceiling_n.value_or(kLightCeiling_n); }
 
 void Wizard::begin_wall() {
-    wanted_ceiling_n_ = std::clamp(first_ceiling_n(), weakest_ceiling_n(), strongest_n());
-    begin_force(wall_scene(std::clamp(hand_at_start_m_.y + 0.005, -kMovedShare * radius_m(), 0.3 * radius_m())));
+    found_.ceiling_n = std::clamp(first_ceiling_n(), weakest_ceiling_n(), strongest_n());
+    begin_force(wall_scene(std::clamp(asked_.hand_m.y + 0.005, -kMovedShare * radius_m(), 0.3 * radius_m())));
 }
 
 std::string Wizard::ask_wall() const { return phrase("wizard.wall", {{"force", ceiling_words()}}); }
 
 std::string Wizard::ceiling_words() const {
-    const auto is = [this](double level_n) { return std::abs(wanted_ceiling_n_ - level_n) < 1e-6; };
-    const std::string force = newtons(wanted_ceiling_n_);
+    const auto is = [this](double level_n) { return std::abs(found_.ceiling_n - level_n) < 1e-6; };
+    const std::string force = newtons(found_.ceiling_n);
     if (is(kLightCeiling_n)) return phrase("wizard.light", {{"force", force}});
     if (is(kNormalCeiling_n)) return phrase("wizard.normal", {{"force", force}});
     return is(strongest_n()) ? phrase("wizard.full", {{"force", force}}) : force;
@@ -51,36 +51,36 @@ std::string Wizard::ceiling_words() const {
 
 bool Wizard::adjust_wall(WizardKey key) {
     const double sign = is_upward(key) ? 1.0 : -1.0;
-    double wanted_n = wanted_ceiling_n_ + sign * kFineCeiling_n;
+    double wanted_n = found_.ceiling_n + sign * kFineCeiling_n;
     if (!is_across(key)) {  // to the next of the three steps
         const std::array levels{kLightCeiling_n, kNormalCeiling_n, strongest_n()};
         wanted_n = sign > 0.0 ? strongest_n() : weakest_ceiling_n();
         for (const double level_n : levels)
-            if ((level_n - wanted_ceiling_n_) * sign > 1e-6 &&
-                std::abs(level_n - wanted_ceiling_n_) < std::abs(wanted_n - wanted_ceiling_n_))
+            if ((level_n - found_.ceiling_n) * sign > 1e-6 &&
+                std::abs(level_n - found_.ceiling_n) < std::abs(wanted_n - found_.ceiling_n))
                 wanted_n = level_n;
     }
-    const double before_n = std::exchange(wanted_ceiling_n_, std::clamp(wanted_n, weakest_ceiling_n(), strongest_n()));
-    question_ = ask_wall();
-    if (before_n == wanted_ceiling_n_) play(SoundKind::Denied, sense_.listener.ears_m);
+    const double before_n = std::exchange(found_.ceiling_n, std::clamp(wanted_n, weakest_ceiling_n(), strongest_n()));
+    asked_.text = ask_wall();
+    if (before_n == found_.ceiling_n) play(SoundKind::Denied, sense_.listener.ears_m);
     say(sentence_case(phrase("wizard.said", {{"words", ceiling_words()}})));
     return true;
 }
 
 bool Wizard::watch_wall(double dt_s) {
     const double most_n = kCeilingRise_n_per_s * dt_s;
-    tuning_.force_ceiling_n += std::clamp(wanted_ceiling_n_ - tuning_.force_ceiling_n, -most_n, most_n);
+    felt_.tuning.force_ceiling_n += std::clamp(found_.ceiling_n - felt_.tuning.force_ceiling_n, -most_n, most_n);
     return false;
 }
 
 void Wizard::keep_ceiling() {
-    change_profile("ceiling_n", fmt::format("{:.1f}", wanted_ceiling_n_));
+    change_profile("ceiling_n", fmt::format("{:.1f}", found_.ceiling_n));
     // The step that all devices share is raised where it would stand in the way, and never lowered for the sake of one
     // device.
-    const bool above_normal = wanted_ceiling_n_ > kNormalCeiling_n, above_light = wanted_ceiling_n_ > kLightCeiling_n;
+    const bool above_normal = found_.ceiling_n > kNormalCeiling_n, above_light = found_.ceiling_n > kLightCeiling_n;
     if (above_normal && settings_.haptic.ceiling != ForceCeiling::Full) change("haptic.ceiling", "full");
     else if (above_light && settings_.haptic.ceiling == ForceCeiling::Light) change("haptic.ceiling", "normal");
-    say(phrase("wizard.ceiling", {{"force", newtons(wanted_ceiling_n_)}}));
+    say(phrase("wizard.ceiling", {{"force", newtons(found_.ceiling_n)}}));
     go_on();
 }
 

@@ -18,17 +18,17 @@ Wizard::Wizard(const Settings& settings, std::span<const WizardPart> parts)
     : settings_(settings),
       plan_(plan_of(parts)),
       home_wanted_(std::find(parts.begin(), parts.end(), WizardPart::Home) != parts.end()) {
-    step_length_m_ = settings.walk.step_length_m;
-    tuning_.forces_on = false;
-    tuning_.force_ceiling_n = 0.0;
-    tuning_.touch.radius_m = 0.002;
-    tuning_.touch.damping_ns_per_m = settings.haptic.damping_ns_per_m;
+    found_.step_length_m = settings.walk.step_length_m;
+    felt_.tuning.forces_on = false;
+    felt_.tuning.force_ceiling_n = 0.0;
+    felt_.tuning.touch.radius_m = 0.002;
+    felt_.tuning.touch.damping_ns_per_m = settings.haptic.damping_ns_per_m;
 }
 
 WorkspacePose Wizard::pose() const {
     WorkspacePose pose;  // device metres are world metres here
     pose.time_s = now_s_;
-    pose.jump = kFirstJump + jump_;
+    pose.jump = kFirstJump + felt_.jump;
     return pose;
 }
 
@@ -79,16 +79,16 @@ void Wizard::enter(std::size_t index) {
         ++index;
     }
     index_ = index;
-    step_ = plan_[index];
+    asked_.step = plan_[index];
     paused_ = false;
-    tuning_.panic = false;
-    tuning_.forces_on = false;
-    typed_.clear();
-    hand_at_start_m_ = reach_.least_m = reach_.most_m = sense_.tool.hand_m;
+    felt_.tuning.panic = false;
+    felt_.tuning.forces_on = false;
+    asked_.typed.clear();
+    asked_.hand_m = reach_.least_m = reach_.most_m = sense_.tool.hand_m;
     homing_.newly_homed = false;
     homing_.legs_at_start = sense_.tool.homed_legs;
-    if (const auto begin = row(step_).begin) (this->*begin)();
-    if (step_ == Step::Done) return finish();
+    if (const auto begin = row(asked_.step).begin) (this->*begin)();
+    if (asked_.step == Step::Done) return finish();
     ask();
 }
 
@@ -106,8 +106,8 @@ void Wizard::go_back() {
 }
 
 void Wizard::ask() {
-    question_ = (this->*row(step_).question)();
-    say(question_);
+    asked_.text = (this->*row(asked_.step).question)();
+    say(asked_.text);
 }
 
 DeviceProfile Wizard::own_profile() const {
@@ -128,7 +128,7 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
         silence.time_s = now_s_;
         cues_.push_back(std::move(silence));
         pause(phrase("wizard.stopped"));
-        tuning_.panic = true;
+        felt_.tuning.panic = true;
         return;
     }
     CueRequest quiet;  // any key interrupts what is being said
@@ -137,33 +137,33 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
     cues_.push_back(std::move(quiet));
     if (paused_ && !(key && *key == WizardKey::Leave)) return resume();
     if (!key) {
-        if (step_ != Step::StepLength) return play(SoundKind::Denied, sense_.listener.ears_m);
+        if (asked_.step != Step::StepLength) return play(SoundKind::Denied, sense_.listener.ears_m);
         const std::string& figures = std::get<std::string>(event);
-        typed_ += figures;
+        asked_.typed += figures;
         return say(figures);
     }
     switch (*key) {
         case WizardKey::Enter:
             return accept();
         case WizardKey::Repeat:
-            if (step_ == Step::Press) begin_force(scene_);
+            if (asked_.step == Step::Press) begin_force(felt_.scene);
             begin_bell();
             return repeat_question();
         case WizardKey::Back:
-            if (!typed_.empty()) {  // first what was mistyped
-                typed_.clear();
+            if (!asked_.typed.empty()) {  // first what was mistyped
+                asked_.typed.clear();
                 return ask();
             }
             return go_back();
         case WizardKey::Leave:
             if (paused_) {
                 say(phrase("wizard.leaving"));
-                tuning_.forces_on = false;
+                felt_.tuning.forces_on = false;
                 finished_ = true;
                 return;
             }
             return pause(
-                phrase("wizard.explain", {{"part", phrase("wizard_part." + std::string(part_of(step_).word))}}));
+                phrase("wizard.explain", {{"part", phrase("wizard_part." + std::string(part_of(asked_.step).word))}}));
         default:
             return adjust(*key);
     }
@@ -171,23 +171,23 @@ void Wizard::answer(const WizardEvent& event, double now_s) {
 
 void Wizard::pause(std::string words) {
     paused_ = true;
-    tuning_.forces_on = false;
+    felt_.tuning.forces_on = false;
     say(std::move(words));
 }
 
 // The same question again, from its beginning; a fault that was told is confirmed with it.
 void Wizard::resume() {
-    ++tuning_.confirm;
+    ++felt_.tuning.confirm;
     enter(index_);
 }
 
 void Wizard::accept() {
-    if (const auto accept = row(step_).accept) (this->*accept)();
+    if (const auto accept = row(asked_.step).accept) (this->*accept)();
     else go_on();
 }
 
 void Wizard::adjust(WizardKey key) {
-    if (const auto adjust = row(step_).adjust; adjust && (this->*adjust)(key)) return;
+    if (const auto adjust = row(asked_.step).adjust; adjust && (this->*adjust)(key)) return;
     if (key == WizardKey::Up) return go_back();
     play(SoundKind::Denied, sense_.listener.ears_m);
 }
@@ -204,8 +204,8 @@ void Wizard::tick(const WizardSense& sense) {
         reply_s_ = now_s_;
         enter(0);
     }
-    if (const auto frame = row(step_).frame) return (this->*frame)();
-    if (part_of(step_).needs_device) watch_hand(dt_s);
+    if (const auto frame = row(asked_.step).frame) return (this->*frame)();
+    if (part_of(asked_.step).needs_device) watch_hand(dt_s);
 }
 
 void Wizard::watch_hand(double dt_s) {
@@ -217,24 +217,24 @@ void Wizard::watch_hand(double dt_s) {
                                                   : "wizard.lost"));  // the alarm says what is the matter
         return go_on();
     }
-    if (tool.fault_latched && tuning_.forces_on && !paused_) {  // where no force is wanted, none is missed
+    if (tool.fault_latched && felt_.tuning.forces_on && !paused_) {  // where no force is wanted, none is missed
         reply_s_ = now_s_;
         return pause(phrase("wizard.fault"));  // what happened is said as everywhere
     }
     const bool pressed = tool.buttons != 0 && !std::exchange(button_was_down_, tool.buttons != 0);
     if (tool.buttons == 0) button_was_down_ = false;
     if (paused_) return;
-    if (const auto watch = row(step_).watch; watch && (this->*watch)(dt_s)) return;
+    if (const auto watch = row(asked_.step).watch; watch && (this->*watch)(dt_s)) return;
     if (pressed) answer(WizardKey::Enter, now_s_);
 }
 
 void Wizard::begin_force(std::shared_ptr<const HapticScene> scene) {
-    scene_ = std::move(scene);
-    tuning_.forces_on = true;
-    tuning_.force_ceiling_n = 0.0;
+    felt_.scene = std::move(scene);
+    felt_.tuning.forces_on = true;
+    felt_.tuning.force_ceiling_n = 0.0;
     held_top_s_ = 0.0;
-    asked_s_ = now_s_;
-    ++jump_;
+    asked_.begun_s = now_s_;
+    ++felt_.jump;
 }
 
 }  // namespace handrail

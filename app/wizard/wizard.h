@@ -70,12 +70,12 @@ public:
     bool wants_search() const { return wants_search_; }  // the host is to look for a device now
     std::vector<CueRequest> take_cues() { return std::exchange(cues_, {}); }
     std::vector<std::pair<std::string, std::string>> take_setting_changes() { return std::exchange(changes_, {}); }
-    const ServoTuning& tuning() const { return tuning_; }
-    std::shared_ptr<const HapticScene> haptic_scene() const { return scene_; }  // null: nothing to be felt
+    const ServoTuning& tuning() const { return felt_.tuning; }
+    std::shared_ptr<const HapticScene> haptic_scene() const { return felt_.scene; }  // null: nothing to be felt
     WorkspacePose pose() const;
-    bool waits_for_person() const { return step_ != Step::Search && !finished_; }
+    bool waits_for_person() const { return asked_.step != Step::Search && !finished_; }
     bool finished() const { return finished_; }
-    std::string_view question() const { return question_; }  // as Space says it
+    std::string_view question() const { return asked_.text; }  // as Space says it
 
 private:
     enum class Step : std::uint8_t {
@@ -120,7 +120,7 @@ private:
     void go_back();
     void finish();
     void ask();
-    void repeat_question() { say(question_); }
+    void repeat_question() { say(asked_.text); }
     void say(std::string text);
     void play(SoundKind kind, const Vec3& position_m);
     void click();
@@ -198,12 +198,10 @@ private:
     std::vector<Step> plan_;
     bool home_wanted_ = false;  // else only where the device does not know its place
     std::size_t index_ = 0;
-    Step step_ = Step::Search;
     WizardSense sense_;
     double now_s_ = 0.0;
     double reply_s_ = 0.0;  // what is said with the same reply time is said one after the other; a new one interrupts
     bool begun_ = false, finished_ = false, paused_ = false, wants_search_ = false, lost_device_ = false;
-    std::string question_;
 
     struct Homing {
         std::uint8_t legs_seen = 0, legs_at_start = 0;
@@ -216,22 +214,36 @@ private:
         double scale = 60.0;
     };
 
+    // The question that stands, and what has been answered to it so far.
+    struct Asked {
+        Step step = Step::Search;
+        std::string text;  // as Space says it
+        double begun_s = 0.0;
+        Vec3 hand_m{0.0};  // where the hand was when it was begun, device frame
+        std::string typed;
+    };
+    // What the person is found to feel and to walk, until something else is.
+    struct Found {
+        double gentlest_n = 0.3;
+        double ceiling_n = kLightCeiling_n;
+        double step_length_m = 0.7;
+    };
+    // What the servo is given.
+    struct Felt {
+        ServoTuning tuning;
+        std::shared_ptr<const HapticScene> scene;
+        std::uint32_t jump = 0;
+    };
+
     double bell_due_s_ = 0.0;
     double search_begun_s_ = -1.0;  // when the device was ready
     bool button_was_down_ = false;
     Homing homing_;
     Reach reach_;
-    Vec3 hand_at_start_m_{0.0};  // of this question, device frame
-    double asked_s_ = 0.0;       // when the question was last begun
-    double held_top_s_ = 0.0;    // how long the gentlest part has pressed with its most
-    double gentlest_n_ = 0.3;
-    double wanted_ceiling_n_ = kLightCeiling_n;
-    double step_length_m_ = 0.7;
-    std::string typed_;
-
-    ServoTuning tuning_;
-    std::shared_ptr<const HapticScene> scene_;
-    std::uint32_t jump_ = 0;
+    double held_top_s_ = 0.0;  // how long the gentlest part has pressed with its most
+    Asked asked_;
+    Found found_;
+    Felt felt_;
     std::vector<CueRequest> cues_;
     std::vector<std::pair<std::string, std::string>> changes_;
 };
