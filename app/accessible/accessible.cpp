@@ -9,8 +9,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
-#include <deque>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -20,6 +18,7 @@
 #include <vector>
 
 #include "app/accessible/nodes.h"
+#include "app/accessible/reader_keys.h"
 #include "app/accessible/reader_watch.h"
 #include "worlds/base/language.h"
 
@@ -66,14 +65,9 @@ public:
     }
 
     std::uint64_t offer(const KeyStroke& stroke) {
-        if (!hears_keys_) return 0;
-        {
-            const std::lock_guard lock(keys_mutex_);
-            if (!keys_.empty() && now_s() - keys_.front().since_s > KeyGate::kPatience_s) return 0;
-            keys_.push_back({++last_ticket_, stroke, now_s()});
-        }
-        g_main_context_wakeup(nullptr);
-        return last_ticket_;
+        const std::uint64_t ticket = keys_.offer(stroke, now_s());
+        if (ticket != 0) g_main_context_wakeup(nullptr);
+        return ticket;
     }
 
     std::vector<ItemAct> take_acts() {
@@ -81,22 +75,9 @@ public:
         return std::exchange(acts_, {});
     }
 
-    KeyVerdict verdict(std::uint64_t ticket) {
-        const std::lock_guard lock(keys_mutex_);
-        const auto found = verdicts_.find(ticket);
-        if (found == verdicts_.end()) return ticket <= answered_ ? KeyVerdict::Ours : KeyVerdict::Waiting;
-        const KeyVerdict verdict = found->second;
-        verdicts_.erase(verdicts_.begin(), std::next(found));
-        return verdict;
-    }
+    KeyVerdict verdict(std::uint64_t ticket) { return keys_.verdict(ticket); }
 
 private:
-    struct OfferedKey {
-        std::uint64_t ticket = 0;
-        KeyStroke stroke;
-        double since_s = 0.0;
-    };
-
     // ---- accessibility thread ----
 
     void run() {
@@ -110,7 +91,7 @@ private:
             }
             follow_focus();
             follow_dialogue();
-            ask_about_keys();
+            keys_.ask();
             settle();
             read();
             wait();
@@ -180,7 +161,7 @@ private:
             settles_at_s_ = heard && focused ? std::max(now_s(), built_at_s_) + kSettles_s : 0.0;
             if (built_) show_focus(focused);
         }
-        hears_keys_ = heard && key_listener().listens;
+        keys_.set_heard(heard);
         if (!heard || !channel_->wanted()) channel_->set_state(VoiceState::Gone);
         else if (channel_->state() == VoiceState::Gone) channel_->set_state(VoiceState::Opening);
     }
@@ -328,42 +309,10 @@ private:
         if (item < dialogue_->children->size()) set_state((*dialogue_->children)[item], ATK_STATE_SELECTED, on);
     }
 
-    void ask_about_keys() {
-        for (;;) {
-            OfferedKey key;
-            {
-                const std::lock_guard lock(keys_mutex_);
-                if (keys_.empty()) return;
-                key = keys_.front();
-            }
-            bool used = false;
-            if (const KeyListener& reader = key_listener(); reader.listens) {
-                AtkKeyEventStruct event{};
-                event.type = key.stroke.press ? ATK_KEY_EVENT_PRESS : ATK_KEY_EVENT_RELEASE;
-                event.state = key.stroke.state;
-                event.keyval = key.stroke.keysym;
-                event.string = key.stroke.name.data();
-                event.length = static_cast<gint>(key.stroke.name.size());
-                event.keycode = static_cast<guint16>(key.stroke.keycode);
-                event.timestamp = static_cast<guint32>(1000.0 * key.since_s);
-                used = reader.listens(&event, reader.data) != 0;
-            }
-            const std::lock_guard lock(keys_mutex_);
-            if (!keys_.empty() && keys_.front().ticket == key.ticket) keys_.pop_front();
-            answered_ = key.ticket;
-            verdicts_[key.ticket] = used ? KeyVerdict::Readers : KeyVerdict::Ours;
-        }
-    }
-
     std::shared_ptr<ReaderChannel> channel_;
     std::thread thread_;
-    std::atomic<bool> quit_{false}, focused_{false}, hears_keys_{false};
-    std::uint64_t last_ticket_ = 0;  // app thread
-
-    std::mutex keys_mutex_;  // guards the four below
-    std::deque<OfferedKey> keys_;
-    std::map<std::uint64_t, KeyVerdict> verdicts_;
-    std::uint64_t answered_ = 0;
+    std::atomic<bool> quit_{false}, focused_{false};
+    ReaderKeys keys_;
 
     std::mutex acts_mutex_;
     std::vector<ItemAct> acts_;  // under acts_mutex_
