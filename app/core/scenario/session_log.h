@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/scenario/log_measures.h"
 #include "app/core/scenario/scenario.h"
 #include "audio-cues/plan/sinks.h"
 #include "worlds/base/feature_id.h"
@@ -46,14 +47,6 @@ struct SessionLog {
     std::shared_ptr<const Scene> scene;  // as it was at the end: it knows the name of everything that was ever added
     double end_s = 0.0;
 };
-
-// True when the words of `wanted` stand in `line` in that order, ignoring case and punctuation.
-bool words_in_order(const std::string& wanted, const std::string& line);
-
-// The amplitude of the strongest line of `samples` (evenly spaced by dt_s) between two frequencies, after removing the
-// straight line through them and a Hann window (scaled so that a pure sine shows its amplitude). Equal frequencies:
-// that one line.
-double line_amplitude(const std::vector<double>& samples, double dt_s, double from_hz, double to_hz);
 
 // One sentence for each expectation that does not hold: file line, when, what was expected, what was seen instead.
 std::vector<std::string> failures(const Scenario& scenario, const SessionLog& log, const Scene& scene);
