@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "app/core/context/telling.h"
+#include "app/core/context/workspace_commands.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
@@ -21,19 +22,6 @@ bool needs_world(Command command) {
         case Command::TurnLeft:
         case Command::TurnRight:
         case Command::SwitchFrame:
-        case Command::ScaleBuilding:
-        case Command::ScaleFloor:
-        case Command::ScaleRoom:
-        case Command::ScaleDetail:
-        case Command::WorkspaceForward:
-        case Command::WorkspaceBack:
-        case Command::WorkspaceLeft:
-        case Command::WorkspaceRight:
-        case Command::WorkspaceUp:
-        case Command::WorkspaceDown:
-        case Command::WorkspaceTurnLeft:
-        case Command::WorkspaceTurnRight:
-        case Command::Grab:
         case Command::Use:
         case Command::BringOut:
         case Command::TrailLeft:
@@ -47,8 +35,10 @@ bool needs_world(Command command) {
         case Command::FreeLeft:
         case Command::FreeRight:
             return true;
-        default:
+        case Command::WorkspaceCentre:  // a jump, which ends the visit
             return false;
+        default:
+            return lays_workspace(command);
     }
 }
 

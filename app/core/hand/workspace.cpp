@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/core/context/telling.h"
+#include "app/core/context/workspace_commands.h"
 #include "haptic/render/free_place.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -36,34 +37,12 @@ auto tap_of(Command tapped) {
     return [tapped](Command plus, Command minus) { return tapped == plus ? 1.0 : tapped == minus ? -1.0 : 0.0; };
 }
 
-// Without a hand there is nothing to lie otherwise; the frame counts for words too, and the simulated hand has no
-// reach.
-bool needs_hand(Command command) {
-    switch (command) {
-        case Command::ScaleBuilding:
-        case Command::ScaleFloor:
-        case Command::ScaleRoom:
-        case Command::ScaleDetail:
-        case Command::WorkspaceForward:
-        case Command::WorkspaceBack:
-        case Command::WorkspaceLeft:
-        case Command::WorkspaceRight:
-        case Command::WorkspaceUp:
-        case Command::WorkspaceDown:
-        case Command::WorkspaceTurnLeft:
-        case Command::WorkspaceTurnRight:
-        case Command::WorkspaceCentre:
-        case Command::Grab:
-            return true;
-        default:
-            return false;
-    }
-}
-
 }  // namespace
 
 bool Workspace::act(Command command, double now_s) {
-    if (!hands_.right.present && needs_hand(command)) {
+    // Without a hand there is nothing to lie otherwise; the frame counts for words too, and the simulated hand has no
+    // reach.
+    if (!hands_.right.present && lays_workspace(command)) {
         context_.answer(phrase("session.no_hand"), now_s);
         return true;
     }
