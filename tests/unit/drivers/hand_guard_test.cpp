@@ -10,15 +10,16 @@
 #include <mutex>
 #include <thread>
 
-#include "haptic/drivers/guarded_device.h"
 #include "tests/support/precompiled.h"
 #include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/drivers/guard_rig.h"
 
 namespace handrail {
 namespace {
 
 using namespace std::chrono_literals;
+using test::tick_until;
 
 // What happened to a device, in order; and what is to happen.
 struct Life {
@@ -64,26 +65,23 @@ private:
 };
 
 // A guard on a thread of its own, with the program's side in the test's hands.
-struct Guard {
+struct Guard : test::GuardEnds {
     Life life;
     HandMailbox mailbox;
     int wake = ::eventfd(0, EFD_NONBLOCK);
-    std::array<int, 2> ends{-1, -1};
     std::atomic<bool> stuck{false};
     std::atomic<int> status{-1};
     std::thread thread;
 
-    Guard() { ::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends.data()); }
     ~Guard() {
         leave();
         if (thread.joinable()) thread.join();
         ::close(wake);
-        ::close(ends[1]);
     }
     void start() {
         thread = std::thread([this] {
             status = guard_hand(
-                mailbox, wake, ends[1],
+                mailbox, wake, guards(),
                 [this](const std::function<void(const std::string&)>& tell) -> Result<std::unique_ptr<HapticDevice>> {
                     const std::lock_guard lock(life.mutex);
                     if (life.refuse) return fail("It is not plugged in.");
@@ -97,17 +95,7 @@ struct Guard {
     }
     void command(const Vec3& force_n) {
         mailbox.command.publish({force_n});
-        const std::uint64_t one = 1;
-        [[maybe_unused]] const auto written = ::write(wake, &one, sizeof one);
-    }
-    std::string message() {
-        std::array<char, 256> bytes{};
-        const auto size = ::recv(ends[0], bytes.data(), bytes.size(), 0);
-        return size > 0 ? std::string(bytes.begin(), bytes.begin() + size) : std::string();
-    }
-    void leave() {
-        if (ends[0] >= 0) ::close(ends[0]);
-        ends[0] = -1;
+        test::signal_event(wake);
     }
 };
 
@@ -234,17 +222,6 @@ TEST(GuardedDevice, is_told_a_persons_own_texts_by_its_guard) {
     const auto opened = absent.open();
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().sentence(), "Kein Falcon da.");
-}
-
-// Ticks it like a servo until it is so, at most 20 s.
-template <class Condition>
-bool tick_until(GuardedDevice& device, Condition&& condition) {
-    for (int i = 0; i < 20000; ++i, std::this_thread::sleep_for(1ms)) {
-        const DeviceSample sample = device.read(0.0);
-        device.write({{0.0, 2.0, 0.0}});
-        if (condition(sample)) return true;
-    }
-    return false;
 }
 
 TEST(GuardedDevice, exchanges_with_a_process_of_its_own) {

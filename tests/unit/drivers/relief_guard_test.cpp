@@ -13,29 +13,28 @@
 #include <fstream>
 #include <thread>
 
-#include "haptic/drivers/guarded_device.h"
 #include "tests/support/precompiled.h"
+#include "tests/unit/drivers/guard_rig.h"
 
 namespace handrail {
 namespace {
 
 using namespace std::chrono_literals;
+using test::tick_until;
 
 // A second guard on a thread of its own, with the program and the first guard in the test's hands.
-struct Reliever {
+struct Reliever : test::GuardEnds {
     HandMailbox mailbox;
     int guard = ::eventfd(0, EFD_NONBLOCK);  // as a process descriptor: readable when it has ended
-    std::array<int, 2> ends{-1, -1};
     std::atomic<int> zeroed{0}, killed{0}, status{-1};
     std::atomic<bool> refuse{false}, dies_when_killed{true}, held_by_two{false};
     std::atomic<bool> ended{false};
     std::thread thread;
 
     Reliever() {
-        ::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends.data());
         thread = std::thread([this] {
             status = relieve_guard(
-                mailbox, guard, ends[1],
+                mailbox, guard, guards(),
                 [this]() -> Result<void> {
                     if (!ended) held_by_two = true;
                     ++zeroed;
@@ -52,20 +51,10 @@ struct Reliever {
         leave();
         thread.join();
         ::close(guard);
-        ::close(ends[1]);
     }
     void end_guard() {
         ended = true;
-        const std::uint64_t one = 1;
-        [[maybe_unused]] const auto written = ::write(guard, &one, sizeof one);
-    }
-    void leave() {
-        if (ends[0] >= 0) ::close(std::exchange(ends[0], -1));
-    }
-    std::string message() const {
-        std::array<char, 256> bytes{};
-        const auto size = ::recv(ends[0], bytes.data(), bytes.size(), 0);
-        return size > 0 ? std::string(bytes.begin(), bytes.begin() + size) : std::string();
+        test::signal_event(guard);
     }
     bool comes_to(ReliefState wanted) const {
         for (int i = 0; i < 20000 && mailbox.relief != wanted; ++i) std::this_thread::sleep_for(1ms);
@@ -122,16 +111,6 @@ TEST(ReliefGuard, tells_that_the_device_may_push_and_tries_on) {
     EXPECT_EQ(relief.message(), "fIt is not plugged in.");
     relief.refuse = false;
     EXPECT_TRUE(relief.comes_to(ReliefState::Zero)) << "it was plugged in again";
-}
-
-template <class Condition>
-bool tick_until(GuardedDevice& device, Condition&& condition) {
-    for (int i = 0; i < 20000; ++i, std::this_thread::sleep_for(1ms)) {
-        const DeviceSample sample = device.read(0.0);
-        device.write({{0.0, 2.0, 0.0}});
-        if (condition(sample)) return true;
-    }
-    return false;
 }
 
 TEST(GuardedDevice, is_said_to_push_until_the_second_guard_has_its_zero) {

@@ -8,22 +8,6 @@
 namespace handrail::test {
 namespace {
 
-BodyNature nature(double kg, double friction = 0.4) {
-    BodyNature n;
-    n.mass_kg = kg;
-    n.friction = n.friction_static = friction;
-    n.elasticity = 0.0;
-    n.rolling = 0.0;
-    return n;
-}
-
-// Steps, and throws the events away.
-void run(Dynamics& engine, int steps) {
-    DynamicsFrame frame;
-    std::vector<BodyEvent> events;
-    for (int i = 0; i < steps; ++i) engine.step(frame, events);
-}
-
 // Twenty boxes, balls and cylinders over a floor of tiles with a wall.
 std::shared_ptr<const DynamicsScene> heap(unsigned seed, const Vec3& at = Vec3(0.0)) {
     std::mt19937 random(seed);
@@ -152,11 +136,7 @@ TEST(Dynamics, falls_slides_and_rolls_as_the_formulas_say) {
                   BodyFault::None);
         Dynamics engine(builder.build());
         run(engine, 10);
-        HandPush push;
-        push.time_s = engine.time_s();
-        push.dt_s = Dynamics::kStep_s;
-        push.body = 0;
-        push.game = 1;
+        HandPush push = push_of(engine);
         push.force_n = Vec3(4.0 * 2.0 / Dynamics::kStep_s, 0, 0);  // 2 m/s at once
         engine.push(0, push);
         run(engine, 480);
@@ -212,11 +192,7 @@ TEST(Dynamics, lets_nothing_through_walls_floors_and_sheets_however_fast) {
         ASSERT_EQ(builder.add_body(std::span(&piece, 1), kThing, 0, {Vec3(0, 0, 1), {}, 1.0}, n), BodyFault::None);
         Dynamics engine(builder.build());
         for (int hit = 0; hit < 6; ++hit) {
-            HandPush push;
-            push.time_s = engine.time_s();
-            push.dt_s = Dynamics::kStep_s;
-            push.body = 0;
-            push.game = 1;
+            HandPush push = push_of(engine);
             const Vec3 way = glm::normalize(Vec3(unit() - 0.5, unit() - 0.5, unit() - 0.5));
             push.force_n = way * (n.mass_kg * 20.0 / Dynamics::kStep_s);
             push.moment_nm = Vec3(unit(), unit(), unit()) * 0.2;
@@ -324,11 +300,7 @@ TEST(Dynamics, keeps_bodies_out_of_somebody_who_walks) {
               BodyFault::None);
     Dynamics engine(builder.build());
     engine.walker(Vec3(0.0), 0.25, 1.7);
-    HandPush push;
-    push.time_s = engine.time_s();
-    push.dt_s = Dynamics::kStep_s;
-    push.body = 0;
-    push.game = 1;
+    HandPush push = push_of(engine);
     push.force_n = Vec3(2.0 / Dynamics::kStep_s, 0, 0);
     engine.push(0, push);
     for (int i = 0; i < 480; ++i) {

@@ -8,15 +8,6 @@
 namespace handrail::test {
 namespace {
 
-BodyNature nature(double kg, double friction = 0.4) {
-    BodyNature n;
-    n.mass_kg = kg;
-    n.friction = n.friction_static = friction;
-    n.elasticity = 0.0;
-    n.rolling = 0.0;
-    return n;
-}
-
 const HandIntent kNothing{};
 
 TEST(HeldBody, lets_a_crate_of_four_kilograms_break_away_at_its_friction_and_then_slide_on_with_less) {

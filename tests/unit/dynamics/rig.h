@@ -20,6 +20,33 @@ inline constexpr FeatureId kFloor{1}, kWall{2}, kThing{5};  // bodies are kThing
 inline DynamicsPiece box_of(double half_m) { return make_box_piece({Vec3(-half_m), Vec3(half_m)}); }
 inline DynamicsPiece ball_of(double radius_m) { return make_piece(RoundShape(SphereShape{Vec3(0.0), radius_m})); }
 
+// Neither bounces nor rolls by itself.
+inline BodyNature nature(double kg, double friction = 0.4) {
+    BodyNature n;
+    n.mass_kg = kg;
+    n.friction = n.friction_static = friction;
+    n.elasticity = 0.0;
+    n.rolling = 0.0;
+    return n;
+}
+
+// Steps, and throws the events away.
+inline void run(Dynamics& engine, int steps) {
+    DynamicsFrame frame;
+    std::vector<BodyEvent> events;
+    for (int i = 0; i < steps; ++i) engine.step(frame, events);
+}
+
+// A push on body 0 in the step that comes, without any force yet.
+inline HandPush push_of(const Dynamics& engine) {
+    HandPush push;
+    push.time_s = engine.time_s();
+    push.dt_s = Dynamics::kStep_s;
+    push.body = 0;
+    push.game = 1;
+    return push;
+}
+
 // The two views of one world: what is felt and what moves.
 class BodyWorldMaker {
 public:

@@ -9,29 +9,12 @@
 namespace handrail::test {
 namespace {
 
-BodyNature smooth(double friction) {
-    BodyNature n;
-    n.friction = n.friction_static = friction;
-    n.elasticity = n.rolling = 0.0;
-    return n;
-}
-
 // Speeds a body up at once.
 void throw_it(Dynamics& engine, const Vec3& speed, const Vec3& turning, double inertia) {
-    HandPush push;
-    push.time_s = engine.time_s();
-    push.dt_s = Dynamics::kStep_s;
-    push.body = 0;
-    push.game = 1;
+    HandPush push = push_of(engine);
     push.force_n = speed * (engine.scene().bodies[0].nature.mass_kg / Dynamics::kStep_s);
     push.moment_nm = turning * (inertia / Dynamics::kStep_s);
     engine.push(0, push);
-}
-
-void run(Dynamics& engine, int steps) {
-    DynamicsFrame frame;
-    std::vector<BodyEvent> events;
-    for (int i = 0; i < steps; ++i) engine.step(frame, events);
 }
 
 struct Slide {
@@ -50,7 +33,7 @@ Slide over_tiles(bool ball, unsigned seed, bool cylinder = false) {
                                 : ball ? ball_of(0.2)
                                        : box_of(0.2);
     EXPECT_EQ(builder.add_body(std::span(&piece, 1), kThing, 0, {Vec3(1.5, 1.5 + unit(), 0.2), {}, 1.0},
-                               smooth(ball || cylinder ? 0.4 : 0.0)),
+                               nature(1.0, ball || cylinder ? 0.4 : 0.0)),
               BodyFault::None);
     Dynamics engine(builder.build());
     run(engine, 60);
@@ -103,7 +86,7 @@ TEST(Seams, leave_a_true_step_a_wall_and_a_hole_what_they_are) {
         builder.add_fixed_box({Vec3(-5, -5, -1), Vec3(1, 5, 0)});
         builder.add_fixed_box({Vec3(1, -5, -1), Vec3(5, 5, 0.02)});
         const DynamicsPiece box = box_of(0.2);
-        ASSERT_EQ(builder.add_body(std::span(&box, 1), kThing, 0, {Vec3(0, 0, 0.2), {}, 1.0}, smooth(0.0)),
+        ASSERT_EQ(builder.add_body(std::span(&box, 1), kThing, 0, {Vec3(0, 0, 0.2), {}, 1.0}, nature(1.0, 0.0)),
                   BodyFault::None);
         Dynamics engine(builder.build());
         run(engine, 60);
@@ -118,7 +101,7 @@ TEST(Seams, leave_a_true_step_a_wall_and_a_hole_what_they_are) {
         builder.add_fixed_box({Vec3(1, -5, 0), Vec3(2, 5, 1)});
         builder.add_fixed_box({Vec3(1, -5, -1), Vec3(5, 5, 0)});
         const DynamicsPiece ball = ball_of(0.2);
-        ASSERT_EQ(builder.add_body(std::span(&ball, 1), kThing, 0, {Vec3(0, 0, 0.2), {}, 1.0}, smooth(0.4)),
+        ASSERT_EQ(builder.add_body(std::span(&ball, 1), kThing, 0, {Vec3(0, 0, 0.2), {}, 1.0}, nature(1.0, 0.4)),
                   BodyFault::None);
         Dynamics engine(builder.build());
         run(engine, 60);
@@ -137,7 +120,7 @@ TEST(Seams, leave_a_true_step_a_wall_and_a_hole_what_they_are) {
         builder.add_fixed_box({Vec3(1, -5, -1), Vec3(1.5, -0.25, 0)});
         builder.add_fixed_box({Vec3(1, 0.25, -1), Vec3(1.5, 5, 0)});
         const DynamicsPiece ball = ball_of(0.2);
-        ASSERT_EQ(builder.add_body(std::span(&ball, 1), kThing, 0, {Vec3(0, 0, 0.2), {}, 1.0}, smooth(0.4)),
+        ASSERT_EQ(builder.add_body(std::span(&ball, 1), kThing, 0, {Vec3(0, 0, 0.2), {}, 1.0}, nature(1.0, 0.4)),
                   BodyFault::None);
         Dynamics engine(builder.build());
         run(engine, 60);

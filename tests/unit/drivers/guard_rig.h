@@ -1,0 +1,61 @@
+// What tests of both guards share: the program's end of the pipe to one, and a device behind real guards that is ticked
+// as a servo does it.
+#pragma once
+
+#include <sys/eventfd.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "haptic/drivers/guarded_device.h"
+
+namespace handrail::test {
+
+// Wakes whoever waits for that event.
+inline void signal_event(int event) {
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const auto written = ::write(event, &one, sizeof one);
+}
+
+// The two ends of a guard's messages; the first is the program's.
+struct GuardEnds {
+    std::array<int, 2> ends{-1, -1};
+
+    GuardEnds() { ::socketpair(AF_UNIX, SOCK_SEQPACKET, 0, ends.data()); }
+    ~GuardEnds() {
+        leave();
+        ::close(ends[1]);
+    }
+    GuardEnds(const GuardEnds&) = delete;
+    GuardEnds& operator=(const GuardEnds&) = delete;
+
+    int guards() const { return ends[1]; }
+    std::string message() const {
+        std::array<char, 256> bytes{};
+        const auto size = ::recv(ends[0], bytes.data(), bytes.size(), 0);
+        return size > 0 ? std::string(bytes.begin(), bytes.begin() + size) : std::string();
+    }
+    // As the program's end does when it dies.
+    void leave() {
+        if (ends[0] >= 0) ::close(std::exchange(ends[0], -1));
+    }
+};
+
+// Ticks it like a servo until it is so, at most 20 s.
+template <class Condition>
+bool tick_until(GuardedDevice& device, Condition&& condition) {
+    using namespace std::chrono_literals;
+    for (int i = 0; i < 20000; ++i, std::this_thread::sleep_for(1ms)) {
+        const DeviceSample sample = device.read(0.0);
+        device.write({{0.0, 2.0, 0.0}});
+        if (condition(sample)) return true;
+    }
+    return false;
+}
+
+}  // namespace handrail::test
