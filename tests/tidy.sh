@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# clang-tidy with the checks of .clang-tidy, on what ./run has configured:
+# clang-tidy with the checks of .clang-tidy:
 #   tests/tidy.sh [-s SECONDS] [FILE...]    these sources; `all`: every source of the program
 # Without files: of the folders that pass whole, what is changed and not committed, then what the last 40 commits changed, newest first.
 # A header stands for the source of its name. After SECONDS (120) no further source is begun; how many were left out is said. Ends with 1 if anything was found.
@@ -9,11 +9,12 @@ commits=40 seconds=120
 passing='app|worlds/scene'  # a folder is added once `tests/tidy.sh FOLDER/*.cpp` finds nothing in it
 if [ "${1:-}" = -s ]; then seconds=$2; shift 2; fi
 
-# Without g++'s precompiled headers, which clang cannot read: what they hold is included instead.
+# Each source by itself, and without g++'s precompiled headers, which clang cannot read: what they hold is included instead.
 mkdir -p build/tidy
+cmake --preset apart >build/tidy/configured.log || { cat build/tidy/configured.log; exit 1; }
 sed -E -e "s# -Winvalid-pch -include [^ ]*/handrail_test_support.dir/cmake_pch.hxx# -include $PWD/tests/support/precompiled.h#" \
     -e "s# -Winvalid-pch -include [^ ]*/cmake_pch.hxx# -include $PWD/worlds/base/precompiled.h#" -e 's/ -fpch-preprocess//' \
-    build/release/compile_commands.json >build/tidy/compile_commands.json
+    build/apart/compile_commands.json >build/tidy/compile_commands.json
 
 if [ $# -eq 0 ]; then
     mapfile -t files < <({ git diff --name-only HEAD; git ls-files --others --exclude-standard; 

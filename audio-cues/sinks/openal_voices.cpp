@@ -77,25 +77,25 @@ bool OpenALVoices::load_filters(ALCdevice* device) {
 }
 
 void OpenALVoices::make_sources(bool filters) {
-    const auto generate = [&](Voice& voice, ALint looping) {
-        voice = Voice{};
+    const auto generate = [&](SinkVoice& voice, ALint looping) {
+        voice = SinkVoice{};
         alGenSources(1, &voice.source);
         alSourcei(voice.source, AL_LOOPING, looping);
         if (!filters) return;
         gen_filters_(1, &voice.filter);
         filter_i_(voice.filter, AL_FILTER_TYPE, AL_FILTER_LOWPASS);
     };
-    for (Voice& voice : one_shots_) generate(voice, AL_FALSE);
-    for (Voice& voice : loops_) generate(voice, AL_TRUE);
+    for (SinkVoice& voice : one_shots_) generate(voice, AL_FALSE);
+    for (SinkVoice& voice : loops_) generate(voice, AL_TRUE);
 }
 
 void OpenALVoices::drop_sources() {
-    const auto discard = [&](Voice& voice) {
+    const auto discard = [&](SinkVoice& voice) {
         alDeleteSources(1, &voice.source);
         if (voice.filter != 0) delete_filters_(1, &voice.filter);
     };
-    for (Voice& voice : one_shots_) discard(voice);
-    for (Voice& voice : loops_) discard(voice);
+    for (SinkVoice& voice : one_shots_) discard(voice);
+    for (SinkVoice& voice : loops_) discard(voice);
 }
 
 void OpenALVoices::drop_buffers() {
@@ -108,7 +108,7 @@ void OpenALVoices::drop_buffers() {
 
 // Doors and walls: the loss itself is part of the gain, high tones lose twice as much and more. A filter is copied when
 // it is attached, so it has to be attached anew.
-bool OpenALVoices::muffle(Voice& voice) const {
+bool OpenALVoices::muffle(SinkVoice& voice) const {
     if (voice.filter == 0 || voice.filtered_db == voice.muffled_db ||
         (voice.filtered_db < 0.0 && voice.muffled_db == 0.0))
         return false;
@@ -120,7 +120,7 @@ bool OpenALVoices::muffle(Voice& voice) const {
 
 // Places and levels a source as the ears stand now. OpenAL's listener stays at its origin: x right, y up, z backward of
 // the head.
-void OpenALVoices::apply(Voice& voice) const {
+void OpenALVoices::apply(SinkVoice& voice) const {
     Vec3 head_m{0.0, 0.0, -1.0};
     double near = 1.0;
     if (!is_earcon(voice.cue.kind)) {
@@ -147,21 +147,21 @@ void OpenALVoices::apply(Voice& voice) const {
     alSourcef(voice.source, AL_PITCH, static_cast<float>(std::clamp(voice.cue.pitch * second.pitch, 0.25, 4.0)));
 }
 
-void OpenALVoices::send_to_room(const Voice& voice) const {
+void OpenALVoices::send_to_room(const SinkVoice& voice) const {
     room_.send(voice.source, is_in_room(voice.cue.kind), voice.filtered_db > 0.0 ? voice.filter : 0);
 }
 
-void OpenALVoices::start(Voice& voice, const SoundCue& cue, double level) {
+void OpenALVoices::start(SinkVoice& voice, const SoundCue& cue, double level) {
     alSourceStop(voice.source);
     alSourcei(voice.source, AL_BUFFER, static_cast<ALint>(buffer_of(cue)));
-    voice = Voice{.source = voice.source,
-                  .active = true,
-                  .cue = cue,
-                  .level = level,
-                  .muffled_db = cue.muffled_db,
-                  .filtered_db = voice.filtered_db,
-                  .filter = voice.filter,
-                  .order = ++order_};
+    voice = SinkVoice{.source = voice.source,
+                      .active = true,
+                      .cue = cue,
+                      .level = level,
+                      .muffled_db = cue.muffled_db,
+                      .filtered_db = voice.filtered_db,
+                      .filter = voice.filter,
+                      .order = ++order_};
     room_.sound_again();
     apply(voice);
     send_to_room(voice);
@@ -170,7 +170,7 @@ void OpenALVoices::start(Voice& voice, const SoundCue& cue, double level) {
 
 // Silent from the next mixing period on, over its length; stopped when that has surely passed. Those of the world fade
 // first.
-void OpenALVoices::end(Voice& voice, bool at_once) {
+void OpenALVoices::end(SinkVoice& voice, bool at_once) {
     if (!voice.active || voice.ending) return;
     if (!at_once && is_world_sound(voice.cue.kind)) {
         voice.leaving = true;
@@ -181,54 +181,54 @@ void OpenALVoices::end(Voice& voice, bool at_once) {
     apply(voice);
 }
 
-Voice& OpenALVoices::free_one_shot() {
-    const auto cost = [](const Voice& v) {
+SinkVoice& OpenALVoices::free_one_shot() {
+    const auto cost = [](const SinkVoice& v) {
         return std::tuple(v.active, !v.ending, v.active ? importance(v.cue.kind) : 0, v.order);
     };
     return *std::min_element(one_shots_.begin(), one_shots_.end(),
-                             [&](const Voice& a, const Voice& b) { return cost(a) < cost(b); });
+                             [&](const SinkVoice& a, const SinkVoice& b) { return cost(a) < cost(b); });
 }
 
 // The voice that plays this loop, or where it may begin; nullptr where there is no room for one more, or nothing to
 // end.
-Voice* OpenALVoices::loop_of(const SoundCue& cue) {
+SinkVoice* OpenALVoices::loop_of(const SoundCue& cue) {
     if (!is_world_sound(cue.kind)) return &loops_[cue.kind == SoundKind::Slide ? 1 + std::min(cue.source, 1U) : 0];
-    const std::span<Voice> world = std::span(loops_).subspan(kOwnLoops);
-    const auto same = std::find_if(world.begin(), world.end(), [&](const Voice& v) {
+    const std::span<SinkVoice> world = std::span(loops_).subspan(kOwnLoops);
+    const auto same = std::find_if(world.begin(), world.end(), [&](const SinkVoice& v) {
         return v.active && !v.ending && v.cue.kind == cue.kind && v.cue.source == cue.source;
     });
     if (same != world.end()) return &*same;
     if (cue.loudness <= 0.0) return nullptr;
-    const auto free = std::find_if(world.begin(), world.end(), [](const Voice& v) { return !v.active; });
+    const auto free = std::find_if(world.begin(), world.end(), [](const SinkVoice& v) { return !v.active; });
     return free != world.end() ? &*free : nullptr;
 }
 
 // How loud it is at the ears, but for its own samples.
-double OpenALVoices::strength(const Voice& voice) const {
+double OpenALVoices::strength(const SinkVoice& voice) const {
     return voice.cue.loudness *
            distance_gain(voice.cue.kind, glm::length(voice.cue.position_m - hearing_.listener.ears_m)) *
            std::pow(10.0, -voice.cue.muffled_db / 20.0);
 }
 
-std::vector<Voice*> OpenALVoices::competing() {
-    std::vector<Voice*> all;
-    const auto add = [&](Voice& voice) {
+std::vector<SinkVoice*> OpenALVoices::competing() {
+    std::vector<SinkVoice*> all;
+    const auto add = [&](SinkVoice& voice) {
         if (voice.active && !voice.ending && !voice.leaving && voice.cue.loudness > 0.0) all.push_back(&voice);
     };
-    for (Voice& voice : one_shots_) add(voice);
-    for (Voice& voice : loops_) add(voice);
+    for (SinkVoice& voice : one_shots_) add(voice);
+    for (SinkVoice& voice : loops_) add(voice);
     return all;
 }
 
 // At most so many are heard: a one-shot that is one too many ends, a loop is mute until there is room again.
 void OpenALVoices::limit() {
-    std::vector<Voice*> all = competing();
-    const auto rank = [&](const Voice* v) {
+    std::vector<SinkVoice*> all = competing();
+    const auto rank = [&](const SinkVoice* v) {
         return std::tuple(importance(v->cue.kind), is_world_sound(v->cue.kind) ? strength(*v) : 0.0, v->order);
     };
-    std::sort(all.begin(), all.end(), [&](const Voice* a, const Voice* b) { return rank(a) > rank(b); });
+    std::sort(all.begin(), all.end(), [&](const SinkVoice* a, const SinkVoice* b) { return rank(a) > rank(b); });
     for (std::size_t i = 0; i < all.size(); ++i) {
-        Voice& voice = *all[i];
+        SinkVoice& voice = *all[i];
         const bool room = i < static_cast<std::size_t>(most_);
         if (!room) voice.may_sound_at_s = hearing_.now_s + (is_world_sound(voice.cue.kind) ? kRoomFor_s : 0.0);
         voice.audible = room && hearing_.now_s >= voice.may_sound_at_s;
@@ -244,7 +244,7 @@ void OpenALVoices::play(const SoundCue& cue) {
 }
 
 void OpenALVoices::set_loop(const SoundCue& cue) {
-    Voice* loop = loop_of(cue);
+    SinkVoice* loop = loop_of(cue);
     if (loop == nullptr) return;
     if (cue.loudness <= 0.0) return end(*loop, false);
     if (!loop->active || loop->ending || buffer_of(loop->cue) != buffer_of(cue)) return start(*loop, cue, 0.0);
@@ -254,8 +254,8 @@ void OpenALVoices::set_loop(const SoundCue& cue) {
 
 void OpenALVoices::stop_all() {
     room_.hush();
-    for (Voice& voice : one_shots_) end(voice);
-    for (Voice& voice : loops_) end(voice);
+    for (SinkVoice& voice : one_shots_) end(voice);
+    for (SinkVoice& voice : loops_) end(voice);
 }
 
 void OpenALVoices::go_on(const Loops& before) {
@@ -265,13 +265,13 @@ void OpenALVoices::go_on(const Loops& before) {
 
 int OpenALVoices::playing() const {
     return static_cast<int>(
-        std::count_if(one_shots_.begin(), one_shots_.end(), [](const Voice& v) { return v.active && !v.ending; }) +
+        std::count_if(one_shots_.begin(), one_shots_.end(), [](const SinkVoice& v) { return v.active && !v.ending; }) +
         std::count_if(loops_.begin(), loops_.end(),
-                      [](const Voice& v) { return v.active && !v.ending && !v.leaving && v.audible; }));
+                      [](const SinkVoice& v) { return v.active && !v.ending && !v.leaving && v.audible; }));
 }
 
 void OpenALVoices::stop_ended_one_shots() {
-    for (Voice& voice : one_shots_) {
+    for (SinkVoice& voice : one_shots_) {
         if (!voice.active) continue;
         ALint state = 0;
         alGetSourcei(voice.source, AL_SOURCE_STATE, &state);
@@ -282,7 +282,7 @@ void OpenALVoices::stop_ended_one_shots() {
     }
 }
 
-void OpenALVoices::update_loop(Voice& voice, double dt_s) {
+void OpenALVoices::update_loop(SinkVoice& voice, double dt_s) {
     voice.pulse += dt_s * voice.cue.pulses_per_s;
     voice.pulse -= std::floor(voice.pulse);
     const double step = dt_s / (is_world_sound(voice.cue.kind) ? kWorldFade_s : kLoopFade_s);
@@ -302,11 +302,11 @@ void OpenALVoices::update(double dt_s, bool spoken_over, double ducking_db) {
     stop_ended_one_shots();
     limit();
     room_.update(hearing_.now_s, hearing_.listener.reverberation_s, hearing_.sound.reverberation);
-    for (Voice& voice : loops_)
+    for (SinkVoice& voice : loops_)
         if (voice.active) update_loop(voice, dt_s);
-    for (Voice& voice : one_shots_)
+    for (SinkVoice& voice : one_shots_)
         if (voice.active) apply(voice);
-    for (Voice& voice : loops_)
+    for (SinkVoice& voice : loops_)
         if (voice.active) apply(voice);
 }
 

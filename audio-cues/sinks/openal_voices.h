@@ -21,7 +21,7 @@ inline constexpr double kFadeOut_s =
     0.020;  // a silenced source is stopped this much later; the mixer's ramp takes 5.3 ms of it
 
 // A source of OpenAL and what it plays.
-struct Voice {
+struct SinkVoice {
     ALuint source = 0;
     bool active = false;
     bool leaving = false;  // a loop that goes down to level 0 and then ends
@@ -47,10 +47,11 @@ struct Hearing {
 
 class OpenALVoices {
 public:
-    static constexpr std::size_t kOneShots = 8;                 // more than may sound, so that displaced ones can fade
-    static constexpr std::size_t kOwnLoops = 3;                 // the wall tone, and sliding of each hand
-    static constexpr std::size_t kWorldVoices = 6;              // those that are heard, and as many that fade
-    using Loops = std::array<Voice, kOwnLoops + kWorldVoices>;  // WallTone, Slide of each hand, then those of the world
+    static constexpr std::size_t kOneShots = 8;     // more than may sound, so that displaced ones can fade
+    static constexpr std::size_t kOwnLoops = 3;     // the wall tone, and sliding of each hand
+    static constexpr std::size_t kWorldVoices = 6;  // those that are heard, and as many that fade
+    using Loops =
+        std::array<SinkVoice, kOwnLoops + kWorldVoices>;  // WallTone, Slide of each hand, then those of the world
 
     // Both outlive this object. `most`: sounds that are heard at once.
     OpenALVoices(const Hearing& hearing, OpenALRoom& room, int most) : hearing_(hearing), room_(room), most_(most) {}
@@ -75,18 +76,18 @@ public:
 
 private:
     ALuint buffer_of(const SoundCue& cue) const { return buffers_[SoundBank::index(cue.kind, cue.material)]; }
-    bool muffle(Voice& voice) const;
-    void send_to_room(const Voice& voice) const;
-    void apply(Voice& voice) const;
-    void start(Voice& voice, const SoundCue& cue, double level);
-    void end(Voice& voice, bool at_once = true);
-    Voice& free_one_shot();
-    Voice* loop_of(const SoundCue& cue);
-    double strength(const Voice& voice) const;
-    std::vector<Voice*> competing();
+    bool muffle(SinkVoice& voice) const;
+    void send_to_room(const SinkVoice& voice) const;
+    void apply(SinkVoice& voice) const;
+    void start(SinkVoice& voice, const SoundCue& cue, double level);
+    void end(SinkVoice& voice, bool at_once = true);
+    SinkVoice& free_one_shot();
+    SinkVoice* loop_of(const SoundCue& cue);
+    double strength(const SinkVoice& voice) const;
+    std::vector<SinkVoice*> competing();
     void limit();
     void stop_ended_one_shots();
-    void update_loop(Voice& voice, double dt_s);
+    void update_loop(SinkVoice& voice, double dt_s);
 
     const Hearing& hearing_;
     OpenALRoom& room_;
@@ -96,7 +97,7 @@ private:
     LPALFILTERI filter_i_ = nullptr;
     LPALFILTERF filter_f_ = nullptr;
     std::vector<ALuint> buffers_;  // as SoundBank::index
-    std::array<Voice, kOneShots> one_shots_{};
+    std::array<SinkVoice, kOneShots> one_shots_{};
     Loops loops_{};
     double duck_ = 1.0;
     std::uint64_t order_ = 0;

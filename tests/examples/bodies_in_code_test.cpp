@@ -6,7 +6,7 @@
 #include "haptic/servo/hand_bodies.h"
 
 namespace handrail {
-namespace {
+namespace bodies_in_code_test {
 
 // A floor and a crate of one kilogram on it, as they are felt and as they move.
 struct CrateWorld {
@@ -80,5 +80,5 @@ TEST(Example, a_crate_in_code_is_pushed_by_a_simulated_hand) {
     EXPECT_NEAR(engine.middle(0).position_m.z, 0.2, 1e-3);
 }
 
-}  // namespace
+}  // namespace bodies_in_code_test
 }  // namespace handrail

@@ -3,7 +3,7 @@
 #include "haptic/render/touch.h"
 
 namespace handrail {
-namespace {
+namespace new_effect_test {
 
 // A breeze from the west that swells and dies away every two seconds. Called on the servo thread: no allocation, lock,
 // clock or exception, and only
@@ -40,5 +40,5 @@ TEST(Example, a_force_of_ones_own_is_computed_on_each_tick_where_it_is_and_nowhe
     EXPECT_NEAR(strongest_n, 0.8, 2e-3);
 }
 
-}  // namespace
+}  // namespace new_effect_test
 }  // namespace handrail

@@ -5,7 +5,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace new_feature_test {
 
 // Counts the steps that one walks. A feature owns its state, looks at the session through the context, and is neither
 // copied nor moved, since open lists may know it by its place. App thread only.
@@ -58,5 +58,5 @@ TEST(NewFeature, counts_steps_without_a_session) {
     EXPECT_THAT(plain.said(), testing::ElementsAre("10"));
 }
 
-}  // namespace
+}  // namespace new_feature_test
 }  // namespace handrail

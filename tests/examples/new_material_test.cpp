@@ -3,7 +3,7 @@
 #include "haptic/render/touch.h"
 
 namespace handrail {
-namespace {
+namespace new_material_test {
 
 // Snow on one side, the default wall on the other. A surface names its entry in the scene's list of materials.
 std::shared_ptr<const HapticScene> snow_and_wall() {
@@ -36,5 +36,5 @@ TEST(Example, a_material_made_in_code_is_as_soft_and_slippery_as_it_says) {
     EXPECT_EQ(snow.contacts.contacts[0].material, MaterialId{1});
 }
 
-}  // namespace
+}  // namespace new_material_test
 }  // namespace handrail

@@ -5,7 +5,7 @@
 #include "haptic/render/touch.h"
 
 namespace handrail {
-namespace {
+namespace new_obstacle_test {
 
 // The knob at the end of a handrail: an ellipsoid with these half axes. Called on the servo thread: no allocation, lock
 // or exception, and only + - * / and square root, so that every machine gives the same numbers.
@@ -126,5 +126,5 @@ TEST(Example, a_solid_that_breaks_its_promise_is_refused) {
     EXPECT_TRUE(builder.build()->obstacles.empty());
 }
 
-}  // namespace
+}  // namespace new_obstacle_test
 }  // namespace handrail

@@ -4,7 +4,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace world_in_code_test {
 
 // A floor, a step and a slanting sheet, each with the number that a contact names it by.
 std::shared_ptr<const HapticScene> small_world() {
@@ -74,5 +74,5 @@ TEST(Example, a_map_written_by_a_program_is_read_named_and_touched) {
     EXPECT_EQ(touched->name, "step 4");
 }
 
-}  // namespace
+}  // namespace world_in_code_test
 }  // namespace handrail

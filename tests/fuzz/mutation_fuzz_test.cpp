@@ -10,7 +10,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::fuzz {
-namespace {
+namespace mutation_fuzz_test {
 
 namespace fs = std::filesystem;
 
@@ -112,5 +112,5 @@ TEST(Harnesses, own_every_folder_of_inputs) {
     }
 }
 
-}  // namespace
+}  // namespace mutation_fuzz_test
 }  // namespace handrail::fuzz

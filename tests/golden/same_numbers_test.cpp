@@ -2,7 +2,7 @@
 #include <cstdio>
 
 namespace handrail {
-namespace {
+namespace same_numbers_test {
 
 std::string output_of(const std::string& program) {
     std::string out;
@@ -28,5 +28,5 @@ TEST(TouchRenderer, gives_the_same_numbers_with_and_without_optimisation) {
     ADD_FAILURE() << "first difference:\n-O0: " << line_at(plain) << "\n-O2: " << line_at(optimised);
 }
 
-}  // namespace
+}  // namespace same_numbers_test
 }  // namespace handrail

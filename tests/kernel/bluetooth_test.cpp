@@ -16,7 +16,7 @@
 #include "tests/support/precompiled.h"
 
 namespace handrail {
-namespace {
+namespace bluetooth_test {
 
 // A HID device whose transport is this program. A thread of its own answers the kernel; `lock` guards the emulator.
 class UserHid {
@@ -97,5 +97,5 @@ TEST(KernelBluetooth, dual_sense_exchanges_a_thousand_reports_with_checksums_and
                                       [&] { radio.ring(); });
 }
 
-}  // namespace
+}  // namespace bluetooth_test
 }  // namespace handrail

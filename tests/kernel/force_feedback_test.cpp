@@ -18,7 +18,7 @@
 #include "tests/support/precompiled.h"
 
 namespace handrail {
-namespace {
+namespace force_feedback_test {
 
 // A device of this program with force feedback. A thread of its own answers the kernel; `lock` guards what it was told.
 class UserStick {
@@ -166,5 +166,5 @@ TEST(KernelForceFeedback, stick_rests_against_a_wall_within_a_step_of_its_axis_o
     EXPECT_EQ(stick.effect.u.constant.level, 0);
 }
 
-}  // namespace
+}  // namespace force_feedback_test
 }  // namespace handrail

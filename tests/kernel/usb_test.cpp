@@ -9,7 +9,7 @@
 #include "tests/support/precompiled.h"
 
 namespace handrail {
-namespace {
+namespace usb_test {
 
 std::unique_ptr<ByteLink> open_falcon_link() {
     const std::array wanted{UsbId{0x0403, 0xcb48}};
@@ -64,5 +64,5 @@ TEST(KernelUsb, space_mouse_steers) {
     test::steer_with_a_space_mouse(test::open_hid(0x256f), puck, plug.lock, [] {});
 }
 
-}  // namespace
+}  // namespace usb_test
 }  // namespace handrail

@@ -11,7 +11,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
-namespace {
+namespace monkey_test {
 
 namespace fs = std::filesystem;
 
@@ -73,5 +73,5 @@ TEST_P(MonkeySession, never_pushes_beyond_the_ceiling_never_comes_into_a_wall_an
 
 INSTANTIATE_TEST_SUITE_P(Part, MonkeySession, testing::Range(0, kParts));
 
-}  // namespace
+}  // namespace monkey_test
 }  // namespace handrail::test

@@ -3,7 +3,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
-namespace {
+namespace calibrate_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -101,5 +101,5 @@ TEST_F(CalibrateProgram, a_damaged_profile_is_told_at_the_start_and_kept_in_the_
     EXPECT_THAT(settings(), HasSubstr("profile.sim-t.ceiling_n = 1.2"));
 }
 
-}  // namespace
+}  // namespace calibrate_test
 }  // namespace handrail::test

@@ -6,7 +6,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
-namespace {
+namespace devices_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -87,5 +87,5 @@ TEST(Devices, a_makers_library_that_plays_along_is_a_hand) {
     EXPECT_THAT(played.out, Not(HasSubstr("unplugged")));
 }
 
-}  // namespace
+}  // namespace devices_test
 }  // namespace handrail::test

@@ -4,7 +4,7 @@
 #include "tests/support/run_program.h"
 
 namespace handrail::test {
-namespace {
+namespace explore_test {
 
 using testing::HasSubstr;
 
@@ -121,5 +121,5 @@ TEST(Explore, settings_changed_by_a_command_are_saved_at_the_end) {
     std::filesystem::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace explore_test
 }  // namespace handrail::test

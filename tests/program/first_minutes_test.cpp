@@ -7,7 +7,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
-namespace {
+namespace first_minutes_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -224,5 +224,5 @@ TEST(Terminal, a_damaged_list_of_last_worlds_is_kept_aside_and_said) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "handrail" / "recent-worlds.txt.damaged"));
 }
 
-}  // namespace
+}  // namespace first_minutes_test
 }  // namespace handrail::test

@@ -6,7 +6,7 @@
 #include "tests/support/run_program.h"
 
 namespace handrail::test {
-namespace {
+namespace hardened_test {
 
 using testing::ContainsRegex;
 using testing::HasSubstr;
@@ -41,5 +41,5 @@ TEST(Hardened, programs_start_at_random_addresses_with_read_only_tables_and_guar
     EXPECT_THAT(told_of(HANDRAIL_PROGRAM), HasSubstr("__glibcxx_assert_fail"));
 }
 
-}  // namespace
+}  // namespace hardened_test
 }  // namespace handrail::test

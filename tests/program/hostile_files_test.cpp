@@ -22,7 +22,7 @@
 extern "C" char** environ;
 
 namespace handrail::test {
-namespace {
+namespace hostile_files_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -119,5 +119,5 @@ TEST(HostileFiles, loading_is_left_as_soon_as_a_signal_asks_for_it) {
     }
 }
 
-}  // namespace
+}  // namespace hostile_files_test
 }  // namespace handrail::test

@@ -9,7 +9,7 @@
 #include "tests/support/run_program.h"
 
 namespace handrail::test {
-namespace {
+namespace inverse3_test {
 
 nlohmann::json inverse3_of(StandInService& service, Mood mood) {
     service.mood = mood;
@@ -52,5 +52,5 @@ TEST(Inverse3Facts, are_all_told_as_data) {  // S137
     }
 }
 
-}  // namespace
+}  // namespace inverse3_test
 }  // namespace handrail::test

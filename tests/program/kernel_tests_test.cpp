@@ -5,7 +5,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
-namespace {
+namespace kernel_tests_test {
 
 namespace fs = std::filesystem;
 
@@ -47,5 +47,5 @@ TEST(KernelTests, are_skipped_in_words_where_no_kernel_can_be_fetched) {
     EXPECT_THAT(run.err, testing::HasSubstr("no kernel can be had"));
 }
 
-}  // namespace
+}  // namespace kernel_tests_test
 }  // namespace handrail::test

@@ -15,7 +15,7 @@
 #include "tests/support/virtual_display.h"
 
 namespace handrail::test {
-namespace {
+namespace loading_window_test {
 
 namespace fs = std::filesystem;
 
@@ -149,5 +149,5 @@ TEST_F(LoadingWindow, escape_gives_up_a_second_world_and_the_first_goes_on) {
     expect_it_ends();
 }
 
-}  // namespace
+}  // namespace loading_window_test
 }  // namespace handrail::test

@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
-namespace {
+namespace terminal_test {
 
 // The program in a terminal, until the folder of its home is gone.
 struct AtTerminal {
@@ -148,5 +148,5 @@ TEST(Terminal, survives_a_person_who_presses_everything) {
     EXPECT_TRUE(at.job->as_before());
 }
 
-}  // namespace
+}  // namespace terminal_test
 }  // namespace handrail::test

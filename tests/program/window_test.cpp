@@ -6,7 +6,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
-namespace {
+namespace window_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -83,5 +83,5 @@ TEST(WindowOfTheProgram, takes_keys_speaks_and_shows_first_person_wall_and_plan)
     EXPECT_GT(difference(folder.path() / "wall.png", folder.path() / "plan.png"), 0.05);
 }
 
-}  // namespace
+}  // namespace window_test
 }  // namespace handrail::test

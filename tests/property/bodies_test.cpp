@@ -6,7 +6,7 @@
 #include "tests/support/random_families.h"
 
 namespace handrail::test {
-namespace {
+namespace bodies_test {
 
 constexpr double kTick_s = 1e-3;
 
@@ -372,5 +372,5 @@ TEST(Bodies, a_placed_body_feels_as_its_shape_turned) {
     EXPECT_LE(worst, 1e-5);
 }
 
-}  // namespace
+}  // namespace bodies_test
 }  // namespace handrail::test

@@ -8,7 +8,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
-namespace {
+namespace free_place_test {
 
 // Against the judge, in heaps of solids and sheets.
 TEST(FreePlace, a_thousand_random_starts_end_outside_every_solid) {
@@ -92,5 +92,5 @@ TEST(FreePlace, leads_out_of_the_walls_of_a_real_level) {
     EXPECT_GT(tried, 0);
 }
 
-}  // namespace
+}  // namespace free_place_test
 }  // namespace handrail::test

@@ -12,7 +12,7 @@
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
-namespace {
+namespace friction_exact_test {
 
 constexpr double kTick_s = 1e-3, kRadius_m = 0.005;
 // A solid's side is exact from anywhere; of triangles the ball counts as touching one from 1e-8 m on, so lag and place
@@ -246,5 +246,5 @@ TEST(FrictionExact, a_ball_that_sticks_does_not_creep) {
     }
 }
 
-}  // namespace
+}  // namespace friction_exact_test
 }  // namespace handrail::test

@@ -11,7 +11,7 @@
 #include "tests/support/servo_rig.h"
 
 namespace handrail::test {
-namespace {
+namespace guidance_test {
 
 struct Measured {
     double force_n = 0.0, free_speed_m_per_s = 0.0, slow_step_n = 0.0, step_share = 0.0, worst_power_share = 0.0;
@@ -159,5 +159,5 @@ TEST(Guidance, never_exceeds_its_limits_in_a_thousand_random_pulls) {
     }
 }
 
-}  // namespace
+}  // namespace guidance_test
 }  // namespace handrail::test

@@ -4,7 +4,7 @@
 #include "tests/support/reference_proxy.h"
 
 namespace handrail::test {
-namespace {
+namespace hard_cases_test {
 
 TouchCase case_named(const std::string& prefix, double radius_m = 0.005) {
     for (const TouchCase& c : hard_cases(radius_m))
@@ -378,5 +378,5 @@ TEST(HardCase, closed_loops_give_the_hand_no_energy) {
     }
 }
 
-}  // namespace
+}  // namespace hard_cases_test
 }  // namespace handrail::test

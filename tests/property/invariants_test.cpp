@@ -3,7 +3,7 @@
 #include "tests/support/random_families.h"
 
 namespace handrail::test {
-namespace {
+namespace invariants_test {
 
 // The listed hard cases, then one of each random family by the seed of this run (HANDRAIL_SEED=... gives a failing one
 // again).
@@ -328,5 +328,5 @@ INSTANTIATE_TEST_SUITE_P(HardCases, HollowCase,
 INSTANTIATE_TEST_SUITE_P(HardCases, TidyCase, testing::ValuesIn(cases_that([](const TouchCase& c) { return c.tidy; })),
                          name_of);
 
-}  // namespace
+}  // namespace invariants_test
 }  // namespace handrail::test

@@ -6,7 +6,7 @@
 #include "tests/support/random_families.h"
 
 namespace handrail::test {
-namespace {
+namespace one_sided_test {
 
 // A cube of half size `half` whose faces look outwards, as polygons or as triangles cut at random inner points.
 TouchWorld cube(double half, TouchSide side, bool triangles, std::mt19937& random) {
@@ -180,5 +180,5 @@ TEST(OneSidedSheets, a_hand_half_way_through_from_behind_may_turn_back) {
     EXPECT_GE(touch_tick(before, *scene, plain_tuning(kRadius), {0, 0, -.02}, 1e-3).proxy_m.z, .001);
 }
 
-}  // namespace
+}  // namespace one_sided_test
 }  // namespace handrail::test

@@ -11,7 +11,7 @@
 #include "tests/support/servo_rig.h"
 
 namespace handrail::test {
-namespace {
+namespace personal_space_test {
 
 constexpr double kScale = 60.0;
 
@@ -454,5 +454,5 @@ TEST(PersonalSpace, a_push_presses_once_and_lets_go_at_half_its_force) {
     EXPECT_FALSE(press.held());
 }
 
-}  // namespace
+}  // namespace personal_space_test
 }  // namespace handrail::test

@@ -6,7 +6,7 @@
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
-namespace {
+namespace pole_test {
 
 constexpr double kSphere_m = 0.5;
 
@@ -68,5 +68,5 @@ TEST(Pole, of_more_triangles_than_candidates_holds_the_ball_back_and_says_so) {
     EXPECT_GE(over.nearest_m, 0.005 - 1e-5);
 }
 
-}  // namespace
+}  // namespace pole_test
 }  // namespace handrail::test

@@ -9,7 +9,7 @@
 #include "worlds/scene/surfaces.h"
 
 namespace handrail::test {
-namespace {
+namespace rounding_test {
 
 constexpr double kRounding_m = 0.04;
 
@@ -415,5 +415,5 @@ TEST(Rounding, of_a_thing_that_moves_is_as_large_to_the_hand_whatever_its_scale)
     }
 }
 
-}  // namespace
+}  // namespace rounding_test
 }  // namespace handrail::test

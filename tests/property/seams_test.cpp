@@ -8,7 +8,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
-namespace {
+namespace seams_test {
 
 double unit(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0; }
 Vec3 direction(std::mt19937& random) {
@@ -146,5 +146,5 @@ TEST(Seams, of_a_real_map_let_no_ray_or_sweep_through_at_1000_places) {
     std::cout << fmt::format("{} seams, {} of {} rays touched, deepest {:.1e} m\n", seams, touched, 2 * seams, deepest);
 }
 
-}  // namespace
+}  // namespace seams_test
 }  // namespace handrail::test

@@ -7,7 +7,7 @@
 #include "tests/support/sphere_mesh.h"
 
 namespace handrail::test {
-namespace {
+namespace surfaces_test {
 
 std::shared_ptr<const HeightField> random_picture(std::mt19937& random) {
     const int width = 8 + static_cast<int>(random() % 57), height = 8 + static_cast<int>(random() % 57);
@@ -234,5 +234,5 @@ TEST(ShadedMesh, survives_needles_duplicates_and_edges_of_three) {
     }
 }
 
-}  // namespace
+}  // namespace surfaces_test
 }  // namespace handrail::test

@@ -10,7 +10,7 @@
 #include "tests/support/servo_rig.h"
 
 namespace handrail::test {
-namespace {
+namespace workspace_moves_test {
 
 struct RandomWorld {
     std::shared_ptr<const HapticScene> scene;
@@ -137,5 +137,5 @@ TEST(WorkspaceMoves, neither_knock_nor_push_nor_feed_a_random_hand) {
     EXPECT_GE(touched_while_moving, scaled(12) == 12 ? 12 * 3 * 50 : 0) << "too few hands came to a wall";
 }
 
-}  // namespace
+}  // namespace workspace_moves_test
 }  // namespace handrail::test

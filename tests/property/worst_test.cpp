@@ -8,7 +8,7 @@
 #include "tests/support/worst_cases.h"
 
 namespace handrail::test {
-namespace {
+namespace worst_test {
 
 constexpr double kTick_s = 1e-3;
 
@@ -267,5 +267,5 @@ TEST(TrackedBodies, cost_nothing_while_they_are_far) {
     }
 }
 
-}  // namespace
+}  // namespace worst_test
 }  // namespace handrail::test

@@ -9,7 +9,7 @@
 #include "tests/support/servo_rig.h"
 
 namespace handrail {
-namespace {
+namespace servo_loop_test {
 
 using test::kTick;
 
@@ -474,5 +474,5 @@ TEST(ServoLoop, two_loops_share_a_scene_and_the_stop_key_and_nothing_else) {
     for (Hand& hand : hands) hand.loop->stop();
 }
 
-}  // namespace
+}  // namespace servo_loop_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "tests/umockdev/mock_stick.h"
 
 namespace handrail {
-namespace {
+namespace companions_test {
 
 using test::MockHidraw;
 using testing::Contains;
@@ -233,5 +233,5 @@ TEST_F(Companions, program_takes_a_dual_sense_as_cues_and_walking) {
     EXPECT_EQ(pad.right_effect, trigger_off()) << "let go at the end";
 }
 
-}  // namespace
+}  // namespace companions_test
 }  // namespace handrail

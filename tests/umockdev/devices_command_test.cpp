@@ -11,7 +11,7 @@
 #include "tests/umockdev/mock_usb.h"
 
 namespace handrail {
-namespace {
+namespace devices_command_test {
 
 using testing::HasSubstr;
 using testing::MatchesRegex;
@@ -131,5 +131,5 @@ TEST_F(DevicesCommand, tells_them_in_words_that_a_voice_can_read) {
     EXPECT_GT(count, 20);
 }
 
-}  // namespace
+}  // namespace devices_command_test
 }  // namespace handrail

@@ -6,7 +6,7 @@
 #include "tests/umockdev/mock_usb.h"
 
 namespace handrail {
-namespace {
+namespace falcon_usb_test {
 
 constexpr UsbId kFalcon{0x0403, 0xcb48};
 
@@ -82,5 +82,5 @@ TEST_F(FalconOverLibusb, leaves_the_motors_at_zero_when_let_go) {
     EXPECT_EQ(bus_.falcon.motors, (std::array<int, 3>{}));
 }
 
-}  // namespace
+}  // namespace falcon_usb_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include "tests/support/world_axes.h"
 
 namespace handrail {
-namespace {
+namespace ff_test {
 
 using test::MockStick;
 
@@ -139,5 +139,5 @@ TEST_F(OverEvdev, a_pad_that_only_rumbles_is_no_hand) {
     EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("no constant force"));
 }
 
-}  // namespace
+}  // namespace ff_test
 }  // namespace handrail

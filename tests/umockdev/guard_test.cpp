@@ -19,7 +19,7 @@
 extern "C" char** environ;
 
 namespace handrail {
-namespace {
+namespace guard_test {
 
 using namespace std::chrono_literals;
 using Clock_ = std::chrono::steady_clock;
@@ -666,5 +666,5 @@ TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_
     EXPECT_THAT(asked_for.err, testing::HasSubstr("nvent_firmware.bin"));
 }
 
-}  // namespace
+}  // namespace guard_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "tests/umockdev/mock_hidraw.h"
 
 namespace handrail {
-namespace {
+namespace hid_test {
 
 using test::MockHidraw;
 
@@ -91,5 +91,5 @@ TEST_F(OverHidapi, devices_command_tells_of_pads_and_pucks) {
     EXPECT_TRUE(devices[2]["force_limit_n"].is_null());
 }
 
-}  // namespace
+}  // namespace hid_test
 }  // namespace handrail

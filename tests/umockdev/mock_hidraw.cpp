@@ -11,13 +11,10 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "tests/umockdev/completed.h"
+
 namespace handrail::test {
 namespace {
-
-gboolean complete(UMockdevIoctlClient* client, long result, int error) {
-    umockdev_ioctl_client_complete(client, result, error);
-    return TRUE;
-}
 
 void add(UMockdevTestbed* bed, const std::string& description) {
     GError* error = nullptr;

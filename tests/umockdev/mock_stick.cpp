@@ -7,16 +7,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/umockdev/completed.h"
+
 namespace handrail::test {
-namespace {
-
-gboolean complete(UMockdevIoctlClient* client, long result, int error) {
-    umockdev_ioctl_client_complete(client, result, error);
-    return TRUE;
-}
-
-}  // namespace
-
 MockStick::MockStick(UMockdevTestbed* bed, bool constant) : constant_(constant) {
     const std::string device =
         "P: /devices/virtual/input/input5/event5\nN: input/event5\nE: DEVNAME=/dev/input/event5\nE: "

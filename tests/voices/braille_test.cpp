@@ -11,7 +11,7 @@
 #include "tests/voices/speech_server.h"
 
 namespace handrail::test {
-namespace {
+namespace braille_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -160,5 +160,5 @@ TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_tur
     leave();
 }
 
-}  // namespace
+}  // namespace braille_test
 }  // namespace handrail::test

@@ -14,7 +14,7 @@
 #include "tests/voices/exploring.h"
 
 namespace handrail::test {
-namespace {
+namespace latency_test {
 
 constexpr int kTimes = 12;
 
@@ -155,5 +155,5 @@ TEST(Latency, of_the_programs_own_voice_is_reported) {
     report("key to its silence", std::move(silence_s));
 }
 
-}  // namespace
+}  // namespace latency_test
 }  // namespace handrail::test

@@ -8,7 +8,7 @@
 #include "tests/voices/speech_server.h"
 
 namespace handrail::test {
-namespace {
+namespace program_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -84,5 +84,5 @@ TEST_F(ProgramSpeaking, by_a_voice_that_was_asked_for_and_is_not_there_says_so) 
     leave();
 }
 
-}  // namespace
+}  // namespace program_test
 }  // namespace handrail::test

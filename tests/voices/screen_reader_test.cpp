@@ -12,7 +12,7 @@
 #include "tests/voices/exploring.h"
 
 namespace handrail::test {
-namespace {
+namespace screen_reader_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -385,5 +385,5 @@ TEST(WithoutASessionBus, no_bus_is_started_and_no_word_waits_for_one) {
     EXPECT_EQ(processes_called("dbus-daemon", folder.path()), 0);
 }
 
-}  // namespace
+}  // namespace screen_reader_test
 }  // namespace handrail::test

@@ -15,7 +15,7 @@
 #include "tests/voices/exploring.h"
 
 namespace handrail::test {
-namespace {
+namespace silent_machine_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -183,5 +183,5 @@ TEST_F(SilentMachineNever, speaks_and_brailles_through_orca_where_it_runs_and_it
     EXPECT_EQ(own_voice(), "") << "two voices";
 }
 
-}  // namespace
+}  // namespace silent_machine_test
 }  // namespace handrail::test

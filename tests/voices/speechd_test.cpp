@@ -10,7 +10,7 @@
 #include "tests/voices/speech_server.h"
 
 namespace handrail::test {
-namespace {
+namespace speechd_test {
 
 using testing::HasSubstr;
 
@@ -105,5 +105,5 @@ TEST_F(SpeechdVoice, a_server_that_stops_answering_is_given_up_by_the_watchdog) 
     voice.reset();  // ends although the server never answers
 }
 
-}  // namespace
+}  // namespace speechd_test
 }  // namespace handrail::test

@@ -3,7 +3,7 @@
 #include "tests/window/small_room.h"
 
 namespace handrail::test {
-namespace {
+namespace draw_mesh_test {
 
 double length_m(const DrawMesh& mesh) {
     double sum = 0.0;
@@ -98,5 +98,5 @@ TEST(LookOf, tells_kinds_apart_by_luminance_or_pattern) {
         }
 }
 
-}  // namespace
+}  // namespace draw_mesh_test
 }  // namespace handrail::test

@@ -6,7 +6,7 @@
 #include <map>
 
 namespace handrail {
-namespace {
+namespace key_gate_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -80,5 +80,5 @@ TEST_F(KeyGateTest, keys_undecided_when_the_keyboard_goes_are_dropped) {
     EXPECT_THAT(decided(0.0), IsEmpty());
 }
 
-}  // namespace
+}  // namespace key_gate_test
 }  // namespace handrail

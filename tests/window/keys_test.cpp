@@ -10,7 +10,7 @@
 #include <set>
 
 namespace handrail::test {
-namespace {
+namespace keys_test {
 
 using Events = std::vector<KeyEvent>;
 
@@ -113,5 +113,5 @@ TEST(KeyNames, hold_every_key_of_the_command_table) {
     }
 }
 
-}  // namespace
+}  // namespace keys_test
 }  // namespace handrail::test

@@ -5,7 +5,7 @@
 #include "tests/window/small_room.h"
 
 namespace handrail::test {
-namespace {
+namespace plan_test {
 
 double area_m2(const std::vector<Vec2>& outline) {
     double twice = 0.0;
@@ -131,5 +131,5 @@ TEST(ScaleBar, is_one_two_or_five_of_something_and_fits) {
     }
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace handrail::test

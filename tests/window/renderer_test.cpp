@@ -12,7 +12,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
-namespace {
+namespace renderer_test {
 
 constexpr PixelSize kSize{960, 720};
 constexpr double kPictureHeight_px = 580.0;  // 720 less two lines of 60 and margins of 10 above and below
@@ -629,5 +629,5 @@ TEST_F(RendererTest, draws_a_whole_game_map_without_holes_and_reports_its_cost) 
         1e3 * first_person_s / kFrames, 1e3 * plan_s / kFrames, kSize.width, kSize.height);
 }
 
-}  // namespace
+}  // namespace renderer_test
 }  // namespace handrail::test

@@ -23,7 +23,7 @@ void PrintTo(const KeyEvent& event, std::ostream* out) {
 }  // namespace handrail
 
 namespace handrail::test {
-namespace {
+namespace window_test {
 
 TEST(WindowOpen, says_that_there_is_no_display) {
     ::unsetenv("DISPLAY");
@@ -340,5 +340,5 @@ TEST_F(WindowTest, outlives_its_display_and_asks_to_close) {
     window_.reset();
 }
 
-}  // namespace
+}  // namespace window_test
 }  // namespace handrail::test

@@ -6,7 +6,6 @@ namespace handrail {
 namespace {
 
 constexpr double kSame_m = 1e-6;
-constexpr std::size_t kMostCorners = 4000;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 

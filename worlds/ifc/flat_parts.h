@@ -1,6 +1,7 @@
 // Flat outlines with holes, cut into convex parts. Pure functions.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "worlds/base/vec.h"
@@ -9,12 +10,15 @@ namespace handrail {
 
 using Ring = std::vector<Vec2>;
 
+// Of an outline that is cut into parts.
+inline constexpr std::size_t kMostCorners = 4000;
+
 double signed_area(const Ring& ring);
 // Inside by the even-odd rule.
 bool inside(const std::vector<Ring>& rings, const Vec2& at);
 // Convex polygons, counter-clockwise, that together are what lies inside by the even-odd rule; rings may have either
 // direction, touch and cross. One convex ring stays as it is. Trapezoids between upright lines, joined where their
-// union is convex. O(n squared) for n corners; nothing for more than 4,000.
+// union is convex. O(n squared) for n corners; nothing for more than kMostCorners.
 std::vector<Ring> convex_parts(const std::vector<Ring>& rings);
 
 }  // namespace handrail

@@ -5,7 +5,7 @@
 namespace handrail {
 namespace {
 
-constexpr int kDeepest = 8;
+constexpr int kDeepestCurve = 8;
 constexpr std::size_t kMostPoints = 20'000;
 
 double arc_step(double radius_m) { return radians_from_degrees(radius_m < 0.5 ? 15.0 : 7.5); }
@@ -46,7 +46,7 @@ public:
 
     std::vector<Vec3> points(std::uint64_t curve, int depth) const {
         const std::string_view kind = model_.name(curve);
-        if (depth > kDeepest) return {};
+        if (depth > kDeepestCurve) return {};
         const Values values = model_.values(curve);
         std::vector<Vec3> found;
         if (kind == "IFCPOLYLINE") {

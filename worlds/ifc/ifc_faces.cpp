@@ -1,12 +1,11 @@
 // Shells, loops and tessellations of IFC.
 #include <algorithm>
 
+#include "worlds/ifc/flat_parts.h"
 #include "worlds/ifc/ifc_shapes.h"
 
 namespace handrail {
 namespace {
-
-constexpr std::size_t kMostCorners = 4000;
 
 // The corners of a bent face's outline, paired across it: strips as narrow as can be.
 std::vector<FlatFace> strips_of(const std::vector<Vec3>& ring) {

@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-constexpr int kDeepest = 8;
+constexpr int kDeepestProfile = 8;
 
 Ring box(double x, double y) {
     return {{-0.5 * x, -0.5 * y}, {0.5 * x, -0.5 * y}, {0.5 * x, 0.5 * y}, {-0.5 * x, 0.5 * y}};
@@ -98,7 +98,7 @@ Ring steel(std::string_view kind, const Values& v, double unit) {
 
 Parts rings_of(const IfcModel& model, std::uint64_t profile, int depth) {
     const std::string_view kind = model.name(profile);
-    if (depth > kDeepest || kind.empty()) return {};
+    if (depth > kDeepestProfile || kind.empty()) return {};
     const Values v = model.values(profile);
     const double unit = model.metres_per_unit();
     const auto n = [&](std::size_t i) { return number_at(v, i) * unit; };

@@ -18,8 +18,8 @@ namespace {
 enum Area : unsigned char { kOpen = 1, kNearWall, kNearEdge, kWading, kDropArea, kLiftArea, kTeleportArea };
 constexpr double kComfortable_m = 0.2;  // of clearance beyond the body
 constexpr double kEdgeComfort_m = 0.5, kWallComfort_m = 0.3;
-constexpr double kStorey_m = 0.02;  // Recast's unit of height; grows in very high worlds
-constexpr double kTile_m = 1.0;     // polygons are no larger, so that ways over their edges come near the shortest
+constexpr double kLeastHeight_m = 0.02;  // Recast's unit of height; grows in very high worlds
+constexpr double kTile_m = 1.0;          // polygons are no larger, so that ways over their edges come near the shortest
 constexpr std::uint32_t kFineTiles = 8;
 constexpr std::size_t kMostRegions = 30'000, kMostVertices = 60'000;
 constexpr int kMostPath = 16'384;
@@ -168,7 +168,7 @@ Result<NavMesh> NavMesh::make(const WalkSpace& space, const std::stop_token& sto
         field.spanCount = static_cast<int>(space.spans.size());
         field.walkableHeight = 1;
         field.cs = static_cast<float>(space.cell_m);
-        field.ch = static_cast<float>(std::max(kStorey_m, static_cast<double>(highest) / 60'000.0));
+        field.ch = static_cast<float>(std::max(kLeastHeight_m, static_cast<double>(highest) / 60'000.0));
         field.walkableClimb = static_cast<int>(std::ceil(space.body.step_up_m / static_cast<double>(field.ch)));
         field.maxRegions = static_cast<unsigned short>(count + 1);
         field.bmax[0] = static_cast<float>(space.width * space.cell_m);

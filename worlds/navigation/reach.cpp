@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kLeastRoom_m2 = 1.0;
+constexpr double kLeastTold_m2 = 1.0;
 constexpr std::size_t kMostNamed = 4;
 
 std::vector<bool> reached_from(const RoomGraph& graph, std::uint32_t first) {
@@ -49,7 +49,7 @@ std::vector<std::string> unreachable_rooms(const Scene& scene, const WalkSpace& 
         const Room& room = graph.rooms[i];
         if (room.kind == RoomKind::Liquid) continue;  // a basin with a rim is nowhere to go
         const bool named = room.given || !room.map_name.empty();
-        if (!reached[i] && (named || (room.kind != RoomKind::Niche && room.area_m2 >= kLeastRoom_m2))) add(room.name);
+        if (!reached[i] && (named || (room.kind != RoomKind::Niche && room.area_m2 >= kLeastTold_m2))) add(room.name);
     }
     for (const RoomName& name : scene.room_names) {
         const bool has_room = std::any_of(graph.rooms.begin(), graph.rooms.end(),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
@@ -10,7 +11,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kStorey_m = 1.5, kWaist_m = 1.0;
+constexpr double kStorey_m = 1.5;
 constexpr double kUsualStorey_m = 3.0;
 
 // "two storeys above"; empty on this one. rise_m: of its lowest part; nearest_m: of what of it is nearest to the waist.

@@ -10,7 +10,7 @@
 namespace handrail {
 namespace {
 
-constexpr const char* kList = "mark";
+constexpr const char* kMarkTable = "mark";
 
 Result<Mark> mark_from(const SideEntry& entry) {
     auto named = named_place_of(entry, "marks.entry_name", "marks.entry_place");
@@ -23,7 +23,7 @@ Result<Mark> mark_from(const SideEntry& entry) {
                 .kept = without(entry, {"name", "place_m", "near", "near_m", "world"})};
 }
 
-SideEntry entry_of(const Mark& mark) {
+SideEntry mark_entry(const Mark& mark) {
     SideEntry entry = mark.kept;
     entry["name"] = mark.name;
     put_place(entry, mark.place_m);
@@ -63,11 +63,11 @@ bool is_thing(const Feature& feature) {
 }
 
 std::vector<Mark> read_marks(const SideFile& file, std::vector<Error>& faults) {
-    return read_list(file, kList, mark_from, faults);
+    return read_list(file, kMarkTable, mark_from, faults);
 }
 
 void write_marks(SideFile& file, const std::vector<Mark>& marks) {
-    write_list(file, kList, marks, entry_of, mark_from);
+    write_list(file, kMarkTable, marks, mark_entry, mark_from);
 }
 
 NearThing nearest_thing(const Scene& scene, const Vec3& place_m) {

@@ -7,20 +7,17 @@
 namespace handrail {
 namespace {
 
-constexpr const char* kList = "room_name";
+constexpr const char* kRoomNameTable = "room_name";
 
 Result<RoomNameGiven> name_from(const SideEntry& entry) {
     auto named = named_place_of(entry, "room_names.entry_name", "room_names.entry_place");
     if (!named) return tl::unexpected(std::move(named.error()));
-    return RoomNameGiven{std::move(named->name),
-                         named->place_m,
-                         std::max(0.0, number_of(entry, "area_m2", 0.0)),
-                         text_of(entry, "world"),
-                         true,
-                         without(entry, {"name", "place_m", "area_m2", "world"})};
+    return RoomNameGiven{
+        std::move(named->name),  named->place_m, std::max(0.0, number_of(entry, "area_m2", 0.0)),
+        text_of(entry, "world"), true,           without(entry, {"name", "place_m", "area_m2", "world"})};
 }
 
-SideEntry entry_of(const RoomNameGiven& given) {
+SideEntry name_entry(const RoomNameGiven& given) {
     SideEntry entry = given.kept;
     entry["name"] = given.name;
     put_place(entry, given.at_m);
@@ -32,11 +29,11 @@ SideEntry entry_of(const RoomNameGiven& given) {
 }  // namespace
 
 std::vector<RoomNameGiven> read_room_names(const SideFile& file, std::vector<Error>& faults) {
-    return read_list(file, kList, name_from, faults);
+    return read_list(file, kRoomNameTable, name_from, faults);
 }
 
 void write_room_names(SideFile& file, const std::vector<RoomNameGiven>& names) {
-    write_list(file, kList, names, entry_of, name_from);
+    write_list(file, kRoomNameTable, names, name_entry, name_from);
 }
 
 void lay_room_names(RoomGraph& graph, const WalkSpace& space, const SideFile& file, std::vector<RoomNameGiven>& names) {

@@ -16,7 +16,7 @@
 namespace handrail {
 namespace {
 
-constexpr const char* kList = "way";
+constexpr const char* kWayTable = "way";
 constexpr const char* kStops = "stop";
 constexpr double kSamePoint_m = 1e-6;
 
@@ -58,7 +58,7 @@ Result<SavedWay> way_from(const SideEntry& entry) {
     return way;
 }
 
-SideEntry entry_of(const SavedWay& way) {
+SideEntry way_entry(const SavedWay& way) {
     SideEntry entry = way.kept;
     entry["name"] = way.name;
     if (!way.world.empty()) entry["world"] = way.world;
@@ -127,11 +127,11 @@ void look_for_room(FoundWay& found, std::size_t i, const Navigation& navigation,
 }  // namespace
 
 std::vector<SavedWay> read_ways(const SideFile& file, std::vector<Error>& faults) {
-    return read_list(file, kList, way_from, faults);
+    return read_list(file, kWayTable, way_from, faults);
 }
 
 void write_ways(SideFile& file, const std::vector<SavedWay>& ways) {
-    write_list(file, kList, ways, entry_of, way_from);
+    write_list(file, kWayTable, ways, way_entry, way_from);
 }
 
 FoundWay look_up(const SavedWay& way, const Scene& scene, const SideFile& file, const Navigation& navigation,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/core/context/telling.h"
+#include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/language.h"
 #include "worlds/geometry/closest_point.h"
@@ -15,9 +16,8 @@ namespace {
 constexpr double kReach_m = 1.2;           // from the middle of the body to what it uses
 constexpr double kBounced_hand_m = 0.015;  // off a door that it has just met, while one hears which it is
 constexpr double kNearThing_m = 0.1;       // farther from a thing nobody stands on it
-constexpr double kWaist_m = 1.0;
-constexpr double kBesideOne_m = 3.0;  // a door that shuts as near may be the one that one is about to go through
-constexpr double kCeiling = -0.7;     // normals that look down as much belong to what is overhead
+constexpr double kBesideOne_m = 3.0;       // a door that shuts as near may be the one that one is about to go through
+constexpr double kCeiling = -0.7;          // normals that look down as much belong to what is overhead
 
 Aabb box_of(const Scene& scene, FeatureId feature) { return scene.features[feature.value].bounds_m; }
 

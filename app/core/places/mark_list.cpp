@@ -6,6 +6,7 @@
 
 #include "app/core/context/soundscape.h"
 #include "app/core/context/telling.h"
+#include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
 
@@ -16,7 +17,6 @@ constexpr double kMarkNear_hand_m = 0.008, kMarkNear_body_m = 1.0;
 constexpr double kLandmarkNear_m = 1.5;  // from the body
 constexpr double kFarther = 1.5;         // what was near is far again from so many times the distance on
 constexpr double kStorey_m = 1.5;
-constexpr double kWaist_m = 1.0;
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include "app/core/context/telling.h"
 #include "app/core/walking/paces.h"
+#include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
@@ -14,7 +15,6 @@
 namespace handrail {
 namespace {
 
-constexpr double kRayHeight_m = 1.0;  // of what looks for doors and walls
 constexpr double kCrumb_m = 0.25;
 constexpr std::size_t kMostCrumbs = 4000, kMostUndo = 16, kMostPlaces = 64;
 constexpr double kSquareReach_m = 3.0;
@@ -225,7 +225,7 @@ std::optional<Vec3> ByEar::retrace(double now_s, double dt_s) {
 void ByEar::square_up(double now_s) {
     std::optional<TraceHit> nearest;
     double nearest_m = kSquareReach_m;
-    const Vec3 eye = body_.feet_m() + Vec3(0.0, 0.0, kRayHeight_m);
+    const Vec3 eye = body_.feet_m() + Vec3(0.0, 0.0, kWaist_m);
     for (int i = 0; i < 32; ++i) {
         const TraceHit hit = context_.world.solids->trace(
             eye, eye + forward_of_heading(i * kPi / 16.0) * kSquareReach_m, BodyShape{}, true);
@@ -254,12 +254,12 @@ void ByEar::leap(int by, double now_s) {
         bool mark = false;
     };
     std::vector<Target> places;
-    for (const Seen& seen : things_in_sight(*context_.world.solids, body_.feet_m(), kRayHeight_m, kMostPlaces)) {
+    for (const Seen& seen : things_in_sight(*context_.world.solids, body_.feet_m(), kWaist_m, kMostPlaces)) {
         const Feature& feature = context_.world.scene->features[seen.feature.value];
         if (feature.kind == FeatureKind::Door || feature.landmark || feature.clue)
             places.push_back({seen.feature.value, seen.bearing_rad, seen.distance_m, false});
     }
-    const Vec3 eye = body_.feet_m() + Vec3(0.0, 0.0, kRayHeight_m);
+    const Vec3 eye = body_.feet_m() + Vec3(0.0, 0.0, kWaist_m);
     for (std::size_t i = 0; i < context_.world.marks.size() && places.size() < kMostPlaces; ++i) {
         const Vec3 way = context_.world.marks[i].place_m - eye;
         const double level_m = std::hypot(way.x, way.y);

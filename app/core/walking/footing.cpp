@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "app/core/context/telling.h"
+#include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kRayHeight_m = 1.0;  // of what looks for doors
 constexpr std::size_t kMostTold = 16;
 constexpr double kLookEvery_s = 0.25, kLookEvery_m = 0.15, kLookEvery_rad = 0.1;
 constexpr double kEdgeConfirm_s = 2.0;
@@ -170,7 +170,7 @@ void Footing::beat_ahead(double now_s) {
         }
     }
     if (now_s - looked_.door_s < 0.25) return;
-    const auto seen = look(*context_.world.solids, body_.feet_m(), kRayHeight_m, body_.heading_rad, kDoorNear_m);
+    const auto seen = look(*context_.world.solids, body_.feet_m(), kWaist_m, body_.heading_rad, kDoorNear_m);
     if (!seen || !seen->feature || context_.world.scene->features[seen->feature.value].kind != FeatureKind::Door)
         return;
     if (now_s - looked_.door_s < 0.3 + 0.4 * seen->distance_m) return;

@@ -6,6 +6,7 @@
 #include "app/core/context/telling.h"
 #include "app/core/wayfinding/find_list.h"
 #include "app/core/wayfinding/hand_way.h"
+#include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "audio-cues/plan/speakable.h"
 #include "worlds/base/language.h"
@@ -13,7 +14,6 @@
 namespace handrail {
 namespace {
 
-constexpr double kWaist_m = 1.0;
 constexpr double kLookRange_m = 30.0;
 
 // Two sentences, one after the other; either may be empty.

@@ -6,6 +6,7 @@
 #include "app/core/context/soundscape.h"
 #include "app/core/context/telling.h"
 #include "app/core/wayfinding/hand_way.h"
+#include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/way_place.h"
@@ -13,7 +14,6 @@
 namespace handrail {
 namespace {
 
-constexpr double kWaist_m = 1.0;
 constexpr double kLookEvery_s = 0.1;  // along a way, for what stands between and shut doors
 constexpr double kOverSteps_m = 0.35, kNarrow_m = 0.2,
                  kNarrowHeight_m = 1.2;  // of a body that is looked ahead with along a way, stairs too

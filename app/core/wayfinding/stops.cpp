@@ -5,13 +5,13 @@
 
 #include "app/core/wayfinding/finding.h"
 #include "app/core/wayfinding/hand_way.h"
+#include "app/core/world/body_heights.h"
 #include "audio-cues/plan/speakable.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
 namespace {
 
-constexpr double kWaist_m = 1.0;
 constexpr double kGoesOn_m = 3.0;  // a way planned from so near the end of the one before goes on with it
 
 }  // namespace

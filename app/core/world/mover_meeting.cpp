@@ -8,8 +8,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kOnIt_m = 0.05;          // soles above what carries them
-constexpr double kWalkableNormalZ = 0.7;  // as Walker has it
+constexpr double kOnIt_m = 0.05;  // soles above what carries them
 
 // The world with nothing in it but the thing.
 BodyWorld alone(const std::shared_ptr<const Scene>& model, const Placement& at) {

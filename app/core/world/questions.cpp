@@ -17,7 +17,7 @@ constexpr std::size_t kMostLooked = 24;  // things that a question looks at
 constexpr std::size_t kMostTowards = 2;  // things told in one direction
 constexpr double kSoundSize_m = 0.3;     // a clock may hang in a thing of its own
 constexpr double kSamePlace_m = 0.05, kSameTurn_rad = 0.02;
-constexpr double kRoof_m = 30.0, kDeepest_m = 100.0;
+constexpr double kRoof_m = 30.0, kDeepestFloor_m = 100.0;
 constexpr double kBarOutdoors_m = 25.0;
 constexpr int kBarSteps = 5;
 
@@ -225,9 +225,9 @@ std::string coordinates_words(const Vec3& place_m) {
 
 std::optional<double> above_floor_m(const BodyWorld& world, const Vec3& place_m) {
     contract_pre(is_finite(place_m));
-    const TraceHit hit = world.trace(place_m, place_m - Vec3(0.0, 0.0, kDeepest_m), BodyShape{}, true);
+    const TraceHit hit = world.trace(place_m, place_m - Vec3(0.0, 0.0, kDeepestFloor_m), BodyShape{}, true);
     if (!hit.hit) return std::nullopt;
-    return hit.fraction * kDeepest_m;
+    return hit.fraction * kDeepestFloor_m;
 }
 
 bool under_roof(const BodyWorld& world, const Vec3& feet_m) {

@@ -9,8 +9,7 @@ namespace handrail {
 namespace {
 
 constexpr double kGravity_m_per_s2 = 9.81;
-constexpr double kWalkableNormalZ = 0.7;  // up to about 45 degrees of slope
-constexpr double kGroundReach_m = 0.02;   // ground nearer than this carries the body
+constexpr double kGroundReach_m = 0.02;  // ground nearer than this carries the body
 constexpr double kTerminalSpeed_m_per_s = 50.0;
 
 double horizontal_length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y); }

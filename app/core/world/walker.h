@@ -9,6 +9,8 @@
 
 namespace handrail {
 
+inline constexpr double kWalkableNormalZ = 0.7;  // of ground that carries: up to about 45 degrees of slope
+
 struct BodySize {
     double radius_m = 0.25;
     double height_m = 1.8;    // 1.7 in game maps

@@ -5,7 +5,7 @@
 #include "tests/umockdev/mock_usb.h"
 
 namespace handrail {
-namespace {
+namespace hid_over_libusb_test {
 
 class OverHidapiLibusb : public testing::Test {
 protected:
@@ -62,5 +62,5 @@ TEST_F(OverHidapiLibusb, an_unplugged_pad_is_lost_and_not_waited_for) {
     EXPECT_TRUE(pad.lost());
 }
 
-}  // namespace
+}  // namespace hid_over_libusb_test
 }  // namespace handrail

@@ -16,7 +16,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace files_test {
 namespace fs = std::filesystem;
 using test::content_of;
 using test::TemporaryFolder;
@@ -187,5 +187,5 @@ TEST(WriteFileAtomically, leaves_the_old_file_and_says_so_when_the_folder_is_rea
     EXPECT_EQ(files_in(folder.path()), 1U);
 }
 
-}  // namespace
+}  // namespace files_test
 }  // namespace handrail

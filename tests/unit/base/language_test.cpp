@@ -7,7 +7,7 @@
 #include "worlds/base/typist.h"
 
 namespace handrail {
-namespace {
+namespace language_test {
 
 void write(const std::filesystem::path& path, std::string_view content) {
     std::ofstream(path, std::ios::binary) << content;
@@ -210,5 +210,5 @@ TEST(PatternFault, finds_what_a_pattern_asks_for_and_what_is_wrong_with_it) {
     EXPECT_NE(pattern_fault("{n"), "");
 }
 
-}  // namespace
+}  // namespace language_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "worlds/base/spsc_ring.h"
 
 namespace handrail {
-namespace {
+namespace latest_value_test {
 
 // Large enough that a torn copy would show: every word holds the same number.
 struct Wide {
@@ -117,5 +117,5 @@ TEST(SpscRing, keeps_everything_in_order_between_two_threads_and_refuses_when_fu
     EXPECT_EQ(out_of_order, 0);
 }
 
-}  // namespace
+}  // namespace latest_value_test
 }  // namespace handrail

@@ -4,7 +4,7 @@
 #include "worlds/base/contract.h"
 
 namespace handrail {
-namespace {
+namespace result_test {
 
 TEST(Error, names_only_the_parts_of_the_place_that_are_known) {
     EXPECT_EQ((Error{"house.map", 12, 4, "It ends early."}.sentence()), "house.map, line 12, column 4: It ends early.");
@@ -58,5 +58,5 @@ TEST(SteadyClock, never_goes_back_and_does_not_wake_early) {
     clock.sleep_until_s(until - 10.0);  // passed long ago: comes back
 }
 
-}  // namespace
+}  // namespace result_test
 }  // namespace handrail

@@ -1,7 +1,7 @@
 #include "worlds/base/text.h"
 
 namespace handrail {
-namespace {
+namespace text_test {
 
 TEST(NearestName, finds_the_closest_spelling_and_keeps_the_first_of_equals) {
     const std::vector<std::string> names{"plaster", "wood", "word"};
@@ -68,5 +68,5 @@ TEST(NearestName, agrees_with_a_plain_recursion_on_all_short_words) {
     }
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::bench {
-namespace {
+namespace contestants_test {
 
 BenchWorld world_of(const test::TouchWorld& world, const std::vector<Vec3>& way_points, double speed_m_per_s,
                     std::uint32_t seed = 0, double radius_m = 0.005) {
@@ -185,5 +185,5 @@ TEST(Nearby, gives_everything_within_reach_wherever_it_is_asked) {
     }
 }
 
-}  // namespace
+}  // namespace contestants_test
 }  // namespace handrail::bench

@@ -9,7 +9,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::bench {
-namespace {
+namespace report_test {
 
 const BenchReport& small_report() {
     static const BenchReport report = [] {
@@ -123,5 +123,5 @@ TEST(BenchCommand, writes_tables_and_plots_and_names_what_is_missing) {
     EXPECT_TRUE(line.starts_with("T11a thin wall at 2 m/s\tpenalty_sum\t128\t")) << line;
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace handrail::bench

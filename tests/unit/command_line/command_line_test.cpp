@@ -12,7 +12,7 @@
 #include "worlds/base/descriptor.h"
 
 namespace handrail {
-namespace {
+namespace command_line_test {
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -229,5 +229,5 @@ TEST(CommandLine, opens_a_language_file_of_ones_own_once_and_tells_once_what_is_
     ASSERT_TRUE(speak_language("en"));
 }
 
-}  // namespace
+}  // namespace command_line_test
 }  // namespace handrail

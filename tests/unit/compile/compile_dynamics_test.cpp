@@ -6,7 +6,7 @@
 #include "haptic/compile/compile_haptic.h"
 
 namespace handrail {
-namespace {
+namespace compile_dynamics_test {
 
 Solid solid_of(const DynamicsPiece& piece, FeatureId feature) {
     Solid solid;
@@ -102,5 +102,5 @@ TEST(CompileDynamics, refuses_a_density_without_volume_and_what_is_too_many) {
     EXPECT_EQ(report.refused.back().fault, BodyFault::TooMany);
 }
 
-}  // namespace
+}  // namespace compile_dynamics_test
 }  // namespace handrail

@@ -2,7 +2,7 @@
 #include "haptic/render/touch.h"
 
 namespace handrail {
-namespace {
+namespace compile_haptic_test {
 
 Solid box_solid(const Vec3& low, const Vec3& high, SolidRole role, FeatureId feature,
                 MaterialId material = kDefaultMaterial) {
@@ -177,5 +177,5 @@ TEST(CompileHaptic, moves_the_origin_only_into_buildings_far_away) {
     EXPECT_NEAR(moved->origin_m.x + moved->boxes[0].max_m.x, 500001.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace compile_haptic_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail::test {
-namespace {
+namespace every_property_test {
 
 class EveryProperty : public testing::Test {
 protected:
@@ -104,5 +104,5 @@ TEST_F(EveryProperty, an_effect_belongs_to_the_thing_that_is_named) {
     EXPECT_EQ(scene->find(magnet->belongs_to)->name, "Pillar");
 }
 
-}  // namespace
+}  // namespace every_property_test
 }  // namespace handrail::test

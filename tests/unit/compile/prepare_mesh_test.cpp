@@ -13,7 +13,7 @@
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
-namespace {
+namespace prepare_mesh_test {
 
 constexpr std::uint32_t kSeed = 20241109;
 
@@ -435,5 +435,5 @@ TEST(PrepareMesh, makes_a_plane_of_slivers_feel_like_a_plane) {
         }
 }
 
-}  // namespace
+}  // namespace prepare_mesh_test
 }  // namespace handrail::test

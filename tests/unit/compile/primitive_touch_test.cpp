@@ -11,7 +11,7 @@
 #include "worlds/scene/models.h"
 
 namespace handrail::test {
-namespace {
+namespace primitive_touch_test {
 
 Scene scene_of(const Primitive& primitive) {
     Scene scene;
@@ -98,5 +98,5 @@ TEST(CompileHaptic, moved_turned_and_scaled_shapes_push_as_they_did_moved_turned
     EXPECT_GT(touched, 100U);
 }
 
-}  // namespace
+}  // namespace primitive_touch_test
 }  // namespace handrail::test

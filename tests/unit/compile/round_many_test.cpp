@@ -5,7 +5,7 @@
 #include "tests/support/box_scene.h"
 
 namespace handrail {
-namespace {
+namespace round_many_test {
 
 bool any_rounded(const HapticScene& scene) {
     return std::any_of(scene.obstacles.begin(), scene.obstacles.end(),
@@ -50,5 +50,5 @@ TEST(RoundMany, makes_nothing_once_it_is_not_wanted_any_more) {
     EXPECT_EQ(compile_haptic(*scene, options), nullptr);
 }
 
-}  // namespace
+}  // namespace round_many_test
 }  // namespace handrail

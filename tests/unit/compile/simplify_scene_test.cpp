@@ -11,7 +11,7 @@
 #include "worlds/scene/models.h"
 
 namespace handrail {
-namespace {
+namespace simplify_scene_test {
 
 constexpr double kBuilding = 254.0;  // a gap is felt from 1.6256 m on, a thing from 0.8128 m
 
@@ -457,5 +457,5 @@ TEST(SimplifyScene, widens_every_door_of_the_house_at_the_scale_of_the_whole_bui
     EXPECT_TRUE(names_at(15.0).empty());
 }
 
-}  // namespace
+}  // namespace simplify_scene_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "tests/support/spoken_language.h"
 
 namespace handrail::test {
-namespace {
+namespace touch_model_test {
 using testing::ElementsAre;
 
 TEST(TouchModelWords, stand_in_every_language_and_for_nothing_else) {
@@ -64,5 +64,5 @@ TEST(CompileReports, are_whole_sentences_in_german_too) {
                             "3 Körper behalten scharfe Kanten: zu dünn zum Runden (Tisch, Stuhl und andere)."));
 }
 
-}  // namespace
+}  // namespace touch_model_test
 }  // namespace handrail::test

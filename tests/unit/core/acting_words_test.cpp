@@ -6,7 +6,7 @@
 #include "worlds/base/typist.h"
 
 namespace handrail {
-namespace {
+namespace acting_words_test {
 
 using test::box_brush;
 using test::entity;
@@ -96,5 +96,5 @@ TEST(WhatGivesWay, is_named_while_it_is_pressed) {
     }
 }
 
-}  // namespace
+}  // namespace acting_words_test
 }  // namespace handrail

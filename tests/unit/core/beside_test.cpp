@@ -4,7 +4,7 @@
 #include <chrono>
 
 namespace handrail {
-namespace {
+namespace beside_test {
 
 template <class T>
 std::optional<T> wait_for(Beside<T>& beside) {
@@ -65,5 +65,5 @@ TEST(Beside, makes_nothing_where_memory_does_not_suffice_and_goes_on_afterwards)
     EXPECT_EQ(wait_for(beside), 7);
 }
 
-}  // namespace
+}  // namespace beside_test
 }  // namespace handrail

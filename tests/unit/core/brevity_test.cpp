@@ -13,7 +13,7 @@
 #include "worlds/base/typist.h"
 
 namespace handrail {
-namespace {
+namespace brevity_test {
 
 using test::AppSession;
 using ::testing::HasSubstr;
@@ -233,5 +233,5 @@ TEST(Lists, answer_what_only_asks_and_refuse_other_commands_with_the_reason) {
     EXPECT_TRUE(s.app.dialogue().is_open());
 }
 
-}  // namespace
+}  // namespace brevity_test
 }  // namespace handrail

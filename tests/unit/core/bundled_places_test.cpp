@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 namespace handrail {
-namespace {
+namespace bundled_places_test {
 
 class BundledPlaces : public testing::TestWithParam<const char*> {};
 
@@ -178,5 +178,5 @@ INSTANTIATE_TEST_SUITE_P(Maps, BundledPlaces, testing::Values("house.map", "scho
     return std::string(test.param).substr(0, std::string(test.param).find('.'));
 });
 
-}  // namespace
+}  // namespace bundled_places_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include "app/core/dialogue/key_map.h"
 
 namespace handrail {
-namespace {
+namespace command_test {
 
 TEST(CommandTable, lists_every_command_once_in_order) {
     std::set<std::string_view> words;
@@ -58,5 +58,5 @@ TEST(KeyMap, lets_the_person_change_keys_and_says_what_clashes) {
     EXPECT_THAT(problems[1], testing::HasSubstr("The key E"));
 }
 
-}  // namespace
+}  // namespace command_test
 }  // namespace handrail

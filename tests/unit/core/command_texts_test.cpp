@@ -10,7 +10,7 @@
 #include "worlds/base/text.h"
 
 namespace handrail {
-namespace {
+namespace command_texts_test {
 
 TEST(CommandTexts, are_there_for_every_command_and_for_nothing_else) {
     std::set<std::string> wanted;
@@ -49,5 +49,5 @@ TEST(CommandTexts, are_said_in_german_with_the_names_of_german_keys) {
               "Die Einstellungen geben „wheer“ eine Taste, aber das ist kein Befehl. War „where“ gemeint?");
 }
 
-}  // namespace
+}  // namespace command_texts_test
 }  // namespace handrail

@@ -13,7 +13,7 @@
 #include "tests/unit/core/explorer.h"
 
 namespace handrail {
-namespace {
+namespace desk_test {
 
 using test::SceneBuilder;
 
@@ -499,5 +499,5 @@ TEST(Desk, a_value_between_two_positions_goes_to_the_next_one_either_way) {
     EXPECT_EQ(changes.back(), (std::pair<std::string, std::string>("haptic.ceiling", "full")));
 }
 
-}  // namespace
+}  // namespace desk_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include "worlds/base/text.h"
 
 namespace handrail {
-namespace {
+namespace dialogue_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -231,5 +231,5 @@ TEST(SessionLists, let_go_of_what_was_held) {
     EXPECT_NEAR(s.app.feet_m().y, 0.5, 0.05);
 }
 
-}  // namespace
+}  // namespace dialogue_test
 }  // namespace handrail

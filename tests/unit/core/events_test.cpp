@@ -5,7 +5,7 @@
 #include "worlds/base/text.h"
 
 namespace handrail {
-namespace {
+namespace events_test {
 
 TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_the_way_and_being_put_elsewhere) {
     test::AppSession s;
@@ -43,5 +43,5 @@ TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_the_way_and_bei
     EXPECT_EQ(std::get<Teleported>(put[0].what).feet_m, Vec3(6.0, -4.0, 0.0));
 }
 
-}  // namespace
+}  // namespace events_test
 }  // namespace handrail

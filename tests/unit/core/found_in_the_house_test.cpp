@@ -17,7 +17,7 @@
 #include "worlds/navigation/way_place.h"
 
 namespace handrail {
-namespace {
+namespace found_in_the_house_test {
 
 using test::Explorer;
 
@@ -610,5 +610,5 @@ TEST(TakenAlongAWay, a_hand_opens_the_door_that_it_was_told_of_a_moment_ago) {
     EXPECT_TRUE(p.heard("Study door opens", from)) << p.all_heard(from);
 }
 
-}  // namespace
+}  // namespace found_in_the_house_test
 }  // namespace handrail

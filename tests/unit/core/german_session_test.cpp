@@ -5,7 +5,7 @@
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
-namespace {
+namespace german_session_test {
 
 std::shared_ptr<const Scene> world(const char* file) {
     return test::world_in(std::filesystem::path(HANDRAIL_SOURCE_DIR) / file);
@@ -145,5 +145,5 @@ TEST(GermanSession, made_names_of_rooms_and_walls_follow_the_language_and_the_ma
     EXPECT_EQ(s.ask(Command::WhereAmI), english);
 }
 
-}  // namespace
+}  // namespace german_session_test
 }  // namespace handrail

@@ -6,7 +6,7 @@
 #include "tests/unit/core/explorer.h"
 
 namespace handrail {
-namespace {
+namespace grooves_test {
 
 using test::Explorer;
 
@@ -86,5 +86,5 @@ TEST(Grooves, are_off_unless_wished_for_and_then_hold_a_hand_in_a_doorway) {
     }
 }
 
-}  // namespace
+}  // namespace grooves_test
 }  // namespace handrail

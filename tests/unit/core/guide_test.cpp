@@ -10,7 +10,7 @@
 #include "worlds/navigation/way_place.h"
 
 namespace handrail {
-namespace {
+namespace guide_test {
 
 namespace fs = std::filesystem;
 using test::SceneBuilder;
@@ -621,5 +621,5 @@ TEST(TakeMe, without_a_device_tells_the_way_follows_it_and_stops_when_asked_agai
     EXPECT_TRUE(p.heard("Radiator. You are there.") || p.heard("Here: Radiator")) << testing::PrintToString(p.said);
 }
 
-}  // namespace
+}  // namespace guide_test
 }  // namespace handrail

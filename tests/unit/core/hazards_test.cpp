@@ -7,7 +7,7 @@
 #include "tests/support/random_families.h"
 
 namespace handrail {
-namespace {
+namespace hazards_test {
 
 using test::SceneBuilder;
 
@@ -140,5 +140,5 @@ TEST(Hazards, the_beat_quickens_towards_the_edge) {
     for (double d = 0.1; d <= kDropWarning_m; d += 0.1) EXPECT_GT(drop_beat_s(d), drop_beat_s(d - 0.1));
 }
 
-}  // namespace
+}  // namespace hazards_test
 }  // namespace handrail

@@ -11,7 +11,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace hunt_test {
 
 using test::SceneBuilder;
 
@@ -104,5 +104,5 @@ TEST(Hunt, is_won_in_the_house_by_a_newcomer_with_keys_and_ears_and_the_best_tim
     EXPECT_GT(by_ear_in_all, 0) << "no part of any way was in open air";
 }
 
-}  // namespace
+}  // namespace hunt_test
 }  // namespace handrail

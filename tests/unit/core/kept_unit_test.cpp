@@ -6,7 +6,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace kept_unit_test {
 
 namespace fs = std::filesystem;
 
@@ -36,5 +36,5 @@ TEST(KeptUnit, is_not_asked_of_nonsense_and_leaves_a_damaged_file_where_it_is) {
     }
 }
 
-}  // namespace
+}  // namespace kept_unit_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
-namespace {
+namespace language_session_test {
 
 using testing::HasSubstr;
 
@@ -81,5 +81,5 @@ TEST(Language, is_the_environments_where_the_settings_name_none) {
     ASSERT_TRUE(speak_language("en"));
 }
 
-}  // namespace
+}  // namespace language_session_test
 }  // namespace handrail

@@ -13,7 +13,7 @@
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
-namespace {
+namespace last_place_test {
 
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
@@ -201,5 +201,5 @@ TEST(GoOnAtLastPlace, moves_nobody_out_of_the_world_or_into_a_wall) {
     }
 }
 
-}  // namespace
+}  // namespace last_place_test
 }  // namespace handrail

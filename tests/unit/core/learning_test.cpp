@@ -13,7 +13,7 @@
 #include "worlds/navigation/navigation.h"
 
 namespace handrail {
-namespace {
+namespace learning_test {
 
 using test::SceneBuilder;
 
@@ -421,5 +421,5 @@ TEST(Learning, a_room_of_which_nothing_is_known_is_listed_as_such) {
     EXPECT_EQ(lap.app.dialogue().view().items.at(1).value, "nothing yet");
 }
 
-}  // namespace
+}  // namespace learning_test
 }  // namespace handrail

@@ -5,7 +5,7 @@
 #include "worlds/base/language.h"
 
 namespace handrail {
-namespace {
+namespace lesson_test {
 
 using testing::HasSubstr;
 
@@ -215,5 +215,5 @@ TEST(FirstMinutes, are_skipped_by_whoever_does_something_else_and_the_world_gree
     EXPECT_FALSE(app.idle()) << "and what was wanted is done";
 }
 
-}  // namespace
+}  // namespace lesson_test
 }  // namespace handrail

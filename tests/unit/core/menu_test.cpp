@@ -8,7 +8,7 @@
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
-namespace {
+namespace menu_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -338,5 +338,5 @@ TEST(SoundsMenu, plays_what_is_chosen) {
     EXPECT_TRUE(p.app.dialogue().is_open());
 }
 
-}  // namespace
+}  // namespace menu_test
 }  // namespace handrail

@@ -4,7 +4,7 @@
 #include "worlds/scene/models.h"
 
 namespace handrail {
-namespace {
+namespace movers_test {
 
 using test::box_brush;
 using test::entity;
@@ -253,5 +253,5 @@ TEST(Movers, the_stairs_of_our_house_lead_to_the_landing) {
     EXPECT_GT(walk.app.feet_m().y, 7.6);
 }
 
-}  // namespace
+}  // namespace movers_test
 }  // namespace handrail

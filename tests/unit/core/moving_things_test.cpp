@@ -10,7 +10,7 @@
 #include "worlds/scene/models.h"
 
 namespace handrail {
-namespace {
+namespace moving_things_test {
 
 using test::box_brush;
 using test::entity;
@@ -551,5 +551,5 @@ TEST(BodyWorld, made_on_from_the_last_one_is_the_same_as_made_anew) {
     }
 }
 
-}  // namespace
+}  // namespace moving_things_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace newcomer_test {
 
 using test::direction_in;
 using test::Newcomer;
@@ -118,5 +118,5 @@ TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_
     reaches_three_things("office.map");
 }
 
-}  // namespace
+}  // namespace newcomer_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "tests/unit/core/app_session.h"
 
 namespace handrail::test {
-namespace {
+namespace office_doors_test {
 
 // A hand beside the session, which feels what the session hands to the servo.
 struct Hand {
@@ -83,5 +83,5 @@ TEST(OfficeDoors, of_two_thousand_each_twentieth_opens_to_the_hand) {
     EXPECT_LE(hand.most_work, ProxySolver::kMostWork);
 }
 
-}  // namespace
+}  // namespace office_doors_test
 }  // namespace handrail::test

@@ -7,7 +7,7 @@
 #include "tests/unit/core/way_walker.h"
 
 namespace handrail {
-namespace {
+namespace open_doors_test {
 
 constexpr std::size_t kPairStride =
     static_cast<std::size_t>(1.0 / test::kSanitizerScale + 0.5);  // instrumented builds walk every tenth pair
@@ -157,5 +157,5 @@ TEST(OpenDoors, that_are_shut_again_leave_the_ways_as_they_were) {
     EXPECT_EQ(way(), shut);
 }
 
-}  // namespace
+}  // namespace open_doors_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "tests/support/random_families.h"
 
 namespace handrail {
-namespace {
+namespace questions_test {
 
 using test::SceneBuilder;
 using testing::HasSubstr;
@@ -242,5 +242,5 @@ TEST(SessionQuestions, are_answered_in_the_chosen_vocabulary_and_at_the_chosen_l
     EXPECT_THAT(ask(Command::WhereAmI), Not(HasSubstr("steps")));
 }
 
-}  // namespace
+}  // namespace questions_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "worlds/base/files.h"
 
 namespace handrail {
-namespace {
+namespace room_names_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -169,5 +169,5 @@ TEST(NamesOfRooms, that_are_damaged_are_kept_aside_said_and_started_empty) {
     EXPECT_THAT(*kept, HasSubstr("Store"));
 }
 
-}  // namespace
+}  // namespace room_names_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include "tests/unit/core/app_session.h"
 
 namespace handrail {
-namespace {
+namespace rooms_session_test {
 
 std::shared_ptr<const Scene> house() { return test::our_world("house.map"); }
 
@@ -192,5 +192,5 @@ TEST(RoomsInASession, are_drawn_on_the_plan_by_the_names_they_go_by_and_cost_not
     EXPECT_FALSE(s.app.view({}, "").rooms);
 }
 
-}  // namespace
+}  // namespace rooms_session_test
 }  // namespace handrail

@@ -6,7 +6,7 @@
 #include "tests/support/spoken_language.h"
 
 namespace handrail {
-namespace {
+namespace route_words_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -124,5 +124,5 @@ TEST(RouteFollower, tells_when_the_way_was_left_and_not_before) {
     EXPECT_TRUE(follower.tick({0, 0, 0}, kSteps).text.empty());
 }
 
-}  // namespace
+}  // namespace route_words_test
 }  // namespace handrail

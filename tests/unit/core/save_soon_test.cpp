@@ -6,7 +6,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace save_soon_test {
 
 TEST(SaveSoon, saves_2_s_after_the_first_change_however_many_follow) {
     SaveSoon save;
@@ -63,5 +63,5 @@ TEST(WriteBeside, writes_and_tells_how_it_went_once) {
     EXPECT_FALSE(*writer.take_result());
 }
 
-}  // namespace
+}  // namespace save_soon_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include "tests/support/box_scene.h"
 
 namespace handrail {
-namespace {
+namespace scenario_test {
 
 namespace fs = std::filesystem;
 
@@ -142,5 +142,5 @@ TEST(RunScenario, gives_the_same_log_every_time) {
     }
 }
 
-}  // namespace
+}  // namespace scenario_test
 }  // namespace handrail

@@ -3,7 +3,7 @@
 #include "tests/support/box_scene.h"
 
 namespace handrail {
-namespace {
+namespace session_log_test {
 
 TEST(WordsInOrder, ignores_case_and_punctuation_but_not_order) {
     EXPECT_TRUE(words_in_order("North wall, plaster", "north wall plaster. 5 steps"));
@@ -126,5 +126,5 @@ TEST(Failures, each_kind_holds_when_it_should_and_fails_with_line_and_what_was_s
     fails(Check::ForceRising, [](Expectation&) {});
 }
 
-}  // namespace
+}  // namespace session_log_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include <functional>
 
 namespace handrail {
-namespace {
+namespace session_test {
 
 using test::SceneBuilder;
 
@@ -617,5 +617,5 @@ TEST(Session, two_hands_have_their_own_limits_and_go_along_with_each_others_work
               1e-3);
 }
 
-}  // namespace
+}  // namespace session_test
 }  // namespace handrail

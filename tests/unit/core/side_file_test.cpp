@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace side_file_test {
 
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
@@ -212,5 +212,5 @@ TEST(GoodName, takes_any_utf8_line_up_to_200_bytes) {
         EXPECT_FALSE(good_name(bad)) << bad;
 }
 
-}  // namespace
+}  // namespace side_file_test
 }  // namespace handrail

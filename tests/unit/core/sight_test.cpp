@@ -9,7 +9,7 @@
 #include "worlds/scene/models.h"
 
 namespace handrail::test {
-namespace {
+namespace sight_test {
 
 constexpr std::uint32_t kSeed = 7;
 
@@ -195,5 +195,5 @@ TEST(BodyWorld, meets_first_what_is_met_first_of_all_solids_alone) {
     }
 }
 
-}  // namespace
+}  // namespace sight_test
 }  // namespace handrail::test

@@ -14,7 +14,7 @@
 #include "worlds/navigation/rooms.h"
 
 namespace handrail {
-namespace {
+namespace simplified_test {
 
 using test::Explorer;
 using testing::HasSubstr;
@@ -443,5 +443,5 @@ TEST(Simplified, leaves_a_ball_that_goes_through_every_doorway_at_each_scale) {
         }
 }
 
-}  // namespace
+}  // namespace simplified_test
 }  // namespace handrail

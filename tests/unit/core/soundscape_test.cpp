@@ -8,7 +8,7 @@
 #include "tests/support/box_scene.h"
 
 namespace handrail {
-namespace {
+namespace soundscape_test {
 
 using test::SceneBuilder;
 
@@ -243,5 +243,5 @@ TEST(SessionSounds, session_tells_the_planner_what_the_world_sounds_like) {
     EXPECT_EQ(sound->position_m, Vec3(2.0, 3.0, 1.6));
 }
 
-}  // namespace
+}  // namespace soundscape_test
 }  // namespace handrail

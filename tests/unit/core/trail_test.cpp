@@ -10,7 +10,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace trail_test {
 
 using test::SceneBuilder;
 
@@ -258,5 +258,5 @@ TEST(Trail, turns_round_and_says_where_there_is_no_wall) {
     EXPECT_EQ(trail.side(), TrailSide::Right);
 }
 
-}  // namespace
+}  // namespace trail_test
 }  // namespace handrail

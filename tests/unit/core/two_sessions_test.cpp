@@ -16,7 +16,7 @@
 #include "worlds/base/files.h"
 
 namespace handrail {
-namespace {
+namespace two_sessions_test {
 
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
@@ -286,5 +286,5 @@ TEST(TwoSessions, both_keep_their_marks_and_a_conflict_is_said) {
     EXPECT_THAT(first.marks(), testing::AllOf(HasSubstr("Jacket"), testing::Not(HasSubstr("Coat"))));
 }
 
-}  // namespace
+}  // namespace two_sessions_test
 }  // namespace handrail

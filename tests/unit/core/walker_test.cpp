@@ -5,7 +5,7 @@
 #include "tests/support/box_scene.h"
 
 namespace handrail {
-namespace {
+namespace walker_test {
 
 using test::SceneBuilder;
 
@@ -190,5 +190,5 @@ TEST(BodyWorld, trace_agrees_with_small_steps_for_random_rays) {
     }
 }
 
-}  // namespace
+}  // namespace walker_test
 }  // namespace handrail

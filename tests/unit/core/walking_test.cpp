@@ -10,7 +10,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace walking_test {
 
 using test::SceneBuilder;
 
@@ -251,5 +251,5 @@ TEST(Walking, game_levels_stay_walkable_and_quiet) {
     }
 }
 
-}  // namespace
+}  // namespace walking_test
 }  // namespace handrail

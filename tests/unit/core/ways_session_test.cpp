@@ -13,7 +13,7 @@
 #include "worlds/navigation/way_place.h"
 
 namespace handrail {
-namespace {
+namespace ways_session_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -424,5 +424,5 @@ TEST(KeptWays, are_kept_told_and_followed_in_german) {
     EXPECT_EQ(p.way("Nach Hause", "Löschen"), "Weg Nach Hause gelöscht");
 }
 
-}  // namespace
+}  // namespace ways_session_test
 }  // namespace handrail

@@ -13,7 +13,7 @@
 #include "worlds/navigation/way_place.h"
 
 namespace handrail {
-namespace {
+namespace ways_test {
 
 namespace fs = std::filesystem;
 using test::SceneBuilder;
@@ -355,5 +355,5 @@ TEST(Trails, since_a_place_begin_where_one_was_nearest_to_it_the_last_time) {
     EXPECT_EQ(length_of({}), 0.0);
 }
 
-}  // namespace
+}  // namespace ways_test
 }  // namespace handrail

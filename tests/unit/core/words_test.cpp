@@ -3,7 +3,7 @@
 #include "tests/support/spoken_language.h"
 
 namespace handrail {
-namespace {
+namespace words_test {
 
 TEST(DistanceWords, are_whole_steps_and_rounded_to_five_past_twenty) {
     const DistanceWords steps{true, 0.7};
@@ -127,5 +127,5 @@ TEST(WrapAngle, stays_within_half_a_turn) {
     }
 }
 
-}  // namespace
+}  // namespace words_test
 }  // namespace handrail

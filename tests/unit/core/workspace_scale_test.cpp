@@ -3,7 +3,7 @@
 #include "tests/support/box_scene.h"
 
 namespace handrail {
-namespace {
+namespace workspace_scale_test {
 
 constexpr double kTouch = 0.075, kFalcon = 0.04;
 const Aabb kBounds{{0.0, 0.0, 0.0}, {30.0, 40.0, 6.0}};
@@ -44,5 +44,5 @@ TEST(BallRadius, is_4_mm_felt_at_room_scale_2_to_6_mm_elsewhere_and_a_third_of_t
     EXPECT_NEAR(ball_radius_m(open.scene(), 0.004, 400.0), 0.15, 1e-12);
 }
 
-}  // namespace
+}  // namespace workspace_scale_test
 }  // namespace handrail

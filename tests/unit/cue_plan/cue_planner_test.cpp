@@ -13,7 +13,7 @@
 #include "audio-cues/sinks/recording_sinks.h"
 
 namespace handrail {
-namespace {
+namespace cue_planner_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -878,5 +878,5 @@ TEST_F(CuePlannerTest, with_two_hands_says_which_one_touches_and_keeps_their_sou
     EXPECT_EQ(said().back(), "Left hand: Device unplugged. Everything else goes on.");
 }
 
-}  // namespace
+}  // namespace cue_planner_test
 }  // namespace handrail

@@ -4,7 +4,7 @@
 #include "tests/support/precompiled.h"
 
 namespace handrail {
-namespace {
+namespace finger_planner_test {
 
 enum : std::uint32_t { kWall, kCushion, kDoor };
 enum : std::uint16_t { kDefault, kBrick, kSoft, kRibbed };
@@ -148,5 +148,5 @@ TEST_F(FingerPlannerTest, each_kind_of_cue_can_be_switched_off_and_all_be_made_w
     EXPECT_EQ(bump().knock, 0.25);
 }
 
-}  // namespace
+}  // namespace finger_planner_test
 }  // namespace handrail

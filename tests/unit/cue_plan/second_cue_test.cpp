@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace handrail {
-namespace {
+namespace second_cue_test {
 
 struct Range {
     double least_gain = 1e9, most_gain = 0.0, least_pitch = 1e9, most_pitch = 0.0;
@@ -64,5 +64,5 @@ TEST(SecondCue, changes_without_steps_from_tick_to_tick_and_place_to_place) {
                     0.12);
 }
 
-}  // namespace
+}  // namespace second_cue_test
 }  // namespace handrail

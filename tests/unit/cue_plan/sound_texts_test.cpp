@@ -8,7 +8,7 @@
 #include "tests/support/spoken_language.h"
 
 namespace handrail {
-namespace {
+namespace sound_texts_test {
 
 TEST(SoundTexts, are_there_for_every_sound_and_material_and_for_nothing_else) {
     std::set<std::string> wanted;
@@ -39,5 +39,5 @@ TEST(SoundTexts, are_said_in_german_while_scenarios_keep_their_names) {
     EXPECT_EQ(all.back().text, "Berührung: Gitter.");
 }
 
-}  // namespace
+}  // namespace sound_texts_test
 }  // namespace handrail

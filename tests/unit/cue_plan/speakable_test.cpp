@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace handrail {
-namespace {
+namespace speakable_test {
 
 TEST(Speakable, leaves_clean_text_unchanged) {
     for (const char* text : {"", "north wall, plaster", "Café", "東京", "🚪 door"}) EXPECT_EQ(speakable(text), text);
@@ -39,5 +39,5 @@ TEST(SentenceCase, raises_the_first_ascii_letter_only) {
     EXPECT_EQ(sentence_case(""), "");
 }
 
-}  // namespace
+}  // namespace speakable_test
 }  // namespace handrail

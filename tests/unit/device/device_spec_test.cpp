@@ -6,7 +6,7 @@
 #include "tests/support/spoken_language.h"
 
 namespace handrail {
-namespace {
+namespace device_spec_test {
 
 TEST(DeviceSpec, rows_have_unique_lower_case_names_and_sane_facts) {
     std::set<std::string_view> seen;
@@ -89,5 +89,5 @@ TEST(EffectiveStiffness, never_exceeds_the_rating) {
                     << spec.name;
 }
 
-}  // namespace
+}  // namespace device_spec_test
 }  // namespace handrail

@@ -6,7 +6,7 @@
 #include "tests/support/world_axes.h"
 
 namespace handrail {
-namespace {
+namespace simulated_device_test {
 
 constexpr double kTick = 1e-3;
 
@@ -205,5 +205,5 @@ TEST(SimulatedDevice, hand_right_forward_up_is_east_north_up_and_a_force_east_pu
     }
 }
 
-}  // namespace
+}  // namespace simulated_device_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "worlds/scene/material.h"
 
 namespace handrail {
-namespace {
+namespace docs_test {
 using testing::UnorderedElementsAreArray;
 
 using test::table_rows;
@@ -120,5 +120,5 @@ TEST(Documents, link_only_to_files_that_exist) {
     }
 }
 
-}  // namespace
+}  // namespace docs_test
 }  // namespace handrail

@@ -3,7 +3,7 @@
 #include "tests/unit/docs/table_rows.h"
 
 namespace handrail {
-namespace {
+namespace user_guide_test {
 using test::table_rows;
 using testing::UnorderedElementsAreArray;
 
@@ -25,5 +25,5 @@ TEST(Dictionary, lists_every_sound_as_the_spoken_one_tells_it_in_its_order) {
     EXPECT_EQ(table_rows("dictionary.md", "| Name | What it tells |"), expected);
 }
 
-}  // namespace
+}  // namespace user_guide_test
 }  // namespace handrail

@@ -13,7 +13,7 @@
 #include "tests/support/world_axes.h"
 
 namespace handrail {
-namespace {
+namespace falcon_device_test {
 
 using test::DirectFalconLink;
 using test::FalconEmulator;
@@ -474,5 +474,5 @@ TEST(FalconDevice, leaves_the_motors_at_zero) {
     falcon.device->close();
 }
 
-}  // namespace
+}  // namespace falcon_device_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include "tests/support/scale.h"
 
 namespace handrail {
-namespace {
+namespace falcon_kinematics_test {
 
 using test::FalconEmulator;
 
@@ -146,5 +146,5 @@ TEST(FalconKinematics, says_nothing_rather_than_something_wrong) {
     EXPECT_GT(places, 10);
 }
 
-}  // namespace
+}  // namespace falcon_kinematics_test
 }  // namespace handrail

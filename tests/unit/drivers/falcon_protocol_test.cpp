@@ -8,7 +8,7 @@
 #include "tests/support/scale.h"
 
 namespace handrail {
-namespace {
+namespace falcon_protocol_test {
 
 FalconFrame answer_with(std::string_view groups) {
     FalconFrame frame{};
@@ -160,5 +160,5 @@ TEST(FalconFirmware, check_survives_any_bytes) {
     }
 }
 
-}  // namespace
+}  // namespace falcon_protocol_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "tests/support/scale.h"
 
 namespace handrail {
-namespace {
+namespace force_packing_test {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
@@ -100,5 +100,5 @@ TEST(ForceStick, level_stays_in_range_and_keeps_its_direction_whatever_is_asked)
         }
 }
 
-}  // namespace
+}  // namespace force_packing_test
 }  // namespace handrail

@@ -16,7 +16,7 @@
 #include "tests/unit/drivers/guard_rig.h"
 
 namespace handrail {
-namespace {
+namespace hand_guard_test {
 
 using namespace std::chrono_literals;
 using test::tick_until;
@@ -253,5 +253,5 @@ TEST(GuardedDevice, hands_positions_that_are_no_numbers_to_the_servo_to_judge) {
         tick_until(device, [](const DeviceSample& sample) { return sample.fresh && !is_finite(sample.position_m); }));
 }
 
-}  // namespace
+}  // namespace hand_guard_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "tests/support/world_axes.h"
 
 namespace handrail {
-namespace {
+namespace haply_test {
 
 using test::Mood;
 using test::StandInService;
@@ -205,5 +205,5 @@ TEST(HaplyState, survives_any_text) {
     }
 }
 
-}  // namespace
+}  // namespace haply_test
 }  // namespace handrail

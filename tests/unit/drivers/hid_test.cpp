@@ -6,7 +6,7 @@
 #include "tests/support/precompiled.h"
 
 namespace handrail {
-namespace {
+namespace hid_test {
 
 using test::DirectHidLink;
 using test::PadEmulator;
@@ -207,5 +207,5 @@ TEST(SpaceMouse, has_buttons_and_a_light_and_ignores_what_is_cut) {
     EXPECT_TRUE(puck.mouse.lost());
 }
 
-}  // namespace
+}  // namespace hid_test
 }  // namespace handrail

@@ -17,7 +17,7 @@
 #include "tests/unit/drivers/guard_rig.h"
 
 namespace handrail {
-namespace {
+namespace relief_guard_test {
 
 using namespace std::chrono_literals;
 using test::tick_until;
@@ -179,5 +179,5 @@ TEST(GuardProcess, refuses_a_mailbox_that_could_be_cut_off_below_it) {
     }
 }
 
-}  // namespace
+}  // namespace relief_guard_test
 }  // namespace handrail

@@ -3,7 +3,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace udev_rule_test {
 
 // What may be opened without being an administrator is what the drivers look for.
 TEST(UdevRule, names_every_device_that_a_driver_opens) {
@@ -37,5 +37,5 @@ TEST(OpenDevice, of_an_unknown_name_is_a_sentence) {
     EXPECT_THAT(opened.error().sentence(), testing::HasSubstr("harpsichord"));
 }
 
-}  // namespace
+}  // namespace udev_rule_test
 }  // namespace handrail

@@ -11,7 +11,7 @@
 #include "worlds/base/clock.h"
 
 namespace handrail {
-namespace {
+namespace vendor_test {
 
 using namespace std::chrono_literals;
 
@@ -253,5 +253,5 @@ TEST(HdDevice, a_library_that_blocks_gives_no_new_samples) {
     hd.blocks(false);
 }
 
-}  // namespace
+}  // namespace vendor_test
 }  // namespace handrail

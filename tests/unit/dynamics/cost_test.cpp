@@ -6,7 +6,7 @@
 #include "tests/unit/dynamics/rig.h"
 
 namespace handrail::test {
-namespace {
+namespace cost_test {
 
 double now_us() {
     return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -86,5 +86,5 @@ TEST(DynamicsCost, of_the_hands_model_is_printed) {
     }
 }
 
-}  // namespace
+}  // namespace cost_test
 }  // namespace handrail::test

@@ -6,7 +6,7 @@
 #include "tests/unit/dynamics/rig.h"
 
 namespace handrail::test {
-namespace {
+namespace engine_test {
 
 // Twenty boxes, balls and cylinders over a floor of tiles with a wall.
 std::shared_ptr<const DynamicsScene> heap(unsigned seed, const Vec3& at = Vec3(0.0)) {
@@ -382,5 +382,5 @@ TEST(Dynamics, refuses_bodies_without_volume_or_with_senseless_numbers) {
     EXPECT_TRUE(is_finite(engine.middle(0).position_m));
 }
 
-}  // namespace
+}  // namespace engine_test
 }  // namespace handrail::test

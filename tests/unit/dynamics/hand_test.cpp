@@ -6,7 +6,7 @@
 #include "tests/unit/dynamics/rig.h"
 
 namespace handrail::test {
-namespace {
+namespace hand_test {
 
 const HandIntent kNothing{};
 
@@ -445,5 +445,5 @@ TEST(HandBodies, lets_a_body_stand_when_the_engine_is_silent_and_go_on_when_it_s
     EXPECT_GT(rig.engine.middle(0).position_m.x, -0.01);
 }
 
-}  // namespace
+}  // namespace hand_test
 }  // namespace handrail::test

@@ -7,7 +7,7 @@
 #include "tests/unit/dynamics/rig.h"
 
 namespace handrail::test {
-namespace {
+namespace seams_test {
 
 // Speeds a body up at once.
 void throw_it(Dynamics& engine, const Vec3& speed, const Vec3& turning, double inertia) {
@@ -197,5 +197,5 @@ TEST(Seams, ask_few_parts_even_of_a_large_building) {
     EXPECT_LE(most, 8U);
 }
 
-}  // namespace
+}  // namespace seams_test
 }  // namespace handrail::test

@@ -4,7 +4,7 @@
 #include "tests/unit/dynamics/rig.h"
 
 namespace handrail::test {
-namespace {
+namespace dynamics_loop_test {
 
 std::shared_ptr<const DynamicsScene> ball_on_floor() {
     DynamicsSceneBuilder builder;
@@ -107,5 +107,5 @@ TEST(DynamicsLoop, runs_on_a_thread_of_its_own_beside_hands_and_ears) {
     loop.reset();
 }
 
-}  // namespace
+}  // namespace dynamics_loop_test
 }  // namespace handrail::test

@@ -4,7 +4,7 @@
 #include "tests/unit/dynamics/rig.h"
 
 namespace handrail::test {
-namespace {
+namespace no_allocation_test {
 
 TEST(HandBodies, never_allocate_or_free_in_a_tick) {
     BodyWorldMaker world;
@@ -45,5 +45,5 @@ TEST(HandBodies, never_allocate_or_free_in_a_tick) {
     EXPECT_GT(contacts, 100);
 }
 
-}  // namespace
+}  // namespace no_allocation_test
 }  // namespace handrail::test

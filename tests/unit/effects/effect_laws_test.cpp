@@ -7,7 +7,7 @@
 #include "tests/unit/effects/loops.h"
 
 namespace handrail::test {
-namespace {
+namespace effect_laws_test {
 
 constexpr double kAllowed_j = 5e-6;
 
@@ -563,5 +563,5 @@ TEST(TickMath, agrees_with_the_library) {
     for (const double turns : {1e15, -1e15, 1e30, -1e300, 0.5, -0.5})
         EXPECT_LE(std::abs(sine_of_turns(turns).sine), 1.0 + 1e-11) << turns;
 }
-}  // namespace
+}  // namespace effect_laws_test
 }  // namespace handrail::test

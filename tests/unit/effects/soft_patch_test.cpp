@@ -8,7 +8,7 @@
 #include "tests/unit/effects/loops.h"
 
 namespace handrail::test {
-namespace {
+namespace soft_patch_test {
 
 constexpr double kRated = 1000.0;
 
@@ -388,5 +388,5 @@ TEST(SoftPatch, takes_little_of_the_millisecond_however_many_are_awake) {
     EXPECT_GT(pressed, away);
 }
 
-}  // namespace
+}  // namespace soft_patch_test
 }  // namespace handrail::test

@@ -8,7 +8,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace desk_visit_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -132,5 +132,5 @@ TEST_F(DeskAlone, puts_the_beacon_on_a_mark_and_goes_to_a_world) {
     EXPECT_EQ(plain.requests.world, "/far/mill.map");
 }
 
-}  // namespace
+}  // namespace desk_visit_test
 }  // namespace handrail

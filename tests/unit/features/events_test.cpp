@@ -8,7 +8,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace events_test {
 
 std::shared_ptr<const Scene> yard() {
     test::SceneBuilder builder;
@@ -83,5 +83,5 @@ TEST(Events, tell_of_help_that_was_asked_and_of_no_other_command) {
     EXPECT_THAT(at_s, testing::ElementsAre(1.0, 3.0));
 }
 
-}  // namespace
+}  // namespace events_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace features_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -75,5 +75,5 @@ TEST(Features, ask_for_rooms_that_nobody_has_looked_for_yet) {
     EXPECT_TRUE(rooms.looked_for());
 }
 
-}  // namespace
+}  // namespace features_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace hand_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -241,5 +241,5 @@ TEST(ForcesFeature, say_when_a_device_that_was_too_warm_may_act_again) {
     EXPECT_THAT(one.plain.said(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace hand_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace learning_features_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -212,5 +212,5 @@ TEST(ClockHuntFeature, begins_in_the_world_it_waits_for_once_and_ends_with_its_w
     EXPECT_THAT(hunter.said(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace learning_features_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace lesson_session_test {
 
 using ::testing::AllOf;
 using ::testing::Contains;
@@ -158,5 +158,5 @@ TEST_F(LessonsAlone, meet_a_wall_by_body_and_lead_on_to_what_is_chosen) {
     EXPECT_THAT(kept, AllOf(Contains(Pair("welcome.done", "true")), Contains(Pair("welcome.step", "0"))));
 }
 
-}  // namespace
+}  // namespace lesson_session_test
 }  // namespace handrail

@@ -13,7 +13,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace menu_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -150,5 +150,5 @@ TEST_F(MenuAlone, lists_what_is_too_small_to_feel) {
     EXPECT_THAT(chosen, ElementsAre("Pebble"));
 }
 
-}  // namespace
+}  // namespace menu_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace places_features_test {
 
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -288,5 +288,5 @@ TEST(KeptWaysFeature, tell_which_of_them_no_longer_fit_once_the_rooms_are_known)
     EXPECT_THAT(k.said(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace places_features_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "worlds/base/typist.h"
 
 namespace handrail {
-namespace {
+namespace walking_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -296,5 +296,5 @@ TEST(ByEarFeature, trails_a_wall_until_another_key_ends_it) {
     EXPECT_FALSE(one.by_ear.wall_at_side());
 }
 
-}  // namespace
+}  // namespace walking_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include "tests/unit/features/plain_session.h"
 
 namespace handrail {
-namespace {
+namespace wayfinding_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -503,5 +503,5 @@ TEST(Wayfinding, tells_of_a_beacon_as_a_fact) {
     EXPECT_THAT(facts(plain), ElementsAre("arrived Bench by 3")) << "once";
 }
 
-}  // namespace
+}  // namespace wayfinding_test
 }  // namespace handrail

@@ -4,7 +4,7 @@
 #include "worlds/geometry/clip.h"
 
 namespace handrail {
-namespace {
+namespace solid_test {
 
 std::vector<Plane> box_planes(const Vec3& low, const Vec3& high) {
     return {{{1, 0, 0}, high.x},  {{-1, 0, 0}, -low.x}, {{0, 1, 0}, high.y},
@@ -137,5 +137,5 @@ TEST(Split, shares_the_area_between_both_sides) {
     }
 }
 
-}  // namespace
+}  // namespace solid_test
 }  // namespace handrail

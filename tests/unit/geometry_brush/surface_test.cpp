@@ -4,7 +4,7 @@
 #include "worlds/geometry/exposed_surface.h"
 
 namespace handrail {
-namespace {
+namespace surface_test {
 
 constexpr CutTolerance kTolerance{1e-6, 1e-5};
 
@@ -288,5 +288,5 @@ TEST(BoxIndex, finds_what_brute_force_finds) {
     EXPECT_TRUE(found.empty());
 }
 
-}  // namespace
+}  // namespace surface_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "worlds/geometry/closest_point.h"
 
 namespace handrail::test {
-namespace {
+namespace bezier_patch_test {
 
 double number(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -144,5 +144,5 @@ TEST(BezierPatch, neighbours_with_one_edge_in_common_meet_along_one_line_however
     }
 }
 
-}  // namespace
+}  // namespace bezier_patch_test
 }  // namespace handrail::test

@@ -5,7 +5,7 @@
 #include "worlds/geometry/box_tree.h"
 
 namespace handrail::test {
-namespace {
+namespace box_tree_test {
 
 constexpr std::uint32_t kSeed = 20261123;
 
@@ -89,5 +89,5 @@ TEST(BoxTree, finds_what_a_scan_finds_for_boxes_and_lines) {
         }
 }
 
-}  // namespace
+}  // namespace box_tree_test
 }  // namespace handrail::test

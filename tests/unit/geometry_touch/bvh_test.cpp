@@ -6,7 +6,7 @@
 #include "worlds/geometry/bvh.h"
 
 namespace handrail::test {
-namespace {
+namespace bvh_test {
 
 constexpr std::uint32_t kSeed = 20240712;
 
@@ -169,5 +169,5 @@ TEST(Bvh, takes_at_most_48_bytes_per_item) {
     }
 }
 
-}  // namespace
+}  // namespace bvh_test
 }  // namespace handrail::test

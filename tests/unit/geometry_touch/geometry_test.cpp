@@ -7,7 +7,7 @@
 #include "worlds/geometry/half_space_projection.h"
 
 namespace handrail::test {
-namespace {
+namespace geometry_test {
 
 constexpr std::uint32_t kSeed = 20240611;
 
@@ -185,5 +185,5 @@ TEST(ProjectOnHalfSpaces, agrees_with_trying_every_subset_warm_and_cold) {
     EXPECT_GT(infeasible, 0) << "the generator should also make empty cells";
 }
 
-}  // namespace
+}  // namespace geometry_test
 }  // namespace handrail::test

@@ -10,7 +10,7 @@
 #include "worlds/geometry/clip.h"
 
 namespace handrail {
-namespace {
+namespace mass_properties_test {
 
 // The midpoints of a fine grid that lie inside.
 template <class Inside>
@@ -120,5 +120,5 @@ TEST(MassProperties, of_two_parts_are_those_of_the_whole) {
     EXPECT_EQ(together({}, {}).volume_m3, 0.0);
 }
 
-}  // namespace
+}  // namespace mass_properties_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
-namespace {
+namespace round_shapes_test {
 
 double number(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -236,5 +236,5 @@ TEST(ClosestPointOfPolygon, on_the_sheet_itself_gives_a_supporting_normal) {
     }
 }
 
-}  // namespace
+}  // namespace round_shapes_test
 }  // namespace handrail::test

@@ -9,7 +9,7 @@
 #include "worlds/navigation/rooms.h"
 
 namespace handrail {
-namespace {
+namespace real_files_test {
 
 using ::testing::Contains;
 using ::testing::HasSubstr;
@@ -89,5 +89,5 @@ TEST(RealIfc, houses_of_ifc_4_and_4x3_come_out_whole) {
     EXPECT_GE(few->report.brushes, 3);
 }
 
-}  // namespace
+}  // namespace real_files_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "worlds/ifc/ifc_curves.h"
 
 namespace handrail {
-namespace {
+namespace shapes_test {
 
 bool in_part(const Ring& part, const Vec2& at) {
     for (std::size_t i = 0; i < part.size(); ++i) {
@@ -156,5 +156,5 @@ TEST(Profiles, of_every_kind_have_their_area) {
     }
 }
 
-}  // namespace
+}  // namespace shapes_test
 }  // namespace handrail

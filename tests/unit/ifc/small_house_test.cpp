@@ -8,7 +8,7 @@
 #include "worlds/navigation/rooms.h"
 
 namespace handrail {
-namespace {
+namespace small_house_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -156,5 +156,5 @@ TEST(SmallHouse, gives_the_same_scene_for_the_same_bytes) {
     EXPECT_EQ(a.features.size(), b.features.size());
 }
 
-}  // namespace
+}  // namespace small_house_test
 }  // namespace handrail

@@ -5,7 +5,7 @@
 #include "worlds/ifc/step_file.h"
 
 namespace handrail {
-namespace {
+namespace step_file_test {
 
 using ::testing::HasSubstr;
 
@@ -75,5 +75,5 @@ TEST(StepFile, never_goes_deeper_than_its_own_bound) {
     EXPECT_EQ(depth, StepFile::kDeepest);
 }
 
-}  // namespace
+}  // namespace step_file_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "tests/unit/ifc/ifc_text.h"
 
 namespace handrail {
-namespace {
+namespace torture_test {
 
 using ::testing::HasSubstr;
 
@@ -120,5 +120,5 @@ TEST(IfcTorture, many_rooms_cost_no_more_than_their_number) {
     EXPECT_EQ(scene->stated->rooms.size(), 2002U);
 }
 
-}  // namespace
+}  // namespace torture_test
 }  // namespace handrail

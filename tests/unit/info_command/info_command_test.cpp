@@ -8,7 +8,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace info_command_test {
 
 struct Outcome {
     int status = -1;
@@ -268,5 +268,5 @@ TEST(InfoCommand, ends_with_status_1_and_names_the_pair_when_materials_cannot_be
     EXPECT_TRUE(said.starts_with("Wood and rubber cannot be told apart by touch:")) << said;
 }
 
-}  // namespace
+}  // namespace info_command_test
 }  // namespace handrail

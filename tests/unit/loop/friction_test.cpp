@@ -3,7 +3,7 @@
 #include "tests/unit/loop/loop_rig.h"
 
 namespace handrail::test {
-namespace {
+namespace friction_test {
 
 constexpr double kStiffness = 1000.0;  // a millimetre is a newton
 
@@ -208,5 +208,5 @@ TEST(LightTouch, does_not_chatter_with_tremor_and_white_noise) {
     }
 }
 
-}  // namespace
+}  // namespace friction_test
 }  // namespace handrail::test

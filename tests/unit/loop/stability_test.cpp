@@ -3,7 +3,7 @@
 #include "tests/unit/loop/loop_rig.h"
 
 namespace handrail::test {
-namespace {
+namespace stability_test {
 
 TEST(Stability, a_hand_that_presses_six_newtons_comes_to_rest_at_the_stiffness_of_the_rule) {  // T23
     std::uint32_t seed = 0;
@@ -131,5 +131,5 @@ TEST(PassivityGuard, leaves_damped_surfaces_alone_to_the_last_bit) {
     EXPECT_EQ(forces[0], forces[1]);
 }
 
-}  // namespace
+}  // namespace stability_test
 }  // namespace handrail::test

@@ -4,7 +4,7 @@
 #include "tests/unit/loop/loop_rig.h"
 
 namespace handrail::test {
-namespace {
+namespace stall_test {
 
 struct Sweep {
     double peak_n = 0.0;
@@ -83,5 +83,5 @@ TEST(Stalls, neither_throw_the_hand_nor_feed_it) {  // T25
     }
 }
 
-}  // namespace
+}  // namespace stall_test
 }  // namespace handrail::test

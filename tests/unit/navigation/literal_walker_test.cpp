@@ -16,7 +16,7 @@
 #include "worlds/scene/models.h"
 
 namespace handrail {
-namespace {
+namespace literal_walker_test {
 
 constexpr double kStep_m = 0.7;
 
@@ -291,5 +291,5 @@ TEST(LiteralWalker, comes_from_each_room_of_the_school_to_each_other) {
     EXPECT_GE(counted.with_errors * 100, counted.runs * 90);
 }
 
-}  // namespace
+}  // namespace literal_walker_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace office_world_test {
 
 TEST(OfficeWorld, is_the_same_text_for_the_same_size_and_seed_only) {
     const std::string once = test::office_world(test::office_size(1'000, 7)).map;
@@ -95,5 +95,5 @@ TEST(Rooms, are_known_where_floors_are_too_many_for_a_mesh_of_ways) {
     EXPECT_FALSE((*made)->plan({0.2, 0.2, 0.0}, {3.4, 0.4, 0.0}).reaches);
 }
 
-}  // namespace
+}  // namespace office_world_test
 }  // namespace handrail

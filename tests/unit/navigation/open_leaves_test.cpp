@@ -9,7 +9,7 @@
 #include "worlds/navigation/navigation.h"
 
 namespace handrail {
-namespace {
+namespace open_leaves_test {
 
 using test::SceneBuilder;
 
@@ -123,5 +123,5 @@ TEST(OpenLeaves, are_gone_round_where_there_is_room_and_through_where_there_is_n
         }
 }
 
-}  // namespace
+}  // namespace open_leaves_test
 }  // namespace handrail

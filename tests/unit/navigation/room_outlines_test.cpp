@@ -12,7 +12,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace room_outlines_test {
 
 struct Floor {
     explicit Floor(const Scene& scene) {
@@ -134,5 +134,5 @@ TEST(RoomOutlines, are_sound_in_the_house_with_its_storeys) {
               10);
 }
 
-}  // namespace
+}  // namespace room_outlines_test
 }  // namespace handrail

@@ -11,7 +11,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace rooms_test {
 
 struct World {
     Scene scene;
@@ -314,5 +314,5 @@ TEST(Rooms, tell_their_exits_clockwise) {
     EXPECT_EQ(exits_of(graph, 1, {0, 0, 0}, 0.0).size(), 2U);
 }
 
-}  // namespace
+}  // namespace rooms_test
 }  // namespace handrail

@@ -12,7 +12,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace route_test {
 
 using test::GridTwin;
 using test::SceneBuilder;
@@ -413,5 +413,5 @@ TEST(Routes, can_be_given_up_while_they_are_prepared) {
     EXPECT_EQ(made.error().message, "Finding the rooms was given up.");
 }
 
-}  // namespace
+}  // namespace route_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "tests/support/random_families.h"
 
 namespace handrail {
-namespace {
+namespace way_place_test {
 
 WayPlace by_looking_everywhere(const std::vector<Vec3>& points_m, const Vec3& from_m) {
     WayPlace nearest{points_m[0], std::numeric_limits<double>::infinity(), 0.0, 0};
@@ -88,5 +88,5 @@ TEST(NearOnWay, takes_no_short_cut_through_what_one_does_not_see_through) {
     EXPECT_NEAR(near_on_way(way, at, 5.0, 1.0, far_end).along_m, 5.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace way_place_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "worlds/navigation/navigation.h"
 
 namespace handrail {
-namespace {
+namespace word_route_test {
 
 using test::SceneBuilder;
 
@@ -212,5 +212,5 @@ TEST(WordRoute, never_leads_a_body_with_errors_over_an_edge) {
     }
 }
 
-}  // namespace
+}  // namespace word_route_test
 }  // namespace handrail

@@ -13,7 +13,7 @@
 #include "worlds/base/clock.h"
 
 namespace handrail {
-namespace {
+namespace parity_test {
 
 // A hand in virtual time, and a room with one wall in the north of it.
 struct Demo {
@@ -288,5 +288,5 @@ TEST(ParityWithTheOriginal, every_row_of_the_list_is_called_here_and_names_a_fil
     }
 }
 
-}  // namespace
+}  // namespace parity_test
 }  // namespace handrail

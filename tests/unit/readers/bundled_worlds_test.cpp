@@ -6,7 +6,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace bundled_worlds_test {
 
 TEST(BundledWorlds, are_read_without_a_warning_and_have_a_base_and_landmarks) {
     int worlds = 0;
@@ -25,5 +25,5 @@ TEST(BundledWorlds, are_read_without_a_warning_and_have_a_base_and_landmarks) {
     EXPECT_GE(worlds, 3);
 }
 
-}  // namespace
+}  // namespace bundled_worlds_test
 }  // namespace handrail

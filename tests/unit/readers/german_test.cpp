@@ -4,7 +4,7 @@
 #include "tests/unit/readers/reading.h"
 
 namespace handrail::test {
-namespace {
+namespace german_test {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -55,5 +55,5 @@ TEST(EffectNames, stand_in_every_language_and_for_no_other_effect) {
     }
 }
 
-}  // namespace
+}  // namespace german_test
 }  // namespace handrail::test

@@ -11,7 +11,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace height_picture_test {
 
 void add_number(std::string& out, std::uint32_t value) {
     for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(value >> shift & 0xff);
@@ -307,5 +307,5 @@ TEST(TextureKeys, a_picture_lies_beside_the_map_and_one_that_cannot_be_used_leav
     }
 }
 
-}  // namespace
+}  // namespace height_picture_test
 }  // namespace handrail

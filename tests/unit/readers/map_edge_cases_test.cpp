@@ -6,7 +6,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace map_edge_cases_test {
 
 using test::box_brush;
 using test::entity;
@@ -338,5 +338,5 @@ TEST(MapEdgeCases, fails_only_when_nothing_is_left_and_says_the_first_reason) {
                 HasSubstr("2 problems; the first: this brush has no faces."));
 }
 
-}  // namespace
+}  // namespace map_edge_cases_test
 }  // namespace handrail

@@ -4,7 +4,7 @@
 #include "tests/unit/readers/reading.h"
 
 namespace handrail::test {
-namespace {
+namespace map_effects_test {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -187,5 +187,5 @@ TEST(MapEffects, survive_being_cut_at_every_byte) {
     }
 }
 
-}  // namespace
+}  // namespace map_effects_test
 }  // namespace handrail::test

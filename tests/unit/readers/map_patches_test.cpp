@@ -3,7 +3,7 @@
 #include "tests/unit/readers/reading.h"
 
 namespace handrail {
-namespace {
+namespace map_patches_test {
 
 using test::box_brush;
 using test::entity;
@@ -177,5 +177,5 @@ TEST(MapPatches, brushes_written_as_brushDef_are_those_of_the_plain_form) {
         2U);
 }
 
-}  // namespace
+}  // namespace map_patches_test
 }  // namespace handrail

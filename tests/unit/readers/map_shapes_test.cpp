@@ -3,7 +3,7 @@
 #include "tests/unit/readers/reading.h"
 
 namespace handrail {
-namespace {
+namespace map_shapes_test {
 
 using test::box_brush;
 using test::entity;
@@ -117,5 +117,5 @@ TEST(MapShapes, what_is_drawn_of_a_shape_goes_by_its_name) {
     EXPECT_EQ(ball.scene.find(globe)->name, "Globe");
 }
 
-}  // namespace
+}  // namespace map_shapes_test
 }  // namespace handrail

@@ -5,7 +5,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace obj_test {
 
 using test::Reading;
 using testing::ElementsAre;
@@ -146,5 +146,5 @@ TEST(ReadObj, survives_damage_anywhere) {
         expect_whole(read_obj(std::string_view(whole).substr(0, length), "cut.obj"));
 }
 
-}  // namespace
+}  // namespace obj_test
 }  // namespace handrail

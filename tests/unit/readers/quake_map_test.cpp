@@ -4,7 +4,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace quake_map_test {
 
 using test::box_brush;
 using test::entity;
@@ -139,5 +139,5 @@ TEST(ReadWorld, reads_every_real_map_without_a_warning) {
     }
 }
 
-}  // namespace
+}  // namespace quake_map_test
 }  // namespace handrail

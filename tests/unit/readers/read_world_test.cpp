@@ -14,7 +14,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace read_world_test {
 
 using testing::HasSubstr;
 
@@ -114,5 +114,5 @@ TEST(ReadWorld, says_why_a_file_cannot_be_read) {
     EXPECT_THAT(is_folder.error().sentence(), HasSubstr("This is a folder"));
 }
 
-}  // namespace
+}  // namespace read_world_test
 }  // namespace handrail

@@ -11,7 +11,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace torture_test {
 
 using test::box_brush;
 using test::entity;
@@ -157,5 +157,5 @@ TEST(Torture, far_and_tiny_coordinates) {
                        box_brush(far, far, far, far + size, far + size, far + size) + box_brush(0, 0, 0, 64, 64, 64)));
 }
 
-}  // namespace
+}  // namespace torture_test
 }  // namespace handrail

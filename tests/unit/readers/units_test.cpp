@@ -7,7 +7,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace units_test {
 
 using testing::HasSubstr;
 
@@ -56,5 +56,5 @@ TEST(Units, of_a_mesh_are_what_a_person_says) {
     EXPECT_EQ(scene->metres_per_unit, 0.001);
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace handrail

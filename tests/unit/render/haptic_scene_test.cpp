@@ -7,7 +7,7 @@
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
-namespace {
+namespace haptic_scene_test {
 
 SurfaceLabel label(std::uint32_t feature) { return {FeatureId{feature}, 0, false}; }
 
@@ -134,5 +134,5 @@ TEST(HapticScene, round_solids_are_slid_over_in_few_rounds) {
     }
 }
 
-}  // namespace
+}  // namespace haptic_scene_test
 }  // namespace handrail::test

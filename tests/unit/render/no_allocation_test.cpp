@@ -4,7 +4,7 @@
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
-namespace {
+namespace no_allocation_test {
 
 TEST(TouchTick, never_allocates_or_frees) {
     long during = 0;
@@ -61,5 +61,5 @@ TEST(TouchTick, never_allocates_or_frees) {
     EXPECT_GT(allocations, 1000) << "the count itself works";
 }
 
-}  // namespace
+}  // namespace no_allocation_test
 }  // namespace handrail::test

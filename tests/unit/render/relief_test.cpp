@@ -6,7 +6,7 @@
 #include "haptic/render/touch.h"
 
 namespace handrail::test {
-namespace {
+namespace relief_test {
 
 constexpr double kStiffness = 800.0;
 
@@ -267,5 +267,5 @@ TEST(Relief, varies_friction_by_its_share_along_the_way) {
     EXPECT_NEAR(low, 0.5 * 0.7, 0.03);
 }
 
-}  // namespace
+}  // namespace relief_test
 }  // namespace handrail::test

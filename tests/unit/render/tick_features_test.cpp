@@ -8,7 +8,7 @@
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
-namespace {
+namespace tick_features_test {
 
 TouchTuning rough() {
     TouchTuning tuning;
@@ -142,5 +142,5 @@ TEST(TickFeatures, a_scene_with_anything_optional_gets_the_tick_that_knows_it) {
     }));
 }
 
-}  // namespace
+}  // namespace tick_features_test
 }  // namespace handrail::test

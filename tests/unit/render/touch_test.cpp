@@ -8,7 +8,7 @@
 #include "tests/support/touch_worlds.h"
 
 namespace handrail::test {
-namespace {
+namespace touch_test {
 
 constexpr double kTick_s = 1e-3;
 const FeatureId kFloor{7}, kWall{8}, kPool{9};
@@ -397,5 +397,5 @@ TEST(TouchTick, feels_nothing_in_an_empty_scene) {
     EXPECT_EQ(touch_tick(state, *scene, TouchTuning{}, {1, 2, 3.5}, kTick_s).proxy_m, Vec3(1, 2, 3.5));
 }
 
-}  // namespace
+}  // namespace touch_test
 }  // namespace handrail::test

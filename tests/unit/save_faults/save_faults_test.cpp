@@ -24,7 +24,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace save_faults_test {
 
 namespace fs = std::filesystem;
 using test::BrokenDisk;
@@ -366,5 +366,5 @@ TEST(LoadFaults, memory_that_ends_at_any_allocation_changes_no_file_and_reading_
     }
 }
 
-}  // namespace
+}  // namespace save_faults_test
 }  // namespace handrail

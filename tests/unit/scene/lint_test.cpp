@@ -7,7 +7,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace lint_test {
 
 using test::box_brush;
 using test::entity;
@@ -111,5 +111,5 @@ TEST(Lint, warns_above_five_materials_in_one_view_and_not_when_they_lie_apart) {
     EXPECT_TRUE(lint_materials(read(apart)).warnings.empty());
 }
 
-}  // namespace
+}  // namespace lint_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include "worlds/scene/models.h"
 
 namespace handrail {
-namespace {
+namespace primitive_test {
 
 Rotation some_rotation(std::mt19937& random) {
     std::uniform_real_distribution<double> u(-1.0, 1.0);
@@ -90,5 +90,5 @@ TEST(Primitive, makes_a_model_that_can_be_set_down) {
     EXPECT_FALSE(primitive_model({PrimitiveKind::Cone, Vec3(0.0), Vec3(1.0), {}}));
 }
 
-}  // namespace
+}  // namespace primitive_test
 }  // namespace handrail

@@ -11,7 +11,7 @@
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
-namespace {
+namespace spoken_names_test {
 
 std::string key_of(std::string section, std::string_view name) {
     for (const char c : name) section += c == ' ' || c == '-' ? '_' : c;
@@ -102,5 +102,5 @@ TEST(SpokenNames, are_in_german_sentences_about_what_is_wrong) {
     EXPECT_EQ(unknown.error().message, "Das Material „plastr“ gibt es nicht. Der nächste Name ist plaster.");
 }
 
-}  // namespace
+}  // namespace spoken_names_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace surfaces_test {
 
 using test::box_brush;
 using test::entity;
@@ -297,5 +297,5 @@ TEST(Materials, are_found_by_name_and_guessed_from_textures) {
     EXPECT_EQ(guess("128"), "none");
 }
 
-}  // namespace
+}  // namespace surfaces_test
 }  // namespace handrail

@@ -4,7 +4,7 @@
 #include "tests/support/servo_rig.h"
 
 namespace handrail::test {
-namespace {
+namespace body_playback_test {
 
 constexpr double kFrame_s = 1.0 / 60.0;
 
@@ -135,5 +135,5 @@ TEST(BodyPlayback, an_edit_of_the_same_world_does_not_take_the_force_away) {
     EXPECT_LT(glm::length(rig.last.force_n), 0.1 * pressed);
 }
 
-}  // namespace
+}  // namespace body_playback_test
 }  // namespace handrail::test

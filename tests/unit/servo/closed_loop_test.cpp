@@ -5,7 +5,7 @@
 #include "tests/support/servo_rig.h"
 
 namespace handrail {
-namespace {
+namespace closed_loop_test {
 
 using test::kTick;
 
@@ -96,5 +96,5 @@ TEST(ClosedLoop, follows_the_mouse_to_the_wall_and_stays_before_it) {
     EXPECT_NEAR(bench.loop.tool().proxy_m.y, 0.02 * 60.0, 1e-9);
 }
 
-}  // namespace
+}  // namespace closed_loop_test
 }  // namespace handrail

@@ -3,7 +3,7 @@
 #include "tests/support/precompiled.h"
 
 namespace handrail {
-namespace {
+namespace contact_tracker_test {
 
 constexpr double kTick = 1e-3;
 constexpr FeatureId kWall{4}, kFloor{5}, kPool{6};
@@ -142,5 +142,5 @@ TEST(ContactTracker, clear_ends_everything_once) {
     EXPECT_EQ(events.count, 0);
 }
 
-}  // namespace
+}  // namespace contact_tracker_test
 }  // namespace handrail

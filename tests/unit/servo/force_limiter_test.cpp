@@ -6,7 +6,7 @@
 #include "tests/support/precompiled.h"
 
 namespace handrail {
-namespace {
+namespace force_limiter_test {
 
 constexpr double kTick = 1e-3;
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -135,5 +135,5 @@ TEST(ForceLimiter, has_no_slew_limit_in_normal_operation) {
     EXPECT_EQ(limiter.limit(Vec3(0, 0, -2.4), 2.5, ForceFlow::Run, kTick).z, -2.4);
 }
 
-}  // namespace
+}  // namespace force_limiter_test
 }  // namespace handrail

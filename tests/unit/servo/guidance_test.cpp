@@ -9,7 +9,7 @@
 #include "tests/support/random_families.h"
 
 namespace handrail {
-namespace {
+namespace guidance_test {
 
 constexpr double kTick_s = 1e-3, kPeak_n = 3.3;
 constexpr double kMost_n = 0.8;
@@ -383,5 +383,5 @@ TEST(Grooves, give_no_energy_on_closed_ways_and_come_and_go_without_a_step) {
     EXPECT_EQ(last, Vec3(0.0));
 }
 
-}  // namespace
+}  // namespace guidance_test
 }  // namespace handrail

@@ -5,7 +5,7 @@
 #include "tests/support/precompiled.h"
 
 namespace handrail {
-namespace {
+namespace heat_budget_test {
 
 double seconds_until_warm(double force_n, double sustained_n, double most_s) {
     HeatBudget heat;
@@ -44,5 +44,5 @@ TEST(HeatBudget, once_too_warm_stays_so_until_half_the_heat_is_gone) {
     EXPECT_FALSE(heat.too_warm());
 }
 
-}  // namespace
+}  // namespace heat_budget_test
 }  // namespace handrail

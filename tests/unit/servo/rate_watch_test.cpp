@@ -7,7 +7,7 @@
 #include "tests/support/spoken_language.h"
 
 namespace handrail {
-namespace {
+namespace rate_watch_test {
 
 // Seconds of equal periods until the watch speaks; -1 when it does not within a second.
 double time_to_notice(double period_s, double min_rate_hz) {
@@ -76,5 +76,5 @@ TEST(FaultSentence, every_fault_has_its_own_whole_sentence) {
     EXPECT_EQ(fault_sentence(Fault::Unplugged), "Gerät abgezogen. Alles andere läuft weiter.");
 }
 
-}  // namespace
+}  // namespace rate_watch_test
 }  // namespace handrail

@@ -8,7 +8,7 @@
 #include "tests/support/servo_rig.h"
 
 namespace handrail {
-namespace {
+namespace servo_tick_test {
 
 using test::kTick;
 using test::ServoRig;
@@ -557,5 +557,5 @@ TEST(ServoTick, is_finite_and_bounded_for_every_input) {
     }
 }
 
-}  // namespace
+}  // namespace servo_tick_test
 }  // namespace handrail

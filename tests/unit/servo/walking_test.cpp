@@ -6,7 +6,7 @@
 #include "tests/support/servo_rig.h"
 
 namespace handrail {
-namespace {
+namespace walking_test {
 
 using test::kTick;
 using test::ServoRig;
@@ -141,5 +141,5 @@ TEST(Walking, into_a_wall_with_the_hand_ahead_rises_evenly_without_a_60_hz_stair
     }
 }
 
-}  // namespace
+}  // namespace walking_test
 }  // namespace handrail

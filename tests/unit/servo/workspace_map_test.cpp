@@ -6,7 +6,7 @@
 #include "tests/support/precompiled.h"
 
 namespace handrail {
-namespace {
+namespace workspace_map_test {
 
 constexpr double kTick = 1e-3;
 constexpr double kFrame = 1.0 / 60.0;
@@ -176,5 +176,5 @@ TEST(PosePlayback, ignores_poses_that_are_no_numbers_or_from_the_past) {
     EXPECT_EQ(playback.at(3.0, kTick).origin_m, Vec3(0.0));
 }
 
-}  // namespace
+}  // namespace workspace_map_test
 }  // namespace handrail

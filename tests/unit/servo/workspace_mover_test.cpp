@@ -6,7 +6,7 @@
 #include "tests/support/servo_rig.h"
 
 namespace handrail::test {
-namespace {
+namespace workspace_mover_test {
 
 constexpr double kReach = 0.075;  // of the simulated Touch
 
@@ -164,5 +164,5 @@ TEST(WorkspaceMover, keys_push_the_workspace_and_a_jump_brings_it_back) {
     EXPECT_EQ(rig.tool().workspace_jump, rig.pose.jump);
 }
 
-}  // namespace
+}  // namespace workspace_mover_test
 }  // namespace handrail::test

@@ -8,7 +8,7 @@
 #include "tests/support/spoken_language.h"
 
 namespace handrail {
-namespace {
+namespace setting_texts_test {
 using testing::HasSubstr;
 
 // The keys of all texts that are made of names in the tables.
@@ -66,5 +66,5 @@ TEST(SettingTexts, are_said_in_german_while_what_is_typed_stays) {
               "Die Einstellung walk.step_length_m ist 9, muss aber sein: 0.2 bis 1.5 Meter.");
 }
 
-}  // namespace
+}  // namespace setting_texts_test
 }  // namespace handrail

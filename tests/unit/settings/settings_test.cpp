@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace settings_test {
 namespace fs = std::filesystem;
 using test::content_of;
 using test::TemporaryFolder;
@@ -427,5 +427,5 @@ TEST(UserSettingsPath, follows_the_base_directory_specification) {
     if (home) ::setenv("HOME", old_home.c_str(), 1);
 }
 
-}  // namespace
+}  // namespace settings_test
 }  // namespace handrail

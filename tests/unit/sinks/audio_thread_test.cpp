@@ -11,7 +11,7 @@
 #include "audio-cues/sinks/recording_sinks.h"
 
 namespace handrail {
-namespace {
+namespace audio_thread_test {
 
 using ::testing::ElementsAre;
 
@@ -159,5 +159,5 @@ TEST(AudioThread, runs_beside_servo_and_app_and_joins) {
     for (int frame = 0; frame < 40; ++frame) EXPECT_THAT(said, ::testing::Contains(fmt::format("Frame {}", frame)));
 }
 
-}  // namespace
+}  // namespace audio_thread_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace handrail {
-namespace {
+namespace braille_line_test {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -122,5 +122,5 @@ TEST(BrailleLine, panning_loses_and_repeats_nothing) {
     }
 }
 
-}  // namespace
+}  // namespace braille_line_test
 }  // namespace handrail

@@ -6,7 +6,7 @@
 #include <random>
 
 namespace handrail {
-namespace {
+namespace dropout_watch_test {
 
 // A device that mixes 256 samples at a time, at a clock that drifts by 200 parts in a million, watched by a loop that
 // is up to 20 ms late; `stops_every_s`: after so long it starts again, one period behind.
@@ -38,5 +38,5 @@ TEST(DropoutWatch, one_long_sleep_of_the_machine_is_one_dropout) {
     for (double t = 3600.0; t < 3610.0; t += 0.005) EXPECT_FALSE(watch.tick(t, t - 3595.0));
 }
 
-}  // namespace
+}  // namespace dropout_watch_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "audio-cues/sinks/openal_sink.h"
 
 namespace handrail {
-namespace {
+namespace espeak_speech_test {
 
 // Stands where the sound sink would: takes what is said and plays it in no time.
 struct Listening {
@@ -180,5 +180,5 @@ TEST(BeepSpeech, every_class_has_its_own_rhythm) {
     EXPECT_FALSE(speech.speaking());
 }
 
-}  // namespace
+}  // namespace espeak_speech_test
 }  // namespace handrail

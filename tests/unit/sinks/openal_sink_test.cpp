@@ -12,7 +12,7 @@
 #include "audio-cues/sinks/synth.h"
 
 namespace handrail {
-namespace {
+namespace openal_sink_test {
 
 constexpr int kPeriod = 256;
 constexpr double kPeriod_s = static_cast<double>(kPeriod) / kSampleRate_hz;
@@ -727,5 +727,5 @@ TEST(OpenALSinkDevice, device_that_does_not_come_back_is_asked_for_every_5_s) {
     EXPECT_TRUE(sink.has_device());
 }
 
-}  // namespace
+}  // namespace openal_sink_test
 }  // namespace handrail

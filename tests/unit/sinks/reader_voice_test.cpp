@@ -5,7 +5,7 @@
 #include <string>
 
 namespace handrail {
-namespace {
+namespace reader_voice_test {
 
 struct ReaderVoiceTest : testing::Test {
     ReaderVoiceTest() { voice.want(true); }
@@ -69,5 +69,5 @@ TEST_F(ReaderVoiceTest, what_waits_is_lost_with_the_reader) {
     EXPECT_FALSE(channel->take());
 }
 
-}  // namespace
+}  // namespace reader_voice_test
 }  // namespace handrail

@@ -10,7 +10,7 @@
 #include "audio-cues/sinks/voice_router.h"
 
 namespace handrail {
-namespace {
+namespace sound_outputs_test {
 
 TEST(SoundOutputs, text_is_written_and_something_sounds_or_says_why_not) {
     std::array<int, 2> ends{};
@@ -35,5 +35,5 @@ TEST(SoundOutputs, text_is_written_and_something_sounds_or_says_why_not) {
     ::close(ends[1]);
 }
 
-}  // namespace
+}  // namespace sound_outputs_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "worlds/base/vec.h"
 
 namespace handrail {
-namespace {
+namespace synth_test {
 
 // What an ear tells sounds apart by, each from its definition.
 struct Character {
@@ -148,5 +148,5 @@ TEST(Synth, bank_holds_every_sound) {
     std::cout << "    all sounds: " << std::lround(spent_ms) << " ms, " << samples * sizeof(float) / 1000 << " kB\n";
 }
 
-}  // namespace
+}  // namespace synth_test
 }  // namespace handrail

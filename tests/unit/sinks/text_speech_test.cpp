@@ -11,7 +11,7 @@
 #include "audio-cues/sinks/recording_sinks.h"
 
 namespace handrail {
-namespace {
+namespace text_speech_test {
 
 // A pipe whose ends close on every way out.
 struct Pipe {
@@ -149,5 +149,5 @@ TEST(TeeSpeech, gives_everything_to_each_sink) {
     EXPECT_EQ(tee.news(), std::nullopt);
 }
 
-}  // namespace
+}  // namespace text_speech_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace handrail {
-namespace {
+namespace voice_router_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -207,5 +207,5 @@ TEST_F(VoiceRouterTest, who_asked_for_a_voice_that_is_not_there_is_told) {
     EXPECT_EQ(router->news(), "The speech server cannot be reached; the built-in voice speaks instead.");
 }
 
-}  // namespace
+}  // namespace voice_router_test
 }  // namespace handrail

@@ -11,7 +11,7 @@
 #include "tests/support/scale.h"
 
 namespace handrail {
-namespace {
+namespace whole_blocks_test {
 
 TEST(WholeBlocks, gives_every_frame_once_and_in_order_whatever_is_asked_for_and_asks_for_multiples_of_64_alone) {
     const std::uint32_t seed = test::seed_of_run();
@@ -119,5 +119,5 @@ TEST(OpenALSinkLoopback, samples_that_nobody_hears_are_made_in_whole_blocks_and_
     EXPECT_NEAR(static_cast<double>(made), lived_s * 48000.0, 64.0);
 }
 
-}  // namespace
+}  // namespace whole_blocks_test
 }  // namespace handrail

@@ -9,7 +9,7 @@
 #include "worlds/base/language.h"
 
 namespace handrail {
-namespace {
+namespace language_files_test {
 namespace fs = std::filesystem;
 
 bool is_program_source(const std::string& file) {
@@ -227,5 +227,5 @@ TEST(LanguageFiles, are_seen_to_be_passed_by_in_this_test) {
     EXPECT_FALSE(reads_like_words("{} {}"));
 }
 
-}  // namespace
+}  // namespace language_files_test
 }  // namespace handrail

@@ -7,7 +7,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace size_test {
 
 constexpr int kMostPublicFunctions = 40, kMostMembers = 25, kMostLinesOfApp = 500;
 
@@ -234,5 +234,5 @@ TEST(Lines, of_sources_have_at_most_120_columns) {
     }
 }
 
-}  // namespace
+}  // namespace size_test
 }  // namespace handrail

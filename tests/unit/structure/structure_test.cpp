@@ -11,7 +11,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail {
-namespace {
+namespace structure_test {
 namespace fs = std::filesystem;
 
 const fs::path kRoot = HANDRAIL_SOURCE_DIR;
@@ -252,5 +252,5 @@ TEST(Files, that_persons_name_are_read_in_one_place_only) {
     EXPECT_TRUE(std::regex_search(std::string("std::ifstream in(path);"), by_itself));
 }
 
-}  // namespace
+}  // namespace structure_test
 }  // namespace handrail

@@ -13,7 +13,7 @@
 #include "worlds/base/typist.h"
 
 namespace handrail {
-namespace {
+namespace command_words_test {
 
 std::vector<std::string> words_in(const std::string& text) {
     std::istringstream stream(text);
@@ -119,5 +119,5 @@ TEST(ListWords, stand_for_the_keys_of_a_list_and_give_way_to_names) {
     EXPECT_FALSE(dialogue.is_open());
 }
 
-}  // namespace
+}  // namespace command_words_test
 }  // namespace handrail

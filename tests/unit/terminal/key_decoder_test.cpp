@@ -13,7 +13,7 @@
 #include "worlds/base/typist.h"
 
 namespace handrail {
-namespace {
+namespace key_decoder_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -281,5 +281,5 @@ TEST(KeyMap, names_at_a_terminal_the_keys_that_it_sends_and_else_the_word) {
     speak_to(ActsBy::WindowKeys);
 }
 
-}  // namespace
+}  // namespace key_decoder_test
 }  // namespace handrail

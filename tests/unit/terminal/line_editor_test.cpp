@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 namespace handrail {
-namespace {
+namespace line_editor_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -104,5 +104,5 @@ TEST(LineEditor, of_a_line_without_end_keeps_a_part_and_shows_no_more) {
     EXPECT_EQ(strange.written.find('\x07'), std::string::npos) << "nothing that a terminal would obey";
 }
 
-}  // namespace
+}  // namespace line_editor_test
 }  // namespace handrail

@@ -18,7 +18,7 @@
 #include "tests/support/scale.h"
 
 namespace handrail {
-namespace {
+namespace raw_terminal_test {
 
 using test::PtyJob;
 
@@ -163,6 +163,6 @@ TEST(RawTerminal, is_refused_where_there_is_none_and_a_second_time) {
     EXPECT_EQ(job->ends(), 0);
 }
 
-}  // namespace
+}  // namespace raw_terminal_test
 }  // namespace handrail
 #endif

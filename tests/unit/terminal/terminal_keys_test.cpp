@@ -8,7 +8,7 @@
 #include "tests/support/child_process.h"
 
 namespace handrail {
-namespace {
+namespace terminal_keys_test {
 
 struct Keyboard {
     int ends[2] = {-1, -1};
@@ -67,5 +67,5 @@ TEST(TerminalKeys, one_that_must_not_wait_is_seen_at_once_behind_a_flood_and_emp
     EXPECT_TRUE(emptied);
 }
 
-}  // namespace
+}  // namespace terminal_keys_test
 }  // namespace handrail

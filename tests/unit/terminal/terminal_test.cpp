@@ -8,7 +8,7 @@
 #include <future>
 
 namespace handrail {
-namespace {
+namespace terminal_test {
 
 TEST(ParseTerminalLine, takes_every_command_of_the_table_with_an_optional_count) {
     for (const CommandInfo& row : command_table()) {
@@ -171,5 +171,5 @@ TEST(LineWatch, ends_while_it_waits) {
     ::close(ends[1]);
 }
 
-}  // namespace
+}  // namespace terminal_test
 }  // namespace handrail

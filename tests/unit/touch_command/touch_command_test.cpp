@@ -8,7 +8,7 @@
 #include "worlds/base/vec.h"
 
 namespace handrail::test {
-namespace {
+namespace touch_command_test {
 
 struct Row {
     std::vector<std::string> cells;
@@ -251,5 +251,5 @@ TEST_F(TouchCommand, says_the_same_twice_but_for_the_time_it_took) {
     EXPECT_EQ(without_time(rows(csv)), without_time(rows(csv)));
 }
 
-}  // namespace
+}  // namespace touch_command_test
 }  // namespace handrail::test

@@ -12,7 +12,7 @@
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
-namespace {
+namespace transcript_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -97,5 +97,5 @@ TEST(Transcript, that_cannot_be_written_is_told_and_fails) {
     EXPECT_THAT(out.str(), HasSubstr("03_first_wall_keyboard.txt"));
 }
 
-}  // namespace
+}  // namespace transcript_test
 }  // namespace handrail::test

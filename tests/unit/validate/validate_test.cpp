@@ -13,7 +13,7 @@
 #include "worlds/readers/reader.h"
 
 namespace handrail {
-namespace {
+namespace validate_test {
 
 std::filesystem::path file_of(const char* name) { return std::filesystem::path(HANDRAIL_SOURCE_DIR) / name; }
 
@@ -132,5 +132,5 @@ TEST(ContractDeathTest, what_no_caller_may_do_ends_the_program_and_names_the_pla
     EXPECT_DEATH((void)tessellate(PatchGrid{3, 3, {}}, 0.01), "at bezier_patch.cpp line");
 }
 
-}  // namespace
+}  // namespace validate_test
 }  // namespace handrail

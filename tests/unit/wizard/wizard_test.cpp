@@ -6,7 +6,7 @@
 #include "tests/unit/wizard/wizard_rig.h"
 
 namespace handrail::test {
-namespace {
+namespace wizard_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -422,5 +422,5 @@ TEST(WizardWords, the_end_of_input_leaves_and_keeps_what_was_set) {
     EXPECT_TRUE(rig.store.values().sound.swap_sides);
 }
 
-}  // namespace
+}  // namespace wizard_test
 }  // namespace handrail::test
