@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "worlds/base/contract.h"
+
 namespace handrail {
 
 struct HandrailNodeClass {
@@ -193,6 +195,7 @@ HandrailNode* make_node(GType type, AtkRole role, const char* name, HandrailNode
 }
 
 void set_state(HandrailNode* node, AtkStateType state, bool on) {
+    contract_pre(node);
     if (on) atk_state_set_add_state(node->states, state);
     else atk_state_set_remove_state(node->states, state);
     atk_object_notify_state_change(&node->parent, state, on);

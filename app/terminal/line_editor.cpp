@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
@@ -30,6 +31,7 @@ std::string LineEditor::close() {
 }
 
 LineEditor::Reply LineEditor::take(const TerminalInput& input) {
+    contract_pre(open_);
     if (input.key == "Escape") {
         const std::string end = close();
         return {end, {}, true, true};

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "worlds/base/contract.h"
+
 namespace handrail {
 namespace {
 
@@ -60,6 +62,7 @@ std::vector<std::string_view> wrapped_lines(const ImFont& font, float line_px, c
 
 ListWindow list_window(std::span<const std::size_t> lines, std::size_t at, std::size_t room_lines) {
     if (lines.empty()) return {};
+    contract_pre(at < lines.size());
     ListWindow window{at, 1};
     std::size_t used = lines[at];
     // Neighbours by turns, the next one first, until neither side has one that fits.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/result.h"
 
 namespace handrail {
@@ -16,6 +17,7 @@ struct Picture {
     std::vector<std::uint8_t> rgb;  // width * height * 3, top row first
 
     std::array<std::uint8_t, 3> at(int x, int y) const {
+        contract_pre(x >= 0 && x < width && y >= 0 && y < height);
         const std::size_t i =
             3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
         return {rgb[i], rgb[i + 1], rgb[i + 2]};

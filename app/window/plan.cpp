@@ -1,5 +1,6 @@
 #include "app/window/plan.h"
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -118,6 +119,7 @@ PlanLayout lay_out_plan(const Aabb& bounds_m, const Vec3& feet_m, double heading
 }
 
 ScaleBar scale_bar(double pixels_per_m, double widest_px) {
+    contract_pre(pixels_per_m > 0.0);
     const double widest_m = widest_px / pixels_per_m;
     const double decade = std::pow(10.0, std::floor(std::log10(widest_m)));
     const double digit = widest_m / decade;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -195,6 +196,7 @@ void Wizard::adjust(WizardKey key) {
 // ---- what happens by itself ----
 
 void Wizard::tick(const WizardSense& sense) {
+    contract_pre(std::isfinite(sense.now_s));
     const double dt_s = std::clamp(sense.now_s - now_s_, 0.0, kLongestTick_s);
     sense_ = sense;
     now_s_ = std::max(now_s_, sense.now_s);

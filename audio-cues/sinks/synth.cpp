@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/vec.h"
 
 namespace handrail {
@@ -639,7 +640,10 @@ std::vector<float> synthesise(SoundKind kind, SoundClass material) {
 
 std::vector<float> synthesise_notes(std::span<const Note> notes) {
     double end_s = 0.0;
-    for (const Note& note : notes) end_s = std::max(end_s, note.start_s + note.length_s);
+    for (const Note& note : notes) {
+        contract_pre(note.start_s >= 0.0 && note.length_s > 0.0 && note.level >= 0.0 && note.level <= 1.0);
+        end_s = std::max(end_s, note.start_s + note.length_s);
+    }
     std::vector<float> out(samples_of(end_s) + 1);
     for (const Note& note : notes) {
         const std::size_t from = samples_of(note.start_s), length = samples_of(note.length_s);

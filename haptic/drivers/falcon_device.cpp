@@ -7,6 +7,7 @@
 
 #include "haptic/drivers/falcon_kinematics.h"
 #include "haptic/drivers/force_packing.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 
@@ -71,7 +72,9 @@ std::vector<fs::path> falcon_firmware_files() {
 bool falcon_firmware_is_sound(const fs::path& file) { return read_firmware(file).has_value(); }
 
 FalconDevice::FalconDevice(std::unique_ptr<ByteLink> link, Clock& clock, FalconOptions options)
-    : spec_(*find_device_spec("falcon")), link_(std::move(link)), clock_(clock), options_(std::move(options)) {}
+    : spec_(*find_device_spec("falcon")), link_(std::move(link)), clock_(clock), options_(std::move(options)) {
+    contract_pre(link_);
+}
 
 FalconDevice::~FalconDevice() { FalconDevice::close(); }
 

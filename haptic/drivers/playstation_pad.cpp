@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -177,7 +178,9 @@ std::optional<PadInput> parse_pad_input(PadModel model, PadBus bus, std::span<co
 }
 
 PlaystationPad::PlaystationPad(std::unique_ptr<HidLink> link, PadModel model, PadBus bus)
-    : link_(std::move(link)), model_(model), bus_(bus) {}
+    : link_(std::move(link)), model_(model), bus_(bus) {
+    contract_pre(link_);
+}
 
 PlaystationPad::~PlaystationPad() { close(); }
 
