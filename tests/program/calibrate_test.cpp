@@ -84,7 +84,7 @@ TEST_F(CalibrateProgram, the_same_wizard_runs_inside_the_program_and_gives_the_w
     const ProgramRun done =
         run({"--no-window", "--device", "sim-t"}, "calibrate\n" + std::string(kSimulatedHand) + "where\nquit\n");
     EXPECT_EQ(done.exit_status, 0) << done.err;
-    expect_in_order(done.out, {"First room.", "bell on your left", "The simulated Touch is ready.", "Felt at",
+    expect_in_order(done.out, {"First room,", "bell on your left", "The simulated Touch is ready.", "Felt at",
                                "You are set up.", "Back in", "facing north"});
     EXPECT_THAT(settings(), HasSubstr("profile.sim-t.ceiling_n = 2.5"));
 }

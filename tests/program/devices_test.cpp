@@ -50,7 +50,7 @@ TEST(Devices, a_pad_that_is_not_plugged_in_costs_a_sentence) {
         const ProgramRun said = run({"--no-window", "--device", name});
         EXPECT_EQ(said.exit_status, 0) << said.err;
         EXPECT_THAT(said.out, HasSubstr("Plug it in whenever you like"));
-        EXPECT_THAT(said.out, HasSubstr("First room."));
+        EXPECT_THAT(said.out, HasSubstr("First room, 6 by 4 metres."));
     }
 }
 
@@ -68,13 +68,13 @@ TEST(Devices, a_makers_library_that_is_missing_or_lacking_costs_its_force_and_on
     const ProgramRun missing = run({"--no-window", "--device", "touch"});
     EXPECT_EQ(missing.exit_status, 0) << missing.err;
     EXPECT_THAT(missing.out, HasSubstr("libHD.so of 3D Systems is not installed"));
-    EXPECT_THAT(missing.out, HasSubstr("First room.")) << "the program goes on";
+    EXPECT_THAT(missing.out, HasSubstr("First room, 6 by 4 metres.")) << "the program goes on";
     const TemporaryFolder folder;
     std::filesystem::create_symlink(STANDIN_HD_LACKING, folder.path() / "libHD.so");
     const ProgramRun lacking = run({"--no-window", "--device", "omni"}, folder.path());
     EXPECT_EQ(lacking.exit_status, 0) << lacking.err;
     EXPECT_THAT(lacking.out, HasSubstr("lacks hdUnschedule"));
-    EXPECT_THAT(lacking.out, HasSubstr("First room."));
+    EXPECT_THAT(lacking.out, HasSubstr("First room, 6 by 4 metres."));
 }
 
 TEST(Devices, a_makers_library_that_plays_along_is_a_hand) {
@@ -82,7 +82,7 @@ TEST(Devices, a_makers_library_that_plays_along_is_a_hand) {
     std::filesystem::create_symlink(STANDIN_HD, folder.path() / "libHD.so");
     const ProgramRun played = run({"--no-window", "--device", "omni"}, folder.path());
     EXPECT_EQ(played.exit_status, 0) << played.err;
-    EXPECT_THAT(played.out, HasSubstr("First room."));
+    EXPECT_THAT(played.out, HasSubstr("First room, 6 by 4 metres."));
     EXPECT_THAT(played.out, Not(HasSubstr("not installed")));
     EXPECT_THAT(played.out, Not(HasSubstr("unplugged")));
 }

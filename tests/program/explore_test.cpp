@@ -23,7 +23,7 @@ TEST(Explore, without_anything_says_nothing_of_what_is_missing_but_where_one_is_
     EXPECT_THAT(run.out, HasSubstr("say: "));
     for (const char* missing : {"There is no display", "No touch device", "No sound device", "simulated"})
         EXPECT_THAT(run.out, testing::Not(HasSubstr(missing))) << "it does not matter before it is asked for";
-    EXPECT_THAT(run.out, HasSubstr("First room."));
+    EXPECT_THAT(run.out, HasSubstr("First room, 6 by 4 metres."));
     EXPECT_THAT(run.out, HasSubstr("facing north"));
 }
 

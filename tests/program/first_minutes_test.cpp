@@ -66,7 +66,7 @@ TEST_F(FirstMinutes, run_from_welcome_to_choice_with_the_keyboard_alone_and_are_
                                 "facing north"});
     const ProgramRun second = run({"--device", "none"}, "where\nquit\n");
     EXPECT_THAT(second.out, Not(HasSubstr("Welcome.")));
-    EXPECT_THAT(second.out, HasSubstr("First room."));
+    EXPECT_THAT(second.out, HasSubstr("First room, 6 by 4 metres."));
 }
 
 // The set-up of the device within them is the wizard's own: pulled, pushed, to the left hand's side, felt, a wall.
@@ -151,7 +151,7 @@ TEST_F(FirstMinutes, go_on_at_the_next_start_where_they_were_left) {
 
 TEST_F(FirstMinutes, give_way_to_a_script_that_knows_nothing_of_them_and_to_the_end_of_input) {
     const ProgramRun script = run({"--device", "none"}, "forward 5\nwhere\nquit\n");
-    expect_in_order(script.out, {"Welcome.", "First room.", "then north wall, plaster", "close by"});
+    expect_in_order(script.out, {"Welcome.", "First room,", "then north wall, plaster", "close by"});
     const TemporaryFolder other;
     ProgramCall call;
     call.program = HANDRAIL_PROGRAM;
@@ -159,7 +159,7 @@ TEST_F(FirstMinutes, give_way_to_a_script_that_knows_nothing_of_them_and_to_the_
     call.environment["XDG_CONFIG_HOME"] = other.path().string();
     const ProgramRun nobody = run_program(call);
     EXPECT_EQ(nobody.exit_status, 0) << nobody.err;
-    expect_in_order(nobody.out, {"Welcome.", "First room.", "facing north"});
+    expect_in_order(nobody.out, {"Welcome.", "First room,", "facing north"});
 }
 
 // Deliverable of the terminal: every command of the table, by its word, does something that is said or takes part; none
@@ -200,8 +200,8 @@ TEST(Terminal, worlds_are_chosen_by_lists_and_a_damaged_one_leaves_everything_as
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
     std::size_t from = 0;
-    for (const char* words : {"First room.", "Going to Broken.", "broken.map", "You stay in First room.",
-                              "Facing north", "Going to House.", "say: House", "You are", "House, visited before"}) {
+    for (const char* words : {"First room,", "Going to Broken.", "broken.map", "You stay in First room.",
+                              "Facing north", "Going to House.", "say: House", "facing", "House, visited before"}) {
         const std::size_t at = run.out.find(words, from);
         ASSERT_NE(at, std::string::npos) << words << "\n" << run.out;
         from = at + 1;

@@ -57,14 +57,14 @@ TEST(Terminal, says_first_how_to_act_there_and_names_keys_that_exist) {
 TEST(Terminal, keys_act_at_once_and_words_behind_a_colon) {
     const AtTerminal at;
     ASSERT_TRUE(at.in_first_room()) << at.job->said();
-    EXPECT_TRUE(at.after("\x1b[C", "North-east")) << "an arrow";
+    EXPECT_TRUE(at.after("\x1b[C", "North-north-east")) << "an arrow";
     EXPECT_TRUE(
         at.after(":hea\x7f"
                  "ading\r",
                  "Facing north"))
         << "a word";
-    EXPECT_TRUE(at.after("\t", "1 of 10")) << "the menu";
-    EXPECT_TRUE(at.after("\x1b[B", "2 of 10")) << "down the list";
+    EXPECT_TRUE(at.after("\t", "1 of 9")) << "the menu";
+    EXPECT_TRUE(at.after("\x1b[B", "2 of 9")) << "down the list";
     at.job->send(SIGTERM);
     EXPECT_EQ(at.job->ends(), 0);
     EXPECT_TRUE(at.job->as_before());

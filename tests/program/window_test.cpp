@@ -29,7 +29,7 @@ until timeout 20 xdotool search --onlyvisible --name Handrail windowfocus --sync
 done
 sleep 1; import -window root "$out/first.png"
 xdotool key F4; said "Walk, turning with you"
-xdotool key Right; said "North-east"
+xdotool key Right; said "North-north-east"
 xdotool key Left; sleep 0.5
 xdotool key F4; said "Map, north up"
 xdotool keydown Up; said "North wall, plaster"; sleep 8; xdotool keyup Up

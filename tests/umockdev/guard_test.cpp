@@ -271,7 +271,7 @@ class DyingProgram : public GuardProcess {
 protected:
     void press_on_the_floor() {
         if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
-        ASSERT_TRUE(program_.says("First room.") && program_.says("The Falcon is ready.")) << program_.said();
+        ASSERT_TRUE(program_.says("First room, 6 by 4 metres.") && program_.says("The Falcon is ready.")) << program_.said();
         for (const double up_m : {0.006, 0.0}) {  // a first movement, then the ramp of 1 s
             std::this_thread::sleep_for(100ms);
             const std::lock_guard guard(bus_.lock);
@@ -460,7 +460,7 @@ TEST(HotPlug, a_device_plugged_in_later_is_found_named_offered_and_used) {
     if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
     const test::TemporaryFolder home;
     RunningProgram program(home.path(), "auto");
-    ASSERT_TRUE(program.says("First room.")) << program.said();
+    ASSERT_TRUE(program.says("First room, 6 by 4 metres.")) << program.said();
     test::MockFalconBus bus(bed.bed);
     {
         const std::lock_guard guard(bus.lock);
@@ -659,7 +659,7 @@ TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_
     EXPECT_EQ(left_to_itself.exit_status, 0) << left_to_itself.err;
     EXPECT_THAT(left_to_itself.out,
                 testing::AllOf(testing::HasSubstr("I found a Novint Falcon."),
-                               testing::HasSubstr("simulated hand follows"), testing::HasSubstr("First room.")));
+                               testing::HasSubstr("simulated hand follows"), testing::HasSubstr("First room, 6 by 4 metres.")));
     call.arguments = {"--no-window", "--device", "falcon"};
     const test::ProgramRun asked_for = test::run_program(call);
     EXPECT_EQ(asked_for.exit_status, 1);

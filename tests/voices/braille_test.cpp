@@ -68,8 +68,8 @@ TEST_F(Brailled, shows_the_heading_and_the_words_that_are_spoken) {
     ASSERT_NO_FATAL_FAILURE(explore());
     if (!program) return;
     ASSERT_TRUE(press("Right"));
-    EXPECT_TRUE(braille->shows("North-east")) << everything();
-    EXPECT_TRUE(eventually([&] { return speech->spoke("North-east"); })) << everything();
+    EXPECT_TRUE(braille->shows("North-north-east")) << everything();
+    EXPECT_TRUE(eventually([&] { return speech->spoke("North-north-east"); })) << everything();
     ASSERT_TRUE(press("c"));
     EXPECT_TRUE(eventually([&] { return braille->shown() == "23 Facing north-east, 22 degrees"; }, 60.0))
         << everything();
@@ -121,7 +121,7 @@ TEST_F(Brailled, takes_another_display_of_the_same_server) {
     ASSERT_TRUE(braille->shows("Facing north")) << everything();
     ASSERT_TRUE(braille->unplug_display_and_plug_in_another()) << everything();
     ASSERT_TRUE(press("Right"));
-    EXPECT_TRUE(braille->shows("North-east")) << everything();
+    EXPECT_TRUE(braille->shows("North-north-east")) << everything();
     leave();
 }
 
@@ -137,7 +137,7 @@ TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_tur
     EXPECT_TRUE(program->says("alert: The braille display has gone; it is looked for again.")) << everything();
     EXPECT_TRUE(eventually([&] { return speech->spoke("The braille display has gone"); }, 60.0)) << everything();
     ASSERT_TRUE(press("Right"));
-    EXPECT_TRUE(eventually([&] { return speech->spoke("North-east"); }, 60.0)) << everything();
+    EXPECT_TRUE(eventually([&] { return speech->spoke("North-north-east"); }, 60.0)) << everything();
     ASSERT_TRUE(braille->start_again()) << everything();
     ASSERT_TRUE(press("c"));
     EXPECT_TRUE(braille->shows("Facing north-east, 22 degrees")) << everything();

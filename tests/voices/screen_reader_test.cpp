@@ -107,11 +107,11 @@ TEST_F(ReadByOrca, speaks_through_it_from_the_first_word_and_with_no_voice_of_it
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
     ASSERT_TRUE(desktop->press("Right"));
-    EXPECT_TRUE(spoken("North-east")) << everything();
+    EXPECT_TRUE(spoken("North-north-east")) << everything();
     ASSERT_TRUE(desktop->press("c"));
     EXPECT_TRUE(speaks_of("Facing north-east, 22 degrees")) << everything();
     // Once by Orca, and not once more by the speech server on our own behalf.
-    EXPECT_EQ(times_spoken("North-east"), 1) << everything();
+    EXPECT_EQ(times_spoken("North-north-east"), 1) << everything();
     EXPECT_TRUE(desktop->speech->spoke("Handrail.")) << everything();
     EXPECT_THAT(program->said(), Not(HasSubstr("built-in voice"))) << everything();
     leave();
@@ -122,11 +122,11 @@ TEST_F(ReadByOrca, repeats_word_for_word_on_request) {
     if (!program) return;
     ASSERT_TRUE(speaks_of("facing north")) << everything();
     ASSERT_TRUE(desktop->press("Right"));
-    ASSERT_TRUE(spoken("North-east")) << everything();
+    ASSERT_TRUE(spoken("North-north-east")) << everything();
     ASSERT_TRUE(desktop->press("space"));
-    EXPECT_TRUE(spoken("North-east", 2)) << everything();
+    EXPECT_TRUE(spoken("North-north-east", 2)) << everything();
     ASSERT_TRUE(desktop->press("space"));
-    EXPECT_TRUE(spoken("North-east", 3)) << everything();
+    EXPECT_TRUE(spoken("North-north-east", 3)) << everything();
     leave();
 }
 
@@ -137,7 +137,7 @@ TEST_F(ReadByOrca, has_each_key_first_but_for_the_stop_key) {
     // Insert with F is Orca's question about letters, F alone is our force key.
     ASSERT_TRUE(desktop->display->xdotool("keydown Insert key f keyup Insert"));
     ASSERT_TRUE(desktop->press("Right"));
-    ASSERT_TRUE(spoken("North-east")) << everything();
+    ASSERT_TRUE(spoken("North-north-east")) << everything();
     EXPECT_THAT(program->said(), Not(HasSubstr("There is no touch device"))) << everything();
     ASSERT_TRUE(desktop->press("f"));
     EXPECT_TRUE(speaks_of("There is no touch device")) << everything();
@@ -348,7 +348,7 @@ TEST_F(ReadByOrca, goes_on_when_it_is_killed_and_comes_back_to_it) {
     EXPECT_TRUE(program->says("alert: The screen reader has gone; the speech server speaks now.")) << everything();
     EXPECT_TRUE(spoken("The screen reader has gone; the speech server speaks now.")) << everything();
     ASSERT_TRUE(desktop->press("Right"));
-    EXPECT_TRUE(spoken("North-east")) << everything();
+    EXPECT_TRUE(spoken("North-north-east")) << everything();
     ASSERT_TRUE(desktop->start_orca()) << everything();
     EXPECT_TRUE(speaks_of("The screen reader speaks now.")) << everything();
     ASSERT_TRUE(desktop->press("c"));
@@ -363,7 +363,7 @@ TEST_F(ReadByOrca, goes_on_when_the_whole_session_bus_ends) {
     desktop->end_session();
     EXPECT_TRUE(program->says("alert: The screen reader has gone; the speech server speaks now.")) << everything();
     ASSERT_TRUE(desktop->press("Right"));
-    EXPECT_TRUE(spoken("North-east")) << everything();
+    EXPECT_TRUE(spoken("North-north-east")) << everything();
     leave();
 }
 

@@ -282,7 +282,7 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
         EXPECT_EQ(by_hand.app().settings().workspace.scale, Settings{}.workspace.scale);
         by_hand.pull_through();
         EXPECT_FALSE(by_hand.app().at_desk());
-        EXPECT_TRUE(by_hand.heard("Back in the world. You are"));
+        EXPECT_TRUE(by_hand.heard("Back in the world. At the base"));
         EXPECT_NE(by_hand.app().settings().workspace.scale, Settings{}.workspace.scale);
         EXPECT_EQ(by_hand.app().settings().workspace.scale, by_keys.app().settings().workspace.scale);
     }

@@ -95,7 +95,7 @@ TEST(KeptWays, from_what_was_planned_are_walked_stop_after_stop_after_a_restart)
         p, [&] { return p.heard("Kitchen. You are there."); }, 120.0))
         << p.app.feet_m().x << " " << p.app.feet_m().y;
     EXPECT_TRUE(p.heard("Living room. You are there. To Kitchen. "));
-    EXPECT_EQ(p.ask(Command::WhereAmI).substr(0, 9), "Kitchen. ");
+    EXPECT_EQ(p.ask(Command::WhereAmI).substr(0, 9), "Kitchen, ");
     p.ask(Command::Routes);
     EXPECT_EQ(p.item("Stop following"), "");  // it is over
 

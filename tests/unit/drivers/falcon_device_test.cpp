@@ -112,7 +112,7 @@ TEST(FalconDevice, refuses_in_one_sentence_what_cannot_be) {
     const std::string whole(image.begin(), image.end());
     for (const auto& [content, words] : {std::pair<std::string, std::string>{whole.substr(0, 2001), "cut off"},
                                          {"GIF89a", "does not begin like one"},
-                                         {whole + "x", "after its end"}}) {
+                                         {whole + "x", "does not end where it should"}}) {
         VirtualClock clock;
         FalconEmulator emulator;
         test::TemporaryFolder folder;

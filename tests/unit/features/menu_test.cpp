@@ -66,7 +66,7 @@ TEST_F(MenuAlone, leads_to_commands_and_has_them_performed) {
     EXPECT_TRUE(plain.lists.dialogue.is_open());
     line("search");
     line("which way");
-    EXPECT_THAT(plain.said().back(), HasSubstr("Which way do I face"));
+    EXPECT_THAT(plain.said().back(), HasSubstr("which way do I face"));
 }
 
 TEST_F(MenuAlone, gives_a_command_another_key) {
@@ -86,9 +86,9 @@ TEST_F(MenuAlone, explains_keys_in_input_help_and_does_nothing) {
     EXPECT_TRUE(menu.act(Command::InputHelp, 1.0));
     plain.said();
     EXPECT_TRUE(menu.commands().take_key("C", 1.0));
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Which way do I face")));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("which way do I face")));
     EXPECT_TRUE(menu.commands().take_line("heading", 1.0));
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Which way do I face")));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("which way do I face")));
     EXPECT_FALSE(menu.commands().take_line("no such thing", 1.0));
     EXPECT_FALSE(menu.commands().take_key("Shift+F1", 1.0)) << "the key that ends it";
     menu.act(Command::InputHelp, 1.0);
