@@ -24,13 +24,14 @@ std::shared_ptr<const Scene> still_part(const Scene& scene) {
     return still;
 }
 
-bool in_a_solid(const HapticScene& scene, const Vec3& world_m) {
+// Something solid is nearer than so far; below zero: that deep around it.
+bool solid_within(const HapticScene& scene, const Vec3& world_m, double nearer_m) {
     const Vec3 local_m = world_m - scene.origin_m;
-    bool inside = false;
-    scene.obstacle_bvh.within(local_m, kInside_m, [&](std::uint32_t obstacle, double&) {
-        inside = inside || (scene.solid(obstacle) && scene.closest(obstacle, local_m).distance_m < -kInside_m);
+    bool found = false;
+    scene.obstacle_bvh.within(local_m, std::abs(nearer_m), [&](std::uint32_t obstacle, double&) {
+        found = found || (scene.solid(obstacle) && scene.closest(obstacle, local_m).distance_m < nearer_m);
     });
-    return inside;
+    return found;
 }
 
 }  // namespace
@@ -346,14 +347,17 @@ void Monkey::check_places() {
             free.known = false;
             continue;
         }
-        const bool inside = in_a_solid(*touch, tool.proxy_m);
+        const bool inside = solid_within(*touch, tool.proxy_m, -kInside_m);
         const bool must_be_free =
             free.known && free.generation == touch->generation && free.jump == tool.workspace_jump;
         if (must_be_free) ++done_["ball in its place"];
         if (inside && must_be_free)
             fail(fmt::format("ball {} came into a solid at {} {} {}", which, tool.proxy_m.x, tool.proxy_m.y,
                              tool.proxy_m.z));
-        free = {!inside, touch->generation, tool.workspace_jump, tool.force_gain};
+        // What a ball was set down in lets it through until all of it is out.
+        const bool out =
+            (must_be_free && !inside) || !solid_within(*touch, tool.proxy_m, app().hand(which).tuning.touch.radius_m);
+        free = {out, touch->generation, tool.workspace_jump, tool.force_gain};
     }
     if (walls_of_ != app().scene()) {
         walls_of_ = app().scene();

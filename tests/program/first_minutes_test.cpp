@@ -182,9 +182,9 @@ TEST(Terminal, every_command_of_the_table_works_by_its_word) {
     for (const CommandInfo& row : command_table())
         EXPECT_THAT(run.out, Not(HasSubstr(fmt::format("There is no command \"{}\"", row.word))));
     EXPECT_THAT(run.out, HasSubstr("Did you mean \"where\"?"));
-    for (const char* words :
-         {"Facing north", "Level 3", "Menu.", "Forces", "Map, north up", "Room, ", "5 steps, 3.5 metres", "3.0 east",
-          "1 of ", "Input help on.", "forward: One step forward", "Welcome.", "bell on your left", "Goodbye."})
+    for (const char* words : {"Facing north", "Level 3", "Menu.", "Forces", "Walk, turning with you", "Room, ",
+                              "5 steps, 3.5 metres", "3.0 east", "1 of ", "Input help on.", "forward: One step forward",
+                              "Welcome.", "bell on your left", "Goodbye."})
         EXPECT_THAT(run.out, HasSubstr(words));
 }
 

@@ -271,7 +271,8 @@ class DyingProgram : public GuardProcess {
 protected:
     void press_on_the_floor() {
         if (!gives_its_time()) GTEST_SKIP() << "this machine is too busy to give a servo its rate";
-        ASSERT_TRUE(program_.says("First room, 6 by 4 metres.") && program_.says("The Falcon is ready.")) << program_.said();
+        ASSERT_TRUE(program_.says("First room, 6 by 4 metres.") && program_.says("The Falcon is ready."))
+            << program_.said();
         for (const double up_m : {0.006, 0.0}) {  // a first movement, then the ramp of 1 s
             std::this_thread::sleep_for(100ms);
             const std::lock_guard guard(bus_.lock);
@@ -657,9 +658,9 @@ TEST_F(GuardProcess, devices_command_names_the_rule_where_the_device_may_not_be_
     call.arguments = {"--no-window"};
     const test::ProgramRun left_to_itself = test::run_program(call);
     EXPECT_EQ(left_to_itself.exit_status, 0) << left_to_itself.err;
-    EXPECT_THAT(left_to_itself.out,
-                testing::AllOf(testing::HasSubstr("I found a Novint Falcon."),
-                               testing::HasSubstr("simulated hand follows"), testing::HasSubstr("First room, 6 by 4 metres.")));
+    EXPECT_THAT(left_to_itself.out, testing::AllOf(testing::HasSubstr("I found a Novint Falcon."),
+                                                   testing::HasSubstr("simulated hand follows"),
+                                                   testing::HasSubstr("First room, 6 by 4 metres.")));
     call.arguments = {"--no-window", "--device", "falcon"};
     const test::ProgramRun asked_for = test::run_program(call);
     EXPECT_EQ(asked_for.exit_status, 1);

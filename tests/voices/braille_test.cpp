@@ -71,7 +71,7 @@ TEST_F(Brailled, shows_the_heading_and_the_words_that_are_spoken) {
     EXPECT_TRUE(braille->shows("North-north-east")) << everything();
     EXPECT_TRUE(eventually([&] { return speech->spoke("North-north-east"); })) << everything();
     ASSERT_TRUE(press("c"));
-    EXPECT_TRUE(eventually([&] { return braille->shown() == "23 Facing north-east, 22 degrees"; }, 60.0))
+    EXPECT_TRUE(eventually([&] { return braille->shown() == "23 Facing north-north-east, 22 degrees"; }, 60.0))
         << everything();
     leave();
 }
@@ -140,7 +140,7 @@ TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_tur
     EXPECT_TRUE(eventually([&] { return speech->spoke("North-north-east"); }, 60.0)) << everything();
     ASSERT_TRUE(braille->start_again()) << everything();
     ASSERT_TRUE(press("c"));
-    EXPECT_TRUE(braille->shows("Facing north-east, 22 degrees")) << everything();
+    EXPECT_TRUE(braille->shows("Facing north-north-east, 22 degrees")) << everything();
 
     std::ofstream(pulled()) << "";
     EXPECT_TRUE(program->says("alert: The sound device was lost.")) << everything();

@@ -109,7 +109,7 @@ TEST_F(ReadByOrca, speaks_through_it_from_the_first_word_and_with_no_voice_of_it
     ASSERT_TRUE(desktop->press("Right"));
     EXPECT_TRUE(spoken("North-north-east")) << everything();
     ASSERT_TRUE(desktop->press("c"));
-    EXPECT_TRUE(speaks_of("Facing north-east, 22 degrees")) << everything();
+    EXPECT_TRUE(speaks_of("Facing north-north-east, 22 degrees")) << everything();
     // Once by Orca, and not once more by the speech server on our own behalf.
     EXPECT_EQ(times_spoken("North-north-east"), 1) << everything();
     EXPECT_TRUE(desktop->speech->spoke("Handrail.")) << everything();
@@ -352,7 +352,7 @@ TEST_F(ReadByOrca, goes_on_when_it_is_killed_and_comes_back_to_it) {
     ASSERT_TRUE(desktop->start_orca()) << everything();
     EXPECT_TRUE(speaks_of("The screen reader speaks now.")) << everything();
     ASSERT_TRUE(desktop->press("c"));
-    EXPECT_TRUE(speaks_of("Facing north-east, 22 degrees")) << everything();
+    EXPECT_TRUE(speaks_of("Facing north-north-east, 22 degrees")) << everything();
     leave();
 }
 

@@ -86,9 +86,9 @@ TEST_F(MenuAlone, explains_keys_in_input_help_and_does_nothing) {
     EXPECT_TRUE(menu.act(Command::InputHelp, 1.0));
     plain.said();
     EXPECT_TRUE(menu.commands().take_key("C", 1.0));
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("which way do I face")));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Which way do I face")));
     EXPECT_TRUE(menu.commands().take_line("heading", 1.0));
-    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("which way do I face")));
+    EXPECT_THAT(plain.said(), ElementsAre(HasSubstr("Which way do I face")));
     EXPECT_FALSE(menu.commands().take_line("no such thing", 1.0));
     EXPECT_FALSE(menu.commands().take_key("Shift+F1", 1.0)) << "the key that ends it";
     menu.act(Command::InputHelp, 1.0);

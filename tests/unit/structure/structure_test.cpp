@@ -191,23 +191,10 @@ TEST(IncludeDirection, is_drawn_as_it_is_in_the_architecture_document) {
 }
 
 TEST(TopLevel, holds_only_the_names_that_belong_there) {
-    const std::set<std::string> allowed{".ci",
-                                        ".clang-format",
-                                        ".clang-tidy",
-                                        ".clangd",
-                                        ".gitignore",
-                                        "CMakeLists.txt",
-                                        "CMakePresets.json",
-                                        "LICENSE",
-                                        "README.md",
-                                        "app",
-                                        "audio-cues",
-                                        "docs",
-                                        "haptic",
-                                        "run",
-                                        "settings",
-                                        "tests",
-                                        "worlds"};
+    const std::set<std::string> allowed{
+        ".ci",      ".clang-format", ".clang-tidy", ".clangd",    ".gitignore", "CMakeLists.txt", "CMakePresets.json",
+        "LICENSE",  "README.md",     "app",         "audio-cues", "docs",       "haptic",         "run",
+        "settings", "tests",         "worlds"};
     for (const std::string& file : test::project_files())
         EXPECT_TRUE(allowed.contains(file.substr(0, file.find('/')))) << file;
 }
