@@ -152,7 +152,7 @@ TEST_F(Brailled, goes_on_when_braille_and_sound_and_speech_are_taken_away_in_tur
     EXPECT_TRUE(braille->shows("The speech server has gone;")) << everything();
     ASSERT_TRUE(press("Right Right"));
     ASSERT_TRUE(press("c"));
-    EXPECT_TRUE(braille->shows("Facing east, 68 degrees")) << everything();
+    EXPECT_TRUE(braille->shows("Facing east-north-east, 68 degrees")) << everything();
 
     std::filesystem::remove(pulled());
     EXPECT_TRUE(program->says("alert: Sound is back")) << everything();
