@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/core/dialogue/words.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -74,6 +75,7 @@ std::vector<std::string> CompanionDevices::take_news() {
 }
 
 void CompanionDevices::give(const FingerCue& cue) {
+    contract_pre(cue.nearness >= 0.0 && cue.nearness <= 1.0 && cue.hardness >= 0.0 && cue.hardness <= 1.0);
     const std::lock_guard guard(mutex_);
     cue_ = cue;
 }

@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -273,6 +274,7 @@ const StepInstance* StepFile::find(std::uint64_t id) const {
 }
 
 std::vector<StepValue> StepFile::values_of(const StepInstance& instance) const {
+    contract_pre(find(instance.id));
     return ValueParser(instance.values).all();
 }
 

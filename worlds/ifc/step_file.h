@@ -45,7 +45,7 @@ public:
     const std::string& schema() const { return schema_; }                      // "IFC2X3", as the header has it
     const std::vector<StepInstance>& instances() const { return instances_; }  // in file order
     const StepInstance* find(std::uint64_t id) const;
-    // Of an instance with one name. What is damaged there ends the list.
+    // Of an instance of this file with one name. What is damaged there ends the list.
     std::vector<StepValue> values_of(const StepInstance& instance) const;
 
 private:
