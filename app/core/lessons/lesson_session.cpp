@@ -53,7 +53,8 @@ void LessonSession::tell(const LessonReply& reply, double now_s) {
     if (reply.done && !reply.praise.empty()) context_.play(SoundKind::Arrived, now_s);
     const double later_s = reply.done && !reply.praise.empty() ? now_s + kAfterName_s : now_s;
     if (!reply.praise.empty()) said_later_.push_back({reply.at_once ? now_s : later_s, reply.praise});
-    if (!reply.instruction.empty()) said_later_.push_back({later_s, reply.instruction});
+    const bool nothing_to_set_up = reply.set_up && !owner_sets_up_;
+    if (!reply.instruction.empty() && !nothing_to_set_up) said_later_.push_back({later_s, reply.instruction});
     if (in_first_minutes() && reply.done) keep_welcome(static_cast<int>(run_->at()), false);
     if (reply.begin_here) on_begin_here(now_s);
     if (reply.set_up && owner_sets_up_) {
