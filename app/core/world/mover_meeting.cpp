@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/core/world/walker.h"
 #include "worlds/scene/models.h"
 
 namespace handrail {
