@@ -377,7 +377,7 @@ public:
 
 private:
     static constexpr double kFeel_m = 0.002, kPress_m = 0.0006;
-    static constexpr double kFast = 0.8;  // hand metres a second for each second between ticks
+    static constexpr double kFast = 0.85;  // hand metres a second for each second between ticks
     struct HeardNearer {
         Vec3 went_m{0.0};  // hand metres
         double nearer = 0.0;
