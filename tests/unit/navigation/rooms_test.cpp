@@ -247,7 +247,7 @@ TEST(Rooms, are_named_by_the_map_the_person_what_is_in_them_or_size_and_place) {
     const RoomGraph plain = rooms_of(two_rooms(32.0));
     std::set<std::string> told;
     for (const Room& room : plain.rooms) {
-        EXPECT_TRUE(room.name.starts_with("room, ")) << room.name;
+        EXPECT_TRUE(room.name == "room, east" || room.name == "room, west") << room.name;
         told.insert(room.name.substr(room.name.rfind(' ') + 1));
     }
     EXPECT_EQ(told, (std::set<std::string>{"east", "west"}));
