@@ -1,0 +1,191 @@
+#include "haptic/render/proxy_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handrail {
+
+using namespace proxy_parts;
+
+namespace {
+
+constexpr int kMostRubs =
+    6;  // looks at what the ball touches where friction stops it; flat surfaces need two, round ones three
+constexpr double kHangs = 0.1;  // of the ball's radius: so near a surface is one that the path bridged
+
+}  // namespace
+
+// Where the ball, so far free, first touches something on the hand's own straight way: the solver's path leads straight
+// to the resting place and touches only there, and what lies before the first touch is no way along a surface. Each cut
+// that is met without touching is renewed from there.
+template <class Has>
+void ProxySolver::touch_down(const HapticScene& scene) noexcept {
+    ball_m_ = path_[0];
+    double way_left = path_cap_m_;
+    while (rounds_left_ > 0 && work_left_ > 0) {
+        --rounds_left_;
+        Vec3 way = goal_m_ - ball_m_;
+        if (const double length = glm::length(way); length > way_left) way *= way_left / length;
+        int met = -1;
+        const double fraction = fraction_inside(way, &met);
+        ball_m_ += way * fraction;
+        way_left -= glm::length(way) * fraction;
+        if (met < 0) break;
+        double distance = 0.0;
+        keep_cut<Has>(met, support<Has>(scene, met, ball_m_, distance));
+        if (distance - radius_m_ <= kTouching_m) break;
+    }
+    path_[1] = ball_m_;
+    path_size_ = 2;
+    rubs_from_ = 1;
+}
+
+// Renews every cut that the ball stands behind, as cuts that were renewed further along may be, and tells the surfaces
+// that the ball touches where it is.
+template <class Has>
+int ProxySolver::touched(const HapticScene& scene, std::array<HalfSpace, kMostTouched>& surfaces) noexcept {
+    int count = 0;
+    for (int i = 0; i < count_; ++i) {
+        const HalfSpace h = wall(i);
+        const double slack = glm::dot(h.normal, ball_m_) - h.offset_m;
+        const bool behind = slack < -0.1 * kProjectionTolerance_m;
+        if (!behind && (slack > kTouching_m || count >= kMostTouched)) continue;
+        double distance = 0.0;
+        const HalfSpace cut = support<Has>(scene, i, ball_m_, distance);
+        if (behind) keep_cut<Has>(i, cut);
+        if (distance - radius_m_ <= kTouching_m && count < kMostTouched)
+            surfaces[static_cast<std::size_t>(count++)] = {cut.normal, cut.offset_m + radius_m_};
+    }
+    return count;
+}
+
+// The surface that the ball hangs a little above, as where its path bridged a round one: it goes straight down to it. A
+// hair above or touching must make no difference.
+template <class Has>
+int ProxySolver::hangs_over(const HapticScene& scene, const Vec3& goal_m, HalfSpace& surface) noexcept {
+    double least = kHangs * radius_m_;
+    int count = 0;
+    for (int i = 0; i < count_; ++i) {
+        const HalfSpace h = wall(i);
+        if (glm::dot(h.normal, ball_m_) - h.offset_m >= least) continue;
+        double distance = 0.0;
+        const HalfSpace cut = support<Has>(scene, i, ball_m_, distance);
+        if (distance - radius_m_ >= least || glm::dot(cut.normal, goal_m) >= cut.offset_m + radius_m_) continue;
+        keep_cut<Has>(i, cut);
+        least = distance - radius_m_;
+        surface = {cut.normal, cut.offset_m + radius_m_};
+        count = 1;
+    }
+    return count;
+}
+
+// Rounds towards a goal like those of move(), as far as candidates are known; nothing is gathered.
+template <class Has>
+void ProxySolver::draw(const HapticScene& scene) noexcept {
+    ++moves_;
+    while (rounds_left_ > 0 && work_left_ > 0) {
+        --rounds_left_;
+        bool solved = project();
+        Vec3 way = basis_.point_m - ball_m_;
+        if (!solved) way *= fraction_inside(way);
+        if (Has::kOneSided && one_sided_count_ > 0) {
+            if (const double fraction = fraction_to_waking(scene, way); fraction < 1.0) {
+                way *= fraction;
+                solved = false;
+            }
+        }
+        const double length = glm::length(way), known = std::max(0.0, known_around<Has>(ball_m_) - radius_m_);
+        const bool short_of = length > known;
+        ball_m_ = short_of ? ball_m_ + way * (known / length) : solved ? basis_.point_m : ball_m_ + way;
+        path_[static_cast<std::size_t>(path_size_++)] = ball_m_;
+        if (short_of) return;
+        if (Has::kOneSided && one_sided_count_ > 0 && turn_sheets(scene)) continue;
+        if (basis_.count == 0 || !renew_holding_cuts<Has>(scene)) return;
+    }
+}
+
+// Friction where the ball stands: by the press against what it touches there, not against what it would meet further
+// along, and none in the air. The ball stays where it lags less behind than that friction holds, or goes on until it
+// lags as much: to where surfaces would let it rest if the hand were drawn back by the lag.
+template <class Has>
+void ProxySolver::rub(const HapticScene& scene, double share) noexcept {
+    const ProjectionBasis rest = basis_;
+    const Vec3 goal = goal_m_;
+    Vec3 lag = ball_m_ - rest.point_m;
+    std::array<HalfSpace, kMostTouched> surfaces;
+    for (int round = 0; round < kMostRubs && rounds_left_ > 0 && work_left_ > 0; ++round) {
+        int count = touched<Has>(scene, surfaces);
+        const bool hangs = count == 0;
+        if (hangs) count = hangs_over<Has>(scene, goal, surfaces[0]);
+        if (count > 0) {
+            ProjectionBasis here;
+            project_on_half_spaces(
+                goal, count, [&](int i) { return surfaces[static_cast<std::size_t>(i)]; }, here);
+            lag = ball_m_ - here.point_m;
+            if (hangs) lag -= surfaces[0].normal * glm::dot(lag, surfaces[0].normal);
+            const double reach = share * glm::length(here.point_m - goal), length = glm::length(lag);
+            if (!hangs && length <= reach + kTouching_m) break;
+            if (length > reach) lag *= reach / length;
+        }
+        goal_m_ = goal + lag;
+        draw<Has>(scene);
+    }
+    goal_m_ = goal;
+    basis_ = rest;
+}
+
+template <class Has>
+void ProxySolver::hold_back(const HapticScene& scene, double reach_m) noexcept {
+    const Vec3 target = basis_.point_m;
+    const double reach2 = reach_m * reach_m;
+    const auto beyond = [&](const Vec3& p) { return glm::dot(p - target, p - target) - reach2; };
+    const auto off_a_hold = [&] {
+        for (int k = 0; k < basis_.count; ++k) {
+            const HalfSpace h = wall(basis_.index[static_cast<std::size_t>(k)]);
+            if (glm::dot(h.normal, ball_m_) - h.offset_m > kTouching_m) return true;
+        }
+        return false;
+    };
+    bool rubs = rounds_left_ > 0;
+    // Where not all of that way is known, as after a gathering that was cut short or lay further along, the path that
+    // the ball went is.
+    const auto knows_the_way = [&] {
+        return known_around<Has>(path_[0]) - radius_m_ >= std::min(path_cap_m_, glm::length(goal_m_ - path_[0]));
+    };
+    if (was_free_ && rubs && path_size_ > 1 && knows_the_way()) {
+        touch_down<Has>(scene);
+    } else {
+        if (beyond(ball_m_) >= 0.0) return;
+        const bool bent = path_size_ > 2;  // pieces of such a path bridge round surfaces
+        while (path_size_ > 1) {
+            const Vec3 from = path_[static_cast<std::size_t>(path_size_ - 2)];
+            const double outside = beyond(from);
+            if (outside >= 0.0) {
+                const Vec3 way = path_[static_cast<std::size_t>(path_size_ - 1)] - from;
+                const double a = glm::dot(way, way), b = glm::dot(way, from - target);
+                if (a > 0.0)
+                    ball_m_ =
+                        from + way * std::clamp((-b - std::sqrt(std::max(0.0, b * b - a * outside))) / a, 0.0, 1.0);
+                path_[static_cast<std::size_t>(path_size_ - 1)] = ball_m_;
+                break;
+            }
+            ball_m_ = from;
+            --path_size_;
+        }
+        rubs = rubs && (bent || off_a_hold());
+    }
+    const double press_m = glm::length(target - goal_m_);
+    if (rubs && press_m > 0.0) rub<Has>(scene, reach_m / press_m);
+    // Cuts renewed further along may lie across the place where the ball stopped.
+    for (int i = 0; i < count_; ++i) {
+        const HalfSpace h = wall(i);
+        if (glm::dot(h.normal, ball_m_) >= h.offset_m - 0.1 * kProjectionTolerance_m) continue;
+        double distance = 0.0;
+        keep_cut<Has>(i, support<Has>(scene, i, ball_m_, distance));
+    }
+}
+
+template void ProxySolver::hold_back<PlainFeatures>(const HapticScene&, double) noexcept;
+template void ProxySolver::hold_back<AllFeatures>(const HapticScene&, double) noexcept;
+
+}  // namespace handrail

@@ -1,0 +1,286 @@
+#include "haptic/render/proxy_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace handrail {
+
+using namespace proxy_parts;
+
+namespace {
+
+// Free-space distance is only needed as a lower bound L with kLoose * distance <= L: an exact answer has no useful
+// worst case (in the middle of a round room everything is equally near), this one visits a few nodes.
+constexpr double kLoose = 0.7;
+
+// Of the way from what is needed now to how far is looked: nearer obstacles get the cut at their closest point, farther
+// ones a quick one. None: the ball then meets loose cuts and takes more rounds; all: 1,000 instructions more per tick
+// on a sphere of a million triangles.
+constexpr double kExact = 0.3;
+constexpr double kFarther = 1.03;  // than the last gathering went, where obstacles are dense
+
+constexpr int kLeastLooks = 128;  // so that a move that has begun to look gets somewhere
+constexpr double kCrowdedReach =
+    1.15;  // of what is needed: how far candidates are gathered where more stand near than are comfortable
+
+bool nearer(double distance_a, std::uint32_t a, double distance_b, std::uint32_t b) noexcept {
+    return distance_a != distance_b ? distance_a < distance_b : a < b;
+}
+
+}  // namespace
+
+bool ProxySolver::is_ghost(std::uint32_t obstacle, std::uint16_t body) const noexcept {
+    const auto end = ghosts_.begin() + ghost_count_;
+    return std::find_if(ghosts_.begin(), end,
+                        [&](const Ghost& g) { return g.obstacle == obstacle && g.body == body; }) != end;
+}
+
+// The same for the obstacles of one body that has just appeared, or of everything still.
+void ProxySolver::place_in(const HapticScene& scene, std::uint16_t body, double radius_m) noexcept {
+    if (body != kStill && !track_of(body).present) return;
+    const HapticScene& shape = body == kStill ? scene : *scene.bodies[body].shape;
+    const Vec3 at = local_m();
+    const double scale = body == kStill ? 1.0 : track_of(body).frame.scale;
+    const Vec3 own = body == kStill ? at : track_of(body).frame.to_own(at) - shape.origin_m;
+    const int most_looks = std::clamp((work_left_ - kRoundsWork) / kLookWork, 4, kMostLooks);
+    int looks = most_looks;
+    const double known =
+        shape.obstacle_bvh.nearest_first(own, radius_m / scale, looks, queue_, [&](std::uint32_t item, double&) {
+            const double distance = shape.closest(item, own).distance_m * scale;
+            if (shape.solid(item) && distance <= 0.0) {
+                if (ghost_count_ < kMaxGhosts) ghosts_[static_cast<std::size_t>(ghost_count_++)] = {item, body};
+            } else if (shape.obstacles[item].side == TouchSide::Both || shape.in_front_m(item, own) >= 0.0) {
+                radius_m_ = std::min(radius_m_, std::max(distance, kSmallestRadius_m));
+            }
+        });
+    looks_ += most_looks - looks;
+    spend((most_looks - looks) * kLookWork);
+    // Where there was too much to look at, what was not looked at may begin here.
+    if (looks <= 0) radius_m_ = std::min(radius_m_, std::max(known * scale, kSmallestRadius_m));
+}
+
+// The `most` nearest obstacles of a shape within reach into nearest_, each with a cut; what is not near is ranked by
+// how far its cut is. Returns how far all are known: reach_m, or less when there were more or the looks ran out. Own
+// metres.
+double ProxySolver::gather_nearest(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m,
+                                   double needed_m, std::size_t most) noexcept {
+    const auto before = [](const Candidate& a, const Candidate& b) {
+        return nearer(a.distance_m, a.obstacle, b.distance_m, b.obstacle);
+    };
+    std::uint32_t normals = 0;
+    nearest_count_ = 0;
+    const auto drop_farthest = [&] {
+        const auto begin = nearest_.begin(), last = begin + static_cast<std::ptrdiff_t>(most > 0 ? most - 1 : 0);
+        std::nth_element(begin, last, begin + static_cast<std::ptrdiff_t>(nearest_count_), before);
+        nearest_count_ = most;
+        return last->distance_m;
+    };
+    double known =
+        shape.obstacle_bvh.nearest_first(at, reach_m, looks_left_, queue_, [&](std::uint32_t item, double& reach) {
+            if (ghost_count_ > 0 && is_ghost(item, body)) return;
+            // Places behind the kept ones hold numbers of normals that are free again.
+            Candidate& candidate = nearest_[nearest_count_];
+            if (nearest_count_ == normals) candidate.normal = normals++;
+            Vec3& normal = nearest_normals_[candidate.normal];
+            double distance = shape.quick_support(item, at, normal);
+            if (distance > reach) return;
+            if (distance < needed_m + kExact * (reach - needed_m)) {
+                const ClosestPoint found = shape.closest(item, at);
+                distance = -glm::dot(found.normal, found.point_m - at);
+                if (found.distance_m > reach) return;
+                normal = found.normal;
+            }
+            candidate.distance_m = distance;
+            candidate.obstacle = item;
+            if (++nearest_count_ == most + kSpareCandidates) reach = std::min(reach, drop_farthest());
+        });
+    if (nearest_count_ > most) known = std::min(known, drop_farthest());
+    return known;
+}
+
+// Adds the obstacles of one shape within reach_m of a place to the candidates, each with a fresh cut; where that is too
+// many, as far as the nearest go. Returns the distance up to which all are candidates. Own metres.
+double ProxySolver::collect(const HapticScene& shape, std::uint16_t body, const Vec3& at, double reach_m,
+                            double needed_m, std::size_t room) noexcept {
+    const std::size_t comfortable = std::min<std::size_t>(kComfortableCandidates, room);
+    bool& crowded = body == kStill ? crowded_ : track_of(body).crowded;
+    const auto look = [&](double reach, std::size_t most) {
+        const int looks = std::clamp((work_left_ - kRoundsWork) / kLookWork, kLeastLooks, kMostLooks);
+        looks_left_ = looks;
+        const double known = gather_nearest(shape, body, at, reach, needed_m, most);
+        looks_ += looks - looks_left_;
+        spend((looks - looks_left_) * kLookWork);
+        return known;
+    };
+    double known = 0.0;
+    if (!crowded) {
+        // Where obstacles are dense, about as far as the last look went: looking farther first only to drop what was
+        // found takes half of the time.
+        const double likely =
+            body == kStill ? std::clamp(kFarther * dense_m_, needed_m, std::max(reach_m, needed_m)) : reach_m;
+        known = look(likely, comfortable);
+        if (likely < reach_m && known == likely && nearest_count_ < comfortable / 2) known = look(reach_m, comfortable);
+        if (body == kStill) dense_m_ = known;
+    }
+    if (known < needed_m) {
+        // Every candidate costs time in every round: as far as is needed and a little more.
+        known = look(std::min(std::max(reach_m, needed_m), kCrowdedReach * needed_m), room);
+        crowded = nearest_count_ > comfortable;
+        step_.truncated = step_.truncated || known < needed_m;
+    }
+    for (std::size_t k = 0; k < nearest_count_; ++k) {
+        const auto i = static_cast<std::size_t>(count_++);
+        cuts_[i] = {nearest_normals_[nearest_[k].normal], -nearest_[k].distance_m};
+        obstacles_[i] = nearest_[k].obstacle;
+        owners_[i] = body;
+        looked_ahead_[i] = 0;
+        sheets_[i] = Sheet::No;
+        if (!shape.one_sided_sheets || shape.obstacles[obstacles_[i]].side == TouchSide::Both) continue;
+        sheets_[i] = Sheet::Asleep;
+        cuts_[i].offset_m = kNoCut_m;
+        ++one_sided_count_;
+    }
+    return known;
+}
+
+// Makes every obstacle within reach_m of the ball a candidate.
+void ProxySolver::gather(const HapticScene& scene, double reach_m, double needed_m) noexcept {
+    ++gatherings_;
+    if (gathers_on_) return gather_waiting(scene, reach_m, needed_m);
+    const Vec3 at = local_m();
+    for (int i = 0; i < path_size_; ++i) path_[static_cast<std::size_t>(i)] -= ball_m_;
+    anchor_m_ = at;
+    ball_m_ = Vec3(0.0);
+    basis_.count = 0;
+    if (one_sided_count_ > 0) remember_awake();
+    count_ = 0;
+    one_sided_count_ = 0;
+    known_m_ = collect(scene, kStill, at, reach_m, needed_m, kMaxCandidates);
+    if (count_ == 0) {
+        double best = std::max(kFarthestLook_m, 2.0 * reach_m);
+        const double free_m = scene.obstacle_bvh.nearest_first(
+            at, kLoose * best, looks_left_, queue_, [&](std::uint32_t item, double& reach) {
+                if (ghost_count_ > 0 && is_ghost(item, kStill)) return;
+                best = std::min(best, scene.closest(item, at).distance_m);
+                reach = std::min(reach, kLoose * best);
+            });
+        known_m_ = std::max(known_m_, free_m);
+    }
+    bodies_known_m_ = std::numeric_limits<double>::infinity();
+    bodies_moved_ = bodies_unknown_ = false;
+    std::size_t near = 0;
+    for (const std::uint16_t b : tracked_ids()) {
+        Track& track = track_of(b);
+        track.unknown = track.looked_at = false;
+        if (!track.present) continue;
+        track.reach_m = scene.bodies[b].reach_m * track.frame.scale;
+        track.looked_at = known_of_body(track, at) <= reach_m;  // no part of it is nearer than this
+        if (track.looked_at) ++near;
+    }
+    // All of them at once where that is not too much; else those that there is time for, and the others on the next
+    // moves.
+    for (std::size_t k = 0; near > 0; ++k) {
+        Track& track = track_of(tracked_[k]);
+        if (!track.present || !track.looked_at) continue;
+        track.known_from_m = track.frame.to_own(at);
+        if (work_left_ > 0) {
+            look_at_body(scene, tracked_[k], reach_m, needed_m, near);
+        } else {
+            track.known_m = -1.0;
+            track.unknown = bodies_unknown_ = true;
+        }
+        bodies_known_m_ = std::min(bodies_known_m_, track.known_m);
+        --near;
+    }
+    gathers_on_ = bodies_unknown_;
+    if (one_sided_count_ > 0) turn_sheets(scene);
+    awake_count_ = 0;
+}
+
+// Makes candidates of what is near of one body, where `share` bodies share the room that is left.
+void ProxySolver::look_at_body(const HapticScene& scene, std::uint16_t body, double reach_m, double needed_m,
+                               std::size_t share) noexcept {
+    Track& track = track_of(body);
+    const HapticScene& shape = *scene.bodies[body].shape;
+    const PlacedFrame& frame = track.frame;
+    const Vec3 at = local_m(), own = frame.to_own(at);
+    const auto left = static_cast<std::size_t>(kMaxCandidates - count_);
+    const std::size_t room = std::min(left, std::max<std::size_t>(left / share, 8));
+    const int first = count_;
+    track.unknown = false;
+    track.known_from_m = own;
+    track.known_m = collect(shape, body, own - shape.origin_m, reach_m / frame.scale, needed_m / frame.scale,
+                            share == 1 ? left : room) *
+                    frame.scale;
+    track.short_of_room = track.known_m < needed_m;
+    for (int i = first; i < count_; ++i) {
+        const HalfSpace cut = cuts_[static_cast<std::size_t>(i)];  // own axes and metres, from `own`
+        const Vec3 normal = frame.turned(cut.normal);
+        keep_cut(i, {normal, cut.offset_m * frame.scale + glm::dot(normal, ball_m_)});
+    }
+}
+
+// While a gathering takes more than one move: of what stands still and of each body only what was not looked at yet, or
+// of which too little is known by now. What is known of the others holds.
+void ProxySolver::gather_waiting(const HapticScene& scene, double reach_m, double needed_m) noexcept {
+    reach_m = std::min(reach_m, 1.5 * needed_m);
+    const double enough_m = 0.01 * radius_m_;  // looking again from nearer than this would tell nothing new
+    const Vec3 at = local_m();
+    const double still_known = known_m_ - glm::length(ball_m_);
+    const bool look_at_still = still_known < needed_m && (glm::length(ball_m_) > enough_m || known_m_ < 0.0);
+    if (one_sided_count_ > 0) remember_awake();
+    for (int i = 0; i < path_size_; ++i) path_[static_cast<std::size_t>(i)] -= ball_m_;
+    for (int i = 0; i < count_; ++i) {
+        HalfSpace& cut = cuts_[static_cast<std::size_t>(i)];
+        cut.offset_m -= glm::dot(cut.normal, ball_m_);
+    }
+    anchor_m_ = at;
+    ball_m_ = Vec3(0.0);
+    known_m_ = still_known;
+    basis_.count = 0;
+    bodies_unknown_ = false;
+    bodies_moved_ = true;  // known_around() then asks each body
+    if (look_at_still) {
+        drop_candidates(kStill);
+        known_m_ = collect(scene, kStill, at, reach_m, needed_m, static_cast<std::size_t>(kMaxCandidates - count_));
+    }
+    std::size_t near = 0, left = 0;
+    const auto wants_look = [&](const Track& track) {
+        if (!track.present) return false;
+        if (!track.looked_at) return known_of_body(track, at) < needed_m;
+        return track.unknown ||
+               (known_of_body(track, at) < needed_m &&
+                !(track.short_of_room &&
+                  glm::length(track.frame.to_own(at) - track.known_from_m) * track.frame.scale <= enough_m));
+    };
+    for (const std::uint16_t b : tracked_ids()) {
+        Track& track = track_of(b);
+        if (track.present && track.looked_at && glm::length(at - track.frame.position_m) - track.reach_m > reach_m) {
+            drop_candidates(b);
+            track.looked_at = track.unknown = false;
+        }
+        near += track.present && track.looked_at;
+        left += wants_look(track);
+    }
+    for (std::size_t k = 0; left > 0; ++k) {
+        const std::uint16_t id = tracked_[k];
+        Track& track = track_of(id);
+        if (!wants_look(track)) continue;
+        if (track.looked_at && !track.unknown) drop_candidates(id);
+        track.looked_at = true;
+        if (work_left_ > 0) {
+            look_at_body(scene, id, reach_m, needed_m, left);
+        } else {
+            track.known_from_m = track.frame.to_own(at);
+            track.known_m = -1.0;
+            track.unknown = bodies_unknown_ = true;
+        }
+        --left;
+    }
+    gathers_on_ = bodies_unknown_ || near > 1;
+    if (one_sided_count_ > 0) turn_sheets(scene);
+    awake_count_ = 0;
+}
+
+}  // namespace handrail
