@@ -12,7 +12,7 @@
 namespace handrail {
 namespace {
 
-constexpr std::uint32_t kNone = 0xFFFFFFFFU;
+constexpr std::uint32_t kNoPoint = 0xFFFFFFFFU;
 constexpr double kLowest_m = 1e-7;  // below this height over its longest edge a triangle is that edge for touch too
 
 // Points by a key of three integers: a table with open addressing that holds indices.
@@ -20,21 +20,21 @@ class PointTable {
 public:
     using Key = std::array<std::int64_t, 3>;
 
-    explicit PointTable(std::size_t most) : slots_(std::bit_ceil(2 * most + 2), kNone) { keys_.reserve(most); }
+    explicit PointTable(std::size_t most) : slots_(std::bit_ceil(2 * most + 2), kNoPoint) { keys_.reserve(most); }
 
     // Calls visit(point) for the points with this key.
     template <class Visit>
     void each(const Key& key, Visit&& visit) const {
         for (std::size_t i = hash(key);; ++i) {
             const std::uint32_t point = slots_[i & (slots_.size() - 1)];
-            if (point == kNone) return;
+            if (point == kNoPoint) return;
             if (keys_[point] == key) visit(point);
         }
     }
     // Points come in rising order from 0.
     void add(const Key& key) {
         std::size_t i = hash(key);
-        while (slots_[i & (slots_.size() - 1)] != kNone) ++i;
+        while (slots_[i & (slots_.size() - 1)] != kNoPoint) ++i;
         slots_[i & (slots_.size() - 1)] = static_cast<std::uint32_t>(keys_.size());
         keys_.push_back(key);
     }
@@ -93,7 +93,7 @@ void keep(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, const std::v
 
 // Drops triangles without area whose longest edge is an edge of one with area (a point: a corner), so that nothing of
 // them is missed; and all but the first of those with the same corners and surface.
-void tidy(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, MeshReport& report) {
+void tidy_triangles(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, MeshReport& report) {
     std::vector<bool> dropped(mesh.triangles.size(), false), flat(mesh.triangles.size(), false),
         used(mesh.points_m.size(), false);
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -131,11 +131,11 @@ void tidy(TriangleMesh& mesh, std::vector<std::uint32_t>& surfaces, MeshReport& 
 
 // Leaves out points that no triangle uses.
 void compact(TriangleMesh& mesh) {
-    std::vector<std::uint32_t> place(mesh.points_m.size(), kNone);
+    std::vector<std::uint32_t> place(mesh.points_m.size(), kNoPoint);
     std::vector<Vec3> points;
     for (Corners& t : mesh.triangles)
         for (std::uint32_t& corner : t) {
-            if (place[corner] == kNone) {
+            if (place[corner] == kNoPoint) {
                 place[corner] = static_cast<std::uint32_t>(points.size());
                 points.push_back(mesh.points_m[corner]);
             }
@@ -171,10 +171,10 @@ TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, M
     for (std::size_t i = 0; i < 3 * mesh.triangles.size(); ++i) {
         const Vec3& p = corners_m[i];
         const PointTable::Key exact{bits(p.x), bits(p.y), bits(p.z)};
-        std::uint32_t met = kNone;
+        std::uint32_t met = kNoPoint;
         table.each(exact, [&](std::uint32_t point) { met = point; });
-        if (met == kNone) {
-            std::uint32_t one = kNone;
+        if (met == kNoPoint) {
+            std::uint32_t one = kNoPoint;
             double nearest = tolerance_m;
             if (tolerance_m > 0.0)
                 for (int dx = -1; dx <= 1; ++dx)
@@ -186,7 +186,7 @@ TriangleMesh weld_corners(std::span<const Vec3> corners_m, double tolerance_m, M
                                 nearest = distance;
                                 one = point;
                             });
-            if (one == kNone) {
+            if (one == kNoPoint) {
                 one = static_cast<std::uint32_t>(mesh.points_m.size());
                 mesh.points_m.push_back(p);
                 if (tolerance_m > 0.0) cells.add({cell(p.x), cell(p.y), cell(p.z)});
@@ -211,7 +211,7 @@ PreparedMesh prepare_mesh(std::span<const Vec3> corners_m, std::span<const std::
     report.triangles = surfaces.size();
     TriangleMesh mesh = weld_corners(corners_m, options.weld_m, report);
     std::vector<std::uint32_t> own(surfaces.begin(), surfaces.end());
-    if (options.tidy) tidy(mesh, own, report);
+    if (options.tidy) tidy_triangles(mesh, own, report);
     if (options.simplify_m > 0.0) {
         report.simplify_bound_m = options.simplify_m;
         SimplifiedMesh coarse = simplify_mesh(mesh, own, options.simplify_m);

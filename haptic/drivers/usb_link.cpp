@@ -22,7 +22,7 @@ struct HandleEnd {
     void operator()(libusb_device_handle* handle) const { libusb_close(handle); }
 };
 using Context = std::unique_ptr<libusb_context, ContextEnd>;
-using Handle = std::unique_ptr<libusb_device_handle, HandleEnd>;
+using UsbHandle = std::unique_ptr<libusb_device_handle, HandleEnd>;
 
 Context make_context() {
     libusb_context* context = nullptr;
@@ -73,7 +73,7 @@ unsigned milliseconds(double seconds) noexcept {
 
 class LibusbLink final : public ByteLink {
 public:
-    LibusbLink(Context context, Handle handle) : context_(std::move(context)), handle_(std::move(handle)) {}
+    LibusbLink(Context context, UsbHandle handle) : context_(std::move(context)), handle_(std::move(handle)) {}
     ~LibusbLink() override { libusb_release_interface(handle_.get(), 0); }
 
     bool control(std::uint8_t request, std::uint16_t value) noexcept override {
@@ -100,7 +100,7 @@ private:
     }
 
     Context context_;  // outlives the handle
-    Handle handle_;
+    UsbHandle handle_;
 };
 
 }  // namespace
@@ -123,7 +123,7 @@ Result<std::vector<UsbDeviceInfo>> list_usb_devices(std::span<const UsbId> wante
             info.permitted = status != LIBUSB_ERROR_ACCESS;
             info.problem = reason_of_usb(status);
         } else {
-            const Handle handle(raw);
+            const UsbHandle handle(raw);
             info.serial = text_of(raw, descriptor.iSerialNumber);
             info.product_name = text_of(raw, descriptor.iProduct);
         }
@@ -149,7 +149,7 @@ Result<std::unique_ptr<ByteLink>> open_usb_link(const UsbDeviceInfo& wanted) {
         return true;
     });
     if (status != 0) return fail(phrase("drivers.usb_cannot_open", {{"reason", reason_of_usb(status)}}));
-    Handle handle(raw);
+    UsbHandle handle(raw);
     libusb_set_auto_detach_kernel_driver(raw, 1);
     if (status = libusb_claim_interface(raw, 0); status != 0)
         return fail(status == LIBUSB_ERROR_BUSY
