@@ -21,6 +21,8 @@ bool counts_by_itself(Command command) {
         case Command::Back:
         case Command::TurnLeft:
         case Command::TurnRight:
+        case Command::SideLeft:
+        case Command::SideRight:
         case Command::TrailLeft:
         case Command::TrailRight:
         case Command::Retrace:

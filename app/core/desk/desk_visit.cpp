@@ -21,6 +21,8 @@ bool needs_world(Command command) {
         case Command::Back:
         case Command::TurnLeft:
         case Command::TurnRight:
+        case Command::SideLeft:
+        case Command::SideRight:
         case Command::SwitchFrame:
         case Command::Use:
         case Command::BringOut:
@@ -34,6 +36,7 @@ bool needs_world(Command command) {
         case Command::Retrace:
         case Command::FreeLeft:
         case Command::FreeRight:
+        case Command::FaceWay:
             return true;
         case Command::WorkspaceCentre:  // a jump, which ends the visit
             return false;

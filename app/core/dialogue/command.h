@@ -16,6 +16,8 @@ enum class Command : std::uint8_t {
     Back,  // a tap is one step; held, walking
     TurnLeft,
     TurnRight,
+    SideLeft,  // steps to the side, facing as before
+    SideRight,
     TiltUp,
     TiltDown,
     // Marks and guidance, after force and frame.
@@ -67,9 +69,13 @@ enum class Command : std::uint8_t {
     Exits,           // of this room, clockwise
     UnvisitedExits,  // that lead where one has not been
     Routes,          // a list of rooms; the way to the chosen one in words, and along it
-    NameRoom,        // another name for the room one is in, typed
-    Ways,            // a list of the ways that were kept
-    KeepWay,         // the one planned or walked last, under a name
+    RepeatLeg,       // of the way that is followed, from where one is
+    NextLeg,
+    RestOfWay,
+    FaceWay,   // turns to the leg that is told
+    NameRoom,  // another name for the room one is in, typed
+    Ways,      // a list of the ways that were kept
+    KeepWay,   // the one planned or walked last, under a name
     PlanView,
     // Help and settings.
     Menu,  // everything that can be done, in a list

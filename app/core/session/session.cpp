@@ -187,6 +187,10 @@ void Session::act(Command command, double now_s, int times) {
         case Command::Find:
         case Command::CrossLines:
         case Command::Routes:
+        case Command::RepeatLeg:
+        case Command::NextLeg:
+        case Command::RestOfWay:
+        case Command::FaceWay:
             guide_.act(command, now_s);
             break;
         case Command::Ways:

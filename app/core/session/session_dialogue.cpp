@@ -30,6 +30,8 @@ bool only_asks(Command command) {
         case Command::WhatIsThis:
         case Command::Exits:
         case Command::UnvisitedExits:
+        case Command::RepeatLeg:
+        case Command::RestOfWay:
         case Command::Repeat:
         case Command::HistoryBack:
         case Command::HistoryForward:

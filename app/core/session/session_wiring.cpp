@@ -59,6 +59,10 @@ void Session::wire() {
         answer(phrase("movers.elsewhere") + " " + where_am_i(), now_s);
     };
     learn_.place.on_go_to_room = [this](std::uint32_t room, double now_s) { guide_.go_to_room(room, now_s); };
+    guide_.on_face = [this](double heading_rad, double now_s) { walk_.walking.face(heading_rad, now_s); };
+    walk_.walking.line_up_m = [this](const Vec3& feet_m, double heading_rad) {
+        return guide_.line_up_m(feet_m, heading_rad);
+    };
     walk_.by_ear.where_am_i = [this] { return where_am_i(); };
     walk_.walking.on_walked = [this](const WalkResult& walked, double now_s) {
         learn_.place.note(walked.bump ? std::optional(walked.bump->normal) : std::nullopt, walk_.by_ear.wall_at_side(),

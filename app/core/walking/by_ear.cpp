@@ -58,7 +58,8 @@ std::optional<Vec3> ByEar::wall_at_side() const {
 }
 
 void ByEar::notice(Command command) {
-    const bool walks = command == Command::Forward || command == Command::Back;
+    const bool walks = command == Command::Forward || command == Command::Back || command == Command::SideLeft ||
+                       command == Command::SideRight;
     const bool turns = command == Command::TurnLeft || command == Command::TurnRight || command == Command::FreeLeft ||
                        command == Command::FreeRight || command == Command::SquareUp;
     const bool trails = command == Command::TrailLeft || command == Command::TrailRight ||

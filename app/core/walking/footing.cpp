@@ -39,6 +39,8 @@ void Footing::notice(Command command, double now_s) {
     switch (command) {
         case Command::Forward:
         case Command::Back:
+        case Command::SideLeft:
+        case Command::SideRight:
         case Command::TrailLeft:
         case Command::TrailRight:
         case Command::TrailOn:

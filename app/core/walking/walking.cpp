@@ -34,7 +34,9 @@ void Walking::enter_world() {
     path_m_.assign(1, body_.feet_m());
     by_ear_.enter_world();
     footing_.enter_world();
-    pending_way_m_ = since_footstep_m_ = 0.0;
+    halt();
+    since_footstep_m_ = 0.0;
+    gait_.begin();
     blocked_ = false;
     heading_due_s_.reset();
     paces_.begin();
@@ -43,7 +45,9 @@ void Walking::enter_world() {
 void Walking::set_down(const Vec3& feet_m, double heading_rad) {
     body_.walker->place(feet_m);
     body_.heading_rad = body_.heading_goal_rad = wrap_angle(heading_rad);
-    pending_way_m_ = since_footstep_m_ = 0.0;
+    halt();
+    since_footstep_m_ = 0.0;
+    gait_.begin();
     blocked_ = false;
     heading_due_s_.reset();
     paces_.begin();
@@ -79,7 +83,8 @@ void Walking::fall_silent() {
 }
 
 bool Walking::idle() const {
-    return pending_way_m_ == 0.0 && (!body_.walker || body_.walker->state().on_ground) && !by_ear_.leads() &&
+    return pending_way_m_ == 0.0 && pending_side_m_ == 0.0 && gait_.aside_left_m() == 0.0 &&
+           (!body_.walker || body_.walker->state().on_ground) && !by_ear_.leads() &&
            body_.heading_rad == body_.heading_goal_rad;
 }
 
@@ -96,10 +101,16 @@ bool Walking::act(Command command, double now_s, int times) {
     const double notch_rad = radians_from_degrees(context_.settings.walk.turn_deg);
     switch (command) {
         case Command::Forward:
-            step(1.0, times);
+            step(pending_way_m_, 1.0, times);
             return true;
         case Command::Back:
-            step(-1.0, times);
+            step(pending_way_m_, -1.0, times);
+            return true;
+        case Command::SideRight:
+            step(pending_side_m_, 1.0, times);
+            return true;
+        case Command::SideLeft:
+            step(pending_side_m_, -1.0, times);
             return true;
         case Command::TurnLeft:
             turn_by(-notch_rad, times, now_s);
@@ -124,10 +135,19 @@ bool Walking::act(Command command, double now_s, int times) {
     }
 }
 
-void Walking::step(double sign, int times) {
-    const double left_m = std::max(0.0, pending_way_m_ * sign);
-    pending_way_m_ = sign * more_to_go_m(left_m, context_.settings.walk.step_length_m, times);
+void Walking::step(double& pending_m, double sign, int times) {
+    const double left_m = std::max(0.0, pending_m * sign);
+    halt();
+    pending_m = sign * more_to_go_m(left_m, context_.settings.walk.step_length_m, times);
+    if (left_m == 0.0) gait_.begin();
     blocked_ = false;
+}
+
+void Walking::face(double heading_rad, double now_s) {
+    body_.heading_goal_rad = wrap_angle(heading_rad);
+    context_.play(SoundKind::TurnTick, now_s);
+    heading_due_s_.reset();
+    context_.answer(sentence_case(fine_compass_word(body_.heading_goal_rad)), now_s);
 }
 
 // To the next notch that way, or to one so many further on.
@@ -176,22 +196,48 @@ void Walking::turn(double now_s, double dt_s) {
     free_keys_told_ = free_keys != 0.0;
 }
 
-void Walking::walk(double now_s, double dt_s) {
-    const double keys = keys_.sign(Command::Forward, Command::Back);
-    double way = 0.0;  // this tick, signed along the heading
-    const double stride = context_.settings.walk.speed_m_per_s * dt_s;
-    if (keys != 0.0) way = keys * stride;
-    else way = std::clamp(pending_way_m_, -stride, stride);
-    if (way * pending_way_m_ > 0.0)
-        pending_way_m_ -= std::copysign(std::min(std::abs(way), std::abs(pending_way_m_)), pending_way_m_);
-
-    Vec3 wish = forward_of_heading(body_.heading_rad) * (way / dt_s);
+// What keys, taps and sticks want of this tick, metres per second; way_m: how far that is.
+Vec3 Walking::own_wish(double& way_m, double dt_s) {
+    const double speed = context_.settings.walk.speed_m_per_s, stride = speed * dt_s;
+    const Vec3 ahead = forward_of_heading(body_.heading_rad), right = right_of_heading(body_.heading_rad);
+    const double keys = keys_.sign(Command::Forward, Command::Back),
+                 side_keys = keys_.sign(Command::SideRight, Command::SideLeft);
+    const auto by = [&](const Vec3& towards, double signed_m) {
+        way_m = std::abs(signed_m);
+        return towards * (signed_m / dt_s);
+    };
+    if (keys != 0.0) return by(ahead, keys * stride);
+    if (pending_way_m_ != 0.0) return by(ahead, std::clamp(pending_way_m_, -stride, stride));
+    if (side_keys != 0.0) return by(right, side_keys * stride);
+    if (pending_side_m_ != 0.0) return by(right, std::clamp(pending_side_m_, -stride, stride));
+    if (steering_.ahead == 0.0 && steering_.right == 0.0) return Vec3(0.0);
     // A stick goes as fast as it is pushed, sideways too, never faster than a key.
-    if (way == 0.0 && (steering_.ahead != 0.0 || steering_.right != 0.0)) {
-        const Vec3 pushed = forward_of_heading(body_.heading_rad) * steering_.ahead +
-                            forward_of_heading(body_.heading_rad + kPi / 2.0) * steering_.right;
-        wish = pushed * (context_.settings.walk.speed_m_per_s / std::max(1.0, glm::length(pushed)));
-        way = glm::length(wish) * dt_s;
+    const Vec3 pushed = ahead * steering_.ahead + right * steering_.right;
+    const Vec3 wish = pushed * (speed / std::max(1.0, glm::length(pushed)));
+    way_m = glm::length(wish) * dt_s;
+    return wish;
+}
+
+void Walking::take_from_pending(double way_m) {
+    for (double* pending_m : {&pending_way_m_, &pending_side_m_}) {
+        const double left_m = std::abs(*pending_m) - way_m;
+        *pending_m = left_m > 1e-9 ? std::copysign(left_m, *pending_m) : 0.0;
+    }
+}
+
+void Walking::walk(double now_s, double dt_s) {
+    double way = 0.0;  // this tick
+    Vec3 wish = own_wish(way, dt_s);
+    const bool by_itself = by_ear_.leads();
+    if (way == 0.0) gait_.stand();
+    if (way != 0.0 && !went_ && pending_way_m_ == 0.0 && pending_side_m_ == 0.0) gait_.begin();
+    went_ = way != 0.0;
+    // Into a doorway first whose frame was met.
+    const double aside_m = by_itself || way == 0.0 ? 0.0 : gait_.aside_left_m();
+    const Vec3 own = wish;
+    if (aside_m != 0.0) {
+        way = std::min(std::abs(aside_m), context_.settings.walk.speed_m_per_s * dt_s);
+        wish = right_of_heading(std::atan2(own.x, own.y)) * std::copysign(way / dt_s, aside_m);
     }
     if (const auto lead = by_ear_.lead(now_s, dt_s)) {
         wish = *lead;
@@ -199,13 +245,16 @@ void Walking::walk(double now_s, double dt_s) {
     }
     const WalkerState stood = body_.walker->state();
     WalkResult walked = body_.walker->tick(wish, dt_s);
-    if (footing_.held_at_edge(stood, paces_, now_s)) {
+    const bool at_edge = footing_.held_at_edge(stood, paces_, now_s);
+    if (at_edge) {
         halt();
         by_ear_.halt();
         walked.walked_m = 0.0;
         walked.ground = body_.ground;
         walked.bump.reset();
+        walked.met.reset();
     }
+    if (walked.met) met_ = walked.met;
     if (body_.walker->state().on_ground && !context_.hands.tuning.panic) {
         by_ear_.lay_crumb();
         footing_.tick(stood.feet_m, walked, now_s);
@@ -220,10 +269,14 @@ void Walking::walk(double now_s, double dt_s) {
     body_.ground = walked.ground;
     if (walked.landed) context_.say(phrase("session.fell", {{"metres", walked.fell_m}}), SpeechClass::Answer, now_s);
     if (way != 0.0) paces_.walked(walked.walked_m);
+    if (!by_itself && aside_m == 0.0) take_from_pending(stood.on_ground ? walked.walked_m : way);
 
-    if (walked.bump && !(by_ear_.leads() && walked.walked_m > 0.0)) {
+    const bool stopped = by_itself ? walked.bump && !(by_ear_.leads() && walked.walked_m > 0.0)
+                                   : aside_m == 0.0 && !at_edge && !go_on(walked, wish, way, now_s);
+    if (aside_m != 0.0) gait_.went_aside(way, walked.walked_m);
+    if (stopped) {
         halt();
-        if (!blocked_) tell_bump(*walked.bump, std::atan2(wish.x, wish.y), now_s);
+        if (!blocked_ && met_) tell_bump(*met_, std::atan2(wish.x, wish.y), now_s);
         blocked_ = true;
     } else if (way != 0.0 && walked.walked_m > 0.9 * std::abs(way)) {
         blocked_ = false;
@@ -235,6 +288,54 @@ void Walking::walk(double now_s, double dt_s) {
         context_.say(phrase("session.fell_out"), SpeechClass::Answer, now_s);
         go_home(now_s);
     }
+}
+
+// False: what was met stops the walk.
+bool Walking::go_on(const WalkResult& walked, const Vec3& wish, double way_m, double now_s) {
+    if (way_m == 0.0) return true;
+    const double way_rad = std::atan2(wish.x, wish.y);
+    const auto line_up = [&]() -> std::optional<double> {
+        if (!line_up_m || !body_.walker->state().on_ground) return std::nullopt;
+        return line_up_m(body_.feet_m(), way_rad);
+    };
+    switch (gait_.went(way_m, walked.walked_m, walked.met.has_value(), line_up)) {
+        case Gait::Goes::On:
+            slid_m_ = 0.0;
+            return true;
+        case Gait::Goes::Along:
+            tell_slide(*walked.met, walked.walked_m, now_s);
+            return true;
+        case Gait::Goes::Aside:
+            tell_frame(now_s);
+            return true;
+        case Gait::Goes::Stopped:
+            break;
+    }
+    return false;
+}
+
+// The shoulder that has met it is the one away from the doorway.
+void Walking::tell_frame(double now_s) {
+    if (blocked_) return;
+    const bool left = gait_.aside_left_m() > 0.0;
+    context_.say(
+        phrase("walking.frame", {{"shoulder", phrase(left ? "walking.left_shoulder" : "walking.right_shoulder")}}),
+        SpeechClass::Contact, now_s);
+}
+
+// What one brushes along is heard, softly.
+void Walking::tell_slide(const TraceHit& met, double way_m, double now_s) {
+    constexpr double kHeardEvery_m = 0.3, kLoudness = 0.35;
+    const bool begins = slid_m_ == 0.0;
+    slid_m_ += way_m;
+    if (!begins && slid_m_ < kHeardEvery_m) return;
+    slid_m_ = std::max(1e-9, slid_m_ - (begins ? 0.0 : kHeardEvery_m));
+    CueRequest brush =
+        sound_at(SoundKind::Contact,
+                 body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m) - met.normal * body_.walker->size().radius_m, now_s);
+    brush.material = context_.world.scene->material(met.material).sound;
+    brush.loudness = kLoudness;
+    context_.cues.cue(std::move(brush));
 }
 
 void Walking::tell_step(const WalkerState& before, const WalkResult& walked, double now_s) {

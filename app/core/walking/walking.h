@@ -9,6 +9,7 @@
 
 #include "app/core/walking/by_ear.h"
 #include "app/core/walking/footing.h"
+#include "app/core/walking/gait.h"
 #include "app/core/walking/paces.h"
 #include "app/core/walking/steering.h"
 
@@ -40,7 +41,12 @@ public:
     // Acts until told otherwise. What is not finite counts as rest.
     void steer(const Steering& steering);
     // Steps that are still to go are not gone.
-    void halt() { pending_way_m_ = 0.0; }
+    void halt() {
+        pending_way_m_ = pending_side_m_ = 0.0;
+        gait_.stand();
+    }
+    // Turns to that heading and says it.
+    void face(double heading_rad, double now_s);
     // The same, and the tone of the walls has been silenced with everything else.
     void fall_silent();
 
@@ -56,12 +62,19 @@ public:
     std::function<void(const WalkResult& walked, double now_s)> on_walked;
     // The body has bumped into something it had got away from before: once for each bump that is heard.
     std::function<void(FeatureId feature, double now_s)> on_bumped;
+    // How far to the right somebody must slide who was stopped there, to come into a doorway: BlindGround::line_up_m.
+    std::function<std::optional<double>(const Vec3& feet_m, double heading_rad)> line_up_m;
 
 private:
-    void step(double sign, int times);
+    void step(double& pending_m, double sign, int times);
     void turn_by(double by_rad, int times, double now_s);
     void turn(double now_s, double dt_s);
     void walk(double now_s, double dt_s);
+    Vec3 own_wish(double& way_m, double dt_s);
+    void take_from_pending(double way_m);
+    bool go_on(const WalkResult& walked, const Vec3& wish, double way_m, double now_s);
+    void tell_frame(double now_s);
+    void tell_slide(const TraceHit& met, double way_m, double now_s);
     void tell_step(const WalkerState& before, const WalkResult& walked, double now_s);
     void tell_heading(double now_s);
     void tell_rest(bool goes, double now_s);
@@ -73,8 +86,13 @@ private:
     ByEar& by_ear_;
     Footing& footing_;
     Steering steering_;
-    double pending_way_m_ = 0.0;  // of taps, positive ahead; walked even when the key is up again
+    double pending_way_m_ = 0.0;   // of taps, positive ahead; walked even when the key is up again
+    double pending_side_m_ = 0.0;  // the same to the right
+    Gait gait_;
+    double slid_m_ = 0.0;          // along something since it was heard last
+    std::optional<TraceHit> met_;  // on this walk, last
     double since_footstep_m_ = 0.0;
+    bool went_ = false;     // in the last tick, by oneself
     bool blocked_ = false;  // a bump was told and the body has not got away since
     bool stick_turns_ = false, free_keys_told_ = false;
     double last_turn_repeat_s_ = 0.0;

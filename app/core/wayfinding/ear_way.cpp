@@ -1,5 +1,6 @@
 #include "app/core/wayfinding/ear_way.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -14,8 +15,51 @@ void EarWay::follow_to(const Vec3& goal_m, const std::string& name, const std::s
     follow(rooms_.navigation().plan(context_.body.feet_m(), goal_m), name, first, now_s);
 }
 
-void EarWay::follow(Route route, const std::string& name, const std::string& first, double now_s) {
+void EarWay::stop() {
     follower_.stop();
+    word_.stop();
+    room_.reset();
+    faces_ = false;
+}
+
+void EarWay::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
+    const Room& to = rooms_.graph().rooms[room];
+    const std::string name = sentence_case(to.name);
+    Route route = rooms_.navigation().plan(context_.body.feet_m(), to.middle_m);
+    const bool on_foot = std::all_of(route.passages.begin(), route.passages.end(), [](const RoutePassage& passage) {
+        return passage.kind == PassageKind::Door || passage.kind == PassageKind::Opening ||
+               passage.kind == PassageKind::Stairs;
+    });
+    if (!route.reaches || route.points_m.size() < 2 || !on_foot) return follow(std::move(route), name, first, now_s);
+    stop();
+    word_.begin(room, name);
+    if (!word_.at_work()) return follow(std::move(route), name, first, now_s);
+    room_ = room;
+    std::string words = first.empty() ? first : first + ' ';
+    words += phrase("rooms.way", {{"goal", name}, {"route", overview_words(context_, rooms_, route)}});
+    if (const std::string leg = word_.leg(); !leg.empty()) words += ' ' + leg;
+    context_.answer(words, now_s);
+    context_.events.tell(Led{name, LedBy::Ear}, now_s);
+    to_nearest_ = false;
+    follow_silently(std::move(route), name);
+}
+
+void EarWay::follow_again(const std::string& first, double now_s) {
+    if (room_) return follow_to_room(*room_, first, now_s);
+    follow_to(Vec3(goal_m()), std::string(name_), first, now_s);
+}
+
+// Where it leads is known to whoever looks at the way, and nothing is said of it.
+void EarWay::follow_silently(Route route, const std::string& goal) {
+    name_ = goal;
+    plans_.know(route.points_m);
+    planned_in_ = context_.world.scene;
+    std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
+    follower_.follow(std::move(route), std::move(nodes));
+}
+
+void EarWay::follow(Route route, const std::string& name, const std::string& first, double now_s) {
+    stop();
     std::string goal = name, words = first.empty() ? first : first + ' ';
     if (route.points_m.empty()) return context_.answer(words + phrase("rooms.no_way_no_floor"), now_s);
     if (!route.reaches) {
@@ -29,15 +73,12 @@ void EarWay::follow(Route route, const std::string& name, const std::string& fir
         words += ' ';
         goal = phrase("rooms.nearest_place_to", {{"goal", name}});
     }
-    std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
+    const std::vector<RouteNode> nodes = nodes_to(context_, route, goal);
     const std::string how = route_words(route, nodes, context_.body.heading_rad, distances(context_));
     context_.answer(words + phrase("rooms.way", {{"goal", goal}, {"route", how}}), now_s);
     context_.events.tell(Led{goal, LedBy::Ear}, now_s);
-    name_ = goal;
     to_nearest_ = !route.reaches;
-    plans_.know(route.points_m);
-    planned_in_ = context_.world.scene;
-    follower_.follow(std::move(route), std::move(nodes));
+    follow_silently(std::move(route), goal);
 }
 
 void EarWay::renew() {
@@ -47,17 +88,13 @@ void EarWay::renew() {
     const Vec3& feet_m = context_.body.feet_m();
     Route route = plans_.runs_to(name_) ? plans_.on(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m());
     if (!route.reaches || route.points_m.size() < 2) return;
-    std::vector<RouteNode> nodes = nodes_to(context_, route, name_);
-    plans_.know(route.points_m);
-    follower_.follow(std::move(route), std::move(nodes));
+    follow_silently(std::move(route), std::string(name_));
 }
 
 void EarWay::tell_on(double now_s) const {
     if (!follower_.following()) return context_.answer(phrase("way.none"), now_s);
     const Vec3& feet_m = context_.body.feet_m();
-    const auto leg = next_leg(
-        plans_.runs_to(name_) ? plans_.looked_at(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m()), feet_m,
-        0.5 * context_.settings.walk.step_length_m);
+    const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
     if (!leg) return context_.answer(phrase("way.no_floor"), now_s);
     const Vec3 off = leg->to_m - feet_m;
     const Route& route = leg->route;
@@ -71,6 +108,86 @@ void EarWay::tell_on(double now_s) const {
                 now_s);
         }
     context_.answer(phrase("way.next", {{"goal", name_}, {"where", where}, {"all", all}}), now_s);
+}
+
+// The rest of it from here.
+Route EarWay::planned() const {
+    const Vec3& feet_m = context_.body.feet_m();
+    return plans_.runs_to(name_) ? plans_.looked_at(feet_m) : rooms_.navigation().plan(feet_m, follower_.goal_m());
+}
+
+// What is not there yet is told as soon as it is.
+void EarWay::tell(const std::string& words, double now_s) {
+    if (!words.empty()) return context_.answer(words, now_s);
+    if (word_.at_work()) return context_.answer(phrase("leg.looks"), now_s);
+    tell_on(now_s);
+}
+
+void EarWay::tell_leg(double now_s) {
+    if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
+    tell(word_.leg(), now_s);
+}
+
+void EarWay::tell_next_leg(double now_s) {
+    if (!follower_.following() || !word_.at_work()) return tell_on(now_s);
+    tell(word_.next_leg(), now_s);
+}
+
+void EarWay::tell_rest(double now_s) {
+    if (!follower_.following()) return tell_on(now_s);
+    if (word_.at_work()) return tell(word_.rest(), now_s);
+    const Route route = planned();
+    if (route.points_m.size() < 2) return tell_on(now_s);
+    context_.answer(
+        route_words(route, nodes_to(context_, route, name_), context_.body.heading_rad, distances(context_)), now_s);
+}
+
+std::optional<double> EarWay::leg_heading_rad() const {
+    if (!follower_.following()) return std::nullopt;
+    if (const auto heading_rad = word_.heading_rad()) return heading_rad;
+    const Vec3& feet_m = context_.body.feet_m();
+    const auto leg = next_leg(planned(), feet_m, 0.5 * context_.settings.walk.step_length_m);
+    if (!leg) return std::nullopt;
+    return std::atan2(leg->to_m.x - feet_m.x, leg->to_m.y - feet_m.y);
+}
+
+RouteFollower::Said EarWay::tick(double now_s) {
+    if (word_.at_work()) return tick_words(now_s);
+    return follower_.tick(context_.body.feet_m(), distances(context_));
+}
+
+RouteFollower::Said EarWay::tick_words(double now_s) {
+    RouteFollower::Said said;
+    const WordWay::News news = word_.tick();
+    if (news.planned) {
+        if (!word_.at_work()) {
+            // None for words: as the ways of hands are told.
+            Route route = planned();
+            follow(std::move(route), std::string(name_), {}, now_s);
+            return said;
+        }
+        context_.answer(word_.leg(), now_s);
+    }
+    tell_facing(now_s);
+    said.left = news.left;
+    said.arrived = news.arrived;
+    if (!news.arrived) return said;
+    said.text = phrase("route.arrived", {{"goal", sentence_case(name_)}});
+    stop();
+    return said;
+}
+
+// A soft tone from ahead, once, when one has turned to where the leg leads.
+void EarWay::tell_facing(double now_s) {
+    constexpr double kFacing_rad = 0.05, kLoudness = 0.4;
+    const auto heading_rad = word_.heading_rad();
+    const bool faces = heading_rad && std::abs(wrap_angle(*heading_rad - context_.body.heading_rad)) < kFacing_rad;
+    if (!std::exchange(faces_, faces) && faces) {
+        CueRequest tone = sound_at(SoundKind::BeaconAhead,
+                                   context_.body.ears_m() + forward_of_heading(context_.body.heading_rad), now_s);
+        tone.loudness = kLoudness;
+        context_.cues.cue(std::move(tone));
+    }
 }
 
 }  // namespace handrail

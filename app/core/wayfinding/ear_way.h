@@ -2,24 +2,30 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/core/context/telling.h"
 #include "app/core/wayfinding/route_words.h"
 #include "app/core/wayfinding/way_plans.h"
+#include "app/core/wayfinding/word_way.h"
 
 namespace handrail {
 
 class EarWay {
 public:
-    EarWay(const SessionContext& context, Rooms& rooms, WayPlans& plans)
-        : context_(context), rooms_(rooms), plans_(plans) {}
+    EarWay(const SessionContext& context, Rooms& rooms, WayPlans& plans, WordGround& ground)
+        : context_(context), rooms_(rooms), plans_(plans), word_(context, rooms, ground) {}
 
     // Tells the way and follows it; where the goal cannot be reached, to the nearest place that can. `first` is said
     // before all else. The rooms are found.
     void follow(Route route, const std::string& name, const std::string& first, double now_s);
     void follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
-    void stop() { follower_.stop(); }
+    // To a room by words, leg by leg; as follow_to where lifts, teleporters or edges lead there.
+    void follow_to_room(std::uint32_t room, const std::string& first, double now_s);
+    // Anew to where one is going.
+    void follow_again(const std::string& first, double now_s);
+    void stop();
     bool following() const { return follower_.following(); }
     // As it is told: of the goal or of the nearest place to it. Kept when the way is over.
     const std::string& name() const { return name_; }
@@ -28,16 +34,31 @@ public:
     double along_m() const { return follower_.along_m(); }
     // How far it goes on straight, which way, and to what.
     void tell_on(double now_s) const;
+    // The leg one is on, the next one, or the rest of the way.
+    void tell_leg(double now_s);
+    void tell_next_leg(double now_s);
+    void tell_rest(double now_s);
+    // Which way the leg that was told leads; none: no way is followed.
+    std::optional<double> leg_heading_rad() const;
     // A leaf stands across the rest of the way by now: it goes on round it, without a word but what comes.
     void renew();
     // What there is to say now.
-    RouteFollower::Said tick() { return follower_.tick(context_.body.feet_m(), distances(context_)); }
+    RouteFollower::Said tick(double now_s);
 
 private:
+    Route planned() const;
+    void follow_silently(Route route, const std::string& goal);
+    void tell(const std::string& words, double now_s);
+    RouteFollower::Said tick_words(double now_s);
+    void tell_facing(double now_s);
+
     const SessionContext& context_;
     Rooms& rooms_;
     WayPlans& plans_;
     RouteFollower follower_;
+    WordWay word_;
+    std::optional<std::uint32_t> room_;  // that one goes to by words
+    bool faces_ = false;                 // the leg that was told
     std::string name_;
     bool to_nearest_ = false;
     std::shared_ptr<const Scene> planned_in_;  // the world as it was when the way was planned

@@ -40,6 +40,7 @@ void Guide::enter_world() {
     laps_ = {};
     plans_.enter_world();
     ear_.stop();
+    ground_.enter_world();
     hand_.enter_world();
     seek_.enter_world();
     doors_.forget_told();
@@ -65,6 +66,18 @@ bool Guide::act(Command command, double now_s) {
         case Command::Routes:
             list_routes(now_s);
             return true;
+        case Command::RepeatLeg:
+            ear_.tell_leg(now_s);
+            return true;
+        case Command::NextLeg:
+            ear_.tell_next_leg(now_s);
+            return true;
+        case Command::RestOfWay:
+            ear_.tell_rest(now_s);
+            return true;
+        case Command::FaceWay:
+            face_way(now_s);
+            return true;
         default:
             return false;
     }
@@ -73,19 +86,19 @@ bool Guide::act(Command command, double now_s) {
 // ---- every tick ----
 
 void Guide::follow(double now_s) {
+    ground_.tick();
     if (!ear_.following()) return;
     if (plans_.by_hand()) plans_.pass(finding_place_m(context_));
     else if (plans_.running()) plans_.pass(ear_.along_m());
     ear_.renew();
-    const Vec3 goal_m = ear_.goal_m();
-    const RouteFollower::Said said = ear_.tick();
+    const RouteFollower::Said said = ear_.tick(now_s);
     const std::string name = ear_.name();
     if (said.left) {
         // Planned anew from here, and said once.
         context_.events.tell(LeftRoute{name, LedBy::Ear}, now_s);
         context_.say(phrase("lead.left_way"), SpeechClass::Contact, now_s);
         if (plans_.runs_to(name)) go_on({}, now_s);
-        else ear_.follow_to(goal_m, name, {}, now_s);
+        else ear_.follow_again({}, now_s);
     } else if (!said.text.empty()) {
         if (said.arrived) context_.play(SoundKind::Arrived, now_s);
         if (said.arrived && plans_.runs_to(name) && next_stop(said.text, now_s)) return;
@@ -186,10 +199,15 @@ void Guide::list_routes(double now_s) {
 }
 
 void Guide::go_to_room(std::uint32_t room, double now_s) {
-    const Room& to = rooms_.graph().rooms[room];
     plans_.end();
     planned_.note(stop_in_room(rooms_, room), context_.body.feet_m());
-    ear_.follow_to(to.middle_m, sentence_case(to.name), {}, now_s);
+    ear_.follow_to_room(room, {}, now_s);
+}
+
+void Guide::face_way(double now_s) {
+    const auto heading_rad = ear_.leg_heading_rad();
+    if (!heading_rad) return ear_.tell_on(now_s);
+    if (on_face) on_face(*heading_rad, now_s);
 }
 
 // ---- to things ----

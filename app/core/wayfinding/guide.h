@@ -2,6 +2,7 @@
 // letting go and on leaving the way. Whoever wants somebody led asks here. Metres, world. App thread only.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,14 +23,15 @@ public:
           doors_(doors),
           planned_(context, rooms),
           plans_(context, rooms),
-          ear_(context, rooms, plans_),
+          ground_(context, rooms),
+          ear_(context, rooms, plans_, ground_),
           hand_(context, rooms, plans_, doors),
           seek_(context, rooms, plans_, doors) {}
     Guide(const Guide&) = delete;  // lists that are open know it by its place
     Guide& operator=(const Guide&) = delete;
 
     void enter_world();
-    // SetBeacon, MuteBeacon, TakeMe, Find, CrossLines and Routes. False: it is another's.
+    // SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, the legs of a way and FaceWay. False: it is another's.
     bool act(Command command, double now_s);
     // The three of a tick, in this order: the way that is followed by ear, the hand's, and the sounds of what is
     // sought.
@@ -58,6 +60,13 @@ public:
     bool take_carried() { return hand_.take_carried(); }
     void person_moved(double now_s) { hand_.person_moved(now_s); }
 
+    // See BlindGround::line_up_m; none where the ways of the world are not known.
+    std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad) {
+        return ground_.line_up_m(feet_m, heading_rad);
+    }
+    // Set by the session: turns the body.
+    std::function<void(double heading_rad, double now_s)> on_face;
+
     const std::optional<Goal>& goal() const { return goal_; }  // what "take me there" goes to
     const Beacon& beacon() const { return seek_.beacon(); }
     const Seek& seek() const { return seek_; }
@@ -76,6 +85,7 @@ private:
     void lead_by_ear(const Goal& goal, const std::string& first, double now_s);
     void cross_lines(const Goal& goal, double now_s);
     void toggle_lines(double now_s);
+    void face_way(double now_s);
     void go_on(const std::string& first, double now_s);
     bool next_stop(const std::string& words, double now_s);
 
@@ -86,6 +96,7 @@ private:
     PlannedStops planned_;
     Laps laps_;
     WayPlans plans_;
+    WordGround ground_;
     EarWay ear_;
     HandLead hand_;
     Seek seek_;

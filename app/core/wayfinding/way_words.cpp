@@ -1,5 +1,6 @@
 #include "app/core/wayfinding/way_words.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,6 +23,32 @@ std::vector<RouteNode> nodes_to(const SessionContext& context, const Route& rout
     return nodes_of(route, goal, [&context](const RoutePassage& passage) {
         return passage_now(context, passage.kind, passage.feature, passage.rise_m);
     });
+}
+
+std::string overview_words(const SessionContext& context, const Rooms& rooms, const Route& route) {
+    constexpr double kLookEvery_m = 0.5;
+    constexpr std::size_t kMostRooms = 4;
+    std::vector<std::uint32_t> through;
+    const auto look = [&](const Vec3& place_m) {
+        const std::uint32_t room = room_at(rooms.graph(), rooms.space(), place_m);
+        if (room != kNothing && (through.empty() || through.back() != room)) through.push_back(room);
+    };
+    for (std::size_t i = 1; i < route.points_m.size(); ++i) {
+        const Vec3 way = route.points_m[i] - route.points_m[i - 1];
+        const int looks = std::max(1, static_cast<int>(glm::length(way) / kLookEvery_m));
+        for (int k = 0; k < looks; ++k) look(route.points_m[i - 1] + way * (static_cast<double>(k) / looks));
+    }
+    if (!route.points_m.empty()) look(route.points_m.back());
+    std::vector<std::string> names;
+    for (std::size_t i = 1; i + 1 < through.size(); ++i) {
+        std::string name = sentence_case(rooms.graph().rooms[through[i]].name);
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
+    }
+    const std::string distance = distance_words(route.length_m, distances(context));
+    if (names.empty()) return capitalised(phrase("route.in_all", {{"distance", distance}}));
+    if (names.size() > kMostRooms) names.resize(kMostRooms);
+    const std::string all = fmt::format("{}", fmt::join(names, ", "));
+    return capitalised(phrase("route.in_all_through", {{"distance", distance}, {"rooms", all}}));
 }
 
 std::string whole_way_words(const SessionContext& context, const Rooms& rooms, const std::string& name,

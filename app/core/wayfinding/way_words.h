@@ -16,6 +16,9 @@ namespace handrail {
 // With what is in the way there by now.
 std::vector<RouteNode> nodes_to(const SessionContext& context, const Route& route, const std::string& goal);
 
+// "28 steps in all, through Hall and Study.": how long a way is and through which rooms it leads. The rooms are found.
+std::string overview_words(const SessionContext& context, const Rooms& rooms, const Route& route);
+
 // All of it from its first stop on, each stop with the way to it. The rooms are found.
 std::string whole_way_words(const SessionContext& context, const Rooms& rooms, const std::string& name,
                             std::span<const Stop> stops);

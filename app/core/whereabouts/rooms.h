@@ -48,6 +48,7 @@ public:
     RoomGraph& graph() const { return of_world_->graph(); }
     Navigation& navigation() const { return of_world_->navigation(); }
     const WalkSpace& space() const { return navigation().space(); }
+    std::shared_ptr<const Navigation> navigation_kept() const { return of_world_->navigation_kept(); }
 
     // The last one the body was in; kNothing: none.
     std::uint32_t here() const { return here_; }

@@ -31,6 +31,8 @@ public:
     // See unreachable_rooms().
     const std::vector<std::string>& out_of_reach() const { return out_of_reach_; }
     Navigation& navigation() { return *navigation_; }
+    // For what is planned beside while another world may be entered.
+    std::shared_ptr<const Navigation> navigation_kept() const { return navigation_; }
     RoomGraph& graph() { return graph_; }
 
 private:

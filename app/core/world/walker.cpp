@@ -110,6 +110,7 @@ WalkResult Walker::tick(const Vec3& wish_m_per_s, double dt_s) {
     state_.feet_m = way.end_m;
     result.walked_m = horizontal_length(state_.feet_m - start);
     if (way.first_wall && wished > 0.0) {
+        result.met = way.first_wall;
         const double into = -glm::dot(way.first_wall->normal, motion) / wished;
         if (into > 0.5 || result.walked_m < 0.5 * wished) result.bump = way.first_wall;
     }

@@ -29,6 +29,7 @@ struct WalkerState {
 // What happened in one tick.
 struct WalkResult {
     double walked_m = 0.0;          // horizontal way made
+    std::optional<TraceHit> met;    // the first surface in the way, brushed along or not
     std::optional<TraceHit> bump;   // the surface that stopped most of the wished motion
     double climbed_m = 0.0;         // height won by stepping up this tick
     bool landed = false;            // touched ground after falling more than a step

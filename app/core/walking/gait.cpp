@@ -1,0 +1,39 @@
+#include "app/core/walking/gait.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/navigation/blind_ground.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kHeadOn = 0.1;  // less of a tick's way is none: that is answered at once
+constexpr double kStraightIn_m = 0.01;
+constexpr int kMostLineUps = 2;
+
+}  // namespace
+
+void Gait::went_aside(double wished_m, double made_m) {
+    const double left_m = std::max(0.0, std::abs(aside_m_) - wished_m);
+    aside_m_ = made_m < kHeadOn * wished_m ? 0.0 : std::copysign(left_m, aside_m_);
+    if (left_m == 0.0) aside_m_ = 0.0;
+}
+
+Gait::Goes Gait::went(double wished_m, double made_m, bool met,
+                      const std::function<std::optional<double>()>& line_up_m) {
+    wished_m_ += wished_m;
+    made_m_ += made_m;
+    const bool held = met && made_m < kHeadOn * wished_m;
+    if (!held && wished_m_ < kStoppedWindow_m) return met ? Goes::Along : Goes::On;
+    const bool slow = made_m_ < kStoppedBelow * wished_m_;
+    wished_m_ = made_m_ = 0.0;
+    if (!held && !slow) return met ? Goes::Along : Goes::On;
+    const std::optional<double> aside_m = lined_up_ < kMostLineUps && line_up_m ? line_up_m() : std::nullopt;
+    if (!aside_m || std::abs(*aside_m) < kStraightIn_m) return Goes::Stopped;
+    ++lined_up_;
+    aside_m_ = *aside_m;
+    return Goes::Aside;
+}
+
+}  // namespace handrail

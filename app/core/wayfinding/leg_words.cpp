@@ -1,0 +1,148 @@
+#include "app/core/wayfinding/leg_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/core/context/telling.h"
+#include "app/core/wayfinding/leg_clues.h"
+#include "app/core/world/body_meets.h"
+#include "app/core/world/questions.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kFarthest_m = 40.0;  // of a leg that something ends
+constexpr double kMeets_m = 0.6;      // beyond where the body is stopped
+constexpr double kFine_m = 0.05;      // between two looks at the floor, for its risers
+constexpr double kRiser_m = 0.06;
+constexpr double kLeft_part = 0.5;  // of a step, that is nothing any more
+
+std::string notch_words(int notches) {
+    constexpr std::array kRight{"leg.straight_on",        "route.turn_slightly_right", "route.turn_half_right",
+                                "leg.turn_3_right",       "route.turn_right",          "leg.turn_5_right",
+                                "route.turn_sharp_right", "leg.turn_7_right",          "route.turn_round"};
+    constexpr std::array kLeft{"leg.straight_on",       "route.turn_slightly_left", "route.turn_half_left",
+                               "leg.turn_3_left",       "route.turn_left",          "leg.turn_5_left",
+                               "route.turn_sharp_left", "leg.turn_7_left",          "route.turn_round"};
+    const auto by = static_cast<std::size_t>(std::min(8, std::abs(notches)));
+    return capitalised(phrase(notches > 0 ? kRight[by] : kLeft[by]));
+}
+
+Vec2 level(const Vec3& way) { return {way.x, way.y}; }
+
+// Along the leg, from one place to another.
+double along_m(int notch, const Vec3& from_m, const Vec3& to_m) {
+    const Vec3 ahead = forward_of_heading(notch_heading_rad(notch));
+    return glm::dot(level(to_m - from_m), level(ahead));
+}
+
+// Counted steps from where one stands: as planned, more or fewer by how far one stands elsewhere.
+double counted_left(const WordFloor& floor, const LegAt& at) {
+    const double aside_m = along_m(at.notch, at.planned_from_m, at.from_m);
+    return at.leg.steps - aside_m / floor.step_m;
+}
+
+struct Walked {
+    Paced paced;
+    BlindBody body;
+    int risers = 0;
+    double to_stairs_m = 0.0;
+};
+Walked walk(const WordFloor& floor, const LegAt& at, const DoorsOpen& open) {
+    Walked walked;
+    walked.body = floor.ground.body_at(at.from_m);
+    if (walked.body.span == kNothing) return walked;
+    double z = floor.ground.feet_m(walked.body).z, way_m = 0.0;
+    walked.paced = floor.ground.walk(
+        walked.body, notch_heading_rad(at.notch), kFarthest_m, at.leg.end, open,
+        [&](const BlindBody& body) {
+            way_m += kFine_m;
+            const double here = floor.ground.feet_m(body).z;
+            if (std::abs(here - z) > kRiser_m) {
+                if (walked.risers == 0) walked.to_stairs_m = way_m;
+                ++walked.risers;
+            }
+            z = here;
+            return true;
+        },
+        kFine_m);
+    return walked;
+}
+
+std::string door_words(const SessionContext& context, const WordDoor& door, bool shut) {
+    const std::string name = passage_name(context, PassageKind::Door, door.feature, 0.0);
+    return shut ? joined(name, phrase("questions.shut")) : name;
+}
+
+}  // namespace
+
+std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
+    const auto far = [&](int steps) {
+        return how.in_steps ? phrase("words.steps", {{"steps", steps}})
+                            : phrase("words.metres", {{"metres", std::round(2.0 * steps * how.step_length_m) / 2.0}});
+    };
+    std::string text = phrase("route.first", {{"turn", notch_words(leg.turn_notches)}}) + " ";
+    const std::string distance = far(leg.steps);
+    if (leg.end == PaceEnd::Stairs) {
+        const std::string flight = phrase(leg.risers == 0 ? (leg.up ? "leg.ramp_up" : "leg.ramp_down")
+                                                          : (leg.up ? "leg.stairs_up" : "leg.stairs_down"),
+                                          {{"risers", leg.risers}});
+        text += leg.steps == 0 ? phrase("leg.flight_here", {{"flight", flight}})
+                               : phrase("leg.flight_in", {{"flight", flight}, {"steps", leg.steps}});
+    } else if (leg.end == PaceEnd::Stopped) {
+        text += leg.to.empty() ? phrase("leg.until_stopped", {{"distance", distance}})
+                               : phrase("leg.until_met", {{"distance", distance}, {"what", leg.to}});
+    } else {
+        text += capitalised(
+            phrase(leg.to.empty() ? "route.leg" : "route.leg_to", {{"distance", distance}, {"what", leg.to}}));
+    }
+    if (leg.open) text += " " + phrase("leg.open_it");
+    else if (leg.by_itself) text += " " + phrase("leg.opens_by_itself");
+    if (!leg.clue.empty()) text += " " + leg.clue;
+    return text;
+}
+
+SpokenLeg spoken_leg(const SessionContext& context, const WordFloor& floor, const LegAt& at, const DoorsOpen& open) {
+    SpokenLeg told;
+    told.end = at.leg.end;
+    const int turn = ((at.notch - at.from_notch) % kNotches + kNotches) % kNotches;
+    told.turn_notches = turn > kNotches / 2 ? turn - kNotches : turn;
+    told.to = at.goal;
+    const WordDoor* door = at.leg.door == kNothing ? nullptr : &floor.ground.doors()[at.leg.door];
+    if (door) {
+        const bool shut = !open[at.leg.door];
+        told.to = door_words(context, *door, shut);
+        told.open = shut && context.world.scene->movers[door->mover].by_hand;
+        told.by_itself = shut && !told.open;
+    }
+    if (at.leg.end == PaceEnd::Steps) {
+        told.steps = std::max(1, static_cast<int>(std::lround(counted_left(floor, at))));
+        told.clue = leg_clue(context, floor, at.from_m, at.leg.to_m, at.notch, at.leg.door);
+        return told;
+    }
+    const Walked walked = walk(floor, at, open);
+    if (at.leg.end == PaceEnd::Stairs) {
+        told.up = at.leg.rise_m > 0.0;
+        told.risers = walked.risers >= 2 ? walked.risers : 0;
+        told.steps = static_cast<int>(std::lround(walked.to_stairs_m / floor.step_m));
+        return told;
+    }
+    told.steps = std::max(1, static_cast<int>(std::lround(walked.paced.walked_m / floor.step_m)));
+    if (!door && walked.body.span != kNothing)
+        if (const auto met = body_meets(*context.world.solids, floor.ground.feet_m(walked.body),
+                                        context.body.walker->size(), notch_heading_rad(at.notch), kMeets_m))
+            told.to = name_of(context, met->feature);
+    if (!door && told.to == at.goal) told.to.clear();
+    return told;
+}
+
+bool leg_is_over(const WordFloor& floor, const LegAt& at, const DoorsOpen& open) {
+    if (at.leg.end == PaceEnd::Steps) return counted_left(floor, at) < kLeft_part;
+    const Walked walked = walk(floor, at, open);
+    if (at.leg.end == PaceEnd::Stairs) return !walked.paced.climbed;
+    return walked.paced.walked_m < kLeft_part * floor.step_m;
+}
+
+}  // namespace handrail

@@ -1,0 +1,46 @@
+#include "app/core/wayfinding/word_ground.h"
+
+#include <utility>
+
+namespace handrail {
+
+void WordGround::enter_world() {
+    floor_.reset();
+    making_.give_up();
+}
+
+void WordGround::tick() {
+    if (rooms_.beside()) (void)floor();
+}
+
+std::shared_ptr<const WordFloor> WordGround::floor() {
+    if (floor_ || !rooms_.found() || !context_.world.scene) return floor_;
+    if (auto made = making_.take()) return floor_ = std::move(*made);
+    if (making_.busy()) return nullptr;
+    const auto make = [ways = rooms_.navigation_kept(), rooms = rooms_.graph().room_of_span,
+                       scene = context_.world.scene, things = context_.world.thing_of_mover,
+                       step_m = context_.settings.walk.step_length_m](const std::stop_token&) {
+        return std::shared_ptr<const WordFloor>(
+            std::make_shared<const WordFloor>(ways, rooms, word_doors(*scene, things), step_m));
+    };
+    if (!rooms_.beside()) return floor_ = make({});
+    making_.begin(make);
+    return nullptr;
+}
+
+DoorsOpen WordGround::open_now(const WordFloor& floor) const {
+    DoorsOpen open;
+    for (const WordDoor& door : floor.ground.doors())
+        open.push_back(!(context_.world.movers.at(door.mover) == context_.world.scene->movers[door.mover].at(0.0)));
+    return open;
+}
+
+std::optional<double> WordGround::line_up_m(const Vec3& feet_m, double heading_rad) {
+    const auto known = floor();
+    if (!known) return std::nullopt;
+    const BlindBody body = known->ground.body_at(feet_m);
+    if (body.span == kNothing) return std::nullopt;
+    return known->ground.line_up_m(body, heading_rad, open_now(*known));
+}
+
+}  // namespace handrail

@@ -1,0 +1,60 @@
+// The floor of the world one is in as somebody finds it who walks by words, and what plans routes on it: made once the
+// rooms are known, on a thread beside everything else where rooms are found so, else when it is first asked for. App
+// thread only; what it hands out is immutable and for any thread. World metres.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/core/context/session_context.h"
+#include "app/core/whereabouts/rooms.h"
+#include "app/core/world/beside.h"
+#include "worlds/navigation/word_route.h"
+
+namespace handrail {
+
+struct WordFloor {
+    WordFloor(std::shared_ptr<const Navigation> ways_known, std::vector<std::uint32_t> rooms,
+              std::vector<WordDoor> doors, double step)
+        : ways(std::move(ways_known)),
+          room_of_span(std::move(rooms)),
+          ground(ways->space(), std::move(doors)),
+          planner(ground, step),
+          step_m(step) {}
+    WordFloor(const WordFloor&) = delete;  // its parts know each other by their places
+    WordFloor& operator=(const WordFloor&) = delete;
+
+    std::shared_ptr<const Navigation> ways;
+    std::vector<std::uint32_t> room_of_span;
+    BlindGround ground;
+    WordPlanner planner;
+    double step_m;
+};
+
+class WordGround {
+public:
+    WordGround(const SessionContext& context, Rooms& rooms) : context_(context), rooms_(rooms) {}
+    WordGround(const WordGround&) = delete;
+    WordGround& operator=(const WordGround&) = delete;
+
+    void enter_world();
+    void tick();
+    // Null: not yet, or there are no rooms.
+    std::shared_ptr<const WordFloor> floor();
+    // It is on its way, or the rooms are.
+    bool awaited() const { return rooms_.awaited() || making_.busy(); }
+    // Which of its doors stand open by now, or are about to.
+    DoorsOpen open_now(const WordFloor& floor) const;
+    // BlindGround::line_up_m where the body stands; none where the floor is not known.
+    std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad);
+
+private:
+    const SessionContext& context_;
+    Rooms& rooms_;
+    std::shared_ptr<const WordFloor> floor_;
+    Beside<std::shared_ptr<const WordFloor>> making_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,178 @@
+#include "app/core/wayfinding/word_way.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/core/context/telling.h"
+
+namespace handrail {
+namespace {
+
+// Farther from the legs than this one has left the way: twice as far apart as its plan lets bodies come.
+constexpr double kLeft_m = 3.5;
+constexpr double kLooked_m = 0.05;
+// Of bodies with errors that go on from where one is, so many come there where the rest of the way is kept.
+constexpr int kTried = 24, kMostLost = 5;
+
+double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
+    const Vec3 way = b - a;
+    const double length2 = glm::dot(way, way);
+    const double part = length2 > 0.0 ? std::clamp(glm::dot(at - a, way) / length2, 0.0, 1.0) : 0.0;
+    return glm::length(at - (a + way * part));
+}
+
+}  // namespace
+
+void WordWay::begin(std::uint32_t room, std::string goal) {
+    stop();
+    room_ = room;
+    goal_ = std::move(goal);
+    state_ = State::Planned;
+    plan();
+}
+
+void WordWay::stop() {
+    planning_.give_up();
+    state_ = State::None;
+    wanted_ = false;
+    way_ = {};
+    at_ = 0;
+    room_ = kNothing;
+}
+
+void WordWay::plan() {
+    const std::shared_ptr<const WordFloor> floor = ground_.floor();
+    wanted_ = !floor && ground_.awaited();
+    state_ = floor || wanted_ ? State::Planned : State::NoWay;
+    if (!floor) return;
+    Planned planned;
+    planned.floor = floor;
+    planned.goal = way_.floor == floor ? way_.goal : nullptr;
+    planned.from_m = context_.body.feet_m();
+    planned.notch = nearest_notch(context_.body.heading_goal_rad);
+    auto work = [planned = std::move(planned), room = room_,
+                 open = ground_.open_now(*floor)](const std::stop_token& stop) {
+        Planned made = planned;
+        if (!made.goal)
+            made.goal = std::make_shared<const WordGoal>(
+                goal_in_room(made.floor->ground.space(), made.floor->room_of_span, room));
+        made.route = made.floor->planner.plan(made.from_m, notch_heading_rad(made.notch), *made.goal, open, {}, stop);
+        return made;
+    };
+    if (rooms_.beside()) planning_.begin(std::move(work));
+    else take(work({}));
+}
+
+void WordWay::take(Planned planned) {
+    way_ = std::move(planned);
+    at_ = 0;
+    looked_m_ = context_.body.feet_m() + Vec3(2.0 * kLooked_m, 0.0, 0.0);
+    state_ = way_.route && !way_.route->legs.empty() ? State::Known : State::NoWay;
+}
+
+WordWay::News WordWay::tick() {
+    News news;
+    if (state_ == State::Planned) {
+        if (wanted_) plan();
+        if (auto planned = planning_.take()) take(std::move(*planned));
+        news.planned = state_ != State::Planned;
+    }
+    if (state_ != State::Known) return news;
+    const Vec3& feet_m = context_.body.feet_m();
+    if (glm::length(feet_m - looked_m_) < kLooked_m || !context_.body.walker->state().on_ground) return news;
+    looked_m_ = feet_m;
+    const BlindBody body = way_.floor->ground.body_at(feet_m);
+    news.arrived = body.span != kNothing && (*way_.goal)[body.span] != 0;
+    if (news.arrived) return news;
+    double off_m = kLeft_m + 1.0;
+    Vec3 from_m = way_.from_m;
+    for (const WordLeg& leg : way_.route->legs) {
+        off_m = std::min(off_m, distance_to_stretch(feet_m, from_m, leg.to_m));
+        from_m = leg.to_m;
+    }
+    news.left = off_m > kLeft_m;
+    return news;
+}
+
+LegAt WordWay::leg_at(std::size_t which) const {
+    const std::vector<WordLeg>& legs = way_.route->legs;
+    int notch = way_.notch;
+    for (std::size_t i = 0; i <= which; ++i) notch += legs[i].turn_notches;
+    LegAt at{legs[which], 0, {}, {}, {}, 0};
+    at.notch = ((notch % kNotches) + kNotches) % kNotches;
+    at.planned_from_m = which == 0 ? way_.from_m : legs[which - 1].to_m;
+    if (which + 1 == legs.size()) at.goal = goal_;
+    at.from_m = context_.body.feet_m();
+    at.from_notch = nearest_notch(context_.body.heading_goal_rad);
+    return at;
+}
+
+// From where one is the legs that are left still lead there, for bodies with errors too.
+bool WordWay::holds() const {
+    const LegAt first = leg_at(at_);
+    WordRoute left;
+    left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
+    left.legs.front().turn_notches = first.notch - first.from_notch;
+    const DoorsOpen open = open_now();
+    if (first.leg.end == PaceEnd::Steps && left.legs.front().steps > 0)
+        left.legs.front().steps = spoken_leg(context_, *way_.floor, first, open).steps;
+    const double heading_rad = notch_heading_rad(first.from_notch);
+    const WordPlanner& planner = way_.floor->planner;
+    const WordErrors none{0.0, 0.0, 0.0}, usual{0.1, 0.0873, 0.0};
+    return planner.try_out(left, first.from_m, heading_rad, *way_.goal, open, none, 1, 1) == 1 &&
+           planner.try_out(left, first.from_m, heading_rad, *way_.goal, open, usual, kTried, 1) >= kTried - kMostLost;
+}
+
+std::string WordWay::tell() {
+    if (state_ != State::Known) return {};
+    return leg_words(spoken_leg(context_, *way_.floor, leg_at(at_), open_now()), distances(context_));
+}
+
+std::string WordWay::leg() {
+    if (state_ != State::Known) return {};
+    const std::size_t last = way_.route->legs.size() - 1;
+    const DoorsOpen open = open_now();
+    const auto waits_for_door = [&](std::size_t which) {
+        const std::uint32_t door = way_.route->legs[which].door;
+        return door != kNothing && !open[door];
+    };
+    while (at_ < last && !waits_for_door(at_) && leg_is_over(*way_.floor, leg_at(at_), open)) ++at_;
+    if (!holds()) plan();
+    return tell();
+}
+
+std::string WordWay::next_leg() {
+    if (state_ != State::Known) return {};
+    const std::uint32_t door = way_.route->legs[at_].door;
+    const bool shut = door != kNothing && !open_now()[door];
+    if (!shut) ++at_;
+    if (at_ >= way_.route->legs.size() || !holds()) plan();
+    return tell();
+}
+
+std::string WordWay::rest() {
+    if (state_ != State::Known || !holds()) plan();
+    if (state_ != State::Known) return {};
+    std::string text;
+    DoorsOpen open = open_now();
+    int notch_before = 0;
+    for (std::size_t i = at_; i < way_.route->legs.size(); ++i) {
+        LegAt at = leg_at(i);
+        if (i > at_) {
+            at.from_m = at.planned_from_m;
+            at.from_notch = notch_before;
+        }
+        text += (text.empty() ? "" : " ") + leg_words(spoken_leg(context_, *way_.floor, at, open), distances(context_));
+        if (at.leg.door != kNothing) open[at.leg.door] = true;
+        notch_before = at.notch;
+    }
+    return text;
+}
+
+std::optional<double> WordWay::heading_rad() const {
+    if (state_ != State::Known) return std::nullopt;
+    return notch_heading_rad(leg_at(at_).notch);
+}
+
+}  // namespace handrail

@@ -1,0 +1,76 @@
+// The way to a room that is followed by words: planned for words on a thread beside the session, or at once where the
+// same must happen in every run; told leg by leg from where one is, and planned anew where the rest of it would not
+// lead there any more. Says nothing itself. App thread only; world metres.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/core/wayfinding/leg_words.h"
+#include "app/core/wayfinding/word_ground.h"
+
+namespace handrail {
+
+class WordWay {
+public:
+    WordWay(const SessionContext& context, Rooms& rooms, WordGround& ground)
+        : context_(context), rooms_(rooms), ground_(ground) {}
+    WordWay(const WordWay&) = delete;
+    WordWay& operator=(const WordWay&) = delete;
+
+    // From where the body stands; `goal` is what its end is called. In place of what was followed before.
+    void begin(std::uint32_t room, std::string goal);
+    void stop();
+
+    // None: nothing is followed. Planned: it is being planned. Known: it can be told. NoWay: there is none for words.
+    enum class State : std::uint8_t { None, Planned, Known, NoWay };
+    State state() const { return state_; }
+    bool at_work() const { return state_ == State::Planned || state_ == State::Known; }
+
+    struct News {
+        bool planned = false;  // its first leg is there to be told, or there is none
+        bool arrived = false, left = false;
+    };
+    // Costs a look at the grid where the body has moved.
+    News tick();
+
+    // As a sentence each; empty: it is being planned anew, and news() tells when it is there, or there is none. The leg
+    // one is on from where one is, or the one after where it is over;
+    std::string leg();
+    // the one after the leg told last;
+    std::string next_leg();
+    // and all that are left.
+    std::string rest();
+    // Where the leg that was told last leads; none: nothing is told.
+    std::optional<double> heading_rad() const;
+
+private:
+    struct Planned {
+        std::shared_ptr<const WordFloor> floor;
+        std::shared_ptr<const WordGoal> goal;
+        std::optional<WordRoute> route;
+        Vec3 from_m{0.0};
+        int notch = 0;
+    };
+    void plan();
+    void take(Planned planned);
+    LegAt leg_at(std::size_t which) const;
+    bool holds() const;
+    std::string tell();
+    DoorsOpen open_now() const { return ground_.open_now(*way_.floor); }
+
+    const SessionContext& context_;
+    Rooms& rooms_;
+    WordGround& ground_;
+    State state_ = State::None;
+    std::uint32_t room_ = kNothing;
+    std::string goal_;
+    bool wanted_ = false;  // a plan, once there is a floor
+    Planned way_;
+    std::size_t at_ = 0;  // the leg that is walked
+    Vec3 looked_m_{0.0};
+    Beside<Planned> planning_;
+};
+
+}  // namespace handrail

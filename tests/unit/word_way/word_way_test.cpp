@@ -1,0 +1,341 @@
+// Somebody who follows what is said to the letter: turns so many notches, walks so many steps or until something stops
+// the walk or until the stairs are over, opens the door, and asks for the next leg. Knows the form of legs in two
+// languages, and neither the map nor where the body is. On the session as it is, from each room to each other.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ctime>
+#include <map>
+#include <random>
+#include <regex>
+
+#include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
+#include "tests/support/spoken_language.h"
+#include "tests/unit/core/app_session.h"
+#include "worlds/base/language.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/navigation/rooms.h"
+#include "worlds/navigation/word_route.h"
+
+namespace handrail {
+namespace word_way_test {
+
+// What a leg asks for, by its words alone.
+struct Asked {
+    int turn_notches = 0, steps = 0;
+    enum class Until { Counted, Stopped, FlightOver } until = Until::Counted;
+    bool open = false;
+};
+
+struct Form {
+    std::map<std::string, int> turns;
+    std::regex counted, until, flight, open;
+    std::string there, landed_up, landed_down;
+};
+
+Form english() {
+    return {{{"Straight on", 0},
+             {"Turn slightly right", 1},
+             {"Turn half right", 2},
+             {"Turn half right, then slightly right", 3},
+             {"Turn right", 4},
+             {"Turn right, then slightly right", 5},
+             {"Turn sharp right", 6},
+             {"Turn sharp right, then slightly right", 7},
+             {"Turn round", 8},
+             {"Turn slightly left", -1},
+             {"Turn half left", -2},
+             {"Turn half left, then slightly left", -3},
+             {"Turn left", -4},
+             {"Turn left, then slightly left", -5},
+             {"Turn sharp left", -6},
+             {"Turn sharp left, then slightly left", -7}},
+            std::regex("^(\\d+) steps?( to .*)?$"),
+            std::regex("^(\\d+) steps?, until (you meet .*|something stops you)$"),
+            std::regex("^(?:\\d+ stairs?|Ramp) (?:up|down), (?:in (\\d+) steps?|just ahead), to the end$"),
+            std::regex("^Open it$"),
+            "You are there.",
+            "Landing",
+            "Foot of the stairs"};
+}
+
+Form german() {
+    return {
+        {{"Geradeaus", 0},
+         {"Leicht rechts abbiegen", 1},
+         {"Halb rechts abbiegen", 2},
+         {"Halb rechts abbiegen, dann leicht rechts", 3},
+         {"Rechts abbiegen", 4},
+         {"Rechts abbiegen, dann leicht rechts", 5},
+         {"Scharf rechts abbiegen", 6},
+         {"Scharf rechts abbiegen, dann leicht rechts", 7},
+         {"Umdrehen", 8},
+         {"Leicht links abbiegen", -1},
+         {"Halb links abbiegen", -2},
+         {"Halb links abbiegen, dann leicht links", -3},
+         {"Links abbiegen", -4},
+         {"Links abbiegen, dann leicht links", -5},
+         {"Scharf links abbiegen", -6},
+         {"Scharf links abbiegen, dann leicht links", -7}},
+        std::regex("^(\\d+) Schritte?( bis .*)?$"),
+        std::regex("^(\\d+) Schritte?, bis (zum Anstoßen: .*|es nicht mehr weitergeht)$"),
+        std::regex("^(?:\\d+ Stufen?|Rampe) (?:hinauf|hinab), (?:in (\\d+) Schritt(?:en)?|gleich vorn), bis zum Ende$"),
+        std::regex("^Öffnen$"),
+        "Das Ziel ist erreicht.",
+        "Treppenabsatz",
+        "Fuß der Treppe"};
+}
+
+// None: it does not have the form.
+std::optional<Asked> understood(const std::string& text, const Form& form) {
+    std::vector<std::string> sentences;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(". ", at), text.size());
+        std::string sentence = text.substr(at, end - at);
+        if (!sentence.empty() && sentence.back() == '.') sentence.pop_back();
+        sentences.push_back(std::move(sentence));
+        at = end + 2;
+    }
+    if (sentences.size() < 2) return std::nullopt;
+    const auto turn = form.turns.find(sentences[0]);
+    if (turn == form.turns.end()) return std::nullopt;
+    Asked asked;
+    asked.turn_notches = turn->second;
+    std::smatch found;
+    if (std::regex_match(sentences[1], found, form.until)) {
+        asked.until = Asked::Until::Stopped;
+        asked.steps = std::stoi(found[1]);
+    } else if (std::regex_match(sentences[1], found, form.flight)) {
+        asked.until = Asked::Until::FlightOver;
+        asked.steps = found[1].matched ? std::stoi(found[1]) : 0;
+    } else if (std::regex_match(sentences[1], found, form.counted)) {
+        asked.steps = std::stoi(found[1]);
+    } else {
+        return std::nullopt;
+    }
+    for (std::size_t i = 2; i < sentences.size(); ++i)
+        asked.open = asked.open || std::regex_match(sentences[i], form.open);
+    return asked;
+}
+
+struct Errors {
+    double step_part = 0.0, turn_rad = 0.0, start_m = 0.0;
+};
+constexpr Errors kExact{}, kUsual{0.1, 5.0 * kPi / 180.0, 0.3};
+
+class Literal {
+public:
+    Literal(std::shared_ptr<const Scene> world, const Form& form) : world_(std::move(world)), form_(form) { enter(); }
+
+    // As its file has it, every door as at first.
+    void enter() {
+        person_.app.apply(WorldEntered{make_ready(world_)}, person_.now);
+        person_.run(0.1);
+        person_.ask(Command::Exits);  // from here on the rooms are known
+    }
+    // To the room of that name from there; where the body is in the end.
+    Vec3 go(const Vec3& from_m, const std::string& room, const Errors& errors, std::uint64_t seed) {
+        random_.seed(seed);
+        errors_ = errors;
+        person_.app.apply(Placed{from_m, 0.0}, person_.now);
+        person_.run(0.1);
+        if (errors.start_m > 0.0) {
+            const double way_rad = kPi * either(), off_m = errors.start_m * std::sqrt(std::abs(either()));
+            drift(off_m, way_rad);
+        }
+        person_.said.clear();
+        person_.ask(Command::Routes);
+        person_.line(room);
+        last_ = person_.said.back();
+        first_ = true;
+        std::string leg = person_.ask(Command::RepeatLeg);
+        for (legs_ = 0; legs_ < 60 && !there(); ++legs_) {
+            trace_ += leg + "\n";
+            const auto asked = understood(leg, form_);
+            if (!asked) break;
+            do_as_told(*asked);
+            if (there()) break;
+            leg = person_.ask(Command::NextLeg);
+        }
+        return person_.app.feet_m();
+    }
+    bool there() const { return person_.heard(form_.there); }
+    std::string last_lines() const {
+        std::string all;
+        for (const std::string& line : person_.said) all += "    " + line + "\n";
+        return all;
+    }
+    int legs() const { return legs_; }
+    const Vec3& feet_m() const { return person_.app.feet_m(); }
+
+private:
+    double either() { return std::uniform_real_distribution<double>(-1.0, 1.0)(random_); }
+    void wait() {
+        for (int i = 0; i < 6000 && !person_.app.idle(); ++i) person_.run(1.0 / 60.0);
+        person_.run(0.15);
+    }
+    // Not where it was meant to be at first.
+    void drift(double way_m, double way_rad) {
+        person_.app.apply(Steered{{std::cos(way_rad), std::sin(way_rad), 0.0}}, person_.now);
+        person_.run(way_m / person_.app.settings().walk.speed_m_per_s);
+        person_.app.apply(Steered{{}}, person_.now);
+        person_.run(0.1);
+    }
+    void do_as_told(const Asked& asked) {
+        if (asked.turn_notches != 0) {
+            const Command turn = asked.turn_notches > 0 ? Command::TurnRight : Command::TurnLeft;
+            person_.app.apply(CommandDown{turn, std::abs(asked.turn_notches)}, person_.now);
+            person_.app.apply(CommandUp{turn}, person_.now);
+            wait();
+        }
+        if ((asked.turn_notches != 0 || first_) && errors_.turn_rad > 0.0) turn_wrong(errors_.turn_rad * either());
+        first_ = false;
+        const std::size_t said = person_.said.size();
+        const double step_m = person_.app.settings().walk.step_length_m;
+        const double part = 1.0 + errors_.step_part * either();
+        if (part != 1.0) set_step(step_m * part);
+        if (asked.until == Asked::Until::FlightOver) walk_until_over(said, asked.steps);
+        else walk(asked.until == Asked::Until::Counted ? asked.steps : 2 * asked.steps + 6);
+        if (part != 1.0) set_step(step_m);
+        if (!asked.open) return;
+        person_.ask(Command::Use);
+        person_.run(3.0);
+    }
+    void set_step(double step_m) {
+        EXPECT_TRUE(person_.app.change_setting("walk.step_length_m", fmt::format("{:.4f}", step_m), person_.now));
+    }
+    void walk(int steps) {
+        person_.app.apply(CommandDown{Command::Forward, steps}, person_.now);
+        person_.app.apply(CommandUp{Command::Forward}, person_.now);
+        wait();
+    }
+    // Lets go of the key when it is told.
+    void walk_until_over(std::size_t said, int steps) {
+        person_.app.apply(CommandDown{Command::Forward}, person_.now);
+        for (int i = 0; i < 60 * (30 + 2 * steps); ++i) {
+            person_.run(1.0 / 60.0);
+            for (; said < person_.said.size(); ++said)
+                if (person_.said[said].find(form_.landed_up) == 0 || person_.said[said].find(form_.landed_down) == 0)
+                    i = 1000000;
+        }
+        person_.app.apply(CommandUp{Command::Forward}, person_.now);
+        wait();
+    }
+    void turn_wrong(double by_rad) {
+        constexpr double kRate_rad_per_s = 1.6;
+        const int ticks = std::max(1, static_cast<int>(std::ceil(std::abs(by_rad) / kRate_rad_per_s * 60.0)));
+        person_.app.apply(Steered{{0.0, 0.0, by_rad * 60.0 / kRate_rad_per_s / ticks}}, person_.now);
+        for (int i = 0; i < ticks; ++i) person_.run(1.0 / 60.0);
+        person_.app.apply(Steered{{}}, person_.now);
+        wait();
+    }
+
+    std::shared_ptr<const Scene> world_;
+    const Form& form_;
+    test::AppSession person_;
+    Errors errors_;
+    std::mt19937_64 random_;
+    std::string last_, trace_;
+    bool first_ = true;
+    int legs_ = 0;
+};
+
+// What of the world only the one knows who judges.
+struct Judge {
+    std::shared_ptr<Navigation> navigation;
+    RoomGraph graph;
+
+    explicit Judge(const Scene& scene) {
+        const BodySize size = body_size(scene, 0.25);
+        auto made = Navigation::make(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+        if (!made) throw std::runtime_error(made.error().message);
+        navigation = *made;
+        graph = make_rooms(scene, navigation->space());
+    }
+    std::vector<std::uint32_t> rooms() const {
+        std::vector<std::uint32_t> found;
+        for (std::uint32_t r = 0; r < graph.rooms.size(); ++r)
+            if (graph.rooms[r].kind == RoomKind::Room && !is_lift(r)) found.push_back(r);
+        return found;
+    }
+    bool is_lift(std::uint32_t room) const {
+        return std::any_of(graph.portals.begin(), graph.portals.end(), [&](const Portal& portal) {
+            return portal.kind == PassageKind::Lift && (portal.rooms[0] == room || portal.rooms[1] == room);
+        });
+    }
+    // On foot over floor and stairs alone: what words are planned for.
+    bool walks(const Vec3& from_m, const Vec3& to_m) const {
+        const Route route = navigation->plan(from_m, to_m);
+        return route.reaches && route.points_m.size() > 1 &&
+               std::none_of(route.passages.begin(), route.passages.end(), [](const RoutePassage& passage) {
+                   return passage.kind == PassageKind::Lift || passage.kind == PassageKind::Teleporter ||
+                          passage.kind == PassageKind::Drop;
+               });
+    }
+};
+
+struct Counted {
+    int routes = 0, came = 0, legs = 0;
+};
+
+// Every how manyth pair of rooms, with errors of that seed and the next ones.
+Counted count(const std::shared_ptr<const Scene>& world, const Form& form, std::uint32_t every, const Errors& errors,
+              std::uint64_t seed) {
+    const Judge judge(*world);
+    Counted counted;
+    Literal literal(world, form);
+    std::string lost;
+    const std::vector<std::uint32_t> rooms = judge.rooms();
+    for (const std::uint32_t from : rooms) {
+        for (const std::uint32_t to : rooms) {
+            const Vec3 start = judge.graph.rooms[from].middle_m;
+            if (from == to || (7 * from + 3 * to) % every != 0 || !judge.walks(start, judge.graph.rooms[to].middle_m))
+                continue;
+            ++counted.routes;
+            literal.enter();
+            const std::string name = capitalised(judge.graph.rooms[to].name);
+            const Vec3 end = literal.go(start, name, errors, seed + static_cast<std::uint64_t>(counted.routes));
+            const bool came = literal.there() && room_at(judge.graph, judge.navigation->space(), end) == to;
+            counted.came += came ? 1 : 0;
+            counted.legs += literal.legs();
+            if (!came)
+                lost += fmt::format(
+                    "  {} to {}, seed {}, ends at {:.2f} {:.2f} {:.2f}\n{}", judge.graph.rooms[from].name, name,
+                    seed + static_cast<std::uint64_t>(counted.routes), end.x, end.y, end.z, literal.last_lines());
+        }
+    }
+    fmt::print("{} of {} came, {:.1f} legs each\n{}", counted.came, counted.routes,
+               static_cast<double>(counted.legs) / std::max(1, counted.routes), lost);
+    return counted;
+}
+
+constexpr bool kSanitized = test::kSanitizerScale < 1.0;
+
+void expect_share(const Counted& counted, int percent) {
+    EXPECT_GT(counted.routes, 2);
+    EXPECT_GE(counted.came * 100, counted.routes * percent);
+}
+
+TEST(LiteralSession, comes_from_each_room_of_the_house_to_each_other_with_exact_steps) {
+    expect_share(count(test::our_world("house.map"), english(), kSanitized ? 31 : 1, kExact, 0), kSanitized ? 60 : 98);
+}
+
+TEST(LiteralSession, comes_from_each_room_of_the_house_to_each_other_with_errors) {
+    expect_share(count(test::our_world("house.map"), english(), kSanitized ? 31 : 1, kUsual, 100),
+                 kSanitized ? 60 : 95);
+}
+
+TEST(LiteralSession, does_the_same_in_german) {
+    const test::InLanguage german_spoken("de");
+    expect_share(count(test::our_world("house.map"), german(), kSanitized ? 31 : 3, kExact, 0), kSanitized ? 60 : 98);
+    expect_share(count(test::our_world("house.map"), german(), kSanitized ? 31 : 3, kUsual, 500), kSanitized ? 60 : 95);
+}
+
+TEST(LiteralSession, comes_from_room_to_room_of_the_school) {
+    expect_share(count(test::our_world("school.map"), english(), kSanitized ? 397 : 97, kExact, 0),
+                 kSanitized ? 60 : 95);
+}
+
+}  // namespace word_way_test
+}  // namespace handrail
