@@ -26,9 +26,11 @@ void EarWay::follow_to_room(std::uint32_t room, const std::string& first, double
     const Room& to = rooms_.graph().rooms[room];
     const std::string name = sentence_case(to.name);
     Route route = rooms_.navigation().plan(context_.body.feet_m(), to.middle_m);
-    const bool on_foot = std::all_of(route.passages.begin(), route.passages.end(), [](const RoutePassage& passage) {
-        return passage.kind == PassageKind::Door || passage.kind == PassageKind::Opening ||
-               passage.kind == PassageKind::Stairs;
+    // What waits for a button is told at once.
+    const bool on_foot = std::all_of(route.passages.begin(), route.passages.end(), [&](const RoutePassage& passage) {
+        return (passage.kind == PassageKind::Door || passage.kind == PassageKind::Opening ||
+                passage.kind == PassageKind::Stairs) &&
+               lock_words(context_, passage.feature).empty();
     });
     if (!route.reaches || route.points_m.size() < 2 || !on_foot) return follow(std::move(route), name, first, now_s);
     stop();

@@ -12,8 +12,10 @@ namespace {
 // Farther from the legs than this one has left the way: twice as far apart as its plan lets bodies come.
 constexpr double kLeft_m = 3.5;
 constexpr double kLooked_m = 0.05;
-// Of bodies with errors that go on from where one is, so many come there where the rest of the way is kept.
-constexpr int kTried = 24, kMostLost = 5;
+// Of so many bodies with errors that go on from where one is, as many come there where the rest of the way is kept,
+// as there came when it was planned, but for this part of all.
+constexpr int kTried = 24;
+constexpr double kFewer = 0.25, kUnmoved_m = 0.1;
 
 double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
     const Vec3 way = b - a;
@@ -111,6 +113,7 @@ LegAt WordWay::leg_at(std::size_t which) const {
 // From where one is the legs that are left still lead there, for bodies with errors too.
 bool WordWay::holds() const {
     const LegAt first = leg_at(at_);
+    if (at_ == 0 && glm::length(first.from_m - way_.from_m) < kUnmoved_m) return true;
     WordRoute left;
     left.legs.assign(way_.route->legs.begin() + static_cast<std::ptrdiff_t>(at_), way_.route->legs.end());
     left.legs.front().turn_notches = first.notch - first.from_notch;
@@ -119,9 +122,10 @@ bool WordWay::holds() const {
         left.legs.front().steps = spoken_leg(context_, *way_.floor, first, open).steps;
     const double heading_rad = notch_heading_rad(first.from_notch);
     const WordPlanner& planner = way_.floor->planner;
-    const WordErrors none{0.0, 0.0, 0.0}, usual{0.1, 0.0873, 0.0};
-    return planner.try_out(left, first.from_m, heading_rad, *way_.goal, open, none, 1, 1) == 1 &&
-           planner.try_out(left, first.from_m, heading_rad, *way_.goal, open, usual, kTried, 1) >= kTried - kMostLost;
+    WordErrors errors;
+    errors.start_m = 0.0;
+    const double wanted = static_cast<double>(way_.route->came) / kWordTrials - kFewer;
+    return planner.try_out(left, first.from_m, heading_rad, *way_.goal, open, errors, kTried, 1) >= wanted * kTried;
 }
 
 std::string WordWay::tell() {

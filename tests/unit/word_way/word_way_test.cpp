@@ -126,13 +126,20 @@ constexpr Errors kExact{}, kUsual{0.1, 5.0 * kPi / 180.0, 0.3};
 
 class Literal {
 public:
-    Literal(std::shared_ptr<const Scene> world, const Form& form) : world_(std::move(world)), form_(form) { enter(); }
-
-    // As its file has it, every door as at first.
-    void enter() {
-        person_.app.apply(WorldEntered{make_ready(world_)}, person_.now);
+    Literal(std::shared_ptr<const Scene> world, const Form& form) : form_(form) {
+        person_.app.apply(WorldEntered{make_ready(std::move(world))}, person_.now);
         person_.run(0.1);
         person_.ask(Command::Exits);  // from here on the rooms are known
+    }
+    // The doors that were opened, from where they were: each as it was before.
+    void shut_all() {
+        if (!there()) person_.ask(Command::TakeMe);  // follows no way any more
+        for (; !opened_.empty(); opened_.pop_back()) {
+            person_.app.apply(Placed{opened_.back().first, opened_.back().second}, person_.now);
+            person_.run(0.1);
+            person_.ask(Command::Use);
+            person_.run(3.0);
+        }
     }
     // To the room of that name from there; where the body is in the end.
     Vec3 go(const Vec3& from_m, const std::string& room, const Errors& errors, std::uint64_t seed) {
@@ -147,11 +154,9 @@ public:
         person_.said.clear();
         person_.ask(Command::Routes);
         person_.line(room);
-        last_ = person_.said.back();
         first_ = true;
         std::string leg = person_.ask(Command::RepeatLeg);
         for (legs_ = 0; legs_ < 60 && !there(); ++legs_) {
-            trace_ += leg + "\n";
             const auto asked = understood(leg, form_);
             if (!asked) break;
             do_as_told(*asked);
@@ -199,6 +204,7 @@ private:
         else walk(asked.until == Asked::Until::Counted ? asked.steps : 2 * asked.steps + 6);
         if (part != 1.0) set_step(step_m);
         if (!asked.open) return;
+        opened_.emplace_back(person_.app.feet_m(), person_.app.heading_rad());
         person_.ask(Command::Use);
         person_.run(3.0);
     }
@@ -231,12 +237,11 @@ private:
         wait();
     }
 
-    std::shared_ptr<const Scene> world_;
     const Form& form_;
     test::AppSession person_;
     Errors errors_;
     std::mt19937_64 random_;
-    std::string last_, trace_;
+    std::vector<std::pair<Vec3, double>> opened_;
     bool first_ = true;
     int legs_ = 0;
 };
@@ -285,7 +290,6 @@ Counted count(const std::shared_ptr<const Scene>& world, const Form& form, std::
     const Judge judge(*world);
     Counted counted;
     Literal literal(world, form);
-    std::string lost;
     const std::vector<std::uint32_t> rooms = judge.rooms();
     for (const std::uint32_t from : rooms) {
         for (const std::uint32_t to : rooms) {
@@ -293,20 +297,21 @@ Counted count(const std::shared_ptr<const Scene>& world, const Form& form, std::
             if (from == to || (7 * from + 3 * to) % every != 0 || !judge.walks(start, judge.graph.rooms[to].middle_m))
                 continue;
             ++counted.routes;
-            literal.enter();
             const std::string name = capitalised(judge.graph.rooms[to].name);
+            std::fflush(stdout);
             const Vec3 end = literal.go(start, name, errors, seed + static_cast<std::uint64_t>(counted.routes));
             const bool came = literal.there() && room_at(judge.graph, judge.navigation->space(), end) == to;
+            const std::string lines = literal.last_lines();
+            literal.shut_all();
             counted.came += came ? 1 : 0;
             counted.legs += literal.legs();
             if (!came)
-                lost += fmt::format(
-                    "  {} to {}, seed {}, ends at {:.2f} {:.2f} {:.2f}\n{}", judge.graph.rooms[from].name, name,
-                    seed + static_cast<std::uint64_t>(counted.routes), end.x, end.y, end.z, literal.last_lines());
+                fmt::print("  {} to {}, seed {}, ends at {:.2f} {:.2f} {:.2f}\n{}", judge.graph.rooms[from].name, name,
+                           seed + static_cast<std::uint64_t>(counted.routes), end.x, end.y, end.z, lines);
         }
     }
-    fmt::print("{} of {} came, {:.1f} legs each\n{}", counted.came, counted.routes,
-               static_cast<double>(counted.legs) / std::max(1, counted.routes), lost);
+    fmt::print("{} of {} came, {:.1f} legs each\n", counted.came, counted.routes,
+               static_cast<double>(counted.legs) / std::max(1, counted.routes));
     return counted;
 }
 
