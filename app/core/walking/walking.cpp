@@ -254,7 +254,7 @@ void Walking::walk(double now_s, double dt_s) {
         walked.bump.reset();
         walked.met.reset();
     }
-    if (walked.met) met_ = walked.met;
+    if (walked.met) brushed_.met = walked.met;
     if (body_.walker->state().on_ground && !context_.hands.tuning.panic) {
         by_ear_.lay_crumb();
         footing_.tick(stood.feet_m, walked, now_s);
@@ -276,7 +276,7 @@ void Walking::walk(double now_s, double dt_s) {
     if (aside_m != 0.0) gait_.went_aside(way, walked.walked_m);
     if (stopped) {
         halt();
-        if (!blocked_ && met_) tell_bump(*met_, std::atan2(wish.x, wish.y), now_s);
+        if (!blocked_ && brushed_.met) tell_bump(*brushed_.met, std::atan2(wish.x, wish.y), now_s);
         blocked_ = true;
     } else if (way != 0.0 && walked.walked_m > 0.9 * std::abs(way)) {
         blocked_ = false;
@@ -300,7 +300,7 @@ bool Walking::go_on(const WalkResult& walked, const Vec3& wish, double way_m, do
     };
     switch (gait_.went(way_m, walked.walked_m, walked.met.has_value(), line_up)) {
         case Gait::Goes::On:
-            slid_m_ = 0.0;
+            brushed_.slid_m = 0.0;
             return true;
         case Gait::Goes::Along:
             tell_slide(*walked.met, walked.walked_m, now_s);
@@ -326,10 +326,10 @@ void Walking::tell_frame(double now_s) {
 // What one brushes along is heard, softly.
 void Walking::tell_slide(const TraceHit& met, double way_m, double now_s) {
     constexpr double kHeardEvery_m = 0.3, kLoudness = 0.35;
-    const bool begins = slid_m_ == 0.0;
-    slid_m_ += way_m;
-    if (!begins && slid_m_ < kHeardEvery_m) return;
-    slid_m_ = std::max(1e-9, slid_m_ - (begins ? 0.0 : kHeardEvery_m));
+    const bool begins = brushed_.slid_m == 0.0;
+    brushed_.slid_m += way_m;
+    if (!begins && brushed_.slid_m < kHeardEvery_m) return;
+    brushed_.slid_m = std::max(1e-9, brushed_.slid_m - (begins ? 0.0 : kHeardEvery_m));
     CueRequest brush =
         sound_at(SoundKind::Contact,
                  body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m) - met.normal * body_.walker->size().radius_m, now_s);

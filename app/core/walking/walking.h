@@ -89,8 +89,11 @@ private:
     double pending_way_m_ = 0.0;   // of taps, positive ahead; walked even when the key is up again
     double pending_side_m_ = 0.0;  // the same to the right
     Gait gait_;
-    double slid_m_ = 0.0;          // along something since it was heard last
-    std::optional<TraceHit> met_;  // on this walk, last
+    struct Brushed {
+        double slid_m = 0.0;          // along something since it was heard last
+        std::optional<TraceHit> met;  // on this walk, last
+    };
+    Brushed brushed_;
     double since_footstep_m_ = 0.0;
     bool went_ = false;     // in the last tick, by oneself
     bool blocked_ = false;  // a bump was told and the body has not got away since

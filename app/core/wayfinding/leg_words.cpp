@@ -50,13 +50,13 @@ struct Walked {
     int risers = 0;
     double to_stairs_m = 0.0;
 };
-Walked walk(const WordFloor& floor, const LegAt& at, const DoorsOpen& open) {
+Walked walk(const WordFloor& floor, const LegAt& at, const DoorsOpen& open, double most_m = kFarthest_m) {
     Walked walked;
     walked.body = floor.ground.body_at(at.from_m);
     if (walked.body.span == kNothing) return walked;
     double z = floor.ground.feet_m(walked.body).z, way_m = 0.0;
     walked.paced = floor.ground.walk(
-        walked.body, notch_heading_rad(at.notch), kFarthest_m, at.leg.end, open,
+        walked.body, notch_heading_rad(at.notch), most_m, at.leg.end, open,
         [&](const BlindBody& body) {
             way_m += kFine_m;
             const double here = floor.ground.feet_m(body).z;
@@ -69,6 +69,14 @@ Walked walk(const WordFloor& floor, const LegAt& at, const DoorsOpen& open) {
         },
         kFine_m);
     return walked;
+}
+
+// That a leg goes over on its way.
+void tell_flight(SpokenLeg& told, const WordFloor& floor, const Walked& walked) {
+    if (walked.risers < 2) return;
+    told.risers = walked.risers;
+    told.up = walked.paced.rise_m > 0.0;
+    told.to_stairs = static_cast<int>(std::lround(walked.to_stairs_m / floor.step_m));
 }
 
 std::string door_words(const SessionContext& context, const WordDoor& door, bool shut) {
@@ -98,6 +106,10 @@ std::string leg_words(const SpokenLeg& leg, const DistanceWords& how) {
         text += capitalised(
             phrase(leg.to.empty() ? "route.leg" : "route.leg_to", {{"distance", distance}, {"what", leg.to}}));
     }
+    if (leg.end != PaceEnd::Stairs && leg.risers > 0) {
+        const std::string flight = phrase(leg.up ? "leg.stairs_up" : "leg.stairs_down", {{"risers", leg.risers}});
+        text += " " + phrase("leg.over_flight", {{"flight", flight}, {"steps", leg.to_stairs}});
+    }
     if (leg.open) text += " " + phrase("leg.open_it");
     else if (leg.by_itself) text += " " + phrase("leg.opens_by_itself");
     if (!leg.clue.empty()) text += " " + leg.clue;
@@ -119,6 +131,7 @@ SpokenLeg spoken_leg(const SessionContext& context, const WordFloor& floor, cons
     }
     if (at.leg.end == PaceEnd::Steps) {
         told.steps = std::max(1, static_cast<int>(std::lround(counted_left(floor, at))));
+        tell_flight(told, floor, walk(floor, at, open, told.steps * floor.step_m));
         told.clue = leg_clue(context, floor, at.from_m, at.leg.to_m, at.notch, at.leg.door);
         return told;
     }
@@ -130,6 +143,7 @@ SpokenLeg spoken_leg(const SessionContext& context, const WordFloor& floor, cons
         return told;
     }
     told.steps = std::max(1, static_cast<int>(std::lround(walked.paced.walked_m / floor.step_m)));
+    tell_flight(told, floor, walked);
     if (!door && walked.body.span != kNothing)
         if (const auto met = body_meets(*context.world.solids, floor.ground.feet_m(walked.body),
                                         context.body.walker->size(), notch_heading_rad(at.notch), kMeets_m))

@@ -15,8 +15,10 @@ struct SpokenLeg {
     int steps = 0;         // where the stairs begin, for a flight; 0: at once
     PaceEnd end = PaceEnd::Steps;
     std::string to;          // what is met or come to, with its state; may be empty where steps are counted
-    int risers = 0;          // of a flight; 0: it is a ramp
+    int risers = 0;          // of a flight; 0: a ramp, or there is none
     bool up = false;         // of a flight
+    int to_stairs = 0;       // steps to where it begins, on a leg that goes over it and does not end with it
+    int to_stairs = 0;       // steps to where it begins, on a leg that does not end with it
     bool open = false;       // a door there is to be opened by hand
     bool by_itself = false;  // or opens as one comes near
     std::string clue;        // what tells beside steps that one is right; a sentence, may be empty

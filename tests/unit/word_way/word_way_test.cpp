@@ -9,7 +9,7 @@
 #include <random>
 #include <regex>
 
-#include "tests/support/real_worlds.h"
+#include "tests/support/random_families.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
@@ -310,36 +310,46 @@ Counted count(const std::shared_ptr<const Scene>& world, const Form& form, std::
                            seed + static_cast<std::uint64_t>(counted.routes), end.x, end.y, end.z, lines);
         }
     }
-    fmt::print("{} of {} came, {:.1f} legs each\n", counted.came, counted.routes,
+    fmt::print("seeds from {}: {} of {} came, {:.1f} legs each\n", seed, counted.came, counted.routes,
                static_cast<double>(counted.legs) / std::max(1, counted.routes));
     return counted;
 }
 
+// Every how manyth pair is walked, so that it ends in time; all of them were walked when this was written
+// (docs/results.md).
 constexpr bool kSanitized = test::kSanitizerScale < 1.0;
+constexpr std::uint32_t every(std::uint32_t usual) { return kSanitized ? 20 * usual + 1 : usual; }
 
 void expect_share(const Counted& counted, int percent) {
     EXPECT_GT(counted.routes, 2);
-    EXPECT_GE(counted.came * 100, counted.routes * percent);
+    // Of the few that a sanitizer has time for one is too much of the share.
+    EXPECT_GE((counted.came + (kSanitized ? 1 : 0)) * 100, counted.routes * percent);
 }
 
 TEST(LiteralSession, comes_from_each_room_of_the_house_to_each_other_with_exact_steps) {
-    expect_share(count(test::our_world("house.map"), english(), kSanitized ? 31 : 1, kExact, 0), kSanitized ? 60 : 98);
+    expect_share(count(test::our_world("house.map"), english(), every(2), kExact, 0), 98);
 }
 
 TEST(LiteralSession, comes_from_each_room_of_the_house_to_each_other_with_errors) {
-    expect_share(count(test::our_world("house.map"), english(), kSanitized ? 31 : 1, kUsual, 100),
-                 kSanitized ? 60 : 95);
+    expect_share(count(test::our_world("house.map"), english(), every(3), kUsual, test::seed_of_run()), 95);
 }
 
-TEST(LiteralSession, does_the_same_in_german) {
+TEST(LiteralSession, comes_there_in_german_with_exact_steps) {
     const test::InLanguage german_spoken("de");
-    expect_share(count(test::our_world("house.map"), german(), kSanitized ? 31 : 3, kExact, 0), kSanitized ? 60 : 98);
-    expect_share(count(test::our_world("house.map"), german(), kSanitized ? 31 : 3, kUsual, 500), kSanitized ? 60 : 95);
+    expect_share(count(test::our_world("house.map"), german(), every(5), kExact, 0), 98);
 }
 
-TEST(LiteralSession, comes_from_room_to_room_of_the_school) {
-    expect_share(count(test::our_world("school.map"), english(), kSanitized ? 397 : 97, kExact, 0),
-                 kSanitized ? 60 : 95);
+TEST(LiteralSession, comes_there_in_german_with_errors) {
+    const test::InLanguage german_spoken("de");
+    expect_share(count(test::our_world("house.map"), german(), every(7), kUsual, test::seed_of_run()), 95);
+}
+
+TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_exact_steps) {
+    expect_share(count(test::our_world("school.map"), english(), every(197), kExact, 0), 98);
+}
+
+TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_errors) {
+    expect_share(count(test::our_world("school.map"), english(), every(293), kUsual, test::seed_of_run()), 95);
 }
 
 }  // namespace word_way_test

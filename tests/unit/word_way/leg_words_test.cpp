@@ -1,0 +1,97 @@
+// A leg as a sentence: what to do first, then how far, then to what; each turn in words of its own, both languages.
+#include "app/core/wayfinding/leg_words.h"
+
+#include <chrono>
+#include <set>
+#include <thread>
+
+#include "tests/support/spoken_language.h"
+#include "tests/unit/core/app_session.h"
+
+namespace handrail {
+namespace leg_words_test {
+
+SpokenLeg leg(int turn, int steps, PaceEnd end, const std::string& to) {
+    SpokenLeg told;
+    told.turn_notches = turn;
+    told.steps = steps;
+    told.end = end;
+    told.to = to;
+    return told;
+}
+
+TEST(LegWords, tell_what_to_do_first_then_how_far_then_to_what) {
+    EXPECT_EQ(leg_words(leg(0, 6, PaceEnd::Steps, ""), {}), "Straight on. 6 steps.");
+    EXPECT_EQ(leg_words(leg(-4, 1, PaceEnd::Steps, "Kitchen"), {}), "Turn left. 1 step to Kitchen.");
+    SpokenLeg door = leg(-4, 4, PaceEnd::Stopped, "Living room door, shut");
+    door.open = true;
+    EXPECT_EQ(leg_words(door, {}), "Turn left. 4 steps, until you meet Living room door, shut. Open it.");
+    EXPECT_EQ(leg_words(leg(8, 3, PaceEnd::Stopped, ""), {}), "Turn round. 3 steps, until something stops you.");
+    SpokenLeg stairs = leg(1, 4, PaceEnd::Stairs, "");
+    stairs.risers = 17;
+    stairs.up = true;
+    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs up, in 4 steps, to the end.");
+    stairs.steps = 0;
+    stairs.up = false;
+    EXPECT_EQ(leg_words(stairs, {}), "Turn slightly right. 17 stairs down, just ahead, to the end.");
+    SpokenLeg over = leg(4, 9, PaceEnd::Steps, "Landing");
+    over.risers = 17;
+    over.up = true;
+    over.to_stairs = 2;
+    EXPECT_EQ(leg_words(over, {}), "Turn right. 9 steps to Landing. On the way 17 stairs up, in 2 steps.");
+    EXPECT_EQ(leg_words(leg(2, 3, PaceEnd::Steps, ""), {false, 0.7, true}), "Turn half right. 2 metres.");
+}
+
+TEST(LegWords, have_the_same_form_in_german) {
+    const test::InLanguage german("de");
+    EXPECT_EQ(leg_words(leg(0, 6, PaceEnd::Steps, ""), {}), "Geradeaus. 6 Schritte.");
+    EXPECT_EQ(leg_words(leg(-4, 1, PaceEnd::Steps, "Küche"), {}), "Links abbiegen. 1 Schritt bis Küche.");
+    SpokenLeg door = leg(3, 4, PaceEnd::Stopped, "Haustür, zu");
+    door.open = true;
+    EXPECT_EQ(leg_words(door, {}),
+              "Halb rechts abbiegen, dann leicht rechts. 4 Schritte, bis zum Anstoßen: Haustür, zu. Öffnen.");
+    SpokenLeg stairs = leg(-6, 1, PaceEnd::Stairs, "");
+    stairs.risers = 17;
+    EXPECT_EQ(leg_words(stairs, {}), "Scharf links abbiegen. 17 Stufen hinab, in 1 Schritt, bis zum Ende.");
+}
+
+TEST(LegWords, have_other_words_for_each_of_the_sixteen_turns) {
+    for (const char* language : {"en", "de"}) {
+        const test::InLanguage spoken(language);
+        std::set<std::string> all;
+        for (int turn = -7; turn <= 8; ++turn) all.insert(leg_words(leg(turn, 2, PaceEnd::Steps, ""), {}));
+        EXPECT_EQ(all.size(), 16U) << language;
+    }
+}
+
+// Where rooms are found beside everything else so is the way: how long it is comes at once, its first leg later.
+TEST(LegWords, come_when_the_way_is_planned_while_everything_goes_on) {
+    test::AppSession person({}, {}, SessionOptions{.rooms_beside = true});
+    person.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, person.now);
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+    const auto wait_for = [&](const std::function<bool()>& there) {
+        while (!there() && std::chrono::steady_clock::now() < until) {
+            person.run(0.05);
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        return there();
+    };
+    ASSERT_TRUE(wait_for([&] { return !person.ask(Command::Exits).starts_with("The rooms of this world are still"); }));
+    person.ask(Command::Routes);
+    const std::string way = person.line("Music room");
+    EXPECT_TRUE(way.starts_with("To Music room. ")) << way;
+    EXPECT_TRUE(way.ends_with("through Stairs, Landing.")) << way;
+    person.said.clear();
+    EXPECT_EQ(person.ask(Command::NextLeg), "A moment.");
+    EXPECT_TRUE(wait_for([&] { return person.said.back() != "A moment."; }));
+    EXPECT_EQ(person.said.back(), person.ask(Command::RepeatLeg));
+    // Another world, and another wish, give up what was being planned.
+    person.ask(Command::Routes);
+    person.line("Kitchen");
+    person.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, person.now);
+    person.run(0.1);
+    EXPECT_EQ(person.ask(Command::NextLeg), "No way is followed.");
+}
+
+}  // namespace leg_words_test
+}  // namespace handrail
