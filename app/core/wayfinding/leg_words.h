@@ -18,7 +18,6 @@ struct SpokenLeg {
     int risers = 0;          // of a flight; 0: a ramp, or there is none
     bool up = false;         // of a flight
     int to_stairs = 0;       // steps to where it begins, on a leg that goes over it and does not end with it
-    int to_stairs = 0;       // steps to where it begins, on a leg that does not end with it
     bool open = false;       // a door there is to be opened by hand
     bool by_itself = false;  // or opens as one comes near
     std::string clue;        // what tells beside steps that one is right; a sentence, may be empty

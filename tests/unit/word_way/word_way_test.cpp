@@ -10,6 +10,7 @@
 #include <regex>
 
 #include "tests/support/random_families.h"
+#include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
@@ -284,35 +285,59 @@ struct Counted {
     int routes = 0, came = 0, legs = 0;
 };
 
-// Every how manyth pair of rooms, with errors of that seed and the next ones.
+// One after the other, with errors of that seed and the next ones.
+class Routes {
+public:
+    Routes(const std::shared_ptr<const Scene>& world, const Form& form, const Errors& errors, std::uint64_t seed)
+        : judge_(*world), literal_(world, form), errors_(errors), seed_(seed), base_m_(literal_.feet_m()) {}
+
+    // From each room to each other, every how manyth pair of them.
+    Counted between_rooms(std::uint32_t every) {
+        for (const std::uint32_t from : judge_.rooms())
+            for (const std::uint32_t to : judge_.rooms())
+                if (from != to && (7 * from + 3 * to) % every == 0)
+                    walk(judge_.graph.rooms[from].middle_m, judge_.graph.rooms[from].name, to);
+        return tell();
+    }
+    // From where one comes in.
+    Counted from_base(std::uint32_t every) {
+        for (const std::uint32_t to : judge_.rooms())
+            if (to % every == 0 && room_at(judge_.graph, judge_.navigation->space(), base_m_) != to)
+                walk(base_m_, "base", to);
+        return tell();
+    }
+
+private:
+    void walk(const Vec3& start_m, const std::string& from, std::uint32_t to) {
+        if (!judge_.walks(start_m, judge_.graph.rooms[to].middle_m)) return;
+        const std::uint64_t seed = seed_ + static_cast<std::uint64_t>(++counted_.routes);
+        const std::string name = capitalised(judge_.graph.rooms[to].name);
+        const Vec3 end = literal_.go(start_m, name, errors_, seed);
+        const bool came = literal_.there() && room_at(judge_.graph, judge_.navigation->space(), end) == to;
+        counted_.came += came ? 1 : 0;
+        counted_.legs += literal_.legs();
+        if (!came)
+            fmt::print("  {} to {}, seed {}, ends at {:.2f} {:.2f} {:.2f}\n{}", from, name, seed, end.x, end.y, end.z,
+                       literal_.last_lines());
+        literal_.shut_all();
+    }
+    Counted tell() const {
+        fmt::print("seeds from {}: {} of {} came, {:.1f} legs each\n", seed_, counted_.came, counted_.routes,
+                   static_cast<double>(counted_.legs) / std::max(1, counted_.routes));
+        return counted_;
+    }
+
+    Judge judge_;
+    Literal literal_;
+    Errors errors_;
+    std::uint64_t seed_;
+    Vec3 base_m_;
+    Counted counted_;
+};
+
 Counted count(const std::shared_ptr<const Scene>& world, const Form& form, std::uint32_t every, const Errors& errors,
               std::uint64_t seed) {
-    const Judge judge(*world);
-    Counted counted;
-    Literal literal(world, form);
-    const std::vector<std::uint32_t> rooms = judge.rooms();
-    for (const std::uint32_t from : rooms) {
-        for (const std::uint32_t to : rooms) {
-            const Vec3 start = judge.graph.rooms[from].middle_m;
-            if (from == to || (7 * from + 3 * to) % every != 0 || !judge.walks(start, judge.graph.rooms[to].middle_m))
-                continue;
-            ++counted.routes;
-            const std::string name = capitalised(judge.graph.rooms[to].name);
-            std::fflush(stdout);
-            const Vec3 end = literal.go(start, name, errors, seed + static_cast<std::uint64_t>(counted.routes));
-            const bool came = literal.there() && room_at(judge.graph, judge.navigation->space(), end) == to;
-            const std::string lines = literal.last_lines();
-            literal.shut_all();
-            counted.came += came ? 1 : 0;
-            counted.legs += literal.legs();
-            if (!came)
-                fmt::print("  {} to {}, seed {}, ends at {:.2f} {:.2f} {:.2f}\n{}", judge.graph.rooms[from].name, name,
-                           seed + static_cast<std::uint64_t>(counted.routes), end.x, end.y, end.z, lines);
-        }
-    }
-    fmt::print("seeds from {}: {} of {} came, {:.1f} legs each\n", seed, counted.came, counted.routes,
-               static_cast<double>(counted.legs) / std::max(1, counted.routes));
-    return counted;
+    return Routes(world, form, errors, seed).between_rooms(every);
 }
 
 // Every how manyth pair is walked, so that it ends in time; all of them were walked when this was written
@@ -351,6 +376,25 @@ TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_exact_steps) {
 TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_errors) {
     expect_share(count(test::our_world("school.map"), english(), every(293), kUsual, test::seed_of_run()), 95);
 }
+
+void comes_from_the_base(const char* map, std::uint32_t usual, int percent_exact, int percent_with_errors) {
+    const auto file = test::real_world(map);
+    if (!file) GTEST_SKIP() << map << " is not here";
+    const Form form = english();
+    const auto world = test::world_in(*file);
+    expect_share(Routes(world, form, kExact, 0).from_base(every(usual)), percent_exact);
+    expect_share(Routes(world, form, kUsual, test::seed_of_run()).from_base(every(usual)), percent_with_errors);
+}
+
+TEST(LiteralSession, comes_from_the_base_to_the_rooms_of_the_first_tutorial_map) {
+    comes_from_the_base("agtut01.map", 1, 98, 95);
+}
+
+TEST(LiteralSession, comes_from_the_base_to_the_rooms_of_the_third_tutorial_map) {
+    comes_from_the_base("agtut03.map", 1, 98, 95);
+}
+
+TEST(LiteralSession, comes_from_the_base_to_the_rooms_of_the_melee) { comes_from_the_base("agdm01.map", 3, 98, 95); }
 
 }  // namespace word_way_test
 }  // namespace handrail
