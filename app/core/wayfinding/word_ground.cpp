@@ -10,7 +10,10 @@ void WordGround::enter_world() {
 }
 
 void WordGround::tick() {
-    if (rooms_.beside()) (void)floor();
+    if (!rooms_.beside()) return;
+    // Whoever has given their steps another length since is told as many as they are by now.
+    if (floor_ && floor_->step_m != context_.settings.walk.step_length_m) floor_.reset();
+    (void)floor();
 }
 
 std::shared_ptr<const WordFloor> WordGround::floor() {
