@@ -370,11 +370,11 @@ TEST(LiteralSession, comes_there_in_german_with_errors) {
 }
 
 TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_exact_steps) {
-    expect_share(count(test::our_world("school.map"), english(), every(197), kExact, 0), 98);
+    expect_share(count(test::our_world("school.map"), english(), every(37), kExact, 0), 98);
 }
 
 TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_errors) {
-    expect_share(count(test::our_world("school.map"), english(), every(293), kUsual, test::seed_of_run()), 95);
+    expect_share(count(test::our_world("school.map"), english(), every(53), kUsual, test::seed_of_run()), 95);
 }
 
 void comes_from_the_base(const char* map, std::uint32_t usual, int percent_exact, int percent_with_errors) {
