@@ -336,6 +336,9 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             wall_tone_on_ = on;
             return;
         }
+        case CueRequestKind::Interrupt:
+            end_demonstration(audio);
+            return interrupt(now_s, speech);
         case CueRequestKind::StopSpeech:
         case CueRequestKind::SilenceAll:
             end_demonstration(audio);
@@ -382,6 +385,16 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
             step_history(request.kind == CueRequestKind::HistoryBack, asked_s, now_s, speech);
             return;
     }
+}
+
+// What a foot or a hand must know at once has begun to be heard, or waits: a key that was pressed without knowing of it
+// does not take it away.
+void CuePlanner::interrupt(double now_s, SpeechSink& speech) {
+    const bool warns = speaking_class_ == SpeechClass::Alarm || speaking_class_ == SpeechClass::Warning;
+    if (!(speech.speaking() && warns && now_s - speaking_since_s_ < kWarningHeard_s)) speech.stop();
+    write_waiting(answers_, now_s, speech);
+    for (Hand& hand : hands_) hand.name.reset();
+    hint_.reset();
 }
 
 void CuePlanner::ask(const std::string& text, SpeechClass speech_class, double asked_s, bool repeatable) {
@@ -518,6 +531,7 @@ void CuePlanner::say_now(const Waiting& waiting, double now_s, SpeechSink& speec
     speech.say(utterance);
     speaking_class_ = utterance.speech_class;
     speaking_asked_s_ = waiting.asked_s;
+    speaking_since_s_ = now_s;
 }
 
 // First its name, then the sound, so that neither covers the other.

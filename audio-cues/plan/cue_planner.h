@@ -25,6 +25,8 @@ enum class CueRequestKind : std::uint8_t {
     Bump,         // body met `feature` at `position`; thud, and `text` as a warning; within 5 s of the last time it is
                   // not said again but `written`, each time
     WallTone,     // loudness by distance, at `position`; loudness 0: off
+    Interrupt,    // any key: the same, but for alarms and warnings that wait, and one that began less than
+                  // kWarningHeard_s ago: it is said to its end
     StopSpeech,   // Control key: the voice is silent and what waited to be said is dropped
     SilenceAll,   // F12: voice and sounds; loops stay off until the next step, bump or touch
     Play,         // sound kind at position
@@ -104,6 +106,7 @@ public:
 
     static constexpr std::size_t kMaxSpoken = 500;
     static constexpr std::size_t kMostHistory = 50;
+    static constexpr double kWarningHeard_s = 1.5;
 
 private:
     struct Waiting {
@@ -125,6 +128,7 @@ private:
     void on_request(const CueRequest& request, double now_s, AudioSink& audio, SpeechSink& speech);
     void ask(const std::string& text, SpeechClass speech_class, double asked_s, bool repeatable);
     void answer(Waiting waiting, double now_s, SpeechSink& speech);
+    void interrupt(double now_s, SpeechSink& speech);
     void write_waiting(std::deque<Waiting>& queue, double now_s, SpeechSink& speech);
     // What one hand touches and is heard of it.
     struct Hand {
@@ -168,6 +172,7 @@ private:
     std::optional<Waiting> hint_;
     SpeechClass speaking_class_ = SpeechClass::Ambient;  // of the last utterance; counts while the sink is speaking
     double speaking_asked_s_ = 0.0;
+    double speaking_since_s_ = -1e9;
 
     std::array<Hand, 2> hands_;  // the only or right one, the left one
     bool two_hands_ = false;

@@ -23,7 +23,7 @@ void Cues::say(std::string text, SpeechClass speech_class, double now_s) {
 
 void Cues::quiet(double now_s) {
     CueRequest request;
-    request.kind = CueRequestKind::StopSpeech;
+    request.kind = CueRequestKind::Interrupt;
     request.time_s = now_s;
     cue(std::move(request));
 }

@@ -26,7 +26,7 @@ public:
     void answer(std::string text, double now_s) { say(std::move(text), SpeechClass::Answer, now_s); }
     void play(SoundKind kind, double now_s) { cue(sound_at(kind, body_.ears_m(), now_s)); }
     void play_at(SoundKind kind, const Vec3& place_m, double now_s) { cue(sound_at(kind, place_m, now_s)); }
-    // What is being said ends.
+    // A key was pressed: what is being said ends, but for a warning that has just begun.
     void quiet(double now_s);
     void cue(CueRequest request) { waiting.push_back(std::move(request)); }
     std::vector<CueRequest> take() { return std::exchange(waiting, {}); }

@@ -813,6 +813,42 @@ TEST_F(CuePlannerWithVoice, stop_key_silences_the_voice_in_that_tick_and_leaves_
     EXPECT_TRUE(audio.silences_s().empty());
 }
 
+TEST_F(CuePlannerWithVoice, any_key_interrupts_an_answer_but_no_warning_that_has_just_begun) {
+    tick({}, {text("An answer that is long enough to be cut")});
+    wait(0.3);
+    tick({}, {request(CueRequestKind::Interrupt)});
+    EXPECT_FALSE(speech.speaking());
+    for (const SpeechClass warns : {SpeechClass::Warning, SpeechClass::Alarm}) {
+        // Pressed before anybody can have heard what it is about.
+        tick({}, {text("Edge. Drop, two metres deep, and more words", warns)});
+        wait(0.3);
+        tick({}, {request(CueRequestKind::Interrupt), text("To the key")});
+        EXPECT_TRUE(speech.speaking());
+        EXPECT_EQ(said().back(), "Edge. Drop, two metres deep, and more words");
+        wait(8.0);
+        EXPECT_EQ(said().back(), "To the key") << "and then comes what the key asked for";
+        wait(6.0);
+        // Heard long enough: a key ends it.
+        tick({}, {text("A warning of so many words that it goes on for a while and then for some more", warns)});
+        wait(CuePlanner::kWarningHeard_s + 0.1);
+        ASSERT_TRUE(speech.speaking());
+        tick({}, {request(CueRequestKind::Interrupt)});
+        EXPECT_FALSE(speech.speaking());
+        // The key that silences everything does so at once.
+        tick({}, {text("One more warning", warns)});
+        tick({}, {request(CueRequestKind::StopSpeech)});
+        EXPECT_FALSE(speech.speaking());
+        wait(8.0);
+    }
+}
+
+TEST_F(CuePlannerWithVoice, a_key_leaves_a_warning_that_waits) {
+    tick({}, {text("Stairs up, five steps", SpeechClass::Warning), text("Door is shut", SpeechClass::Warning)});
+    tick({}, {request(CueRequestKind::Interrupt)});
+    wait(10.0);
+    EXPECT_THAT(said(true), ElementsAre("Stairs up, five steps", "Door is shut"));
+}
+
 TEST_F(CuePlannerWithVoice, flush_writes_every_answer_that_still_waits) {
     tick({}, {text("One"), text("Two"), text("Three")});
     EXPECT_TRUE(planner.waiting());
