@@ -4,6 +4,7 @@
 
 #include "app/core/dialogue/command.h"
 #include "app/core/kept/spoken_language.h"
+#include "app/main/world_files.h"
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
@@ -336,8 +337,12 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
         if (auto error = check_touch(grammar.touch)) return *error;
         return grammar.touch;
     }
-    const auto& world = grammar.explore.arguments.world;
-    if (world && is_misspelt_command(*world)) return no_such_command(grammar, world->string());
+    auto& world = grammar.explore.arguments.world;
+    if (world && is_misspelt_command(*world)) {
+        const auto named = world_by_name(*world);  // "handrail house"
+        if (!named) return no_such_command(grammar, world->string());
+        world = *named;
+    }
     return grammar.explore;
 }
 

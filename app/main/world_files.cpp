@@ -3,33 +3,68 @@
 #include <cstdlib>
 
 #include "app/core/kept/kept_unit.h"
+#include "app/core/kept/world_shelf.h"
 #include "app/main/commands.h"
 
 namespace handrail {
 
 namespace fs = std::filesystem;
 
-fs::path world_folder() {
-    if (const char* set = std::getenv("HANDRAIL_WORLDS"); set && *set) return set;
+namespace {
+
+// Beside an installed program; empty where it is not installed.
+fs::path installed_folder() {
     std::error_code ec;
     const fs::path program = fs::read_symlink("/proc/self/exe", ec);
-    if (!ec) {
-        fs::path installed = program.parent_path().parent_path() / "share" / "handrail" / "worlds";
-        if (fs::is_directory(installed, ec)) return installed;
-    }
+    if (ec) return {};
+    fs::path installed = program.parent_path().parent_path() / "share" / "handrail" / "worlds";
+    return fs::is_directory(installed, ec) ? installed : fs::path();
+}
+
+fs::path folder_as_set() {
+    const char* set = std::getenv("HANDRAIL_WORLDS");
+    return set && *set ? fs::path(set) : fs::path();
+}
+
+// Absolute, links followed.
+fs::path real_world(const fs::path& world) {
+    std::error_code ec;
+    fs::path whole = fs::weakly_canonical(fs::absolute(world, ec), ec);
+    return ec ? world : whole;
+}
+
+}  // namespace
+
+fs::path world_folder() {
+    for (const fs::path& folder : {folder_as_set(), installed_folder()})
+        if (!folder.empty()) return folder;
     return HANDRAIL_WORLD_FOLDER;
 }
 
 bool is_shipped(const fs::path& world) {
     std::error_code ec;
-    return fs::equivalent(world.has_parent_path() ? world.parent_path() : fs::path("."), world_folder(), ec);
+    const fs::path folder = real_world(world).parent_path();
+    for (const fs::path& ours : {folder_as_set(), installed_folder(), fs::path(HANDRAIL_WORLD_FOLDER)})
+        if (!ours.empty() && fs::equivalent(folder, ours, ec)) return true;
+    return false;
+}
+
+fs::path kept_by(const fs::path& world) { return is_shipped(world) ? real_world(world) : world; }
+
+std::optional<fs::path> world_by_name(const fs::path& name) {
+    std::error_code ec;
+    if (name.has_parent_path() || name.has_extension() || fs::exists(name, ec)) return std::nullopt;
+    for (const ShelvedWorld& world : worlds_in(world_folder()))
+        if (world.file.stem() == name || world.name == name.string()) return world.file;
+    return std::nullopt;
 }
 
 fs::path first_world() { return world_folder() / "first_room.map"; }
 
 ReadOptions CommonArguments::read_options(const fs::path& world) const {
     CommonArguments said = *this;
-    if (!unit_m && !map_scale_m_per_unit) said.unit_m = kept_unit(world, user_data_folder(), is_shipped(world));
+    if (!unit_m && !map_scale_m_per_unit)
+        said.unit_m = kept_unit(kept_by(world), user_data_folder(), is_shipped(world));
     return said.read_options();
 }
 

@@ -3,14 +3,20 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 namespace handrail {
 
 // HANDRAIL_WORLDS when set, else ../share/handrail/worlds from the program's own place, else the source tree's
 // worlds/maps.
 std::filesystem::path world_folder();
-// The world is one of these.
+// The world is one of these, or of those that would be without HANDRAIL_WORLDS or an installation; by whatever path,
+// links followed.
 bool is_shipped(const std::filesystem::path& world);
+// By which what is kept of a world is found again: the path as it is, of one of ours absolute and links followed.
+std::filesystem::path kept_by(const std::filesystem::path& world);
+// "house", where no file of that name is here: the world of world_folder() that is called so; none: there is none.
+std::optional<std::filesystem::path> world_by_name(const std::filesystem::path& name);
 // The world that a first start explores.
 std::filesystem::path first_world();
 

@@ -27,7 +27,7 @@ void WorldVisits::enter(EnteringWorld world, const std::filesystem::path& path, 
         say_(phrase("program.problems",
                     {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
              asked_s);
-    SideFile side_file = SideFile::of_world(path, user_data_folder(), is_shipped(path));
+    SideFile side_file = SideFile::of_world(kept_by(path), user_data_folder(), is_shipped(path));
     if (arguments_.common.unit_m && arguments_.world && path == *arguments_.world) {
         keep_unit(side_file, *arguments_.common.unit_m);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);

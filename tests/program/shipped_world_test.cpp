@@ -1,0 +1,76 @@
+// What a person adds to a world that comes with the program stays in their own folder, however the world was opened.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+namespace shipped_world_test {
+namespace fs = std::filesystem;
+
+class ShippedWorld : public testing::Test {
+protected:
+    // Sets a mark there and leaves; where it was kept, below the person's own folder.
+    std::vector<std::string> kept_after_mark_in(const std::string& world,
+                                                const std::map<std::string, std::string>& environment = {}) {
+        const TemporaryFolder home;
+        ProgramCall call;
+        call.program = HANDRAIL_PROGRAM;
+        call.arguments = {world, "--no-window", "--device", "none"};
+        call.input = "mark\nHere I was\nquit\n";
+        call.environment = environment;
+        call.environment["HOME"] = home.path().string();
+        call.environment["XDG_DATA_HOME"] = (home.path() / "data").string();
+        const ProgramRun run = run_program(call);
+        EXPECT_EQ(run.exit_status, 0) << run.err;
+        EXPECT_THAT(run.out, testing::HasSubstr("Here I was"));
+        std::vector<std::string> kept;
+        std::error_code ec;
+        for (const fs::directory_entry& file : fs::directory_iterator(home.path() / "data/handrail/worlds", ec)) {
+            std::ifstream stream(file.path());
+            const std::string text((std::istreambuf_iterator<char>(stream)), {});
+            if (text.find("Here I was") != std::string::npos) kept.push_back(file.path().filename().string());
+        }
+        EXPECT_FALSE(fs::remove(beside(ours_), ec)) << "beside the world itself, for " << world;
+        return kept;
+    }
+    static fs::path beside(fs::path world) { return world += ".handrail.toml"; }
+    const fs::path ours_ = fs::path(TEST_WORLDS) / "house.map";
+};
+
+TEST_F(ShippedWorld, keeps_marks_in_the_persons_folder_by_path_by_name_and_by_a_link) {
+    const std::vector<std::string> by_path = kept_after_mark_in(ours_.string());
+    ASSERT_EQ(by_path.size(), 1U);
+    EXPECT_EQ(kept_after_mark_in("house"), by_path) << "the name alone, and the same file";
+    const TemporaryFolder links;
+    fs::create_symlink(ours_, links.path() / "my_house.map");
+    EXPECT_EQ(kept_after_mark_in((links.path() / "my_house.map").string()), by_path);
+    EXPECT_FALSE(fs::exists(beside(links.path() / "my_house.map")));
+    fs::create_directory_symlink(TEST_WORLDS, links.path() / "worlds");
+    EXPECT_EQ(kept_after_mark_in((links.path() / "worlds" / ".." / "worlds" / "house.map").string()), by_path);
+}
+
+TEST_F(ShippedWorld, keeps_them_there_also_where_other_worlds_are_named_to_be_the_programs) {
+    const TemporaryFolder others;
+    fs::copy_file(ours_, others.path() / "house.map");
+    const std::map<std::string, std::string> named{{"HANDRAIL_WORLDS", others.path().string()}};
+    EXPECT_EQ(kept_after_mark_in(ours_.string(), named).size(), 1U);
+    EXPECT_EQ(kept_after_mark_in("house", named).size(), 1U);
+    EXPECT_FALSE(fs::exists(beside(others.path() / "house.map")));
+}
+
+TEST_F(ShippedWorld, keeps_those_of_a_persons_own_world_beside_it) {
+    const TemporaryFolder own;
+    fs::copy_file(ours_, own.path() / "house.map");
+    EXPECT_TRUE(kept_after_mark_in((own.path() / "house.map").string()).empty());
+    EXPECT_TRUE(fs::exists(beside(own.path() / "house.map")));
+}
+
+}  // namespace shipped_world_test
+}  // namespace handrail::test
