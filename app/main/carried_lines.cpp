@@ -37,6 +37,7 @@ bool counts_by_itself(Command command) {
 void CarriedLines::drop() {
     lines_.clear();
     repeat_left_ = 0;
+    choice_.clear();
 }
 
 bool CarriedLines::take(double now_s, WizardSession* wizard) {
@@ -54,6 +55,10 @@ bool CarriedLines::take(double now_s, WizardSession* wizard) {
     if (repeat_left_ > 0) {
         --repeat_left_;
         tap(repeat_command_, 1, now_s);
+        return true;
+    }
+    if (const std::string choice = std::exchange(choice_, {}); !choice.empty() && app_.dialogue().is_open()) {
+        app_.apply(LineTyped{choice}, now_s);
         return true;
     }
     if (lines_.empty()) return false;
@@ -85,6 +90,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
         left_ = true;
     } else if (parsed->command) {
         repeat_command_ = *parsed->command;
+        choice_ = parsed->choice;
         const bool counts = counts_by_itself(repeat_command_);
         repeat_left_ = counts ? 0 : parsed->times - 1;
         tap(repeat_command_, counts ? parsed->times : 1, now_s);

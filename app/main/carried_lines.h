@@ -41,6 +41,7 @@ private:
     std::deque<std::string> lines_;
     Command repeat_command_ = Command::Forward;
     int repeat_left_ = 0;
+    std::string choice_;  // to be made in the list that the last command opens
     double settle_until_s_ = 0.0;
     bool left_ = false;
 };

@@ -28,6 +28,12 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
+// Whose list one chooses from by name.
+bool takes_choice(Command command) {
+    return command == Command::Describe || command == Command::Routes || command == Command::Find ||
+           command == Command::Ways || command == Command::LearntRooms;
+}
+
 }  // namespace
 
 Result<TerminalLine> parse_terminal_line(std::string_view line) {
@@ -42,7 +48,9 @@ Result<TerminalLine> parse_terminal_line(std::string_view line) {
     } else if (parsed.command = command_of_word(word); !parsed.command) {
         return fail(phrase("terminal.no_command", {{"word", word}, {"nearest", nearest_name(word, spoken_words())}}));
     }
-    if (!rest.empty()) {
+    if (parsed.command && takes_choice(*parsed.command)) {
+        parsed.choice = rest;
+    } else if (!rest.empty()) {
         const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), parsed.times);
         if (error != std::errc{} || end != rest.data() + rest.size() || parsed.times < 1 || parsed.times > kMostTimes)
             return fail(phrase("terminal.only_count", {{"word", word}, {"most", kMostTimes}}));

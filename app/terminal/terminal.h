@@ -22,11 +22,12 @@ namespace handrail {
 struct TerminalLine {
     std::optional<Command> command;  // none: an empty line
     int times = 1;                   // "forward 5"
+    std::string choice = {};         // "describe library": what is chosen in the list that the command opens
     bool leave = false;              // "quit", or its word in the language spoken: leaves without asking
 };
 
-// Understands "word" or "word count", the word in English or the language spoken; an unknown word fails naming the
-// nearest of the latter, a bad count says what it takes.
+// Understands "word", "word count" or, of a command that opens a list of places, "word choice", the word in English or
+// the language spoken; an unknown word fails naming the nearest of the latter, a bad count says what it takes.
 Result<TerminalLine> parse_terminal_line(std::string_view line);
 
 // Lines from a file descriptor without ever blocking. Owns nothing.

@@ -8,6 +8,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/pty_job.h"
 #include "tests/support/run_program.h"
+#include "tests/support/scale.h"
 #include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
@@ -66,6 +67,22 @@ TEST(Terminal, keys_act_at_once_and_words_behind_a_colon) {
     EXPECT_TRUE(at.after("\t", "1 of 9")) << "the menu";
     EXPECT_TRUE(at.after("\x1b[B", "2 of 9")) << "down the list";
     at.job->send(SIGTERM);
+    EXPECT_EQ(at.job->ends(), 0);
+    EXPECT_TRUE(at.job->as_before());
+}
+
+TEST(Terminal, digits_function_keys_space_and_escape_act_as_in_the_window) {
+    const AtTerminal at;
+    ASSERT_TRUE(at.in_first_room()) << at.job->said();
+    EXPECT_TRUE(at.after("2", "Ahead: ")) << "a digit: what is around";
+    EXPECT_TRUE(at.after("\x1bOQ", "facing north")) << "F2: where am I";
+    EXPECT_TRUE(at.after(" ", "facing north")) << "Space: the same again";
+    EXPECT_TRUE(at.after("\x1b[1;2Q", "Turned to the nearest wall")) << "Shift+F2: I am lost";
+    EXPECT_TRUE(at.after("\x1b[15;2~", "one storey")) << "Shift+F5: the building";
+    EXPECT_TRUE(at.after("\x1b[1;2R", "Describe which room")) << "Shift+F3: a room from afar";
+    EXPECT_TRUE(at.after("\x1b", "Closed")) << "Escape closes a list,";
+    EXPECT_TRUE(at.after("\x1b", "Press Escape again to leave.")) << "and asks before it leaves";
+    EXPECT_TRUE(at.after(":exit\r", "Goodbye.")) << "the word is the same question, answered";
     EXPECT_EQ(at.job->ends(), 0);
     EXPECT_TRUE(at.job->as_before());
 }
@@ -136,12 +153,14 @@ TEST(Terminal, survives_a_person_who_presses_everything) {
                                 ":where\r",
                                 "\t",
                                 "\x1b[24~"};
-    for (int i = 0; i < 600; ++i) {
+    const int inputs = scaled(20'000);
+    for (int i = 0; i < inputs; ++i) {
         std::string bytes =
             next(3) == 0 ? kSequences[next(std::size(kSequences))] : std::string(1, static_cast<char>(32 + next(95)));
         at.job->type(bytes);
         if (i % 20 == 0) at.job->says("never said", 0, 0.02);
     }
+    EXPECT_EQ(at.job->ends(0.5), -1) << "alive";
     at.job->send(SIGTERM);
     EXPECT_EQ(at.job->ends(), 0) << at.job->said().substr(at.job->said().size() > 2000 ? at.job->said().size() - 2000
                                                                                        : 0);

@@ -42,6 +42,9 @@ enum class Command : std::uint8_t {
     Heading,
     AroundMe,   // one thing per quarter
     AheadOfMe,  // up to four, by distance
+    Lost,       // turns to the nearest wall; the room, and the way back to the last known place
+    Describe,   // a list of rooms; the chosen one: size, exits, things by wall
+    Overview,   // the building in three sentences
     LookNext,   // along the next of 16 directions, or where the hand points
     LookBefore,
     ScaleBar,     // and north

@@ -76,9 +76,16 @@ bool Dialogue::typing() const { return is_open() && std::holds_alternative<TextS
 
 std::string Dialogue::item_words(const ListSpec& list) const {
     const ListItem& item = list.items[list.at];
-    return phrase("dialogue.item", {{"item", item.value.empty() ? item.name : item.name + ", " + item.value},
-                                    {"number", list.at + 1},
-                                    {"count", list.items.size()}});
+    // No number beside a number: "Room 3; 12 steps, 4 of 28".
+    const auto ends_in_digit = [](const std::string& text) {
+        return !text.empty() && text.back() >= '0' && text.back() <= '9';
+    };
+    const std::string words =
+        item.value.empty() ? item.name : item.name + (ends_in_digit(item.name) ? "; " : ", ") + item.value;
+    const bool digit = ends_in_digit(words);
+    return phrase(
+        "dialogue.item",
+        {{"item", words}, {"digit", digit ? "yes" : "no"}, {"number", list.at + 1}, {"count", list.items.size()}});
 }
 
 std::string Dialogue::where() const {

@@ -117,7 +117,7 @@ bool PlaceLearning::in_known_room(double now_s) {
 
 // Why there is nothing to be told of the room one stands in.
 std::string PlaceLearning::no_room_words() const {
-    if (!rooms_.looked_for()) return phrase("rooms.not_yet");
+    if (!rooms_.looked_for()) return phrase("rooms.not_known");
     return rooms_.found() ? phrase("rooms.nowhere") : rooms_.problem();
 }
 

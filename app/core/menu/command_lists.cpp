@@ -36,6 +36,8 @@ std::string short_help(const CommandInfo& row) {
     return std::string(row.help().substr(0, row.help().find_last_not_of('.') + 1));
 }
 
+std::string counted(std::size_t commands) { return phrase("menu.commands", {{"count", commands}}); }
+
 // A key's name as a person may type it; where the program has a window, the key itself is pressed.
 bool may_be_key(std::string_view name) {
     const auto fits = [](char c) {
@@ -51,9 +53,9 @@ void CommandLists::open(bool to_rebind, double now_s) {
     ListSpec list;
     list.title = phrase(to_rebind ? "menu.keys_of_what" : "menu.what_to_do");
     list.stays_open = true;
-    list.items.push_back({phrase("menu.all_of_it"), fmt::format("{}", command_table().size()), false});
+    list.items.push_back({phrase("menu.all_of_it"), counted(command_table().size()), false});
     for (std::size_t i = 0; i < kTopics.size(); ++i)
-        list.items.push_back({phrase(kTopics[i].key), fmt::format("{}", commands_of(i).size()), false});
+        list.items.push_back({phrase(kTopics[i].key), counted(commands_of(i).size()), false});
     if (!to_rebind) list.items.push_back({phrase("menu.search"), {}, false});
     list.chosen = [this, to_rebind](std::size_t i) {
         if (i == kTopics.size() + 1) return ask_for_search(context_.tick_s);

@@ -14,6 +14,11 @@
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
+namespace {
+
+constexpr double kAnswerFollows_s = 10.0;  // so long what is typed next waits for an answer that rooms are looked for
+
+}  // namespace
 
 Session::Session(const Settings& settings, const HandFacts& hand, const SessionOptions& options)
     : state_(settings, hand) {
@@ -38,6 +43,8 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     state_.world.scene = std::move(world.scene);
     state_.world.thing_of_mover = std::move(world.thing_of_mover);
     where_.rooms.enter_world(std::move(world.file));
+    where_.far.enter_world();
+    too_early_.reset();
     take_additions();  // before the hand's scene is made: what bears a mark is not simplified
     hand_.touch_view.enter_world(std::move(world.sharp), now_s);
     state_.world.movers.enter(state_.world.scene->movers);
@@ -99,6 +106,7 @@ void Session::press(Command command, double now_s, int times) {
     if (command != Command::Repeat && command != Command::HistoryBack && command != Command::HistoryForward &&
         command != Command::StopSpeech && command != Command::StopEverything)
         quiet(now_s);
+    if (command != Command::Repeat && command != Command::StopSpeech) too_early_.reset();
     if (lesson_session_.takes(command, now_s)) return;
     lesson_session_.note(command);
     if (info(command).hold) walk_.keys_held.press(command);
@@ -122,12 +130,27 @@ void Session::know_stops(std::uint32_t stops, double now_s) {
 
 bool Session::idle() const {
     if (!lesson_session_.idle() || state_.requests.set_up) return false;
+    if (too_early_ && state_.context.tick_s - too_early_->asked_s < kAnswerFollows_s) return false;
     return walk_.walking.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
 }
 
 void Session::act(Command command, double now_s, int times) {
     if (!state_.world.scene) return;
     if (desk_visit_.refuses(command, now_s)) return;
+    where_.rooms.take_refused();  // by others, since the last command
+    carry_out(command, now_s, times);
+    where_.far.note(command);
+    if (where_.rooms.take_refused()) too_early_ = TooEarly{command, now_s};
+}
+
+// What was asked before the rooms were known.
+void Session::answer_what_was_too_early(double now_s) {
+    if (!too_early_ || where_.rooms.awaited()) return;
+    const Command asked = std::exchange(too_early_, std::nullopt)->command;
+    if (!state_.lists.dialogue.is_open()) act(asked, now_s);
+}
+
+void Session::carry_out(Command command, double now_s, int times) {
     if (walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
         hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s))
         return;
@@ -142,6 +165,14 @@ void Session::act(Command command, double now_s, int times) {
         case Command::Coordinates:
         case Command::WhatIsThis:
             where_.asking.act(command, now_s);
+            break;
+        case Command::Lost:
+            walk_.walking.halt();
+            where_.far.act(command, now_s);
+            break;
+        case Command::Describe:
+        case Command::Overview:
+            where_.far.act(command, now_s);
             break;
         case Command::Simplified:
             simplified_list_.open(hand_.touch_view.plan(), hand_.touch_view.portals(), now_s);
@@ -375,6 +406,8 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     touch_events_.tick(now_s);
     movers_.triggers.tick(now_s);
     where_.rooms.tick(now_s);
+    where_.far.tick();
+    answer_what_was_too_early(now_s);
     hand_.workspace.take_touch(where_.rooms.looked_for(), greeting_waits(), now_s);
     take_settled();
     guide_.follow(now_s);

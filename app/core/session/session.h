@@ -127,6 +127,8 @@ private:
         state_.cues.say(std::move(text), speech_class, now_s);
     }
     void act(Command command, double now_s, int times = 1);
+    void carry_out(Command command, double now_s, int times);
+    void answer_what_was_too_early(double now_s);
     void publish_pose(double now_s, PoseChange change) { hand_.workspace.publish(now_s, change); }
     void play(SoundKind kind, double now_s) { state_.cues.play(kind, now_s); }
     void play_at(SoundKind kind, const Vec3& place_m, double now_s) { state_.cues.play_at(kind, place_m, now_s); }
@@ -171,6 +173,11 @@ private:
     std::optional<SideFile> side_file_next_;
     std::optional<LastPlace> last_place_;
     bool plan_view_ = false;
+    struct TooEarly {
+        Command command;
+        double asked_s = 0.0;
+    };
+    std::optional<TooEarly> too_early_;  // asked while rooms were still looked for; answered once they are known
 };
 
 }  // namespace handrail

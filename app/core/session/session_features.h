@@ -19,15 +19,18 @@
 #include "app/core/walking/walking.h"
 #include "app/core/wayfinding/guide.h"
 #include "app/core/whereabouts/asking.h"
+#include "app/core/whereabouts/far_places.h"
 #include "app/core/whereabouts/rooms.h"
 
 namespace handrail {
 
 // Where the body is: in which room, among what.
 struct Whereabouts {
-    explicit Whereabouts(SessionState& state) : rooms(state.context), asking(state.context, rooms) {}
+    explicit Whereabouts(SessionState& state)
+        : rooms(state.context), asking(state.context, rooms), far(state.context, state.body, rooms) {}
     Rooms rooms;
     Asking asking;
+    FarPlaces far;
 };
 
 // What moves when it is used, walked against or walked into.

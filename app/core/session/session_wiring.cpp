@@ -4,6 +4,7 @@
 
 #include "app/core/menu/setting_lists.h"
 #include "app/core/session/session.h"
+#include "app/core/whereabouts/room_things.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
@@ -64,6 +65,12 @@ void Session::wire() {
         return guide_.line_up_m(feet_m, heading_rad);
     };
     walk_.by_ear.where_am_i = [this] { return where_am_i(); };
+    walk_.by_ear.doors_of_room = [this] {
+        std::vector<LeapDoor> doors;
+        for (const RoomDoor& door : doors_of_room(state_.context, where_.rooms))
+            doors.push_back({door.feature, door.place_m, door.feet_m});
+        return doors;
+    };
     walk_.walking.on_walked = [this](const WalkResult& walked, double now_s) {
         learn_.place.note(walked.bump ? std::optional(walked.bump->normal) : std::nullopt, walk_.by_ear.wall_at_side(),
                           now_s);

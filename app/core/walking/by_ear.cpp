@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "app/core/context/telling.h"
+#include "app/core/dialogue/brief_words.h"
 #include "app/core/walking/paces.h"
-#include "app/core/world/body_heights.h"
-#include "app/core/world/questions.h"
-#include "app/core/world/surroundings.h"
+#include "app/core/world/hazards.h"
+#include "app/core/world/nearest_wall.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
@@ -16,21 +16,28 @@ namespace handrail {
 namespace {
 
 constexpr double kCrumb_m = 0.25;
-constexpr std::size_t kMostCrumbs = 4000, kMostUndo = 16, kMostPlaces = 64;
+constexpr std::size_t kMostCrumbs = 4000;
 constexpr double kSquareReach_m = 3.0;
-constexpr double kMarkHeight_m = 1.5;  // of a mark, above or below the waist, to count as on this floor
+constexpr double kToldTurn_rad = 0.7;            // a new direction is told that differs by more, 40 degrees
+constexpr double kToldClimb_m = 0.3;             // and a new height
+constexpr double kBeforeStairs_m = 0.35;         // beside the body, to the first riser, where trailing waits
+constexpr double kStairsLookedForEvery_m = 0.1;  // for them
+constexpr double kStairsSeen_m = 2.0;            // so much of them tells that they are stairs
+constexpr double kLevelAgain_m = 1.5;            // on the level so far, stairs are over, or have not been taken
+constexpr double kAtWall_m = 0.8;                // a wall that is farther is walked to first, which is told
 
 }  // namespace
 
 void ByEar::enter_world() {
-    undo_.clear();
-    leapt_to_ = kNoFeature;
+    leaping_.enter_world();
     set_down();
 }
 
 void ByEar::set_down() {
     trail_ = {};
+    stairs_ = {};
     retracing_ = false;
+    leaping_.begin_anew();
     halt();
     body_.crumbs_m.assign(1, body_.feet_m());
 }
@@ -38,11 +45,6 @@ void ByEar::set_down() {
 void ByEar::halt() {
     trail_left_m_ = retrace_left_m_ = 0.0;
     trail_to_event_ = false;
-}
-
-void ByEar::keep_place() {
-    if (undo_.size() == kMostUndo) undo_.erase(undo_.begin());
-    undo_.push_back({body_.feet_m(), body_.heading_goal_rad});
 }
 
 void ByEar::lay_crumb() {
@@ -61,9 +63,16 @@ void ByEar::notice(Command command) {
     const bool walks = command == Command::Forward || command == Command::Back || command == Command::SideLeft ||
                        command == Command::SideRight;
     const bool turns = command == Command::TurnLeft || command == Command::TurnRight || command == Command::FreeLeft ||
-                       command == Command::FreeRight || command == Command::SquareUp;
+                       command == Command::FreeRight || command == Command::SquareUp || command == Command::Lost;
     const bool trails = command == Command::TrailLeft || command == Command::TrailRight ||
                         command == Command::TrailOn || command == Command::TrailBack;
+    if (walks || turns || trails || command == Command::Retrace || command == Command::Home) leaping_.begin_anew();
+    if (trails && stairs_.held) {
+        stairs_.climbs = true;
+        stairs_.level_m = 0.0;
+    }
+    if (!trails) stairs_ = {};
+    stairs_.held = false;
     if (walks || turns || command == Command::Retrace) {
         trail_.stop();
         trail_left_m_ = 0.0;
@@ -88,19 +97,16 @@ bool ByEar::act(Command command, double now_s, int times) {
         }
         case Command::TrailOn:
         case Command::TrailBack:
-            if (command == Command::TrailBack && trail_.active()) trail_.turn_round();
-            else if (!trail_.active() && !start_trail(TrailSide::Left, now_s)) return true;
+            if (command == Command::TrailBack && trail_.active()) {
+                trail_.turn_round();
+                tell_start(now_s);
+            } else if (!trail_.active() && !start_trail(TrailSide::Left, now_s)) {
+                return true;
+            }
             trail_to_event_ = true;
             return true;
         case Command::SquareUp:
             square_up(now_s);
-            return true;
-        case Command::LeapNext:
-        case Command::LeapLast:
-            leap(command == Command::LeapNext ? 1 : -1, now_s);
-            return true;
-        case Command::UndoLeap:
-            undo(now_s);
             return true;
         case Command::Retrace:
             trail_.stop();
@@ -114,31 +120,37 @@ bool ByEar::act(Command command, double now_s, int times) {
             retrace_left_m_ = more_to_go_m(retrace_left_m_, step_m, times);
             return true;
         default:
-            return false;
+            return leaping_.act(command, now_s);
     }
-}
-
-void ByEar::undo(double now_s) {
-    // Where something stands by now nobody is put back, nor where one stood in a solid.
-    std::erase_if(
-        undo_, [&](const Place& place) { return context_.world.solids->blocked(place.feet_m, body_.walker->shape()); });
-    if (undo_.empty()) {
-        context_.play(SoundKind::Denied, now_s);
-        return context_.answer(phrase("walking.nothing_to_undo"), now_s);
-    }
-    const Place back = undo_.back();
-    undo_.pop_back();
-    context_.asks.place(back.feet_m, back.heading_rad, now_s);
-    context_.answer(phrase("walking.undone") + " " + where_am_i(), now_s);
 }
 
 bool ByEar::start_trail(TrailSide side, double now_s) {
     if (trail_.active() && trail_.side() == side) return true;
-    if (trail_.start(*context_.world.solids, body_.feet_m(), body_.heading_goal_rad, body_.walker->size(), side))
+    if (trail_.start(*context_.world.solids, body_.feet_m(), body_.heading_goal_rad, body_.walker->size(), side)) {
+        told_z_m_ = body_.feet_m().z;
+        tell_start(now_s);
         return true;
+    }
     context_.play(SoundKind::Denied, now_s);
     context_.answer(phrase("walking.no_wall"), now_s);
     return false;
+}
+
+// Where it goes, wherever that is not where one faces with the wall at that side already.
+void ByEar::tell_start(double now_s) {
+    const double heading_rad = trail_.heading_rad();
+    const bool turns = std::abs(wrap_angle(heading_rad - body_.heading_goal_rad)) > kToldTurn_rad;
+    told_heading_rad_ = heading_rad;
+    const double away_m = trail_.wall_m();
+    if (!turns && away_m <= kAtWall_m) return;
+    const std::string compass = fine_compass_word(heading_rad);
+    const char* side = trail_.side() == TrailSide::Left ? "left" : "right";
+    if (away_m <= kAtWall_m)
+        return context_.answer(phrase("walking.trail_turns", {{"compass", compass}, {"side", side}}), now_s);
+    const std::string where =
+        brief_place_words(away_m + body_.walker->size().radius_m, trail_.wall_bearing_rad(), body_.heading_goal_rad,
+                          context_.settings.speech.directions, distances(context_));
+    context_.answer(phrase("walking.trail_to", {{"where", where}, {"compass", compass}, {"side", side}}), now_s);
 }
 
 bool ByEar::leads() const {
@@ -155,6 +167,11 @@ std::optional<Vec3> ByEar::lead(double now_s, double dt_s) {
                                      context_.settings.walk.speed_m_per_s, dt_s, events);
     body_.heading_goal_rad = wrap_angle(way.heading_rad);
     for (const TrailEvent& event : events) tell_trail(event, now_s);
+    tell_turn_and_climb(now_s);
+    if (trail_.touching() && waits_at_stairs(way.heading_rad, now_s)) {
+        halt();
+        return Vec3(0.0);
+    }
     const bool keys = keys_.held(Command::TrailLeft) || keys_.held(Command::TrailRight);
     if (!keys) trail_left_m_ = std::max(0.0, trail_left_m_ - glm::length(way.wish_m_per_s) * dt_s);
     if (!events.empty() && trail_to_event_) {
@@ -164,13 +181,58 @@ std::optional<Vec3> ByEar::lead(double now_s, double dt_s) {
     return way.wish_m_per_s;
 }
 
+// What is told of the way it goes now, when that is another one than the person knows of; once.
+std::string ByEar::going_words() {
+    if (std::abs(wrap_angle(body_.heading_goal_rad - told_heading_rad_)) <= kToldTurn_rad) return {};
+    told_heading_rad_ = body_.heading_goal_rad;
+    return phrase("walking.going", {{"compass", fine_compass_word(body_.heading_goal_rad)}});
+}
+
+void ByEar::tell_turn_and_climb(double now_s) {
+    if (const std::string going = going_words(); !going.empty()) context_.say(going, SpeechClass::Contact, now_s);
+    const double z_m = body_.feet_m().z;
+    stairs_.level_m =
+        std::abs(z_m - stairs_.z_m) > 1e-3 ? 0.0 : stairs_.level_m + glm::length(body_.feet_m() - stairs_.from_m);
+    stairs_.z_m = z_m;
+    stairs_.from_m = body_.feet_m();
+    if (stairs_.climbs && stairs_.level_m > kLevelAgain_m) {
+        stairs_.climbs = false;
+        told_z_m_ = z_m;
+    }
+    if (stairs_.climbs || std::abs(z_m - told_z_m_) <= kToldClimb_m) return;
+    context_.warn(phrase(z_m > told_z_m_ ? "walking.higher" : "walking.lower", {{"metres", std::abs(z_m - told_z_m_)}}),
+                  now_s);
+    told_z_m_ = z_m;
+}
+
+// Stairs are taken only by who asks for them.
+bool ByEar::waits_at_stairs(double heading_rad, double now_s) {
+    if (stairs_.held || stairs_.climbs) return stairs_.held;
+    if (glm::length(body_.feet_m() - stairs_.looked_m) < kStairsLookedForEvery_m) return false;
+    stairs_.looked_m = body_.feet_m();
+    const BodySize size = body_.walker->size();
+    const GroundAhead ahead = ground_ahead(*context_.world.solids, body_.feet_m(), heading_rad,
+                                           ground_rules(*context_.world.scene, size), kStairsSeen_m);
+    if (!ahead.stairs || ahead.stairs->distance_m > size.radius_m + kBeforeStairs_m) return false;
+    stairs_.held = true;
+    context_.play(SoundKind::Denied, now_s);
+    context_.warn(phrase(ahead.stairs->up ? "walking.trail_stairs_up" : "walking.trail_stairs_down"), now_s);
+    return true;
+}
+
 void ByEar::tell_trail(const TrailEvent& event, double now_s) {
     const std::string name =
         describe_feature(*context_.world.scene, event.feature, std::max(1, context_.settings.speech.verbosity));
+    // One sentence for both, since the newest name replaces the one before.
+    const auto with_going = [this](std::string words) {
+        if (const std::string going = going_words(); !going.empty())
+            words += (words.ends_with('.') ? " " : ". ") + going;
+        return words;
+    };
     switch (event.kind) {
         case TrailEvent::Kind::Corner:
             context_.cues.cue(sound_at(SoundKind::Corner, event.place_m, now_s));
-            context_.say(phrase("walking.corner", {{"name", name}}), SpeechClass::Contact, now_s);
+            context_.say(with_going(phrase("walking.corner", {{"name", name}})), SpeechClass::Contact, now_s);
             return;
         case TrailEvent::Kind::Meets: {
             CueRequest touched = sound_at(SoundKind::Contact, event.place_m, now_s);
@@ -178,7 +240,8 @@ void ByEar::tell_trail(const TrailEvent& event, double now_s) {
                 touched.material = context_.world.scene->material(feature->material).sound;
             touched.loudness = 0.6;
             context_.cues.cue(std::move(touched));
-            if (!name.empty()) context_.say(name, SpeechClass::Contact, now_s);
+            if (name.empty()) return;
+            context_.say(with_going(name), SpeechClass::Contact, now_s);
             return;
         }
         case TrailEvent::Kind::Opening: {
@@ -224,95 +287,17 @@ std::optional<Vec3> ByEar::retrace(double now_s, double dt_s) {
 
 // Square to the nearest wall, or to the nearest quarter of the compass where none is near.
 void ByEar::square_up(double now_s) {
-    std::optional<TraceHit> nearest;
-    double nearest_m = kSquareReach_m;
-    const Vec3 eye = body_.feet_m() + Vec3(0.0, 0.0, kWaist_m);
-    for (int i = 0; i < 32; ++i) {
-        const TraceHit hit = context_.world.solids->trace(
-            eye, eye + forward_of_heading(i * kPi / 16.0) * kSquareReach_m, BodyShape{}, true);
-        if (!hit.hit || std::abs(hit.normal.z) > 0.3 || hit.fraction * kSquareReach_m >= nearest_m) continue;
-        nearest = hit;
-        nearest_m = hit.fraction * kSquareReach_m;
-    }
+    const auto nearest = nearest_wall(*context_.world.solids, body_.feet_m(), kSquareReach_m);
     const double quarter = 0.5 * kPi;
-    const double origin = nearest ? std::atan2(-nearest->normal.x, -nearest->normal.y) : 0.0;
+    const double origin = nearest ? nearest->bearing_rad : 0.0;
     body_.heading_goal_rad =
         wrap_angle(origin + std::round(wrap_angle(body_.heading_goal_rad - origin) / quarter) * quarter);
     const std::string compass = fine_compass_word(body_.heading_goal_rad);
     context_.play(SoundKind::TurnTick, now_s);
     if (!nearest) return context_.answer(phrase("walking.square", {{"compass", compass}}), now_s);
     const std::string wall = sentence_case(name_of(context_, nearest->feature)),
-                      where = where_words(context_, nearest_m, origin);
+                      where = where_words(context_, nearest->distance_m, origin);
     context_.answer(phrase("walking.square_to", {{"compass", compass}, {"wall", wall}, {"where", where}}), now_s);
-}
-
-// To the next door, landmark, clue or own mark in sight, in the order of the file, and to a place before it where there
-// is room. Marks come last, in the order in which they were set; one leaps right onto them where that is free.
-void ByEar::leap(int by, double now_s) {
-    struct Target {
-        std::uint32_t order = 0;
-        double bearing_rad = 0.0, distance_m = 0.0;
-        bool mark = false;
-    };
-    std::vector<Target> places;
-    for (const Seen& seen : things_in_sight(*context_.world.solids, body_.feet_m(), kWaist_m, kMostPlaces)) {
-        const Feature& feature = context_.world.scene->features[seen.feature.value];
-        if (feature.kind == FeatureKind::Door || feature.landmark || feature.clue)
-            places.push_back({seen.feature.value, seen.bearing_rad, seen.distance_m, false});
-    }
-    const Vec3 eye = body_.feet_m() + Vec3(0.0, 0.0, kWaist_m);
-    for (std::size_t i = 0; i < context_.world.marks.size() && places.size() < kMostPlaces; ++i) {
-        const Vec3 way = context_.world.marks[i].place_m - eye;
-        const double level_m = std::hypot(way.x, way.y);
-        if (level_m < 0.5 * context_.settings.walk.step_length_m || level_m > kSightRange_m ||
-            std::abs(way.z) > kMarkHeight_m)
-            continue;
-        if (context_.world.solids->trace(eye, eye + Vec3(way.x, way.y, 0.0), BodyShape{}, true).hit) continue;
-        places.push_back({static_cast<std::uint32_t>(context_.world.scene->features.size() + i),
-                          std::atan2(way.x, way.y), level_m, true});
-    }
-    std::sort(places.begin(), places.end(), [](const Target& a, const Target& b) { return a.order < b.order; });
-    const std::size_t count = places.size();
-    std::size_t first = by > 0 || count == 0 ? 0 : count - 1;  // the first after the last one, either way
-    if (leapt_to_) {
-        if (by > 0)
-            while (first < count && places[first].order <= leapt_to_.value) ++first;
-        else {
-            first = count;
-            while (first > 0 && places[first - 1].order >= leapt_to_.value) --first;
-            first = (first + count - 1) % std::max<std::size_t>(count, 1);
-        }
-    }
-    const BodyShape shape = body_.walker->shape();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Target& to = places[(first + (by > 0 ? i : count - i)) % count];
-        const Vec3 way = forward_of_heading(to.bearing_rad);
-        for (double before = to.mark ? 0.0 : shape.radius_m + 0.15; before < shape.radius_m + 1.0; before += 0.1) {
-            if (before > to.distance_m) break;
-            const Vec3 feet = body_.feet_m() + way * (to.distance_m - before);
-            const TraceHit ground =
-                context_.world.solids->trace(feet + Vec3(0.0, 0.0, 0.5), feet - Vec3(0.0, 0.0, 1.0), shape);
-            if (!ground.hit || ground.normal.z < 0.7 || context_.world.solids->blocked(ground.end_m, shape)) continue;
-            const std::string where = where_words(context_, to.distance_m - before, to.bearing_rad);
-            const std::string name = to.mark
-                                         ? context_.world.marks[to.order - context_.world.scene->features.size()].name
-                                         : describe_feature(*context_.world.scene, FeatureId{to.order},
-                                                            std::max(2, context_.settings.speech.verbosity));
-            const FeatureId order{to.order};
-            const double bearing = to.bearing_rad;
-            keep_place();
-            context_.asks.place(ground.end_m, bearing, now_s);
-            leapt_to_ = order;
-            context_.play(SoundKind::Arrived, now_s);
-            context_.answer(
-                phrase("walking.leapt",
-                       {{"name", name}, {"where", sentence_case(where)}, {"compass", fine_compass_word(bearing)}}),
-                now_s);
-            return;
-        }
-    }
-    context_.play(SoundKind::Denied, now_s);
-    context_.answer(phrase("leap.none"), now_s);
 }
 
 }  // namespace handrail

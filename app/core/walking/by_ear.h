@@ -1,5 +1,6 @@
-// Moving by ear: along a wall, back the way one came, square to a wall, from one thing in sight to the next, and back
-// from there. Says where the body shall go; Walking moves it. App thread only; world metres.
+// Moving by ear: along a wall, back the way one came, square to a wall; from one thing to the next by Leaping. Says
+// where the body shall go; Walking moves it. Trailing never turns or climbs without a word: each new direction is told,
+// and before stairs it waits to be asked again. App thread only; world metres.
 #pragma once
 
 #include <functional>
@@ -9,6 +10,7 @@
 
 #include "app/core/context/session_context.h"
 #include "app/core/dialogue/held_keys.h"
+#include "app/core/walking/leaping.h"
 #include "app/core/world/trail.h"
 
 namespace handrail {
@@ -38,24 +40,23 @@ public:
     // Where the body stands counts among the places that one goes back along.
     void lay_crumb();
     // Leaps, Home and the like can be taken back: called before them.
-    void keep_place();
+    void keep_place() { leaping_.keep_place(); }
     // Out of the wall that the body's side is at while it trails, level.
     std::optional<Vec3> wall_at_side() const;
 
-    // Set by the session: the answer to "where am I".
+    // Set by the session: the answer to "where am I", and the doors of the room one is in.
     std::function<std::string()> where_am_i;
+    std::function<std::vector<LeapDoor>()> doors_of_room;
 
 private:
-    struct Place {
-        Vec3 feet_m{0.0};
-        double heading_rad = 0.0;
-    };
     bool start_trail(TrailSide side, double now_s);
+    void tell_start(double now_s);
     void tell_trail(const TrailEvent& event, double now_s);
+    std::string going_words();
+    void tell_turn_and_climb(double now_s);
+    bool waits_at_stairs(double heading_rad, double now_s);
     std::optional<Vec3> retrace(double now_s, double dt_s);
     void square_up(double now_s);
-    void leap(int by, double now_s);
-    void undo(double now_s);
 
     const SessionContext& context_;
     BodyState& body_;
@@ -65,8 +66,15 @@ private:
     bool trail_to_event_ = false;  // until something is met
     double retrace_left_m_ = 0.0;  // of taps, still to go back along the body's crumbs
     bool retracing_ = false;
-    std::vector<Place> undo_;          // the newest last
-    FeatureId leapt_to_ = kNoFeature;  // or the number of a mark, counted on from the features
+    double told_heading_rad_ = 0.0, told_z_m_ = 0.0;  // of the trail: as the person knows them
+    // The stairs before which trailing waits: it goes on over them when it is asked again, until it is on the level.
+    struct Stairs {
+        bool held = false, climbs = false;
+        double z_m = 0.0, level_m = 0.0;  // where it was last tick, and how far it has been on the level
+        Vec3 from_m{0.0}, looked_m{1e9};
+    };
+    Stairs stairs_;
+    Leaping leaping_{context_, body_, where_am_i, doors_of_room};
 };
 
 }  // namespace handrail

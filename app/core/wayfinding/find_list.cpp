@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/core/context/telling.h"
+#include "app/core/whereabouts/room_things.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -31,14 +32,6 @@ bool is_of(const SessionContext& context, const Goal& goal, FindKind kind) {
             return feature && feature->kind != FeatureKind::Door;
     }
     return false;
-}
-
-// The room on whose floor it stands or before which it hangs; kNothing: none is near.
-std::uint32_t room_of(const Rooms& rooms, const Aabb& box) {
-    const Vec3 middle = box.centre_m(), size = box.size_m();
-    const double beside_m = std::min(0.5 * std::max(size.x, size.y) + 1.0, 5.0);
-    const std::uint32_t span = rooms.space().nearest({middle.x, middle.y, box.min_m.z}, beside_m, 0.6, 2.0);
-    return span == kNothing ? kNothing : room_at(rooms.graph(), rooms.space(), rooms.space().place_m(span));
 }
 
 ListItem item_of(const SessionContext& context, const Rooms& rooms, const FindGroup& group) {

@@ -77,6 +77,7 @@ void Rooms::know_leaves() {
 bool Rooms::have(double now_s) {
     if (!of_world_ || (beside_ && !of_world_->ready())) {
         context_.answer(phrase("rooms.not_yet"), now_s);
+        refused_ = true;
         return false;
     }
     if (of_world_->ready() && of_world_->found()) {
@@ -86,14 +87,6 @@ bool Rooms::have(double now_s) {
     }
     context_.answer(of_world_->problem(), now_s);
     return false;
-}
-
-// "Kitchen. " where there is more than one room; empty where nothing is known.
-std::string Rooms::here_words(double now_s) {
-    if (!known() || graph().rooms.size() < 2) return {};
-    notice(now_s, true);
-    return here_ == kNothing ? std::string()
-                             : phrase("rooms.here", {{"room", sentence_case(graph().rooms[here_].name)}}) + " ";
 }
 
 // Which room one is in now; `quietly`: without a word about it.

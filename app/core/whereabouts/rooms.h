@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/core/context/session_context.h"
@@ -35,6 +36,8 @@ public:
     bool known();
     // The same, noticing which room one is in; else says why not.
     bool have(double now_s);
+    // have() was asked before they were known, since this was asked last.
+    bool take_refused() { return std::exchange(refused_, false); }
     // Looked for now where they are not found beside, as known(), but before the world's doors stand where they will:
     // no leaf is noticed.
     bool look() const { return of_world_ && of_world_->ready() && of_world_->found(); }
@@ -54,8 +57,6 @@ public:
     std::uint32_t here() const { return here_; }
     // Which one that is now; quietly: without a word about it.
     void notice(double now_s, bool quietly);
-    // "Kitchen. " where there is more than one room; empty where nothing is known.
-    std::string here_words(double now_s);
 
     // The names that the person gave have been changed in their file.
     void take_names_again();
@@ -78,7 +79,7 @@ private:
     void give_name(std::uint32_t room, const std::string& typed, double now_s);
 
     const SessionContext& context_;
-    bool beside_ = false, told_ = false, drawn_ = false;
+    bool beside_ = false, told_ = false, drawn_ = false, refused_ = false;
     std::unique_ptr<RoomsOfWorld> of_world_;
     std::uint32_t here_ = kNothing;
     std::vector<bool> visited_;  // since this world was entered

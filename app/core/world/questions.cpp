@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "app/core/dialogue/brief_words.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
@@ -146,8 +147,11 @@ std::string sides_of_door(const Feature& door, double bearing_rad) {
 
 std::string tell(const Sight& sight, const std::string& state, const Telling& how) {
     std::string name = sentence_case(sight.name);
+    // In the same words as exits: turns are by sixteenths, and whoever wants degrees has distances told exactly.
+    const bool in_sixteenths = how.distances.rounded && how.directions == DirectionChoice::Sides;
+    const auto words = in_sixteenths ? brief_place_words : place_words;
     const std::string place =
-        place_words(sight.seen.distance_m, sight.seen.bearing_rad, how.heading_rad, how.directions, how.distances);
+        words(sight.seen.distance_m, sight.seen.bearing_rad, how.heading_rad, how.directions, how.distances);
     if (how.verbosity <= 1) return name;
     if (how.verbosity >= 4) {
         std::string text = phrase("questions.it_is_there", {{"name", name}, {"place", place}});

@@ -4,6 +4,7 @@
 // as 1):
 //   1 "Door"   2 "Door, 4 steps ahead"; a surface with its material   3 "Door, wood, shut, hinged left, 4 steps ahead"
 //   4 "Door: it is 4 steps ahead. It is made of wood. It is shut, hinged left."
+// Directions are told by sixteenths of a circle, as exits are; in degrees where distances are told exactly.
 #pragma once
 
 #include <array>

@@ -46,6 +46,8 @@ Vec3 Trail::along() const {
     return side_ == TrailSide::Left ? Vec3(-normal_.y, normal_.x, 0.0) : Vec3(normal_.y, -normal_.x, 0.0);
 }
 
+double Trail::heading_rad() const { return heading_of(along()); }
+
 bool Trail::start(const BodyWorld& world, const Vec3& feet_m, double heading_rad, const BodySize& body,
                   TrailSide side) {
     contract_pre(is_finite(feet_m) && std::isfinite(heading_rad));
@@ -63,6 +65,8 @@ bool Trail::start(const BodyWorld& world, const Vec3& feet_m, double heading_rad
         nearest = wanted;
     if (!nearest) return false;
     normal_ = nearest->normal;
+    wall_m_ = nearest->distance_m;
+    wall_bearing_rad_ = heading_of(-normal_);
     active_ = true;
     return true;
 }

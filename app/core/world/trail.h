@@ -47,6 +47,11 @@ public:
     const Vec3& wall_normal() const { return normal_; }
     bool touching() const { return touching_; }  // the side is at the wall
     FeatureId feature() const { return feature_; }
+    // Which way it goes, with the wall at its side; meaningful while it is active.
+    double heading_rad() const;
+    // To the wall where it was found on starting: how far the body's side was from it, and in which direction.
+    double wall_m() const { return wall_m_; }
+    double wall_bearing_rad() const { return wall_bearing_rad_; }
 
     static constexpr double kGap_m = 0.03;           // between body and wall
     static constexpr double kWidestOpening_m = 2.4;  // wider ones are walked into
@@ -57,7 +62,8 @@ private:
 
     bool active_ = false;
     TrailSide side_ = TrailSide::Left;
-    Vec3 normal_{0.0};   // out of the wall
+    Vec3 normal_{0.0};  // out of the wall
+    double wall_m_ = 0.0, wall_bearing_rad_ = 0.0;
     bool near_ = false;  // the wall has been reached once
     bool touching_ = false;
     double bridge_m_ = 0.0;           // still to go straight past an opening

@@ -33,7 +33,7 @@ TEST(Dialogue, goes_through_a_list_and_stops_at_its_ends) {
     Fruit f;
     EXPECT_EQ(f.dialogue.open(f.list()), "Fruit. Apple, 1 of 4");
     EXPECT_TRUE(f.dialogue.key("Up", 0.0).denied);
-    EXPECT_EQ(f.key("Down"), "Banana, 3, 2 of 4");
+    EXPECT_EQ(f.key("Down"), "Banana, 3; 2 of 4");
     EXPECT_EQ(f.key("End"), "Cherry, 4 of 4");
     EXPECT_TRUE(f.dialogue.key("Down", 0.0).denied);
     EXPECT_EQ(f.key("Space"), "Cherry, 4 of 4");
@@ -49,9 +49,9 @@ TEST(Dialogue, goes_through_a_list_and_stops_at_its_ends) {
 TEST(Dialogue, finds_names_by_their_first_letters) {
     Fruit f;
     f.dialogue.open(f.list());
-    EXPECT_EQ(f.dialogue.typed("b", 10.0).words, "Banana, 3, 2 of 4");
+    EXPECT_EQ(f.dialogue.typed("b", 10.0).words, "Banana, 3; 2 of 4");
     EXPECT_EQ(f.dialogue.typed("b", 10.2).words, "Blueberry, 3 of 4") << "the same letter again goes on";
-    EXPECT_EQ(f.dialogue.typed("B", 20.0).words, "Banana, 3, 2 of 4");
+    EXPECT_EQ(f.dialogue.typed("B", 20.0).words, "Banana, 3; 2 of 4");
     EXPECT_EQ(f.dialogue.typed("l", 20.3).words, "Blueberry, 3 of 4") << "letters that follow are one word";
     EXPECT_TRUE(f.dialogue.typed("z", 30.0).denied);
     EXPECT_EQ(f.key("Space"), "Blueberry, 3 of 4");
@@ -83,7 +83,7 @@ TEST(Dialogue, comes_back_to_the_list_below_and_ends_all_of_them_with_a_choice_t
     ListSpec upper = f.list();
     upper.title = "More";
     f.dialogue.open(upper);
-    EXPECT_EQ(f.key("Escape"), "Fruit. Banana, 3, 2 of 4");
+    EXPECT_EQ(f.key("Escape"), "Fruit. Banana, 3; 2 of 4");
     EXPECT_EQ(f.left, 1);
     f.dialogue.open(upper);
     f.key("Enter");
@@ -145,7 +145,7 @@ TEST(Dialogue, works_by_lines) {
     Fruit f;
     f.dialogue.open(f.list(true));
     EXPECT_EQ(f.dialogue.line("list", 0.0).words, "Fruit. 1: Apple. 2: Banana, 3. 3: Blueberry. 4: Cherry.");
-    EXPECT_EQ(f.dialogue.line("down", 0.0).words, "Banana, 3, 2 of 4");
+    EXPECT_EQ(f.dialogue.line("down", 0.0).words, "Banana, 3; 2 of 4");
     f.dialogue.line("blue", 0.0);
     f.dialogue.line("4", 0.0);
     f.dialogue.line(" CHERRY ", 0.0);

@@ -47,8 +47,8 @@ TEST(GermanSession, begins_asks_touches_walks_and_leaves_in_whole_german_sentenc
               "Vorn: Wohnzimmertür, 3 Schritte. Rechts: Tür zum Arbeitszimmer, 3 Schritte. Hinten: Fußmatte, ganz nah. "
               "Links: Garderobenständer, 1 Schritt.");
     EXPECT_EQ(s.ask(Command::AheadOfMe),
-              "Wohnzimmertür, 3 Schritte, 45 Grad links. Standuhr, 4 Schritte, 20 Grad rechts. "
-              "Tickende Uhr, 4 Schritte, 20 Grad rechts. Handlauf, 5 Schritte geradeaus.");
+              "Wohnzimmertür, 3 Schritte, halb links. Standuhr, 4 Schritte, leicht rechts. "
+              "Tickende Uhr, 4 Schritte, leicht rechts. Handlauf, 5 Schritte vorn.");
     EXPECT_EQ(s.ask(Command::Heading), "Blick nach Norden, 0 Grad");
     s.touch("north wall");
     s.run(0.1);
@@ -133,9 +133,8 @@ TEST(GermanSession, made_names_of_rooms_and_walls_follow_the_language_and_the_ma
     {
         const test::InLanguage german("de");
         s.run(0.1);
-        EXPECT_EQ(
-            s.ask(Command::WhereAmI),
-            "Bookcase, 2 Schritte nach links. Rechts: Ostwand, Putz, 3 Schritte. Hinten: Südwand, Putz, 1 Schritt.")
+        EXPECT_EQ(s.ask(Command::WhereAmI),
+                  "Bookcase, 2 Schritte, links. Rechts: Ostwand, Putz, 3 Schritte. Hinten: Südwand, Putz, 1 Schritt.")
             << "asked a second time";
         EXPECT_TRUE(
             s.ask(Command::WhereAmI).starts_with("Raum, darin Bookcase, am Ausgangspunkt, Blick nach Norden. "));

@@ -1,0 +1,263 @@
+#include "app/core/whereabouts/room_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "app/core/context/telling.h"
+#include "app/core/dialogue/brief_words.h"
+#include "app/core/whereabouts/room_things.h"
+#include "app/core/world/questions.h"
+#include "worlds/base/contract.h"
+#include "worlds/base/language.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kAtWall_m = 0.8;
+constexpr std::size_t kMostAtWall = 5, kMostNeighbours = 5, kMostHubs = 4;
+constexpr std::size_t kMostWordsOfNeighbours = 40;  // fewer rooms are told where their names are long
+constexpr std::array kWalls{"kind.north_wall", "kind.east_wall", "kind.south_wall", "kind.west_wall"};
+constexpr std::size_t kMiddle = kWalls.size();
+
+// Which wall of the room a box is at, and how far along it, clockwise; kMiddle: none.
+struct AtWall {
+    std::size_t wall = kMiddle;
+    double along_m = 0.0;
+};
+AtWall at_wall(const Aabb& room, const Aabb& box, double reach_m) {
+    const std::array<double, 4> off{room.max_m.y - box.max_m.y, room.max_m.x - box.max_m.x, box.min_m.y - room.min_m.y,
+                                    box.min_m.x - room.min_m.x};
+    const auto nearest = static_cast<std::size_t>(std::min_element(off.begin(), off.end()) - off.begin());
+    const Vec3 middle = box.centre_m();
+    const std::array<double, 4> along{middle.x, -middle.y, -middle.x, middle.y};
+    if (off[nearest] > reach_m) return {kMiddle, middle.x};
+    return {nearest, along[nearest]};
+}
+
+bool is_furniture(const Feature& feature) {
+    switch (feature.kind) {
+        case FeatureKind::Object:
+        case FeatureKind::Button:
+        case FeatureKind::Lift:
+        case FeatureKind::Mover:
+        case FeatureKind::Liquid:
+        case FeatureKind::Teleport:
+            return !feature.bounds_m.empty();
+        default:
+            return false;
+    }
+}
+
+// "shelf; table, 4 times; and 3 more": in the order in which they stand.
+std::string things_words(std::vector<std::pair<double, std::string>> things) {
+    std::stable_sort(things.begin(), things.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::pair<std::string, int>> kinds;
+    for (const auto& [along, name] : things) {
+        const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == name; });
+        if (known == kinds.end()) kinds.emplace_back(name, 1);
+        else ++known->second;
+    }
+    std::vector<std::string> told;
+    int more = 0;
+    for (const auto& [name, times] : kinds) {
+        if (told.size() == kMostAtWall) more += times;
+        else told.push_back(times == 1 ? name : phrase("describe.times", {{"name", name}, {"times", times}}));
+    }
+    const std::string names = fmt::format("{}", fmt::join(told, "; "));
+    return more == 0 ? names : phrase("describe.and_more", {{"names", names}, {"more", more}});
+}
+
+std::string exits_words(const SessionContext& context, const RoomGraph& graph, std::uint32_t room) {
+    std::vector<std::pair<double, std::string>> exits;
+    for (const Portal& portal : graph.portals) {
+        if (portal.rooms[0] != room && portal.rooms[1] != room) continue;
+        if (portal.one_way && portal.rooms[1] == room) continue;
+        const std::uint32_t other = portal.rooms[0] == room ? portal.rooms[1] : portal.rooms[0];
+        const Aabb place{portal.place_m, portal.place_m};
+        const AtWall at = at_wall(graph.rooms[room].bounds_m, place, 1e9);
+        const std::string what = passage_name(context, portal.kind, portal.feature, 0.0), to = graph.rooms[other].name;
+        const std::string exit = to == what ? what : phrase("describe.exit_to", {{"exit", what}, {"room", to}});
+        exits.emplace_back(1e6 * static_cast<double>(at.wall) + at.along_m, joined(exit, phrase(kWalls[at.wall])));
+    }
+    std::stable_sort(exits.begin(), exits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> told;
+    for (auto& [order, exit] : exits) told.push_back(std::move(exit));
+    return told.empty() ? phrase("describe.no_exits")
+                        : phrase("describe.exits",
+                                 {{"count", told.size()}, {"exits", fmt::format("{}", fmt::join(told, "; "))}});
+}
+
+int storeys_of(const RoomGraph& graph) {
+    int highest = 0;
+    for (const Room& room : graph.rooms) highest = std::max(highest, room.level);
+    return highest + 1;
+}
+
+std::string storeys_sentence(const SessionContext& context, const RoomGraph& graph) {
+    std::vector<int> rooms(static_cast<std::size_t>(storeys_of(graph)), 0);
+    for (const Room& room : graph.rooms)
+        if (room.kind == RoomKind::Room) ++rooms[static_cast<std::size_t>(std::max(0, room.level))];
+    const std::string world = sentence_case(spoken_name(*context.world.scene));
+    if (rooms.size() == 1) return phrase("overview.one_storey", {{"world", world}, {"rooms", rooms.front()}});
+    std::vector<std::string> told;
+    for (const int count : rooms) told.push_back(phrase("overview.rooms", {{"rooms", count}}));
+    return phrase("overview.storeys",
+                  {{"world", world}, {"storeys", rooms.size()}, {"rooms", fmt::format("{}", fmt::join(told, ", "))}});
+}
+
+std::string shape_sentence(const SessionContext& context, const RoomGraph& graph) {
+    std::vector<Aabb> roofed, all;
+    for (const Room& room : graph.rooms) {
+        all.push_back(room.bounds_m);
+        if (under_roof(*context.world.solids, room.middle_m)) roofed.push_back(room.bounds_m);
+    }
+    const std::vector<Aabb>& boxes = roofed.empty() ? all : roofed;
+    Aabb whole;
+    for (const Aabb& box : boxes) whole.include(box);
+    const Vec3 size = whole.size_m();
+    const Outline outline = outline_of(boxes);
+    constexpr std::array kCorners{"compass.north_east", "compass.south_east", "compass.south_west",
+                                  "compass.north_west"};
+    std::string shape;
+    switch (outline.shape) {
+        case OutlineShape::Rectangle:
+            shape = phrase("overview.rectangle");
+            break;
+        case OutlineShape::CornerMissing:
+            shape = phrase("overview.corner_missing",
+                           {{"corner", phrase(kCorners[static_cast<std::size_t>(outline.corner)])}});
+            break;
+        case OutlineShape::Court:
+            shape = phrase("overview.court");
+            break;
+        case OutlineShape::Irregular:
+            shape = phrase("overview.irregular");
+            break;
+    }
+    return phrase("overview.shape", {{"shape", shape}, {"wide", size.x}, {"deep", size.y}});
+}
+
+std::string neighbours_sentence(const RoomGraph& graph) {
+    std::vector<std::set<std::uint32_t>> joins(graph.rooms.size());
+    for (const Portal& portal : graph.portals) {
+        if (portal.rooms[0] == portal.rooms[1]) continue;
+        joins[portal.rooms[0]].insert(portal.rooms[1]);
+        joins[portal.rooms[1]].insert(portal.rooms[0]);
+    }
+    std::vector<std::string> told;
+    std::size_t words = 0;
+    bool left_out = false;
+    while (told.size() < kMostHubs) {
+        const auto hub = std::max_element(joins.begin(), joins.end(),
+                                          [](const auto& a, const auto& b) { return a.size() < b.size(); });
+        if (hub == joins.end() || hub->empty()) break;
+        const auto at = static_cast<std::uint32_t>(hub - joins.begin());
+        std::vector<std::string> names;
+        std::size_t more = 0;
+        for (const std::uint32_t other : *hub) {
+            if (names.size() == kMostNeighbours) ++more;
+            else names.push_back(graph.rooms[other].name);
+            joins[other].erase(at);
+        }
+        hub->clear();
+        std::string list = fmt::format("{}", fmt::join(names, ", "));
+        if (more > 0) list = phrase("overview.and_more", {{"names", list}, {"more", more}});
+        const std::string name = graph.rooms[at].name;
+        const std::string neighbours =
+            phrase("overview.joins", {{"room", told.empty() ? sentence_case(name) : name}, {"names", list}});
+        words += count_words(neighbours);
+        if (!told.empty() && words > kMostWordsOfNeighbours) {
+            left_out = true;
+            break;
+        }
+        told.push_back(neighbours);
+    }
+    if (told.empty()) return phrase("overview.one_room");
+    const bool rest =
+        left_out || left_out || std::any_of(joins.begin(), joins.end(), [](const auto& left) { return !left.empty(); });
+    return phrase(rest ? "overview.first_joins" : "overview.all_joins",
+                  {{"joins", fmt::format("{}", fmt::join(told, "; "))}});
+}
+
+}  // namespace
+
+std::string room_words(const SessionContext& context, const Rooms& rooms, std::uint32_t room) {
+    const RoomGraph& graph = rooms.graph();
+    contract_pre(room < graph.rooms.size());
+    const Room& told = graph.rooms[room];
+    const Vec3 size = told.bounds_m.size_m();
+    const std::string name = sentence_case(told.name);
+    // One that is called by its size is not told its size again.
+    const bool by_size = !told.given && told.map_name.empty() && told.made.thing.empty() && told.kind == RoomKind::Room;
+    std::string text =
+        by_size ? name + "."
+                : phrase("describe.room", {{"room", name}, {"size", size_words(size.x, size.y, distances(context))}});
+    if (storeys_of(graph) > 1) text += " " + phrase("describe.storey", {{"storey", told.level + 1}});
+    text += " " + exits_words(context, graph, room);
+    std::array<std::vector<std::pair<double, std::string>>, kMiddle + 1> things;
+    for (const Feature& feature : context.world.scene->features) {
+        if (!is_furniture(feature) || room_of(rooms, feature.bounds_m) != room) continue;
+        const AtWall at = at_wall(told.bounds_m, feature.bounds_m, kAtWall_m);
+        const std::string thing = spoken_name(feature);
+        if (!thing.empty()) things[at.wall].emplace_back(at.along_m, thing);
+    }
+    bool any = false;
+    for (std::size_t wall = 0; wall <= kMiddle; ++wall) {
+        if (things[wall].empty()) continue;
+        any = true;
+        const std::string where = wall == kMiddle ? phrase("describe.middle") : sentence_case(phrase(kWalls[wall]));
+        text += " " + phrase("describe.wall", {{"wall", where}, {"things", things_words(std::move(things[wall]))}});
+    }
+    return any ? text : text + " " + phrase("describe.empty");
+}
+
+std::string building_words(const SessionContext& context, const Rooms& rooms) {
+    const RoomGraph& graph = rooms.graph();
+    if (graph.rooms.empty()) return phrase("rooms.nowhere");
+    return storeys_sentence(context, graph) + " " + shape_sentence(context, graph) + " " + neighbours_sentence(graph);
+}
+
+Outline outline_of(const std::vector<Aabb>& boxes_m) {
+    contract_pre(!boxes_m.empty());
+    constexpr int kCells = 24;                                 // each way over all of it
+    constexpr double kWhole = 0.8, kGone = 0.35, kFull = 0.7;  // shares of a quarter, or of all, that is covered
+    Aabb whole;
+    for (const Aabb& box : boxes_m) whole.include(box);
+    const Vec3 size = whole.size_m();
+    const auto covered = [&](int x, int y) {
+        const double at_x = whole.min_m.x + (x + 0.5) * size.x / kCells,
+                     at_y = whole.min_m.y + (y + 0.5) * size.y / kCells;
+        return std::any_of(boxes_m.begin(), boxes_m.end(), [&](const Aabb& box) {
+            return at_x >= box.min_m.x && at_x <= box.max_m.x && at_y >= box.min_m.y && at_y <= box.max_m.y;
+        });
+    };
+    std::array<double, 4> quarter{};  // clockwise from the north-east
+    double middle = 0.0;
+    for (int y = 0; y < kCells; ++y)
+        for (int x = 0; x < kCells; ++x) {
+            if (!covered(x, y)) continue;
+            const bool east = x >= kCells / 2, north = y >= kCells / 2;
+            quarter[north ? (east ? 0 : 3) : (east ? 1 : 2)] += 4.0 / (kCells * kCells);
+            const auto inside = [](int at) { return at >= kCells / 3 && at < kCells - kCells / 3; };
+            if (inside(x) && inside(y)) middle += 9.0 / (kCells * kCells);
+        }
+    const double all = 0.25 * (quarter[0] + quarter[1] + quarter[2] + quarter[3]);
+    const bool round = std::all_of(quarter.begin(), quarter.end(), [](double share) { return share > 0.5; });
+    if (middle < 0.25 && round) return {OutlineShape::Court, 0};
+    if (all >= kWhole) return {};
+    for (int corner = 0; corner < 4; ++corner) {
+        const bool others = [&] {
+            for (int other = 0; other < 4; ++other)
+                if (other != corner && quarter[static_cast<std::size_t>(other)] < kFull) return false;
+            return true;
+        }();
+        if (others && quarter[static_cast<std::size_t>(corner)] <= kGone) return {OutlineShape::CornerMissing, corner};
+    }
+    return {OutlineShape::Irregular, 0};
+}
+
+}  // namespace handrail

@@ -1,0 +1,44 @@
+// What is typed in the first second, before the rooms of a world are known, is answered all the same, and what follows
+// it is the answer to its list and no command of its own.
+#include <gmock/gmock.h>
+
+#include "tests/support/run_program.h"
+
+namespace handrail::test {
+namespace asked_early_test {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string said_of(const std::string& lines, const std::vector<std::string>& more = {}) {
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {TEST_WORLDS "/school.map", "--no-window", "--device", "none"};
+    call.arguments.insert(call.arguments.end(), more.begin(), more.end());
+    call.input = lines;
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    return run.out;
+}
+
+TEST(AskedEarly, routes_wait_for_the_rooms_and_then_take_their_choice) {
+    const std::string said = said_of("routes\nlibrary\nquit\n");
+    EXPECT_THAT(said, HasSubstr("Way to. "));
+    EXPECT_THAT(said, HasSubstr("To Library."));
+    EXPECT_THAT(said, Not(HasSubstr("no command")));
+    EXPECT_THAT(said, Not(HasSubstr("Ask again")));
+}
+
+TEST(AskedEarly, a_choice_is_typed_with_the_command_in_either_language) {
+    const std::string said = said_of("describe library\nquit\n");
+    EXPECT_THAT(said, HasSubstr("Library: "));
+    EXPECT_THAT(said, HasSubstr("exit"));
+    EXPECT_THAT(said, Not(HasSubstr("no command")));
+    EXPECT_THAT(said, Not(HasSubstr("takes a count")));
+    const std::string german = said_of("beschreibe bücherei\nquit\n", {"--set", "speech.language=de"});
+    EXPECT_THAT(german, HasSubstr("Bücherei: "));
+    EXPECT_THAT(german, HasSubstr("Ausg"));
+}
+
+}  // namespace asked_early_test
+}  // namespace handrail::test

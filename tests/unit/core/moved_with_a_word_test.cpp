@@ -1,0 +1,222 @@
+// Nothing that moves the body by itself turns it or takes it up or down without a word: trailing says where it goes and
+// waits before stairs, a leap says where one is then.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tests/support/box_scene.h"
+#include "tests/support/spoken_language.h"
+#include "tests/unit/core/app_session.h"
+
+namespace handrail {
+namespace moved_with_a_word_test {
+
+using test::AppSession;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* kLanguages[] = {"en", "de"};
+
+struct Body : AppSession {
+    explicit Body(std::shared_ptr<const Scene> scene) {
+        app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0);
+        run(0.1);
+        news();
+    }
+    explicit Body(const char* world) : Body(test::our_world(world)) {}
+    // Until nothing is on its way, a minute at most.
+    void rest() {
+        for (int i = 0; i < 60 && !(app.idle() && i > 0); ++i) run(1.0);
+    }
+    double off_rad(double from_rad) const { return std::abs(std::remainder(app.heading_rad() - from_rad, 2.0 * kPi)); }
+};
+
+// A hall of 10 by 6 metres with its floor at 0; in the east, along the south wall, twelve steps lead up to a landing.
+std::shared_ptr<const Scene> hall_with_stairs() {
+    test::SceneBuilder b;
+    b.box({0, 0, -0.2}, {20, 6, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.box({-0.2, 6, 0}, {20.2, 6.2, 5}, "north wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    b.box({-0.2, -0.2, 0}, {20.2, 0, 5}, "south wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    b.box({-0.2, 0, 0}, {0, 6, 5}, "west wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    b.box({20, 0, 0}, {20.2, 6, 5}, "east wall", SolidRole::Solid, {}, FeatureKind::Wall);
+    for (int i = 0; i < 12; ++i)
+        b.box({8.0 + 0.3 * i, 0, 0.17 * i}, {20.0, 2.0, 0.17 * (i + 1)}, "stairs", SolidRole::Solid, {},
+              FeatureKind::Object);
+    b.start({2, 1, 0}, 0.0);
+    return b.share();
+}
+
+TEST(Trailing, says_so_when_it_turns_the_body_to_begin_with) {
+    for (const char* language : kLanguages) {
+        const test::InLanguage spoken(language);
+        // Facing west at the south wall, which lies to the left: on the right it is only for one who faces east.
+        Body s(hall_with_stairs());
+        s.app.apply(Placed{{4, 0.4, 0}, -0.5 * kPi}, s.now);
+        s.news();
+        s.ask(Command::TrailRight);
+        EXPECT_TRUE(s.heard(phrase("walking.trail_turns", {{"compass", phrase("compass.east")}, {"side", "right"}})))
+            << s.news();
+        s.rest();
+        EXPECT_LT(s.off_rad(0.5 * kPi), 0.1);
+        // Where it lies at that side already nothing is said of it.
+        Body beside(hall_with_stairs());
+        beside.app.apply(Placed{{4, 0.4, 0}, -0.5 * kPi}, beside.now);
+        beside.news();
+        beside.ask(Command::TrailLeft);
+        EXPECT_THAT(beside.news(), Not(HasSubstr(phrase("compass.west"))));
+    }
+}
+
+TEST(Trailing, says_so_when_the_wall_is_walked_to_first) {
+    Body s(hall_with_stairs());
+    s.app.apply(Placed{{4, 3, 0}, 0.0}, s.now);
+    s.news();
+    s.ask(Command::TrailLeft);
+    EXPECT_THAT(s.said.back(), HasSubstr("To the wall, "));
+    EXPECT_THAT(s.said.back(), HasSubstr("with it on your left"));
+}
+
+TEST(Trailing, waits_before_stairs_until_it_is_asked_again) {
+    for (const char* language : kLanguages) {
+        const test::InLanguage spoken(language);
+        Body s(hall_with_stairs());
+        s.app.apply(Placed{{5, 0.4, 0}, 0.5 * kPi}, s.now);
+        s.news();
+        s.ask(Command::TrailRight);
+        s.rest();
+        const std::string waits = phrase("walking.trail_stairs_up");
+        for (int i = 0; i < 5 && !s.heard(waits); ++i) {
+            s.ask(Command::TrailOn);
+            s.rest();
+        }
+        EXPECT_TRUE(s.heard(waits)) << s.news();
+        EXPECT_NEAR(s.app.feet_m().z, 0.0, 0.05) << "still on the floor";
+        EXPECT_GT(s.app.feet_m().x, 7.0) << "just before them";
+        s.news();
+        for (int i = 0; i < 30 && s.app.feet_m().z < 1.5; ++i) {  // each step is a thing of its own here
+            s.ask(Command::TrailOn);
+            s.rest();
+        }
+        EXPECT_GT(s.app.feet_m().z, 1.5) << "asked again it takes them";
+    }
+}
+
+// Along the walls of rooms of the house, from their middles: what turns the body by more than a notch or takes it to
+// another height has been told since it last did.
+TEST(Trailing, never_turns_or_climbs_without_a_word_in_the_house) {
+    Body s("house.map");
+    s.ask(Command::Exits);
+    s.ask(Command::PlanView);
+    s.run(0.1);
+    const auto rooms = s.app.view({}, {}).rooms;
+    ASSERT_TRUE(rooms);
+    for (const DrawnRoom& room : *rooms) {
+        s.app.apply(Placed{room.middle_m, 0.0}, s.now);
+        s.run(0.2);
+        s.news();
+        s.app.apply(CommandDown{Command::TrailLeft}, s.now);
+        double heading_rad = s.app.heading_rad(), z_m = s.app.feet_m().z;
+        std::size_t said = s.said.size();
+        for (int i = 0; i < 60 * 10; ++i) {
+            s.run(1.0 / 60.0);
+            if (s.said.size() > said) {
+                said = s.said.size();
+                // A turn that has begun goes on after its word.
+                heading_rad = s.app.heading_rad();
+                z_m = s.app.feet_m().z;
+                for (int more = 0; more < 90; ++more) {
+                    s.run(1.0 / 60.0);
+                    heading_rad = s.app.heading_rad();
+                    z_m = s.app.feet_m().z;
+                    if (s.said.size() > said) break;
+                }
+            }
+            ASSERT_LT(s.off_rad(heading_rad), 0.9) << room.name << ": " << s.news();
+            ASSERT_LT(std::abs(s.app.feet_m().z - z_m), 0.5) << room.name << ": " << s.news();
+        }
+        s.app.apply(CommandUp{Command::TrailLeft}, s.now);
+        s.ask(Command::SquareUp);
+    }
+    EXPECT_GT(rooms->size(), 5U);
+}
+
+// Three landmarks at 2, 4 and 7 metres, named against their order in the file.
+std::shared_ptr<const Scene> three_things() {
+    test::SceneBuilder b;
+    b.box({-10, -10, -0.2}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    const FeatureId far = b.box({6.8, -0.2, 0}, {7.2, 0.2, 1.5}, "Well");
+    const FeatureId middle = b.box({-0.2, 3.8, 0}, {0.2, 4.2, 1.5}, "Oak");
+    const FeatureId near = b.box({-2.2, -0.2, 0}, {-1.8, 0.2, 1.5}, "Post");
+    for (const FeatureId id : {far, middle, near}) b.scene().features[id.value].landmark = true;
+    b.start({0, 0, 0}, 0.0);
+    return b.share();
+}
+
+TEST(Leaping, goes_to_the_nearest_first_and_tells_where_one_is_then) {
+    for (const char* language : kLanguages) {
+        const test::InLanguage spoken(language);
+        Body s(three_things());
+        s.ask(Command::LeapNext);
+        EXPECT_NEAR(s.app.feet_m().x, -1.4, 0.4) << "the post";
+        EXPECT_EQ(s.said.back(), phrase("walking.leapt", {{"name", "Post"}, {"compass", phrase("compass.west")}}));
+        s.run(0.1);
+        s.ask(Command::LeapNext);
+        EXPECT_THAT(s.said.back(), HasSubstr("Oak")) << "not back to the post";
+        const Vec3 oak_m = s.app.feet_m();
+        s.run(0.1);
+        s.ask(Command::LeapNext);
+        EXPECT_THAT(s.said.back(), HasSubstr("Well"));
+        s.run(0.1);
+        s.ask(Command::LeapLast);
+        EXPECT_THAT(s.said.back(), HasSubstr("Oak"));
+        EXPECT_EQ(s.app.feet_m(), oak_m);
+        s.run(0.1);
+        s.ask(Command::LeapLast);
+        EXPECT_THAT(s.said.back(), HasSubstr("Post"));
+        s.run(0.1);
+        s.ask(Command::LeapLast);
+        EXPECT_EQ(s.said.back(), phrase("leap.no_last", {{"key", s.app.keys().keys_of(Command::UndoLeap)}}));
+        // Whoever turns begins anew with what is nearest.
+        s.tap(Command::TurnLeft, 0.3);
+        s.ask(Command::LeapNext);
+        EXPECT_THAT(s.said.back(), Not(HasSubstr("Well")));
+    }
+}
+
+TEST(Leaping, reaches_every_door_of_the_room_also_those_out_of_sight) {
+    Body s("house.map");
+    s.ask(Command::Exits);
+    s.run(0.1);
+    const std::string exits = s.said.back();
+    std::set<std::string> leapt;
+    for (int i = 0; i < 24; ++i) {
+        s.ask(Command::LeapNext);
+        leapt.insert(s.said.back());
+        s.run(0.1);
+    }
+    // All doors that the exits of the hall told.
+    for (const char* door : {"Front door", "Living room door", "Study door"}) {
+        if (exits.find(door) == std::string::npos) continue;
+        EXPECT_TRUE(std::any_of(leapt.begin(), leapt.end(),
+                                [&](const std::string& text) { return text.find(door) != std::string::npos; }))
+            << door << " of " << exits;
+    }
+}
+
+TEST(Leaping, says_so_when_it_leads_higher_or_lower) {
+    test::SceneBuilder b;
+    b.box({-10, -10, -0.2}, {10, 10, 0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+    b.box({3, -2, 0}, {8, 2, 0.4}, "platform", SolidRole::Solid, {}, FeatureKind::Floor);
+    const FeatureId post = b.box({5, -0.2, 0.4}, {5.4, 0.2, 2.5}, "Post");
+    b.scene().features[post.value].landmark = true;
+    b.start({0, 0, 0}, 0.0);
+    Body s(b.share());
+    s.ask(Command::LeapNext);
+    EXPECT_NEAR(s.app.feet_m().z, 0.4, 0.05);
+    EXPECT_THAT(s.said.back(), HasSubstr("0.4 metres higher."));
+}
+
+}  // namespace moved_with_a_word_test
+}  // namespace handrail
