@@ -1,0 +1,39 @@
+// A person who only types lines and reads what is said: the whole session in virtual time, without a device and without
+// sound, each line done when what the one before began is over, as at a terminal of lines.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/core/session/headless_session.h"
+#include "audio-cues/sinks/recording_sinks.h"
+
+namespace handrail::test {
+
+class TextSession {
+public:
+    // first_start: led through the first minutes before the world greets.
+    explicit TextSession(std::shared_ptr<const Scene> world, bool first_start = false);
+    ~TextSession();
+    TextSession(const TextSession&) = delete;
+    TextSession& operator=(const TextSession&) = delete;
+
+    // What is said of a line until all is quiet; the greeting is what was said before the first one. A word that is no
+    // command is answered as the terminal answers it.
+    std::vector<std::string> type(const std::string& line);
+    const std::vector<std::string>& greeting() const { return greeting_; }
+    const Session& app() { return session_.app(); }
+
+private:
+    void settle();
+    std::vector<std::string> take();
+
+    RecordingAudio audio_;
+    RecordingSpeech speech_;
+    HeadlessSession session_;
+    std::size_t taken_ = 0;
+    std::vector<std::string> greeting_;
+};
+
+}  // namespace handrail::test
