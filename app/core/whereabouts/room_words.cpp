@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kAtWall_m = 0.8;
 constexpr std::size_t kMostAtWall = 5, kMostNeighbours = 5, kMostHubs = 4;
+constexpr std::size_t kMostWordsOfExits = 38;
 constexpr std::size_t kMostWordsOfNeighbours = 40;  // fewer rooms are told where their names are long
 constexpr std::array kWalls{"kind.north_wall", "kind.east_wall", "kind.south_wall", "kind.west_wall"};
 constexpr std::size_t kMiddle = kWalls.size();
@@ -84,11 +85,19 @@ std::string exits_words(const SessionContext& context, const RoomGraph& graph, s
         exits.emplace_back(1e6 * static_cast<double>(at.wall) + at.along_m, joined(exit, phrase(kWalls[at.wall])));
     }
     std::stable_sort(exits.begin(), exits.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    // One sentence, of which nobody remembers more than so many words.
     std::vector<std::string> told;
-    for (auto& [order, exit] : exits) told.push_back(std::move(exit));
-    return told.empty() ? phrase("describe.no_exits")
-                        : phrase("describe.exits",
-                                 {{"count", told.size()}, {"exits", fmt::format("{}", fmt::join(told, "; "))}});
+    std::size_t words = 0;
+    for (auto& [order, exit] : exits) {
+        words += count_words(exit);
+        if (!told.empty() && words > kMostWordsOfExits) break;
+        told.push_back(std::move(exit));
+    }
+    std::string list = fmt::format("{}", fmt::join(told, "; "));
+    if (told.size() < exits.size())
+        list = phrase("describe.and_more", {{"names", list}, {"more", exits.size() - told.size()}});
+    return exits.empty() ? phrase("describe.no_exits")
+                         : phrase("describe.exits", {{"count", exits.size()}, {"exits", list}});
 }
 
 int storeys_of(const RoomGraph& graph) {
