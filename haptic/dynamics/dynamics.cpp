@@ -26,6 +26,7 @@ constexpr int kJammedSteps = 60;        // before it tries again
 constexpr double kOutside_m = 5.0;      // so far outside of everything a body is put back
 constexpr double kHit_m_per_s = 0.15;
 constexpr double kHitAgain_s = 0.05;
+constexpr double kPressed_m = 1e-3;  // so deep in somebody who walks a body goes along
 constexpr double kWhole = 1e-6;
 constexpr int kMovingSteps = 12;   // between two words of rolling or sliding: 20 a second
 constexpr int kFallingSteps = 24;  // without touching anything
@@ -138,7 +139,7 @@ struct Body {
     std::array<Vec3, 2> hand_n{Vec3(0.0), Vec3(0.0)}, hand_nm{Vec3(0.0), Vec3(0.0)};
     std::array<double, 2> pushed_s{-1e9, -1e9};  // last time each hand pushed
     std::array<double, 2> least_kg{0.0, 0.0};
-    Vec3 lead_n{0.0}, lead_nm{0.0};
+    Vec3 lead_n{0.0}, lead_nm{0.0}, shove_n{0.0};
     // What is heard of it.
     Vec3 speed_before{0.0};
     double hit_s = -1e9;
@@ -161,6 +162,13 @@ struct Lead {
     Vec3 to_m{0.0};  // local
     double most_n = 0.0;
     Rotation turn;
+};
+
+// By somebody who walks.
+struct Shove {
+    std::uint32_t body = kNoBody;
+    Vec3 speed_m_per_s{0.0};  // level, not zero
+    double most_n = 0.0, left_s = 0.0;
 };
 
 // Small turn that leads from one rotation to another, as a vector.
@@ -190,10 +198,13 @@ struct World {
     std::unique_ptr<btRigidBody> walker;
     std::array<std::vector<HandPush>, 2> pushes;
     std::vector<Lead> leads;
+    std::vector<Shove> shoves;
 
     explicit World(const DynamicsScene& scene);
     ~World();
 
+    // Something overlapped it on the last step.
+    bool walker_pressed();
     btRigidBody* kinematic(std::unique_ptr<btRigidBody>& owner, btCollisionShape* shape, const DynamicsScene& scene,
                            Kind kind, int index, const Placement& at);
 };
@@ -296,6 +307,7 @@ struct Dynamics::Impl {
     void take_pushes(unsigned hand);
     void apply_forces();
     void apply_lead(const Lead& lead);
+    void apply_shove(Shove& shove);
     void weigh(std::size_t body);
     void rub(std::size_t body);
     void wake_near_hands();
@@ -360,6 +372,20 @@ void Dynamics::Impl::apply_lead(const Lead& lead) {
     wake(lead.body);
 }
 
+// Towards the speed within a few steps, with what its friction takes added.
+void Dynamics::Impl::apply_shove(Shove& shove) {
+    constexpr double kWithin_s = 4.0 * kH;
+    Body& body = world->bodies[shove.body];
+    const BodyNature& nature = scene->bodies[shove.body].nature;
+    const double speed = glm::length(shove.speed_m_per_s);
+    const Vec3 along = shove.speed_m_per_s / speed;
+    const double missing = speed - glm::dot(ours(body.rigid->getLinearVelocity()), along);
+    const double rub_n = nature.friction_static * nature.mass_kg * glm::length(scene->gravity_m_per_s2);
+    if (missing > 0.0) body.shove_n += along * std::min(shove.most_n, nature.mass_kg * missing / kWithin_s + rub_n);
+    wake(shove.body);
+    shove.left_s -= kH;
+}
+
 // A light body between two hands is given more inertia, its weight unchanged: at this rate it could not be led
 // otherwise.
 void Dynamics::Impl::weigh(std::size_t i) {
@@ -385,17 +411,19 @@ void Dynamics::Impl::rub(std::size_t i) {
 
 void Dynamics::Impl::apply_forces() {
     for (Body& body : world->bodies)
-        body.hand_n = body.hand_nm = {Vec3(0.0), Vec3(0.0)}, body.lead_n = body.lead_nm = Vec3(0.0);
+        body.hand_n = body.hand_nm = {Vec3(0.0), Vec3(0.0)}, body.lead_n = body.lead_nm = body.shove_n = Vec3(0.0);
     take_pushes(0);
     take_pushes(1);
     for (const Lead& lead : world->leads) apply_lead(lead);
+    for (Shove& shove : world->shoves) apply_shove(shove);
+    std::erase_if(world->shoves, [](const Shove& shove) { return shove.left_s <= 0.5 * kH; });
     for (std::size_t i = 0; i < world->bodies.size(); ++i) {
         Body& body = world->bodies[i];
         weigh(i);
         rub(i);
         body.speed_before = ours(body.rigid->getLinearVelocity());
         if (!body.rigid->isActive()) continue;
-        Vec3 force = body.hand_n[0] + body.hand_n[1] + body.lead_n;
+        Vec3 force = body.hand_n[0] + body.hand_n[1] + body.lead_n + body.shove_n;
         if (const auto& string = scene->bodies[i].nature.string)
             force += (string->at_m - ours(body.rigid->getWorldTransform().getOrigin())) * string->stiffness_n_per_m;
         body.rigid->applyCentralForce(bullet(force));
@@ -638,7 +666,7 @@ void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
         word.mass_kg = body.inertial_kg;
         word.inertia_kg_m2 = is.inertia_kg_m2 * (body.inertial_kg / is.nature.mass_kg);
         word.gravity_m_per_s2 = scene->gravity_m_per_s2 * (is.nature.mass_kg / body.inertial_kg);
-        word.others_n = body.hand_n[1 - hand] + body.lead_n;
+        word.others_n = body.hand_n[1 - hand] + body.lead_n + body.shove_n;
         word.others_nm = body.hand_nm[1 - hand] + body.lead_nm;
         if (is.nature.string) {
             word.string_at_m = is.nature.string->at_m + scene->origin_m;
@@ -748,6 +776,16 @@ void Dynamics::drive(std::uint32_t thing, const Placement& at, bool present) {
     driven.present = present;
 }
 
+bool World::walker_pressed() {
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (manifold.getBody0() != walker.get() && manifold.getBody1() != walker.get()) continue;
+        for (int k = 0; k < manifold.getNumContacts(); ++k)
+            if (manifold.getContactPoint(k).getDistance() < -kPressed_m) return true;
+    }
+    return false;
+}
+
 void Dynamics::walker(const Vec3& feet_m, double radius_m, double height_m) {
     World& w = *impl_->world;
     const bool wanted = is_finite(feet_m) && height_m > 0.0 && radius_m > 0.0;
@@ -768,7 +806,9 @@ void Dynamics::walker(const Vec3& feet_m, double radius_m, double height_m) {
     }
     const double way = glm::length(at.position_m - ours(w.walker->getWorldTransform().getOrigin()));
     w.walker->setWorldTransform(bullet(at));
-    if (way > 0.5) w.walker->setInterpolationWorldTransform(bullet(at));
+    // Who walks stops a hair before a body, and with a speed of its own would throw the heaviest. Only what it has been
+    // driven into goes along with it.
+    if (way > 0.5 || !w.walker_pressed()) w.walker->setInterpolationWorldTransform(bullet(at));
     w.walker->forceActivationState(way > 1e-9 ? ACTIVE_TAG : ISLAND_SLEEPING);
     w.world.updateSingleAabb(w.walker.get());
 }
@@ -780,6 +820,16 @@ void Dynamics::lead(std::uint32_t body, const Vec3& to_m, double most_n, const R
         return;
     }
     leads.assign(1, {body, impl_->local(to_m), most_n, normalized(turn)});
+}
+
+void Dynamics::shove(std::uint32_t body, const Vec3& speed_m_per_s, double most_n, double for_s) {
+    std::vector<Shove>& shoves = impl_->world->shoves;
+    std::erase_if(shoves, [&](const Shove& shove) { return shove.body == body; });
+    const Vec3 level(speed_m_per_s.x, speed_m_per_s.y, 0.0);
+    if (body >= impl_->scene->bodies.size() || !is_finite(speed_m_per_s) || !(most_n > 0.0) || !(for_s > 0.0) ||
+        !(glm::length(level) > 1e-6))
+        return;
+    shoves.push_back({body, level, most_n, for_s});
 }
 
 void Dynamics::step(DynamicsFrame& out, std::vector<BodyEvent>& events) {

@@ -38,6 +38,10 @@ public:
     // unless it is a ball. kNoBody, or 0 N: lets go.
     void lead(std::uint32_t body, const Vec3& to_m, double most_n, const Rotation& turn = {});
 
+    // Somebody who walks pushes it along for so long: towards that speed, level, with no more than this force. Again
+    // before that is over takes the place of what was said before.
+    void shove(std::uint32_t body, const Vec3& speed_m_per_s, double most_n, double for_s);
+
     // One step of kStep_s. Events are added. `out` is all of the answer, whatever it held.
     void step(DynamicsFrame& out, std::vector<BodyEvent>& events);
     // Everything as at the start; time goes on. Builds Bullet's world anew, since what remains of a game in it would

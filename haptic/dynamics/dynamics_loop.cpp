@@ -41,6 +41,9 @@ void DynamicsLoop::take() {
             case Order::Kind::LetGo:
                 dynamics_.lead(kNoBody, Vec3(0.0), 0.0);
                 break;
+            case Order::Kind::Shove:
+                dynamics_.shove(order.body, order.speed_m_per_s, order.most_n, order.for_s);
+                break;
             case Order::Kind::Walker:
                 dynamics_.walker(order.at_m, order.radius_m, order.height_m);
                 break;

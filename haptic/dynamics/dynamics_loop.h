@@ -23,12 +23,14 @@ public:
 
     // What the app asks for, in its order.
     struct Order {
-        enum class Kind : std::uint8_t { Restart, Lead, LetGo, Walker };
+        enum class Kind : std::uint8_t { Restart, Lead, LetGo, Walker, Shove };
         Kind kind = Kind::Restart;
         std::uint32_t body = kNoBody;
         Vec3 at_m{0.0};  // Lead: where to; Walker: the feet
         double most_n = 0.0;
         Rotation turn{};
+        Vec3 speed_m_per_s{0.0};                // Shove
+        double for_s = 0.0;                     // Shove
         double radius_m = 0.0, height_m = 0.0;  // Walker; a height of 0: nobody
     };
     // Where every driven thing is; index as DynamicsScene::driven. Made and freed off the servo thread.
