@@ -118,6 +118,10 @@ struct Settings {
     struct Desk {
         bool use = true;  // behind a wall towards the body, and by its key
     } desk;
+    // What can be pushed and lifted.
+    struct Dynamics {
+        double strength_n = 50.0;  // of the hand and of the keys in the world; a body that weighs more is not lifted
+    } dynamics;
     // Devices beside the hand: game pads and SpaceMouse.
     struct Pads {
         bool use = true;        // they are looked for, walk and give cues

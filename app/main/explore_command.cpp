@@ -61,7 +61,8 @@ public:
                {.rooms_beside = true,
                 .touch_beside = true,
                 .records_in = user_data_folder(),
-                .languages_in = user_languages_folder()}) {}
+                .languages_in = user_languages_folder(),
+                .bodies_by = &clock_}) {}
 
     // Exit status. Problems that keep it from starting go to `err` too.
     int run(std::ostream& err) {

@@ -1,5 +1,6 @@
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/core/context/workspace_scale.h"
@@ -54,6 +55,22 @@ std::ptrdiff_t moving_parts(const Scene& scene) {
     return std::count_if(scene.movers.begin(), scene.movers.end(), [](const Mover& mover) { return mover.moves(); });
 }
 
+// What is free to move, the heaviest last: "Ball 0.5 kg, Safe 400 kg".
+std::string bodies_words(const Scene& scene) {
+    constexpr std::size_t kMostTold = 20;
+    std::vector<FreeBody> bodies = scene.bodies;
+    std::stable_sort(bodies.begin(), bodies.end(),
+                     [](const FreeBody& a, const FreeBody& b) { return a.mass_kg < b.mass_kg; });
+    std::vector<std::string> words;
+    for (const FreeBody& body : bodies)
+        if (words.size() < kMostTold)
+            words.push_back(phrase(
+                "info.body", {{"name", spoken_name(scene.features[body.feature.value])}, {"mass", body.mass_kg}}));
+    return phrase("info.bodies", {{"count", bodies.size()},
+                                  {"names", fmt::format("{}", fmt::join(words, ", "))},
+                                  {"more", bodies.size() - words.size()}});
+}
+
 Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
     const ReadReport& report = scene.report;
     const StatedBuilding stated = scene.stated ? *scene.stated : StatedBuilding{};
@@ -65,6 +82,9 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
              {"line", warning.line},
              {"column", warning.column},
              {"message", warning.action.empty() ? warning.message : warning.message + " " + warning.action}});
+    Json bodies = Json::array();
+    for (const FreeBody& body : scene.bodies)
+        bodies.push_back({{"name", scene.features[body.feature.value].name}, {"mass_kg", body.mass_kg}});
     Json modelled = Json::object();
     for (const TouchModel::Part& part : touch.parts) modelled[std::string(part.key)] = part.count;
     return {{"name", scene.name},
@@ -77,6 +97,7 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
             {"liquids", report.liquids},
             {"effects", scene.effects.size()},
             {"movers", moving_parts(scene)},
+            {"bodies", std::move(bodies)},
             {"patches", report.patches},
             {"starts", report.starts},
             {"spaces", stated.rooms.size()},
@@ -163,6 +184,7 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
                                     {"triangles", report.triangles},
                                     {"hidden", report.polygons_hidden},
                                     {"kept", report.polygons_kept}}));
+    if (!scene.bodies.empty()) line(bodies_words(scene));
     if (scene.stated) tell_stated(*scene.stated, out);
     if (!scene.effects.empty()) {
         std::vector<std::string> kinds;

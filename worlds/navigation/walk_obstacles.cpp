@@ -26,6 +26,13 @@ Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
     for (std::size_t m = 0; m < scene.movers.size(); ++m)
         if (scene.movers[m].feature.value < mover_of_feature.size() && scene.movers[m].moves())
             mover_of_feature[scene.movers[m].feature.value] = static_cast<int>(m);
+    // What a body pushes aside is in nobody's way.
+    std::vector<bool> gives_way(scene.features.size(), false);
+    for (const FreeBody& free : scene.bodies)
+        if (free.feature.value < gives_way.size()) gives_way[free.feature.value] = free.gives_way_to_walkers();
+    const auto pushed_aside = [&](FeatureId feature) {
+        return feature.value < gives_way.size() && gives_way[feature.value];
+    };
     std::size_t marked = 0;
     const auto mark = [&](bool furniture) {
         for (; marked < all.size(); ++marked) all[marked].furniture = furniture;
@@ -36,12 +43,14 @@ Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
                               : -1;
         const bool furniture = is_furniture(scene.find(solid.feature));
         if (mover >= 0 && passes(scene, static_cast<std::uint32_t>(mover), solid)) continue;
+        if (solid.role == SolidRole::Mover && pushed_aside(solid.feature)) continue;
         add_solid(solid, nullptr, solid.feature, all);
         mark(furniture);
     }
     for (const MeshTriangle& triangle : scene.triangles) add_triangle(triangle, nullptr, triangle.feature);
     mark(false);
     for (const PlacedModel& placed : scene.placed) {
+        if (pushed_aside(placed.feature)) continue;
         const bool furniture = is_furniture(scene.find(placed.feature));
         const PlacedFrame frame(placed.at);
         for (const Solid& solid : placed.model->solids) add_solid(solid, &frame, placed.feature, all);

@@ -46,13 +46,15 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
         if (feature.name.empty()) give_name(feature, row->name);
     }
     const std::string cs_name = world ? std::string{} : lower_ascii(entity.value("cs_name").substr(0, 256));
+    const bool dynamic = cs_name == "dynamic_box" || cs_name == "dynamic_sphere" || cs_name == "dynamic_cylinder";
+    const bool still = meaning.role == SolidRole::Solid && !world;
     if (cs_name == "liquid") {
         meaning.structure = false;
         meaning.liquid = true;
         meaning.role = SolidRole::Liquid;
         feature.kind = FeatureKind::Liquid;
         if (feature.name.empty()) give_name(feature, "liquid");
-    } else if (cs_name == "dynamic_box" || cs_name == "dynamic_sphere" || cs_name == "dynamic_cylinder") {
+    } else if (dynamic) {
         meaning.structure = false;
         meaning.role = SolidRole::Mover;
         meaning.exact = cs_name == "dynamic_box"      ? PrimitiveKind::Box
@@ -86,6 +88,13 @@ MapMeaning MapMeanings::read(const MapEntity& entity, const std::string& class_n
     }
     meaning.surface = surfaces_.read(entity);
     meaning.look = look_of_surface(meaning.surface);
+    meaning.body =
+        body_wish_of(entity, dynamic, (dynamic || still) && !meaning.liquid, meaning.surface, keys_, diagnostics_);
+    if (meaning.body) {
+        meaning.structure = false;
+        meaning.role = SolidRole::Mover;
+        if (feature.name.empty()) give_name(feature, "box");
+    }
     if (const MapKey* key = entity.find("material")) {
         if (const MaterialSpec* spec = find_material(trimmed(key->value).substr(0, 64))) {
             meaning.surface.name = spec->name;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "worlds/readers/map_bodies.h"
 #include "worlds/readers/map_keys.h"
 #include "worlds/readers/map_soft.h"
 #include "worlds/readers/map_surfaces.h"
@@ -22,8 +23,9 @@ struct MapMeaning {
     double buoyancy_n = 0.0, film_n = 0.0;
     Vec3 flow_hand_m_per_s{0.0};
     std::optional<SoftWish> soft;
-    Material surface;  // what the keys say; its name one of the library, or empty
-    std::string look;  // the same for surfaces with the same keys
+    std::optional<BodyWish> body;  // it is free to move
+    Material surface;              // what the keys say; its name one of the library, or empty
+    std::string look;              // the same for surfaces with the same keys
     SourcePlace source;
 };
 

@@ -8,6 +8,7 @@
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/geometry/exposed_surface.h"
+#include "worlds/readers/map_bodies.h"
 #include "worlds/readers/map_brushes.h"
 #include "worlds/readers/map_curves.h"
 #include "worlds/readers/map_effects.h"
@@ -62,6 +63,7 @@ public:
         attach_effects(effects_, scene_, diagnostics_);
         name_world();
         attach_movers(movers_, scene_, diagnostics_);
+        bodies_.tell_too_many(diagnostics_);
         write_report();
         progress(1.0);
         return std::move(scene_);
@@ -313,6 +315,7 @@ private:
             (*meaning.exact != PrimitiveKind::Box || entity.brushes.size() > 1)) {
             FeatureId thing = read_exact(entity, meaning, index);
             for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, thing, side);
+            if (thing && meaning.body) bodies_.add(scene_, *meaning.body, thing, entity.place, diagnostics_);
             return;
         }
         FeatureId whole = kNoFeature;
@@ -401,7 +404,8 @@ private:
         }
         for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, whole, side);
         if (moves) ++scene_.report.movers;
-        if (moves) note_mover(movers_, entity, class_name, whole, keys_, origin_units);
+        if (whole && meaning.body) bodies_.add(scene_, *meaning.body, whole, entity.place, diagnostics_);
+        else if (moves) note_mover(movers_, entity, class_name, whole, keys_, origin_units);
         if (whole && meaning.role == SolidRole::Trigger) note_switch(movers_, entity, class_name, whole);
         if (whole && scene_.features[whole.value].kind == FeatureKind::Door) {
             Feature& door = scene_.features[whole.value];
@@ -536,6 +540,7 @@ private:
     std::vector<Volume> volumes_;
     std::vector<ReadEffect> effects_;
     ReadMovers movers_;
+    MapBodies bodies_;
     double curve_error_m_ = 1e-3;
     std::string world_name_;
     std::optional<bool> stated_building_;

@@ -46,6 +46,9 @@ struct MapReader {
 //   -y or -z: its direction sound      makes the entity a sound source (with an origin, or at the middle of its
 //   brushes); ambient_* classes and particles (particle*, torches,
 //              flames, env_fire, env_spark*, env_steam, env_smoke*) are sources without it;   volume   0 to 1
+//   free       1: a thing of its own is free to move, which dynamic_* are without it; 0: it is not. Then mass 0.01 to
+//              10,000 kg, else density 20 to 20,000 kg/m3 (600), elasticity 0 to 0.95 (0.2), rolling 0 to 1 (0.1), and
+//              friction and friction_static of the surface (0.4, and 1.25 times as much)
 //   building   on worldspawn: 1 a building with the body of a person, 0 a game map. Without it a map with game things
 //   (wad or worldtype on
 //              worldspawn; lights, items, monsters, weapons, ambients, deathmatch starts) is a game map, unless it has

@@ -143,6 +143,12 @@ LintReport lint_materials(const Scene& scene) {
                                                             {"advice", advice(one, other)}}));
         }
     if (std::string crowded = crowded_view(scene); !crowded.empty()) report.warnings.push_back(std::move(crowded));
+    for (const FreeBody& body : scene.bodies)
+        if (!body.gives_way_to_walkers())
+            report.warnings.push_back(
+                phrase("lint.heavy", {{"name", spoken_name(scene.features[body.feature.value])},
+                                      {"mass", body.mass_kg},
+                                      {"most", FreeBody::kWalkersPush_n / (9.81 * body.friction_static)}}));
     return report;
 }
 

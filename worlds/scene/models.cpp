@@ -198,6 +198,56 @@ Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector
     return scene;
 }
 
+Scene with_bodies_apart(Scene world, std::size_t most_things, std::vector<int>& thing_of_body) {
+    thing_of_body.assign(world.bodies.size(), -1);
+    if (world.bodies.empty()) return world;
+    std::vector<int> body_of_feature(world.features.size(), -1);
+    std::vector<std::shared_ptr<Scene>> models(world.bodies.size());
+    for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+        const FeatureId feature = world.bodies[i].feature;
+        if (world.placed.size() + i >= most_things || !world.find(feature)) continue;
+        body_of_feature[feature.value] = static_cast<int>(i);
+        models[i] = std::make_shared<Scene>();
+        models[i]->materials.emplace_back();
+        models[i]->features.push_back(world.features[feature.value]);
+    }
+    const auto body_of = [&](FeatureId feature) {
+        return feature.value < body_of_feature.size() ? body_of_feature[feature.value] : -1;
+    };
+    const auto middle_of = [&](FeatureId feature) { return world.features[feature.value].bounds_m.centre_m(); };
+    std::vector<MaterialId> material(world.bodies.size(), kDefaultMaterial);
+    const auto moves = [&](const Solid& solid) {
+        return solid.role == SolidRole::Mover && body_of(solid.feature) >= 0;
+    };
+    for (const Solid& solid : world.solids) {
+        if (!moves(solid)) continue;
+        const auto body = static_cast<std::size_t>(body_of(solid.feature));
+        if (!solid.face_materials.empty()) material[body] = solid.face_materials.front();
+        models[body]->solids.push_back(seen_from(solid, middle_of(solid.feature)));
+        models[body]->solids.back().feature = FeatureId{0};
+    }
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        const FeatureId feature = world.bodies[i].feature;
+        if (!models[i]) continue;
+        if (models[i]->solids.empty()) {  // nothing of it has a volume
+            body_of_feature[feature.value] = -1;
+            continue;
+        }
+        models[i]->bounds_m = touchable_bounds(*models[i]);
+        thing_of_body[i] = static_cast<int>(world.placed.size());
+        world.placed.push_back({feature, std::move(models[i]), material[i], {middle_of(feature), {}, 1.0}});
+    }
+    std::erase_if(world.solids, moves);
+    std::erase_if(world.surfaces, [&](const SurfacePolygon& surface) { return body_of(surface.feature) >= 0; });
+    for (const int thing : thing_of_body) {
+        if (thing < 0) continue;
+        const PlacedModel& placed = world.placed[static_cast<std::size_t>(thing)];
+        world.features[placed.feature.value].bounds_m = placed_bounds(placed.model->bounds_m, placed.at);
+        draw_placed(world, placed);
+    }
+    return world;
+}
+
 Result<Scene> without_placed(const Scene& world, const std::string& name) {
     const int index = find_placed(world, name);
     if (index < 0) return fail(phrase("worlds.none_to_take", {{"name", name}}));

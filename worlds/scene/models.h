@@ -24,6 +24,9 @@ Result<Scene> with_placed(const Scene& world, const std::string& name, std::shar
 // so that it can be moved while it is touched. At most `most_things` things stand in the world afterwards; movers
 // beyond that stay part of the building. The place of each mover in Scene::placed, -1 for one that stayed.
 Scene with_movers_apart(const Scene& world, std::size_t most_things, std::vector<int>& thing_of_mover);
+// Likewise what is free to move (Scene::bodies), with zero of each frame in the middle of its box. The place of each in
+// Scene::placed, -1 for one that stayed part of the building.
+Scene with_bodies_apart(Scene world, std::size_t most_things, std::vector<int>& thing_of_body);
 // A copy of a world without the placed thing of that name, or a sentence that there is none.
 Result<Scene> without_placed(const Scene& world, const std::string& name);
 // The box around a box of a thing's own frame, as it stands there.

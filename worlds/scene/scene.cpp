@@ -97,6 +97,10 @@ Result<void> validate(const Scene& scene) {
         if (!known(t.feature) || t.material >= scene.materials.size())
             return wrong(phrase("worlds.triangle_of_unknown"), 0);
     }
+    for (const FreeBody& body : scene.bodies)
+        if (!known(body.feature) || !body.feature || !(body.mass_kg >= FreeBody::kLeast_kg) ||
+            !(body.mass_kg <= FreeBody::kMost_kg))
+            return wrong(phrase("worlds.body_no_mass"), body.source.line);
     for (const PlacedModel& placed : scene.placed) {
         if (!placed.model) return wrong(phrase("worlds.thing_no_shape"), 0);
         if (!known(placed.feature) || !placed.feature || placed.material >= scene.materials.size())

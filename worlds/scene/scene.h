@@ -16,6 +16,7 @@
 #include "worlds/geometry/round_shapes.h"
 #include "worlds/geometry/triangle_mesh.h"
 #include "worlds/scene/effect.h"
+#include "worlds/scene/free_body.h"
 #include "worlds/scene/material.h"
 #include "worlds/scene/mover.h"
 #include "worlds/scene/source_place.h"
@@ -164,8 +165,9 @@ struct Scene {
     std::vector<Start> starts;  // in file order; the base one is marked
     std::vector<SoundSource> sounds;
     std::vector<RoomName> room_names;
-    std::vector<Effect> effects;  // forces that hang in space
-    std::vector<Mover> movers;    // which of the solids above can go where
+    std::vector<Effect> effects;   // forces that hang in space
+    std::vector<Mover> movers;     // which of the solids above can go where
+    std::vector<FreeBody> bodies;  // which of them are free to move, at most FreeBody::kMost
     std::vector<Switch> switches;
     std::shared_ptr<const StatedBuilding>
         stated;  // rooms and doors as the file itself says them (worlds/scene/stated_building.h); null: it says none

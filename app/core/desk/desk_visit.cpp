@@ -25,6 +25,7 @@ bool needs_world(Command command) {
         case Command::SideRight:
         case Command::SwitchFrame:
         case Command::Use:
+        case Command::PutBack:
         case Command::BringOut:
         case Command::TrailLeft:
         case Command::TrailRight:

@@ -63,6 +63,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::LastPlace, "last-place", "Control+0", false},
     // Rooms, routes and what moves.
     CommandInfo{Command::Use, "use", "Enter", false},
+    CommandInfo{Command::PutBack, "put-back", "Alt+Backspace", false},
     CommandInfo{Command::DropMark, "mark", "Insert Shift+M", false},
     CommandInfo{Command::DeleteMark, "delete-mark", "Delete", false},
     CommandInfo{Command::Marks, "marks", "4", false},

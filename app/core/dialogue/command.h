@@ -61,6 +61,7 @@ enum class Command : std::uint8_t {
     LastPlace,  // where a session that was never left had come to
     // Rooms, routes and what moves.
     Use,  // opens or shuts the door, presses the button, that the hand touches or the body stands before
+    PutBack,
     DropMark,
     DeleteMark,  // chosen from a list
     Marks,       // list of marks, with the beacon and the help on the way

@@ -25,6 +25,7 @@ Session::Session(const Settings& settings, const HandFacts& hand, const SessionO
     wire();
     if (options.rooms_beside) where_.rooms.find_beside();
     if (options.touch_beside) hand_.touch_view.make_beside();
+    bodies_.run_by(options.bodies_by);
     if (!options.records_in.empty()) learn_.hunt.keep_records_in(options.records_in);
     if (!options.languages_in.empty()) menu_.languages().find_in(options.languages_in);
     lay_device_overrides(state_.person.settings, state_.hands.right);
@@ -55,6 +56,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     state_.world.home_feet_m = state_.body.walker->state().feet_m;
     state_.world.home_heading_rad = state_.body.heading_rad = state_.body.heading_goal_rad =
         wrap_angle(world.heading_rad);
+    bodies_.enter_world(std::move(world.moves_freely), now_s);
     soundscape_.enter(*state_.world.scene);
     learn_.place.enter_world(now_s);
     learn_.hunt.enter_world();
@@ -109,11 +111,14 @@ void Session::press(Command command, double now_s, int times) {
     if (command != Command::Repeat && command != Command::StopSpeech) too_early_.reset();
     if (lesson_session_.takes(command, now_s)) return;
     lesson_session_.note(command);
-    if (info(command).hold) walk_.keys_held.press(command);
+    if (info(command).hold && !bodies_.keeps(command)) walk_.keys_held.press(command);
     act(command, now_s, times);
 }
 
-void Session::release(Command command) { walk_.keys_held.release(command); }
+void Session::release(Command command) {
+    walk_.keys_held.release(command);
+    bodies_.release(command);
+}
 
 void Session::set_focus(bool focused) {
     if (!focused) walk_.walking.steer({});
@@ -130,27 +135,13 @@ void Session::know_stops(std::uint32_t stops, double now_s) {
 
 bool Session::idle() const {
     if (!lesson_session_.idle() || state_.requests.set_up) return false;
-    if (too_early_ && state_.context.tick_s - too_early_->asked_s < kAnswerFollows_s) return false;
-    return walk_.walking.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
+    return walk_.walking.idle() && bodies_.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
 }
 
 void Session::act(Command command, double now_s, int times) {
     if (!state_.world.scene) return;
     if (desk_visit_.refuses(command, now_s)) return;
-    where_.rooms.take_refused();  // by others, since the last command
-    carry_out(command, now_s, times);
-    where_.far.note(command);
-    if (where_.rooms.take_refused()) too_early_ = TooEarly{command, now_s};
-}
-
-// What was asked before the rooms were known.
-void Session::answer_what_was_too_early(double now_s) {
-    if (!too_early_ || where_.rooms.awaited()) return;
-    const Command asked = std::exchange(too_early_, std::nullopt)->command;
-    if (!state_.lists.dialogue.is_open()) act(asked, now_s);
-}
-
-void Session::carry_out(Command command, double now_s, int times) {
+    if (bodies_.act(command, now_s, times)) return;
     if (walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
         hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s))
         return;
@@ -323,10 +314,13 @@ void Session::settle(double) {
     state_.world.movers.follow(state_.world.scene->movers);
 }
 
+bool Session::anything_moves() const {
+    return state_.world.things.moving() || state_.world.movers.any_moving() || bodies_.any_moving();
+}
+
 void Session::take_settled() {
     auto settled = settled_.take();
-    if (!settled || !*settled || state_.world.things.moving() || state_.world.movers.any_moving())
-        return;  // what moves again settles again
+    if (!settled || !*settled || anything_moves()) return;  // what moves again settles again
     auto left = std::exchange(state_.world.scene, std::move(*settled));
     state_.world.movers.follow(state_.world.scene->movers);
     rebuild_solids(state_.world, state_.body);
@@ -386,12 +380,13 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
         return;
     }
     movers_.doors.tick(now_s, dt_s);
-    const bool mover_arrived = movers_.doors.take_arrived();
-    if (state_.world.things.tick(now_s, dt_s) || mover_arrived) {
+    bodies_.tick(now_s);
+    const bool mover_arrived = movers_.doors.take_arrived(), bodies_rest = bodies_.take_rested();
+    if (state_.world.things.tick(now_s, dt_s) || mover_arrived || bodies_rest) {
         // From now on it is seen where it is, as soon as everything stands still again.
-        if (!state_.world.things.moving() && !state_.world.movers.any_moving()) settle(now_s);
+        if (!anything_moves()) settle(now_s);
         rebuild_solids(state_.world, state_.body);
-    } else if (state_.world.things.moving() || state_.world.movers.any_moving() || state_.world.movers.any_endless()) {
+    } else if (anything_moves() || state_.world.movers.any_endless()) {
         rebuild_solids(state_.world, state_.body);
     }
     if (dt_s > 0.0) {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/bodies/bodies.h"
 #include "app/core/context/asked_to_leave.h"
 #include "app/core/context/session_state.h"
 #include "app/core/context/soundscape.h"
@@ -68,6 +69,7 @@ public:
     const BodyFrame& bodies() const { return state_.world.things.frame(); }
     const WorldState& world() const { return state_.world; }
     const Guide& guide() const { return guide_; }
+    const Bodies& free_bodies() const { return bodies_; }
     bool two_hands() const { return state_.hands.two(); }
     Listener listener() const;
     // The desk, which the hand is at now and then: the world waits meanwhile.
@@ -145,6 +147,7 @@ private:
     void change_world(Scene scene, double now_s);
     void settle(double now_s);
     void take_settled();
+    bool anything_moves() const;  // and comes to rest by itself
     // What the person added: session_additions.cpp.
     void take_additions();
     void tell_additions(double now_s);
@@ -157,6 +160,7 @@ private:
     TouchEvents touch_events_{state_.context};
     Whereabouts where_{state_};
     MoverFeatures movers_{state_};
+    Bodies bodies_{state_.context, state_.world};
     Guide guide_{state_.context, where_.rooms, movers_.doors};
     WalkingFeatures walk_{state_};
     HandFeatures hand_{state_, walk_.keys_held};

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include "worlds/base/clock.h"
+
 namespace handrail {
 
 struct SessionOptions {
@@ -15,6 +17,9 @@ struct SessionOptions {
     std::filesystem::path records_in = {};
     // Files of languages of the person's own; empty: there are the bundled ones.
     std::filesystem::path languages_in = {};
+    // The engine of what is free to move has a thread of its own, by this clock, the session's, which outlives it;
+    // null: it is stepped in each tick.
+    Clock* bodies_by = nullptr;
 };
 
 }  // namespace handrail

@@ -243,6 +243,7 @@ void Walking::walk(double now_s, double dt_s) {
         wish = *lead;
         way = glm::length(wish) * dt_s;
     }
+    const bool gives_way = push_ahead && push_ahead(wish, now_s);
     const WalkerState stood = body_.walker->state();
     WalkResult walked = body_.walker->tick(wish, dt_s);
     const bool at_edge = footing_.held_at_edge(stood, paces_, now_s);
@@ -271,10 +272,7 @@ void Walking::walk(double now_s, double dt_s) {
     if (way != 0.0) paces_.walked(walked.walked_m);
     if (!by_itself && aside_m == 0.0) take_from_pending(stood.on_ground ? walked.walked_m : way);
 
-    const bool stopped = by_itself ? walked.bump && !(by_ear_.leads() && walked.walked_m > 0.0)
-                                   : aside_m == 0.0 && !at_edge && !go_on(walked, wish, way, now_s);
-    if (aside_m != 0.0) gait_.went_aside(way, walked.walked_m);
-    if (stopped) {
+    if (walked.bump && !gives_way && !(by_ear_.leads() && walked.walked_m > 0.0)) {
         halt();
         if (!blocked_ && brushed_.met) tell_bump(*brushed_.met, std::atan2(wish.x, wish.y), now_s);
         blocked_ = true;

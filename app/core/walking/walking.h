@@ -58,6 +58,9 @@ public:
     double passage_width_m() const;
 
     // Set by the session.
+    // Before each step: what lies before the body and gives way is pushed, and what has come to overlap the body takes
+    // from the wish what leads into it. True: what gives way is no bump.
+    std::function<bool(Vec3& wish_m_per_s, double now_s)> push_ahead;
     // After each step of the body: what it did and met.
     std::function<void(const WalkResult& walked, double now_s)> on_walked;
     // The body has bumped into something it had got away from before: once for each bump that is heard.

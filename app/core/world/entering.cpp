@@ -1,7 +1,9 @@
 #include "app/core/world/entering.h"
 
 #include <algorithm>
+#include <span>
 
+#include "haptic/compile/compile_dynamics.h"
 #include "haptic/compile/compile_haptic.h"
 #include "worlds/scene/models.h"
 
@@ -24,14 +26,34 @@ void mark_base_door(Scene& scene, const Vec3& feet_m) {
     if (nearest) nearest->base = true;
 }
 
+// Null where nothing is free.
+std::shared_ptr<const DynamicsScene> moves_freely(const Scene& scene, std::span<const int> thing_of_body) {
+    std::vector<FreeThing> free;
+    for (std::size_t i = 0; i < thing_of_body.size(); ++i) {
+        if (thing_of_body[i] < 0) continue;
+        const FreeBody& body = scene.bodies[i];
+        free.push_back({static_cast<std::size_t>(thing_of_body[i]), {}, 0.0});
+        free.back().nature.mass_kg = body.mass_kg;
+        free.back().nature.friction = body.friction;
+        free.back().nature.friction_static = body.friction_static;
+        free.back().nature.elasticity = body.elasticity;
+        free.back().nature.rolling = body.rolling;
+    }
+    if (free.empty()) return nullptr;
+    return compile_dynamics(scene, free, scene.bounds_m.empty() ? Vec3(0.0) : scene.bounds_m.centre_m());
+}
+
 }  // namespace
 
 EnteringWorld make_ready_at(std::shared_ptr<const Scene> scene, const Vec3& feet_m, double heading_rad) {
     EnteringWorld world;
-    Scene entered = with_movers_apart(*scene, HapticScene::kMostBodies, world.thing_of_mover);
+    std::vector<int> thing_of_body;
+    Scene entered = with_bodies_apart(with_movers_apart(*scene, HapticScene::kMostBodies, world.thing_of_mover),
+                                      HapticScene::kMostBodies, thing_of_body);
     mark_base_door(entered, feet_m);
     world.file = std::move(scene);
     world.scene = std::make_shared<const Scene>(std::move(entered));
+    world.moves_freely = moves_freely(*world.scene, thing_of_body);
     world.feet_m = feet_m;
     world.heading_rad = heading_rad;
     world.body = std::make_unique<BodyWorld>(world.scene);

@@ -7,15 +7,17 @@
 #include <vector>
 
 #include "app/core/world/body_world.h"
+#include "haptic/render/dynamics_scene.h"
 #include "haptic/render/haptic_scene.h"
 
 namespace handrail {
 
 struct EnteringWorld {
-    std::shared_ptr<const Scene> file;   // as it was read
-    std::shared_ptr<const Scene> scene;  // what moves stands in it as things
-    std::vector<int> thing_of_mover;     // place among the things, -1: part of the building
-    Vec3 feet_m{0.0};                    // where one begins
+    std::shared_ptr<const Scene> file;                  // as it was read
+    std::shared_ptr<const Scene> scene;                 // what moves stands in it as things
+    std::vector<int> thing_of_mover;                    // place among the things, -1: part of the building
+    std::shared_ptr<const DynamicsScene> moves_freely;  // null: nothing in it is free to move
+    Vec3 feet_m{0.0};                                   // where one begins
     double heading_rad = 0.0;
     std::unique_ptr<BodyWorld> body;
     std::shared_ptr<const HapticScene>

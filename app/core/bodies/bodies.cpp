@@ -1,0 +1,291 @@
+#include "app/core/bodies/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/core/bodies/body_words.h"
+#include "app/core/world/body_heights.h"
+#include "app/core/world/mover_meeting.h"
+#include "app/core/world/questions.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kMoved_m = 1e-4;          // less is how a resting body breathes
+constexpr double kTurned = 1e-4;           // likewise, of a turn, radians
+constexpr double kRestsAfter_s = 0.2;      // so long without moving all stands still
+constexpr double kBeforeFeet_m = 0.06;     // so near before the body something is pushed
+constexpr double kPushFor_s = 0.05;        // longer than a frame, so that it goes evenly
+constexpr double kGivesWayWithin_s = 0.5;  // what has not gone by then is in the way
+constexpr double kGone_m = 0.01;
+constexpr double kUnderFeet_m = 0.01;  // what is lower one stands on
+constexpr double kOff_m_per_s = 0.3;
+constexpr double kHeldBack = 0.3;    // of what one wished is left: one stands
+constexpr double kAhead = 0.25;      // cosine of how far aside of straight ahead one takes hold
+constexpr double kStrained_s = 2.0;  // between two pushes of one and the same attempt
+constexpr double kHeard_s = 3.0;     // so long a hit counts for what one does
+
+bool differs(const Placement& a, const Placement& b) {
+    const double turned = 1.0 - std::abs(a.rotation.w * b.rotation.w + a.rotation.x * b.rotation.x +
+                                         a.rotation.y * b.rotation.y + a.rotation.z * b.rotation.z);
+    return glm::length(a.position_m - b.position_m) > kMoved_m || 8.0 * turned > kTurned * kTurned;
+}
+
+}  // namespace
+
+void Bodies::enter_world(std::shared_ptr<const DynamicsScene> scene, double now_s) {
+    loop_.reset();
+    grip_.enter_world();
+    sounds_.enter_world(scene ? scene->bodies.size() : 0, now_s);
+    scene_ = std::move(scene);
+    driven_.clear();
+    pushed_ = in_the_way_ = kNoBody;
+    hit_ = kNoFeature;
+    hit_s_ = moved_s_ = pushed_s_ = -1e9;
+    moving_ = rested_ = false;
+    if (!scene_) return;
+    loop_ = std::make_unique<DynamicsLoop>(scene_, now_s);
+    walker_m_ = Vec3(std::numeric_limits<double>::infinity());
+    tell_engine();
+    if (clock_) loop_->start(*clock_);
+}
+
+std::uint32_t Bodies::body_of(FeatureId feature) const {
+    if (scene_ && feature)
+        for (std::size_t i = 0; i < scene_->bodies.size(); ++i)
+            if (scene_->bodies[i].feature == feature) return static_cast<std::uint32_t>(i);
+    return kNoBody;
+}
+
+std::optional<double> Bodies::mass_kg(FeatureId feature) const {
+    const std::uint32_t body = body_of(feature);
+    return body == kNoBody ? std::nullopt : std::optional(scene_->bodies[body].nature.mass_kg);
+}
+
+Placement Bodies::middle(std::uint32_t body) const {
+    const DynamicsBody& is = scene_->bodies[body];
+    return middle_of(is, world_.things.at(is.haptic));
+}
+
+// Nothing but the body itself is met on the way to its nearest place.
+bool Bodies::in_sight(std::uint32_t body, const Aabb& box_m) const {
+    const Vec3 eye = context_.body.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
+    const TraceHit hit = world_.solids->trace(eye, glm::clamp(eye, box_m.min_m, box_m.max_m), {}, true);
+    return !hit.hit || hit.feature == scene_->bodies[body].feature;
+}
+
+// What the hand touches, what stands straight ahead, or what is nearest of all before one.
+std::uint32_t Bodies::in_reach() const {
+    if (context_.hands.tool.touches())
+        if (const std::uint32_t touched = body_of(context_.hands.tool.touched()); touched != kNoBody) return touched;
+    const Vec3 feet = context_.body.feet_m();
+    const double top_m = context_.body.walker->size().height_m;
+    if (const auto seen = look(*world_.solids, feet, kLookHeight_m, context_.body.heading_rad, kReach_m))
+        if (const std::uint32_t ahead = body_of(seen->feature);
+            ahead != kNoBody || mover_of(world_, seen->feature) >= 0)
+            return ahead;
+    const Vec3 forward = forward_of_heading(context_.body.heading_rad);
+    std::uint32_t nearest = kNoBody;
+    double nearest_m = kReach_m;
+    for (std::uint32_t i = 0; i < scene_->bodies.size(); ++i) {
+        const Aabb& box = world_.solids->box_of_placed(scene_->bodies[i].haptic);
+        if (box.empty() || box.max_m.z < feet.z - 0.3 || box.min_m.z > feet.z + top_m) continue;
+        Vec3 way = glm::clamp(feet, box.min_m, box.max_m) - feet;
+        way.z = 0.0;
+        const double far_m = glm::length(way);
+        if (far_m >= nearest_m || (far_m > 0.0 && glm::dot(way, forward) < kAhead * far_m) || !in_sight(i, box))
+            continue;
+        nearest = i;
+        nearest_m = far_m;
+    }
+    return nearest;
+}
+
+bool Bodies::act(Command command, double now_s, int times) {
+    if (command == Command::PutBack) {
+        put_back(now_s);
+        return true;
+    }
+    if (!loop_) return false;
+    if (grip_.holds()) return grip_.act(command, *loop_, *scene_, middle(grip_.held()), now_s, times);
+    if (command != Command::Use) return false;
+    const std::uint32_t body = in_reach();
+    if (body == kNoBody) return false;
+    grip_.take(*loop_, *scene_, body, middle(body), now_s);
+    return true;
+}
+
+void Bodies::put_back(double now_s) {
+    if (!loop_) return context_.answer(phrase("bodies.none_here"), now_s);
+    grip_.let_go();
+    loop_->order({.kind = DynamicsLoop::Order::Kind::LetGo});
+    loop_->order({.kind = DynamicsLoop::Order::Kind::Restart});
+    walker_m_ = Vec3(std::numeric_limits<double>::infinity());  // the engine knows of nobody then
+    driven_.clear();
+    context_.answer(phrase("bodies.put_back"), now_s);
+}
+
+// Where doors and the person are.
+void Bodies::tell_engine() {
+    std::vector<Placement> now;
+    for (const DrivenThing& thing : scene_->driven) now.push_back(world_.things.at(thing.haptic));
+    if (now != driven_) {
+        auto poses = std::make_shared<std::vector<BodyPose>>();
+        for (const Placement& at : now) poses->push_back({at, true});
+        loop_->drive(std::move(poses));
+        driven_ = std::move(now);
+    }
+    if (!context_.body.walker) return;
+    // The capsule's round end would let a ball under the soles. So it reaches into the floor, but not into a body that
+    // one stands on.
+    const bool lifted = !context_.body.walker->state().on_ground || body_of(context_.body.ground) != kNoBody;
+    const Vec3 feet = context_.body.feet_m();
+    if (feet == walker_m_ && lifted == walker_lifted_) return;
+    const BodySize& size = context_.body.walker->size();
+    const double into_m = lifted ? 0.0 : size.radius_m;
+    DynamicsLoop::Order order;
+    order.kind = DynamicsLoop::Order::Kind::Walker;
+    order.at_m = feet - Vec3(0.0, 0.0, into_m);
+    order.radius_m = size.radius_m;
+    order.height_m = size.height_m + into_m;
+    if (!loop_->order(order)) return;
+    walker_m_ = feet;
+    walker_lifted_ = lifted;
+}
+
+void Bodies::tick(double now_s) {
+    if (!loop_) return;
+    tell_engine();
+    if (!clock_) loop_->step_until(now_s);
+    hear(now_s);
+    if (loop_->newer_frame_for_app()) take_places(now_s);
+    if (moving_ && now_s - moved_s_ > kRestsAfter_s) {
+        moving_ = false;
+        rested_ = true;
+    }
+    sounds_.tick(now_s);
+    if (grip_.holds())
+        grip_.tick(*loop_, *scene_, middle(grip_.held()), now_s - hit_s_ < kHeard_s ? hit_ : kNoFeature, now_s);
+}
+
+void Bodies::take_places(double now_s) {
+    const DynamicsFrame& frame = loop_->frame_for_app();
+    for (std::size_t i = 0; i < scene_->bodies.size(); ++i) {
+        const std::uint32_t thing = scene_->bodies[i].haptic;
+        if (!differs(frame.things[i], world_.things.at(thing))) continue;
+        Placement at = frame.things[i];
+        at.scale = world_.things.at(thing).scale;
+        world_.things.put(thing, at);
+        moved_s_ = now_s;
+        moving_ = true;
+    }
+}
+
+void Bodies::hear(double now_s) {
+    BodyEvent event;
+    while (loop_->events().pop(event)) {
+        sounds_.hear(event, *scene_, now_s);
+        const bool mine = event.body == grip_.held() || (event.body == pushed_ && now_s - pushed_s_ < kHeard_s);
+        if (event.kind == BodyEvent::Kind::PutBack)
+            context_.say(phrase("bodies.fell_out", {{"name", body_name(context_, scene_->bodies[event.body].feature)}}),
+                         SpeechClass::Answer, now_s);
+        if (!mine || event.kind != BodyEvent::Kind::Hit) continue;
+        hit_ = event.other_body != kNoBody ? scene_->bodies[event.other_body].feature : event.other;
+        hit_s_ = now_s;
+    }
+}
+
+void Bodies::shove(std::uint32_t body, const Vec3& speed_m_per_s) {
+    DynamicsLoop::Order order;
+    order.kind = DynamicsLoop::Order::Kind::Shove;
+    order.body = body;
+    order.speed_m_per_s = speed_m_per_s;
+    order.most_n = FreeBody::kWalkersPush_n;
+    order.for_s = kPushFor_s;
+    loop_->order(order);
+}
+
+// An engine lets bodies overlap a little, and walking passes over what overlaps, so that nobody is held for ever.
+// Which one it was; kNoBody: none.
+std::uint32_t Bodies::keep_apart(Vec3& wish_m_per_s) {
+    std::uint32_t met = kNoBody;
+    const Vec3 feet = context_.body.feet_m();
+    const BodyShape shape = context_.body.walker->shape();
+    for (std::uint32_t i = 0; i < scene_->bodies.size(); ++i) {
+        const Aabb& box = world_.solids->box_of_placed(scene_->bodies[i].haptic);
+        const Vec3 nearest = glm::clamp(feet, box.min_m, box.max_m);
+        if (box.empty() || std::hypot(feet.x - nearest.x, feet.y - nearest.y) > shape.radius_m ||
+            box.max_m.z < feet.z + kUnderFeet_m || box.min_m.z > feet.z + shape.height_m)
+            continue;
+        const std::size_t thing = scene_->bodies[i].haptic;
+        if (!meets_body(world_.scene->placed[thing].model, world_.things.at(thing), feet, shape)) continue;
+        Vec3 out = feet - nearest;
+        if (std::hypot(out.x, out.y) < 1e-3) out = feet - box.centre_m();
+        out.z = 0.0;
+        if (glm::length(out) < 1e-6) continue;
+        out = glm::normalize(out);
+        if (const double into = -glm::dot(wish_m_per_s, out); into > 0.0) {
+            wish_m_per_s += out * into;
+            met = i;
+        }
+        shove(i, out * -kOff_m_per_s);
+    }
+    return met;
+}
+
+void Bodies::tell_in_the_way(std::uint32_t body, double now_s) {
+    const bool told = body == in_the_way_ && now_s - in_the_way_s_ < kStrained_s;
+    in_the_way_ = body;
+    in_the_way_s_ = now_s;
+    if (told) return;
+    CueRequest bump;
+    bump.kind = CueRequestKind::Bump;
+    bump.time_s = now_s;
+    bump.feature = scene_->bodies[body].feature;
+    bump.position_m = middle(body).position_m;
+    bump.text = phrase("bodies.stuck", {{"name", body_name(context_, bump.feature)}});
+    context_.cues.cue(std::move(bump));
+}
+
+bool Bodies::push_ahead(Vec3& wish_m_per_s, double now_s) {
+    if (!loop_) return false;
+    const double wished = std::hypot(wish_m_per_s.x, wish_m_per_s.y);
+    const std::uint32_t met = keep_apart(wish_m_per_s);
+    const double speed = std::hypot(wish_m_per_s.x, wish_m_per_s.y);
+    if (met != kNoBody && speed < kHeldBack * wished) tell_in_the_way(met, now_s);
+    if (!(speed > 0.0)) return false;
+    const Vec3 along = Vec3(wish_m_per_s.x, wish_m_per_s.y, 0.0) / speed;
+    const Vec3 feet = context_.body.feet_m();
+    const TraceHit hit = world_.solids->trace(feet, feet + along * kBeforeFeet_m, context_.body.walker->shape());
+    const std::uint32_t body = hit.hit ? body_of(hit.feature) : kNoBody;
+    if (body == kNoBody || body == grip_.held()) return false;
+    const DynamicsBody& is = scene_->bodies[body];
+    const FreeBody* free = nullptr;
+    for (const FreeBody& known : context_.world.scene->bodies)
+        if (known.feature == is.feature) free = &known;
+    const bool begins = body != pushed_ || now_s - pushed_s_ > kStrained_s;
+    const Vec3 at = middle(body).position_m;
+    if (begins || glm::length(at - pushed_from_m_) > kGone_m) {
+        pushed_since_s_ = now_s;
+        pushed_from_m_ = at;
+    }
+    pushed_ = body;
+    pushed_s_ = now_s;
+    if (!free || !free->gives_way_to_walkers()) {
+        if (begins) context_.say(heavy_words(context_, is.feature, is.nature.mass_kg), SpeechClass::Contact, now_s);
+        return false;
+    }
+    const double against = -glm::dot(hit.normal, along);
+    const Vec3 level(hit.normal.x, hit.normal.y, 0.0);
+    const double across = glm::length(level);
+    // At a slant it goes aside, as the side that was met looks.
+    const Vec3 way = across > 0.1 ? -level / across : along;
+    shove(body, way * (speed * std::max(0.3, against)));
+    if (begins)
+        context_.say(phrase("bodies.pushed", {{"name", body_name(context_, is.feature)}}), SpeechClass::Contact, now_s);
+    return now_s - pushed_since_s_ < kGivesWayWithin_s;
+}
+
+}  // namespace handrail

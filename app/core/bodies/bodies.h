@@ -1,0 +1,88 @@
+// The things of a world that are free to move: it owns their engine, says where doors and the person are, and puts
+// what has moved where the hand, the body and the picture meet it. Without a clock the engine is stepped here, so the
+// same input gives the same bits; with one it runs on a thread of its own. In a world in which nothing is free there is
+// neither. App thread only.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/core/bodies/body_grip.h"
+#include "app/core/bodies/body_sounds.h"
+
+namespace handrail {
+
+class Bodies {
+public:
+    // It moves the things of `world`.
+    Bodies(const SessionContext& context, WorldState& world) : context_(context), world_(world) {}
+    Bodies(const Bodies&) = delete;
+    Bodies& operator=(const Bodies&) = delete;
+
+    // The engine of every world entered from now on has a thread; the clock is that of the session and outlives it.
+    void run_by(Clock* clock) { clock_ = clock; }
+    // Null: nothing is free in it. The world and its things are entered already.
+    void enter_world(std::shared_ptr<const DynamicsScene> scene, double now_s);
+
+    // Taking hold, letting go, putting back, and while something is held the keys that move it. False: it is another's.
+    bool act(Command command, double now_s, int times = 1);
+    // The key moves what is held, and not the body.
+    bool keeps(Command command) const { return grip_.keeps(command); }
+    void release(Command command) { grip_.release(command); }
+    // Before the things of the world are told to the servo.
+    void tick(double now_s);
+    // The body is about to walk that way: what lies before it and is not too heavy goes along. True: something does.
+    // What has been driven against the body is pushed off, and nobody walks farther into it: that is taken from the
+    // wish.
+    bool push_ahead(Vec3& wish_m_per_s, double now_s);
+
+    bool any_moving() const { return moving_; }
+    bool idle() const { return grip_.idle(); }
+    // All has come to rest since this was asked last.
+    bool take_rested() { return std::exchange(rested_, false); }
+    // A free body is there: its mass; nothing: none.
+    std::optional<double> mass_kg(FeatureId feature) const;
+    // The engine of this world; null: nothing is free in it.
+    const DynamicsLoop* engine() const { return loop_.get(); }
+
+    static constexpr double kReach_m = 1.2;  // of who takes hold
+
+private:
+    std::uint32_t body_of(FeatureId feature) const;
+    Placement middle(std::uint32_t body) const;
+    std::uint32_t in_reach() const;
+    bool in_sight(std::uint32_t body, const Aabb& box_m) const;
+    void tell_engine();
+    void shove(std::uint32_t body, const Vec3& speed_m_per_s);
+    std::uint32_t keep_apart(Vec3& wish_m_per_s);
+    void tell_in_the_way(std::uint32_t body, double now_s);
+    void hear(double now_s);
+    void take_places(double now_s);
+    void put_back(double now_s);
+
+    const SessionContext& context_;
+    WorldState& world_;
+    Clock* clock_ = nullptr;
+    std::shared_ptr<const DynamicsScene> scene_;  // null: nothing is free here
+    std::unique_ptr<DynamicsLoop> loop_;
+    BodyGrip grip_{context_};
+    BodySounds sounds_{context_};
+    std::vector<Placement> driven_;  // as the engine was told last
+    Vec3 walker_m_{0.0};             // likewise
+    bool walker_lifted_ = false;
+    double moved_s_ = -1e9;
+    bool moving_ = false, rested_ = false;
+    FeatureId hit_ = kNoFeature;  // by what is held, last
+    double hit_s_ = -1e9;
+    // What somebody who walks pushes: since when, and whether it went.
+    std::uint32_t pushed_ = kNoBody;
+    double pushed_since_s_ = 0.0, pushed_s_ = -1e9;
+    Vec3 pushed_from_m_{0.0};
+    // What it is held from going into, likewise.
+    std::uint32_t in_the_way_ = kNoBody;
+    double in_the_way_s_ = -1e9;
+};
+
+}  // namespace handrail

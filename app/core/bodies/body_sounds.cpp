@@ -1,0 +1,81 @@
+#include "app/core/bodies/body_sounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace handrail {
+namespace {
+
+constexpr double kLoudest_ns = 20.0;          // a crate of 4 kg that falls from more than a metre
+constexpr double kFaintest = 0.05;            // what is not as loud is not heard
+constexpr double kLoudestRoll_m_per_s = 1.5;  // as fast as one walks
+constexpr double kSilent_s = 0.2;             // rolling and sliding are told 20 times a second
+constexpr std::uint32_t kFirstSource = 16;    // below are the hands
+
+}  // namespace
+
+void BodySounds::enter_world(std::size_t bodies, double now_s) {
+    for (std::size_t body = 0; body < loops_.size(); ++body)
+        if (loops_[body].sounds) loop(body, 0.0, SoundClass::Generic, now_s);
+    loops_.assign(bodies, {});
+}
+
+SoundClass BodySounds::sound_of(FeatureId feature) const {
+    const Feature* found = context_.world.scene->find(feature);
+    return found ? context_.world.scene->material(found->material).sound : SoundClass::Generic;
+}
+
+void BodySounds::loop(std::size_t body, double loudness, SoundClass material, double now_s) {
+    CueRequest request;
+    request.kind = CueRequestKind::WorldSound;
+    request.time_s = now_s;
+    request.sound = SoundKind::Slide;
+    request.material = material;
+    request.position_m = loops_[body].at_m;
+    request.loudness = loudness;
+    request.source = kFirstSource + static_cast<std::uint32_t>(body);
+    context_.cues.cue(std::move(request));
+    loops_[body].sounds = loudness > 0.0;
+}
+
+void BodySounds::hear(const BodyEvent& event, const DynamicsScene& scene, double now_s) {
+    const FeatureId own = scene.bodies[event.body].feature;
+    const FeatureId other = event.other_body != kNoBody ? scene.bodies[event.other_body].feature : event.other;
+    switch (event.kind) {
+        case BodyEvent::Kind::Hit: {
+            const double loudness = std::min(1.0, std::sqrt(event.impulse_ns / kLoudest_ns));
+            if (loudness < kFaintest) return;
+            CueRequest knock = sound_at(SoundKind::Contact, event.at_m, now_s);
+            knock.loudness = loudness;
+            knock.material = sound_of(own);
+            context_.cues.cue(knock);
+            if (!other || sound_of(other) == knock.material) return;
+            knock.material = sound_of(other);
+            context_.cues.cue(std::move(knock));
+            return;
+        }
+        case BodyEvent::Kind::Rolls:
+        case BodyEvent::Kind::Slides: {
+            Loop& heard = loops_[event.body];
+            heard.heard_s = now_s;
+            heard.at_m = event.at_m;
+            // What slides scrapes, what rolls only murmurs.
+            const double most = event.kind == BodyEvent::Kind::Slides ? 1.0 : 0.5;
+            const double loudness = most * std::min(1.0, event.speed_m_per_s / kLoudestRoll_m_per_s);
+            loop(event.body, loudness < kFaintest ? 0.0 : loudness, sound_of(other), now_s);
+            return;
+        }
+        case BodyEvent::Kind::Falls:
+        case BodyEvent::Kind::Rests:
+        case BodyEvent::Kind::PutBack:
+            return;
+    }
+}
+
+void BodySounds::tick(double now_s) {
+    for (std::size_t body = 0; body < loops_.size(); ++body)
+        if (loops_[body].sounds && now_s - loops_[body].heard_s > kSilent_s)
+            loop(body, 0.0, SoundClass::Generic, now_s);
+}
+
+}  // namespace handrail

@@ -1,0 +1,243 @@
+// Things that are free to move, in a session: who walks pushes them, keys take, move, lift, turn and drop them, and
+// they end where the hand, the body and the ways of the world meet them.
+#include <random>
+
+#include "tests/support/map_text.h"
+#include "tests/support/random_families.h"
+#include "tests/unit/core/app_session.h"
+#include "worlds/navigation/navigation.h"
+
+namespace handrail {
+namespace free_bodies_test {
+
+using test::box_brush;
+using test::entity;
+using test::key;
+
+// A hall of 10 by 20 m; one starts in the south, a metre from the wall, and looks north.
+std::shared_ptr<const Scene> hall(const std::string& entities) {
+    const std::string room = test::room_brushes(0, 0, 0, 320, 640, 128);
+    const std::string base = entity("info_player_start", key("origin", "160 32 24") + key("angle", "90"));
+    auto scene = read_quake_map(
+        entity("worldspawn", key("message", "Hall") + key("building", "1"), room) + base + entities, "hall.map", {});
+    EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
+    EXPECT_TRUE(scene->report.warnings.empty()) << scene->report.warnings.front().sentence();
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+// A box of half a metre whose middle is that far east and north.
+std::string box(const char* name, double kg, double east_m, double north_m, const std::string& more = {}) {
+    const double x = 32.0 * east_m, y = 32.0 * north_m;
+    return entity("thing", key("cs_name", "dynamic_box") + key("name", name) + key("mass", std::to_string(kg)) + more,
+                  box_brush(x - 8, y - 8, 0, x + 8, y + 8, 16));
+}
+std::string ball(double radius_m, double east_m, double north_m) {
+    const double x = 32.0 * east_m, y = 32.0 * north_m, r = 32.0 * radius_m;
+    return entity("thing", key("cs_name", "dynamic_sphere") + key("name", "Ball") + key("mass", "0.5"),
+                  box_brush(x - r, y - r, 0, x + r, y + r, 2 * r));
+}
+
+struct Walk : test::AppSession {
+    explicit Walk(std::shared_ptr<const Scene> scene) { app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0); }
+    Vec3 at(const char* name) const { return app.thing_at(name).value_or(Placement{}).position_m; }
+    // The body's cylinder overlaps nothing.
+    bool stands_free() const {
+        return !app.world().solids->blocked(app.feet_m(), {body_size(*app.scene(), 0.25).radius_m - 1e-3, 1.5});
+    }
+};
+
+TEST(FreeBodies, a_light_crate_goes_along_with_who_walks_into_it_and_is_never_inside) {
+    Walk walk(hall(box("Crate", 4.0, 5.0, 4.0)));
+    walk.app.apply(CommandDown{Command::Forward}, walk.now);
+    for (int i = 0; i < 300; ++i) {
+        walk.run(1.0 / 60.0);
+        ASSERT_TRUE(walk.stands_free()) << i;
+    }
+    walk.app.apply(CommandUp{Command::Forward}, walk.now);
+    walk.run(3.0);
+    EXPECT_GT(walk.app.feet_m().y, 5.0) << "farther than where it stood";
+    EXPECT_GT(walk.at("Crate").y, walk.app.feet_m().y + 0.25 + 0.25 - 0.01);
+    EXPECT_NEAR(walk.at("Crate").z, 0.25, 2e-3);
+    EXPECT_TRUE(walk.heard("Crate goes along."));
+    EXPECT_TRUE(walk.bumped.empty()) << "what gives way is no bump";
+}
+
+TEST(FreeBodies, a_safe_stops_who_walks_and_says_its_weight) {
+    Walk walk(hall(box("Safe", 400.0, 5.0, 4.0)));
+    walk.walk(5.0);
+    EXPECT_NEAR(walk.app.feet_m().y, 4.0 - 0.25 - 0.25, 0.01);
+    EXPECT_NEAR(walk.at("Safe").y, 4.0, 1e-3);
+    EXPECT_TRUE(walk.heard("Safe. Heavy, 400 kilograms."));
+    EXPECT_EQ(walk.bumped.size(), 1U);
+}
+
+TEST(FreeBodies, a_ball_too_low_to_stop_a_foot_is_kicked_and_not_stepped_on) {
+    Walk walk(hall(ball(0.11, 5.0, 3.0)));
+    walk.walk(3.0);
+    EXPECT_LT(walk.app.feet_m().z, 0.02);
+    EXPECT_GT(walk.at("Ball").y, walk.app.feet_m().y + 0.25) << "ahead of the feet";
+    EXPECT_NEAR(walk.at("Ball").z, 0.11, 2e-3);
+}
+
+TEST(FreeBodies, what_is_pushed_against_a_wall_is_in_the_way) {
+    Walk walk(hall(box("Crate", 4.0, 5.0, 18.0)));
+    walk.app.apply(Placed{{5.0, 16.0, 0.0}, 0.0}, walk.now);
+    walk.walk(8.0);
+    EXPECT_NEAR(walk.at("Crate").y, 20.0 - 0.25, 0.01);
+    EXPECT_NEAR(walk.app.feet_m().y, 20.0 - 0.5 - 0.25, 0.02);
+    EXPECT_TRUE(walk.stands_free());
+    EXPECT_FALSE(walk.bumped.empty());
+}
+
+TEST(FreeBodies, keys_take_move_lift_and_drop_a_crate) {
+    Walk walk(hall(box("Crate", 2.0, 5.0, 2.0)));
+    walk.tap(Command::Use, 0.3);
+    ASSERT_TRUE(walk.heard("Crate held, 2 kilograms."));
+    const Vec3 start = walk.at("Crate"), feet = walk.app.feet_m();
+    walk.tap(Command::TurnRight, 2.0);
+    EXPECT_NEAR(walk.at("Crate").x, start.x + 0.25, 0.01) << "to the right of who looks north";
+    EXPECT_TRUE(walk.heard("Crate moved."));
+    walk.tap(Command::Forward, 2.0);
+    EXPECT_NEAR(walk.at("Crate").y, start.y + 0.25, 0.01);
+    EXPECT_EQ(walk.app.feet_m(), feet) << "the arrows move what is held";
+    EXPECT_NEAR(walk.app.heading_rad(), 0.0, 1e-9);
+    walk.tap(Command::TiltUp, 2.0);
+    EXPECT_NEAR(walk.at("Crate").z, 0.5, 0.01) << "lifted by a quarter of a metre";
+    const int knocks = walk.count(SoundKind::Contact);
+    walk.tap(Command::Use, 2.0);
+    EXPECT_TRUE(walk.heard("Crate let go."));
+    EXPECT_NEAR(walk.at("Crate").z, 0.25, 2e-3) << "it has fallen";
+    EXPECT_GT(walk.count(SoundKind::Contact), knocks) << "and landed";
+    walk.walk(0.5);
+    EXPECT_GT(walk.app.feet_m().y, feet.y) << "the arrows walk again";
+}
+
+TEST(FreeBodies, a_crate_is_turned_by_quarters_and_keeps_its_turn) {
+    Walk walk(hall(entity("thing", key("cs_name", "dynamic_box") + key("name", "Plank") + key("mass", "1"),
+                          box_brush(144, 60, 0, 176, 68, 4))));
+    walk.tap(Command::Use, 0.3);
+    walk.tap(Command::TiltUp, 2.0);
+    walk.tap(Command::WorkspaceTurnLeft, 2.0);
+    EXPECT_TRUE(walk.heard("A quarter turn to the left."));
+    const Vec3 along = PlacedFrame(*walk.app.thing_at("Plank")).turned({1.0, 0.0, 0.0});
+    EXPECT_NEAR(std::abs(along.y), 1.0, 0.02) << "it lay from west to east, and lies from south to north";
+}
+
+TEST(FreeBodies, what_weighs_more_than_the_strength_is_not_taken) {
+    Walk walk(hall(box("Trunk", 12.0, 5.0, 2.0)));
+    walk.tap(Command::Use, 0.3);
+    EXPECT_TRUE(walk.heard("Trunk. Heavy, 12 kilograms."));
+    const Vec3 feet = walk.app.feet_m();
+    walk.tap(Command::Back, 1.0);
+    EXPECT_LT(walk.app.feet_m().y, feet.y) << "it is not held, so the arrows walk";
+    Settings strong;
+    strong.dynamics.strength_n = 200.0;
+    walk.app.apply(SettingsChanged{strong}, walk.now);
+    walk.walk(0.5);
+    walk.tap(Command::Use, 0.3);
+    EXPECT_TRUE(walk.heard("Trunk held, 12 kilograms."));
+}
+
+TEST(FreeBodies, what_is_led_stops_at_a_wall_and_tells_which) {
+    Walk walk(hall(box("Crate", 2.0, 5.0, 18.9)));
+    walk.app.apply(Placed{{5.0, 17.9, 0.0}, 0.0}, walk.now);
+    walk.tap(Command::Use, 0.3);
+    for (int i = 0; i < 6; ++i) walk.tap(Command::Forward, 2.8);
+    EXPECT_NEAR(walk.at("Crate").y, 19.75, 0.01);
+    EXPECT_TRUE(walk.heard("Crate stopped by ")) << walk.news();
+}
+
+TEST(FreeBodies, a_ball_rolls_by_two_of_its_diameters_and_is_not_lifted) {
+    Walk walk(hall(ball(0.1, 5.0, 2.0)));
+    walk.tap(Command::Use, 0.3);
+    ASSERT_TRUE(walk.heard("Ball held, 0.5 kilograms."));
+    walk.tap(Command::Forward, 2.5);
+    EXPECT_NEAR(walk.at("Ball").y, 2.4, 0.02);
+    walk.tap(Command::TiltUp, 0.5);
+    EXPECT_TRUE(walk.heard("A ball is rolled and not lifted."));
+    EXPECT_NEAR(walk.at("Ball").z, 0.1, 2e-3);
+}
+
+TEST(FreeBodies, all_is_put_back_exactly) {
+    Walk walk(hall(box("Crate", 4.0, 5.0, 4.0) + ball(0.1, 4.0, 2.0)));
+    const Vec3 crate = walk.at("Crate"), round = walk.at("Ball");
+    walk.walk(5.0);
+    EXPECT_GT(glm::length(walk.at("Crate") - crate), 0.3);
+    walk.tap(Command::PutBack, 1.0);
+    EXPECT_LT(glm::length(walk.at("Crate") - crate), 1e-3);
+    EXPECT_LT(glm::length(walk.at("Ball") - round), 1e-3);
+    EXPECT_TRUE(walk.heard("back where it was"));
+}
+
+TEST(FreeBodies, where_nothing_is_free_there_is_no_engine) {
+    Walk walk(hall(entity("thing", key("name", "Table"), box_brush(144, 60, 0, 176, 68, 24))));
+    EXPECT_EQ(walk.app.free_bodies().engine(), nullptr);
+    EXPECT_EQ(make_ready(hall({})).moves_freely, nullptr);
+    walk.tap(Command::PutBack);
+    EXPECT_TRUE(walk.heard("Nothing can be moved here."));
+}
+
+TEST(FreeBodies, the_same_keys_give_the_same_bits) {
+    const auto play = [] {
+        Walk walk(hall(box("Crate", 4.0, 5.0, 4.0) + ball(0.1, 5.1, 3.0)));
+        walk.walk(4.0);
+        walk.tap(Command::TurnRight, 0.5);
+        walk.walk(1.0);
+        walk.tap(Command::Use, 1.0);
+        walk.tap(Command::Back, 1.0);
+        return std::array{walk.at("Crate"), walk.at("Ball"), walk.app.feet_m()};
+    };
+    EXPECT_EQ(play(), play());
+}
+
+TEST(FreeBodies, ways_leave_out_what_gives_way_and_go_round_what_does_not) {
+    for (const auto& [kg, leads_through] : {std::pair(4.0, true), std::pair(400.0, false)}) {
+        const auto scene =
+            hall(entity("thing", key("cs_name", "dynamic_box") + key("name", "Crate") + key("mass", std::to_string(kg)),
+                        box_brush(0, 200, 0, 320, 216, 32)));
+        const auto found = Navigation::make(*scene, WalkBody{});
+        ASSERT_TRUE(found);
+        EXPECT_EQ((*found)->reachable({5.0, 2.0, 0.0}, {5.0, 12.0, 0.0}), leads_through) << kg;
+    }
+}
+
+// Walking at random among twenty bodies, taking hold and dropping at random.
+TEST(FreeBodies, random_walks_grips_and_drops_leave_all_in_the_hall_and_nobody_inside_anything) {
+    const std::uint32_t seed = test::seed_of_run();
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    std::string things;
+    for (int i = 0; i < 20; ++i) {
+        const double east = 1.5 + 1.75 * (i % 5), north = 3.0 + 3.5 * (i / 5);
+        things += i % 3 == 0 ? entity("thing",
+                                      key("cs_name", "dynamic_sphere") + key("name", "Thing " + std::to_string(i)) +
+                                          key("mass", "1"),
+                                      box_brush(32 * east - 6, 32 * north - 6, 0, 32 * east + 6, 32 * north + 6, 12))
+                             : box(("Thing " + std::to_string(i)).c_str(), 0.5 + 20.0 * part(random), east, north);
+    }
+    Walk walk(hall(things));
+    const std::array keys{Command::Forward,  Command::Forward,          Command::Forward, Command::Back,
+                          Command::TurnLeft, Command::TurnRight,        Command::Use,     Command::TiltUp,
+                          Command::TiltDown, Command::WorkspaceTurnLeft};
+    double walked_m = 0.0;
+    for (int act = 0; act < 120; ++act) {
+        const Vec3 before = walk.app.feet_m();
+        walk.hold(keys[static_cast<std::size_t>(part(random) * keys.size())], 0.05 + 0.8 * part(random));
+        walked_m += glm::length(walk.app.feet_m() - before);
+        for (int i = 0; i < 20; ++i) {
+            const Vec3 at = walk.at(("Thing " + std::to_string(i)).c_str());
+            ASSERT_TRUE(at.x > 0.0 && at.x < 10.0 && at.y > 0.0 && at.y < 20.0 && at.z > 0.0 && at.z < 4.0)
+                << "act " << act << ", thing " << i << " at " << at.x << " " << at.y << " " << at.z;
+        }
+        const Vec3 feet = walk.app.feet_m();
+        ASSERT_TRUE(feet.x > 0.2 && feet.x < 9.8 && feet.y > 0.2 && feet.y < 19.8 && feet.z > -0.01);
+        // What is driven against a body overlaps it by a little for a moment, and is pushed off.
+        ASSERT_FALSE(walk.app.world().solids->blocked(feet + Vec3(0.0, 0.0, 0.02), {0.25 - 0.03, 1.5}))
+            << "act " << act;
+    }
+    EXPECT_GT(walked_m, 10.0) << "nobody is stuck";
+}
+
+}  // namespace free_bodies_test
+}  // namespace handrail

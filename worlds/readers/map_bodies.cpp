@@ -1,0 +1,75 @@
+#include "worlds/readers/map_bodies.h"
+
+#include <algorithm>
+
+#include "worlds/geometry/mass_properties.h"
+
+namespace handrail {
+namespace {
+
+constexpr NumberKey kMass{"mass", FreeBody::kLeast_kg, FreeBody::kMost_kg, "map.range_kilograms"};
+constexpr NumberKey kDensity{"density", 20.0, 20000.0, "map.range_density"};
+constexpr NumberKey kElasticity{"elasticity", 0.0, 0.95, "map.range"};
+constexpr NumberKey kRolling{"rolling", 0.0, 1.0, "map.range"};
+constexpr double kStaticOverSliding = 1.25;
+
+double volume_of(const Scene& scene, FeatureId feature) {
+    double sum_m3 = 0.0;
+    for (const Solid& solid : scene.solids) {
+        if (solid.feature != feature || solid.role != SolidRole::Mover) continue;
+        const bool flat = std::holds_alternative<std::monostate>(solid.round);
+        sum_m3 += (flat ? mass_properties(solid.shape) : mass_properties(solid.round)).volume_m3;
+    }
+    return sum_m3;
+}
+
+}  // namespace
+
+std::optional<BodyWish> body_wish_of(const MapEntity& entity, bool dynamic, bool can_move, const Material& surface,
+                                     const MapKeys& keys, Diagnostics& diagnostics) {
+    const MapKey* key = entity.find("free");
+    if (key ? !keys.yes_no_of(entity, "free") : !dynamic) return std::nullopt;
+    if (!can_move) {
+        diagnostics.warn(key ? key->place : entity.place, "map.then_stays", "map.free_fixed");
+        return std::nullopt;
+    }
+    BodyWish wish;
+    wish.mass_kg = keys.number_of(entity, kMass);
+    wish.density_kg_per_m3 = keys.number_of(entity, kDensity).value_or(wish.density_kg_per_m3);
+    FreeBody& body = wish.body;
+    body.elasticity = keys.number_of(entity, kElasticity).value_or(body.elasticity);
+    body.rolling = keys.number_of(entity, kRolling).value_or(body.rolling);
+    body.friction = surface.friction_mu.value_or(body.friction);
+    body.friction_static =
+        std::max(body.friction, surface.friction_static.value_or(kStaticOverSliding * body.friction));
+    body.by_density = !wish.mass_kg;
+    return wish;
+}
+
+void MapBodies::add(Scene& scene, const BodyWish& wish, FeatureId feature, TextPlace place, Diagnostics& diagnostics) {
+    const double volume_m3 = volume_of(scene, feature);
+    if (!(volume_m3 > 0.0)) {
+        diagnostics.warn(place, "map.then_stays", "map.body_no_volume");
+        return;
+    }
+    if (scene.bodies.size() >= FreeBody::kMost) {
+        if (too_many_++ == 0) first_too_many_ = place;
+        return;
+    }
+    FreeBody body = wish.body;
+    body.feature = feature;
+    body.source = scene.features[feature.value].source;
+    const double mass_kg = wish.mass_kg.value_or(wish.density_kg_per_m3 * volume_m3);
+    body.mass_kg = std::clamp(mass_kg, FreeBody::kLeast_kg, FreeBody::kMost_kg);
+    if (body.mass_kg != mass_kg)
+        diagnostics.warn(place, "map.then_number", "map.body_mass", {{"mass", mass_kg}, {"taken", body.mass_kg}});
+    scene.bodies.push_back(body);
+}
+
+void MapBodies::tell_too_many(Diagnostics& diagnostics) const {
+    if (too_many_ > 0)
+        diagnostics.warn(first_too_many_, "map.then_stay", "map.too_many_bodies",
+                         {{"most", FreeBody::kMost}, {"count", too_many_}});
+}
+
+}  // namespace handrail
