@@ -60,14 +60,14 @@ TEST(MapBodies, any_thing_with_free_is_one_body_of_all_its_brushes) {
 
 TEST(MapBodies, its_keys_say_mass_friction_elasticity_and_rolling) {
     const Reading reading = thing(key("free", "1") + key("mass", "4") + key("friction", "0.5") +
-                                  key("friction_static", "0.7") + key("elasticity", "0.6") + key("rolling", "0.02"));
+                                  key("friction_static", "0.6") + key("elasticity", "0.6") + key("rolling", "0.02"));
     EXPECT_THAT(reading.said, IsEmpty());
     ASSERT_EQ(reading.scene.bodies.size(), 1U);
     const FreeBody& body = reading.scene.bodies[0];
     EXPECT_EQ(body.mass_kg, 4.0);
     EXPECT_FALSE(body.by_density);
     EXPECT_EQ(body.friction, 0.5);
-    EXPECT_EQ(body.friction_static, 0.7);
+    EXPECT_EQ(body.friction_static, 0.6);
     EXPECT_EQ(body.elasticity, 0.6);
     EXPECT_EQ(body.rolling, 0.02);
     EXPECT_EQ(thing(key("free", "1")).scene.bodies.at(0).friction_static, 0.5) << "a quarter more than while it slides";
@@ -123,7 +123,7 @@ TEST(MapBodies, of_five_thousand_the_first_are_free_and_the_rest_stay) {
     EXPECT_EQ(reading.scene.bodies.size(), FreeBody::kMost);
     EXPECT_THAT(reading.said,
                 ElementsAre(testing::AllOf(HasSubstr("test.map, line "),
-                                           HasSubstr("more than 128 things are free to move: 4872 more from here on."),
+                                           HasSubstr("more than 128 things are free to move: 4,872 more from here on."),
                                            HasSubstr("They stay where they are."))));
 }
 
