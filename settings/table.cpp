@@ -115,7 +115,7 @@ const std::array kTable{
     SettingInfo{"sound.swap_sides", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.swap_sides)}},
     SettingInfo{"sound.as_text", "", kPersonOnly, SwitchField{HANDRAIL_AT(sound.as_text)}},
     SettingInfo{"desk.use", "", kPersonOnly, SwitchField{HANDRAIL_AT(desk.use)}},
-    SettingInfo{"dynamics.strength_n", "N", kPersonOnly, NumberField{HANDRAIL_AT(dynamics.strength_n), 5.0, 500.0}},
+    SettingInfo{"dynamics.strength_n", "n", kPersonOnly, NumberField{HANDRAIL_AT(dynamics.strength_n), 5.0, 500.0}},
     SettingInfo{"pads.use", "", kPersonOnly, SwitchField{HANDRAIL_AT(pads.use)}},
     SettingInfo{"pads.triggers", "", kPersonOnly, SwitchField{HANDRAIL_AT(pads.triggers)}},
     SettingInfo{"pads.rumble", "", kPersonOnly, SwitchField{HANDRAIL_AT(pads.rumble)}},
