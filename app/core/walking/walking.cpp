@@ -272,7 +272,10 @@ void Walking::walk(double now_s, double dt_s) {
     if (way != 0.0) paces_.walked(walked.walked_m);
     if (!by_itself && aside_m == 0.0) take_from_pending(stood.on_ground ? walked.walked_m : way);
 
-    if (walked.bump && !gives_way && !(by_ear_.leads() && walked.walked_m > 0.0)) {
+    const bool stopped = by_itself ? walked.bump && !gives_way && !(by_ear_.leads() && walked.walked_m > 0.0)
+                                   : aside_m == 0.0 && !at_edge && !go_on(walked, wish, way, now_s) && !gives_way;
+    if (aside_m != 0.0) gait_.went_aside(way, walked.walked_m);
+    if (stopped) {
         halt();
         if (!blocked_ && brushed_.met) tell_bump(*brushed_.met, std::atan2(wish.x, wish.y), now_s);
         blocked_ = true;
