@@ -170,7 +170,7 @@ TEST(Terminal, every_command_of_the_table_works_by_its_word) {
         if (row.command != Command::Leave && row.command != Command::Calibrate &&
             row.command != Command::FirstMinutes && row.command != Command::InputHelp)
             lines += std::string(row.word) +
-                     "\nescape\n";  // what opens a list is left again; elsewhere escape is no command
+                     "\ncancel\n";  // what opens a list is left again; elsewhere cancel is no command
     lines += "input-help\nforward\ninput-help\nwelcome\nescape\ncalibrate\nquit\nwher\nleave\nleave\n";
     ProgramCall call;
     call.program = HANDRAIL_PROGRAM;
