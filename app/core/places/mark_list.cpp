@@ -162,6 +162,18 @@ void MarkList::open(double now_s) {
 
 // ---- coming near ----
 
+// Once for each scene: a building has tens of thousands of features, and a tick is no time to look at all of them.
+void MarkList::list_landmarks() {
+    const std::shared_ptr<const Scene>& scene = context_.world.scene;
+    if (!listed_of_.owner_before(scene) && !scene.owner_before(listed_of_)) return;
+    listed_of_ = scene;
+    landmarks_.clear();
+    for (std::uint32_t i = 0; i < scene->features.size(); ++i) {
+        const Feature& feature = scene->features[i];
+        if ((feature.landmark || feature.clue) && !feature.bounds_m.empty()) landmarks_.push_back(FeatureId{i});
+    }
+}
+
 void MarkList::tick(double now_s) {
     const bool tell = !std::exchange(first_look_, false);
     const Vec3 waist = context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
@@ -191,11 +203,10 @@ void MarkList::tick(double now_s) {
     const auto sound_of = [](const Feature& feature) {
         return feature.landmark ? SoundKind::Landmark : SoundKind::Clue;
     };
+    list_landmarks();
     std::vector<FeatureId> near_now;
-    for (std::uint32_t i = 0; i < context_.world.scene->features.size(); ++i) {
-        const Feature& feature = context_.world.scene->features[i];
-        if ((!feature.landmark && !feature.clue) || feature.bounds_m.empty()) continue;
-        const FeatureId id{i};
+    for (const FeatureId id : landmarks_) {
+        const Feature& feature = context_.world.scene->features[id.value];
         const bool was = std::find(landmarks_near_.begin(), landmarks_near_.end(), id) != landmarks_near_.end();
         const double range_m = (was ? kFarther : 1.0) * kLandmarkNear_m;
         if (body_to_m(feature.bounds_m, range_m) > range_m) continue;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ public:
     std::function<void(const Goal& mark, double now_s)> on_find;
 
 private:
+    void list_landmarks();
     void read(std::vector<Error>& faults);
     void save(double now_s);
     void drop(bool by_button, double now_s);
@@ -55,7 +57,9 @@ private:
     std::vector<Mark>& marks_;
     std::vector<Error> faults_;  // not told yet
     // Where hand and body have been told to be near, so that each is told once.
-    std::vector<bool> near_;  // by mark
+    std::vector<bool> near_;                // by mark
+    std::vector<FeatureId> landmarks_;      // and clues, of listed_of_
+    std::weak_ptr<const Scene> listed_of_;  // whose end it does not put off
     std::vector<FeatureId> landmarks_near_;
     FeatureId touched_ = kNoFeature;
     bool first_look_ = true;     // what is near on entering is not told

@@ -135,12 +135,27 @@ void Session::know_stops(std::uint32_t stops, double now_s) {
 
 bool Session::idle() const {
     if (!lesson_session_.idle() || state_.requests.set_up) return false;
+    if (too_early_ && state_.context.tick_s - too_early_->asked_s < kAnswerFollows_s) return false;
     return walk_.walking.idle() && bodies_.idle() && hand_.workspace.idle() && !walk_.keys_held.any();
 }
 
 void Session::act(Command command, double now_s, int times) {
     if (!state_.world.scene) return;
     if (desk_visit_.refuses(command, now_s)) return;
+    where_.rooms.take_refused();  // by others, since the last command
+    carry_out(command, now_s, times);
+    where_.far.note(command);
+    if (where_.rooms.take_refused()) too_early_ = TooEarly{command, now_s};
+}
+
+// What was asked before the rooms were known.
+void Session::answer_what_was_too_early(double now_s) {
+    if (!too_early_ || where_.rooms.awaited()) return;
+    const Command asked = std::exchange(too_early_, std::nullopt)->command;
+    if (!state_.lists.dialogue.is_open()) act(asked, now_s);
+}
+
+void Session::carry_out(Command command, double now_s, int times) {
     if (bodies_.act(command, now_s, times)) return;
     if (walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
         hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s))
@@ -320,10 +335,14 @@ bool Session::anything_moves() const {
 
 void Session::take_settled() {
     auto settled = settled_.take();
-    if (!settled || !*settled || anything_moves()) return;  // what moves again settles again
-    auto left = std::exchange(state_.world.scene, std::move(*settled));
-    state_.world.movers.follow(state_.world.scene->movers);
-    rebuild_solids(state_.world, state_.body);
+    if (!settled || !*settled) return;
+    const bool in_vain = anything_moves();  // what moves again settles again
+    auto left = in_vain ? std::move(*settled) : std::exchange(state_.world.scene, std::move(*settled));
+    if (!in_vain) {
+        state_.world.movers.follow(state_.world.scene->movers);
+        rebuild_solids(state_.world, state_.body);
+    }
+    // A whole world takes tens of milliseconds to let go of: not here.
     settled_.begin([left = std::move(left)](const std::stop_token&) { return std::shared_ptr<const Scene>(); });
 }
 

@@ -65,6 +65,12 @@ void Session::wire() {
         return guide_.line_up_m(feet_m, heading_rad);
     };
     walk_.by_ear.where_am_i = [this] { return where_am_i(); };
+    walk_.by_ear.doors_of_room = [this] {
+        std::vector<LeapDoor> doors;
+        for (const RoomDoor& door : doors_of_room(state_.context, where_.rooms))
+            doors.push_back({door.feature, door.place_m, door.feet_m});
+        return doors;
+    };
     walk_.walking.push_ahead = [this](Vec3& wish_m_per_s, double now_s) {
         return bodies_.push_ahead(wish_m_per_s, now_s);
     };

@@ -44,10 +44,10 @@ public:
     std::optional<Result> take() {
         if (!run_ || !run_->done.load(std::memory_order_acquire)) return std::nullopt;
         worker_.join();
-        const std::unique_ptr<Run> run = std::move(run_);
+        std::unique_ptr<Run> run = std::move(run_);
         std::optional<Result> made;
         if (!run->stop.stop_requested()) made = std::move(run->made);
-        go_on();
+        go_on(std::move(run));
         return made;
     }
 
@@ -57,23 +57,27 @@ private:
         std::atomic<bool> done{false};
         std::optional<Result> made;
     };
-    void go_on() {
+    // `before`: what was made in vain by the last one goes with the next.
+    void go_on(std::unique_ptr<Run> before = nullptr) {
         if (!next_) return;
         if (run_ && run_->done.load(std::memory_order_acquire)) {
             worker_.join();
-            run_.reset();
+            before = std::move(run_);
         }
         if (run_) return;
         run_ = std::make_unique<Run>();
-        worker_ = std::thread([run = run_.get(), work = std::exchange(next_, nullptr)]() mutable {
-            try {
-                run->made = work(run->stop.get_token());
-            } catch (const std::bad_alloc&) {
-                run->made.reset();
-            }
-            work = nullptr;
-            run->done.store(true, std::memory_order_release);
-        });
+        worker_ =
+            std::thread([run = run_.get(), work = std::exchange(next_, nullptr), before = std::move(before)]() mutable {
+                before.reset();
+                try {
+                    run->made = work(run->stop.get_token());
+                } catch (const std::bad_alloc&) {
+                    run->made.reset();
+                }
+                if (run->stop.stop_requested()) run->made.reset();
+                work = nullptr;
+                run->done.store(true, std::memory_order_release);
+            });
     }
 
     Work next_;

@@ -40,7 +40,7 @@ bool told_when_seen(const Feature& feature) {
 BodyWorld::BodyWorld(std::shared_ptr<const Scene> scene, std::span<const Placement> placed)
     : scene_(std::move(scene)), building_(built(there(scene_))) {
     contract_pre(placed.empty() || placed.size() <= scene_->placed.size());
-    set_down(placed);
+    set_down(placed, nullptr);
 }
 
 BodyWorld::BodyWorld(const BodyWorld& before, std::shared_ptr<const Scene> scene, std::span<const Placement> placed)
@@ -48,7 +48,7 @@ BodyWorld::BodyWorld(const BodyWorld& before, std::shared_ptr<const Scene> scene
     contract_pre(scene_ != nullptr);
     contract_pre(scene_->solids.size() == before.scene_->solids.size() &&
                  scene_->triangles.size() == before.scene_->triangles.size());
-    set_down(placed);
+    set_down(placed, &before);
 }
 
 std::shared_ptr<const BodyWorld::Building> BodyWorld::built(const Scene& scene) {
@@ -83,15 +83,32 @@ std::shared_ptr<const BodyWorld::Building> BodyWorld::built(const Scene& scene) 
     return made;
 }
 
-void BodyWorld::set_down(std::span<const Placement> placed) {
+BodyWorld::Thing BodyWorld::thing_of(const PlacedModel& placed, const Placement& at, std::int32_t number) {
+    Thing thing{placed.model, at, {}, {}};
+    const PlacedFrame frame(at);
+    thing.pieces.add_scene(*placed.model, &frame, number);
+    for (const Piece& piece : thing.pieces.pieces) thing.box_m.include(piece.bounds_m);
+    return thing;
+}
+
+void BodyWorld::set_down(std::span<const Placement> placed, const BodyWorld* before) {
+    things_.reserve(scene_->placed.size());
     for (std::size_t i = 0; i < scene_->placed.size(); ++i) {
-        const PlacedFrame frame(i < placed.size() ? placed[i] : scene_->placed[i].at);
-        placed_.add_scene(*scene_->placed[i].model, &frame, static_cast<std::int32_t>(i));
+        const PlacedModel& thing = scene_->placed[i];
+        const Placement& at = i < placed.size() ? placed[i] : thing.at;
+        const bool stays = before && i < before->things_.size() && before->things_[i]->model == thing.model &&
+                           before->things_[i]->at == at;
+        things_.push_back(stays ? before->things_[i]
+                                : std::make_shared<const Thing>(thing_of(thing, at, static_cast<std::int32_t>(i))));
+        const Pieces& own = things_.back()->pieces;
+        const auto first = static_cast<std::uint32_t>(placed_.bounds.size());
+        placed_.bounds.insert(placed_.bounds.end(), own.bounds.begin(), own.bounds.end());
+        for (Piece piece : own.pieces) {
+            piece.first_plane += first;
+            placed_.pieces.push_back(piece);
+        }
     }
     placed_.arrange();
-    boxes_of_placed_.resize(scene_->placed.size());
-    for (const Piece& piece : placed_.pieces)
-        boxes_of_placed_[static_cast<std::size_t>(piece.placed)].include(piece.bounds_m);
 }
 
 // Of pieces met at once the later one counts, and so on: the order is part of what is answered, and does not depend on

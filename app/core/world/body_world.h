@@ -46,7 +46,7 @@ public:
     // placed: where the scene's placed things stand, in their order; left out, where the scene has them.
     explicit BodyWorld(std::shared_ptr<const Scene> scene, std::span<const Placement> placed = {});
     // The same building with its things elsewhere, or other things: `scene` has the solids and triangles of the one
-    // before. As cheap as its things are few.
+    // before. What stands as before is taken over: the cheaper the fewer of its things have moved.
     BodyWorld(const BodyWorld& before, std::shared_ptr<const Scene> scene, std::span<const Placement> placed = {});
 
     const Scene& scene() const { return *scene_; }
@@ -75,7 +75,7 @@ public:
     };
     const Sights& standing() const { return building_->sights; }
     // The box of all that goes by a thing's name where it stands now. Index of Scene::placed.
-    const Aabb& box_of_placed(std::size_t thing) const { return boxes_of_placed_[thing]; }
+    const Aabb& box_of_placed(std::size_t thing) const { return things_[thing]->box_m; }
 
     static constexpr std::int32_t kNoPlaced = -2;
     static constexpr double kContactGap_m =
@@ -107,8 +107,16 @@ private:
         std::vector<std::uint32_t> volumes;  // of Scene::solids: what one can be in
         Sights sights;
     };
+    // A placed thing where it stands. Its pieces count their planes from zero.
+    struct Thing {
+        std::shared_ptr<const Scene> model;
+        Placement at;
+        Pieces pieces;  // without a tree
+        Aabb box_m;
+    };
     static std::shared_ptr<const Building> built(const Scene& scene);
-    void set_down(std::span<const Placement> placed);
+    void set_down(std::span<const Placement> placed, const BodyWorld* before);
+    static Thing thing_of(const PlacedModel& placed, const Placement& at, std::int32_t number);
     const Piece& piece(std::uint32_t number) const;
     template <class Visit>
     void visit_near(const Aabb& box, Visit visit) const;
@@ -117,8 +125,8 @@ private:
 
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const Building> building_;
-    Pieces placed_;
-    std::vector<Aabb> boxes_of_placed_;
+    std::vector<std::shared_ptr<const Thing>> things_;  // in the order of Scene::placed
+    Pieces placed_;                                     // of all of them
 };
 
 }  // namespace handrail

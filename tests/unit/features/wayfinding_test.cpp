@@ -171,7 +171,8 @@ TEST(Wayfinding, leads_a_hand_straight_or_round_what_stands_between) {
 TEST(Wayfinding, tells_a_way_and_then_each_step_of_it_by_ear) {
     Plans plain;
     ASSERT_TRUE(plain.rooms.known());
-    EarWay ear(plain.context, plain.rooms, plain.plans);
+    WordGround ground(plain.context, plain.rooms);
+    EarWay ear(plain.context, plain.rooms, plain.plans, ground);
     ear.tell_on(0.0);
     const std::vector<std::string> none = plain.said();
     ear.follow_to({0.0, 8.0, 0.0}, "Fence", "Well then.", 0.0);
@@ -185,7 +186,7 @@ TEST(Wayfinding, tells_a_way_and_then_each_step_of_it_by_ear) {
     for (std::size_t i = 1; i < way.size(); ++i)
         for (int step = 1; step <= 20; ++step) {
             plain.stand(way[i - 1] + (way[i] - way[i - 1]) * (step / 20.0));
-            const RouteFollower::Said said = ear.tick();
+            const RouteFollower::Said said = ear.tick(0.0);
             EXPECT_FALSE(said.left);
             arrived |= said.arrived;
         }
@@ -195,7 +196,7 @@ TEST(Wayfinding, tells_a_way_and_then_each_step_of_it_by_ear) {
     EXPECT_EQ(plain.said(), none);
     ear.follow_to({0.0, -8.0, 0.0}, "Hedge", {}, 0.0);
     plain.stand({-9.0, 9.0, 0.0});
-    EXPECT_TRUE(ear.tick().left);
+    EXPECT_TRUE(ear.tick(0.0).left);
 }
 
 // ---- by the hand ----
