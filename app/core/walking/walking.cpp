@@ -83,7 +83,7 @@ void Walking::fall_silent() {
 }
 
 bool Walking::idle() const {
-    return pending_way_m_ == 0.0 && pending_side_m_ == 0.0 && gait_.aside_left_m() == 0.0 &&
+    return pending_.ahead_m == 0.0 && pending_.right_m == 0.0 && gait_.aside_left_m() == 0.0 &&
            (!body_.walker || body_.walker->state().on_ground) && !by_ear_.leads() &&
            body_.heading_rad == body_.heading_goal_rad;
 }
@@ -101,16 +101,16 @@ bool Walking::act(Command command, double now_s, int times) {
     const double notch_rad = radians_from_degrees(context_.settings.walk.turn_deg);
     switch (command) {
         case Command::Forward:
-            step(pending_way_m_, 1.0, times);
+            step(pending_.ahead_m, 1.0, times);
             return true;
         case Command::Back:
-            step(pending_way_m_, -1.0, times);
+            step(pending_.ahead_m, -1.0, times);
             return true;
         case Command::SideRight:
-            step(pending_side_m_, 1.0, times);
+            step(pending_.right_m, 1.0, times);
             return true;
         case Command::SideLeft:
-            step(pending_side_m_, -1.0, times);
+            step(pending_.right_m, -1.0, times);
             return true;
         case Command::TurnLeft:
             turn_by(-notch_rad, times, now_s);
@@ -207,9 +207,9 @@ Vec3 Walking::own_wish(double& way_m, double dt_s) {
         return towards * (signed_m / dt_s);
     };
     if (keys != 0.0) return by(ahead, keys * stride);
-    if (pending_way_m_ != 0.0) return by(ahead, std::clamp(pending_way_m_, -stride, stride));
+    if (pending_.ahead_m != 0.0) return by(ahead, std::clamp(pending_.ahead_m, -stride, stride));
     if (side_keys != 0.0) return by(right, side_keys * stride);
-    if (pending_side_m_ != 0.0) return by(right, std::clamp(pending_side_m_, -stride, stride));
+    if (pending_.right_m != 0.0) return by(right, std::clamp(pending_.right_m, -stride, stride));
     if (steering_.ahead == 0.0 && steering_.right == 0.0) return Vec3(0.0);
     // A stick goes as fast as it is pushed, sideways too, never faster than a key.
     const Vec3 pushed = ahead * steering_.ahead + right * steering_.right;
@@ -219,7 +219,7 @@ Vec3 Walking::own_wish(double& way_m, double dt_s) {
 }
 
 void Walking::take_from_pending(double way_m) {
-    for (double* pending_m : {&pending_way_m_, &pending_side_m_}) {
+    for (double* pending_m : {&pending_.ahead_m, &pending_.right_m}) {
         const double left_m = std::abs(*pending_m) - way_m;
         *pending_m = left_m > 1e-9 ? std::copysign(left_m, *pending_m) : 0.0;
     }
@@ -230,7 +230,7 @@ void Walking::walk(double now_s, double dt_s) {
     Vec3 wish = own_wish(way, dt_s);
     const bool by_itself = by_ear_.leads();
     if (way == 0.0) gait_.stand();
-    if (way != 0.0 && !went_ && pending_way_m_ == 0.0 && pending_side_m_ == 0.0) gait_.begin();
+    if (way != 0.0 && !went_ && pending_.ahead_m == 0.0 && pending_.right_m == 0.0) gait_.begin();
     went_ = way != 0.0;
     // Into a doorway first whose frame was met.
     const double aside_m = by_itself || way == 0.0 ? 0.0 : gait_.aside_left_m();

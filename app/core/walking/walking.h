@@ -42,7 +42,7 @@ public:
     void steer(const Steering& steering);
     // Steps that are still to go are not gone.
     void halt() {
-        pending_way_m_ = pending_side_m_ = 0.0;
+        pending_ = {};
         gait_.stand();
     }
     // Turns to that heading and says it.
@@ -89,8 +89,12 @@ private:
     ByEar& by_ear_;
     Footing& footing_;
     Steering steering_;
-    double pending_way_m_ = 0.0;   // of taps, positive ahead; walked even when the key is up again
-    double pending_side_m_ = 0.0;  // the same to the right
+    // Of taps; walked even when the key is up again.
+    struct Pending {
+        double ahead_m = 0.0;  // behind: below 0
+        double right_m = 0.0;
+    };
+    Pending pending_;
     Gait gait_;
     struct Brushed {
         double slid_m = 0.0;          // along something since it was heard last

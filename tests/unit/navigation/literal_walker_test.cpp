@@ -273,7 +273,7 @@ Counted count(const Building& in, int seeds, std::uint32_t every = 1) {
 
 TEST(LiteralWalker, comes_from_each_room_of_the_house_to_each_other) {
     const Building house("house.map");
-    const Counted counted = count(house, 5, test::kSanitizerScale < 1.0 ? 31 : 1);
+    const Counted counted = count(house, 5, test::kSanitizerScale < 1.0 ? 31 : 3);
     EXPECT_GT(counted.routes, 3);
     EXPECT_GE(counted.exact * 100, counted.routes * 98);
     EXPECT_GE(counted.with_errors * 100, counted.runs * 95);
@@ -281,7 +281,7 @@ TEST(LiteralWalker, comes_from_each_room_of_the_house_to_each_other) {
 
 TEST(LiteralWalker, comes_from_each_room_of_the_school_to_each_other) {
     const Building school("school.map");
-    const Counted counted = count(school, 5, test::kSanitizerScale < 1.0 ? 97 : 11);
+    const Counted counted = count(school, 5, test::kSanitizerScale < 1.0 ? 97 : 29);
     EXPECT_GT(counted.routes, 3);
     EXPECT_EQ(counted.without, 0);
     // What was reached; 98 and 95 are the goal. The few routes that a sanitizer has time for have one of those that

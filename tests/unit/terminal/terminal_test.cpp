@@ -10,13 +10,17 @@
 namespace handrail {
 namespace terminal_test {
 
-TEST(ParseTerminalLine, takes_every_command_of_the_table_with_an_optional_count) {
+TEST(ParseTerminalLine, takes_every_command_of_the_table_with_an_optional_count_or_what_is_chosen_of_its_list) {
+    int choose = 0;
     for (const CommandInfo& row : command_table()) {
         const auto line = parse_terminal_line(std::string(row.word) + " 3\r");
         ASSERT_TRUE(line) << row.word;
         EXPECT_EQ(line->command, row.command);
-        EXPECT_EQ(line->times, 3);
+        choose += !line->choice.empty();
+        if (line->choice.empty()) EXPECT_EQ(line->times, 3) << row.word;
+        else EXPECT_EQ(line->choice, "3") << row.word;
     }
+    EXPECT_EQ(choose, 5) << "describe, routes, find, ways, rooms learnt";
     EXPECT_TRUE(parse_terminal_line("QUIT")->leave);
     EXPECT_FALSE(parse_terminal_line("  ")->command);
 }
