@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -197,6 +198,7 @@ void HandInUse::feel_world(std::uint32_t more_confirms) {
 
 void HandInUse::feel_set_up(const std::shared_ptr<const HapticScene>& scene, const ServoTuning& tuning,
                             const WorkspacePose& pose, const HandCommand& simulated) {
+    contract_pre(servo_ != nullptr);
     if (scene != given_scene_) servo_->set_scene(given_scene_ = scene);
     servo_->set_tuning(tuning);
     servo_->set_pose(pose);

@@ -8,6 +8,7 @@
 #include "app/core/world/body_heights.h"
 #include "app/core/world/mover_meeting.h"
 #include "app/core/world/questions.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -156,6 +157,7 @@ void Bodies::tell_engine() {
 }
 
 void Bodies::tick(double now_s) {
+    contract_pre(std::isfinite(now_s));
     if (!loop_) return;
     tell_engine();
     if (!clock_) loop_->step_until(now_s);

@@ -1,7 +1,9 @@
 #include "app/core/lessons/lesson_session.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -34,6 +36,7 @@ void LessonSession::begin_first_minutes(const std::string& who_speaks, bool owne
 }
 
 void LessonSession::begin(const Lesson& lesson, std::size_t at, double now_s) {
+    contract_pre(at < lesson.steps.size() && std::isfinite(now_s));
     said_later_.clear();
     did_.clear();
     bumped_.clear();

@@ -5,12 +5,14 @@
 #include <vector>
 
 #include "app/core/context/telling.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
 
 void SimplifiedList::open(const Simplification& plan, const OpenPortals& portals, double now_s) {
+    contract_pre(context_.world.scene != nullptr);
     if (!context_.hands.right.present) return context_.answer(phrase("session.no_hand"), now_s);
     if (!context_.settings.haptic.simplify) return context_.answer(phrase("simplify.off"), now_s);
     const Scene& scene = *context_.world.scene;

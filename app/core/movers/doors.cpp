@@ -6,6 +6,7 @@
 #include "app/core/context/telling.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/geometry/closest_point.h"
 #include "worlds/scene/models.h"
@@ -76,6 +77,7 @@ bool Doors::act(Command command, double now_s) {
 
 // By hand or by walking against it.
 void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
+    contract_pre(mover < world_.movers.size());
     context_.events.tell(DoorUsed{world_.scene->movers[mover].feature}, now_s);
     const bool lift_comes = world_.movers.lift_is_away(mover);
     if (back_again) world_.movers.set_going(mover);
@@ -217,6 +219,7 @@ Meeting Doors::meet(std::uint32_t mover, const Placement& from, const Placement&
 }
 
 void Doors::tick(double now_s, double dt_s) {
+    contract_pre(std::isfinite(now_s) && dt_s >= 0.0);
     if (world_.movers.size() == 0) return;
     const Aabb stand = body_box(body_.feet_m(), body_.walker->shape());
     for (std::uint32_t i = 0; i < world_.movers.size(); ++i) {

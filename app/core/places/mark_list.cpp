@@ -8,6 +8,7 @@
 #include "app/core/context/telling.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/surroundings.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -175,6 +176,7 @@ void MarkList::list_landmarks() {
 }
 
 void MarkList::tick(double now_s) {
+    contract_pre(context_.world.scene != nullptr && context_.world.solids != nullptr);
     const bool tell = !std::exchange(first_look_, false);
     const Vec3 waist = context_.body.feet_m() + Vec3(0.0, 0.0, kWaist_m);
     // Level distance of a place that is on this storey and in no other room; else far.

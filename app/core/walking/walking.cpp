@@ -8,6 +8,7 @@
 #include "app/core/dialogue/words.h"
 #include "app/core/world/questions.h"
 #include "app/core/world/surroundings.h"
+#include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
@@ -43,6 +44,7 @@ void Walking::enter_world() {
 }
 
 void Walking::set_down(const Vec3& feet_m, double heading_rad) {
+    contract_pre(is_finite(feet_m) && std::isfinite(heading_rad));
     body_.walker->place(feet_m);
     body_.heading_rad = body_.heading_goal_rad = wrap_angle(heading_rad);
     halt();
@@ -168,6 +170,7 @@ void Walking::tell_heading(double now_s) {
 }
 
 void Walking::tick(double now_s, double dt_s) {
+    contract_pre(std::isfinite(now_s) && dt_s >= 0.0);
     turn(now_s, dt_s);
     tell_heading(now_s);
     if (keys_.held(Command::TurnLeft) != keys_.held(Command::TurnRight) && now_s - last_turn_repeat_s_ >= kTurnRepeat_s)
