@@ -58,7 +58,7 @@ public:
 
     // App thread.
     bool order(const Order& order) { return orders_.push(order); }
-    void drive(DrivenPoses poses) { driven_.publish(std::move(poses)); }
+    void drive(const DrivenPoses& poses) { driven_.publish(poses); }
     bool newer_frame_for_app() { return frames_[2].refresh(); }
     const DynamicsFrame& frame_for_app() const { return frames_[2].read(); }
     // Ears' thread. When it is full the oldest stay.

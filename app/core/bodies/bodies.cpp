@@ -135,7 +135,7 @@ void Bodies::tell_engine() {
     if (now != driven_) {
         auto poses = std::make_shared<std::vector<BodyPose>>();
         for (const Placement& at : now) poses->push_back({at, true});
-        loop_->drive(std::move(poses));
+        loop_->drive(poses);
         driven_ = std::move(now);
     }
     if (!context_.body.walker) return;

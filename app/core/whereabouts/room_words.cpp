@@ -57,7 +57,8 @@ bool is_furniture(const Feature& feature) {
 std::string things_words(std::vector<std::pair<double, std::string>> things) {
     std::stable_sort(things.begin(), things.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<std::pair<std::string, int>> kinds;
-    for (const auto& [along, name] : things) {
+    for (const auto& thing : things) {
+        const std::string& name = thing.second;
         const auto known = std::find_if(kinds.begin(), kinds.end(), [&](const auto& k) { return k.first == name; });
         if (known == kinds.end()) kinds.emplace_back(name, 1);
         else ++known->second;
