@@ -16,7 +16,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kAnswerFollows_s = 10.0;  // so long what is typed next waits for an answer that rooms are looked for
+constexpr double kAnswerFollows_s = 60.0;  // so long what is typed next waits for an answer that rooms are looked for
 
 }  // namespace
 
