@@ -17,18 +17,12 @@ bool leaves(std::string_view line) {
 // So many steps or notches at once: a second one is no answer to what the first met.
 bool counts_by_itself(Command command) {
     switch (command) {
-        case Command::Forward:
-        case Command::Back:
-        case Command::TurnLeft:
-        case Command::TurnRight:
-        case Command::SideLeft:
-        case Command::SideRight:
         case Command::TrailLeft:
         case Command::TrailRight:
         case Command::Retrace:
             return true;
         default:
-            return false;
+            return steps_or_turns(command);
     }
 }
 

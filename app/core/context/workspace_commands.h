@@ -6,5 +6,7 @@
 namespace handrail {
 
 bool lays_workspace(Command command);
+// Of these, what pushes it in one of six directions.
+bool pushes_workspace(Command command);
 
 }  // namespace handrail

@@ -17,12 +17,6 @@ namespace {
 // What needs the world to go on.
 bool needs_world(Command command) {
     switch (command) {
-        case Command::Forward:
-        case Command::Back:
-        case Command::TurnLeft:
-        case Command::TurnRight:
-        case Command::SideLeft:
-        case Command::SideRight:
         case Command::SwitchFrame:
         case Command::Use:
         case Command::PutBack:
@@ -42,7 +36,7 @@ bool needs_world(Command command) {
         case Command::WorkspaceCentre:  // a jump, which ends the visit
             return false;
         default:
-            return lays_workspace(command);
+            return steps_or_turns(command) || lays_workspace(command);
     }
 }
 

@@ -140,4 +140,18 @@ const CommandInfo& info(Command command) {
     return kCommands[static_cast<std::size_t>(command)];
 }
 
+bool steps_or_turns(Command command) {
+    switch (command) {
+        case Command::Forward:
+        case Command::Back:
+        case Command::TurnLeft:
+        case Command::TurnRight:
+        case Command::SideLeft:
+        case Command::SideRight:
+            return true;
+        default:
+            return false;
+    }
+}
+
 }  // namespace handrail

@@ -137,4 +137,7 @@ std::span<const CommandInfo> command_table();  // in the order of Command
 const CommandInfo* find_command(std::string_view word);
 const CommandInfo& info(Command command);
 
+// One step or one notch of a turn.
+bool steps_or_turns(Command command);
+
 }  // namespace handrail

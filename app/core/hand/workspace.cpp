@@ -46,6 +46,11 @@ bool Workspace::act(Command command, double now_s) {
         context_.answer(phrase("session.no_hand"), now_s);
         return true;
     }
+    if (pushes_workspace(command)) {
+        push_tap_ = workspace_keys(tap_of(command));
+        push_until_s_ = now_s + kPushTap_s;
+        return true;
+    }
     const double turn_deg = context_.settings.walk.turn_deg;
     switch (command) {
         case Command::SwitchFrame:
@@ -56,15 +61,6 @@ bool Workspace::act(Command command, double now_s) {
         case Command::ScaleRoom:
         case Command::ScaleDetail:
             zoom(static_cast<NamedScale>(static_cast<int>(command) - static_cast<int>(Command::ScaleBuilding)), now_s);
-            return true;
-        case Command::WorkspaceForward:
-        case Command::WorkspaceBack:
-        case Command::WorkspaceLeft:
-        case Command::WorkspaceRight:
-        case Command::WorkspaceUp:
-        case Command::WorkspaceDown:
-            push_tap_ = workspace_keys(tap_of(command));
-            push_until_s_ = now_s + kPushTap_s;
             return true;
         case Command::WorkspaceTurnLeft:
             turn(-turn_deg, now_s);

@@ -158,20 +158,10 @@ void Session::answer_what_was_too_early(double now_s) {
 void Session::carry_out(Command command, double now_s, int times) {
     if (bodies_.act(command, now_s, times)) return;
     if (walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
-        hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s))
+        hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s) ||
+        where_.asking.act(command, now_s))
         return;
     switch (command) {
-        case Command::WhereAmI:
-        case Command::Heading:
-        case Command::AroundMe:
-        case Command::AheadOfMe:
-        case Command::LookNext:
-        case Command::LookBefore:
-        case Command::ScaleBar:
-        case Command::Coordinates:
-        case Command::WhatIsThis:
-            where_.asking.act(command, now_s);
-            break;
         case Command::Lost:
             walk_.walking.halt();
             where_.far.act(command, now_s);

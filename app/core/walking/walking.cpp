@@ -103,22 +103,16 @@ bool Walking::act(Command command, double now_s, int times) {
     const double notch_rad = radians_from_degrees(context_.settings.walk.turn_deg);
     switch (command) {
         case Command::Forward:
-            step(pending_.ahead_m, 1.0, times);
-            return true;
         case Command::Back:
-            step(pending_.ahead_m, -1.0, times);
+            step(pending_.ahead_m, command == Command::Forward ? 1.0 : -1.0, times);
             return true;
         case Command::SideRight:
-            step(pending_.right_m, 1.0, times);
-            return true;
         case Command::SideLeft:
-            step(pending_.right_m, -1.0, times);
+            step(pending_.right_m, command == Command::SideRight ? 1.0 : -1.0, times);
             return true;
         case Command::TurnLeft:
-            turn_by(-notch_rad, times, now_s);
-            return true;
         case Command::TurnRight:
-            turn_by(notch_rad, times, now_s);
+            turn_by(command == Command::TurnRight ? notch_rad : -notch_rad, times, now_s);
             return true;
         case Command::FreeLeft:
         case Command::FreeRight:
