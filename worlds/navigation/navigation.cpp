@@ -455,7 +455,7 @@ double Navigation::cost(const Way& way, RouteWish wish) const {
 std::optional<Navigation::Way> Navigation::best_over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish) {
     std::optional<Way> foot, linked;
     if (piece_[from] == piece_[to]) foot = over_mesh(from, to, wish, false);
-    if (!space_.links.empty()) linked = over_mesh(from, to, wish, true);
+    if (!space_.links.empty() && wish != RouteWish::OnFoot) linked = over_mesh(from, to, wish, true);
     if (linked && linked->links.empty() && foot) linked.reset();
     if (foot) finish(*foot, to, wish);
     if (linked) finish(*linked, to, wish);

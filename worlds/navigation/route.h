@@ -35,6 +35,7 @@ struct Route {
 enum class RouteWish : std::uint8_t {
     Safest,    // away from walls and edges, round liquids and drops
     Shortest,  // metres only
+    OnFoot,    // as Safest, and never by a lift, a teleporter or a drop
 };
 
 }  // namespace handrail

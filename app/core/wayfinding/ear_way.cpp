@@ -10,6 +10,12 @@
 #include "worlds/navigation/reach.h"
 
 namespace handrail {
+namespace {
+
+// Than by a lift: the way on foot may be longer by this share and by so much, and is told all the same.
+constexpr double kLongerOnFoot = 1.5, kLongerOnFoot_m = 15.0;
+
+}  // namespace
 
 void EarWay::follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s) {
     follow(rooms_.navigation().plan(context_.body.feet_m(), goal_m), name, first, now_s);
@@ -27,12 +33,22 @@ void EarWay::follow_to_room(std::uint32_t room, const std::string& first, double
     const std::string name = sentence_case(to.name);
     Route route = rooms_.navigation().plan(context_.body.feet_m(), to.middle_m);
     // What waits for a button is told at once.
-    const bool on_foot = std::all_of(route.passages.begin(), route.passages.end(), [&](const RoutePassage& passage) {
-        return (passage.kind == PassageKind::Door || passage.kind == PassageKind::Opening ||
-                passage.kind == PassageKind::Stairs) &&
-               lock_words(context_, passage.feature).empty();
-    });
-    if (!route.reaches || route.points_m.size() < 2 || !on_foot) return follow(std::move(route), name, first, now_s);
+    const auto told_by_legs = [&](const Route& way) {
+        return way.reaches && way.points_m.size() > 1 &&
+               std::all_of(way.passages.begin(), way.passages.end(), [&](const RoutePassage& passage) {
+                   return (passage.kind == PassageKind::Door || passage.kind == PassageKind::Opening ||
+                           passage.kind == PassageKind::Stairs) &&
+                          lock_words(context_, passage.feature).empty();
+               });
+    };
+    bool by_legs = told_by_legs(route);
+    // Legs are surer than a lift: by the stairs, where that is no much longer way.
+    if (route.reaches && !by_legs) {
+        Route foot = rooms_.navigation().plan(context_.body.feet_m(), to.middle_m, RouteWish::OnFoot);
+        by_legs = told_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m;
+        if (by_legs) route = std::move(foot);
+    }
+    if (!by_legs) return follow(std::move(route), name, first, now_s);
     stop();
     word_.begin(room, name);
     if (!word_.at_work()) return follow(std::move(route), name, first, now_s);

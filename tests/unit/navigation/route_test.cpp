@@ -322,6 +322,27 @@ TEST(Routes, take_lifts_both_ways_and_teleporters_and_drops_one_way) {
     const Route back = navigation->plan(cell, low);
     EXPECT_FALSE(back.reaches);
     EXPECT_GT(back.short_of_m, 20.0);
+    EXPECT_FALSE(navigation->plan(low, high, RouteWish::OnFoot).reaches) << "there are no stairs";
+}
+
+TEST(Routes, on_foot_take_the_stairs_where_a_lift_is_nearer) {
+    const auto scene = read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "school.map");
+    ASSERT_TRUE(scene);
+    const auto navigation = navigate(*scene);
+    ASSERT_TRUE(navigation);
+    // Before the lift's lower door, and before its upper one.
+    const Vec3 below(14.15, 10.2, 0.0), above(14.15, 10.2, 3.4);
+    const auto takes = [](const Route& route, PassageKind kind) {
+        return std::any_of(route.passages.begin(), route.passages.end(),
+                           [kind](const RoutePassage& passage) { return passage.kind == kind; });
+    };
+    const Route near = navigation->plan(below, above), foot = navigation->plan(below, above, RouteWish::OnFoot);
+    ASSERT_TRUE(near.reaches);
+    ASSERT_TRUE(foot.reaches);
+    EXPECT_TRUE(takes(near, PassageKind::Lift));
+    EXPECT_FALSE(takes(foot, PassageKind::Lift));
+    EXPECT_TRUE(takes(foot, PassageKind::Stairs));
+    EXPECT_GT(foot.length_m, near.length_m);
 }
 
 TEST(Routes, are_the_same_every_time_and_far_from_the_origin) {
