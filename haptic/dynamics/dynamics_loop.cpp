@@ -55,9 +55,10 @@ void DynamicsLoop::take() {
             dynamics_.drive(static_cast<std::uint32_t>(i), poses[i].at, poses[i].present);
     }
     for (unsigned hand = 0; hand < 2; ++hand) {
-        if (hands_[hand].refresh()) dynamics_.place_hand(hand, hands_[hand].read());
+        HandChannel& channel = *hands_[hand];
+        if (channel.place.refresh()) dynamics_.place_hand(hand, channel.place.read());
         HandPush push;
-        while (pushes_[hand].pop(push)) dynamics_.push(hand, push);
+        while (channel.pushes.pop(push)) dynamics_.push(hand, push);
     }
 }
 
@@ -85,7 +86,8 @@ bool DynamicsLoop::step_until(double now_s) {
         one_step();
     }
     late_steps_.fetch_add(static_cast<std::uint64_t>(steps - 1), std::memory_order_relaxed);
-    for (LatestValue<DynamicsFrame>& frame : frames_) frame.publish(now_);
+    for (const auto& hand : hands_) hand->frame.publish(now_);
+    for_app_.publish(now_);
     return true;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptic/dynamics/dynamics.h"
+#include "haptic/render/hand_channel.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/latest_value.h"
 #include "worlds/base/spsc_ring.h"
@@ -18,7 +19,6 @@ namespace handrail {
 
 class DynamicsLoop {
 public:
-    using PushRing = SpscRing<HandPush, 64>;
     using EventRing = SpscRing<BodyEvent, 256>;
 
     // What the app asks for, in its order.
@@ -51,16 +51,18 @@ public:
     bool step_until(double now_s);
 
     // Servo thread of each hand.
-    PushRing& pushes(unsigned hand) { return pushes_[hand]; }
-    void place_hand(unsigned hand, const HandPlace& place) { hands_[hand].publish(place); }
-    bool newer_frame(unsigned hand) { return frames_[hand].refresh(); }
-    const DynamicsFrame& frame(unsigned hand) const { return frames_[hand].read(); }
+    // 0 or 1; whoever takes it may keep it beyond the engine's end.
+    std::shared_ptr<HandChannel> hand(unsigned which) const { return hands_[which]; }
+    HandPushRing& pushes(unsigned hand) { return hands_[hand]->pushes; }
+    void place_hand(unsigned hand, const HandPlace& place) { hands_[hand]->place.publish(place); }
+    bool newer_frame(unsigned hand) { return hands_[hand]->frame.refresh(); }
+    const DynamicsFrame& frame(unsigned hand) const { return hands_[hand]->frame.read(); }
 
     // App thread.
     bool order(const Order& order) { return orders_.push(order); }
     void drive(const DrivenPoses& poses) { driven_.publish(poses); }
-    bool newer_frame_for_app() { return frames_[2].refresh(); }
-    const DynamicsFrame& frame_for_app() const { return frames_[2].read(); }
+    bool newer_frame_for_app() { return for_app_.refresh(); }
+    const DynamicsFrame& frame_for_app() const { return for_app_.read(); }
     // Ears' thread. When it is full the oldest stay.
     EventRing& events() { return events_; }
 
@@ -75,9 +77,9 @@ private:
     void one_step();
 
     Dynamics dynamics_;
-    std::array<PushRing, 2> pushes_;
-    std::array<LatestValue<HandPlace>, 2> hands_;
-    std::array<LatestValue<DynamicsFrame>, 3> frames_;  // two hands and the app
+    const std::array<std::shared_ptr<HandChannel>, 2> hands_{std::make_shared<HandChannel>(),
+                                                             std::make_shared<HandChannel>()};
+    LatestValue<DynamicsFrame> for_app_;
     SpscRing<Order, 64> orders_;
     LatestValue<DrivenPoses> driven_;
     EventRing events_;

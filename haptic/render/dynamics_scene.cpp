@@ -220,6 +220,13 @@ std::uint32_t DynamicsSceneBuilder::add_driven(std::span<const DynamicsPiece> pi
     return static_cast<std::uint32_t>(scene_.driven.size() - 1);
 }
 
+std::uint32_t body_of(const DynamicsScene& scene, FeatureId feature) noexcept {
+    if (feature)
+        for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+            if (scene.bodies[i].feature == feature) return static_cast<std::uint32_t>(i);
+    return kNoBody;
+}
+
 BodyFault DynamicsSceneBuilder::add_body(std::span<const DynamicsPiece> pieces, FeatureId feature, std::uint32_t haptic,
                                          const Placement& start, const BodyNature& nature) {
     if (scene_.bodies.size() >= DynamicsScene::kMostBodies) return BodyFault::TooMany;

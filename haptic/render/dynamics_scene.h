@@ -108,6 +108,9 @@ struct DynamicsScene {
     }
 };
 
+// The free body of that name among others; kNoBody: there is none, or it has no name.
+std::uint32_t body_of(const DynamicsScene& scene, FeatureId feature) noexcept;
+
 // Why a body could not be added.
 enum class BodyFault : std::uint8_t { None, TooMany, NoVolume, BadMass, BadNature, BadPlace };
 

@@ -296,7 +296,8 @@ void HandBodies::react(const TouchResult& touch, double share, double now_s, dou
             moment += wrist_nm();
         }
         if (slot.contact || held) slot.touched_s = now_s;
-        strain(slot, glm::length(force) * feel.felt_gain, dt_s, feel);
+        // What is held and too heavy slips at the ceiling instead.
+        if (!held) strain(slot, glm::length(force) * feel.felt_gain, dt_s, feel);
         if (slot.contact || held || leaves || slot.unsent_ns != Vec3(0.0)) {
             HandPush push;
             push.time_s = now_s;

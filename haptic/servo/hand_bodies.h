@@ -10,14 +10,11 @@
 #include <cstdint>
 #include <span>
 
-#include "haptic/render/body_word.h"
+#include "haptic/render/hand_channel.h"
 #include "haptic/render/touch.h"
 #include "haptic/servo/held_body.h"
-#include "worlds/base/spsc_ring.h"
 
 namespace handrail {
-
-using HandPushRing = SpscRing<HandPush, 64>;
 
 // Changes only while nothing is touched or held.
 struct BodyFeel {
@@ -75,6 +72,12 @@ public:
         return i < kMost && slots_[i].used ? &slots_[i].model : nullptr;
     }
     const HeldBody* model_of(std::uint32_t body) const noexcept;
+    // Nothing is touched, held or about to be.
+    bool idle() const noexcept {
+        for (const Slot& slot : slots_)
+            if (slot.used) return false;
+        return true;
+    }
 
 private:
     struct Slot {

@@ -96,12 +96,14 @@ void ServoLoop::publish_report() noexcept {
     report_.publish(counted_);
 }
 
-void ServoLoop::hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk) {
+void ServoLoop::hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk,
+                          std::shared_ptr<HandEngine> engine) {
     free_scenes();
     world_ = std::move(scene);
     desk_ = std::move(desk);
-    const SceneHandle handle{world_.get(), desk_.get(), ++last_scene_};
-    kept_.push_back({handle.number, world_, desk_});
+    engine_ = std::move(engine);
+    const SceneHandle handle{world_.get(), desk_.get(), engine_.get(), ++last_scene_};
+    kept_.push_back({handle.number, world_, desk_, engine_});
     scene_.publish(handle);
 }
 
@@ -145,7 +147,7 @@ bool ServoLoop::step() noexcept {
 
     const DeviceSample sample = device_->read(start_s);
     const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s, &bodies_.read(),
-                                            scene.desk, &guidance_.read());
+                                            scene.desk, &guidance_.read(), scene.engine);
     device_->write(command);
 
     // Nothing of an older scene is looked at any more.

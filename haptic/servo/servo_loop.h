@@ -58,8 +58,12 @@ public:
     void stop();
 
     // App thread; felt from the next tick on. A null scene is none. The desk: see servo_tick.
-    void set_scene(std::shared_ptr<const HapticScene> scene) { hand_over(std::move(scene), desk_); }
-    void set_desk(std::shared_ptr<const HapticScene> desk) { hand_over(world_, std::move(desk)); }
+    void set_scene(std::shared_ptr<const HapticScene> scene) { set_scene(std::move(scene), engine_); }
+    void set_desk(std::shared_ptr<const HapticScene> desk) { hand_over(world_, std::move(desk), engine_); }
+    // With this hand's side of what is free to move in it; null: nothing is. No other servo has it at the same time.
+    void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) {
+        hand_over(std::move(scene), desk_, std::move(engine));
+    }
     void set_tuning(const ServoTuning& tuning) { tuning_.publish(tuning); }
     void set_pose(const WorkspacePose& pose) { pose_.publish(pose); }
     void set_bodies(const BodyFrame& bodies) { bodies_.publish(bodies); }
@@ -84,14 +88,17 @@ private:
     struct SceneHandle {
         const HapticScene* scene = nullptr;
         const HapticScene* desk = nullptr;
+        HandEngine* engine = nullptr;
         std::uint64_t number = 0;  // rising; the servo says up to which it has come
     };
     struct KeptScene {
         std::uint64_t number;
         std::shared_ptr<const HapticScene> scene, desk;
+        std::shared_ptr<HandEngine> engine;
     };
 
-    void hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk);
+    void hand_over(std::shared_ptr<const HapticScene> scene, std::shared_ptr<const HapticScene> desk,
+                   std::shared_ptr<HandEngine> engine);
     void run() noexcept;
     void close() noexcept;
     void publish_report() noexcept;
@@ -106,6 +113,7 @@ private:
 
     std::vector<KeptScene> kept_;                      // app thread only
     std::shared_ptr<const HapticScene> world_, desk_;  // as handed over last
+    std::shared_ptr<HandEngine> engine_;               // likewise
     std::uint64_t last_scene_ = 0;
     std::atomic<std::uint64_t> scene_in_use_{0};
 

@@ -237,12 +237,13 @@ ServoState::Answer ServoState::judge(const DeviceSample& sample, const Workspace
 }
 
 // The hand moves its workspace: rim, grab and keys. What it begins and ends is told.
-void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, double scale, double dt_s) noexcept {
+void ServoState::move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, std::uint32_t buttons, double scale,
+                                double dt_s) noexcept {
     const WorkspaceMotion before = mover_.motion();
     // A hand whose place is in doubt moves nothing.
     const bool sound = fault_ == Fault::None && tool_.pause == Fault::None && !tool_.waiting_for_hand;
     mover_.move(frame, sound ? tuning.workspace : WorkspaceTuning{},
-                {tool_.hand_m, tool_.buttons, length(wanted_n_), ceiling_n(tuning), &tool_.contacts}, scale, dt_s);
+                {tool_.hand_m, buttons, length(wanted_n_), ceiling_n(tuning), &tool_.contacts}, scale, dt_s);
     tool_.hip_m = frame.to_world(tool_.hand_m, scale);
     const WorkspaceMotion now = mover_.motion();
     if (now == before) return;
@@ -361,8 +362,9 @@ void ServoState::touch_desk(const HapticScene& desk, const ServoTuning& tuning, 
     at.presses = press_.presses();
 }
 
+template <bool kFree>
 void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame,
-                       const Vec3& goal_m, double dt_s, const BodyPoses& bodies) noexcept {
+                       const Vec3& goal_m, double dt_s, const BodyPoses& bodies, HandEngine* engine) noexcept {
     const TouchTuning touch = tuned(tuning);
     const double scale = touch.world_m_per_hand_m;
     Vec3 carried_m{0.0};
@@ -377,8 +379,17 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     hand_at_goal_m_ = tool_.hand_m;
     goal_known_ = true;
 
-    const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s, carried_m, bodies);
+    BodyPoses mine;
+    if constexpr (kFree) {
+        mine = engine->place(bodies, scene, tool_.time_s, goal_m, body_feel(tuning, touch));
+        carried_m += engine->carried_m();
+    }
+    const TouchResult result = touch_tick(touch_, scene, touch, goal_m, dt_s, carried_m, kFree ? mine : bodies);
     wanted_n_ = frame.turn_to_device(result.force_n) + mover_.rim_force_n();
+    if constexpr (kFree) {
+        wanted_n_ += frame.turn_to_device(engine->grip_force_n(goal_m, dt_s));
+        engine->felt(result);
+    }
     held_n_ = frame.turn_to_device(result.contact_force_n);
     if (is_finite(result.proxy_m)) mover_.give_way(goal_m, result.proxy_m, length(result.contact_force_n));
     if (!is_finite(result.proxy_m)) {
@@ -394,6 +405,32 @@ void ServoState::touch(const HapticScene& scene, const ServoTuning& tuning, cons
     tool_.liquid = result.liquid;
     if (result.contacts.count > 0) tool_.contact_s += dt_s;
     tracker_.update(result, velocity_m_per_s_, scale, tool_.time_s, dt_s, events_);
+}
+
+// As the person is strong in the world and the device can hold.
+BodyFeel ServoState::body_feel(const ServoTuning& tuning, const TouchTuning& touch) const noexcept {
+    BodyFeel feel;
+    feel.world_m_per_hand_m = touch.world_m_per_hand_m;
+    feel.ceiling_n = ceiling_n(tuning);
+    feel.felt_gain = felt_gain(feel.ceiling_n, tuning.bodies.strength_n);
+    feel.ball_m = touch.radius_m;
+    feel.grip_n_per_m = std::min(feel.grip_n_per_m, touch.rated_stiffness_n_per_m * touch.default_stiffness_fraction);
+    return feel;
+}
+
+// Under the part of the force that the limiter let through. A device that is silent for a moment changes nothing.
+void ServoState::move_bodies(HandEngine& engine, bool met, bool silent, const Vec3& force_n, double dt_s) noexcept {
+    if (met) {
+        const double wanted_n = length(wanted_n_);
+        engine.react(wanted_n > 0.0 ? std::min(1.0, length(force_n) / wanted_n) : 0.0, tool_.time_s, dt_s);
+    } else if (!silent) {
+        engine.leave();
+    }
+    tool_.holds = engine.holds();
+    if (const std::uint32_t heavy = engine.heavy(); heavy != kNoBody) {
+        tool_.heavy = heavy;
+        ++tool_.heavies;
+    }
 }
 
 // On top of what is touched. The hand is led only where force may act at all.
@@ -419,7 +456,7 @@ ForceFlow ServoState::flow(const ServoTuning& tuning, bool scene_present, bool l
 
 ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning,
                         const WorkspacePose& pose, const DeviceSample& sample, double now_s, const BodyFrame* bodies,
-                        const HapticScene* desk, const GuidancePath* guidance) noexcept {
+                        const HapticScene* desk, const GuidancePath* guidance, HandEngine* engine) noexcept {
     ServoState& s = state;
     s.events_.count = 0;
     s.events_.lost = 0;
@@ -450,9 +487,14 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
     const std::uint32_t generation = scene ? scene->generation : 0;
     if (jumped || scale != s.scale_ || (!scene && s.tool_.scene_generation != 0)) s.start_over();
     if (jumped) s.mover_.recentre();
+    // What a hand holds does not come along to another place or scale.
+    if (engine && (jumped || scale != s.scale_ || long_gap)) engine->leave();
     // Another world ramps in; in the same one with something added or removed the proxy sees to it that nothing knocks.
     const std::uint32_t world = scene ? scene->world : 0;
-    if (world != s.tool_.scene_world) s.limiter_.restart();
+    if (world != s.tool_.scene_world) {
+        s.limiter_.restart();
+        s.tool_.holds = kNoBody;
+    }
     s.tool_.scene_world = world;
     s.scale_ = scale;
     s.tool_.scene_generation = generation;
@@ -468,8 +510,14 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
 
     // 4. Touch.
     s.since_touch_s_ = std::min(s.since_touch_s_ + dt_s, kLongestTouchStepS);
+    bool meets_bodies = false;
+    const double touched_for_s = s.since_touch_s_;
     if (answer == ServoState::Answer::Good) {
-        if (!s.tool_.desk.open) s.move_workspace(frame, tuning, scale, s.since_touch_s_);
+        std::uint32_t buttons = s.tool_.buttons;
+        // A button that holds a body moves no workspace.
+        if (engine && engine->grip(tuning.bodies, buttons, now_s, s.tool_.hip_m))
+            buttons &= ~tuning.bodies.grip_buttons;
+        if (!s.tool_.desk.open) s.move_workspace(frame, tuning, buttons, scale, s.since_touch_s_);
         const bool wall = tuning.personal_space | s.tool_.desk.open;
         if (wall) s.meet_wall(desk, tuning, frame, scale, s.since_touch_s_);
         if (s.tool_.desk.open) {
@@ -477,7 +525,12 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
         } else if (scene) {
             BodyPoses poses;
             if (bodies && !scene->bodies.empty()) poses = s.bodies_.at(*bodies, *scene, s.playback_.played_s(), jumped);
-            s.touch(*scene, tuning, frame, s.tool_.hip_m, s.since_touch_s_, poses);
+            if (engine) {
+                meets_bodies = true;
+                s.touch<true>(*scene, tuning, frame, s.tool_.hip_m, s.since_touch_s_, poses, engine);
+            } else {
+                s.touch<false>(*scene, tuning, frame, s.tool_.hip_m, s.since_touch_s_, poses, nullptr);
+            }
             if (guidance && !s.guidance_.idle(*guidance)) {
                 double unused_s = 0.0;
                 s.guide(*guidance, frame, scale, s.flow(tuning, true, long_gap, unused_s) == ForceFlow::Run,
@@ -497,6 +550,7 @@ ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const Servo
     const double ceiling_n = std::min({tuning.force_ceiling_n, s.spec_.peak_force_n, s.mover_.ceiling_n()});
     const Vec3 force_n = s.limiter_.limit(s.wanted_n_, ceiling_n, flow, dt_s, fade_s);
     if (s.limiter_.broken()) s.raise(Fault::BadForce, true);
+    if (engine) s.move_bodies(*engine, meets_bodies, answer == ServoState::Answer::None, force_n, touched_for_s);
     s.heat_.add(length(force_n), s.spec_.sustained_share * s.spec_.peak_force_n, dt_s);
     if (s.heat_.too_warm()) s.raise(Fault::TooHot, true);
 

@@ -11,6 +11,7 @@
 #include "haptic/servo/body_playback.h"
 #include "haptic/servo/contact_tracker.h"
 #include "haptic/servo/guidance.h"
+#include "haptic/servo/hand_engine.h"
 #include "haptic/servo/heat_budget.h"
 #include "haptic/servo/personal_space.h"
 #include "haptic/servo/rate_watch.h"
@@ -35,6 +36,7 @@ struct ServoTuning {
     WorkspaceTuning workspace;
     bool personal_space =
         false;  // the wall towards the body is there, and the desk behind it; without it the tick pays one comparison
+    BodyTuning bodies;  // counts only where the world has free ones
 };
 
 // At the desk: what the hand does there. Device frame, since the desk stands still before the person.
@@ -83,6 +85,9 @@ struct ToolState {
     std::uint32_t workspace_jump = 0;
     DeskTouch desk;
     GuidanceState guidance;
+    std::uint32_t holds = kNoBody;  // a free body that the hand holds; place in DynamicsScene::bodies
+    std::uint32_t heavy = kNoBody;  // one that was pushed or lifted with all there is and did not move, the last
+    std::uint32_t heavies = 0;      // how often that was so since the start
 
     // Something holds the hand, or gives way under it.
     bool touches() const noexcept { return contacts.count > 0 || soft_n > 0.0; }
@@ -126,8 +131,8 @@ public:
 private:
     friend ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning,
                                    const WorkspacePose& pose, const DeviceSample& sample, double now_s,
-                                   const BodyFrame* bodies, const HapticScene* desk,
-                                   const GuidancePath* guidance) noexcept;
+                                   const BodyFrame* bodies, const HapticScene* desk, const GuidancePath* guidance,
+                                   HandEngine* engine) noexcept;
 
     enum class Answer { None, Bad, Good };
 
@@ -140,10 +145,15 @@ private:
     void confirm(const DeviceSample& sample, std::uint32_t number) noexcept;
     void start_over() noexcept;
     void lose_time() noexcept;
-    void move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, double scale, double dt_s) noexcept;
+    void move_workspace(WorkspaceFrame& frame, const ServoTuning& tuning, std::uint32_t buttons, double scale,
+                        double dt_s) noexcept;
     Answer judge(const DeviceSample& sample, const WorkspaceFrame& frame, double scale, double dt_s) noexcept;
+    // Twice, so that a world in which nothing is free pays nothing.
+    template <bool kFree>
     void touch(const HapticScene& scene, const ServoTuning& tuning, const WorkspaceFrame& frame, const Vec3& goal_m,
-               double dt_s, const BodyPoses& bodies) noexcept;
+               double dt_s, const BodyPoses& bodies, HandEngine* engine) noexcept;
+    void move_bodies(HandEngine& engine, bool met, bool silent, const Vec3& force_n, double dt_s) noexcept;
+    BodyFeel body_feel(const ServoTuning& tuning, const TouchTuning& touch) const noexcept;
     double ceiling_n(const ServoTuning& tuning) const noexcept;
     TouchTuning tuned(const ServoTuning& tuning) const noexcept;
     void meet_wall(const HapticScene* desk, const ServoTuning& tuning, WorkspaceFrame& frame, double scale,
@@ -206,10 +216,11 @@ private:
 // is fine. now_s: the tick's time, the same clock as WorkspacePose::time_s; ticks come in rising time. bodies: the
 // newest frame that is known, the same as before is fine; null: the scene's bodies stand where it has them. desk: the
 // scene behind the wall of ServoTuning::personal_space, device frame; null: there is none. guidance: the newest that is
-// known; null or number 0: none. Numbered stages stand in the source.
+// known; null or number 0: none. engine: this hand's side of the scene's free bodies; null: there are none, and the
+// tick pays a comparison. Numbered stages stand in the source.
 ForceCommand servo_tick(ServoState& state, const HapticScene* scene, const ServoTuning& tuning,
                         const WorkspacePose& pose, const DeviceSample& sample, double now_s,
                         const BodyFrame* bodies = nullptr, const HapticScene* desk = nullptr,
-                        const GuidancePath* guidance = nullptr) noexcept;
+                        const GuidancePath* guidance = nullptr, HandEngine* engine = nullptr) noexcept;
 
 }  // namespace handrail

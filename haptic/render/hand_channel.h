@@ -1,0 +1,19 @@
+// Between the engine of movable bodies and the servo of one hand. Each member has one producer and one consumer, and
+// neither side waits, allocates or fails. Owned by both, so that either may end first.
+#pragma once
+
+#include "haptic/render/body_word.h"
+#include "worlds/base/latest_value.h"
+#include "worlds/base/spsc_ring.h"
+
+namespace handrail {
+
+using HandPushRing = SpscRing<HandPush, 64>;
+
+struct HandChannel {
+    HandPushRing pushes;               // servo to engine
+    LatestValue<HandPlace> place;      // likewise
+    LatestValue<DynamicsFrame> frame;  // engine to servo
+};
+
+}  // namespace handrail
