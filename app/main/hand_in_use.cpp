@@ -178,12 +178,12 @@ void HandInUse::offer_calibration() {
 void HandInUse::feel_world(std::uint32_t more_confirms) {
     const Session& app = parts_.app;
     if (!servo_ || !app.scene()) return;
+    HandOutput told = app.hand();
     if (app.haptic_scene() != given_scene_) {
         given_scene_ = app.haptic_scene();
-        servo_->set_scene(given_scene_);
+        servo_->set_scene(given_scene_, told.engine);
     }
     if (app.desk_visit().scene() != given_desk_) servo_->set_desk(given_desk_ = app.desk_visit().scene());
-    HandOutput told = app.hand();
     told.tuning.confirm += more_confirms;
     servo_->set_tuning(told.tuning);
     servo_->set_pose(told.pose);
@@ -199,7 +199,7 @@ void HandInUse::feel_world(std::uint32_t more_confirms) {
 void HandInUse::feel_set_up(const std::shared_ptr<const HapticScene>& scene, const ServoTuning& tuning,
                             const WorkspacePose& pose, const HandCommand& simulated) {
     contract_pre(servo_ != nullptr);
-    if (scene != given_scene_) servo_->set_scene(given_scene_ = scene);
+    if (scene != given_scene_) servo_->set_scene(given_scene_ = scene, nullptr);
     servo_->set_tuning(tuning);
     servo_->set_pose(pose);
     if (simulated_) simulated_->command.publish(simulated);

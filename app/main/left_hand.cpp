@@ -59,11 +59,11 @@ bool LeftHand::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device
 
 void LeftHand::hand_over(const Session& app) {
     if (!servo_ || !app.scene()) return;
+    const HandOutput told = app.hand(1);
     if (app.haptic_scene() != handed_scene_) {
         handed_scene_ = app.haptic_scene();
-        servo_->set_scene(handed_scene_);
+        servo_->set_scene(handed_scene_, told.engine);
     }
-    const HandOutput told = app.hand(1);
     servo_->set_tuning(told.tuning);
     servo_->set_pose(told.pose);
     if (std::exchange(handed_bodies_, app.bodies().number()) != app.bodies().number()) servo_->set_bodies(app.bodies());

@@ -38,7 +38,9 @@ bool differs(const Placement& a, const Placement& b) {
 
 void Bodies::enter_world(std::shared_ptr<const DynamicsScene> scene, double now_s) {
     loop_.reset();
+    hand_engines_ = {};
     grip_.enter_world();
+    hand_grip_.enter_world();
     sounds_.enter_world(scene ? scene->bodies.size() : 0, now_s);
     scene_ = std::move(scene);
     driven_.clear();
@@ -48,16 +50,12 @@ void Bodies::enter_world(std::shared_ptr<const DynamicsScene> scene, double now_
     moving_ = rested_ = false;
     if (!scene_) return;
     loop_ = std::make_unique<DynamicsLoop>(scene_, now_s);
+    for (unsigned which = 0; which < hand_engines_.size(); ++which)
+        hand_engines_[which] =
+            std::make_shared<HandEngine>(scene_, loop_->hand(which), which, world_.scene->placed.size());
     walker_m_ = Vec3(std::numeric_limits<double>::infinity());
     tell_engine();
     if (clock_) loop_->start(*clock_);
-}
-
-std::uint32_t Bodies::body_of(FeatureId feature) const {
-    if (scene_ && feature)
-        for (std::size_t i = 0; i < scene_->bodies.size(); ++i)
-            if (scene_->bodies[i].feature == feature) return static_cast<std::uint32_t>(i);
-    return kNoBody;
 }
 
 std::optional<double> Bodies::mass_kg(FeatureId feature) const {
@@ -110,6 +108,7 @@ bool Bodies::act(Command command, double now_s, int times) {
         return true;
     }
     if (!loop_) return false;
+    if (!grip_.holds() && hand_grip_.act(command, *scene_, now_s)) return true;
     if (grip_.holds()) return grip_.act(command, *loop_, *scene_, middle(grip_.held()), now_s, times);
     if (command != Command::Use) return false;
     const std::uint32_t body = in_reach();
@@ -156,11 +155,17 @@ void Bodies::tell_engine() {
     walker_lifted_ = lifted;
 }
 
+void Bodies::step_engine(double now_s) {
+    contract_pre(std::isfinite(now_s));
+    if (loop_ && !clock_) loop_->step_until(now_s);
+}
+
 void Bodies::tick(double now_s) {
     contract_pre(std::isfinite(now_s));
     if (!loop_) return;
     tell_engine();
-    if (!clock_) loop_->step_until(now_s);
+    step_engine(now_s);
+    hand_grip_.tick(*scene_, now_s);
     hear(now_s);
     if (loop_->newer_frame_for_app()) take_places(now_s);
     if (moving_ && now_s - moved_s_ > kRestsAfter_s) {

@@ -4,6 +4,7 @@
 // neither. App thread only.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -11,13 +12,16 @@
 
 #include "app/core/bodies/body_grip.h"
 #include "app/core/bodies/body_sounds.h"
+#include "app/core/bodies/hand_grip.h"
+#include "haptic/servo/hand_engine.h"
 
 namespace handrail {
 
 class Bodies {
 public:
-    // It moves the things of `world`.
-    Bodies(const SessionContext& context, WorldState& world) : context_(context), world_(world) {}
+    // It moves the things of `world` and tells the servos by `hands`.
+    Bodies(const SessionContext& context, WorldState& world, HandsState& hands)
+        : context_(context), world_(world), hand_grip_(context, hands) {}
     Bodies(const Bodies&) = delete;
     Bodies& operator=(const Bodies&) = delete;
 
@@ -31,6 +35,8 @@ public:
     // The key moves what is held, and not the body.
     bool keeps(Command command) const { return grip_.keeps(command); }
     void release(Command command) { grip_.release(command); }
+    // The engine goes on to now where it has no thread: each millisecond where a hand is to feel it, else tick() does.
+    void step_engine(double now_s);
     // Before the things of the world are told to the servo.
     void tick(double now_s);
     // The body is about to walk that way: what lies before it and is not too heavy goes along. True: something does.
@@ -46,11 +52,17 @@ public:
     std::optional<double> mass_kg(FeatureId feature) const;
     // The engine of this world; null: nothing is free in it.
     const DynamicsLoop* engine() const { return loop_.get(); }
+    // For the servo of a hand: 0 the only or right one, 1 the left one. Null: nothing is free in this world.
+    const std::shared_ptr<HandEngine>& hand_engine(std::size_t which) const { return hand_engines_[which]; }
+    // What a hand holds; kNoFeature: nothing.
+    FeatureId held_by_hand(std::size_t which) const {
+        return hand_grip_.held(which) == kNoBody ? kNoFeature : scene_->bodies[hand_grip_.held(which)].feature;
+    }
 
     static constexpr double kReach_m = 1.2;  // of who takes hold
 
 private:
-    std::uint32_t body_of(FeatureId feature) const;
+    std::uint32_t body_of(FeatureId feature) const { return scene_ ? handrail::body_of(*scene_, feature) : kNoBody; }
     Placement middle(std::uint32_t body) const;
     std::uint32_t in_reach() const;
     bool in_sight(std::uint32_t body, const Aabb& box_m) const;
@@ -69,6 +81,8 @@ private:
     std::unique_ptr<DynamicsLoop> loop_;
     BodyGrip grip_{context_};
     BodySounds sounds_{context_};
+    HandGrip hand_grip_;
+    std::array<std::shared_ptr<HandEngine>, 2> hand_engines_;
     std::vector<Placement> driven_;  // as the engine was told last
     Vec3 walker_m_{0.0};             // likewise
     bool walker_lifted_ = false;

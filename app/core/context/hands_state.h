@@ -23,6 +23,7 @@ struct HandsState {
     HandFacts right, left;  // right: also the only one
     ToolState tool, left_tool;
     ServoTuning tuning;
+    BodyTuning left_bodies;  // what the left hand's servo is told of holding; all else as tuning.bodies
     WorkspacePose pose;
     std::optional<NamedScale> named_scale;  // none: the scale of the settings
     bool keys_alone = false;                // the simulated hand is there for want of a real one

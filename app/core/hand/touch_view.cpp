@@ -102,12 +102,16 @@ void TouchView::retune() {
     tuning.workspace.grab_buttons =
         button == 0 || (button == 1 && settings.haptic.button_to_feel) ? 0U : 1U << (button - 1);
     tuning.workspace.limits_m = world_.scene->bounds_m;
+    tuning.bodies.strength_n = settings.dynamics.strength_n;
+    tuning.bodies.grip_buttons = settings.haptic.button_to_feel ? 0U : 1U;
 }
 
 ServoTuning TouchView::left_tuning() const {
     ServoTuning tuning = hands_.tuning;
     tuning.touch.rated_stiffness_n_per_m = hands_.left.spec.rated_stiffness_n_per_m;
     tuning.force_ceiling_n = ceiling_n(context_.settings, hands_.left);
+    tuning.bodies.hold = hands_.left_bodies.hold;
+    tuning.bodies.quarters = hands_.left_bodies.quarters;
     tuning.workspace.grab_key = false;  // the key is the right hand's, the button each hand's own
     tuning.workspace.push_hand_m_per_s = Vec3(0.0);
     tuning.personal_space = tuning.workspace.rim_open_behind = false;  // the desk is the right hand's

@@ -2,6 +2,8 @@
 // and where its bodies are). Plain data; app thread only.
 #pragma once
 
+#include <memory>
+
 #include "haptic/servo/servo_tick.h"
 
 namespace handrail {
@@ -11,6 +13,7 @@ struct HandOutput {
     ServoTuning tuning;
     const GuidancePath* guidance = nullptr;  // null: this hand is never led
     Vec3 target_m{0.0};                      // of the simulated hand, device frame
+    std::shared_ptr<HandEngine> engine;      // its side of what is free to move; null: nothing is
 };
 
 }  // namespace handrail

@@ -73,6 +73,8 @@ void HeadlessSession::advance() {
     ++milliseconds_;
     for (std::size_t which = 0; which < hands_.size(); ++which)
         if (hands_[which].device && milliseconds_ % servo_every_ms_ == 0) servo(which);
+    // What a hand feels moves in its rhythm; else the app moves it.
+    if (hands_[0].device || hands_[1].device) app_.step_bodies(now_s());
     // Frames fall on the first millisecond at or after their time.
     if (now_s() * kFrames_per_s >= static_cast<double>(frames_)) {
         ++frames_;
@@ -86,9 +88,9 @@ void HeadlessSession::servo(std::size_t which) {
     Hand& hand = hands_[which];
     const DeviceSample sample = hand.device->read(now_s());
     const HandOutput told = app_.hand(which);
-    hand.device->write(servo_tick(*hand.state, app_.haptic_scene().get(), with_switches(told.tuning, switches_),
-                                  told.pose, sample, now_s(), &app_.bodies(),
-                                  which == 0 ? app_.desk_visit().scene().get() : nullptr, told.guidance));
+    hand.device->write(servo_tick(
+        *hand.state, app_.haptic_scene().get(), with_switches(told.tuning, switches_), told.pose, sample, now_s(),
+        &app_.bodies(), which == 0 ? app_.desk_visit().scene().get() : nullptr, told.guidance, told.engine.get()));
     hand.tool = hand.state->tool();
     for (const ContactEvent& event : hand.state->events()) {
         contacts_.push_back(event);

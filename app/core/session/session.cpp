@@ -433,8 +433,9 @@ void Session::set_left_hand(const HandFacts& hand, double now_s) {
 
 HandOutput Session::hand(std::size_t which) const {
     const Workspace& workspace = hand_.workspace;
-    if (which == 1) return {workspace.left_pose(), hand_.touch_view.left_tuning()};
-    return {workspace.pose(), state_.hands.tuning, &guide_.path(), workspace.hand_target_m()};
+    const std::shared_ptr<HandEngine>& engine = bodies_.hand_engine(which);
+    if (which == 1) return {workspace.left_pose(), hand_.touch_view.left_tuning(), nullptr, Vec3(0.0), engine};
+    return {workspace.pose(), state_.hands.tuning, &guide_.path(), workspace.hand_target_m(), engine};
 }
 
 Listener Session::listener() const {
@@ -451,7 +452,7 @@ ViewState Session::view(const ToolState& tool, const std::string& last_spoken) c
     view.show_hand = state_.hands.right.present;
     view.proxy_m = tool.proxy_m;
     view.ball_radius_m = tool.ball_radius_m;
-    view.touching = tool.touches();
+    view.touching = tool.touches() || tool.holds != kNoBody;
     view.plan_view = plan_view_;
     view.forces_on = state_.hands.tuning.forces_on && state_.hands.tuning.focused && !state_.hands.tuning.panic;
     view.north_up = state_.person.settings.workspace.frame == FrameChoice::Map;

@@ -70,6 +70,8 @@ public:
     const WorldState& world() const { return state_.world; }
     const Guide& guide() const { return guide_; }
     const Bodies& free_bodies() const { return bodies_; }
+    // What is free to move goes on, in virtual time: each millisecond where a hand feels it.
+    void step_bodies(double now_s) { bodies_.step_engine(now_s); }
     bool two_hands() const { return state_.hands.two(); }
     Listener listener() const;
     // The desk, which the hand is at now and then: the world waits meanwhile.
@@ -160,7 +162,7 @@ private:
     TouchEvents touch_events_{state_.context};
     Whereabouts where_{state_};
     MoverFeatures movers_{state_};
-    Bodies bodies_{state_.context, state_.world};
+    Bodies bodies_{state_.context, state_.world, state_.hands};
     Guide guide_{state_.context, where_.rooms, movers_.doors};
     WalkingFeatures walk_{state_};
     HandFeatures hand_{state_, walk_.keys_held};
