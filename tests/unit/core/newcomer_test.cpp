@@ -5,6 +5,7 @@
 
 #include "app/core/scenario/session_log.h"
 #include "tests/support/real_worlds.h"
+#include "tests/unit/core/app_session.h"
 #include "worlds/readers/reader.h"
 
 namespace handrail {
@@ -89,9 +90,8 @@ TEST(ANewcomer, meets_the_locked_door_of_the_fifth_tutorial_map_finds_its_button
 
 // Three things, each in another room than the one before: the way to the room is asked for, then what is there, then it
 // is walked to by ear.
-void reaches_three_things(const char* map) {
-    const auto world = real(map);
-    if (!world) GTEST_SKIP() << map << " is not here";
+void reaches_three_things(const std::shared_ptr<const Scene>& world) {
+    if (!world) GTEST_SKIP() << "that world is not here";
     Newcomer n(world);
     std::set<std::string> found;
     for (const std::string& entry : n.entries("Shift+4")) {
@@ -111,11 +111,17 @@ void reaches_three_things(const char* map) {
     EXPECT_EQ(found.size(), 3U) << n.last_lines(30);
 }
 
+TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_house_that_it_found_by_asking) {
+    reaches_three_things(test::our_world("house.map"));
+}
+TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_school_that_it_found_by_asking) {
+    reaches_three_things(test::our_world("school.map"));
+}
 TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_melee_that_it_found_by_asking) {
-    reaches_three_things("agdm01.map");
+    reaches_three_things(real("agdm01.map"));
 }
 TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_by_asking) {
-    reaches_three_things("office.map");
+    reaches_three_things(real("office.map"));
 }
 
 }  // namespace newcomer_test
