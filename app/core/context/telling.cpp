@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/core/dialogue/brief_words.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/language.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kStorey_m = 1.5;
 constexpr double kUsualStorey_m = 3.0;
+constexpr double kUnderfoot_m = 0.1;
 
 // "two storeys above"; empty on this one. rise_m: of its lowest part; nearest_m: of what of it is nearest to the waist.
 std::string storey_words(double rise_m, double nearest_m) {
@@ -20,6 +22,13 @@ std::string storey_words(double rise_m, double nearest_m) {
     const auto storeys = static_cast<int>(std::floor((rise_m + 0.5) / kUsualStorey_m));
     return nearest_m > 0.0 ? phrase("guide.storeys_above", {{"storeys", std::max(1, storeys)}})
                            : phrase("guide.storeys_below", {{"storeys", std::max(1, -storeys)}});
+}
+
+// In the words of exits; in degrees for whoever wants all exactly.
+std::string told_place(const SessionContext& context, double distance_m, double bearing_rad) {
+    const auto words = context.settings.speech.rounded ? brief_place_words : place_words;
+    return words(distance_m, bearing_rad, context.body.heading_goal_rad, context.settings.speech.directions,
+                 distances(context));
 }
 
 }  // namespace
@@ -48,13 +57,15 @@ std::string where_words(const SessionContext& context, double distance_m, double
 std::string where_words(const SessionContext& context, const Aabb& box) {
     const Vec3 way = nearest_place(box, context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m)) - context.body.feet_m();
     const double level_m = std::hypot(way.x, way.y);
-    const std::string distance = distance_words(level_m, distances(context)),
-                      direction = relative_words(std::atan2(way.x, way.y), context.body.heading_rad);
-    const std::string where =
-        phrase("guide.where", {{"distance", distance},
-                               {"far", level_m >= 0.5 * context.settings.walk.step_length_m ? "yes" : "no"},
-                               {"direction", direction}});
+    // Of what one stands at no direction is told.
+    const std::string where = level_m < kUnderfoot_m ? distance_words(level_m, distances(context))
+                                                     : told_place(context, level_m, std::atan2(way.x, way.y));
     return joined(where, storey_words(box.min_m.z - context.body.feet_m().z, way.z));
+}
+
+std::string storey_words(const SessionContext& context, double floor_z_m) {
+    const double rise_m = floor_z_m - context.body.feet_m().z;
+    return storey_words(rise_m, rise_m);
 }
 
 std::string how_far_words(const SessionContext& context, double way_m) {

@@ -19,6 +19,8 @@ DistanceWords distances(const SessionContext& context);
 std::string where_words(const SessionContext& context, double distance_m, double bearing_rad);
 // Of a thing, with its storey.
 std::string where_words(const SessionContext& context, const Aabb& box_m);
+// "one storey above": of a floor there; empty on this one.
+std::string storey_words(const SessionContext& context, double floor_z_m);
 // "9 steps away", "close by".
 std::string how_far_words(const SessionContext& context, double way_m);
 std::string name_of(const SessionContext& context, FeatureId feature);

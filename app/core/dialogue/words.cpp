@@ -11,8 +11,7 @@ namespace handrail {
 namespace {
 
 constexpr double kRoundedTo_deg = 5.0;
-constexpr std::array kRelative{"direction.ahead",  "direction.ahead_right", "direction.right", "direction.behind_right",
-                               "direction.behind", "direction.behind_left", "direction.left",  "direction.ahead_left"};
+constexpr std::array kSides{"direction.ahead", "direction.right", "direction.behind", "direction.left"};
 
 std::string steps_words(int steps) { return phrase("words.steps", {{"steps", steps}}); }
 std::string metres_words(double metres) { return phrase("words.metres", {{"metres", metres}}); }
@@ -65,10 +64,6 @@ std::string size_words(double width_m, double depth_m, const DistanceWords& how)
                                            {"steps_deep", whole_steps(depth_m, how.step_length_m)}});
 }
 
-std::string relative_words(double bearing_rad, double heading_rad) {
-    return phrase(kRelative[nearest_eighth(wrap_angle(bearing_rad - heading_rad))]);
-}
-
 double told_turn_deg(double bearing_rad, double heading_rad, bool rounded) {
     const double to = rounded ? kRoundedTo_deg : 1.0;
     return std::round(degrees_from_radians(wrap_angle(bearing_rad - heading_rad)) / to) * to;
@@ -111,7 +106,7 @@ std::string side_words(int quarter, double heading_rad, DirectionChoice choice) 
     contract_pre(quarter >= 0 && quarter < 4);
     if (choice == DirectionChoice::Compass) return compass_word(heading_rad + quarter * kPi / 2.0);
     if (choice == DirectionChoice::Clock) return phrase("direction.hour", {{"hour", quarter == 0 ? 12 : 3 * quarter}});
-    return phrase(kRelative[static_cast<std::size_t>(2 * quarter)]);
+    return phrase(kSides[static_cast<std::size_t>(quarter)]);
 }
 
 std::string fine_compass_word(double heading_rad) {

@@ -23,9 +23,8 @@ std::string distance_words(double distance_m, const DistanceWords& how);
 bool is_close_by(double distance_m, const DistanceWords& how);
 // "6 by 4 metres, 9 by 6 steps".
 std::string size_words(double width_m, double depth_m, const DistanceWords& how);
-// "ahead", "ahead right", "right", ...: the direction of `bearing_rad` for one who faces `heading_rad`.
-std::string relative_words(double bearing_rad, double heading_rad);
-// The same by the person's own choice: "ahead", "25 degrees left", "left", "behind"; "at 11 o'clock"; "north-west".
+// The direction of `bearing_rad` for one who faces `heading_rad`, by the person's own choice: "ahead", "25 degrees
+// left", "left", "behind"; "at 11 o'clock"; "north-west".
 std::string direction_words(double bearing_rad, double heading_rad, DirectionChoice choice, bool rounded = true);
 // How far to turn, as it is told: degrees, positive to the right, to five or, not rounded, to one; 0 is ahead, 180
 // either way behind.

@@ -28,10 +28,8 @@ void EarWay::stop() {
     faces_ = false;
 }
 
-void EarWay::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
-    const Room& to = rooms_.graph().rooms[room];
-    const std::string name = sentence_case(to.name);
-    Route route = rooms_.navigation().plan(context_.body.feet_m(), to.middle_m);
+EarWay::RoomRoute EarWay::route_to(std::uint32_t room) const {
+    const Vec3 to_m = rooms_.graph().rooms[room].middle_m, from_m = context_.body.feet_m();
     // What waits for a button is told at once.
     const auto told_by_legs = [&](const Route& way) {
         return way.reaches && way.points_m.size() > 1 &&
@@ -41,13 +39,20 @@ void EarWay::follow_to_room(std::uint32_t room, const std::string& first, double
                           lock_words(context_, passage.feature).empty();
                });
     };
-    bool by_legs = told_by_legs(route);
+    Route route = rooms_.navigation().plan(from_m, to_m);
+    if (told_by_legs(route)) return {std::move(route), true};
     // Legs are surer than a lift: by the stairs, where that is no much longer way.
-    if (route.reaches && !by_legs) {
-        Route foot = rooms_.navigation().plan(context_.body.feet_m(), to.middle_m, RouteWish::OnFoot);
-        by_legs = told_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m;
-        if (by_legs) route = std::move(foot);
+    if (route.reaches) {
+        Route foot = rooms_.navigation().plan(from_m, to_m, RouteWish::OnFoot);
+        if (told_by_legs(foot) && foot.length_m < kLongerOnFoot * route.length_m + kLongerOnFoot_m)
+            return {std::move(foot), true};
     }
+    return {std::move(route), false};
+}
+
+void EarWay::follow_to_room(std::uint32_t room, const std::string& first, double now_s) {
+    const std::string name = sentence_case(rooms_.graph().rooms[room].name);
+    auto [route, by_legs] = route_to(room);
     if (!by_legs) return follow(std::move(route), name, first, now_s);
     stop();
     word_.begin(room, name);

@@ -23,6 +23,8 @@ public:
     void follow_to(const Vec3& goal_m, const std::string& name, const std::string& first, double now_s);
     // To a room by words, leg by leg; as follow_to where lifts, teleporters or edges lead there.
     void follow_to_room(std::uint32_t room, const std::string& first, double now_s);
+    // How that way goes from here: its length is what is told of it.
+    Route to_room(std::uint32_t room) const { return route_to(room).route; }
     // Anew to where one is going.
     void follow_again(const std::string& first, double now_s);
     void stop();
@@ -46,6 +48,11 @@ public:
     RouteFollower::Said tick(double now_s);
 
 private:
+    struct RoomRoute {
+        Route route;
+        bool by_legs = false;  // nothing of it keeps it from being told leg by leg
+    };
+    RoomRoute route_to(std::uint32_t room) const;
     Route planned() const;
     void follow_silently(Route route, const std::string& goal);
     void tell(const std::string& words, double now_s);

@@ -67,7 +67,7 @@ std::vector<FindGroup> find_groups(const SessionContext& context, FindKind kind)
 }
 
 std::string find_words(const SessionContext& context, const Rooms& rooms, const Goal& goal) {
-    const std::string where = where_words(context, goal.box_m);
+    const std::string where = where_words(context, told_box(rooms, goal));
     if (!rooms.found()) return where;
     const std::uint32_t room = room_of(rooms, goal.box_m);
     if (room == kNothing || room == room_at(rooms.graph(), rooms.space(), context.body.feet_m())) return where;

@@ -15,6 +15,7 @@ namespace handrail {
 namespace {
 
 constexpr double kLookRange_m = 30.0;
+constexpr std::size_t kMostOnFoot = 16;  // ways planned for a list, some milliseconds each
 
 // Two sentences, one after the other; either may be empty.
 std::string beside(const std::string& first, const std::string& then) {
@@ -172,6 +173,11 @@ void Guide::list_routes(double now_s) {
     for (std::uint32_t r = 0; r < graph.rooms.size(); ++r)
         if (r != rooms_.here()) near.emplace_back(glm::length(graph.rooms[r].middle_m - context_.body.feet_m()), r);
     std::stable_sort(near.begin(), near.end());
+    // As long as the way is told to be when it is chosen; of those farther off that is told then alone.
+    const std::size_t planned = std::min(near.size(), kMostOnFoot);
+    for (std::size_t i = 0; i < planned; ++i)
+        if (const Route route = ear_.to_room(near[i].second); route.reaches) near[i].first = route.length_m;
+    std::stable_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(planned));
     ListSpec list;
     list.title = phrase("rooms.way_to");
     std::vector<std::uint32_t> rooms;
@@ -180,9 +186,11 @@ void Guide::list_routes(double now_s) {
         list.items.push_back({phrase("rooms.stop_following"), {}, false});
         rooms.assign(2, kNothing);
     }
-    for (const auto& [distance_m, room] : near) {
-        list.items.push_back(
-            {sentence_case(graph.rooms[room].name), distance_words(distance_m, distances(context_)), false});
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        const auto& [distance_m, room] = near[i];
+        const std::string far = i < planned ? distance_words(distance_m, distances(context_)) : std::string();
+        list.items.push_back({sentence_case(graph.rooms[room].name),
+                              joined(far, storey_words(context_, graph.rooms[room].middle_m.z)), false});
         rooms.push_back(room);
     }
     if (list.items.empty()) return context_.answer(phrase("rooms.no_other"), now_s);
@@ -223,13 +231,13 @@ void Guide::open_tools(const Goal& goal, double now_s) {
     list.title = goal.name;
     for (const char* way : {"guide.beacon", "guide.take_me", "guide.warmer", "guide.lines"})
         list.items.push_back({phrase(way), ""});
-    list.items.push_back({phrase("guide.where_is_it"), where_words(context_, goal.box_m)});
+    list.items.push_back({phrase("guide.where_is_it"), where_words(context_, told_box(rooms_, goal))});
     list.chosen = [this, goal](std::size_t i) {
         if (i == 0) set_beacon(goal, context_.tick_s);
         if (i == 1) lead_as_planned(goal, context_.tick_s);
         if (i == 2) seek_warmer(goal, context_.tick_s);
         if (i == 3) cross_lines(goal, context_.tick_s);
-        if (i == 4) context_.answer(joined(goal.name, where_words(context_, goal.box_m)), context_.tick_s);
+        if (i == 4) context_.answer(joined(goal.name, where_words(context_, told_box(rooms_, goal))), context_.tick_s);
     };
     context_.open_list(std::move(list), now_s);
 }
@@ -243,7 +251,7 @@ void Guide::call_from(const Goal& goal) {
 void Guide::set_beacon(const Goal& goal, double now_s) {
     call_from(goal);
     const std::string how = seek_.beacon_words(now_s);
-    const std::string where = where_words(context_, goal.box_m);
+    const std::string where = where_words(context_, told_box(rooms_, goal));
     context_.answer(
         phrase("guide.beacon_on", {{"name", goal.name}, {"where", where}}) + (how.empty() ? how : ". " + how), now_s);
 }
@@ -323,7 +331,7 @@ void Guide::lead_to(const Goal& goal, const std::string& first, double now_s) {
     const WayForHand way = plans_.for_hand(goal, GuidancePath::kMostPoints);
     if (way.points_m.empty()) return lead_by_ear(goal, beside(first, way.problem), now_s);
     laps_.begin(fmt::format("{} {}", goal.name, goal.feature.value));  // ten windows have one name
-    const std::string where = where_words(context_, goal.box_m);
+    const std::string where = where_words(context_, told_box(rooms_, goal));
     const auto taking = [&] {
         if (!way.reaches)
             return phrase("lead.to_nearest",
@@ -356,7 +364,7 @@ void Guide::lead_by_ear(const Goal& goal, const std::string& first, double now_s
     if (in_sight || route.points_m.empty()) seek_.start_beacon(goal);
     if (route.points_m.empty() || (in_sight && straight)) {
         context_.events.tell(Led{goal.name, LedBy::Beacon}, now_s);
-        const std::string where = where_words(context_, goal.box_m);
+        const std::string where = where_words(context_, told_box(rooms_, goal));
         return context_.answer(beside(first, phrase("lead.follow_beacon", {{"goal", goal.name}, {"where", where}})),
                                now_s);
     }
@@ -373,7 +381,7 @@ void Guide::cross_lines(const Goal& goal, double now_s) {
     if (context_.settings.guidance.along_way) {
         const WayForHand way = plans_.for_hand(goal, HandLead::kMostLinePoints);
         if (way.reaches && way.points_m.size() >= 2) {
-            const std::string where = where_words(context_, goal.box_m);
+            const std::string where = where_words(context_, told_box(rooms_, goal));
             context_.events.tell(Led{goal.name, LedBy::Lines}, now_s);
             return hand_.lines(
                 way, with_passages(phrase("lead.lines_along", {{"goal", goal.name}, {"where", where}}), way), now_s);

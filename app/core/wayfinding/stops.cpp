@@ -28,6 +28,15 @@ std::vector<Goal> goals(const SessionContext& context) {
     return all;
 }
 
+Aabb told_box(const Rooms& rooms, const Goal& goal) {
+    if (!rooms.found() || goal.feature == kNoFeature) return goal.box_m;
+    for (const Portal& portal : rooms.graph().portals)
+        if (portal.kind == PassageKind::Door && portal.feature == goal.feature)
+            return {{portal.place_m.x, portal.place_m.y, goal.box_m.min_m.z},
+                    {portal.place_m.x, portal.place_m.y, goal.box_m.max_m.z}};
+    return goal.box_m;
+}
+
 bool near_stop(const Stop& stop, const Vec3& place_m, double near_m) {
     return std::hypot(stop.place_m.x - place_m.x, stop.place_m.y - place_m.y) <= near_m &&
            std::abs(stop.place_m.z - place_m.z) < 2.0;

@@ -23,6 +23,9 @@ inline Aabb point_box(const Vec3& place_m) { return {place_m, place_m}; }
 // Everything with a name, the person's marks too, the nearest first.
 std::vector<Goal> goals(const SessionContext& context);
 
+// Where a goal is told to be: of a door the doorway, as exits tell it, where rooms are found; else its box.
+Aabb told_box(const Rooms& rooms, const Goal& goal);
+
 inline constexpr double kAtStop_m = 1.5;  // who is so near a stop need not be led to it
 
 // So near on the level, and on this storey.

@@ -67,7 +67,13 @@ Telling Asking::telling() const {
 }
 
 Asker Asking::asker() const {
-    return {*context_.world.solids, context_.body.feet_m(), context_.body.heading_rad, context_.body.walker->size()};
+    Asker asker{*context_.world.solids, context_.body.feet_m(), context_.body.heading_rad,
+                context_.body.walker->size()};
+    if (const std::uint32_t room = room_here(); room != kNothing)
+        for (const Portal& portal : rooms_.graph().portals)
+            if (portal.kind == PassageKind::Door && (portal.rooms[0] == room || portal.rooms[1] == room))
+                asker.doorways.push_back({portal.feature, portal.place_m});
+    return asker;
 }
 
 // What can change about a thing, and how a door hangs as one sees it from here.

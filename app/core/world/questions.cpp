@@ -41,6 +41,17 @@ Sight sight_of(const Scene& scene, const Seen& seen) {
 
 double off_rad(double bearing_rad, double from_rad) { return std::abs(wrap_angle(bearing_rad - from_rad)); }
 
+// One place, whatever is asked: a door is where one goes through, not where its leaf stands.
+void tell_doorway(const Asker& asker, Seen& seen) {
+    for (const Doorway& doorway : asker.doorways) {
+        const Vec3 way = doorway.place_m - asker.feet_m;
+        const double distance_m = std::hypot(way.x, way.y);
+        if (doorway.door != seen.feature || distance_m < 1e-6) continue;
+        seen.distance_m = distance_m;
+        seen.bearing_rad = std::atan2(way.x, way.y);
+    }
+}
+
 void sort_by_distance(std::vector<Sight>& sights) {
     std::stable_sort(sights.begin(), sights.end(),
                      [](const Sight& a, const Sight& b) { return a.seen.distance_m < b.seen.distance_m; });
@@ -51,8 +62,10 @@ void sort_by_distance(std::vector<Sight>& sights) {
 std::vector<Sight> in_sight(const Asker& asker, std::size_t most) {
     const Scene& scene = asker.world.scene();
     std::vector<Sight> all;
-    for (const Seen& seen : things_in_sight(asker.world, asker.feet_m, kLookHeight_m, kMostLooked))
+    for (Seen seen : things_in_sight(asker.world, asker.feet_m, kLookHeight_m, kMostLooked)) {
+        tell_doorway(asker, seen);
         all.push_back(sight_of(scene, seen));
+    }
     const Vec3 eye = asker.feet_m + Vec3(0.0, 0.0, kLookHeight_m);
     for (const SoundSource& sound : scene.sounds) {
         const Vec3 way = sound.position_m - eye;

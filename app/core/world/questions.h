@@ -20,11 +20,18 @@ namespace handrail {
 inline constexpr double kLookHeight_m = 1.0;  // rays for words leave the body here, above most furniture
 inline constexpr std::size_t kMostAhead = 4;
 
+// Where a door lets one through, whose leaf may stand open beside it.
+struct Doorway {
+    FeatureId door;
+    Vec3 place_m{0.0};
+};
+
 struct Asker {
     const BodyWorld& world;
     Vec3 feet_m{0.0};
     double heading_rad = 0.0;
-    BodySize size{};  // what stands in its way is in the way of all of it
+    BodySize size{};                  // what stands in its way is in the way of all of it
+    std::vector<Doorway> doorways{};  // doors that are told by them, as exits are; others by what is seen of them
 };
 
 // A thing, a surface or a sound that can be told of.

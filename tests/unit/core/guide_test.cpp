@@ -139,7 +139,7 @@ TEST(Marks, are_set_and_found_in_german_near_what_the_world_stores_in_english) {
     EXPECT_TRUE(p.heard("Hier: Marke 1, bei Westwand")) << testing::PrintToString(p.said);
     p.stand_at({3.0, 0.5, 0.0});
     p.tap(Command::SetBeacon);
-    EXPECT_TRUE(p.heard("Signal auf Nordwand, 5 Schritte, vorn")) << testing::PrintToString(p.said);
+    EXPECT_TRUE(p.heard("Signal auf Nordwand, 5 Schritte vorn")) << testing::PrintToString(p.said);
     p.tap(Command::DropMark);
     EXPECT_TRUE(p.heard("Marke 2, bei Table gesetzt")) << testing::PrintToString(p.said);
 }

@@ -19,10 +19,9 @@ std::string entry_of(std::string spoken) {
 }  // namespace
 
 std::optional<Direction> direction_in(const std::string& text) {
-    static const std::regex pattern(
-        "(\\d+) steps?(?:,? (\\d+) degrees (right|left)|,? (?:to the )?(ahead|behind|right|left)( right| left)?)");
-    static const std::regex close(
-        "close by,? (?:(\\d+) degrees (right|left)|(?:to the )?(ahead|behind|right|left)( right| left)?)");
+    static const std::string side =
+        "(?:(\\d+) degrees (right|left)|(?:to the )?(ahead|behind|slightly|half|right|left)( right| left)?)";
+    static const std::regex pattern("(\\d+) steps?,? " + side), close("close by,? " + side);
     std::smatch found;
     Direction direction;
     std::string degrees, degrees_side, word, half;
@@ -37,11 +36,12 @@ std::optional<Direction> direction_in(const std::string& text) {
     if (!degrees.empty()) {
         direction.right_deg = std::stod(degrees) * (degrees_side == "right" ? 1.0 : -1.0);
     } else {
-        const double side = half == " right" ? 1.0 : half == " left" ? -1.0 : 0.0;
-        direction.right_deg = word == "right"    ? 90.0
-                              : word == "left"   ? -90.0
-                              : word == "behind" ? (side == 0.0 ? 180.0 : side * 135.0)
-                                                 : side * 45.0;
+        const double to = half == " right" ? 1.0 : half == " left" ? -1.0 : 0.0;
+        direction.right_deg = word == "right"      ? 90.0
+                              : word == "left"     ? -90.0
+                              : word == "behind"   ? (to == 0.0 ? 180.0 : to * 135.0)
+                              : word == "slightly" ? to * 22.5
+                                                   : to * 45.0;
     }
     return direction;
 }

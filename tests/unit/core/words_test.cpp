@@ -23,12 +23,6 @@ TEST(DistanceWords, are_half_metres_when_metres_are_chosen) {
 
 TEST(SizeWords, give_metres_and_steps) { EXPECT_EQ(size_words(6.0, 4.0, {true, 0.7}), "6 by 4 metres, 9 by 6 steps"); }
 
-TEST(RelativeWords, are_seen_from_where_one_faces) {
-    EXPECT_EQ(relative_words(0.0, radians_from_degrees(90.0)), "left");
-    EXPECT_EQ(relative_words(radians_from_degrees(180.0), radians_from_degrees(-135.0)), "ahead left");
-    EXPECT_EQ(relative_words(3.0, 3.0), "ahead");
-}
-
 TEST(DistanceWords, are_exact_where_rounding_is_off) {
     EXPECT_EQ(distance_words(3.36, {true, 0.7, false}), "4.8 steps");
     EXPECT_EQ(distance_words(33.04, {false, 0.7, false}), "33.0 metres");
@@ -91,7 +85,6 @@ TEST(Words, are_german_in_german) {
     EXPECT_EQ(distance_words(3.5, metres), "3,5 Meter");
     EXPECT_EQ(distance_words(3.36, exact), "4,8 Schritte");
     EXPECT_EQ(size_words(6.0, 4.5, steps), "6 mal 4,5 Meter, 9 mal 6 Schritte");
-    EXPECT_EQ(relative_words(0.0, kPi / 4.0), "vorn links");
     EXPECT_EQ(place_words(6.3, 0.0, 0.0, DirectionChoice::Sides, steps), "9 Schritte geradeaus");
     EXPECT_EQ(place_words(6.3, right, 0.0, DirectionChoice::Sides, steps), "9 Schritte nach rechts");
     EXPECT_EQ(place_words(6.3, radians_from_degrees(-25), 0.0, DirectionChoice::Sides, steps),

@@ -1,0 +1,121 @@
+// One thing has one place and one distance, whatever is asked: exits, where am I, what is ahead, the list of all things
+// and the ways to rooms, in every room of the house and the school.
+#include <gmock/gmock.h>
+
+#include <map>
+#include <set>
+
+#include "tests/support/scale.h"
+#include "tests/unit/core/app_session.h"
+
+namespace handrail {
+namespace one_place_test {
+
+using test::AppSession;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+// Asks in the middle of each room, each time facing another way.
+template <class Each>
+void in_every_room(const char* world, Each each) {
+    AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world(world))}, 0.0);
+    s.run(0.1);
+    s.ask(Command::Exits);
+    s.ask(Command::PlanView);
+    s.run(0.1);
+    const auto rooms = s.app.view({}, {}).rooms;
+    ASSERT_TRUE(rooms);
+    double heading_rad = 0.0;
+    for (const DrawnRoom& room : *rooms) {
+        s.app.apply(Placed{room.middle_m, heading_rad += 5.0 * kPi / 8.0}, s.now);
+        s.run(0.1);
+        each(s);
+    }
+}
+
+// "Study door" to "3 steps, half right", of those told once.
+std::map<std::string, std::string> exits_told(AppSession& s) {
+    std::map<std::string, std::string> told;
+    std::set<std::string> twice;
+    std::string text = s.ask(Command::Exits);
+    for (std::size_t at = text.find(". "); at != std::string::npos;) {
+        const std::size_t next = text.find(". ", at + 2);
+        std::string one = text.substr(at + 2, next == std::string::npos ? next : next - at - 2);
+        if (one.ends_with('.')) one.pop_back();
+        at = next;
+        const std::size_t colon = one.find(": ");
+        if (colon == std::string::npos) continue;
+        const std::string name = one.substr(0, one.substr(0, colon).find(" to "));
+        if (!told.emplace(name, one.substr(colon + 2)).second) twice.insert(name);
+    }
+    for (const std::string& name : twice) told.erase(name);
+    return told;
+}
+
+std::map<std::string, std::string> list_told(AppSession& s, Command command) {
+    s.ask(command);
+    std::map<std::string, std::string> told;
+    for (const ListItem& item : s.app.dialogue().view().items) told.emplace(item.name, item.value);
+    s.app.apply(KeyTapped{"Escape"}, s.now);
+    s.listen();
+    return told;
+}
+
+TEST(OnePlace, of_a_door_is_the_same_in_exits_where_ahead_and_the_list_of_things) {
+    for (const char* world : {"house.map", "school.map"}) {
+        int in_list = 0, seen = 0, where = 0;
+        in_every_room(world, [&](AppSession& s) {
+            const auto exits = exits_told(s);
+            const auto things = list_told(s, Command::Find);
+            const std::string ahead = s.ask(Command::AheadOfMe), here = s.ask(Command::WhereAmI);
+            for (const auto& [name, place] : exits) {
+                if (name.find("door") == std::string::npos && name.find("Door") == std::string::npos) continue;
+                if (const auto thing = things.find(name); thing != things.end()) {
+                    EXPECT_THAT(thing->second, StartsWith(place)) << world << ": " << name << ", " << here;
+                    ++in_list;
+                }
+                if (ahead.find(name + ", ") != std::string::npos) {
+                    EXPECT_THAT(ahead, HasSubstr(name + ", " + place)) << world << ": " << here;
+                    ++seen;
+                }
+                if (here.find(name + " to ") != std::string::npos) {
+                    EXPECT_THAT(here, HasSubstr(": " + place)) << world << ": " << name;
+                    ++where;
+                }
+            }
+        });
+        EXPECT_GT(in_list, 10) << world;
+        EXPECT_GT(seen, 0) << world;
+        EXPECT_GT(where, 10) << world;
+    }
+}
+
+TEST(OnePlace, of_a_room_is_as_far_in_the_list_of_ways_as_its_way_is_long_and_tells_its_storey) {
+    for (const char* world : {"house.map", "school.map"}) {
+        if (test::kSanitizerScale < 1.0 && world == std::string_view("school.map")) continue;
+        int rooms = 0, ways = 0, other_storeys = 0;
+        in_every_room(world, [&](AppSession& s) {
+            if (++rooms % 6 != 0) return;
+            const auto listed = list_told(s, Command::Routes);
+            int one = 0;
+            for (const auto& [name, value] : listed) {
+                other_storeys += value.find("storey") != std::string::npos ? 1 : 0;
+                if (value.find("step") == std::string::npos || ++one % 5 != 0) continue;
+                s.said.clear();
+                s.ask(Command::Routes);
+                s.line(name);
+                const std::string distance = value.substr(0, value.find(','));
+                EXPECT_TRUE(s.heard(distance + " in all") || s.heard("No walking way")) << name << ": " << s.news();
+                ways += s.heard(" in all") ? 1 : 0;
+                s.ask(Command::Routes);
+                s.line("stop following");
+            }
+        });
+        EXPECT_GT(ways, 2) << world;
+        EXPECT_GT(other_storeys, 2) << world;
+    }
+}
+
+}  // namespace one_place_test
+}  // namespace handrail
