@@ -1,9 +1,12 @@
 // A device's hand and the things that are free to move, in the whole program on a virtual clock: it pushes, takes,
 // turns, drops and feels them, and what it does is told.
+#include <fstream>
+#include <iterator>
 #include <random>
 
 #include "tests/support/map_text.h"
 #include "tests/support/random_families.h"
+#include "tests/support/real_worlds.h"
 #include "tests/support/scale.h"
 #include "tests/unit/core/explorer.h"
 
@@ -43,7 +46,8 @@ Settings without_a_desk() {
 }
 
 struct Hand : test::Explorer {
-    explicit Hand(const std::string& entities) : Explorer(hall(entities), "sim-t", without_a_desk()) {}
+    explicit Hand(std::shared_ptr<const Scene> scene) : Explorer(std::move(scene), "sim-t", without_a_desk()) {}
+    explicit Hand(const std::string& entities) : Hand(hall(entities)) {}
     // The device's point goes to a place of the world.
     void to(const Vec3& world_m, double speed_m_per_s = 0.05) {
         const HandOutput told = app().hand();
@@ -170,6 +174,166 @@ TEST(HandOnBodies, random_pushes_grips_and_drops_leave_all_in_the_hall_and_no_fo
     EXPECT_LE(most_n, 2.5 + 1e-9);
     fmt::print("{} acts, something held after {} of them\n", acts, held);
     EXPECT_TRUE(held > 0 || acts < 1000);
+}
+
+// Twenty things in sight of where one starts in a building, and somebody who walks, pushes, takes, turns and drops at
+// random with hand and keys. HANDRAIL_ACTS: how many acts in each building.
+constexpr int kThings = 20;
+
+std::string name_of(int thing) { return "Thing " + std::to_string(thing); }
+
+// The file with that many things around its start, none in another or in a wall; none: there is no room for them.
+std::string among_things(const std::string& map, const BodyWorld& bare, std::mt19937_64& random) {
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    const Vec3 eye = bare.scene().starts.at(0).feet_m + Vec3(0.0, 0.0, 1.0);
+    std::vector<Vec3> places;
+    std::string text = map;
+    for (int tries = 0; tries < 20000 && std::ssize(places) < kThings; ++tries) {
+        const Vec3 at = eye + Vec3(14.0 * (part(random) - 0.5), 14.0 * (part(random) - 0.5), -0.3);
+        if (glm::length(at - eye) < 1.0 || bare.trace(eye, at, {}).hit) continue;
+        const TraceHit floor = bare.trace(at, at - Vec3(0.0, 0.0, 3.0), {});
+        const Vec3 feet = floor.end_m + Vec3(0.0, 0.0, 0.01);
+        if (!floor.hit || bare.blocked(feet, {0.22, 0.4})) continue;
+        if (std::any_of(places.begin(), places.end(), [&](const Vec3& one) { return glm::length(one - at) < 0.5; }))
+            continue;
+        const int thing = static_cast<int>(places.size());
+        places.push_back(at);
+        const Vec3 low = 32.0 * (feet - Vec3(0.15, 0.15, 0.0)), high = low + Vec3(9.6);
+        text += entity("thing",
+                       key("cs_name", thing % 3 == 0 ? "dynamic_sphere" : "dynamic_box") + key("name", name_of(thing)) +
+                           key("mass", std::to_string(0.3 + 20.0 * part(random) * part(random))),
+                       box_brush(low.x, low.y, low.z, high.x, high.y, high.z));
+    }
+    return std::ssize(places) == kThings ? text : std::string();
+}
+
+struct Among : Hand {
+    Among(std::shared_ptr<const Scene> scene, const BodyWorld& bare) : Hand(std::move(scene)), bare_(bare) { forget(); }
+    // Where they are is no longer held against where they were.
+    void forget() {
+        for (int i = 0; i < kThings; ++i) were_m_[i] = at(name_of(i));
+    }
+    void watched(double seconds) {
+        for (const double until = now_s() + seconds; now_s() < until - 1e-9;) {
+            run(1.0 / 60.0);
+            look();
+        }
+    }
+    void moved(Vec3 target_m, double speed_m_per_s) {
+        target_m = glm::clamp(target_m, Vec3(-0.07, -0.05, -0.05), Vec3(0.07, 0.05, 0.05));
+        while (!::testing::Test::HasFailure()) {
+            const Vec3 way = target_m - at_m();
+            const double far = glm::length(way), step = speed_m_per_s / 60.0;
+            if (far < 1e-6) return;
+            hold(far <= step ? target_m : at_m() + way * (step / far), speed_m_per_s);
+            look();
+        }
+    }
+    void key_down(Command command, double seconds) {
+        app().apply(CommandDown{command}, now_s());
+        watched(seconds);
+        app().apply(CommandUp{command}, now_s());
+    }
+    double most_n() const { return most_n_; }
+
+private:
+    // Doors and lifts, which the bare building has where its file has them.
+    bool moves(FeatureId feature) const {
+        const std::vector<Mover>& all = bare_.scene().movers;
+        return std::any_of(all.begin(), all.end(), [&](const Mover& one) { return one.feature == feature; });
+    }
+    void look() {
+        most_n_ = std::max(most_n_, glm::length(tool().force_n));
+        for (int i = 0; i < kThings; ++i) {
+            const Vec3 now = at(name_of(i)), was = std::exchange(were_m_[i], now);
+            if (now == was) continue;
+            const TraceHit wall = bare_.trace(was, now, {}, true);
+            EXPECT_FALSE(wall.hit && !moves(wall.feature))
+                << name_of(i) << " went from " << was.x << " " << was.y << " " << was.z << " to " << now.x << " "
+                << now.y << " " << now.z << " through " << bare_.scene().features[wall.feature.value].name;
+        }
+    }
+    const BodyWorld& bare_;
+    std::array<Vec3, kThings> were_m_;
+    double most_n_ = 0.0;
+};
+
+void lives_among_things(const std::filesystem::path& file) {
+    const std::uint32_t seed = test::seed_of_run();
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    std::ifstream in(file, std::ios::binary);
+    const std::string map{std::istreambuf_iterator<char>(in), {}};
+    auto read = read_quake_map(map, "building.map", {});
+    ASSERT_TRUE(read);
+    read->placed.clear();
+    const BodyWorld bare(std::make_shared<const Scene>(std::move(*read)));
+    const char* const all = std::getenv("HANDRAIL_ACTS");
+    const int acts = all ? std::atoi(all) : test::scaled(40);
+    int held = 0;
+    double walked_m = 0.0, rolled_m = 0.0, most_n = 0.0;
+    bool down = false;
+    std::unique_ptr<Among> is_here;
+    for (int act = 0; act < acts; ++act) {
+        if (act % 100 == 0) {  // anew, lest one has walked away from them all
+            const std::string text = among_things(map, bare, random);
+            ASSERT_FALSE(text.empty()) << "no room for the things";
+            auto scene = read_quake_map(text, "building.map", {});
+            ASSERT_TRUE(scene);
+            is_here = std::make_unique<Among>(std::make_shared<const Scene>(std::move(*scene)), bare);
+            ASSERT_GE(is_here->app().world().scene->bodies.size(), static_cast<std::size_t>(kThings));
+            down = false;
+        }
+        Among& here = *is_here;
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", act " + std::to_string(act));
+        const Vec3 feet = here.app().feet_m(), was = here.at(name_of(act % kThings));
+        const double what = part(random);
+        if (what < 0.45) {
+            const Vec3 thing = here.at(name_of(static_cast<int>(part(random) * kThings)));
+            const HandOutput told = here.app().hand();
+            const Vec3 there = (thing - told.pose.origin_m) / told.tuning.touch.world_m_per_hand_m;
+            const Vec3 anywhere = 0.14 * (Vec3(part(random), part(random), part(random)) - Vec3(0.5));
+            here.moved(glm::length(there) < 0.1 ? there : anywhere, 0.05 + 0.1 * part(random));
+        } else if (what < 0.65) {
+            here.key_down(part(random) < 0.8 ? Command::Forward : Command::Back, 0.2 + 0.8 * part(random));
+        } else if (what < 0.75) {
+            here.key_down(part(random) < 0.5 ? Command::TurnLeft : Command::TurnRight, 0.1 + 0.4 * part(random));
+        } else if (what < 0.85) {
+            here.button(down = !down);
+        } else if (what < 0.95) {
+            here.tap(Command::Use);
+        } else if (what < 0.98) {
+            here.tap(part(random) < 0.5 ? Command::TiltUp : Command::WorkspaceTurnRight);
+        } else {
+            here.tap(Command::PutBack);
+            here.forget();
+        }
+        here.watched(0.1);
+        most_n = std::max(most_n, here.most_n());
+        held += here.tool().holds != kNoBody;
+        walked_m += glm::length(here.app().feet_m() - feet);
+        rolled_m += glm::length(here.at(name_of(act % kThings)) - was);
+        if (::testing::Test::HasFailure()) return;
+    }
+    EXPECT_LE(most_n, 2.5 + 1e-9);
+    fmt::print(
+        "{}: seed {}, {} acts, held after {} of them, walked {:.0f} m, things moved {:.1f} m in the acts looked at\n",
+        file.filename().string(), seed, acts, held, walked_m, rolled_m);
+    EXPECT_GT(walked_m, acts * 0.01) << "nobody is stuck";
+}
+
+TEST(HandAmongThings, in_our_house_nothing_goes_through_a_wall_and_nobody_is_stuck) {
+    lives_among_things(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "house.map");
+}
+
+TEST(HandAmongThings, in_our_school_nothing_goes_through_a_wall_and_nobody_is_stuck) {
+    lives_among_things(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / "school.map");
+}
+
+TEST(HandAmongThings, in_e1m1_nothing_goes_through_a_wall_and_nobody_is_stuck) {
+    const auto file = test::real_world("quake-e1m1.map");
+    if (!file) GTEST_SKIP() << "quake-e1m1.map is not here; HANDRAIL_REAL_WORLDS names the folder that holds it";
+    lives_among_things(*file);
 }
 
 }  // namespace free_bodies_hand_test
