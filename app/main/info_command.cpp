@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/core/context/workspace_scale.h"
+#include "app/core/dialogue/words.h"
 #include "app/core/hand/felt_world.h"
 #include "app/core/hand/simplified_words.h"
 #include "app/core/whereabouts/rooms_of_world.h"
@@ -20,6 +21,7 @@
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/rooms.h"
 #include "worlds/readers/reader.h"
+#include "worlds/scene/honest_report.h"
 #include "worlds/scene/lint.h"
 #include "worlds/scene/stated_building.h"
 
@@ -71,6 +73,48 @@ std::string bodies_words(const Scene& scene) {
                                   {"more", bodies.size() - words.size()}});
 }
 
+// null where the file states no rooms of its own.
+Json honesty_json(const Scene& scene) {
+    if (!scene.stated) return nullptr;
+    const HonestReport report = honest_report(scene);
+    Json storeys = Json::array(), check = Json::array();
+    for (const StatedStorey& storey : scene.stated->storeys)
+        storeys.push_back({{"name", storey.name}, {"floor_m", storey.floor_m}, {"rooms", storey.rooms}});
+    for (const CheckPoint& point : report.check)
+        check.push_back({{"kind", word_of(point.what)},
+                         {"what", check_words(scene, point)},
+                         {"file", scene.source_file},
+                         {"line", point.source.line},
+                         {"at_m", vector_of(point.at_m)}});
+    return {{"sentence", honest_sentence(scene, report)},
+            {"schema", scene.stated->schema},
+            {"understood",
+             {{"storeys", report.storeys},
+              {"storeys_with_rooms", report.storeys_with_rooms},
+              {"rooms", report.rooms},
+              {"doors", report.doors},
+              {"windows", report.windows},
+              {"openings", report.openings},
+              {"stairs", report.stairs},
+              {"ramps", report.ramps},
+              {"lifts", report.lifts},
+              {"furnishings", report.furnishings},
+              {"landmarks", report.landmarks}}},
+            {"guessed", report.guessed},
+            {"missing", report.left_out},
+            {"openings_uncut", report.openings_uncut},
+            {"simplified_for_touch", report.simplified},
+            {"problems", report.problems},
+            {"rooms_by_storey", std::move(storeys)},
+            {"doors_joining_two_rooms", report.doors_of_two_rooms},
+            {"doors_of_one_room", report.doors_of_one_room},
+            {"doors_of_no_room", report.doors_of_no_room},
+            {"doors_cut_free", report.doors_cut_free},
+            {"doors_impassable", report.doors_impassable},
+            {"largest_connected", report.largest_connected},
+            {"check", std::move(check)}};
+}
+
 Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
     const ReadReport& report = scene.report;
     const StatedBuilding stated = scene.stated ? *scene.stated : StatedBuilding{};
@@ -112,6 +156,7 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
             {"materials", material_names(scene)},
             {"openings", stated.openings},
             {"openings_cut", stated.openings_cut},
+            {"honesty", honesty_json(scene)},
             {"guessed", report.guessed},
             {"simplified", report.simplified},
             {"left_out", report.left_out},
@@ -135,35 +180,21 @@ std::string spoken_stages(const std::vector<std::string_view>& stages) {
     return text;
 }
 
-// What the file itself says of storeys, rooms and doors, in sentences.
-void tell_stated(const StatedBuilding& stated, std::ostream& out) {
-    const auto doors = [&](std::size_t rooms) {
-        return std::count_if(stated.portals.begin(), stated.portals.end(), [&](const StatedPortal& p) {
-            return p.kind == StatedPortalKind::Door && std::min<std::size_t>(p.rooms.size(), 2) == rooms;
-        });
-    };
-    const auto freed = std::count_if(stated.portals.begin(), stated.portals.end(),
-                                     [](const StatedPortal& p) { return p.opened_by_box; });
-    const auto shut =
-        std::count_if(stated.portals.begin(), stated.portals.end(), [](const StatedPortal& p) { return !p.passable; });
-    out << phrase("info.stated", {{"schema", stated.schema},
-                                  {"storeys", stated.storeys.size()},
-                                  {"rooms", stated.rooms.size()},
-                                  {"windows", stated.windows},
-                                  {"stairs", stated.stairs},
-                                  {"ramps", stated.ramps},
-                                  {"lifts", stated.lifts},
-                                  {"furnishings", stated.furnishings}})
-        << '\n';
-    out << phrase("info.stated_doors",
-                  {{"two", doors(2)}, {"one", doors(1)}, {"none", doors(0)}, {"freed", freed}, {"shut", shut}})
-        << '\n';
-    out << phrase("info.stated_openings", {{"openings", stated.openings}, {"cut", stated.openings_cut}}) << '\n';
-    for (const StatedStorey& storey : stated.storeys)
+// What was understood of a file that states rooms, and what is to be checked, in sentences.
+void tell_honestly(const Scene& scene, std::ostream& out) {
+    constexpr std::size_t kMostTold = 20;
+    const HonestReport report = honest_report(scene);
+    out << honest_sentence(scene, report) << '\n';
+    for (const std::string& sentence : honest_details(scene, report)) out << "  " << sentence << '\n';
+    if (report.check.empty()) return;
+    out << phrase("honest.to_check") << '\n';
+    for (std::size_t i = 0; i < std::min(kMostTold, report.check.size()); ++i)
         out << "  "
-            << phrase("info.stated_storey",
-                      {{"storey", storey.name}, {"height", storey.floor_m}, {"rooms", storey.rooms}})
+            << phrase("honest.check_item", {{"what", sentence_case(check_words(scene, report.check[i]))},
+                                            {"line", report.check[i].source.line}})
             << '\n';
+    if (report.check.size() > kMostTold)
+        out << "  " << phrase("info.more", {{"count", report.check.size() - kMostTold}}) << '\n';
 }
 
 // Sentences to be heard one after another, the important first.
@@ -185,7 +216,7 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
                                     {"hidden", report.polygons_hidden},
                                     {"kept", report.polygons_kept}}));
     if (!scene.bodies.empty()) line(bodies_words(scene));
-    if (scene.stated) tell_stated(*scene.stated, out);
+    if (scene.stated) tell_honestly(scene, out);
     if (!scene.effects.empty()) {
         std::vector<std::string> kinds;
         for (const EffectSpec& row : effect_table()) {

@@ -254,8 +254,7 @@ void IfcScene::write_report() {
     for (const StatedRoom& room : stated_->rooms) {
         if (room.rings.empty())
             warn(room.source.line, phrase("ifc.no_outline", {{"room", room.name}}), phrase("ifc.then_found"));
-        if (room.holds_stairs && room.name.find("tair") == std::string::npos &&
-            room.name.find("repp") == std::string::npos)
+        if (is_oddly_named(room))
             warn(room.source.line, phrase("ifc.odd_name", {{"room", room.name}, {"number", room.number}}),
                  phrase("ifc.then_taken"));
     }

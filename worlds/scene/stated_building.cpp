@@ -19,6 +19,11 @@ bool holds(const StatedRoom& room, const Vec3& at_m) {
     return inside;
 }
 
+bool is_oddly_named(const StatedRoom& room) {
+    return room.holds_stairs && room.name.find("tair") == std::string::npos &&
+           room.name.find("repp") == std::string::npos;
+}
+
 int largest_connected(const StatedBuilding& building) {
     DisjointSets groups(building.rooms.size());
     for (const StatedPortal& portal : building.portals)

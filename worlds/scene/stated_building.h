@@ -61,6 +61,8 @@ struct StatedBuilding {
 
 // True when the place lies within the outline and, with the tolerance of a step, between floor and ceiling.
 bool holds(const StatedRoom& room, const Vec3& at_m);
+// True when stairs all but fill the room and its name says nothing of stairs, in English or German.
+bool is_oddly_named(const StatedRoom& room);
 // How many rooms the largest group has whose members are joined by portals.
 int largest_connected(const StatedBuilding& building);
 

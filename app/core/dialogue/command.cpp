@@ -51,6 +51,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::LookBefore, "look-back", "Shift+5", false},
     CommandInfo{Command::ScaleBar, "scale-bar", "6", false},
     CommandInfo{Command::Simplified, "simplified", "Shift+6", false},
+    CommandInfo{Command::Understood, "understood", "Shift+8", false},
     CommandInfo{Command::Coordinates, "coordinates", "Shift+C", false},
     CommandInfo{Command::WhatIsThis, "what", "E", false},
     CommandInfo{Command::Repeat, "repeat", "Space Q", false},

@@ -49,6 +49,7 @@ enum class Command : std::uint8_t {
     LookBefore,
     ScaleBar,     // and north
     Simplified,   // list of what is too small at this scale and felt otherwise
+    Understood,   // list of what was understood of the file, and of what is to be checked
     Coordinates,  // and height above the floor
     WhatIsThis,   // what the hand touches
     Repeat,

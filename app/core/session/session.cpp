@@ -6,9 +6,11 @@
 
 #include "app/core/context/device_settings.h"
 #include "app/core/dialogue/brief_words.h"
+#include "app/core/menu/understood_list.h"
 #include "app/core/world/world_now.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
+#include "worlds/scene/honest_report.h"
 #include "worlds/scene/lint.h"
 #include "worlds/scene/models.h"
 #include "worlds/scene/surfaces.h"
@@ -68,6 +70,9 @@ void Session::enter_world(EnteringWorld world, double now_s) {
 
     publish_pose(now_s, PoseChange::Placed);
     if (!greeting_waits()) say(entering_text(), SpeechClass::Answer, now_s);
+    if (const Scene& entered = *state_.world.scene;
+        !greeting_waits() && entered.stated && !entered.stated->rooms.empty())
+        say(honest_sentence(entered, honest_report(entered)), SpeechClass::Answer, now_s);
     if (state_.person.settings.speech.crowding_hint)
         if (std::string crowded = crowded_view(*state_.world.scene); !crowded.empty())
             say(std::move(crowded), SpeechClass::Answer, now_s);
@@ -172,6 +177,10 @@ void Session::carry_out(Command command, double now_s, int times) {
             break;
         case Command::Simplified:
             simplified_list_.open(hand_.touch_view.plan(), hand_.touch_view.portals(), now_s);
+            break;
+        case Command::Understood:
+            open_understood(
+                state_.context, [this](const Goal& goal, double then_s) { guide_.open_tools(goal, then_s); }, now_s);
             break;
         case Command::Repeat:
         case Command::HistoryBack:

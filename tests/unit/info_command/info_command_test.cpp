@@ -247,6 +247,47 @@ TEST(InfoCommand, counts_the_real_maps_as_measured_by_an_independent_reader) {
     }
 }
 
+TEST(InfoCommand, tells_honestly_what_it_understood_of_an_architects_model) {
+    const auto duplex = test::real_world("duplex-apartment.ifc");
+    if (!duplex) GTEST_SKIP() << "the real worlds are not here";
+    const nlohmann::json honesty = nlohmann::json::parse(info(*duplex, true).out)["honesty"];
+    const nlohmann::json& understood = honesty["understood"];
+    EXPECT_EQ(understood["rooms"], 21);
+    EXPECT_EQ(understood["doors"], 14);
+    EXPECT_EQ(understood["windows"], 24);
+    EXPECT_EQ(understood["stairs"], 2);
+    EXPECT_EQ(understood["furnishings"], 61);
+    EXPECT_EQ(understood["landmarks"], 0);
+    EXPECT_EQ(honesty["doors_joining_two_rooms"], 10);
+    EXPECT_EQ(honesty["doors_of_one_room"], 4);
+    EXPECT_EQ(honesty["openings_uncut"], 2);
+    ASSERT_EQ(honesty["rooms_by_storey"].size(), 4U);
+    EXPECT_EQ(honesty["rooms_by_storey"][1]["rooms"], 10);
+    ASSERT_FALSE(honesty["check"].empty());
+    EXPECT_EQ(honesty["check"][0]["kind"], "odd_name");
+    EXPECT_EQ(honesty["check"][0]["what"], "Room B105 holds stairs and does not say so in its name");
+    EXPECT_EQ(honesty["check"][0]["file"], "duplex-apartment.ifc");
+    EXPECT_EQ(honesty["check"][0]["line"], 3533);
+    EXPECT_THAT(
+        info(*duplex, false).out,
+        testing::HasSubstr("21 rooms on 3 of 4 storeys, 14 doors, 24 windows, 2 flights of stairs, 61 pieces of "
+                           "furniture, no landmarks. Check first: Room B105 holds stairs"));
+}
+
+TEST(InfoCommand, says_the_height_of_a_storey_in_metres_where_the_file_counts_millimetres) {
+    const std::string worlds = std::string(HANDRAIL_SOURCE_DIR) + "/tests/unit/ifc/worlds/";
+    const nlohmann::json metres = nlohmann::json::parse(info(worlds + "small_house.ifc", true).out)["honesty"],
+                         millimetres =
+                             nlohmann::json::parse(info(worlds + "small_house_millimetres.ifc", true).out)["honesty"];
+    EXPECT_EQ(metres["sentence"], millimetres["sentence"]);
+    EXPECT_EQ(metres["check"].size(), millimetres["check"].size());
+    EXPECT_NEAR(millimetres["rooms_by_storey"][0]["floor_m"].get<double>(),
+                metres["rooms_by_storey"][0]["floor_m"].get<double>(), 1e-9);
+    const test::TemporaryFolder folder;
+    EXPECT_TRUE(nlohmann::json::parse(info(folder.write("room.map", kMap), true).out)["honesty"].is_null())
+        << "a .map states no rooms";
+}
+
 TEST(InfoCommand, ends_with_status_1_and_names_the_pair_when_materials_cannot_be_told_apart) {
     const test::TemporaryFolder folder;
     const auto lint = [&](const std::string& wood_stiffness) {

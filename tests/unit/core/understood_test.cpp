@@ -1,0 +1,55 @@
+// What was understood of a building's file: one sentence on entering, and a list of all on request.
+#include "tests/support/map_text.h"
+#include "tests/unit/core/explorer.h"
+#include "worlds/readers/reader.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+namespace understood_test {
+
+using test::Explorer;
+using testing::HasSubstr;
+
+// Two rooms of an architect's model, the second as if stairs filled it.
+std::shared_ptr<const Scene> house_with_odd_room() {
+    Result<Scene> scene =
+        read_world(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/ifc/worlds/small_house.ifc");
+    EXPECT_TRUE(scene.has_value());
+    StatedBuilding stated = *scene->stated;
+    stated.rooms.at(1).holds_stairs = true;
+    scene->stated = std::make_shared<const StatedBuilding>(std::move(stated));
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+TEST(Understood, is_told_in_one_sentence_on_entering_and_leads_to_what_is_to_be_checked) {
+    Explorer p(house_with_odd_room(), nullptr);
+    EXPECT_TRUE(
+        p.heard("2 rooms on one storey, 2 doors, one window, no stairs, one piece of furniture, no "
+                "landmarks. Check first: Living room"))
+        << p.all_heard(0);
+    p.key("Shift+8");
+    ASSERT_TRUE(p.app().dialogue().is_open());
+    const std::vector<ListItem> items = p.app().dialogue().view().items;
+    ASSERT_GT(items.size(), 4U);
+    EXPECT_THAT(items[0].name, HasSubstr("2 rooms on one storey"));
+    EXPECT_THAT(items[1].name, HasSubstr("holds stairs and does not say so in its name"));
+    EXPECT_THAT(items[1].value, HasSubstr("step")) << "where it is from here";
+    p.line(items[1].name);
+    ASSERT_TRUE(p.app().guide().goal());
+    EXPECT_EQ(p.app().guide().goal()->name, items[1].name);
+    const Vec3 at_m = p.app().scene()->stated->rooms[1].at_m;
+    EXPECT_NEAR(p.app().guide().goal()->box_m.min_m.x, at_m.x, 1e-9);
+    EXPECT_NEAR(p.app().guide().goal()->box_m.min_m.y, at_m.y, 1e-9);
+}
+
+TEST(Understood, says_that_a_map_states_no_rooms_and_nothing_of_it_on_entering) {
+    Explorer p(test::our_world("house.map"), nullptr);
+    EXPECT_FALSE(p.heard("storey")) << p.all_heard(0);
+    p.tap(Command::Understood);
+    ASSERT_TRUE(p.app().dialogue().is_open());
+    EXPECT_THAT(p.app().dialogue().view().items.at(0).name, HasSubstr("states no rooms"));
+    EXPECT_THAT(p.app().dialogue().view().items.at(1).name, HasSubstr("guessed"));
+}
+
+}  // namespace understood_test
+}  // namespace handrail
