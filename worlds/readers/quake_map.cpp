@@ -13,6 +13,7 @@
 #include "worlds/readers/map_curves.h"
 #include "worlds/readers/map_effects.h"
 #include "worlds/readers/map_keys.h"
+#include "worlds/readers/map_labyrinth.h"
 #include "worlds/readers/map_looks.h"
 #include "worlds/readers/map_meaning.h"
 #include "worlds/readers/map_movers.h"
@@ -64,6 +65,7 @@ public:
         name_world();
         attach_movers(movers_, scene_, diagnostics_);
         bodies_.tell_too_many(diagnostics_);
+        labyrinth_.attach(scene_, diagnostics_);
         write_report();
         progress(1.0);
         return std::move(scene_);
@@ -90,6 +92,7 @@ private:
         if (world) {
             saw_worldspawn_ = true;
             if (const auto error = keys_.number_of(entity, kCurveError)) curve_error_m_ = *error * 1e-3;
+            labyrinth_.note_world(entity, keys_);
         }
         note_kind_of_map(entity, class_name);
         if (class_name.empty() && !entity.keys.empty())
@@ -119,6 +122,8 @@ private:
             add_effects(entity, index);
             return;
         }
+        if (labyrinth_.take_place(entity, class_name, index, [this](const MapBrush& brush) { return unseen(brush); }))
+            return;
         read_sound(entity, class_name);
         if (world) {
             for (const std::string_view key : {"name", "message"})
@@ -134,13 +139,15 @@ private:
             ++shapeless_things_;
     }
 
-    // A place for a force, without a shape of its own: its brushes are counted and neither touched nor seen.
+    // A place without a shape of its own: its brushes are counted and neither touched nor seen.
+    BuiltSolid unseen(const MapBrush& brush) {
+        BuiltSolid solid = brushes_.solid_of(brush, false);
+        brushes_.count(solid);
+        return solid;
+    }
+
     void add_effects(const MapEntity& entity, int index) {
-        const auto built = [this](const MapBrush& brush) {
-            BuiltSolid solid = brushes_.solid_of(brush, false);
-            brushes_.count(solid);
-            return solid;
-        };
+        const auto built = [this](const MapBrush& brush) { return unseen(brush); };
         for (ReadEffect& effect : read_effects(entity, index, text_of(entity, "name"), units_, built, diagnostics_))
             effects_.push_back(std::move(effect));
     }
@@ -316,6 +323,7 @@ private:
             FeatureId thing = read_exact(entity, meaning, index);
             for (const MapPatch& patch : entity.patches) read_patch(patch, meaning, index, thing, side);
             if (thing && meaning.body) bodies_.add(scene_, *meaning.body, thing, entity.place, diagnostics_);
+            note_role(entity, thing);
             return;
         }
         FeatureId whole = kNoFeature;
@@ -406,6 +414,7 @@ private:
         if (moves) ++scene_.report.movers;
         if (whole && meaning.body) bodies_.add(scene_, *meaning.body, whole, entity.place, diagnostics_);
         else if (moves) note_mover(movers_, entity, class_name, whole, keys_, origin_units);
+        note_role(entity, whole);
         if (whole && meaning.role == SolidRole::Trigger) note_switch(movers_, entity, class_name, whole);
         if (whole && scene_.features[whole.value].kind == FeatureKind::Door) {
             Feature& door = scene_.features[whole.value];
@@ -413,6 +422,12 @@ private:
             if (door.name == "door" && size.z < 0.5 * std::min(size.x, size.y))
                 door.name = "sliding floor";  // lies flat: a bridge or trapdoor
         }
+    }
+
+    void note_role(const MapEntity& entity, FeatureId feature) {
+        const bool free = std::any_of(scene_.bodies.begin(), scene_.bodies.end(),
+                                      [&](const FreeBody& body) { return body.feature == feature; });
+        labyrinth_.note_role(entity, feature, free, diagnostics_);
     }
 
     FeatureId add_feature(Feature feature) {
@@ -541,6 +556,7 @@ private:
     std::vector<ReadEffect> effects_;
     ReadMovers movers_;
     MapBodies bodies_;
+    MapLabyrinth labyrinth_;
     double curve_error_m_ = 1e-3;
     std::string world_name_;
     std::optional<bool> stated_building_;

@@ -17,6 +17,7 @@
 #include "worlds/geometry/triangle_mesh.h"
 #include "worlds/scene/effect.h"
 #include "worlds/scene/free_body.h"
+#include "worlds/scene/labyrinth.h"
 #include "worlds/scene/material.h"
 #include "worlds/scene/mover.h"
 #include "worlds/scene/source_place.h"
@@ -167,6 +168,7 @@ struct Scene {
     std::vector<RoomName> room_names;
     std::vector<Effect> effects;   // forces that hang in space
     std::vector<Mover> movers;     // which of the solids above can go where
+    LabyrinthPlan labyrinth;       // the game in this world, where there is one
     std::vector<FreeBody> bodies;  // which of them are free to move, at most FreeBody::kMost
     std::vector<Switch> switches;
     std::shared_ptr<const StatedBuilding>

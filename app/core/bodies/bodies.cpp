@@ -26,6 +26,7 @@ constexpr double kOff_m_per_s = 0.3;
 constexpr double kHeldBack = 0.3;    // of what one wished is left: one stands
 constexpr double kAhead = 0.25;      // cosine of how far aside of straight ahead one takes hold
 constexpr double kStrained_s = 2.0;  // between two pushes of one and the same attempt
+constexpr double kUnder = 0.8;       // cosine of how steeply below the middle something is under it
 constexpr double kHeard_s = 3.0;     // so long a hit counts for what one does
 
 bool differs(const Placement& a, const Placement& b) {
@@ -68,11 +69,14 @@ Placement Bodies::middle(std::uint32_t body) const {
     return middle_of(is, world_.things.at(is.haptic));
 }
 
-// Nothing but the body itself is met on the way to its nearest place.
+// Nothing but the body itself is met on the way to its nearest place, or to its middle.
 bool Bodies::in_sight(std::uint32_t body, const Aabb& box_m) const {
     const Vec3 eye = context_.body.feet_m() + Vec3(0.0, 0.0, kLookHeight_m);
-    const TraceHit hit = world_.solids->trace(eye, glm::clamp(eye, box_m.min_m, box_m.max_m), {}, true);
-    return !hit.hit || hit.feature == scene_->bodies[body].feature;
+    const auto seen = [&](const Vec3& at_m) {
+        const TraceHit hit = world_.solids->trace(eye, at_m, {}, true);
+        return !hit.hit || hit.feature == scene_->bodies[body].feature;
+    };
+    return seen(glm::clamp(eye, box_m.min_m, box_m.max_m)) || seen(box_m.centre_m());
 }
 
 // What the hand touches, what stands straight ahead, or what is nearest of all before one.
@@ -119,12 +123,17 @@ bool Bodies::act(Command command, double now_s, int times) {
 
 void Bodies::put_back(double now_s) {
     if (!loop_) return context_.answer(phrase("bodies.none_here"), now_s);
+    restart();
+    context_.answer(phrase("bodies.put_back"), now_s);
+}
+
+void Bodies::restart() {
+    if (!loop_) return;
     grip_.let_go();
     loop_->order({.kind = DynamicsLoop::Order::Kind::LetGo});
     loop_->order({.kind = DynamicsLoop::Order::Kind::Restart});
     walker_m_ = Vec3(std::numeric_limits<double>::infinity());  // the engine knows of nobody then
     driven_.clear();
-    context_.answer(phrase("bodies.put_back"), now_s);
 }
 
 // Where doors and the person are.
@@ -199,6 +208,9 @@ void Bodies::hear(double now_s) {
             context_.say(phrase("bodies.fell_out", {{"name", body_name(context_, scene_->bodies[event.body].feature)}}),
                          SpeechClass::Answer, now_s);
         if (!mine || event.kind != BodyEvent::Kind::Hit) continue;
+        // What lies under it stops nothing.
+        const Vec3 off = event.at_m - middle(event.body).position_m;
+        if (off.z < -kUnder * glm::length(off)) continue;
         hit_ = event.other_body != kNoBody ? scene_->bodies[event.other_body].feature : event.other;
         hit_s_ = now_s;
     }

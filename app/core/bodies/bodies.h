@@ -44,6 +44,8 @@ public:
     // wish.
     bool push_ahead(Vec3& wish_m_per_s, double now_s);
 
+    // Everything where the world has it, without a word.
+    void restart();
     bool any_moving() const { return moving_; }
     bool idle() const { return grip_.idle(); }
     // All has come to rest since this was asked last.

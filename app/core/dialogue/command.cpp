@@ -111,6 +111,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::LearnPlace, "learn", "9", false},
     CommandInfo{Command::LearntRooms, "learnt", "Shift+9", false},
     CommandInfo{Command::Hunt, "hunt", "0", false},
+    CommandInfo{Command::Labyrinth, "labyrinth", "Alt+0", false},
     CommandInfo{Command::Calibrate, "calibrate", "F9", false},
     CommandInfo{Command::Leave, "leave", "Escape", false},
     CommandInfo{Command::HandForward, "hand-forward", "I", true},

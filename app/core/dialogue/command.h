@@ -111,6 +111,7 @@ enum class Command : std::uint8_t {
     LearnPlace,
     LearntRooms,  // list of rooms with how much of each is learnt; the way to the chosen one
     Hunt,
+    Labyrinth,  // how the game stands, in a world that is one
     Calibrate,  // the set-up by voice, run by whoever owns the device
     Leave,      // Escape: asks once more at the top
     // The hand without a device: the simulated hand's target moves.

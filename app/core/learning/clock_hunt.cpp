@@ -5,7 +5,6 @@
 
 #include "app/core/context/telling.h"
 #include "app/core/dialogue/words.h"
-#include "app/core/kept/side_file.h"
 #include "app/core/learning/time_words.h"
 #include "app/core/wayfinding/leg.h"
 #include "audio-cues/plan/sound_table.h"
@@ -100,23 +99,7 @@ void ClockHunt::tick(double now_s) {
     soundscape_.add({});
     context_.play(SoundKind::Arrived, now_s);
     std::string text = phrase("hunt.found", {{"time", time_words(took_s)}, {"hints", hints}});
-    // The best time for each world lies in the person's own data folder.
-    SideFile times =
-        records_folder_.empty() ? SideFile() : SideFile::of_world(records_folder_ / "hunt", records_folder_);
-    SideEntry best = times.table("best_seconds");
-    for (const std::string& news : times.news()) text += " " + news;
-    const double before_s =
-        records_folder_.empty() ? (best_s_ > 0.0 ? best_s_ : -1.0) : number_of(best, context_.world.scene->name, -1.0);
-    if (before_s < 0.0 || took_s < before_s) {
-        text += " " +
-                (before_s < 0.0 ? phrase("hunt.first_time") : phrase("hunt.better", {{"time", time_words(before_s)}}));
-        best[context_.world.scene->name] = took_s;
-        best_s_ = took_s;
-        times.set_table("best_seconds", best);
-        if (const auto saved = times.save(); !saved) text += " " + saved.error().sentence();
-    } else {
-        text += " " + phrase("hunt.best", {{"time", time_words(before_s)}});
-    }
+    text += " " + best_.finish(context_.world.scene->name, took_s);
     context_.answer(text, now_s);
 }
 

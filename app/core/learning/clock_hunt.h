@@ -9,6 +9,7 @@
 
 #include "app/core/context/session_context.h"
 #include "app/core/context/soundscape.h"
+#include "app/core/learning/best_times.h"
 #include "app/core/learning/hunt.h"
 #include "app/core/whereabouts/rooms.h"
 
@@ -20,7 +21,7 @@ public:
         : context_(context), rooms_(rooms), soundscape_(soundscape) {}
 
     // Where best times are kept; until told, they last as long as the session.
-    void keep_records_in(const std::filesystem::path& folder) { records_folder_ = folder; }
+    void keep_records_in(const std::filesystem::path& folder) { best_.keep_in(folder); }
     // A hunt begins in the world that is entered next.
     void await_world() { awaits_ = true; }
     void enter_world();
@@ -46,8 +47,7 @@ private:
     Soundscape& soundscape_;
     std::optional<Hidden> hidden_;
     std::uint64_t hunts_ = 0;
-    double best_s_ = -1.0;                  // where no folder keeps it
-    std::filesystem::path records_folder_;  // empty: nothing is kept
+    BestTimes best_{"hunt"};
     bool awaits_ = false;
 };
 

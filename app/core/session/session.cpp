@@ -28,7 +28,10 @@ Session::Session(const Settings& settings, const HandFacts& hand, const SessionO
     if (options.rooms_beside) where_.rooms.find_beside();
     if (options.touch_beside) hand_.touch_view.make_beside();
     bodies_.run_by(options.bodies_by);
-    if (!options.records_in.empty()) learn_.hunt.keep_records_in(options.records_in);
+    if (!options.records_in.empty()) {
+        learn_.hunt.keep_records_in(options.records_in);
+        labyrinth_.keep_records_in(options.records_in);
+    }
     if (!options.languages_in.empty()) menu_.languages().find_in(options.languages_in);
     lay_device_overrides(state_.person.settings, state_.hands.right);
     desk_visit_.furnish();
@@ -62,6 +65,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     soundscape_.enter(*state_.world.scene);
     learn_.place.enter_world(now_s);
     learn_.hunt.enter_world();
+    labyrinth_.enter_world(now_s);
     state_.lists.dialogue.close_all();  // what it was about may be gone
     movers_.triggers.enter_world();
     walk_.walking.enter_world();
@@ -79,6 +83,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     tell_additions(now_s);
     if (std::string news = greeting_waits() ? std::string() : hand_.touch_view.news(); !news.empty())
         say(std::move(news), SpeechClass::Ambient, now_s);
+    if (std::string game = labyrinth_.opening_words(); !game.empty()) say(std::move(game), SpeechClass::Answer, now_s);
     learn_.hunt.begin_awaited(now_s);
 }
 
@@ -161,7 +166,7 @@ void Session::answer_what_was_too_early(double now_s) {
 }
 
 void Session::carry_out(Command command, double now_s, int times) {
-    if (bodies_.act(command, now_s, times)) return;
+    if (labyrinth_.act(command, now_s) || bodies_.act(command, now_s, times)) return;
     if (walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
         hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s) ||
         where_.asking.act(command, now_s))
@@ -399,6 +404,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     }
     movers_.doors.tick(now_s, dt_s);
     bodies_.tick(now_s);
+    labyrinth_.tick(now_s);
     const bool mover_arrived = movers_.doors.take_arrived(), bodies_rest = bodies_.take_rested();
     if (state_.world.things.tick(now_s, dt_s) || mover_arrived || bodies_rest) {
         // From now on it is seen where it is, as soon as everything stands still again.

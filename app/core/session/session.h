@@ -17,6 +17,7 @@
 #include "app/core/context/soundscape.h"
 #include "app/core/context/touch_events.h"
 #include "app/core/desk/desk_visit.h"
+#include "app/core/labyrinth/labyrinth.h"
 #include "app/core/lessons/lesson_session.h"
 #include "app/core/menu/menu.h"
 #include "app/core/menu/simplified_list.h"
@@ -175,6 +176,7 @@ private:
     PlacesFeatures places_{state_, where_.rooms, guide_.planned()};
     Soundscape soundscape_;
     LearningFeatures learn_{state_, where_.rooms, soundscape_};
+    Labyrinth labyrinth_{state_.context, bodies_, soundscape_};
     SoundDictionary dictionary_;
     std::optional<SideFile> side_file_next_;
     std::optional<LastPlace> last_place_;

@@ -1,0 +1,227 @@
+// The labyrinths that come with the program, played by keys and ears: each is finished by who does what the words say,
+// holes swallow the ball, a plank covers one, the best time is kept, and starting anew is the same game.
+#include <filesystem>
+#include <regex>
+
+#include "tests/support/map_text.h"
+#include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/core/app_session.h"
+
+namespace handrail {
+namespace labyrinth_test {
+
+using test::box_brush;
+using test::entity;
+using test::key;
+
+struct Player : test::AppSession {
+    explicit Player(const char* map, const SessionOptions& options = {}) : AppSession({}, {}, options) {
+        app.apply(WorldEntered{make_ready(test::our_world(map))}, 0.0);
+        run(0.1);
+    }
+    void taps(Command command, int times, double each_s = 1.0) {
+        for (int i = 0; i < times; ++i) tap(command, each_s);
+    }
+    std::string stands() { return ask(Command::Labyrinth); }
+};
+
+TEST(Labyrinth, first_level_is_finished_by_a_newcomer_who_knows_only_what_is_said_in_under_two_minutes) {
+    Player player("labyrinth1.map");
+    EXPECT_TRUE(player.heard("Labyrinth 1.")) << player.news();
+    player.tap(Command::Use, 0.5);
+    ASSERT_TRUE(player.heard("Ball held"));
+    const double began_s = player.now;
+    const std::regex goal_part("The goal is ([^.]*(?:\\.5[^.]*)*)\\."),
+        free_part("The ball can roll ([^.]*(?:\\.5[^.]*)*)\\."), piece("([0-9.]+) rolls? (north|east|south|west)");
+    const std::map<std::string, Command> keys{{"north", Command::Forward},
+                                              {"east", Command::TurnRight},
+                                              {"south", Command::Back},
+                                              {"west", Command::TurnLeft}};
+    const auto sides = [&](const std::string& text) {
+        std::map<std::string, double> found;
+        for (std::sregex_iterator i(text.begin(), text.end(), piece), end; i != end; ++i)
+            found[(*i)[2]] = std::stod((*i)[1]);
+        return found;
+    };
+    // Rolls wherever the goal lies and the ball can.
+    while (!player.heard("Finished") && player.now - began_s < 120.0) {
+        const std::string text = player.stands();
+        std::smatch goal, free;
+        ASSERT_TRUE(std::regex_search(text, goal, goal_part) && std::regex_search(text, free, free_part)) << text;
+        const auto wanted = sides(goal[1]), can = sides(free[1]);
+        std::string way;
+        for (const auto& [side, rolls] : wanted)
+            if (can.contains(side) && (way.empty() || can.at(side) > can.at(way))) way = side;
+        ASSERT_FALSE(way.empty()) << text;
+        player.taps(keys.at(way), std::max(1, static_cast<int>(std::min(can.at(way), wanted.at(way)))));
+    }
+    EXPECT_TRUE(player.heard("Finished, ")) << player.news();
+    EXPECT_LT(player.now - began_s, 120.0);
+}
+
+TEST(Labyrinth, a_hole_swallows_the_ball_and_all_is_back_at_the_start) {
+    Player player("labyrinth2.map");
+    EXPECT_NE(player.stands().find("A hole is 1.5 rolls east."), std::string::npos) << player.news();
+    player.tap(Command::Use, 0.5);
+    player.taps(Command::TurnRight, 2);
+    player.run(3.0);
+    EXPECT_TRUE(player.heard("In the hole."));
+    EXPECT_TRUE(player.heard("Back at the start."));
+    EXPECT_FALSE(player.heard("Finished"));
+    const Vec3 ball = player.app.thing_at("Ball").value_or(Placement{}).position_m;
+    EXPECT_NEAR(ball.x, 1.25, 1e-3);
+    EXPECT_NEAR(ball.z, 0.55, 2e-3);
+}
+
+// Lays the plank over the hole and rolls the ball over it.
+void finish_second(Player& player) {
+    player.taps(Command::SideLeft, 1);
+    player.tap(Command::Use, 0.5);
+    player.taps(Command::TiltUp, 1);
+    player.taps(Command::TurnRight, 3);
+    player.taps(Command::TiltDown, 1);
+    player.tap(Command::Use, 1.0);
+    player.tap(Command::Use, 0.5);
+    player.taps(Command::TurnRight, 6);
+    player.taps(Command::Forward, 5);
+    player.taps(Command::TurnLeft, 9);
+}
+
+TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting_anew_with_the_best_time_kept) {
+    const test::TemporaryFolder folder;
+    SessionOptions options;
+    options.records_in = folder.path();
+    std::vector<std::string> first;
+    {
+        Player player("labyrinth2.map", options);
+        finish_second(player);
+        EXPECT_TRUE(player.heard("Plank held, 0.4 kilograms."));
+        EXPECT_TRUE(player.heard("The hole is covered."));
+        EXPECT_TRUE(player.heard("Ball stopped by Border, wood."));
+        EXPECT_TRUE(player.heard("That is the first time here.")) << player.news();
+        EXPECT_EQ(player.ask(Command::PutBack), "All back at the start.");
+        player.said.clear();
+        player.run(0.5);
+        EXPECT_NE(player.stands().find("A hole is 1.5 rolls east."), std::string::npos);
+        EXPECT_EQ(player.ask(Command::RepeatLeg), "All back at the start.");
+    }
+    Player again("labyrinth2.map", options);
+    again.run(20.0);  // the clock waits for the ball
+    finish_second(again);
+    EXPECT_TRUE(again.heard("Finished, "));
+    EXPECT_TRUE(again.heard("The best time here is ") || again.heard("The best time here, before")) << again.news();
+}
+
+TEST(Labyrinth, third_level_is_finished_by_filling_the_pit_and_lifting_the_crate_away) {
+    Player player("labyrinth3.map");
+    player.taps(Command::SideLeft, 1);
+    player.tap(Command::Use, 0.5);
+    ASSERT_TRUE(player.heard("Block held, 1 kilogram."));
+    player.taps(Command::TiltUp, 1);
+    player.taps(Command::TurnRight, 8);
+    player.taps(Command::Forward, 2);
+    player.tap(Command::Use, 2.0);
+    EXPECT_TRUE(player.heard("The hole is covered."));
+    player.taps(Command::SideRight, 2);
+    player.tap(Command::Use, 0.5);
+    ASSERT_TRUE(player.heard("Crate held, 2 kilograms."));
+    player.taps(Command::TiltUp, 1);
+    player.taps(Command::Forward, 1);
+    player.taps(Command::TiltDown, 1);
+    player.tap(Command::Use, 1.0);
+    player.taps(Command::SideLeft, 2);
+    player.tap(Command::Use, 0.5);
+    ASSERT_TRUE(player.heard("Ball held"));
+    player.taps(Command::TurnRight, 9);
+    player.taps(Command::Forward, 6);
+    player.taps(Command::TurnLeft, 12);
+    EXPECT_TRUE(player.heard("Finished, ")) << player.news();
+}
+
+TEST(Labyrinth, safe_of_the_third_level_bars_the_shorter_way) {
+    Player player("labyrinth3.map");
+    player.taps(Command::SideRight, 1);
+    player.said.clear();
+    const Vec3 before = player.app.thing_at("Safe").value_or(Placement{}).position_m;
+    player.tap(Command::Use, 1.0);
+    const Vec3 after = player.app.thing_at("Safe").value_or(Placement{}).position_m;
+    EXPECT_LT(glm::length(after - before), 1e-3);
+}
+
+TEST(Labyrinth, who_gets_no_nearer_for_a_minute_is_told_once_how_to_go_on) {
+    Player player("labyrinth1.map");
+    player.tap(Command::Use, 0.5);
+    player.taps(Command::TurnRight, 1);
+    player.said.clear();
+    player.run(150.0);
+    EXPECT_EQ(std::count_if(player.said.begin(), player.said.end(),
+                            [](const std::string& text) { return text.find("no nearer") != std::string::npos; }),
+              1);
+}
+
+TEST(Labyrinth, is_nothing_of_in_other_worlds) {
+    test::AppSession house;
+    house.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
+    house.run(0.1);
+    EXPECT_FALSE(house.heard("Labyrinth"));
+    EXPECT_EQ(house.ask(Command::Labyrinth), "This world is no labyrinth. The list of worlds has three.");
+    EXPECT_EQ(house.ask(Command::PutBack), "Nothing can be moved here.");
+}
+
+TEST(Labyrinth, is_played_in_german) {
+    const test::InLanguage german("de");
+    Player player("labyrinth2.map");
+    const std::string text = player.stands();
+    EXPECT_NE(text.find("Ein Loch: 1,5 Ballschritte nach Osten."), std::string::npos) << text;
+}
+
+// What is wrong with the game of a map is told with its line.
+std::string warnings_of(const std::string& world_keys, const std::string& entities) {
+    const std::string room = test::room_brushes(0, 0, 0, 256, 256, 128);
+    const auto scene = read_quake_map(
+        entity("worldspawn", key("message", "Hall") + key("building", "1") + world_keys, room) + entities, "hall.map");
+    EXPECT_TRUE(scene);
+    std::string text;
+    for (const Diagnostic& warning : scene->report.warnings) text += warning.sentence() + "\n";
+    EXPECT_EQ(scene->labyrinth.there(), scene->report.warnings.empty()) << text;
+    return text;
+}
+const std::string kBall = entity("thing", key("cs_name", "dynamic_sphere") + key("name", "Ball") + key("role", "ball"),
+                                 box_brush(100, 100, 0, 110, 110, 10));
+const std::string kGoal = entity("trigger_goal", "", box_brush(200, 200, 0, 220, 220, 20, "trigger"));
+
+TEST(LabyrinthKeys, that_make_no_game_are_told_with_their_line) {
+    EXPECT_EQ(warnings_of(key("labyrinth", "1"), kBall + kGoal), "");
+    EXPECT_NE(warnings_of(key("labyrinth", "1"), kGoal).find("a labyrinth needs a ball"), std::string::npos);
+    EXPECT_NE(warnings_of(key("labyrinth", "1"), kBall).find("a labyrinth needs a goal"), std::string::npos);
+    EXPECT_NE(warnings_of("", kBall + kGoal).find("belong to a labyrinth"), std::string::npos);
+    EXPECT_NE(warnings_of(key("labyrinth", "nan"), kBall + kGoal).find("labyrinth is no number"), std::string::npos);
+}
+
+TEST(LabyrinthKeys, of_single_things_that_fit_nothing_are_left_out_and_the_rest_is_played) {
+    const auto told = [](const std::string& entities, const std::string& sentence) {
+        const std::string room = test::room_brushes(0, 0, 0, 256, 256, 128);
+        const auto scene = read_quake_map(
+            entity("worldspawn", key("message", "Hall") + key("building", "1") + key("labyrinth", "2"), room) + kBall +
+                kGoal + entities,
+            "hall.map");
+        ASSERT_TRUE(scene);
+        ASSERT_EQ(scene->report.warnings.size(), 1U);
+        EXPECT_NE(scene->report.warnings[0].sentence().find(sentence), std::string::npos)
+            << scene->report.warnings[0].sentence();
+        EXPECT_TRUE(scene->labyrinth.there());
+    };
+    told(entity("trigger_hole", "", box_brush(50, 50, -40, 60, 60, -20, "trigger")), "there is floor over this hole");
+    told(entity("thing", key("name", "Bench") + key("role", "plank"), box_brush(50, 50, 0, 60, 60, 10)),
+         "only what is free to move");
+    told(entity("thing", key("cs_name", "dynamic_box") + key("name", "Bench") + key("role", "plonk"),
+                box_brush(50, 50, 0, 60, 60, 10)),
+         "the nearest is plank");
+    told(entity("thing", key("cs_name", "dynamic_sphere") + key("name", "Second") + key("role", "ball"),
+                box_brush(50, 50, 0, 60, 60, 10)),
+         "there is a ball already");
+}
+
+}  // namespace labyrinth_test
+}  // namespace handrail
