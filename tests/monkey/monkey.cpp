@@ -377,13 +377,13 @@ void Monkey::check_places() {
 // Out of every list, with the keyboard here, a question is answered.
 void Monkey::expect_an_answer() {
     session_->set_focus(true);
-    for (int i = 0; i < 30 && app().dialogue().is_open(); ++i) {
+    for (int i = 0; i < 120 && app().dialogue().is_open(); ++i) {  // lists lie as deep as they were opened
         if (i == 15) session_->press(Command::InputHelp);  // while keys are explained, Escape is too
         session_->tap_key("Escape");
         run(0.02);
     }
     owner();
-    if (app().dialogue().is_open()) return fail("Escape does not leave what is open");
+    if (app().dialogue().is_open()) return fail(fmt::format("Escape does not leave what is open: {}", app().dialogue().view().title));
     static constexpr Command kQuestions[] = {
         Command::WhereAmI,    Command::Heading,    Command::AroundMe, Command::AheadOfMe, Command::ScaleBar,
         Command::Coordinates, Command::WhatIsThis, Command::Help,     Command::Exits,     Command::ProgressReport};
