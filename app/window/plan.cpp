@@ -49,6 +49,18 @@ void append_crossings(const std::vector<Vec3>& points, double height_m, std::vec
     }
 }
 
+// Its faces alone, where the thing stands: what a section asks for.
+Solid placed_solid(const Solid& own, const PlacedModel& thing) {
+    const PlacedFrame frame(thing.at);
+    Solid solid;
+    solid.role = own.role;
+    solid.feature = thing.feature;
+    solid.shape.faces = own.shape.faces;
+    for (Polygon& face : solid.shape.faces)
+        for (Vec3& p : face.points_m) solid.shape.bounds_m.include(p = frame.to_world(p));
+    return solid;
+}
+
 }  // namespace
 
 std::vector<Vec2> section_at(const ConvexSolid& solid, double height_m) {
@@ -66,15 +78,19 @@ PlanCut cut_plan(const Scene& scene, double feet_height_m) {
         PlanShape shape{kind, section_at(solid.shape, height_m)};
         if (!shape.outline_m.empty()) cut.shapes.push_back(std::move(shape));
     };
-    for (const Solid& solid : scene.solids) {
-        if (solid.role == SolidRole::BodyClip || solid.role == SolidRole::Trigger) continue;
+    const auto cut_solid = [&](const Solid& solid) {
+        if (solid.role == SolidRole::BodyClip || solid.role == SolidRole::Trigger) return;
         const double bottom_m = solid.shape.bounds_m.min_m.z, top_m = solid.shape.bounds_m.max_m.z;
-        if (bottom_m > cut_m || top_m <= deepest_m) continue;
+        if (bottom_m > cut_m || top_m <= deepest_m) return;
         const double below_top_m = 0.5 * (std::max(bottom_m, deepest_m) + top_m);
         if (top_m > cut_m) add(kind_of(scene, solid), solid, cut_m);
         else if (solid.role == SolidRole::Liquid) add(PlanKind::Liquid, solid, below_top_m);
         else add(top_m > low_m ? PlanKind::Low : PlanKind::Floor, solid, below_top_m);
-    }
+    };
+    for (const Solid& solid : scene.solids) cut_solid(solid);
+    // Doors, lifts and what is free to move, where they are.
+    for (const PlacedModel& thing : scene.placed)
+        for (const Solid& own : thing.model->solids) cut_solid(placed_solid(own, thing));
     std::stable_sort(cut.shapes.begin(), cut.shapes.end(),
                      [](const PlanShape& a, const PlanShape& b) { return a.kind < b.kind; });
 

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "tests/window/small_room.h"
+#include "worlds/scene/models.h"
 
 namespace handrail::test {
 namespace plan_test {
@@ -63,6 +64,26 @@ TEST(CutPlan, of_another_storey_shows_that_storey) {
     ASSERT_EQ(cut.shapes.size(), 7U);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(cut.shapes[i].kind, PlanKind::Floor);
     EXPECT_EQ(cut.shapes[6].kind, PlanKind::Object);
+}
+
+TEST(CutPlan, shows_things_that_were_set_down_where_they_are) {
+    Scene model;
+    add_box(model, {-0.5, -0.25, 0.0}, {0.5, 0.25, 1.5}, FeatureKind::Object);
+    const auto crate = std::make_shared<const Scene>(std::move(model));
+    auto scene =
+        with_placed(*small_room(), "crate", crate, {{2.0, 1.0, 0.0}, rotation_about({0, 0, 1}, kPi / 2.0), 1.0}, "");
+    ASSERT_TRUE(scene);
+    const std::size_t before = cut_plan(*small_room(), 0.0).shapes.size();
+    const PlanCut cut = cut_plan(*scene, 0.0);
+    ASSERT_EQ(cut.shapes.size(), before + 1);
+    const auto found = std::find_if(cut.shapes.begin(), cut.shapes.end(),
+                                    [](const PlanShape& shape) { return shape.kind == PlanKind::Object; });
+    ASSERT_NE(found, cut.shapes.end());
+    EXPECT_NEAR(area_m2(found->outline_m), 0.5, 1e-9);
+    for (const Vec2& corner : found->outline_m) {
+        EXPECT_NEAR(std::abs(corner.x - 2.0), 0.25, 1e-9) << "a quarter turn";
+        EXPECT_NEAR(std::abs(corner.y - 1.0), 0.5, 1e-9);
+    }
 }
 
 TEST(CutPlan, cuts_sheets_into_lines) {
