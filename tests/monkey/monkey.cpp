@@ -383,7 +383,8 @@ void Monkey::expect_an_answer() {
         run(0.02);
     }
     owner();
-    if (app().dialogue().is_open()) return fail(fmt::format("Escape does not leave what is open: {}", app().dialogue().view().title));
+    if (app().dialogue().is_open())
+        return fail(fmt::format("Escape does not leave what is open: {}", app().dialogue().view().title));
     static constexpr Command kQuestions[] = {
         Command::WhereAmI,    Command::Heading,    Command::AroundMe, Command::AheadOfMe, Command::ScaleBar,
         Command::Coordinates, Command::WhatIsThis, Command::Help,     Command::Exits,     Command::ProgressReport};
