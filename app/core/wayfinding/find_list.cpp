@@ -67,7 +67,7 @@ std::vector<FindGroup> find_groups(const SessionContext& context, FindKind kind)
 }
 
 std::string find_words(const SessionContext& context, const Rooms& rooms, const Goal& goal) {
-    const std::string where = where_words(context, told_box(rooms, goal));
+    std::string where = where_words(context, told_box(rooms, goal));
     if (!rooms.found()) return where;
     const std::uint32_t room = room_of(rooms, goal.box_m);
     if (room == kNothing || room == room_at(rooms.graph(), rooms.space(), context.body.feet_m())) return where;
@@ -93,7 +93,7 @@ void open_find_list(const SessionContext& context, const Rooms& rooms,
         context.lists.dialogue.change_items(items_of(context, rooms, *open));
         return phrase(kKinds[static_cast<std::size_t>(open->kind)]);
     };
-    list.chosen = [&context, &rooms, open, chosen](std::size_t at) {
+    list.chosen = [&context, &rooms, open, chosen = std::move(chosen)](std::size_t at) {
         const double then_s = context.tick_s;
         if (at >= open->groups.size()) return context.answer(phrase("guide.kind_how"), then_s);
         const FindGroup group = open->groups[at];
