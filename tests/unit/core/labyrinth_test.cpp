@@ -1,5 +1,5 @@
 // The labyrinths that come with the program, played by keys and ears: each is finished by who does what the words say,
-// holes swallow the ball, a plank covers one, the best time is kept, and starting anew is the same game.
+// holes swallow the ball, a plank covers one, the best time is kept, and one can start anew.
 #include <filesystem>
 #include <regex>
 
@@ -141,12 +141,18 @@ TEST(Labyrinth, third_level_is_finished_by_filling_the_pit_and_lifting_the_crate
 
 TEST(Labyrinth, safe_of_the_third_level_bars_the_shorter_way) {
     Player player("labyrinth3.map");
-    player.taps(Command::SideRight, 1);
-    player.said.clear();
+    // From the table's north side it is the nearest thing.
+    player.app.apply(Placed{{2.0, 3.15, 0.0}, kPi}, player.now);
+    player.run(0.5);
     const Vec3 before = player.app.thing_at("Safe").value_or(Placement{}).position_m;
+    player.said.clear();
     player.tap(Command::Use, 1.0);
+    EXPECT_TRUE(player.heard("Safe. Heavy, 400 kilograms.")) << player.news();
     const Vec3 after = player.app.thing_at("Safe").value_or(Placement{}).position_m;
     EXPECT_LT(glm::length(after - before), 1e-3);
+    // It stands between the two walls, wider than what is left beside it for a ball of 10 cm.
+    EXPECT_GT(after.y, 1.75);
+    EXPECT_LT(after.y, 2.45);
 }
 
 TEST(Labyrinth, who_gets_no_nearer_for_a_minute_is_told_once_how_to_go_on) {
