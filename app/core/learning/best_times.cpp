@@ -1,5 +1,7 @@
 #include "app/core/learning/best_times.h"
 
+#include <system_error>
+
 #include "app/core/kept/side_file.h"
 #include "app/core/learning/time_words.h"
 #include "worlds/base/contract.h"
@@ -9,6 +11,9 @@ namespace handrail {
 
 std::string BestTimes::finish(const std::string& world, double took_s) {
     contract_pre(took_s >= 0.0);
+    // Where there is no folder yet, the file would go elsewhere.
+    std::error_code told_when_saving;
+    if (!folder_.empty()) std::filesystem::create_directories(folder_, told_when_saving);
     SideFile times = folder_.empty() ? SideFile() : SideFile::of_world(folder_ / game_, folder_);
     SideEntry best = times.table("best_seconds");
     std::string text;

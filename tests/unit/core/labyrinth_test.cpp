@@ -91,7 +91,7 @@ void finish_second(Player& player) {
 TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting_anew_with_the_best_time_kept) {
     const test::TemporaryFolder folder;
     SessionOptions options;
-    options.records_in = folder.path();
+    options.records_in = folder.path() / "not there yet";
     std::vector<std::string> first;
     {
         Player player("labyrinth2.map", options);
@@ -106,6 +106,7 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting
         EXPECT_NE(player.stands().find("A hole is 1.5 rolls east."), std::string::npos);
         EXPECT_EQ(player.ask(Command::RepeatLeg), "All back at the start.");
     }
+    EXPECT_TRUE(std::filesystem::exists(options.records_in / "labyrinth.handrail.toml"));
     Player again("labyrinth2.map", options);
     again.run(20.0);  // the clock waits for the ball
     finish_second(again);
