@@ -1,6 +1,7 @@
 #include "app/companions/companion_devices.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "app/core/dialogue/words.h"
@@ -17,35 +18,12 @@ double together(double a, double b) { return std::clamp(a + b, -1.0, 1.0); }
 }  // namespace
 
 std::optional<Command> command_of(CompanionButton button) {
-    switch (button) {
-        case CompanionButton::South:
-            return Command::WhereAmI;
-        case CompanionButton::East:
-            return Command::WhatIsThis;
-        case CompanionButton::West:
-            return Command::Repeat;
-        case CompanionButton::North:
-            return Command::Heading;
-        case CompanionButton::LeftShoulder:
-        case CompanionButton::Left:
-            return Command::TurnLeft;
-        case CompanionButton::RightShoulder:
-        case CompanionButton::Right:
-            return Command::TurnRight;
-        case CompanionButton::Up:
-            return Command::Forward;
-        case CompanionButton::Down:
-            return Command::Back;
-        case CompanionButton::LeftSpecial:
-            return Command::StopSpeech;
-        case CompanionButton::RightSpecial:
-            return Command::StopEverything;
-        case CompanionButton::LeftStick:
-            return Command::Home;
-        case CompanionButton::RightStick:
-            return std::nullopt;
-    }
-    return std::nullopt;
+    static constexpr std::array<std::optional<Command>, kButtons> kMeans{
+        Command::WhereAmI,  Command::WhatIsThis, Command::Repeat,         Command::Heading, Command::TurnLeft,
+        Command::TurnRight, Command::StopSpeech, Command::StopEverything, Command::Home,    std::nullopt,
+        Command::Forward,   Command::TurnRight,  Command::Back,           Command::TurnLeft};  // as CompanionButton
+                                                                                               // lists them
+    return kMeans.at(static_cast<std::size_t>(button));
 }
 
 void CompanionDevices::start() {

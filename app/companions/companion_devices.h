@@ -19,7 +19,7 @@
 
 namespace handrail {
 
-// Which command a button gives; nothing: none. Table of docs/user-guide.md.
+// Which command a button gives; nothing: none. Table of docs/user-guide/devices.md.
 std::optional<Command> command_of(CompanionButton button);
 
 class CompanionDevices {

@@ -26,8 +26,8 @@ std::vector<std::string> CompanionSession::guide(Session& app, double now_s, boo
 void CompanionSession::follow(const Session& app, std::span<const CueRequest> requests, const ToolState* tool,
                               double now_s) {
     if (!devices_.any() || !app.scene()) return;
-    if (app.worlds_entered() != worlds_entered_) {
-        worlds_entered_ = app.worlds_entered();
+    if (app.world().entered != worlds_entered_) {
+        worlds_entered_ = app.world().entered;
         planner_.enter_world(app.scene());
     } else if (app.scene() != scene_) {
         planner_.follow_edit(app.scene());

@@ -87,7 +87,13 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
         for (const auto& [name, content] : bench::plots_of(report))
             written = written && write(*arguments.svg_folder / name, content, err);
     }
-    if (arguments.markdown) written = written && write(*arguments.markdown, bench::markdown_of(report), err);
+    if (arguments.markdown) {
+        const fs::path& file = *arguments.markdown;
+        fs::path families = file;
+        families.replace_filename(file.stem().string() + "-families" + file.extension().string());
+        written = written && write(file, bench::markdown_of(report, families.filename().string()), err) &&
+                  write(families, bench::families_markdown_of(report, file.filename().string()), err);
+    }
     return written ? 0 : 1;
 }
 

@@ -16,14 +16,7 @@ bool leaves(std::string_view line) {
 
 // So many steps or notches at once: a second one is no answer to what the first met.
 bool counts_by_itself(Command command) {
-    switch (command) {
-        case Command::TrailLeft:
-        case Command::TrailRight:
-        case Command::Retrace:
-            return true;
-        default:
-            return steps_or_turns(command);
-    }
+    return is_one_of(command, {Command::TrailLeft, Command::TrailRight, Command::Retrace}) || steps_or_turns(command);
 }
 
 }  // namespace

@@ -1,10 +1,18 @@
 #include "app/main/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <iostream>
 
+#include "app/core/context/telling.h"
 #include "app/core/dialogue/command.h"
+#include "app/core/kept/side_file.h"
 #include "app/core/kept/spoken_language.h"
+#include "app/main/export_grammar.h"
+#include "app/main/learner_grammar.h"
+#include "app/main/learner_start.h"
+#include "app/main/lesson_grammar.h"
 #include "app/main/world_files.h"
+#include "app/record/hearing.h"
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
@@ -38,6 +46,7 @@ void add_map_scale(CLI::App& app, CommonArguments& common) {
         if (!common.unit_m) throw CLI::ValidationError(phrase("help.no_unit", {{"word", word}}));
     };
     app.add_option_function<std::string>("--unit", take_unit, phrase("help.unit"))->type_name("UNIT")->type_size(1);
+    app.add_option("--building", common.building, phrase("help.building"))->type_name("NAME");
 }
 
 void add_settings_options(CLI::App& app, SettingsOptions& options) {
@@ -62,14 +71,26 @@ struct Grammar {
     CLI::App app{phrase("help.program")};
     ExploreCall explore;
     std::vector<std::string> explore_devices;  // --device, once or twice
+    bool explore_recorded = false;             // --record
     InfoArguments info;
+    CheckArguments check;
     TouchArguments touch;
     ScenarioArguments scenario;
+    ExportCall exported;
     BenchArguments bench;
     SettingsCall settings;
     DevicesArguments devices;
     ExploreCall calibrate;
-    CLI::App *calibrate_app, *info_app, *touch_app, *scenario_app, *bench_app, *settings_app, *devices_app;
+    struct {
+        ReplayCall replay;
+        ReportArguments report;
+        LearnerArguments learner;
+        CLI::App* learner_app;
+        LessonCall lesson;
+        CLI::App* lesson_app = nullptr;
+    } recorded;  // what is done with recordings, whose they are, and lessons
+    CLI::App *replay_app, *report_app, *calibrate_app, *info_app, *check_app, *touch_app, *scenario_app, *export_app,
+        *bench_app, *settings_app, *devices_app;
 
     Grammar() {
         app.name("handrail");
@@ -91,6 +112,11 @@ struct Grammar {
             ->expected(1)
             ->allow_extra_args(false)
             ->take_all();
+        CLI::Option* record = app.add_flag("--record", explore_recorded, phrase("help.record"));
+        app.add_option("--record-in", explore.arguments.record_in, phrase("help.record_in"))
+            ->type_name("FOLDER")
+            ->excludes(record);
+        add_learner_option(app, explore.arguments);
         add_map_scale(app, explore.arguments.common);
         add_settings_options(app, explore.settings);
 
@@ -98,8 +124,18 @@ struct Grammar {
         info_app->add_option("WORLD", info.world, phrase("help.the_world"))->required()->type_name("");
         CLI::Option* json = info_app->add_flag("--json", info.json, phrase("help.json"));
         info_app->add_option("--scale", info.scale, phrase("help.info_scale"));
-        info_app->add_flag("--lint", info.lint, phrase("help.lint"))->excludes(json);
+        CLI::Option* lint = info_app->add_flag("--lint", info.lint, phrase("help.lint"))->excludes(json);
+        CLI::Option* text =
+            info_app->add_flag("--as-words", info.as_words, phrase("help.as_words"))->excludes(json)->excludes(lint);
+        info_app->add_option("--language", info.language, phrase("help.as_words_language"))
+            ->needs(text)
+            ->check(CLI::IsMember({"en", "de"}));
         add_map_scale(*info_app, info.common);
+
+        check_app = app.add_subcommand("check", phrase("help.check"));
+        check_app->add_option("WORLD", check.world, phrase("help.the_world"))->required()->type_name("");
+        check_app->add_flag("--json", check.json, phrase("help.json"));
+        add_map_scale(*check_app, check.common);
 
         touch_app = app.add_subcommand("touch", phrase("help.touch"));
         touch_app->add_option("WORLD", touch.world, phrase("help.the_world"))->required()->type_name("");
@@ -132,6 +168,7 @@ struct Grammar {
             ->type_name("FOLDER");
         add_map_scale(*scenario_app, scenario.common);
 
+        add_export();
         bench_app = app.add_subcommand("bench", phrase("help.bench"));
         bench_app->add_flag("--quick", bench.quick, phrase("help.quick"));
         bench_app->add_flag("--json", bench.json, phrase("help.json"));
@@ -171,8 +208,40 @@ struct Grammar {
         devices_app = app.add_subcommand("devices", phrase("help.devices"));
         devices_app->add_flag("--json", devices.json, phrase("help.json"));
 
-        for (CLI::App* sub : {calibrate_app, info_app, touch_app, scenario_app, bench_app, settings_app, devices_app})
+        replay_app = app.add_subcommand("replay", phrase("help.replay"));
+        replay_app->add_option("FOLDER", recorded.replay.arguments.folder, phrase("help.replay_folder"))->type_name("");
+        CLI::Option* computed =
+            replay_app->add_flag("--check", recorded.replay.arguments.check, phrase("help.replay_check"));
+        replay_app->add_option("--speed", recorded.replay.arguments.speed, phrase("help.replay_speed"))
+            ->type_name("X")
+            ->check(CLI::Range(Hearing::kSlowest, Hearing::kFastest))
+            ->excludes(computed);
+        replay_app->add_option("--csv", recorded.replay.arguments.csv, phrase("help.replay_csv"))->type_name("FOLDER");
+        replay_app->add_option("--scenario", recorded.replay.arguments.scenario, phrase("help.replay_scenario"))
+            ->type_name("OUT.toml");
+        add_settings_options(*replay_app, recorded.replay.settings);
+
+        report_app = app.add_subcommand("report", phrase("help.report"));
+        report_app->add_option("FOLDER", recorded.report.folder, phrase("help.replay_folder"))->type_name("");
+        report_app->add_option("--html", recorded.report.html, phrase("help.report_html"))->type_name("OUT.html");
+        report_app->add_option("--csv", recorded.report.csv, phrase("help.report_csv"))->type_name("OUT.csv");
+        report_app->add_option("--json", recorded.report.json, phrase("help.report_json"))->type_name("OUT.json");
+        report_app->add_option("--learner", recorded.report.learner, phrase("help.report_learner"))->type_name("NAME");
+        report_app->add_flag("--force", recorded.report.force, phrase("help.force"));
+
+        recorded.learner_app = add_learner_command(app, recorded.learner);
+        recorded.lesson_app = add_lesson_command(app, recorded.lesson);
+        add_settings_options(*recorded.lesson_app, recorded.lesson.explore.settings);
+        for (CLI::App* sub :
+             {recorded.lesson_app, recorded.learner_app, replay_app, report_app, calibrate_app, info_app, check_app,
+              touch_app, scenario_app, export_app, bench_app, settings_app, devices_app})
             sub->group(phrase("help.group_commands"))->set_help_flag("-h,--help", phrase("help.command_help"));
+    }
+
+    void add_export() {
+        export_app = add_export_command(app, exported.arguments);
+        add_settings_options(*export_app, exported.settings);
+        add_map_scale(*export_app, exported.arguments.common);
     }
 
     CLI::App& chosen() {
@@ -294,6 +363,10 @@ std::optional<SettingsStore> load_settings(const SettingsOptions& options, First
 }
 
 int explore(ExploreCall& call, FirstLanguage first, std::ostream& out, std::ostream& err) {
+    if (const auto begun = begin_as_learner(call); !begun) {
+        err << begun.error().sentence() << "\n";
+        return 1;
+    }
     std::vector<Diagnostic>& problems = call.arguments.settings_problems;
     std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
     if (!settings) return 2;
@@ -328,15 +401,28 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     if (!grammar.explore_devices.empty()) grammar.explore.arguments.device = grammar.explore_devices.front();
     if (grammar.explore_devices.size() > 1) grammar.explore.arguments.left_device = grammar.explore_devices.back();
     if (&chosen == grammar.info_app) return grammar.info;
+    if (&chosen == grammar.check_app) return grammar.check;
     if (&chosen == grammar.scenario_app) return grammar.scenario;
+    if (&chosen == grammar.export_app) return grammar.exported;
     if (&chosen == grammar.bench_app) return grammar.bench;
     if (&chosen == grammar.settings_app) return grammar.settings;
     if (&chosen == grammar.devices_app) return grammar.devices;
     if (&chosen == grammar.calibrate_app) return grammar.calibrate;
+    if (&chosen == grammar.replay_app) return grammar.recorded.replay;
+    if (&chosen == grammar.recorded.lesson_app) {
+        ExploreArguments& taught = grammar.recorded.lesson.explore.arguments;
+        if (grammar.recorded.lesson.recorded) taught.record_in = user_data_folder() / "recordings";
+        taught.program_version = HANDRAIL_VERSION;
+        return grammar.recorded.lesson;
+    }
+    if (&chosen == grammar.report_app) return grammar.recorded.report;
+    if (&chosen == grammar.recorded.learner_app) return grammar.recorded.learner;
     if (&chosen == grammar.touch_app) {
         if (auto error = check_touch(grammar.touch)) return *error;
         return grammar.touch;
     }
+    if (grammar.explore_recorded) grammar.explore.arguments.record_in = user_data_folder() / "recordings";
+    grammar.explore.arguments.program_version = HANDRAIL_VERSION;
     auto& world = grammar.explore.arguments.world;
     if (world && is_misspelt_command(*world)) {
         const auto named = world_by_name(*world);  // "handrail house"
@@ -350,20 +436,48 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& out, s
     std::vector<Diagnostic> problems;
     FirstLanguage first = speak_first();
     ParsedCommandLine parsed = parse_command_line(words);
+    const auto with_settings = [&](const SettingsOptions& options, const auto& run) {
+        std::optional<SettingsStore> settings = load_settings(options, std::move(first), problems, err);
+        if (!settings) return 2;
+        for (const Diagnostic& problem : problems) err << problem.sentence() << "\n";
+        return run(*settings);
+    };
     return std::visit(
         Overloaded{[&](ExploreCall& call) { return explore(call, std::move(first), out, err); },
                    [&](const InfoArguments& arguments) { return run_info(arguments, out, err); },
+                   [&](const CheckArguments& arguments) { return run_check(arguments, out, err); },
+                   [&](LessonCall& call) {
+                       if (const auto begun = begin_as_learner(call); !begun) {
+                           err << begun.error().sentence() << "\n";
+                           return 1;
+                       }
+                       return with_settings(call.explore.settings, [&](SettingsStore& settings) {
+                           const auto done = run_lesson(call.arguments, call.explore.arguments, settings, out, err);
+                           return done ? *done : run_explore(call.explore.arguments, settings, out, err);
+                       });
+                   },
+                   [&](const ReportArguments& arguments) { return run_report(arguments, out, err); },
+                   [&](const LearnerArguments& arguments) { return run_learner(arguments, std::cin, out, err); },
                    [&](const TouchArguments& arguments) { return run_touch(arguments, out, err); },
                    [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err); },
+                   [&](ExportCall& call) {
+                       return with_settings(call.settings, [&](SettingsStore& settings) {
+                           call.arguments.how = distances(settings.values());
+                           return run_export(call.arguments, out, err);
+                       });
+                   },
                    [&](const BenchArguments& arguments) { return run_bench_command(arguments, out, err); },
                    [&](const SettingsCall& call) {
-                       std::optional<SettingsStore> settings =
-                           load_settings(call.settings, std::move(first), problems, err);
-                       if (!settings) return 2;
-                       for (const Diagnostic& problem : problems) err << problem.sentence() << "\n";
-                       return run_settings(call.arguments, *settings, out, err);
+                       return with_settings(call.settings, [&](SettingsStore& settings) {
+                           return run_settings(call.arguments, settings, out, err);
+                       });
                    },
                    [&](const DevicesArguments& arguments) { return run_devices(arguments, out, err); },
+                   [&](const ReplayCall& call) {
+                       return with_settings(call.settings, [&](SettingsStore& settings) {
+                           return run_replay(call.arguments, settings.values(), out, err);
+                       });
+                   },
                    [&](const PrintedText& printed) {
                        out << printed.text << std::flush;
                        return 0;

@@ -26,6 +26,19 @@ struct SettingsCall {
     SettingsArguments arguments;
     SettingsOptions settings;
 };
+struct ExportCall {
+    ExportArguments arguments;
+    SettingsOptions settings;
+};
+struct ReplayCall {
+    ReplayArguments arguments;
+    SettingsOptions settings;
+};
+struct LessonCall {
+    LessonArguments arguments;
+    ExploreCall explore;
+    bool recorded = false;  // --record
+};
 // --help and --version: exit status 0.
 struct PrintedText {
     std::string text;
@@ -35,8 +48,9 @@ struct UsageError {
     std::string sentence;
 };
 
-using ParsedCommandLine = std::variant<ExploreCall, InfoArguments, TouchArguments, ScenarioArguments, BenchArguments,
-                                       SettingsCall, DevicesArguments, PrintedText, UsageError>;
+using ParsedCommandLine = std::variant<ExploreCall, InfoArguments, CheckArguments, TouchArguments, ScenarioArguments,
+                                       ExportCall, BenchArguments, SettingsCall, DevicesArguments, LessonCall,
+                                       ReplayCall, ReportArguments, LearnerArguments, PrintedText, UsageError>;
 
 // `words` are the arguments after the program's name. Touches no file but to ask whether a WORLD exists.
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words);

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/main/commands.h"
+#include "app/main/device_facts.h"
 #include "haptic/drivers/found_device.h"
 #include "worlds/base/language.h"
 
@@ -10,27 +11,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string_view kind_word(DeviceKind kind) {
-    switch (kind) {
-        case DeviceKind::Kinesthetic:
-            return "force";
-        case DeviceKind::Cues:
-            return "cues";
-        case DeviceKind::Navigation:
-            return "navigation";
-    }
-    return "";
-}
-
-std::string kind_sentence(DeviceKind kind) {
-    switch (kind) {
-        case DeviceKind::Kinesthetic:
-            return phrase("program.device_pushes");
-        case DeviceKind::Cues:
-            return phrase("program.device_cues");
-        case DeviceKind::Navigation:
-            return phrase("program.device_moves");
-    }
-    return "";
+    if (kind == DeviceKind::Kinesthetic) return "force";
+    return kind == DeviceKind::Cues ? "cues" : "navigation";
 }
 
 // What is not known is null, so that nobody takes 0 for a fact.
@@ -56,26 +38,6 @@ Json json_of(const FoundDevice& device) {
             {"problem", known(device.problem)}};
 }
 
-void tell(const FoundDevice& device, std::ostream& out) {
-    out << phrase("program.device", {{"model", device.model},
-                                     {"name", device.name},
-                                     {"connection", device.connection},
-                                     {"kind", kind_sentence(device.kind)}})
-        << '\n';
-    const auto line = [&out](const std::string& sentence) { out << "  " << sentence << '\n'; };
-    if (!device.serial.empty()) line(phrase("program.device_serial", {{"serial", device.serial}}));
-    line(phrase("program.device_driver", {{"driver", device.driver}}));
-    if (!device.firmware.empty()) line(phrase("program.device_firmware", {{"firmware", device.firmware}}));
-    if (!device.calibration.empty()) line(phrase("program.device_calibration", {{"calibration", device.calibration}}));
-    if (device.spec)
-        line(phrase("program.device_reach", {{"reach", device.spec->workspace_radius_m * 100.0},
-                                             {"force", device.spec->peak_force_n},
-                                             {"stiffness", device.spec->rated_stiffness_n_per_m}}));
-    if (device.rate_hz > 0.0) line(phrase("program.device_rate", {{"rate", device.rate_hz}}));
-    line(device.usable ? phrase("program.device_state", {{"state", spoken_device_state(device)}})
-                       : phrase("program.device_problem", {{"problem", device.problem}}));
-}
-
 }  // namespace
 
 int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostream&) {
@@ -91,7 +53,10 @@ int run_devices(const DevicesArguments& arguments, std::ostream& out, std::ostre
         return 0;
     }
     if (found.empty()) out << phrase("program.no_devices") << '\n';
-    for (const FoundDevice& device : found) tell(device, out);
+    for (const FoundDevice& device : found) {
+        const std::vector<std::string> sentences = device_sentences(device);
+        for (std::size_t i = 0; i < sentences.size(); ++i) out << (i > 0 ? "  " : "") << sentences[i] << '\n';
+    }
     out << phrase("program.simulated_devices") << '\n';
     return 0;
 }

@@ -10,19 +10,20 @@
 namespace handrail {
 
 Ears::Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& contacts,
-           AudioThread::ContactRing& left_contacts, std::vector<std::string>& news)
-    : clock_(clock) {
+           AudioThread::ContactRing& left_contacts, SessionRecording& recording, std::vector<std::string>& news)
+    : clock_(clock), recording_(recording) {
     std::shared_ptr<ReaderChannel> reader;
     if (with_window) {
         reader = std::make_shared<ReaderChannel>();
         accessible_ = Accessible::start(reader);
         braille_ = std::make_shared<BrailleLink>();
     }
-    SoundOutputs outputs = open_sound_outputs(settings, STDOUT_FILENO, std::move(reader), braille_);
+    SoundOutputs outputs = recording.noted(open_sound_outputs(settings, STDOUT_FILENO, std::move(reader), braille_));
     has_sound_ = !outputs.description.empty();
     news.push_back(std::move(outputs.description));
     sound_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock, &contacts,
                                            settings, &left_contacts);
+    recording.listen_to(*sound_);
 }
 
 std::string Ears::voice_that_speaks() {
@@ -39,7 +40,7 @@ std::string Ears::voice_that_speaks() {
 void Ears::follow_world(const Session& app) {
     if (app.scene() == given_scene_) return;
     given_scene_ = app.scene();
-    if (std::exchange(given_world_, app.worlds_entered()) != app.worlds_entered()) sound_->enter_world(given_scene_);
+    if (std::exchange(given_world_, app.world().entered) != app.world().entered) sound_->enter_world(given_scene_);
     else sound_->follow_edit(given_scene_);
 }
 
@@ -67,8 +68,14 @@ void Ears::follow_listener(const Session& app) {
 }
 
 void Ears::follow_hands(bool two, bool stands_in) {
-    if (std::exchange(two_hands_, two) != two) sound_->set_two_hands(two);
-    if (std::exchange(hand_stands_in_, stands_in) != stands_in) sound_->set_hand_stands_in(stands_in);
+    if (std::exchange(two_hands_, two) != two) {
+        recording_.note("ears_two_hands", two ? 1 : 0);
+        sound_->set_two_hands(two);
+    }
+    if (std::exchange(hand_stands_in_, stands_in) != stands_in) {
+        recording_.note("ears_stand_in", stands_in ? 1 : 0);
+        sound_->set_hand_stands_in(stands_in);
+    }
 }
 
 void Ears::note_spoken() {

@@ -8,6 +8,7 @@
 
 #include "app/accessible/accessible.h"
 #include "app/core/session/session.h"
+#include "app/main/session_recording.h"
 #include "audio-cues/sinks/audio_thread.h"
 #include "audio-cues/sinks/braille_display.h"
 #include "worlds/base/clock.h"
@@ -16,10 +17,11 @@ namespace handrail {
 
 class Ears {
 public:
-    // Opens what there is; `news` get what that is. Clock and rings outlive this object. `with_window`: there will be
+    // Opens what there is; `news` get what that is. Clock, rings and recording outlive this
+    // object. `with_window`: there will be
     // one.
     Ears(const Settings& settings, bool with_window, Clock& clock, AudioThread::ContactRing& contacts,
-         AudioThread::ContactRing& left_contacts, std::vector<std::string>& news);
+         AudioThread::ContactRing& left_contacts, SessionRecording& recording, std::vector<std::string>& news);
 
     AudioThread& sound() { return *sound_; }
     bool has_sound() const { return has_sound_; }  // there is a sound device
@@ -42,6 +44,7 @@ public:
 
 private:
     Clock& clock_;
+    SessionRecording& recording_;
     std::unique_ptr<Accessible> accessible_;
     std::shared_ptr<BrailleLink> braille_;
     DialogueView shown_dialogue_;  // as these two have it

@@ -9,12 +9,15 @@
 #include "app/core/kept/spoken_language.h"
 #include "app/core/session/session.h"
 #include "app/main/commands.h"
+#include "app/main/device_facts.h"
 #include "app/main/ears.h"
 #include "app/main/end_signals.h"
 #include "app/main/guided_set_up.h"
 #include "app/main/hand_in_use.h"
 #include "app/main/kept_settings.h"
 #include "app/main/left_hand.h"
+#include "app/main/lesson_here.h"
+#include "app/main/session_recording.h"
 #include "app/main/session_voice.h"
 #include "app/main/typed_keys.h"
 #include "app/main/typed_lines.h"
@@ -56,13 +59,17 @@ public:
     Exploration(const ExploreArguments& arguments, SettingsStore& settings)
         : arguments_(arguments),
           settings_(settings),
-          ears_(settings.values(), !arguments.no_window, clock_, contacts_, left_.contacts(), news_),
+          recording_(arguments, settings.values(), clock_, news_),
+          ears_(settings.values(), !arguments.no_window, clock_, contacts_, left_.contacts(), recording_, news_),
           app_(settings.values(), HandFacts{},
                {.rooms_beside = true,
                 .touch_beside = true,
-                .records_in = user_data_folder(),
+                .records_in = arguments.common.data_folder(),
                 .languages_in = user_languages_folder(),
-                .bodies_by = &clock_}) {}
+                .bodies_by = &clock_,
+                .arrivals = recording_.arrivals()}) {
+        recording_.listen_to(app_);
+    }
 
     // Exit status. Problems that keep it from starting go to `err` too.
     int run(std::ostream& err) {
@@ -86,11 +93,14 @@ private:
 
     // From what is there to the welcome.
     void begin() {
+        news_.insert(news_.begin(), arguments_.news.begin(), arguments_.news.end());
         for (const Diagnostic& problem : arguments_.settings_problems) news_.push_back(problem.sentence());
         open_window();
         if (!window_) open_terminal();
+        recording_.note("acts_by", static_cast<std::uint64_t>(spoken_to()));
         if (hand_.wanted() == "none") news_.push_back(phrase("program.no_device_as_asked"));
         ears_.sound().start();
+        worlds_.begin_notes(settings_, clock_.now_s());
         const bool first = !settings_.values().welcome.done && !arguments_.world && !arguments_.calibrate;
         const std::string voice = first ? ears_.voice_that_speaks() : std::string{};
         asked_s_ = clock_.now_s();
@@ -141,9 +151,10 @@ private:
             if (ended()) return false;
             if (!hand_.look(err)) return false;
             kept_.keep_saved(clock_.now_s());
+            worlds_.keep_notes(clock_.now_s());
             if (clock_.now_s() - told_s >= kLoadingToldEvery_s) {
                 told_s = clock_.now_s();
-                say_(phrase("program.loading", {{"percent", loading.percent()}}));
+                say_(loading.how_far());
             }
         }
         auto world = loading.take();
@@ -162,7 +173,7 @@ private:
         double next_s = clock_.now_s();
         watch_lines();
         while (!ended() && !app_.requests().leave) {
-            const double now_s = clock_.now_s();
+            const double now_s = in_whole_microseconds(clock_.now_s());
             app_.apply(Stopped{switches_.stops}, now_s);
             take_input(now_s);
             if (!hand_.look(err)) return 1;
@@ -173,15 +184,22 @@ private:
             hand_.tell_how_it_runs();
             notice_left_hand(now_s);
             set_up_.begin_if_asked();
+            recording_.set_up(set_up_.under_way());
+            if (auto ended = recording_.take_problem()) say_(std::move(*ended));
             worlds_.change(now_s);
             if (set_up_.under_way()) {
                 guide(now_s);
             } else {
-                app_.tick(now_s, hand_.tool(), left_.tool());
+                const ToolState& left_tool = left_.tool();
+                lesson_.turn(worlds_.path(), now_s);
+                app_.tick(now_s, hand_.tool(), left_tool);
+                lesson_.see(recording_.ticked(app_, now_s, hand_.tool(), left_tool));
                 hand_over();
                 worlds_.note_place(now_s);
             }
             kept_.keep_saved(now_s);
+            worlds_.keep_notes(now_s);
+            device_facts_.answer(app_, now_s);
             ears_.note_spoken();
             hold_more_sound();
             if (window_) window_->draw(app_.view(hand_.tool(), ears_.last_spoken()));
@@ -236,7 +254,11 @@ private:
 
     // To the servos and the ears, what this frame changed.
     void hand_over() {
-        if (kept_.take(app_.take_setting_changes())) ears_.sound().set_settings(app_.settings());
+        if (kept_.take(app_.take_setting_changes())) {
+            recording_.note("ears_settings");
+            ears_.sound().set_settings(app_.settings());
+        }
+        if (!set_up_.under_way()) recording_.handed_over();
         ears_.follow_world(app_);
         ears_.show_dialogue(app_);
         std::vector<CueRequest> cues = app_.take_cues();
@@ -269,9 +291,11 @@ private:
         hand_.stop_looking();
         left_.stop();
         hand_.let_go();
+        if (!arguments_.calibrate) app_.keep_learnt(in_whole_microseconds(clock_.now_s()));
         hand_over();
         kept_.save_at_the_end(err);
         ears_.sound().stop(signals_.asked() ? 0.0 : kLastWords_s);
+        recording_.end();
         worlds_.end();
     }
 
@@ -281,8 +305,9 @@ private:
     SteadyClock clock_;
     ServoSwitches switches_;
     ServoLoop::EventRing contacts_;  // of the hand in use
-    LeftHand left_{clock_, switches_};
     std::vector<std::string> news_;  // said with the welcome
+    SessionRecording recording_;
+    LeftHand left_{clock_, switches_, recording_.hand(1)};
     Ears ears_;
     Session app_;
     const SessionVoice say_{clock_, [this](std::string text, double asked_s) {
@@ -290,9 +315,11 @@ private:
                                 hand_over();
                             }};
     KeptSettings kept_{settings_, clock_, say_};
-    HandInUse hand_{{arguments_, settings_, clock_, switches_, contacts_, app_, say_}};
+    HandInUse hand_{{arguments_, settings_, clock_, switches_, contacts_, app_, say_, recording_.hand(0)}};
     GuidedSetUp set_up_{{settings_, switches_, app_, hand_, ears_, kept_, say_, arguments_.calibrate.has_value()}};
     WorldVisits worlds_{arguments_, app_, say_};
+    DeviceFacts device_facts_;
+    LessonHere lesson_{arguments_.lesson, arguments_.learner, app_, say_};
     std::optional<WindowInput> window_;  // one of the three
     std::unique_ptr<TypedKeys> keys_;
     std::optional<TypedLines> lines_;

@@ -44,7 +44,7 @@ void HandInUse::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> devic
         held = std::make_unique<SimulatedDevice>(facts.spec, simulated_);
     }
     servo_ = std::make_unique<ServoLoop>(std::move(held), parts_.clock, kServoPeriod_s,
-                                         ServoLoop::Links{&parts_.switches, &parts_.contacts});
+                                         ServoLoop::Links{&parts_.switches, &parts_.contacts, parts_.recording});
     given_scene_.reset();
     given_desk_.reset();
     given_bodies_ = 0;

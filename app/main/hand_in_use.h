@@ -28,6 +28,7 @@ public:
         ServoLoop::EventRing& contacts;  // of whichever device is in use
         Session& app;
         const SessionVoice& say;
+        HandRing* recording;  // null: nobody records
     };
     explicit HandInUse(const Parts& parts) : parts_(parts) {}
 

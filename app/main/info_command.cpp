@@ -11,16 +11,17 @@
 #include "app/core/world/entering.h"
 #include "app/core/world/walker.h"
 #include "app/main/commands.h"
+#include "app/main/world_files.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/compile/touch_model.h"
 #include "settings/settings.h"
 #include "worlds/base/clock.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
+#include "worlds/exports/as_words.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/navigation/reach.h"
 #include "worlds/navigation/rooms.h"
-#include "worlds/readers/reader.h"
 #include "worlds/scene/honest_report.h"
 #include "worlds/scene/lint.h"
 #include "worlds/scene/stated_building.h"
@@ -34,6 +35,7 @@ struct Cost {
     double load_s = 0.0;                 // reading the file
     double all_s = 0.0;                  // that, and making all that a session has
     std::int64_t peak_memory_bytes = 0;  // of the whole process, by the end of it
+    bool kept = false;                   // the file was not read anew
 };
 
 std::int64_t peak_memory_bytes() {
@@ -142,6 +144,12 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
             {"effects", scene.effects.size()},
             {"movers", moving_parts(scene)},
             {"bodies", std::move(bodies)},
+            {"labyrinth",
+             {{"level", scene.labyrinth.level},
+              {"goals", scene.labyrinth.goals.size()},
+              {"holes", scene.labyrinth.holes.size()},
+              {"planks", scene.labyrinth.planks.size()},
+              {"blocks", scene.labyrinth.blocks.size()}}},
             {"patches", report.patches},
             {"starts", report.starts},
             {"spaces", stated.rooms.size()},
@@ -170,6 +178,7 @@ Json json_of(const Scene& scene, const TouchModel& touch, const Cost& cost) {
             {"touch_stages_on", touch.stages_on},
             {"touch_stages_off", touch.stages_off},
             {"load_s", cost.load_s},
+            {"kept", cost.kept},
             {"all_s", cost.all_s},
             {"peak_memory_bytes", cost.peak_memory_bytes}};
 }
@@ -216,6 +225,13 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
                                     {"hidden", report.polygons_hidden},
                                     {"kept", report.polygons_kept}}));
     if (!scene.bodies.empty()) line(bodies_words(scene));
+    if (const LabyrinthPlan& game = scene.labyrinth; game.there())
+        line(phrase("info.labyrinth", {{"level", game.level},
+                                       {"ball", spoken_name(scene.features[game.ball.value])},
+                                       {"goals", game.goals.size()},
+                                       {"holes", game.holes.size()},
+                                       {"planks", game.planks.size()},
+                                       {"blocks", game.blocks.size()}}));
     if (scene.stated) tell_honestly(scene, out);
     if (!scene.effects.empty()) {
         std::vector<std::string> kinds;
@@ -255,6 +271,7 @@ void tell(const Scene& scene, const TouchModel& touch, const Cost& cost, std::os
     line(phrase("info.loaded", {{"seconds", cost.all_s},
                                 {"reading", cost.load_s},
                                 {"megabytes", (cost.peak_memory_bytes + (1 << 19)) >> 20}}));
+    if (cost.kept) line(phrase("info.kept"));
 }
 
 // The rooms that are found where the file states none, as a session finds them; why not, where it finds none.
@@ -323,6 +340,25 @@ int tell_lint(const Scene& scene, std::ostream& out) {
     return lint.problems.empty() ? 0 : 1;
 }
 
+// The rooms as a text: as the file states them, else as they are found.
+int tell_as_words(const Scene& scene, const std::string& wish, std::ostream& out, std::ostream& err) {
+    const std::string code = wish.empty() ? spoken_language() : wish;
+    const WordLanguage language = code == "de" ? WordLanguage::German : WordLanguage::English;
+    if (scene.stated && !scene.stated->rooms.empty()) {
+        out << text_of(stated_house(scene, language), scene, language);
+        return 0;
+    }
+    const BodySize size = body_size(scene, Settings{}.walk.body_radius_m);
+    const Result<WalkSpace> space =
+        make_walk_space(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
+    if (!space) {
+        err << space.error().sentence() << '\n';
+        return 1;
+    }
+    out << text_of(found_house(scene, make_rooms(scene, *space), *space, language), scene, language);
+    return 0;
+}
+
 }  // namespace
 
 int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err) {
@@ -333,8 +369,9 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     }
     const SteadyClock clock;
     const double begun_s = clock.now_s();
-    Result<Scene> read = read_world(arguments.world, options);
-    Cost cost{clock.now_s() - begun_s, 0.0, 0};
+    Result<ImportedWorld> imported_world = imported(arguments.world, options);
+    Cost cost{clock.now_s() - begun_s, 0.0, 0, imported_world && imported_world->kept};
+    Result<Scene> read = std::move(imported_world).map([](ImportedWorld&& world) { return std::move(world.scene); });
     if (!read) {
         err << read.error().sentence() << '\n';
         return 1;
@@ -344,6 +381,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
         return 1;
     }
     if (arguments.lint) return tell_lint(*read, out);
+    if (arguments.as_words) return tell_as_words(*read, arguments.language, out, err);
     std::optional<double> scale;
     if (!arguments.scale.empty() && !(scale = scale_of(arguments.scale, read->bounds_m))) {
         err << phrase("program.info_scale", {{"scale", arguments.scale}}) << '\n';

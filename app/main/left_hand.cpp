@@ -44,7 +44,8 @@ bool LeftHand::use(const HandFacts& facts, std::unique_ptr<GuardedDevice> device
     guarded_ = device.get();
     std::unique_ptr<HapticDevice> held = std::move(device);
     if (facts.simulated) held = std::make_unique<SimulatedDevice>(facts.spec, std::make_shared<SimulatedHand>());
-    servo_ = std::make_unique<ServoLoop>(std::move(held), clock_, kPeriod_s, ServoLoop::Links{&switches_, &contacts_});
+    servo_ = std::make_unique<ServoLoop>(std::move(held), clock_, kPeriod_s,
+                                         ServoLoop::Links{&switches_, &contacts_, recording_});
     if (const auto opened = servo_->open(); !opened) {
         news.push_back(phrase("program.for_left_hand", {{"problem", opened.error().sentence()}}));
         guarded_ = nullptr;

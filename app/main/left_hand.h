@@ -16,7 +16,8 @@ namespace handrail {
 class LeftHand {
 public:
     // Both outlive this object.
-    LeftHand(Clock& clock, const ServoSwitches& switches) : clock_(clock), switches_(switches) {}
+    LeftHand(Clock& clock, const ServoSwitches& switches, HandRing* recording)
+        : clock_(clock), switches_(switches), recording_(recording) {}
 
     // Begins to look for a device by name or serial number; none: there is no second hand.
     void look_for(const std::string& wanted);
@@ -36,6 +37,7 @@ private:
 
     Clock& clock_;
     const ServoSwitches& switches_;
+    HandRing* recording_;
     ServoLoop::EventRing contacts_;
     std::optional<Hand> simulated_;  // that waits to be used
     std::optional<HandSearch> search_;

@@ -2,23 +2,34 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "app/core/world/entering.h"
 #include "app/main/commands.h"
 #include "app/main/path_csv.h"
+#include "app/main/world_files.h"
 #include "haptic/compile/compile_haptic.h"
 #include "haptic/device/device_spec.h"
+#include "haptic/dynamics/dynamics.h"
 #include "haptic/render/touch.h"
+#include "haptic/servo/hand_bodies.h"
+#include "settings/settings.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
-#include "worlds/readers/reader.h"
 
 namespace handrail {
 namespace {
 
 constexpr double kFarthest_m = 1e6;
 constexpr double kFirstTick_s = 1e-3;
-constexpr double kJump_hand_m = 0.020;  // farthest hand travel between two rows that a device is believed
+constexpr double kMostReact_s = 0.01;    // a row later than that pushes no longer
+constexpr double kMostGap_s = 10.0;      // between two rows; all has come to rest before
+constexpr double kIdealCeiling_n = 2.5;  // of the hand that moves things, where no device says otherwise
+constexpr double kJump_hand_m = 0.020;   // farthest hand travel between two rows that a device is believed
 
 // The shortest decimal that reads back as the same double; zero never has a sign.
 void append_number(std::string& out, double value) {
@@ -86,9 +97,62 @@ TouchTuning tuning_of(const TouchArguments& arguments, const DeviceSpec& device)
     return tuning;
 }
 
-std::string replay(const Scene& scene, const std::vector<PathRow>& rows, const TouchTuning& tuning,
-                   const DeviceSpec* limits) {
+// What is free to move in the world, in the time of the rows: the hand pushes it and feels it each row, the engine goes
+// on in its own steps. The same rows give the same bits. Nothing of it where nothing is free.
+class MovingThings {
+public:
+    // scene: with what moves set apart as things; felt: compiled of it.
+    MovingThings(const EnteringWorld& world, const HapticScene& felt, const TouchTuning& tuning, double ceiling_n)
+        : scene_(world.moves_freely), engine_(scene_) {
+        feel_.world_m_per_hand_m = tuning.world_m_per_hand_m;
+        feel_.ball_m = tuning.radius_m;
+        feel_.ceiling_n = ceiling_n;
+        feel_.felt_gain = felt_gain(ceiling_n, Settings().dynamics.strength_n);
+        bodies_.enter(scene_.get());
+        for (const auto& body : felt.bodies) poses_.push_back({body.start, true});
+        engine_.step(frame_, events_);
+    }
+    // Where they are for this row.
+    TouchResult touch(TouchState& state, const HapticScene& felt, const TouchTuning& tuning, const Vec3& hand_m,
+                      double dt_s) {
+        bodies_.hear(frame_);
+        if (bodies_.place(now_s_, hand_m, feel_, poses_)) ++number_;
+        const TouchResult touched =
+            touch_tick(state, felt, tuning, hand_m, dt_s, bodies_.carried_m(), {poses_, number_});
+        const double wanted_n = glm::length(touched.force_n), step_s = std::min(dt_s, kMostReact_s);
+        bodies_.react(touched, wanted_n > feel_.ceiling_n ? feel_.ceiling_n / wanted_n : 1.0, now_s_, step_s, feel_,
+                      pushes_);
+        engine_.place_hand(0, {hand_m, feel_.ball_m, true});
+        for (HandPush push; pushes_.pop(push);) engine_.push(0, push);
+        now_s_ += std::min(dt_s, kMostGap_s);
+        while (engine_.time_s() + Dynamics::kStep_s <= now_s_) {
+            events_.clear();
+            engine_.step(frame_, events_);
+        }
+        return touched;
+    }
+
+private:
+    std::shared_ptr<const DynamicsScene> scene_;
+    Dynamics engine_;
+    BodyFeel feel_;
+    HandBodies bodies_{0};
+    HandPushRing pushes_;
+    std::vector<BodyPose> poses_;
+    std::uint64_t number_ = 1;
+    DynamicsFrame frame_;
+    std::vector<BodyEvent> events_;
+    double now_s_ = Dynamics::kStep_s;
+};
+
+std::string replay(const std::shared_ptr<const Scene>& file, const std::vector<PathRow>& rows,
+                   const TouchTuning& tuning, const DeviceSpec* limits) {
+    EnteringWorld world;
+    if (!file->bodies.empty()) world = make_ready(file);
+    const Scene& scene = world.moves_freely ? *world.scene : *file;
     const std::shared_ptr<const HapticScene> haptic = compile_haptic(scene, MaterialSource::KeysOnly);
+    std::optional<MovingThings> moving;
+    if (world.moves_freely) moving.emplace(world, *haptic, tuning, limits ? limits->peak_force_n : kIdealCeiling_n);
     TouchState state;
     RowChecks checks(limits ? kJump_hand_m * tuning.world_m_per_hand_m : std::numeric_limits<double>::infinity());
     Vec3 proxy_m(0.0);
@@ -105,7 +169,8 @@ std::string replay(const Scene& scene, const std::vector<PathRow>& rows, const T
         } else {
             const double dt_s = i > 0 ? row.t_s - rows[i - 1].t_s : kFirstTick_s;
             const auto start = std::chrono::steady_clock::now();
-            const TouchResult result = touch_tick(state, *haptic, tuning, row.position_m, dt_s);
+            const TouchResult result = moving ? moving->touch(state, *haptic, tuning, row.position_m, dt_s)
+                                              : touch_tick(state, *haptic, tuning, row.position_m, dt_s);
             tick_ns =
                 std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::steady_clock::now() - start).count();
             proxy_m = result.proxy_m;
@@ -148,14 +213,15 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err)
     };
     ReadOptions options = arguments.common.read_options(arguments.world);
     options.guess_materials = false;
-    const Result<Scene> scene = read_world(arguments.world, options);
+    Result<Scene> scene =
+        imported(arguments.world, options).map([](ImportedWorld&& world) { return std::move(world.scene); });
     if (!scene) return refuse(scene.error());
     const Result<std::string> text = read_whole_file(arguments.path_csv);
     if (!text) return refuse(text.error());
     const Result<std::vector<PathRow>> rows = parse_path(*text, arguments.path_csv.filename().string());
     if (!rows) return refuse(rows.error());
-    const std::string result =
-        replay(*scene, *rows, tuning_of(arguments, limits ? *limits : ideal_device_spec()), limits);
+    const std::string result = replay(std::make_shared<const Scene>(std::move(*scene)), *rows,
+                                      tuning_of(arguments, limits ? *limits : ideal_device_spec()), limits);
     const Result<void> written = write_file_atomically(arguments.out_csv, result);
     return written ? 0 : refuse(written.error());
 }

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "app/core/kept/kept_unit.h"
+#include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
 #include "app/main/commands.h"
 
@@ -12,13 +13,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Beside an installed program; empty where it is not installed.
+// Beside the program, installed or built: a build folder has a link there, which is followed. Where there is none it is
+// the place that a sentence can name.
 fs::path installed_folder() {
     std::error_code ec;
     const fs::path program = fs::read_symlink("/proc/self/exe", ec);
     if (ec) return {};
     fs::path installed = program.parent_path().parent_path() / "share" / "handrail" / "worlds";
-    return fs::is_directory(installed, ec) ? installed : fs::path();
+    fs::path real = fs::canonical(installed, ec);
+    return ec ? installed : real;
 }
 
 fs::path folder_as_set() {
@@ -36,15 +39,14 @@ fs::path real_world(const fs::path& world) {
 }  // namespace
 
 fs::path world_folder() {
-    for (const fs::path& folder : {folder_as_set(), installed_folder()})
-        if (!folder.empty()) return folder;
-    return HANDRAIL_WORLD_FOLDER;
+    fs::path set = folder_as_set();
+    return set.empty() ? installed_folder() : set;
 }
 
 bool is_shipped(const fs::path& world) {
     std::error_code ec;
     const fs::path folder = real_world(world).parent_path();
-    for (const fs::path& ours : {folder_as_set(), installed_folder(), fs::path(HANDRAIL_WORLD_FOLDER)})
+    for (const fs::path& ours : {folder_as_set(), installed_folder()})
         if (!ours.empty() && fs::equivalent(folder, ours, ec)) return true;
     return false;
 }
@@ -59,12 +61,20 @@ std::optional<fs::path> world_by_name(const fs::path& name) {
     return std::nullopt;
 }
 
+Result<ImportedWorld> imported(const fs::path& world, const ReadOptions& options) {
+    ImportHow how;
+    how.keep_in = kept_beside(kept_by(world), user_data_folder(), is_shipped(world), ".handrail.scene");
+    return import_world(world, options, how);
+}
+
 fs::path first_world() { return world_folder() / "first_room.map"; }
+
+fs::path CommonArguments::data_folder() const { return data_in.empty() ? user_data_folder() : data_in; }
 
 ReadOptions CommonArguments::read_options(const fs::path& world) const {
     CommonArguments said = *this;
     if (!unit_m && !map_scale_m_per_unit)
-        said.unit_m = kept_unit(kept_by(world), user_data_folder(), is_shipped(world));
+        said.unit_m = kept_unit(kept_by(world), data_folder(), !data_in.empty() || is_shipped(world));
     return said.read_options();
 }
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/import/import_world.h"
+
 namespace handrail {
 
 // HANDRAIL_WORLDS when set, else ../share/handrail/worlds from the program's own place, else the source tree's
@@ -17,6 +19,8 @@ bool is_shipped(const std::filesystem::path& world);
 std::filesystem::path kept_by(const std::filesystem::path& world);
 // "house", where no file of that name is here: the world of world_folder() that is called so; none: there is none.
 std::optional<std::filesystem::path> world_by_name(const std::filesystem::path& name);
+// As import_world, with what is kept of the world lying where its side file does. Any thread but the app's.
+Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOptions& options);
 // The world that a first start explores.
 std::filesystem::path first_world();
 

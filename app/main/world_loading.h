@@ -4,7 +4,10 @@
 #include <atomic>
 #include <filesystem>
 #include <future>
+#include <mutex>
 #include <stop_token>
+#include <string>
+#include <string_view>
 
 #include "app/core/world/entering.h"
 #include "app/main/commands.h"
@@ -21,12 +24,17 @@ public:
     WorldLoading& operator=(const WorldLoading&) = delete;
 
     bool ready() const;
-    int percent() const { return percent_.load(std::memory_order_relaxed); }  // of the reading
+    // "Loading, 40 percent: building walls and floors.": how far the reading is, and what it is at.
+    std::string how_far() const;
     // Once, when ready. Fails as read_world does.
     Result<EnteringWorld> take() { return result_.get(); }
 
 private:
+    void go_to(std::string_view stage);
+
     std::atomic<int> percent_{0};
+    mutable std::mutex mutex_;  // held for the length of a copy
+    std::string stage_;         // a text's key
     std::stop_source stop_;
     std::future<Result<EnteringWorld>> result_;  // last: its thread uses the others, and it waits for that
 };

@@ -1,24 +1,79 @@
 #include "app/main/world_visits.h"
 
+#include <sstream>
 #include <utility>
+#include <variant>
 
 #include "app/core/kept/kept_unit.h"
 #include "app/core/kept/side_file.h"
+#include "app/core/learning/learnt_file.h"
 #include "app/main/world_files.h"
+#include "worlds/base/files.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
 namespace handrail {
 
+namespace {
+
+// The word of an input that stands for itself in a report; empty: it says nothing, or what only concerns the person.
+std::string_view act_word(const SessionInput& input) {
+    if (const auto* down = std::get_if<CommandDown>(&input)) return info(down->command).word;
+    if (std::holds_alternative<LineTyped>(input)) return "line-typed";
+    if (std::holds_alternative<TextTyped>(input)) return "text-typed";
+    if (std::holds_alternative<ItemActed>(input)) return "list-item";
+    if (std::holds_alternative<WorldEntered>(input)) return "world-entered";
+    if (std::holds_alternative<HandChanged>(input)) return "hand-changed";
+    if (std::holds_alternative<LeftHandChanged>(input)) return "left-hand-changed";
+    if (std::holds_alternative<SettingsChanged>(input)) return "settings-changed";
+    if (std::holds_alternative<WentOnAt>(input)) return "went-on";
+    return {};
+}
+
+}  // namespace
+
+void WorldVisits::begin_notes(const SettingsStore& settings, double now_s) {
+    std::vector<std::string> lines{
+        phrase("crash_report.program", {{"version", arguments_.program_version}, {"language", spoken_language()}})};
+    for (const SettingRow& row : settings.explain())
+        if (row.source != SettingSource::Default)
+            lines.push_back(
+                phrase("crash_report.setting", {{"key", row.key},
+                                                {"value", row.value},
+                                                {"told", may_be_reported(row.value, row.range) ? "yes" : "no"}}));
+    notes_.emplace(std::move(lines));
+    crash_signal_.emplace(trace_.signal_file());
+    app_.tell_inputs({[this](const SessionInput& input, double at_s) {
+                          if (const std::string_view word = act_word(input); !word.empty()) notes_->note(word, at_s);
+                      },
+                      {}});
+    keep_notes(now_s);
+}
+
+void WorldVisits::keep_notes(double now_s) {
+    if (notes_ && notes_->changes() != notes_kept_ && trace_.note_report(notes_->text(), now_s))
+        notes_kept_ = notes_->changes();
+}
+
 std::string WorldVisits::crash_words(bool with_window, double now_s) {
     if (!trace_.crashed()) return {};
+    std::string report;
+    if (const auto text = read_whole_file(trace_.report(), 256 * 1024); text && !trace_.report().empty()) {
+        std::vector<std::string> lines;
+        std::istringstream in(*text);
+        for (std::string line; std::getline(in, line);)
+            if (!line.empty()) lines.push_back(std::move(line));
+        app_.apply(CrashReportKnown{trace_.report().string(), std::move(lines)}, now_s);
+        report = " " + phrase("crash_report.lies", {{"file", trace_.report().string()}});
+    }
     const auto& last = trace_.left_at();
     std::error_code ec;
-    if (!last || !std::filesystem::exists(last->world, ec)) return phrase("last_place.crashed");
+    if (!last || !std::filesystem::exists(last->world, ec)) return phrase("last_place.crashed") + report;
     app_.apply(LastPlaceKnown{*last}, now_s);
     return phrase("last_place.crashed_offer", {{"world", name_of_file(last->world)},
                                                {"window", with_window ? "yes" : "no"},
-                                               {"keys", app_.keys().keys_of(Command::LastPlace)}});
+                                               {"keys", app_.keys().keys_of(Command::LastPlace)}}) +
+           report;
 }
 
 void WorldVisits::enter(EnteringWorld world, const std::filesystem::path& path, double asked_s) {
@@ -27,16 +82,40 @@ void WorldVisits::enter(EnteringWorld world, const std::filesystem::path& path, 
         say_(phrase("program.problems",
                     {{"count", report.warnings_in_all}, {"first", report.warnings.front().sentence()}}),
              asked_s);
-    SideFile side_file = SideFile::of_world(kept_by(path), user_data_folder(), is_shipped(path));
+    SideFile side_file = additions_to(path);
     if (arguments_.common.unit_m && arguments_.world && path == *arguments_.world) {
         keep_unit(side_file, *arguments_.common.unit_m);
         if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
     }
-    app_.apply(WorldEntered{std::move(world), std::move(side_file)}, asked_s);
-    recent_.add(path);
+    if (!arguments_.common.data_in.empty()) {  // what was learnt without consent, or before it was withdrawn, goes
+        set_remembers(side_file, arguments_.remember);
+        if (const auto saved = side_file.save(); !saved) say_(saved.error().sentence(), asked_s);
+    }
     std::error_code ec;
     path_ = std::filesystem::absolute(path, ec);
+    CommonArguments common = arguments_.common;
+    if (!arguments_.world || path != *arguments_.world) common.unit_m.reset();
+    const ReadOptions read = common.read_options(path);
+    app_.apply(WorldEntered{std::move(world),
+                            std::move(side_file),
+                            {path_, read.map_metres_per_unit, read.obj_metres_per_unit, read.unit_is_known}},
+               asked_s);
+    recent_.add(path);
     app_.apply(WorldsKnown{{world_folder(), recent_.worlds()}}, asked_s);
+}
+
+// What was added to the world: by a learner in the learner's own folder, which begins with what there is for everybody.
+SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
+    const std::filesystem::path kept = kept_by(path);
+    if (arguments_.common.data_in.empty()) return SideFile::of_world(kept, user_data_folder(), is_shipped(path));
+    std::error_code ec;
+    const std::filesystem::path own = SideFile::of_world(kept, arguments_.common.data_in, true).path(),
+                                of_all = SideFile::of_world(kept, user_data_folder(), is_shipped(path)).path();
+    if (!std::filesystem::exists(own, ec) && std::filesystem::exists(of_all, ec)) {
+        std::filesystem::create_directories(own.parent_path(), ec);
+        std::filesystem::copy_file(of_all, own, ec);  // where that fails the learner begins with nothing
+    }
+    return SideFile::of_world(kept, arguments_.common.data_in, true);
 }
 
 void WorldVisits::begin_reading(const std::filesystem::path& path, const CommonArguments& common, double now_s) {
@@ -50,6 +129,7 @@ void WorldVisits::change(double now_s) {
         if (next_) return say_(phrase("program.still_read", {{"world", name_of_file(next_path_)}}));
         CommonArguments common = arguments_.common;
         common.unit_m.reset();  // it was said of another world
+        common.building.clear();
         begin_reading(*wanted, common, now_s);
     }
     if (const auto last = app_.requests().take_last_place(); last && !next_) {
@@ -65,7 +145,7 @@ void WorldVisits::change(double now_s) {
     if (!next_->ready()) {
         if (now_s - next_told_s_ < kLoadingToldEvery_s) return;
         next_told_s_ = now_s;
-        return say_(phrase("program.loading", {{"percent", next_->percent()}}));
+        return say_(next_->how_far());
     }
     auto world = next_->take();
     next_.reset();

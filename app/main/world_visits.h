@@ -1,15 +1,19 @@
 // Which world the session is in, which one is read to be entered next, and where the last session was. App thread.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
+#include "app/core/kept/crash_notes.h"
 #include "app/core/kept/last_place.h"
+#include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
 #include "app/core/session/session.h"
 #include "app/main/commands.h"
+#include "app/main/crash_signal.h"
 #include "app/main/session_voice.h"
 #include "app/main/world_loading.h"
 
@@ -27,20 +31,29 @@ public:
     // to go on there; empty where there is nothing to say.
     std::string take_news() { return recent_.take_news(); }
     std::string crash_words(bool with_window, double now_s);
+    // Once, before anything happens: what a report of a crash of this session would say from now on.
+    void begin_notes(const SettingsStore& settings, double now_s);
+    // Once a frame.
+    void keep_notes(double now_s);
 
     // With what the world's report and its side file have to say, as parts of the reply of `asked_s`.
     void enter(EnteringWorld world, const std::filesystem::path& path, double asked_s);
     // Once a frame: another world is read while this one goes on; one that cannot be read leaves everything as it is.
     void change(double now_s);
+    const std::filesystem::path& path() const { return path_; }  // of the world one is in, absolute
     bool reading() const { return next_ != nullptr; }
     // Stays where one is instead, and says so. False when no other world is being read.
     bool give_up_reading(double now_s);
 
     // Once a frame: so that a session that ends otherwise than by end() is gone on with.
     void note_place(double now_s);
-    void end() { trace_.end(); }
+    void end() {
+        crash_signal_.reset();
+        trace_.end();
+    }
 
 private:
+    SideFile additions_to(const std::filesystem::path& path) const;
     void begin_reading(const std::filesystem::path& path, const CommonArguments& common, double now_s);
 
     const ExploreArguments& arguments_;
@@ -48,6 +61,9 @@ private:
     const SessionVoice& say_;
     RecentWorlds recent_{recent_worlds_path()};
     SessionTrace trace_{sessions_folder()};
+    std::optional<CrashSignal> crash_signal_;
+    std::optional<CrashNotes> notes_;
+    std::uint64_t notes_kept_ = 0;
     std::filesystem::path path_;           // of the world that was entered, absolute
     std::optional<LastPlace> next_place_;  // where to go on in the world that is read
     std::unique_ptr<WorldLoading> next_;

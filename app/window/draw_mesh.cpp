@@ -239,27 +239,31 @@ DrawLook look_of(FeatureKind kind, SolidRole role, const Vec3& normal) {
 
 double luminance(const std::array<std::uint8_t, 3>& rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-DrawMesh build_draw_mesh(const Scene& scene) {
+DrawMesh build_draw_mesh(const Scene& scene, const std::function<bool(FeatureId)>& drawn) {
+    const auto left_out = [&](FeatureId id) { return drawn && !drawn(id); };
     const auto kind_of = [&](FeatureId id) {
         const Feature* feature = scene.find(id);
         return feature ? feature->kind : FeatureKind::Wall;
     };
     Aabb bounds;
     for (const SurfacePolygon& surface : scene.surfaces)
-        for (const Vec3& p : surface.polygon.points_m) bounds.include(p);
+        if (!left_out(surface.feature))
+            for (const Vec3& p : surface.polygon.points_m) bounds.include(p);
     for (const MeshTriangle& triangle : scene.triangles)
-        for (const Vec3& p : {triangle.a_m, triangle.b_m, triangle.c_m}) bounds.include(p);
+        if (!left_out(triangle.feature))
+            for (const Vec3& p : {triangle.a_m, triangle.b_m, triangle.c_m}) bounds.include(p);
 
     MeshBuilder builder(bounds.empty() ? Vec3(0.0) : bounds.centre_m());
     for (const SurfacePolygon& surface : scene.surfaces) {
-        if (surface.role == SolidRole::Trigger || surface.role == SolidRole::BodyClip) continue;
+        if (surface.role == SolidRole::Trigger || surface.role == SolidRole::BodyClip || left_out(surface.feature))
+            continue;
         builder.add(surface.polygon, surface.normal, surface.feature,
                     look_of(kind_of(surface.feature), surface.role, surface.normal), false);
     }
     for (const MeshTriangle& triangle : scene.triangles) {
         const Vec3 across = glm::cross(triangle.b_m - triangle.a_m, triangle.c_m - triangle.a_m);
         const double twice_area_m2 = glm::length(across);
-        if (twice_area_m2 < 1e-12) continue;  // a needle has nothing to see
+        if (twice_area_m2 < 1e-12 || left_out(triangle.feature)) continue;  // a needle has nothing to see
         const Vec3 normal = across / twice_area_m2;
         builder.add({{triangle.a_m, triangle.b_m, triangle.c_m}}, normal, triangle.feature,
                     look_of(kind_of(triangle.feature), SolidRole::Solid, normal), true);

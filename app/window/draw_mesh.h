@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "worlds/scene/scene.h"
@@ -58,6 +59,7 @@ double luminance(const std::array<std::uint8_t, 3>& rgb);
 
 // Volumes without a visible surface (triggers, clips) are left out. Outlines are the borders of surfaces; where two
 // pieces of one feature in one plane meet there is none. About 25 ms for a map of 7,000 polygons.
-DrawMesh build_draw_mesh(const Scene& scene);
+// drawn: which features are; empty: all.
+DrawMesh build_draw_mesh(const Scene& scene, const std::function<bool(FeatureId)>& drawn = {});
 
 }  // namespace handrail

@@ -138,14 +138,32 @@ void draw_scale_and_north(ImDrawList& list, ImFont& font, const PlanLayout& layo
 
 }  // namespace
 
+void PlanDrawing::cut(const ViewState& view) {
+    const Scene& scene = *view.scene;
+    free_.assign(scene.placed.size(), false);
+    for (std::size_t i = 0; i < scene.placed.size(); ++i)
+        free_[i] = std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                               [&](const FreeBody& body) { return body.feature == scene.placed[i].feature; });
+    cut_ = cut_plan(scene, view.feet_m.z, [&](std::size_t thing) {
+        return free_[thing] ? std::nullopt : std::optional(scene.placed[thing].at);
+    });
+}
+
 void PlanDrawing::draw(const ViewState& view, ImFont& font, PixelSize picture) {
     const PixelBox box{Vec2(0.0), Vec2(picture.width, picture.height)};
     const PlanLayout layout = lay_out_plan(view.scene->bounds_m, view.feet_m, view.heading_rad, view.north_up, box);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     list.PushClipRect({0.0F, 0.0F}, im(box.max_px));
     // A step up or down is shown; the sway of walking on a slope does not cut the plan anew each frame.
-    if (!cut_ || std::abs(cut_->feet_height_m - view.feet_m.z) > 0.1) cut_ = cut_plan(*view.scene, view.feet_m.z);
+    if (!cut_ || std::abs(cut_->feet_height_m - view.feet_m.z) > 0.1) cut(view);
     for (const PlanShape& shape : cut_->shapes) draw_shape(list, layout, shape);
+    const auto where_free = [&](std::size_t thing) -> std::optional<Placement> {
+        if (!free_[thing]) return std::nullopt;
+        const auto moved = std::find_if(view.moved.begin(), view.moved.end(),
+                                        [&](const MovedThing& one) { return one.thing == thing; });
+        return moved == view.moved.end() ? view.scene->placed[thing].at : moved->at;
+    };
+    for (const PlanShape& shape : cut_things(*view.scene, view.feet_m.z, where_free)) draw_shape(list, layout, shape);
     for (const auto& [a, b] : cut_->sheets_m)
         list.AddLine(im(layout.to_pixels(a)), im(layout.to_pixels(b)), kWallColour, 3.0F);
 

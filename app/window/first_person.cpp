@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/ext/matrix_clip_space.hpp>
+#include <vector>
 
 namespace handrail {
 namespace {
@@ -20,11 +21,12 @@ layout(location = 2) in vec3 rgb;
 layout(location = 3) in uint pattern;
 uniform mat4 clip_from_eye;
 uniform vec3 origin_from_eye_m;
+uniform mat3 turn;
 out vec2 place_m;
 flat out vec3 colour;
 flat out uint kind;
 void main() {
-    gl_Position = clip_from_eye * vec4(position_m + origin_from_eye_m, 1.0);
+    gl_Position = clip_from_eye * vec4(turn * position_m + origin_from_eye_m, 1.0);
     place_m = surface_m;
     colour = rgb;
     kind = pattern;
@@ -59,6 +61,7 @@ layout(location = 0) in vec3 a_m;
 layout(location = 1) in vec3 b_m;
 uniform mat4 clip_from_eye;
 uniform vec3 origin_from_eye_m;
+uniform mat3 turn;
 uniform vec2 half_size_px;
 uniform float half_width_px;
 out float across;
@@ -66,8 +69,8 @@ const float pull = 0.995;
 const float nearest_m = 0.1;
 void main() {
     int corner = gl_VertexID & 3;
-    vec4 a = clip_from_eye * vec4((a_m + origin_from_eye_m) * pull, 1.0);
-    vec4 b = clip_from_eye * vec4((b_m + origin_from_eye_m) * pull, 1.0);
+    vec4 a = clip_from_eye * vec4((turn * a_m + origin_from_eye_m) * pull, 1.0);
+    vec4 b = clip_from_eye * vec4((turn * b_m + origin_from_eye_m) * pull, 1.0);
     across = (corner & 1) == 0 ? 1.0 : -1.0;
     if (a.w < nearest_m && b.w < nearest_m) {
         gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
@@ -123,6 +126,38 @@ void main() {
     }
 })";
 
+// A mesh as it is drawn: turned about its origin, and where that is from the eye.
+struct Part {
+    UploadedMesh* mesh;
+    glm::mat3 turn;
+    Vec3 origin_from_eye_m;
+};
+
+// A thing that the scene has at `from` and that is at `to` by now.
+Part moved_part(UploadedMesh& mesh, const Placement& from, const Placement& to, const Vec3& eyes_m) {
+    const PlacedFrame was(from), is(to);
+    glm::mat3 turn;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 along(0.0);
+        along[axis] = 1.0;
+        turn[axis] = glm::vec3(is.turned(was.turned_back(along)) * (is.scale / was.scale));
+    }
+    return {&mesh, turn, is.to_world(was.to_own(mesh.origin_m())) - eyes_m};
+}
+
+// The building first, then what moves freely in it.
+std::vector<Part> parts_of(const ViewState& view, UploadedScene& scene) {
+    std::vector<Part> parts{{&scene.building(), glm::mat3(1.0F), scene.building().origin_m() - view.eyes_m}};
+    for (const UploadedScene::Body& body : scene.bodies()) {
+        const Placement& stood = view.scene->placed[body.thing].at;
+        const auto moved = std::find_if(view.moved.begin(), view.moved.end(),
+                                        [&](const MovedThing& one) { return one.thing == body.thing; });
+        parts.push_back(moved_part(*body.mesh, stood, moved == view.moved.end() ? stood : moved->at, view.eyes_m));
+        body.mesh->choose_all();
+    }
+    return parts;
+}
+
 }  // namespace
 
 Result<void> FirstPerson::start() {
@@ -140,14 +175,15 @@ void FirstPerson::draw(const ViewState& view, UploadedScene& scene, PixelSize pi
     const Vec3 forward = std::cos(view.tilt_rad) * level + std::sin(view.tilt_rad) * Vec3(0.0, 0.0, 1.0);
     const Vec3 up = glm::cross(right, forward);
     // The eye is taken away in double, so that a building far from its file's origin does not tremble.
-    const Vec3 origin_from_eye = scene.origin_m() - view.eyes_m;
+    const std::vector<Part> parts = parts_of(view, scene);
+    const Vec3& origin_from_eye = parts.front().origin_from_eye_m;
     const double far_m = std::max(100.0, 1.1 * (scene.reach_m() + glm::length(origin_from_eye)));
-    const glm::mat4 turn(glm::vec4(right.x, up.x, -forward.x, 0.0), glm::vec4(right.y, up.y, -forward.y, 0.0),
-                         glm::vec4(right.z, up.z, -forward.z, 0.0), glm::vec4(0.0, 0.0, 0.0, 1.0));
+    const glm::mat4 towards(glm::vec4(right.x, up.x, -forward.x, 0.0), glm::vec4(right.y, up.y, -forward.y, 0.0),
+                            glm::vec4(right.z, up.z, -forward.z, 0.0), glm::vec4(0.0, 0.0, 0.0, 1.0));
     const double aspect = static_cast<double>(picture.width) / picture.height;
     const glm::mat4 clip_from_eye = glm::perspective(static_cast<float>(kFieldOfView_rad), static_cast<float>(aspect),
                                                      static_cast<float>(kNear_m), static_cast<float>(far_m)) *
-                                    turn;
+                                    towards;
 
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
@@ -155,21 +191,26 @@ void FirstPerson::draw(const ViewState& view, UploadedScene& scene, PixelSize pi
     glEnable(GL_CULL_FACE);
     // What the four sides of the picture and the plane of the eyes leave in sight.
     const double half_high = std::tan(0.5 * kFieldOfView_rad), half_wide = aspect * half_high;
-    scene.choose(origin_from_eye, {forward, forward * half_wide - right, forward * half_wide + right,
-                                   forward * half_high - up, forward * half_high + up});
+    scene.building().choose(origin_from_eye, {forward, forward * half_wide - right, forward * half_wide + right,
+                                              forward * half_high - up, forward * half_high + up});
     surface_program_.use();
     surface_program_.set("clip_from_eye", clip_from_eye);
-    surface_program_.set("origin_from_eye_m", glm::vec3(origin_from_eye));
     surface_program_.set("opacity", 1.0F);
-    scene.draw_opaque();
+    const auto draw_parts = [&](const GlProgram& program, void (*draw_one)(UploadedMesh&)) {
+        for (const Part& part : parts) {
+            program.set("turn", part.turn);
+            program.set("origin_from_eye_m", glm::vec3(part.origin_from_eye_m));
+            draw_one(*part.mesh);
+        }
+    };
+    draw_parts(surface_program_, [](UploadedMesh& mesh) { mesh.draw_opaque(); });
     glDisable(GL_CULL_FACE);
 
     edge_program_.use();
     edge_program_.set("clip_from_eye", clip_from_eye);
-    edge_program_.set("origin_from_eye_m", glm::vec3(origin_from_eye));
     edge_program_.set("half_size_px", 0.5F * glm::vec2(picture.width, picture.height));
     edge_program_.set("half_width_px", std::max(1.5F, 0.5F * kEdgePart * static_cast<float>(picture.height)));
-    scene.draw_edges();
+    draw_parts(edge_program_, [](UploadedMesh& mesh) { mesh.draw_edges(); });
 
     if (view.show_hand) draw_ball(view, clip_from_eye, right, up);
 
@@ -178,7 +219,7 @@ void FirstPerson::draw(const ViewState& view, UploadedScene& scene, PixelSize pi
     glDepthMask(GL_FALSE);
     surface_program_.use();
     surface_program_.set("opacity", 0.5F);
-    scene.draw_translucent();
+    draw_parts(surface_program_, [](UploadedMesh& mesh) { mesh.draw_translucent(); });
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <vector>
 
@@ -14,41 +15,39 @@
 namespace handrail {
 
 // OpenGL names are owned one by one; the context must be current when they go.
-class GlBuffer {
+class GlName {
+protected:
+    GLuint name_ = 0;
+    GlName() = default;
+    ~GlName() = default;
+
+public:
+    GlName(const GlName&) = delete;
+    GlName& operator=(const GlName&) = delete;
+};
+
+class GlBuffer : GlName {
 public:
     GlBuffer() { glGenBuffers(1, &name_); }
     ~GlBuffer() { glDeleteBuffers(1, &name_); }
-    GlBuffer(const GlBuffer&) = delete;
-    GlBuffer& operator=(const GlBuffer&) = delete;
-
     template <class T>
     void fill(GLenum target, const std::vector<T>& values) {
         glBindBuffer(target, name_);
         glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(), GL_STATIC_DRAW);
     }
-
-private:
-    GLuint name_ = 0;
 };
 
-class GlVertexArray {
+class GlVertexArray : GlName {
 public:
     GlVertexArray() { glGenVertexArrays(1, &name_); }
     ~GlVertexArray() { glDeleteVertexArrays(1, &name_); }
-    GlVertexArray(const GlVertexArray&) = delete;
-    GlVertexArray& operator=(const GlVertexArray&) = delete;
     void bind() const { glBindVertexArray(name_); }
-
-private:
-    GLuint name_ = 0;
 };
 
-class GlProgram {
+class GlProgram : GlName {
 public:
-    GlProgram() : name_(glCreateProgram()) {}
+    GlProgram() { name_ = glCreateProgram(); }
     ~GlProgram() { glDeleteProgram(name_); }
-    GlProgram(const GlProgram&) = delete;
-    GlProgram& operator=(const GlProgram&) = delete;
 
     // The driver's own words where it refuses.
     Result<void> build(const char* vertex, const char* fragment);
@@ -57,13 +56,15 @@ public:
     void set(const char* uniform, bool value) const { glUniform1i(at(uniform), value ? 1 : 0); }
     void set(const char* uniform, const glm::vec2& value) const { glUniform2fv(at(uniform), 1, glm::value_ptr(value)); }
     void set(const char* uniform, const glm::vec3& value) const { glUniform3fv(at(uniform), 1, glm::value_ptr(value)); }
+    void set(const char* uniform, const glm::mat3& value) const {
+        glUniformMatrix3fv(at(uniform), 1, GL_FALSE, glm::value_ptr(value));
+    }
     void set(const char* uniform, const glm::mat4& value) const {
         glUniformMatrix4fv(at(uniform), 1, GL_FALSE, glm::value_ptr(value));
     }
 
 private:
     GLint at(const char* uniform) const { return glGetUniformLocation(name_, uniform); }
-    GLuint name_ = 0;
 };
 
 inline const void* byte_offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }

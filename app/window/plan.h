@@ -1,40 +1,12 @@
-// The plan: the storey around the body seen from above, as plain values. Pure functions; the renderer turns them into
-// lines and fills.
+// Where on the screen the plan of the storey around the body is shown (worlds/plan has the plan itself). Pure
+// functions; the renderer turns plan and layout into lines and fills.
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
-#include "worlds/scene/scene.h"
+#include "worlds/plan/plan_cut.h"
 
 namespace handrail {
-
-inline constexpr double kPlanCutAboveFeet_m = 1.0;  // where a hand is; walls and doors are cut here
-inline constexpr double kPlanLowAboveFeet_m = 0.1;  // anything that reaches higher, but not to the cut, is shown as low
-
-inline constexpr double kPlanDeep_m = 1.0;  // floors and pools this far below the feet belong to the storey
-
-// In the order in which they are drawn: what stands in or over something comes after it.
-enum class PlanKind { Floor, Low, Wall, Object, Liquid, Door, Mover };
-
-// Convex, counter-clockwise seen from above, at least 3 corners.
-struct PlanShape {
-    PlanKind kind = PlanKind::Wall;
-    std::vector<Vec2> outline_m;
-};
-
-struct PlanCut {
-    double feet_height_m = 0.0;
-    std::vector<PlanShape> shapes;              // by kind
-    std::vector<std::array<Vec2, 2>> sheets_m;  // mesh triangles at the cut's height
-};
-
-// About 1 ms for 1,000 solids.
-PlanCut cut_plan(const Scene& scene, double feet_height_m);
-
-// The part of a convex solid at a height, seen from above; empty where the solid is not met.
-std::vector<Vec2> section_at(const ConvexSolid& solid, double height_m);
 
 struct PixelBox {
     Vec2 min_px{0.0}, max_px{0.0};  // y grows downwards

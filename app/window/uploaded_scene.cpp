@@ -6,7 +6,17 @@
 namespace handrail {
 
 UploadedScene::UploadedScene(std::shared_ptr<const Scene> scene) : scene_(std::move(scene)) {
-    const DrawMesh mesh = build_draw_mesh(*scene_);
+    std::vector<bool> free(scene_->features.size(), false);
+    for (const FreeBody& body : scene_->bodies) free[body.feature.value] = true;
+    const auto is_free = [&](FeatureId id) { return id && free[id.value]; };
+    building_ = std::make_unique<UploadedMesh>(build_draw_mesh(*scene_, [&](FeatureId id) { return !is_free(id); }));
+    for (std::uint32_t i = 0; i < scene_->placed.size(); ++i)
+        if (const FeatureId own = scene_->placed[i].feature; is_free(own))
+            bodies_.push_back(
+                {i, std::make_unique<UploadedMesh>(build_draw_mesh(*scene_, [&](FeatureId id) { return id == own; }))});
+}
+
+UploadedMesh::UploadedMesh(const DrawMesh& mesh) {
     origin_m_ = mesh.origin_m;
     for (const DrawChunk& chunk : mesh.chunks)
         reach_m_ = std::max({reach_m_, glm::length(chunk.bounds_m.min_m), glm::length(chunk.bounds_m.max_m)});
@@ -45,7 +55,7 @@ UploadedScene::UploadedScene(std::shared_ptr<const Scene> scene) : scene_(std::m
     glBindVertexArray(0);
 }
 
-void UploadedScene::choose(const Vec3& origin_from_eye_m, const std::array<Vec3, 5>& inward_normals) {
+void UploadedMesh::choose(const Vec3& origin_from_eye_m, const std::array<Vec3, 5>& inward_normals) {
     chosen_.clear();
     for (const DrawChunk& chunk : chunks_) {
         const Vec3 centre = chunk.bounds_m.centre_m() + origin_from_eye_m, half = 0.5 * chunk.bounds_m.size_m();
@@ -57,8 +67,13 @@ void UploadedScene::choose(const Vec3& origin_from_eye_m, const std::array<Vec3,
     std::sort(chosen_.begin(), chosen_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
+void UploadedMesh::choose_all() {
+    chosen_.clear();
+    for (const DrawChunk& chunk : chunks_) chosen_.emplace_back(0.0, &chunk);
+}
+
 template <class Range>
-void UploadedScene::draw_chosen(const GlVertexArray& array, Range range) {
+void UploadedMesh::draw_chosen(const GlVertexArray& array, Range range) {
     counts_.clear();
     offsets_.clear();
     for (const auto& [distance_m, chunk] : chosen_) {
@@ -71,15 +86,15 @@ void UploadedScene::draw_chosen(const GlVertexArray& array, Range range) {
                         static_cast<GLsizei>(counts_.size()));
 }
 
-void UploadedScene::draw_opaque() {
+void UploadedMesh::draw_opaque() {
     draw_chosen(surfaces_, [](const DrawChunk& chunk) { return std::pair(chunk.first_index, chunk.index_count); });
 }
 
-void UploadedScene::draw_edges() {
+void UploadedMesh::draw_edges() {
     draw_chosen(edges_, [](const DrawChunk& chunk) { return std::pair(6 * chunk.first_edge, 6 * chunk.edge_count); });
 }
 
-void UploadedScene::draw_translucent() const {
+void UploadedMesh::draw_translucent() const {
     surfaces_.bind();
     glDrawElements(GL_TRIANGLES, translucent_count_, GL_UNSIGNED_INT,
                    byte_offset(opaque_count_ * sizeof(std::uint32_t)));

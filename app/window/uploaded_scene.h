@@ -1,5 +1,5 @@
-// A scene on the card: its triangles and outlines, and which parts of them a view may show. App thread, the one whose
-// context is current.
+// A scene on the card: triangles and outlines of the building, and apart from it those of each thing that moves freely;
+// which parts of them a view may show. App thread, the one whose context is current.
 #pragma once
 
 #include <array>
@@ -13,17 +13,16 @@
 
 namespace handrail {
 
-class UploadedScene {
+class UploadedMesh {
 public:
-    // Takes as long as build_draw_mesh.
-    explicit UploadedScene(std::shared_ptr<const Scene> scene);
+    explicit UploadedMesh(const DrawMesh& mesh);
 
-    const Scene* scene() const { return scene_.get(); }
     const Vec3& origin_m() const { return origin_m_; }
     double reach_m() const { return reach_m_; }  // of what is drawn, from the origin
     // The chunks that the view may show, nearest first, so that near walls spare the card the painting of what they
     // hide.
     void choose(const Vec3& origin_from_eye_m, const std::array<Vec3, 5>& inward_normals);
+    void choose_all();
     // Of the chunks chosen last.
     void draw_opaque();
     void draw_edges();
@@ -33,7 +32,6 @@ private:
     template <class Range>
     void draw_chosen(const GlVertexArray& array, Range range);
 
-    std::shared_ptr<const Scene> scene_;  // kept, so that its address cannot come back as another scene
     Vec3 origin_m_{0.0};
     double reach_m_ = 0.0;
     GlVertexArray surfaces_, edges_;
@@ -44,6 +42,27 @@ private:
     std::vector<std::pair<double, const DrawChunk*>> chosen_;
     std::vector<GLsizei> counts_;
     std::vector<const void*> offsets_;
+};
+
+class UploadedScene {
+public:
+    // Takes as long as build_draw_mesh.
+    explicit UploadedScene(std::shared_ptr<const Scene> scene);
+
+    const Scene* scene() const { return scene_.get(); }
+    UploadedMesh& building() { return *building_; }
+    double reach_m() const { return building_->reach_m(); }
+    // A thing that moves freely, as the scene has it.
+    struct Body {
+        std::uint32_t thing = 0;  // of Scene::placed
+        std::unique_ptr<UploadedMesh> mesh;
+    };
+    const std::vector<Body>& bodies() const { return bodies_; }
+
+private:
+    std::shared_ptr<const Scene> scene_;  // kept, so that its address cannot come back as another scene
+    std::unique_ptr<UploadedMesh> building_;
+    std::vector<Body> bodies_;
 };
 
 }  // namespace handrail

@@ -368,6 +368,7 @@ void CuePlanner::on_request(const CueRequest& request, double now_s, AudioSink& 
         case CueRequestKind::WorldSound: {
             cue.kind = request.sound;
             cue.loudness = std::clamp(request.loudness, 0.0, 1.0);
+            cue.pulses_per_s = request.pulses_per_s;
             const auto same = std::find_if(world_sounds_.begin(), world_sounds_.end(), [&](const SoundCue& known) {
                 return known.kind == cue.kind && known.source == cue.source;
             });

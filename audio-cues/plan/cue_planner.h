@@ -50,9 +50,10 @@ struct CueRequest {
     FeatureId feature = kNoFeature;
     Vec3 position_m{0.0};
     double loudness = 1.0;
-    double pitch = 1.0;        // factor: Footstep, Play
-    double muffled_db = 0.0;   // as SoundCue
-    std::uint32_t source = 0;  // as SoundCue
+    double pitch = 1.0;         // factor: Footstep, Play
+    double muffled_db = 0.0;    // as SoundCue
+    double pulses_per_s = 0.0;  // WorldSound: as SoundCue
+    std::uint32_t source = 0;   // as SoundCue
 };
 
 // Everything said, newest last, for the window's large text and for tests.

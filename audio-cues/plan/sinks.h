@@ -64,6 +64,9 @@ enum class SoundKind : std::uint8_t {
     StairsUp,
     StairsDown,
     DoorNear,  // a door is before you
+    Falls,     // a thing of a game falls into a hole
+    Knock,     // a hole is covered, hollow
+    Border,    // what is rolled meets the border of the game, dull
     // What helps to find things, at their places, one sound a time.
     Mark,
     Landmark,

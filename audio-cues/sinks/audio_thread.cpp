@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "haptic/servo/hand_recording.h"
+
 namespace handrail {
 
 AudioThread::AudioThread(std::unique_ptr<AudioSink> audio, std::unique_ptr<SpeechSink> speech, Clock& clock,
@@ -29,22 +31,26 @@ void AudioThread::stop(double finish_speech_s) {
 
 void AudioThread::post(CueRequest request) {
     const std::lock_guard lock(mutex_);
+    ++inbox_.posts;
     inbox_.requests.push_back(std::move(request));
 }
 
 void AudioThread::set_settings(const Settings& settings) {
     const std::lock_guard lock(mutex_);
+    ++inbox_.posts;
     inbox_.settings = settings;
 }
 
 void AudioThread::enter_world(std::shared_ptr<const Scene> scene) {
     const std::lock_guard lock(mutex_);
+    ++inbox_.posts;
     inbox_.scene = std::move(scene);
     inbox_.edited.reset();
 }
 
 void AudioThread::follow_edit(std::shared_ptr<const Scene> scene) {
     const std::lock_guard lock(mutex_);
+    ++inbox_.posts;
     // A world that was entered and not yet taken over is entered as it is now.
     if (inbox_.scene) inbox_.scene = std::move(scene);
     else inbox_.edited = std::move(scene);
@@ -52,11 +58,13 @@ void AudioThread::follow_edit(std::shared_ptr<const Scene> scene) {
 
 void AudioThread::set_two_hands(bool two) {
     const std::lock_guard lock(mutex_);
+    ++inbox_.posts;
     inbox_.two_hands = two;
 }
 
 void AudioThread::set_hand_stands_in(bool stands_in) {
     const std::lock_guard lock(mutex_);
+    ++inbox_.posts;
     inbox_.hand_stands_in = stands_in;
 }
 
@@ -76,6 +84,8 @@ void AudioThread::step() {
         const std::lock_guard lock(mutex_);
         std::swap(inbox, inbox_);
     }
+    const double now_s = step_listener_.ends ? in_whole_microseconds(clock_.now_s()) : clock_.now_s();
+    if (step_listener_.begins) step_listener_.begins(now_s);
     if (inbox.settings) {
         planner_.set_settings(*inbox.settings);
         speech_->set_speech(inbox.settings->speech);
@@ -95,9 +105,13 @@ void AudioThread::step() {
         });
     }
     listener_.refresh();
-    planner_.tick(
-        {.now_s = clock_.now_s(), .contacts = events_, .requests = inbox.requests, .listener = listener_.read()},
-        *audio_, *speech_);
+    planner_.tick({.now_s = now_s, .contacts = events_, .requests = inbox.requests, .listener = listener_.read()},
+                  *audio_, *speech_);
+    if (step_listener_.ends) {
+        const auto left = static_cast<std::uint32_t>(
+            std::count_if(events_.begin(), events_.end(), [](const ContactEvent& event) { return event.hand == 1; }));
+        step_listener_.ends({now_s, static_cast<std::uint32_t>(events_.size()) - left, left, inbox.posts});
+    }
     speaking_.store(speech_->speaking() || planner_.waiting(), std::memory_order_relaxed);
     publish();
 }

@@ -5,6 +5,8 @@
 
 #include <array>
 #include <atomic>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -33,6 +35,19 @@ public:
     ~AudioThread();
     AudioThread(const AudioThread&) = delete;
     AudioThread& operator=(const AudioThread&) = delete;
+
+    // What one step read of the other loops.
+    struct Step {
+        double now_s = 0.0;
+        std::uint32_t contacts = 0, left_contacts = 0;  // taken
+        std::uint32_t posts = 0;  // calls of the app since the step before: all below that change what is heard
+    };
+    // For who records, before the start; on the thread of the ears. The time of a step is in whole microseconds then.
+    struct StepListener {
+        std::function<void(double now_s)> begins;  // before anything is heard in it
+        std::function<void(const Step&)> ends;
+    };
+    void tell_steps(StepListener listener) { step_listener_ = std::move(listener); }
 
     // App thread. stop() takes everything posted before it, waits at most that long for the voice to finish, writes
     // what it could not say, fades and joins; more often does no harm, and the destructor does it too.
@@ -64,6 +79,7 @@ private:
         std::optional<Settings> settings;
         std::optional<std::shared_ptr<const Scene>> scene, edited;
         std::optional<bool> two_hands, hand_stands_in;
+        std::uint32_t posts = 0;
     };
 
     void run();
@@ -90,6 +106,7 @@ private:
     std::vector<ContactEvent> events_;  // of this tick; kept for its memory
     std::uint64_t published_ = 0;       // of planner_.spoken_in_all()
     std::string told_who_;
+    StepListener step_listener_;
 
     std::atomic<bool> drops_out_{false};  // audio thread to app thread
 };

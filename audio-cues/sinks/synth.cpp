@@ -314,6 +314,23 @@ std::vector<float> bell() {
     return out;
 }
 
+// A tone that falls three octaves ever faster, and a dull landing.
+std::vector<float> falls() {
+    constexpr double kFalls_s = 0.6, kFrom_hz = 1200.0, kOctaves = 3.0;
+    std::vector<float> out(samples_of(kFalls_s + 0.25));
+    double phase = 0.0;
+    for (std::size_t i = 0; i < samples_of(kFalls_s); ++i) {
+        const double part = static_cast<double>(i) / static_cast<double>(samples_of(kFalls_s));
+        phase += 2.0 * kPi * kFrom_hz * std::exp2(-kOctaves * part * part) / kRate;
+        out[i] += static_cast<float>(std::sin(phase) *
+                                     std::min(1.0, static_cast<double>(i) / static_cast<double>(samples_of(0.002))) *
+                                     (1.0 - 0.6 * part));
+    }
+    add_mode(out, samples_of(kFalls_s), 90.0, 0.2, 1.0);
+    finish(out, kPeak);
+    return out;
+}
+
 // What the way leads to: rhythm first, then pitch, as earcons; they sound at a place, so each has breath in it that
 // tells the ears where.
 std::vector<float> waymark(SoundKind kind, Noise& noise) {
@@ -343,6 +360,10 @@ std::vector<float> waymark(SoundKind kind, Noise& noise) {
             return struck({{0.0, 523.0, 0.1}, {0.09, 659.0, 0.1}, {0.18, 784.0, 0.1}, {0.27, 1047.0, 0.25}}, 0.2);
         case SoundKind::StairsDown:
             return struck({{0.0, 1047.0, 0.1}, {0.09, 784.0, 0.1}, {0.18, 659.0, 0.1}, {0.27, 523.0, 0.25}}, 0.2);
+        case SoundKind::Knock:  // a board over nothing
+            return struck({{0.0, 130.0, 0.16}, {0.09, 110.0, 0.22}}, 0.3);
+        case SoundKind::Border:  // one low thud
+            return struck({{0.0, 70.0, 0.3}}, 0.1);
         default:  // DoorNear: knuckles on wood, twice
             return struck({{0.0, 240.0, 0.07}, {0.12, 240.0, 0.09}}, 0.4);
     }
@@ -632,7 +653,11 @@ std::vector<float> synthesise(SoundKind kind, SoundClass material) {
         case SoundKind::StairsUp:
         case SoundKind::StairsDown:
         case SoundKind::DoorNear:
+        case SoundKind::Knock:
+        case SoundKind::Border:
             return waymark(kind, noise);
+        case SoundKind::Falls:
+            return falls();
         default:
             return is_world_sound(kind) ? world_loop(kind, noise) : earcon(kind);
     }

@@ -425,7 +425,8 @@ void Dynamics::Impl::apply_forces() {
         if (!body.rigid->isActive()) continue;
         Vec3 force = body.hand_n[0] + body.hand_n[1] + body.lead_n + body.shove_n;
         if (const auto& string = scene->bodies[i].nature.string)
-            force += (string->at_m - ours(body.rigid->getWorldTransform().getOrigin())) * string->stiffness_n_per_m;
+            force += (string->at_m - ours(body.rigid->getWorldTransform().getOrigin())) * string->stiffness_n_per_m -
+                     ours(body.rigid->getLinearVelocity()) * string_damping_ns_per_m(scene->bodies[i].nature);
         body.rigid->applyCentralForce(bullet(force));
         body.rigid->applyTorque(bullet(body.hand_nm[0] + body.hand_nm[1] + body.lead_nm));
         body.speed_before += (force / body.inertial_kg + ours(body.rigid->getGravity())) * kH;
@@ -671,6 +672,7 @@ void Dynamics::Impl::tell_near(DynamicsFrame& out, unsigned hand) {
         if (is.nature.string) {
             word.string_at_m = is.nature.string->at_m + scene->origin_m;
             word.string_n_per_m = is.nature.string->stiffness_n_per_m;
+            word.string_ns_per_m = string_damping_ns_per_m(is.nature);
         }
         word.sticks = is.nature.friction > 0.0 ? is.nature.friction_static / is.nature.friction : 1.0;
         word.rolling_m = is.nature.rolling * is.half_width_m;

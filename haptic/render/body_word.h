@@ -34,8 +34,9 @@ struct BodyWord {
     Vec3 gravity_m_per_s2{0.0};
     Vec3 others_n{0.0}, others_nm{0.0};  // keys and the other hand: mean over the last step
     Vec3 string_at_m{0.0};
-    double string_n_per_m = 0.0;  // 0: no string
-    double sticks = 1.0;          // static friction in units of the sliding one
+    double string_n_per_m = 0.0;   // 0: no string
+    double string_ns_per_m = 0.0;  // what damps it
+    double sticks = 1.0;           // static friction in units of the sliding one
     double rolling_m = 0.0;
     double gap_m = 0.0;  // from this hand's middle to the body, at least
     std::array<ContactPlane, kMostPlanes> planes{};

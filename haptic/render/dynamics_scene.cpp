@@ -220,6 +220,11 @@ std::uint32_t DynamicsSceneBuilder::add_driven(std::span<const DynamicsPiece> pi
     return static_cast<std::uint32_t>(scene_.driven.size() - 1);
 }
 
+double string_damping_ns_per_m(const BodyNature& nature) noexcept {
+    constexpr double kOfCritical = 0.1;
+    return nature.string ? 2.0 * kOfCritical * std::sqrt(nature.string->stiffness_n_per_m * nature.mass_kg) : 0.0;
+}
+
 std::uint32_t body_of(const DynamicsScene& scene, FeatureId feature) noexcept {
     if (feature)
         for (std::size_t i = 0; i < scene.bodies.size(); ++i)

@@ -57,6 +57,9 @@ struct BodyNature {
     };
     std::optional<String> string;
 };
+// Of a string with a body at its end, against the body's speed: a tenth of what would keep it from swinging at all, as
+// rubber has it. Ns/m; 0 without a string.
+double string_damping_ns_per_m(const BodyNature& nature) noexcept;
 
 // Free. Its frame is that of its mass: zero in the middle, axes principal.
 struct DynamicsBody {

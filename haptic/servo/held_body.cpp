@@ -169,7 +169,8 @@ void HeldBody::solve(double dt_s) noexcept {
 void HeldBody::tick(const Vec3& force_n, const Vec3& moment_nm, double dt_s) noexcept {
     correct(dt_s);
     const InverseInertia inverse(state_.at, word_.inertia_kg_m2);
-    const Vec3 pulls = (word_.string_at_m - state_.at.position_m) * word_.string_n_per_m;
+    const Vec3 pulls = (word_.string_at_m - state_.at.position_m) * word_.string_n_per_m -
+                       state_.speed_m_per_s * word_.string_ns_per_m;
     state_.speed_m_per_s += ((force_n + word_.others_n + pulls) / word_.mass_kg + word_.gravity_m_per_s2) * dt_s;
     state_.turn_rad_per_s += inverse(moment_nm + word_.others_nm) * dt_s;
     stick_.go(glm::length(state_.speed_m_per_s), dt_s);

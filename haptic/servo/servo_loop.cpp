@@ -56,6 +56,8 @@ ServoLoop::ServoLoop(std::unique_ptr<HapticDevice> device, Clock& clock, double 
       events_(links.events ? links.events : own_events_.get()),
       own_switches_(links.switches ? nullptr : std::make_unique<ServoSwitches>()),
       switches_(links.switches ? links.switches : own_switches_.get()),
+      recording_(links.recording),
+      recorded_as_(links.recording ? ++links.recording->servos : 0),
       state_(device_->spec()) {}
 
 ServoLoop::~ServoLoop() { stop(); }
@@ -134,21 +136,29 @@ const ServoReport& ServoLoop::report() {
 }
 
 bool ServoLoop::step() noexcept {
-    const double start_s = clock_.now_s();
+    const double start_s = recording_ ? in_whole_microseconds(clock_.now_s()) : clock_.now_s();
     scene_.refresh();
     tuning_.refresh();
     pose_.refresh();
     bodies_.refresh();
     guidance_.refresh();
     const bool stopping = stop_asked_.load(std::memory_order_acquire);
-    ServoTuning tuning = with_switches(tuning_.read(), *switches_);
+    // Read once, so that what is recorded is what acted.
+    const std::uint32_t stops = switches_->stops.load(std::memory_order_acquire);
+    const bool focused = switches_->focused.load(std::memory_order_acquire);
+    ServoTuning tuning = with_switches(tuning_.read().value, stops, focused);
     if (stopping) tuning.forces_on = false;
     const SceneHandle scene = scene_.read();
 
-    const DeviceSample sample = device_->read(start_s);
-    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read(), sample, start_s, &bodies_.read(),
-                                            scene.desk, &guidance_.read(), scene.engine);
+    DeviceSample sample = device_->read(start_s);
+    if (recording_) round_to_whole_steps(sample);
+    const ForceCommand command = servo_tick(state_, scene.scene, tuning, pose_.read().value, sample, start_s,
+                                            &bodies_.read().value, scene.desk, &guidance_.read().value, scene.engine);
     device_->write(command);
+    if (recording_)
+        record(start_s, sample, command,
+               {static_cast<std::uint32_t>(scene.number), tuning_.read().number, pose_.read().number,
+                bodies_.read().number, guidance_.read().number, stops, focused, stopping});
 
     // Nothing of an older scene is looked at any more.
     scene_in_use_.store(scene.number, std::memory_order_release);
@@ -159,6 +169,11 @@ bool ServoLoop::step() noexcept {
     counted_.durations.add(clock_.now_s() - start_s);
     if (state_.tool().ticks % kReportEveryTicks == 0) publish_report();
     return !(stopping && state_.tool().force_gain == 0.0);
+}
+
+void ServoLoop::record(double time_s, const DeviceSample& sample, const ForceCommand& command,
+                       ServoReads reads) noexcept {
+    recording_->push({time_s, sample, command.force_n, state_.tool().touched(), recorded_as_, reads});
 }
 
 void ServoLoop::run() noexcept {

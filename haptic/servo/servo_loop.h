@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "haptic/device/haptic_device.h"
+#include "haptic/servo/hand_recording.h"
 #include "haptic/servo/servo_switches.h"
 #include "haptic/servo/servo_tick.h"
 #include "worlds/base/clock.h"
@@ -40,6 +41,7 @@ public:
     struct Links {
         const ServoSwitches* switches = nullptr;
         EventRing* events = nullptr;
+        HandRing* recording = nullptr;  // gets each tick; the samples are rounded for it. Null: nothing is kept
     };
 
     // The clock outlives the loop.
@@ -64,10 +66,10 @@ public:
     void set_scene(std::shared_ptr<const HapticScene> scene, std::shared_ptr<HandEngine> engine) {
         hand_over(std::move(scene), desk_, std::move(engine));
     }
-    void set_tuning(const ServoTuning& tuning) { tuning_.publish(tuning); }
-    void set_pose(const WorkspacePose& pose) { pose_.publish(pose); }
-    void set_bodies(const BodyFrame& bodies) { bodies_.publish(bodies); }
-    void set_guidance(const GuidancePath& guidance) { guidance_.publish(guidance); }
+    void set_tuning(const ServoTuning& tuning) { tuning_.publish({tuning, ++given_.tuning}); }
+    void set_pose(const WorkspacePose& pose) { pose_.publish({pose, ++given_.pose}); }
+    void set_bodies(const BodyFrame& bodies) { bodies_.publish({bodies, ++given_.bodies}); }
+    void set_guidance(const GuidancePath& guidance) { guidance_.publish({guidance, ++given_.guidance}); }
     // App thread: the newest of each, valid until the next call.
     const ToolState& tool();
     const ServoReport& report();
@@ -91,6 +93,11 @@ private:
         HandEngine* engine = nullptr;
         std::uint64_t number = 0;  // rising; the servo says up to which it has come
     };
+    template <class T>
+    struct Given {
+        T value;
+        std::uint32_t number = 0;  // how many came before it, and itself
+    };
     struct KeptScene {
         std::uint64_t number;
         std::shared_ptr<const HapticScene> scene, desk;
@@ -102,6 +109,7 @@ private:
     void run() noexcept;
     void close() noexcept;
     void publish_report() noexcept;
+    void record(double time_s, const DeviceSample& sample, const ForceCommand& command, ServoReads reads) noexcept;
     void free_scenes();
 
     Clock& clock_;
@@ -118,16 +126,19 @@ private:
     std::atomic<std::uint64_t> scene_in_use_{0};
 
     LatestValue<SceneHandle> scene_;
-    LatestValue<ServoTuning> tuning_;
-    LatestValue<WorkspacePose> pose_;
-    LatestValue<BodyFrame> bodies_;
-    LatestValue<GuidancePath> guidance_;
+    LatestValue<Given<ServoTuning>> tuning_;
+    LatestValue<Given<WorkspacePose>> pose_;
+    LatestValue<Given<BodyFrame>> bodies_;
+    LatestValue<Given<GuidancePath>> guidance_;
+    ServoReads given_;  // app thread
     LatestValue<ToolState> tool_, tool_for_ears_;
     LatestValue<ServoReport> report_;
     std::unique_ptr<EventRing> own_events_;  // null when it was given one
     EventRing* events_;
     std::unique_ptr<ServoSwitches> own_switches_;  // nobody sets these
     const ServoSwitches* switches_;
+    HandRing* recording_;
+    std::uint32_t recorded_as_ = 0;  // HandRow::servo
 
     // Servo thread only.
     ServoState state_;

@@ -19,11 +19,15 @@ struct ServoSwitches {
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free);
 
-// The tuning as the switches leave it: they only ever take force away.
-inline ServoTuning with_switches(ServoTuning tuning, const ServoSwitches& switches) noexcept {
-    tuning.panic = tuning.panic || switches.stops.load(std::memory_order_acquire) != tuning.stops_let_go;
-    tuning.focused = tuning.focused && switches.focused.load(std::memory_order_acquire);
+// The tuning as the switches leave it: they only ever take force away. By what they read, or by what was read of them.
+inline ServoTuning with_switches(ServoTuning tuning, std::uint32_t stops, bool focused) noexcept {
+    tuning.panic = tuning.panic || stops != tuning.stops_let_go;
+    tuning.focused = tuning.focused && focused;
     return tuning;
+}
+inline ServoTuning with_switches(const ServoTuning& tuning, const ServoSwitches& switches) noexcept {
+    return with_switches(tuning, switches.stops.load(std::memory_order_acquire),
+                         switches.focused.load(std::memory_order_acquire));
 }
 
 }  // namespace handrail

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Remakes docs/bench.md and its plots, instructions included, on a machine that is otherwise quiet: about a quarter of an hour.
+# Remakes docs/bench.md, docs/bench-families.md and their plots, instructions included, on a machine that is otherwise quiet: about a quarter of an hour.
 #   tests/bench/remake_results.sh [BUILD_FOLDER] [MORE_MAPS...]      default build/release and no maps besides the bundled ones
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -1,6 +1,7 @@
-// What docs/developer.md shows of a new feature of the session: a class over the context, tried without the session.
+// What docs/developer/examples.md shows of a new feature of the session: a class over the context, tried without it.
 #include <gmock/gmock.h>
 
+#include "app/core/context/session_part.h"
 #include "tests/support/box_scene.h"
 #include "tests/unit/features/plain_session.h"
 
@@ -9,11 +10,9 @@ namespace new_feature_test {
 
 // Counts the steps that one walks. A feature owns its state, looks at the session through the context, and is neither
 // copied nor moved, since open lists may know it by its place. App thread only.
-class StepCount {
+class StepCount : SessionPart {
 public:
-    explicit StepCount(const SessionContext& context) : context_(context) {}
-    StepCount(const StepCount&) = delete;
-    StepCount& operator=(const StepCount&) = delete;
+    explicit StepCount(const SessionContext& context) : SessionPart(context) {}
 
     void enter_world() {
         walked_m_ = 0.0;
@@ -34,7 +33,6 @@ public:
     }
 
 private:
-    const SessionContext& context_;
     double walked_m_ = 0.0;
     Vec3 was_m_{0.0};
 };

@@ -5,7 +5,10 @@
 
 #include "app/core/kept/side_file.h"
 #include "app/core/scenario/scenario.h"
+#include "app/learners/learner.h"
 #include "app/main/path_csv.h"
+#include "app/record/recording.h"
+#include "app/teaching/lesson_file.h"
 #include "settings/settings.h"
 #include "tests/fuzz/harness.h"
 #include "tests/support/temporary_folder.h"
@@ -89,6 +92,58 @@ std::string side_file_fault(std::string_view bytes) {
     return {};
 }
 
+// What was read is read again as it was written, consents and what nobody here knows.
+std::string learner_fault(std::string_view bytes) {
+    const std::string text(bytes);
+    const Result<Learner> learner = read_learner(text, "learner.toml");
+    if (!learner) return words_fault(learner.error().sentence());
+    if (std::string fault = words_fault(learner->name); !fault.empty()) return fault;
+    const Result<std::string> written = text_of(*learner, text, "learner.toml");
+    if (!written) return "a learner that cannot be written: " + written.error().sentence();
+    const Result<Learner> again = read_learner(*written, "learner.toml");
+    if (!again) return "a learner that cannot be read again: " + *written;
+    for (const Purpose purpose : kPurposes) {
+        const auto &one = learner->consent(purpose), &other = again->consent(purpose);
+        if (one.has_value() != other.has_value()) return "a consent that came or went: " + *written;
+        if (one && (one->given != other->given || one->until != other->until)) return "other days: " + *written;
+        if (one && learner->allows(purpose, one->given) && !one->until.empty() && one->until < one->given)
+            return "a consent that holds when it is over";
+    }
+    return again->name == learner->name ? std::string() : "another name: " + *written;
+}
+
+// Events where the bytes begin as they do, else a table of a hand. What is read before a damage is told with its line,
+// and rows are those that made them.
+std::string recording_fault(std::string_view bytes) {
+    if (bytes.starts_with("{")) {
+        const Result<Recording> recording = read_events(bytes, "events.jsonl");
+        if (!recording) return words_fault(recording.error().sentence());
+        for (const Error& problem : recording->problems) {
+            if (std::string fault = words_fault(problem.sentence()); !fault.empty()) return fault;
+            if (problem.line < 2) return "a problem without its line";
+        }
+        for (const RecordedLine& line : recording->lines)
+            if (!std::isfinite(line.t_s)) return "a time that is not finite";
+        for (const SaidLine& said : said_lines(*recording))
+            if (!is_utf8(said.text)) return "what was said is no UTF-8";
+        return {};
+    }
+    const TableRows<kHandColumns> table = read_rows<kHandColumns>(bytes, hand_header(), "hand.csv");
+    if (table.problem)
+        if (std::string fault = words_fault(table.problem->sentence()); !fault.empty()) return fault;
+    std::string text(hand_header());
+    text += '\n';
+    HandNumbers before{};
+    for (const HandNumbers& numbers : table.rows) {
+        (void)row_of(numbers);
+        text += row_text(numbers, before, &numbers == table.rows.data());
+        before = numbers;
+    }
+    if (table.rows.empty()) return {};
+    const TableRows<kHandColumns> again = read_rows<kHandColumns>(text, hand_header(), "hand.csv");
+    return again.problem || again.rows != table.rows ? "rows changed by writing and reading" : std::string();
+}
+
 std::string scenario_fault(std::string_view bytes) {
     folder().write("box.map", "{\n\"classname\" \"worldspawn\"\n}\n");
     const Result<Scenario> scenario = read_scenario(folder().write("scenario.toml", bytes), {folder().path()});
@@ -97,6 +152,20 @@ std::string scenario_fault(std::string_view bytes) {
     for (const ScenarioAction& action : scenario->actions)
         if (action.at_s && !std::isfinite(*action.at_s)) return "a time that is not finite";
     return std::isfinite(scenario->tail_s) && scenario->tail_s >= 0.0 ? std::string() : "a tail that is none";
+}
+
+// What was read reads back the same from its own text, pupils left out.
+std::string lesson_fault(std::string_view bytes) {
+    folder().write("box.map", "{\n\"classname\" \"worldspawn\"\n}\n");
+    const std::filesystem::path file = folder().path() / "fuzz.lesson.toml";
+    Result<LessonFile> lesson = read_lesson_text(bytes, file, {folder().path()});
+    if (!lesson) return words_fault(lesson.error().sentence());
+    if (lesson->sessions.empty() || lesson->landmarks.empty()) return "a lesson with nothing in it";
+    lesson->pupils.clear();
+    const std::string text = lesson_text(*lesson);
+    const Result<LessonFile> again = read_lesson_text(text, file, {folder().path()});
+    if (!again) return "its own text is refused: " + again.error().sentence() + text;
+    return lesson_text(*again) == text ? std::string() : "it changed by writing and reading: " + text;
 }
 
 // Whatever a language says, the texts it could not give are said in another, and every text is said.

@@ -2,6 +2,7 @@
 #include <zlib.h>
 
 #include "tests/fuzz/harness.h"
+#include "tests/support/zip_text.h"
 #include "worlds/readers/height_picture.h"
 #include "worlds/readers/reader.h"
 
@@ -57,9 +58,34 @@ std::string map_fault(std::string_view bytes) {
     return scene_fault(read_quake_map(bytes, "fuzz.map", options));
 }
 
+std::string gltf_fault(std::string_view bytes) { return scene_fault(read_gltf(bytes, "fuzz.glb")); }
+std::string ply_fault(std::string_view bytes) { return scene_fault(read_ply(bytes, "fuzz.ply")); }
+std::string stl_fault(std::string_view bytes) { return scene_fault(read_stl(bytes, "fuzz.stl")); }
 std::string obj_fault(std::string_view bytes) { return scene_fault(read_obj(bytes, "fuzz.obj")); }
 
-std::string ifc_fault(std::string_view bytes) { return scene_fault(read_ifc(bytes, "fuzz.ifc")); }
+// The bytes as a model, and as an archive of one where they say so.
+std::string ifc_fault(std::string_view bytes) {
+    if (is_ifczip("fuzz.zip", bytes)) return scene_fault(read_ifczip(bytes, "fuzz.ifczip"));
+    return scene_fault(read_ifc(bytes, "fuzz.ifc"));
+}
+
+std::string osm_fault(std::string_view bytes) { return scene_fault(read_osm(bytes, "fuzz.osm")); }
+
+std::string rooms_fault(std::string_view bytes) { return scene_fault(read_words(bytes, "fuzz.rooms")); }
+
+// The bytes as an archive, and as the texts of one: each after a line "--- NAME".
+std::string imdf_fault(std::string_view bytes) {
+    if (std::string fault = scene_fault(read_imdf(bytes, "fuzz.imdf.zip")); !fault.empty()) return fault;
+    std::map<std::string, std::string> files;
+    for (std::size_t at = bytes.find("--- "); at < bytes.size();) {
+        const std::size_t line = std::min(bytes.find('\n', at), bytes.size()),
+                          end = std::min(bytes.find("\n--- ", line), bytes.size());
+        files[std::string(bytes.substr(at + 4, line - at - std::min<std::size_t>(line - at, 4)))] =
+            bytes.substr(line, end - line);
+        at = end == bytes.size() ? end : end + 1;
+    }
+    return scene_fault(read_imdf(test::zipped(files), "fuzz.imdf.zip"));
+}
 
 std::string picture_fault(std::string_view bytes) {
     if (std::string fault = picture_of_fault(bytes); !fault.empty()) return fault;

@@ -15,8 +15,7 @@ std::string output_of(const std::string& program) {
     return out;
 }
 
-TEST(TouchRenderer, gives_the_same_numbers_with_and_without_optimisation) {
-    const std::string plain = output_of(TOUCH_REPLAY_O0), optimised = output_of(TOUCH_REPLAY_O2);
+void expect_same(const std::string& plain, const std::string& optimised) {
     EXPECT_GT(plain.size(), 10000U);
     if (plain == optimised) return;
     std::size_t at = 0;
@@ -26,6 +25,14 @@ TEST(TouchRenderer, gives_the_same_numbers_with_and_without_optimisation) {
         return text.substr(begin, text.find('\n', at) - begin);
     };
     ADD_FAILURE() << "first difference:\n-O0: " << line_at(plain) << "\n-O2: " << line_at(optimised);
+}
+
+TEST(TouchRenderer, gives_the_same_numbers_with_and_without_optimisation) {
+    expect_same(output_of(TOUCH_REPLAY_O0), output_of(TOUCH_REPLAY_O2));
+}
+
+TEST(ThingsThatMove, go_the_same_ways_with_and_without_optimisation) {
+    expect_same(output_of(BODIES_REPLAY_O0), output_of(BODIES_REPLAY_O2));
 }
 
 }  // namespace same_numbers_test

@@ -43,6 +43,7 @@ TEST(Devices, rule_that_lets_people_open_them_is_placed_by_installing) {
     EXPECT_THAT(rule, HasSubstr("uaccess"));
     EXPECT_TRUE(std::filesystem::exists(prefix.path() / "bin/handrail"));
     EXPECT_TRUE(std::filesystem::exists(prefix.path() / "libexec/handrail/handrail-guard"));
+    EXPECT_TRUE(std::filesystem::exists(prefix.path() / "libexec/handrail/handrail-reader"));
 }
 
 TEST(Devices, a_pad_that_is_not_plugged_in_costs_a_sentence) {

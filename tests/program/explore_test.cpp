@@ -2,6 +2,7 @@
 
 #include "tests/support/real_worlds.h"
 #include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace handrail::test {
 namespace explore_test {
@@ -79,6 +80,37 @@ TEST(Explore, an_unknown_device_names_the_nearest) {
     const ProgramRun run = explore({"--no-window", "--device", "sim-x"}, "");
     EXPECT_NE(run.exit_status, 0);
     EXPECT_THAT(run.err, HasSubstr("sim-"));
+}
+
+TEST(Explore, after_a_crash_the_next_start_says_where_a_report_lies_that_names_nobody_and_reads_it_out) {
+    const TemporaryFolder folder;
+    ProgramCall call;
+    call.environment["XDG_CONFIG_HOME"] = call.environment["XDG_STATE_HOME"] = folder.path();
+    ProgramCall crashing = call;
+    crashing.close_input = false;
+    crashing.signal_when_said = SIGSEGV;
+    crashing.signal_after = "Facing east";
+    // A sanitizer would take the signal for a fault of its own finding, and end with its status instead.
+    crashing.environment["ASAN_OPTIONS"] = crashing.environment["TSAN_OPTIONS"] = "handle_segv=0";
+    const ProgramRun first = explore({"--no-window", "--set", "workspace.scale=33", "--set", "haptic.device=none"},
+                                     "mark\nAnna's corner\nforward 3\nback 3\nforward 3\nright 4\nheading\n", crashing);
+    EXPECT_EQ(first.exit_status, 128 + SIGSEGV) << first.out << first.err;
+    const ProgramRun second =
+        explore({"--no-window"}, "menu\nReport of the session that broke off\nlist\nquit\n", call);
+    EXPECT_THAT(second.out, HasSubstr("What is known of it stands in the menu and in the file "));
+    EXPECT_THAT(second.out, HasSubstr("It ended with a wrong access to memory, signal 11."));
+    std::vector<std::filesystem::path> reports;
+    for (const auto& file : std::filesystem::directory_iterator(folder.path() / "handrail" / "crash-reports"))
+        reports.push_back(file.path());
+    ASSERT_EQ(reports.size(), 1U);
+    EXPECT_THAT(second.out, HasSubstr(reports[0].string()));
+    const std::string report = content_of(reports[0]);
+    EXPECT_THAT(report, HasSubstr("workspace.scale is 33"));
+    EXPECT_THAT(report, HasSubstr("forward"));
+    EXPECT_THAT(report, HasSubstr("handrail+0x"));
+    for (const char* secret : {"Anna", "corner", "/home", "/tmp", "first_room", "First room"})
+        EXPECT_THAT(report, testing::Not(HasSubstr(secret)));
+    EXPECT_THAT(explore({"--no-window"}, "quit\n", call).out, testing::Not(HasSubstr("broke off")));
 }
 
 TEST(Explore, after_a_kill_the_next_start_says_so_goes_on_at_the_last_place_and_has_the_settings) {

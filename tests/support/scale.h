@@ -1,6 +1,8 @@
 // One factor for the length of long random walks, so that instrumented builds finish too.
 #pragma once
 
+#include <cstddef>
+
 namespace handrail::test {
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -12,6 +14,11 @@ inline constexpr double kSanitizerScale = 1.0;
 // `count` under the factor, at least 1.
 inline constexpr int scaled(int count) {
     return static_cast<int>(count * kSanitizerScale) > 0 ? static_cast<int>(count * kSanitizerScale) : 1;
+}
+
+// Of many that are alike: whether the one of this number is tried. Each is; under a sanitizer every `stride`-th.
+inline constexpr bool tried(std::size_t number, std::size_t stride) {
+    return kSanitizerScale == 1.0 || number % stride == 0;
 }
 
 }  // namespace handrail::test

@@ -6,10 +6,12 @@
 #include "app/window/draw_mesh.h"
 #include "app/window/large_text.h"
 #include "app/window/plan.h"
+#include "tests/support/map_text.h"
 #include "tests/support/real_worlds.h"
 #include "tests/window/offscreen_gl.h"
 #include "tests/window/small_room.h"
 #include "worlds/readers/reader.h"
+#include "worlds/scene/models.h"
 
 namespace handrail::test {
 namespace renderer_test {
@@ -214,6 +216,45 @@ TEST_F(RendererTest, a_building_a_thousand_kilometres_from_the_origin_looks_the_
     int different = 0;
     for (std::size_t i = 0; i < a.rgb.size(); i += 3) different += std::abs(a.rgb[i + 1] - b.rgb[i + 1]) > 8;
     EXPECT_LT(different, a.width * a.height / 500);
+}
+
+// A hall with a crate whose middle is there, turned by so much about the upright.
+std::shared_ptr<const Scene> hall_with_crate(const Vec3& at_m, double turned_rad) {
+    auto scene = read_quake_map(
+        entity("worldspawn", key("building", "1"), room_brushes(0, 0, 0, 256, 256, 128)) +
+            entity("info_player_start", key("origin", "128 32 24") + key("angle", "90")) +
+            entity("thing", key("cs_name", "dynamic_box") + key("name", "Crate"), box_brush(112, 112, 0, 144, 144, 24)),
+        "hall.map", {});
+    EXPECT_TRUE(scene) << (scene ? "" : scene.error().sentence());
+    std::vector<int> things;
+    Scene apart = with_bodies_apart(std::move(*scene), 16, things);
+    move_placed(apart, 0, {at_m, rotation_about({0.0, 0.0, 1.0}, turned_rad), 1.0});
+    return std::make_shared<const Scene>(std::move(apart));
+}
+
+TEST_F(RendererTest, what_moves_is_drawn_where_it_is_as_if_it_stood_there_in_the_plan_too) {
+    for (const bool plan : {false, true}) {
+        const Vec3 here(4.0, 4.0, 0.375), there(5.2, 3.1, 0.875);
+        ViewState view = view_in(hall_with_crate(here, 0.0), 4.0, 1.0, 0.0);
+        view.plan_view = plan;
+        const Picture stands = draw(view);
+        Placement to = view.scene->placed.at(0).at;
+        to.position_m = there;
+        to.rotation = rotation_about({0.0, 0.0, 1.0}, 0.7);
+        view.moved = {{0, to}};
+        const Picture moved = draw(view);
+        ViewState other = view_in(hall_with_crate(there, 0.7), 4.0, 1.0, 0.0);
+        other.plan_view = plan;
+        const Picture stood_there = draw(other);
+        const auto differing = [](const Picture& a, const Picture& b) {
+            int pixels = 0;
+            for (std::size_t i = 0; i < a.rgb.size(); i += 3)
+                pixels += std::abs(a.rgb[i] - b.rgb[i]) + std::abs(a.rgb[i + 1] - b.rgb[i + 1]) > 24 ? 1 : 0;
+            return pixels;
+        };
+        EXPECT_GT(differing(stands, moved), plan ? 500 : 8000);
+        EXPECT_LT(differing(stood_there, moved), plan ? 40 : 400);
+    }
 }
 
 TEST_F(RendererTest, tilting_up_brings_the_ceiling_to_the_middle) {

@@ -67,8 +67,8 @@ const Language* make_bundled(const BundledLanguage& source) {
     Language made{std::string(source.code), icu::Locale(std::string(source.code).c_str()), {}, {}};
     std::vector<Diagnostic> faults;
     gather(
-        toml::parse(source.content), "", "", [](const std::string&, const std::string&) { return std::string(); }, made,
-        faults);
+        toml::parse(source.content()), "", "", [](const std::string&, const std::string&) { return std::string(); },
+        made, faults);
     return &kept(std::move(made));
 }
 
@@ -248,9 +248,9 @@ std::string language_of_environment(const std::filesystem::path& folder) {
 std::string in_spoken_language(const std::string& text, const OtherLanguages& others) {
     if (others.empty()) return text;
     const std::string& code = language_spoken().code;
-    const auto spoken =
+    const auto same =
         std::find_if(others.begin(), others.end(), [&](const TextIn& other) { return other.language == code; });
-    return spoken == others.end() ? text : spoken->text;
+    return same == others.end() ? text : same->text;
 }
 
 std::string spoken_language() { return language_spoken().code; }

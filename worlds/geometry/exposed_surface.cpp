@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <numeric>
+#include <string>
 #include <unordered_map>
 
 #include "worlds/base/contract.h"
@@ -93,6 +95,8 @@ public:
         add(face.points_m);
     }
 
+    bool all_gone() const { return left_in_all_ == 0; }
+
     // cut(points, left): appends what is left of the points.
     template <class Cut>
     void subtract(const Aabb& solid, Cut&& cut) {
@@ -110,6 +114,7 @@ public:
             cut(parts_[i].points, left_);
             if (left_.size() == 1 && left_.front() == parts_[i].points) continue;
             parts_[i].gone = true;
+            --left_in_all_;
             std::uint32_t last = i;
             for (std::vector<Vec3>& points : left_) {
                 const std::uint32_t next = parts_[last].next, made = add(std::move(points));
@@ -138,6 +143,7 @@ private:
     std::uint32_t add(std::vector<Vec3> points) {
         const auto number = static_cast<std::uint32_t>(parts_.size());
         parts_.push_back({std::move(points), {}, kEnd, false});
+        ++left_in_all_;
         for (const Vec3& p : parts_.back().points) parts_.back().box.include(p);
         in_cells(parts_.back().box, [&](std::vector<std::uint32_t>& cell) { cell.push_back(number); });
         return number;
@@ -162,12 +168,41 @@ private:
     Aabb box_;
     double cut_m_;
     std::array<int, 2> axes_{};
-    std::size_t side_ = 1;
+    std::size_t side_ = 1, left_in_all_ = 0;
     std::vector<Part> parts_;  // a list by `next`
     std::vector<std::vector<std::uint32_t>> cells_;
     std::vector<std::uint32_t> met_;
     std::vector<std::vector<Vec3>> left_;
 };
+
+// What two solids have in common that are one and the same to the surface.
+std::string sameness(const SurfaceSolid& solid) {
+    std::string bytes;
+    const auto put = [&bytes](const auto& value) {
+        const std::size_t at = bytes.size();
+        bytes.resize(at + sizeof value);
+        std::memcpy(bytes.data() + at, &value, sizeof value);
+    };
+    put(solid.group);
+    put(solid.rank);
+    for (const Plane& plane : solid.shape->planes) {
+        put(plane.normal.x);
+        put(plane.normal.y);
+        put(plane.normal.z);
+        put(plane.offset_m);
+    }
+    return bytes;
+}
+
+// Solids that lie exactly where an earlier one like them lies: every face of theirs is covered by its, and what they
+// cover it covers too.
+std::vector<bool> repetitions(std::span<const SurfaceSolid> solids) {
+    std::vector<bool> again(solids.size(), false);
+    std::unordered_map<std::string, std::uint32_t> first;
+    for (std::uint32_t s = 0; s < solids.size(); ++s)
+        if (solids[s].covers) again[s] = !first.try_emplace(sameness(solids[s]), s).second;
+    return again;
+}
 
 // Do two edges run along each other, in opposite directions, for longer than a gap?
 bool edges_touch(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1, double gap_m) {
@@ -225,22 +260,26 @@ std::vector<ExposedPiece> exposed_surface(std::span<const SurfaceSolid> solids, 
     Cutter cutter(tolerance);
     std::vector<std::uint32_t> near;
     std::vector<std::vector<Vec3>> now, next;
+    const std::vector<bool> again = repetitions(solids);
     for (std::uint32_t s = 0; s < solids.size(); ++s) {
+        if (again[s]) continue;
         const SurfaceSolid& own = solids[s];
         for (std::uint32_t f = 0; f < own.shape->faces.size(); ++f) {
             if (stop.stop_requested()) return pieces;
             const Aabb box = bounds_of(own.shape->faces[f]);
             index.find(grown(box, tolerance.cut_m), near);
             std::erase_if(near, [&](std::uint32_t other) {
-                return other == s || !solids[other].covers || solids[other].group != own.group;
+                return other == s || again[other] || !solids[other].covers || solids[other].group != own.group;
             });
             if (near.size() > kFew) {
                 FaceParts parts(own.shape->faces[f], box, near.size(), tolerance.cut_m);
-                for (const std::uint32_t other : near)
+                for (const std::uint32_t other : near) {
+                    if (parts.all_gone()) break;
                     parts.subtract(solids[other].shape->bounds_m,
                                    [&](const std::vector<Vec3>& points, std::vector<std::vector<Vec3>>& left) {
                                        cutter.subtract(points, solids[other], other, own, s, f, left);
                                    });
+                }
                 parts.take([&](std::vector<Vec3>&& points) { pieces.push_back({s, f, Polygon{std::move(points)}}); });
                 continue;
             }

@@ -1,6 +1,7 @@
 #include "worlds/ifc/body.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "worlds/geometry/clip.h"
 
@@ -120,6 +121,32 @@ std::optional<ConvexSolid> box_solid(const Vec3& least_m, const Vec3& most_m, co
     lifted.origin_m = frame.at({0.0, 0.0, least_m.z});
     return prism({{least_m.x, least_m.y}, {most_m.x, least_m.y}, {most_m.x, most_m.y}, {least_m.x, most_m.y}},
                  {0.0, 0.0, most_m.z - least_m.z}, lifted);
+}
+
+bool same_body(const Body& a, const Body& b) {
+    const auto same_plane = [](const Plane& p, const Plane& q) {
+        return p.normal == q.normal && p.offset_m == q.offset_m;
+    };
+    const auto same_polygon = [](const Polygon& p, const Polygon& q) { return p.points_m == q.points_m; };
+    const auto same_solid = [&](const ConvexSolid& p, const ConvexSolid& q) {
+        return std::ranges::equal(p.planes, q.planes, same_plane) && std::ranges::equal(p.faces, q.faces, same_polygon);
+    };
+    return std::ranges::equal(a.solids, b.solids, same_solid) && std::ranges::equal(a.sheets, b.sheets, same_polygon);
+}
+
+std::uint64_t number_of(const Body& body) {
+    std::uint64_t number = 0xCBF29CE484222325U;
+    const auto put = [&number](double value) {
+        number = (number ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 0x100000001B3U;  // -0 as 0
+        number ^= number >> 29;
+    };
+    for (const ConvexSolid& solid : body.solids)
+        for (const Plane& plane : solid.planes)
+            for (const double value : {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset_m}) put(value);
+    for (const Polygon& sheet : body.sheets)
+        for (const Vec3& p : sheet.points_m)
+            for (int axis = 0; axis < 3; ++axis) put(p[axis]);
+    return number;
 }
 
 Body transformed(const Body& body, const Frame& frame) {

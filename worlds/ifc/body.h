@@ -2,13 +2,14 @@
 // functions on plain values; metres.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "worlds/geometry/convex.h"
-#include "worlds/ifc/flat_parts.h"
+#include "worlds/geometry/flat_parts.h"
 #include "worlds/ifc/ifc_model.h"
 
 namespace handrail {
@@ -38,6 +39,10 @@ std::optional<ConvexSolid> solid_within(std::vector<Plane> planes, const Vec3& n
 
 // Shells: each connected piece becomes one convex solid or a prism cut into convex ones where it is such, else sheets.
 Body body_of_faces(const std::vector<FlatFace>& faces);
+
+// Bit for bit the same forms in the same order; a number that is the same for those that are.
+bool same_body(const Body& a, const Body& b);
+std::uint64_t number_of(const Body& body);
 
 // The same elsewhere. What becomes flat or not finite is left out.
 Body transformed(const Body& body, const Frame& frame);

@@ -55,11 +55,22 @@ public:
         find_origin();
         read_names();
         read_parts();
+        std::vector<Aabb> boxes;
+        boxes.reserve(building_.parts.size());
+        for (const IfcPart& part : building_.parts) boxes.push_back(part.box);
+        building_.by_place = std::make_shared<const BoxIndex>(boxes);
         read_spaces(building_, model_, relations_, shapes_);
         if (progress_) progress_(0.7);
-        for (std::size_t i = 0; i < building_.parts.size() && !stop_.stop_requested(); ++i)
+        for (std::size_t i = 0; i < building_.parts.size() && !stop_.stop_requested(); ++i) {
             cut_openings(building_.parts[i]);
-        for (std::size_t i = 0; i < building_.parts.size(); ++i) find_gap(i);
+            if (progress_ && (i & 0xff) == 0)
+                progress_(0.7 + 0.2 * static_cast<double>(i) / static_cast<double>(building_.parts.size()));
+        }
+        for (std::size_t i = 0; i < building_.parts.size() && !stop_.stop_requested(); ++i) {
+            find_gap(i);
+            if (progress_ && (i & 0xff) == 0)
+                progress_(0.9 + 0.1 * static_cast<double>(i) / static_cast<double>(building_.parts.size()));
+        }
         if (progress_) progress_(1.0);
         building_.skipped = relations_.skipped;
         for (const auto& [name, count] : lone_panels_) building_.skipped[name] += count;
@@ -121,7 +132,6 @@ private:
     }
 
     void read_parts() {
-        std::map<std::uint64_t, std::size_t> place;
         const std::size_t all = model_.file().instances().size();
         for (std::size_t i = 0; i < all; ++i) {
             if (stop_.stop_requested()) return;
@@ -138,7 +148,7 @@ private:
             part.name = text_at(v, 2);
             part.frame = frame_of(instance.id);
             part.body = body_of(instance.id, part.frame);
-            part.box = part.body.bounds_m();
+            part.same_as = building_.parts.size();
             for (const std::string& word : material_words(model_, relations_, instance.id))
                 part.words += (part.words.empty() ? "" : "; ") + word;
             if (part.role == PartRole::Door || part.role == PartRole::Window) {
@@ -146,11 +156,40 @@ private:
                 part.width_m = number_at(v, 9) * model_.metres_per_unit();
                 part.operation = operation_of(instance.id, v);
             }
+            note_repetition(part);
+            part.box = part.body.bounds_m();
             part.whole = building_.parts.size();
-            place.emplace(instance.id, building_.parts.size());
+            place_.emplace(instance.id, building_.parts.size());
             building_.parts.push_back(std::move(part));
         }
-        for (std::size_t i = 0; i < building_.parts.size(); ++i) join_to_whole(i, place);
+        for (std::size_t i = 0; i < building_.parts.size(); ++i) {
+            join_to_whole(i);
+            if (const auto whole = relations_.whole_of.find(building_.parts[i].id); whole != relations_.whole_of.end())
+                pieces_of_[whole->second].push_back(i);
+        }
+    }
+
+    // Exports that went wrong hold the same part over and over, and no hand can tell one from two. Doors and windows in
+    // openings are proven each for itself.
+    void note_repetition(IfcPart& part) {
+        const bool leaf = part.role == PartRole::Door || part.role == PartRole::Window;
+        if ((part.body.empty() && !leaf) || relations_.opening_of.contains(part.id)) return;
+        const auto same = [](const IfcPart& a, const IfcPart& b) {
+            return a.role == b.role && a.width_m == b.width_m && a.height_m == b.height_m &&
+                   a.frame.origin_m == b.frame.origin_m && a.frame.x == b.frame.x && a.frame.z == b.frame.z &&
+                   same_body(a.body, b.body);
+        };
+        Body where = part.body;
+        where.sheets.push_back({{part.frame.origin_m, part.frame.x}});
+        std::vector<std::size_t>& alike = by_body_[number_of(where)];
+        for (const std::size_t other : alike) {
+            if (!same(building_.parts[other], part)) continue;
+            part.same_as = other;
+            part.body = {};
+            ++building_.repeated;
+            return;
+        }
+        alike.push_back(building_.parts.size());
     }
 
     std::string operation_of(std::uint64_t door, const Values& v) const {
@@ -163,7 +202,7 @@ private:
 
     // Flights, landings and stringers are the stairs; panels of a curtain wall are wall; a panel of nothing is no
     // building.
-    void join_to_whole(std::size_t i, const std::map<std::uint64_t, std::size_t>& place) {
+    void join_to_whole(std::size_t i) {
         IfcPart& part = building_.parts[i];
         std::uint64_t at = part.id;
         bool within = false;
@@ -171,8 +210,8 @@ private:
             const auto whole = relations_.whole_of.find(at);
             if (whole == relations_.whole_of.end()) break;
             at = whole->second;
-            const auto found = place.find(at);
-            if (found == place.end()) break;
+            const auto found = place_.find(at);
+            if (found == place_.end()) break;
             within = true;
             const PartRole role = building_.parts[found->second].role;
             if ((role == PartRole::Stairs || role == PartRole::Ramp) && part.role != PartRole::Railing)
@@ -184,8 +223,9 @@ private:
         part.body = {};
     }
 
-    void cut_openings(IfcPart& host) {
-        const auto openings = relations_.openings.find(host.id);
+    void cut_openings(const IfcPart& voided) {
+        IfcPart& host = building_.parts[voided.same_as];
+        const auto openings = relations_.openings.find(voided.id);
         if (openings == relations_.openings.end()) return;
         for (const std::uint64_t opening : openings->second) {
             if (stop_.stop_requested()) return;
@@ -203,9 +243,11 @@ private:
     // The host has no body of its own, its parts have.
     bool cut_pieces(const IfcPart& host, std::uint64_t opening, const Body& shape, bool filled) {
         bool cut = false;
-        for (IfcPart& piece : building_.parts) {
-            const auto whole = relations_.whole_of.find(piece.id);
-            if (whole == relations_.whole_of.end() || whole->second != host.id || piece.body.empty()) continue;
+        const auto pieces = pieces_of_.find(host.id);
+        if (pieces == pieces_of_.end()) return false;
+        for (const std::size_t i : pieces->second) {
+            IfcPart& piece = building_.parts[i];
+            if (piece.body.empty()) continue;
             for (const ConvexSolid& solid : solids_around(shape))
                 cut = cut_through(piece.body, solid, frame_of(opening), filled, piece.role) || cut;
         }
@@ -255,7 +297,7 @@ private:
     // From the opening where there is one, narrowed to the wall's thickness; else from the door's own form.
     void find_gap(std::size_t i) {
         const IfcPart& part = building_.parts[i];
-        if (part.role != PartRole::Door && part.role != PartRole::Window) return;
+        if ((part.role != PartRole::Door && part.role != PartRole::Window) || part.same_as != i) return;
         WallGap gap;
         gap.axes = upright(part.frame);
         Body shape;
@@ -263,8 +305,8 @@ private:
         if (const auto opening = relations_.opening_of.find(part.id); opening != relations_.opening_of.end()) {
             shape = body_of(opening->second, frame_of(opening->second));
             if (const auto of = relations_.host_of.find(opening->second); of != relations_.host_of.end())
-                for (const IfcPart& other : building_.parts)
-                    if (other.id == of->second) host = &other;
+                if (const auto at = place_.find(of->second); at != place_.end())
+                    host = &building_.parts[building_.parts[at->second].same_as];
         }
         if (shape.empty()) shape = part.body;
         if (host && !host->body.empty())  // a door that lies along y of its placement
@@ -301,6 +343,9 @@ private:
     IfcShapes shapes_;
     std::stop_token stop_;
     IfcBuilding building_;
+    std::unordered_map<std::uint64_t, std::size_t> place_;  // of parts, by their instances
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> pieces_of_;
+    std::unordered_map<std::uint64_t, std::vector<std::size_t>> by_body_;  // the first of each, by numbers
     std::map<std::string, int, std::less<>> lone_panels_;
 };
 
@@ -321,22 +366,37 @@ IfcBuilding read_building(IfcModel& model, const IfcRelations& relations, const 
     return Reader(model, relations, progress, stop).read();
 }
 
+namespace {
+
+// The parts that may stand in a body's way, in file order.
+std::vector<std::uint32_t> parts_near(const IfcBuilding& building, const ConvexSolid& body) {
+    std::vector<std::uint32_t> near;
+    building.by_place->find(body.bounds_m, near);
+    return near;
+}
+
+}  // namespace
+
 bool can_pass(const IfcBuilding& building, const WallGap& gap) {
     const std::optional<ConvexSolid> body = way_through(gap);
-    return body && std::none_of(building.parts.begin(), building.parts.end(), [&](const IfcPart& part) {
-               return blocks(part.role) && overlap(part.box, body->bounds_m) && meets(part.body, *body);
-           });
+    if (!body) return false;
+    const std::vector<std::uint32_t> near = parts_near(building, *body);
+    return std::none_of(near.begin(), near.end(), [&](std::uint32_t i) {
+        const IfcPart& part = building.parts[i];
+        return blocks(part.role) && overlap(part.box, body->bounds_m) && meets(part.body, *body);
+    });
 }
 
 std::vector<std::string> free_the_way(IfcBuilding& building, const WallGap& gap) {
     std::vector<std::string> cut;
     const std::optional<ConvexSolid> body = way_through(gap);
     if (!body) return cut;
-    for (IfcPart& part : building.parts)
-        if (blocks(part.role) && overlap(part.box, body->bounds_m) && meets(part.body, *body)) {
-            cut_away(part.body, body->planes);
-            cut.push_back(part.name);
-        }
+    for (const std::uint32_t i : parts_near(building, *body)) {
+        IfcPart& part = building.parts[i];
+        if (!blocks(part.role) || !overlap(part.box, body->bounds_m) || !meets(part.body, *body)) continue;
+        cut_away(part.body, body->planes);
+        cut.push_back(part.name);
+    }
     return cut;
 }
 

@@ -4,7 +4,9 @@
 
 #include <functional>
 #include <memory>
+#include <unordered_map>
 
+#include "worlds/geometry/box_index.h"
 #include "worlds/ifc/ifc_relations.h"
 #include "worlds/ifc/ifc_shapes.h"
 #include "worlds/scene/stated_building.h"
@@ -21,6 +23,9 @@ struct IfcPart {
     Aabb box;               // around it, before openings were cut
     std::string words;      // what it is made of, in the file's words
     std::size_t whole = 0;  // place of the part that it is felt as a piece of: a flight's stairs; else itself
+    // Place of an earlier part with the same body in the same place, which is felt for both; else itself. Its own body
+    // is empty then.
+    std::size_t same_as = 0;
     double width_m = 0.0, height_m = 0.0;  // of doors and windows as stated; 0: not
     std::string operation;                 // of a door: "SINGLE_SWING_LEFT"
 };
@@ -38,12 +43,13 @@ struct IfcBuilding {
     std::vector<IfcPart> parts;  // in file order; openings and spaces are not among them
     std::vector<StatedStorey> storeys;
     std::vector<StatedRoom> rooms;
-    std::vector<std::uint64_t> room_ids;
-    std::map<std::size_t, WallGap> gaps;  // of doors and windows, by their place in `parts`
+    std::unordered_map<std::uint64_t, std::uint32_t> room_of_id;  // their places in `rooms`
+    std::shared_ptr<const BoxIndex> by_place;                     // of `parts`, by their boxes
+    std::map<std::size_t, WallGap> gaps;                          // of doors and windows, by their place in `parts`
     int openings = 0, openings_cut = 0;
     std::vector<std::size_t> openings_uncut;  // lines
     std::map<std::string, int, std::less<>> skipped, not_read;
-    int approximated = 0, odd_placements = 0, far = 0;
+    int approximated = 0, odd_placements = 0, far = 0, repeated = 0;
     bool too_large = false;
 };
 

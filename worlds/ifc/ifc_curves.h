@@ -1,7 +1,7 @@
 // Curves of IFC as points in metres, and profiles as outlines with holes. Bent ones become chords. One reading thread.
 #pragma once
 
-#include "worlds/ifc/flat_parts.h"
+#include "worlds/geometry/flat_parts.h"
 #include "worlds/ifc/ifc_model.h"
 
 namespace handrail {

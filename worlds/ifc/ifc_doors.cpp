@@ -15,6 +15,7 @@ constexpr double kLeafTravel_s = 1.0;
 constexpr double kGroundAround_m = 8.0, kGroundThick_m = 0.2, kUnderThreshold_m = 0.02;
 constexpr double kCeiling_m = 1.0;  // between the rooms of two storeys, at most
 constexpr double kBeforeDoor_m = 1.5;
+constexpr std::size_t kMostCellars = 2'000;  // rooms that the ground is cut away over
 
 double middle(double a, double b) { return 0.5 * (a + b); }
 
@@ -69,7 +70,7 @@ void IfcScene::add_door(std::size_t i, const WallGap& gap) {
         add_leaf(gap, gap.least_m.x, gap.most_m.x, part.operation.find("RIGHT") == std::string::npos, i, group);
     }
     if (scene_.features.size() > before) portal.feature = {static_cast<std::uint32_t>(before)};
-    if (portal.rooms.size() == 1) outer_doors_.push_back(stated_->portals.size());
+    if (portal.rooms.size() == 1) outer_doors_.push_back({stated_->portals.size(), i});
     stated_->portals.push_back(std::move(portal));
 }
 
@@ -97,13 +98,12 @@ StatedPortal IfcScene::portal_of(std::size_t i, const WallGap& gap) {
     portal.width_m = gap.most_m.x - gap.least_m.x;
     portal.height_m = gap.most_m.z - gap.least_m.z;
     std::vector<std::uint32_t> beside, stated;
-    for (const std::uint32_t room : rooms_beside(stated_->rooms, gap))
+    for (const std::uint32_t room : rooms_beside(rooms_, gap))
         if (room != kNotStated && std::find(beside.begin(), beside.end(), room) == beside.end()) beside.push_back(room);
     if (const auto found = relations_.spaces_at.find(part.id); found != relations_.spaces_at.end())
         for (const std::uint64_t space : found->second)
-            if (const auto at = std::find(building_.room_ids.begin(), building_.room_ids.end(), space);
-                at != building_.room_ids.end())
-                stated.push_back(static_cast<std::uint32_t>(at - building_.room_ids.begin()));
+            if (const auto at = building_.room_of_id.find(space); at != building_.room_of_id.end())
+                stated.push_back(at->second);
     std::sort(beside.begin(), beside.end());
     std::sort(stated.begin(), stated.end());
     portal.by_boundaries = !stated.empty();
@@ -145,8 +145,7 @@ void IfcScene::join_flights() {
                 for (int iy = 0; iy < 7; ++iy) {
                     const Vec3 at{box.min_m.x - 0.3 + (box.size_m().x + 0.6) * ix / 6.0,
                                   box.min_m.y - 0.3 + (box.size_m().y + 0.6) * iy / 6.0, z};
-                    for (std::uint32_t r = 0; r < stated_->rooms.size(); ++r)
-                        if (holds(stated_->rooms[r], at)) ++votes[r];
+                    for (const std::uint32_t r : rooms_.all_at(at)) ++votes[r];
                 }
             const auto most = std::max_element(votes.begin(), votes.end(),
                                                [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -162,7 +161,8 @@ void IfcScene::join_flights() {
 
 // The room that stairs all but fill.
 void IfcScene::note_stairwell(const Aabb& stairs) {
-    for (StatedRoom& room : stated_->rooms) {
+    for (const std::uint32_t r : rooms_.near(stairs)) {
+        StatedRoom& room = stated_->rooms[r];
         int held = 0;
         for (int ix = 0; ix < 5; ++ix)
             for (int iy = 0; iy < 5; ++iy)
@@ -179,14 +179,14 @@ void IfcScene::note_stairwell(const Aabb& stairs) {
 // doors.
 void IfcScene::add_ground() {
     double level_m = scene_.bounds_m.min_m.z;
-    std::size_t most = 0;
-    for (const std::size_t a : outer_doors_) {
-        const double here_m = stated_->portals[a].place_m.z;
-        const auto count =
-            static_cast<std::size_t>(std::count_if(outer_doors_.begin(), outer_doors_.end(), [&](std::size_t b) {
-                return std::abs(stated_->portals[b].place_m.z - here_m) < 0.6;
-            }));
-        if (count > most || (count == most && here_m < level_m)) most = count, level_m = here_m;
+    std::vector<double> heights;
+    for (const OuterDoor& door : outer_doors_) heights.push_back(stated_->portals[door.portal].place_m.z);
+    std::sort(heights.begin(), heights.end());
+    std::ptrdiff_t most = 0;
+    for (const double here_m : heights) {  // of equal counts the lowest
+        const auto first = std::upper_bound(heights.begin(), heights.end(), here_m - 0.6),
+                   last = std::lower_bound(heights.begin(), heights.end(), here_m + 0.6);
+        if (last - first > most) most = last - first, level_m = here_m;
     }
     level_m -= kUnderThreshold_m;
     Body ground;
@@ -195,8 +195,10 @@ void IfcScene::add_ground() {
             box_solid({box.min_m.x, box.min_m.y, level_m - kGroundThick_m}, {box.max_m.x, box.max_m.y, level_m}, {}))
         ground.solids.push_back(std::move(*slab));
     // Not through the rooms of a basement, nor over the stairs that lead up from it.
+    std::size_t cuts = 0;
     for (const StatedRoom& room : stated_->rooms) {
         if (room.floor_m > level_m - 0.3 || room.floor_m + room.height_m < level_m - kCeiling_m) continue;
+        if (++cuts > kMostCellars) break;
         for (const Ring& part : convex_parts(room.rings)) {
             std::vector<Plane> planes;
             for (std::size_t k = 0; k < part.size(); ++k) {
@@ -217,13 +219,11 @@ void IfcScene::add_ground() {
 // Before each outer door, looking at it; the first is where most storeys' doors are. Without one in the largest room of
 // the lowest storey that has any.
 void IfcScene::add_starts() {
-    for (const std::size_t p : outer_doors_) {
-        const StatedPortal& portal = stated_->portals[p];
-        const auto gap = std::find_if(building_.gaps.begin(), building_.gaps.end(), [&](const auto& g) {
-            return building_.parts[g.first].guid == portal.guid && building_.parts[g.first].line == portal.source.line;
-        });
+    for (const OuterDoor& door : outer_doors_) {
+        const StatedPortal& portal = stated_->portals[door.portal];
+        const auto gap = building_.gaps.find(door.part);
         if (gap == building_.gaps.end()) continue;
-        const std::array<std::uint32_t, 2> beside = rooms_beside(stated_->rooms, gap->second);
+        const std::array<std::uint32_t, 2> beside = rooms_beside(rooms_, gap->second);
         const Vec3 out = gap->second.axes.y * (beside[0] == kNotStated ? -1.0 : 1.0);
         Start start;
         start.feet_m = portal.place_m + out * kBeforeDoor_m;

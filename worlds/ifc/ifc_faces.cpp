@@ -1,7 +1,7 @@
 // Shells, loops and tessellations of IFC.
 #include <algorithm>
 
-#include "worlds/ifc/flat_parts.h"
+#include "worlds/geometry/flat_parts.h"
 #include "worlds/ifc/ifc_shapes.h"
 
 namespace handrail {

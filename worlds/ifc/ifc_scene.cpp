@@ -39,6 +39,14 @@ bool is_structure(PartRole role) {
            role == PartRole::Structure || role == PartRole::Panel;
 }
 
+std::shared_ptr<StatedBuilding> stated_part_of(const IfcBuilding& building) {
+    auto stated = std::make_shared<StatedBuilding>();
+    stated->schema = building.schema;
+    stated->storeys = building.storeys;
+    stated->rooms = building.rooms;
+    return stated;
+}
+
 }  // namespace
 
 IfcScene::IfcScene(IfcBuilding building, const IfcRelations& relations, const IfcModel& model,
@@ -47,11 +55,8 @@ IfcScene::IfcScene(IfcBuilding building, const IfcRelations& relations, const If
       relations_(relations),
       model_(model),
       options_(options),
-      stated_(std::make_shared<StatedBuilding>()) {
-    stated_->schema = building_.schema;
-    stated_->storeys = building_.storeys;
-    stated_->rooms = building_.rooms;
-}
+      stated_(stated_part_of(building_)),
+      rooms_(stated_->rooms) {}
 
 Result<Scene> IfcScene::build(const std::string& file_name) {
     scene_.source_file = file_name;
@@ -183,6 +188,7 @@ void IfcScene::add_parts() {
             scene_.triangles.size() > kMostTriangles)
             return;
         const IfcPart& part = building_.parts[i];
+        if (part.same_as != i) continue;
         const auto gap = building_.gaps.find(i);
         scene_.report.doors += part.role == PartRole::Door ? 1 : 0;
         stated_->windows += part.role == PartRole::Window ? 1 : 0;
@@ -246,6 +252,7 @@ void IfcScene::write_report() {
         report.left_out.push_back(phrase("ifc.not_read", {{"n", all}, {"names", names}}));
     if (building_.odd_placements > 0)
         report.left_out.push_back(phrase("ifc.odd_placements", {{"n", building_.odd_placements}}));
+    if (building_.repeated > 0) report.left_out.push_back(phrase("ifc.repeated", {{"n", building_.repeated}}));
     if (building_.far > 0) report.left_out.push_back(phrase("ifc.far", {{"n", building_.far}}));
     for (const std::size_t line : building_.openings_uncut)
         warn(static_cast<int>(line), phrase("ifc.opening_uncut"), phrase("ifc.then_left_as_is"));
@@ -261,6 +268,10 @@ void IfcScene::write_report() {
 }
 
 Result<Scene> read_ifc_building(std::string_view bytes, const std::string& file_name, const IfcOptions& options) {
+    const auto stage = [&](std::string_view key) {
+        if (options.stage) options.stage(key);
+    };
+    stage("import.file");
     const Result<StepFile> file = StepFile::read(bytes, file_name, options.stop);
     if (!file) return tl::unexpected(file.error());
     if (!file->schema().starts_with("IFC2X") && !file->schema().starts_with("IFC4"))
@@ -273,9 +284,11 @@ Result<Scene> read_ifc_building(std::string_view bytes, const std::string& file_
     const auto progress = [&](double fraction) {
         if (options.progress) options.progress(0.25 + 0.5 * fraction);
     };
+    stage("import.shapes");
     IfcBuilding building = read_building(model, relations, progress, options.stop);
     if (options.stop.stop_requested()) return fail(phrase("files.stopped"), file_name);
     if (building.parts.empty()) return fail(phrase("ifc.no_building"), file_name);
+    stage("import.surfaces");
     Result<Scene> scene = IfcScene(std::move(building), relations, model, options).build(file_name);
     if (scene && options.progress) options.progress(1.0);
     return scene;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "worlds/ifc/ifc_building.h"
+#include "worlds/ifc/ifc_spaces.h"
 #include "worlds/ifc/read_ifc.h"
 
 namespace handrail {
@@ -43,7 +44,12 @@ private:
     std::map<std::size_t, FeatureId> thing_;  // of wholes
     std::map<std::string, std::set<std::string>> guessed_from_;
     std::map<std::size_t, std::vector<std::string>> freed_;  // what was cut to open a door, by its part
-    std::vector<std::size_t> outer_doors_;                   // places in stated_->portals
+    struct OuterDoor {
+        std::size_t portal = 0;  // its place in stated_->portals
+        std::size_t part = 0;    // in building_.parts
+    };
+    std::vector<OuterDoor> outer_doors_;
+    RoomsByPlace rooms_;  // of stated_
     int differing_ = 0, plain_ = 0;
 };
 

@@ -40,7 +40,7 @@ void outline(const Body& body, StatedRoom& room) {
 }  // namespace
 
 void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& relations, IfcShapes& shapes) {
-    std::vector<std::uint64_t> storey_ids;
+    std::unordered_map<std::uint64_t, std::uint32_t> storey_of_id;
     for (const StepInstance& instance : model.file().instances()) {
         if (role_of(instance.name) != PartRole::Storey) continue;
         const Values v = model.file().values_of(instance);
@@ -48,8 +48,8 @@ void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& rel
         storey.name = text_at(v, 2).empty() ? text_at(v, 7) : text_at(v, 2);
         storey.floor_m = model.placement(reference_at(v, 5)).origin_m.z - building.origin_m.z;
         if (!(std::abs(storey.floor_m) <= kFarthestPart_m)) storey.floor_m = 0.0;
+        storey_of_id.emplace(instance.id, static_cast<std::uint32_t>(building.storeys.size()));
         building.storeys.push_back(std::move(storey));
-        storey_ids.push_back(instance.id);
     }
     for (const StepInstance& instance : model.file().instances()) {
         if (role_of(instance.name) != PartRole::Space) continue;
@@ -65,12 +65,12 @@ void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& rel
         building.far += drop_far(body);
         outline(body, room);
         const std::uint64_t storey = relations.whole_named(model, instance.id, "IFCBUILDINGSTOREY");
-        if (const auto at = std::find(storey_ids.begin(), storey_ids.end(), storey); at != storey_ids.end()) {
-            room.storey = static_cast<std::uint32_t>(at - storey_ids.begin());
+        if (const auto at = storey_of_id.find(storey); at != storey_of_id.end()) {
+            room.storey = at->second;
             ++building.storeys[room.storey].rooms;
         }
+        building.room_of_id.emplace(instance.id, static_cast<std::uint32_t>(building.rooms.size()));
         building.rooms.push_back(std::move(room));
-        building.room_ids.push_back(instance.id);
     }
     // From the lowest up.
     std::vector<std::uint32_t> order(building.storeys.size()), place(building.storeys.size());
@@ -88,7 +88,47 @@ void read_spaces(IfcBuilding& building, IfcModel& model, const IfcRelations& rel
         if (room.storey != kNotStated) room.storey = place[room.storey];
 }
 
-std::array<std::uint32_t, 2> rooms_beside(const std::vector<StatedRoom>& rooms, const WallGap& gap) {
+namespace {
+
+// What `holds` may say of a room: its outline from a step below its floor to its ceiling.
+std::vector<Aabb> boxes_of(const std::vector<StatedRoom>& rooms) {
+    constexpr double kStep_m = 0.4;
+    std::vector<Aabb> boxes;
+    boxes.reserve(rooms.size());
+    for (const StatedRoom& room : rooms) {
+        Aabb box;
+        for (const Ring& ring : room.rings)
+            for (const Vec2& p : ring) {
+                box.include({p.x, p.y, room.floor_m - kStep_m});
+                box.include({p.x, p.y, room.floor_m + room.height_m});
+            }
+        boxes.push_back(box);
+    }
+    return boxes;
+}
+
+}  // namespace
+
+RoomsByPlace::RoomsByPlace(const std::vector<StatedRoom>& rooms) : rooms_(rooms), boxes_(boxes_of(rooms)) {}
+
+std::vector<std::uint32_t> RoomsByPlace::near(const Aabb& box) const {
+    std::vector<std::uint32_t> found;
+    boxes_.find(box, found);
+    return found;
+}
+std::vector<std::uint32_t> RoomsByPlace::all_at(const Vec3& at_m) const {
+    std::vector<std::uint32_t> found = near({at_m, at_m});
+    std::erase_if(found, [&](std::uint32_t r) { return !holds(rooms_[r], at_m); });
+    return found;
+}
+std::uint32_t RoomsByPlace::first_at(const Vec3& at_m) const {
+    const std::vector<std::uint32_t> found = near({at_m, at_m});
+    const auto first =
+        std::find_if(found.begin(), found.end(), [&](std::uint32_t r) { return holds(rooms_[r], at_m); });
+    return first == found.end() ? kNotStated : *first;
+}
+
+std::array<std::uint32_t, 2> rooms_beside(const RoomsByPlace& rooms, const WallGap& gap) {
     constexpr double kNear_m = 0.15, kFar_m = 1.2, kStep_m = 0.15, kHeight_m = 0.9;
     std::array<std::uint32_t, 2> found{kNotStated, kNotStated};
     const double middle = 0.5 * (gap.least_m.x + gap.most_m.x),
@@ -97,11 +137,7 @@ std::array<std::uint32_t, 2> rooms_beside(const std::vector<StatedRoom>& rooms, 
         for (double away = kNear_m; away <= kFar_m + 1e-9 && found[static_cast<std::size_t>(side)] == kNotStated;
              away += kStep_m) {
             const Vec3 at = gap.axes.at({middle, side == 0 ? gap.least_m.y - away : gap.most_m.y + away, height});
-            for (std::uint32_t r = 0; r < rooms.size(); ++r)
-                if (holds(rooms[r], at)) {
-                    found[static_cast<std::size_t>(side)] = r;
-                    break;
-                }
+            found[static_cast<std::size_t>(side)] = rooms.first_at(at);
         }
     return found;
 }

@@ -16,6 +16,7 @@ struct IfcOptions {
     std::string world_name;       // where the file gives none that can be spoken
     bool guess_materials = true;  // from what the file calls them
     std::function<void(double fraction)> progress;
+    std::function<void(std::string_view stage)> stage;  // a text's key
     std::stop_token stop;
 };
 

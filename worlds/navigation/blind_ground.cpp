@@ -220,6 +220,15 @@ Paced BlindGround::walk(BlindBody& body, double heading_rad, double most_m, Pace
     double window_from_m = 0.0, level_z = start_z, level_from_m = 0.0, next_step_m = step_m;
     int strides = 0, lined_up = 0;
     bool edge = false;
+    // A flight of stairs lies behind, or whoever counts the steps has had enough.
+    const auto over = [&] {
+        paced.climbed = end == PaceEnd::Stairs && std::abs(level_z - start_z) > kFlightRise_m &&
+                        paced.walked_m - level_from_m > kFlightOver_m;
+        if (paced.climbed) return true;
+        if (!each_step || paced.walked_m < next_step_m - 1e-9) return false;
+        next_step_m += step_m;
+        return !each_step(body);
+    };
     while (paced.walked_m < most_m - 1e-9) {
         if (const auto free_m = static_cast<double>(free_m_[body.span]); free_m > 2.0 * stride_m) {
             double by_m = std::min(free_m, most_m - paced.walked_m);
@@ -228,15 +237,7 @@ Paced BlindGround::walk(BlindBody& body, double heading_rad, double most_m, Pace
                 paced.walked_m += by_m;
                 strides = 0;
                 window_from_m = paced.walked_m;
-                if (end == PaceEnd::Stairs && std::abs(level_z - start_z) > kFlightRise_m &&
-                    paced.walked_m - level_from_m > kFlightOver_m) {
-                    paced.climbed = true;
-                    break;
-                }
-                if (each_step && paced.walked_m >= next_step_m - 1e-9) {
-                    next_step_m += step_m;
-                    if (!each_step(body)) break;
-                }
+                if (over()) break;
                 continue;
             }
         }
@@ -253,15 +254,7 @@ Paced BlindGround::walk(BlindBody& body, double heading_rad, double most_m, Pace
             level_z = z;
             level_from_m = paced.walked_m;
         }
-        if (end == PaceEnd::Stairs && std::abs(level_z - start_z) > kFlightRise_m &&
-            paced.walked_m - level_from_m > kFlightOver_m) {
-            paced.climbed = true;
-            break;
-        }
-        if (each_step && paced.walked_m >= next_step_m - 1e-9) {
-            next_step_m += step_m;
-            if (!each_step(body)) break;
-        }
+        if (over()) break;
         if (++strides < window) continue;
         const bool slow = paced.walked_m - window_from_m < kStoppedBelow * stride_m * strides;
         strides = 0;

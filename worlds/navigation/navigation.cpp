@@ -119,7 +119,60 @@ bool Navigation::reachable(const Vec3& from_m, const Vec3& to_m) const {
     return from != kNothing && to != kNothing && pieces_from(from)[piece_[to]];
 }
 
+void Navigation::block(std::span<const Aabb> boxes) {
+    blocked_.clear();
+    const double reach_m = space_.body.radius_m;
+    for (const Aabb& box : boxes) {
+        if (box.empty()) continue;
+        if (blocked_.empty()) blocked_.assign(space_.spans.size(), false);
+        for (std::uint32_t s = 0; s < space_.spans.size(); ++s) {
+            const Vec3 at = space_.place_m(s);
+            if (at.z >= box.max_m.z || at.z + space_.body.height_m <= box.min_m.z) continue;
+            const Vec3 near = glm::clamp(at, box.min_m, box.max_m);
+            if (std::hypot(at.x - near.x, at.y - near.y) < reach_m) blocked_[s] = true;
+        }
+    }
+}
+
+bool Navigation::meets_blocked(const Way& way) const {
+    bool meets = false;
+    for (const std::vector<Vec3>& leg : way.legs_m)
+        for (std::size_t i = 1; i < leg.size(); ++i)
+            space_.straight(leg[i - 1], leg[i], [&](std::uint32_t s) { meets = meets || blocked_[s]; });
+    return meets;
+}
+
+// On foot, from cell to cell. Where no way leads there, to the nearest place that one does lead to, which is `to` then.
+std::optional<Navigation::Way> Navigation::round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m,
+                                                         RouteWish wish) const {
+    std::vector<std::uint32_t> cells = over_cells(from, to, wish);
+    if (cells.empty()) {
+        std::vector<bool> seen(space_.spans.size(), false);
+        std::vector<std::uint32_t> open{from};
+        seen[from] = true;
+        double nearest_m = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < open.size(); ++i) {
+            if (const double far_m = glm::length(space_.place_m(open[i]) - to_m); far_m < nearest_m) {
+                nearest_m = far_m;
+                to = open[i];
+            }
+            for (const std::uint32_t n : space_.spans[open[i]].next)
+                if (n != kNothing && !seen[n] && !blocked_[n]) {
+                    seen[n] = true;
+                    open.push_back(n);
+                }
+        }
+        cells = over_cells(from, to, wish);
+        if (cells.empty()) return std::nullopt;
+    }
+    Way way;
+    for (const std::uint32_t s : cells) way.legs_m.back().push_back(space_.place_m(s));
+    finish(way, to, wish);
+    return way;
+}
+
 double Navigation::span_cost(std::uint32_t span, RouteWish wish) const {
+    if (!blocked_.empty() && blocked_[span]) return std::numeric_limits<double>::infinity();
     const double plain = cost_per_m(space_.spans[span], wish);
     if (leaf_marks_.empty() || leaf_marks_[span] == kNoLeaf) return plain;
     return plain + (leaf_marks_[span] == kInLeaf ? kThroughLeaf_per_m : kBesideLeaf_per_m);
@@ -493,6 +546,14 @@ Route Navigation::plan(const Vec3& from_m, const Vec3& to_m, RouteWish wish) {
             route.short_of_m = glm::length(to_m - space_.place_m(from));
         }
         finish(*way, to, wish);
+    }
+    if (!blocked_.empty() && !blocked_[from] && meets_blocked(*way)) {
+        const std::uint32_t wanted = to;
+        if (std::optional<Way> round = round_blocked(from, to, to_m, wish)) way = std::move(round);
+        if (to != wanted) {
+            route.reaches = false;
+            route.short_of_m = glm::length(space_.place_m(to) - to_m);
+        }
     }
     for (std::size_t i = 0; i < way->legs_m.size(); ++i) {
         if (i > 0) {

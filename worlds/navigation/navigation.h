@@ -28,6 +28,9 @@ public:
     // Where leaves of open doors stand by now; at first there are none. Routes planned from here on go round them,
     // unless that is much longer than through one: who comes there can shut the door.
     void know_leaves(std::span<const OpenLeaf> leaves) { leaf_marks_ = mark_leaves(space_, leaves); }
+    // Nobody gets through there: ways planned from here on lead round these boxes, on foot; where none does, to the
+    // nearest place before them. Replaces what was blocked before.
+    void block(std::span<const Aabb> boxes);
     // Somebody who goes along these points would meet a leaf.
     bool meets_leaf(std::span<const Vec3> points_m) const;
 
@@ -50,6 +53,11 @@ public:
 
 private:
     Navigation() = default;
+    // Stretches walked, and the links (of WalkSpace::links) between them.
+    struct Way {
+        std::vector<std::vector<Vec3>> legs_m = std::vector<std::vector<Vec3>>(1);
+        std::vector<std::uint32_t> links;
+    };
     std::uint32_t span_from(const Vec3& feet_m) const;
     std::uint32_t span_to(const Vec3& at_m) const;
     std::vector<bool> pieces_from(std::uint32_t span) const;
@@ -57,6 +65,8 @@ private:
     double cost(const Vec3& from_m, const Vec3& to_m, RouteWish wish) const;
     double span_cost(std::uint32_t span, RouteWish wish) const;
     bool in_leaf(std::uint32_t span) const { return !leaf_marks_.empty() && leaf_marks_[span] == kInLeaf; }
+    bool meets_blocked(const Way& way) const;
+    std::optional<Way> round_blocked(std::uint32_t from, std::uint32_t& to, const Vec3& to_m, RouteWish wish) const;
     std::uint32_t out_of_leaf(std::uint32_t span) const;
     struct Stretch {
         double from_m = 0.0, to_m = -1.0;  // along the points; nothing where to_m < from_m
@@ -65,11 +75,6 @@ private:
     void go_round_leaves(std::vector<Vec3>& points_m, RouteWish wish) const;
     void straighten(std::vector<Vec3>& points_m, RouteWish wish) const;
     void make_way(std::vector<Vec3>& points_m, RouteWish wish) const;
-    // Stretches walked, and the links (of WalkSpace::links) between them.
-    struct Way {
-        std::vector<std::vector<Vec3>> legs_m = std::vector<std::vector<Vec3>>(1);
-        std::vector<std::uint32_t> links;
-    };
     std::optional<Way> over_mesh(std::uint32_t from, std::uint32_t to, RouteWish wish, bool over_links);
     void finish(Way& way, std::uint32_t to, RouteWish wish) const;
     double cost(const Way& way, RouteWish wish) const;
@@ -83,6 +88,7 @@ private:
     std::vector<FeatureId> door_features_;              // of each of Scene::movers
     std::vector<std::uint32_t> door_groups_;
     std::vector<Vec3> door_places_;
+    std::vector<bool> blocked_;             // of each span; empty: nothing is
     std::vector<std::uint8_t> leaf_marks_;  // of each span; empty: no door stands open
 };
 

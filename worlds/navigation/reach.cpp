@@ -33,30 +33,34 @@ std::vector<bool> reached_from(const RoomGraph& graph, std::uint32_t first) {
 
 }  // namespace
 
-std::vector<std::string> unreachable_rooms(const Scene& scene, const WalkSpace& space, const RoomGraph& graph) {
+std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph) {
     const auto base =
         std::find_if(scene.starts.begin(), scene.starts.end(), [](const Start& start) { return start.base; });
     if (base == scene.starts.end()) return {};
     const std::uint32_t first = room_at(graph, space, base->feet_m);
     if (first == kNothing) return {};
     const std::vector<bool> reached = reached_from(graph, first);
-    std::vector<std::string> names;
-    const auto add = [&](std::string name) {
-        name = capitalised(name);
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
-    };
+    std::vector<RoomOutOfReach> rooms;
     for (std::uint32_t i = 0; i < graph.rooms.size(); ++i) {
         const Room& room = graph.rooms[i];
         if (room.kind == RoomKind::Liquid) continue;  // a basin with a rim is nowhere to go
         const bool named = room.given || !room.map_name.empty();
-        if (!reached[i] && (named || (room.kind != RoomKind::Niche && room.area_m2 >= kLeastTold_m2))) add(room.name);
+        if (!reached[i] && (named || (room.kind != RoomKind::Niche && room.area_m2 >= kLeastTold_m2)))
+            rooms.push_back({capitalised(room.name), i, room.middle_m});
     }
     for (const RoomName& name : scene.room_names) {
         const bool has_room = std::any_of(graph.rooms.begin(), graph.rooms.end(),
                                           [&](const Room& room) { return room.map_name == name.name; });
         if (!has_room && space.nearest(name.at_m, 1.0, 0.6, 3.0) == kNothing)
-            add(in_spoken_language(name.name, name.name_in));
+            rooms.push_back({capitalised(in_spoken_language(name.name, name.name_in)), kNothing, name.at_m});
     }
+    return rooms;
+}
+
+std::vector<std::string> unreachable_rooms(const Scene& scene, const WalkSpace& space, const RoomGraph& graph) {
+    std::vector<std::string> names;
+    for (RoomOutOfReach& room : rooms_out_of_reach(scene, space, graph))
+        if (std::find(names.begin(), names.end(), room.name) == names.end()) names.push_back(std::move(room.name));
     return names;
 }
 

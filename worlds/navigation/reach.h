@@ -9,6 +9,14 @@
 
 namespace handrail {
 
+struct RoomOutOfReach {
+    std::string name;               // as it is told
+    std::uint32_t room = kNothing;  // of the graph; kNothing: the map names a place where nobody can stand
+    Vec3 at_m{0.0};
+};
+// Each of them, in the order of the graph, then of the map's names; see unreachable_rooms for which count.
+std::vector<RoomOutOfReach> rooms_out_of_reach(const Scene& scene, const WalkSpace& space, const RoomGraph& graph);
+
 // Their names as they are told, each once, in the order of the graph; locked doors count as ways. Liquids do not count,
 // niches and what is smaller than a square metre only where the map names them; a name of the map in whose place nobody
 // can stand counts too. Nothing where nobody can stand at the base.

@@ -777,4 +777,23 @@ std::vector<std::uint32_t> exits_of(const RoomGraph& graph, std::uint32_t room, 
     return found;
 }
 
+std::vector<Aabb> door_boxes(const Scene& scene, const RoomGraph& graph, FeatureId door) {
+    std::vector<Aabb> boxes;
+    std::vector<FeatureId> leaves{door};
+    for (const Mover& one : scene.movers)
+        for (const Mover& other : scene.movers)
+            if (one.feature == door && other.group == one.group && other.feature != door)
+                leaves.push_back(other.feature);
+    for (const FeatureId leaf : leaves) {
+        if (!scene.find(leaf)) continue;
+        boxes.push_back(scene.features[leaf.value].bounds_m);
+        for (const Portal& portal : graph.portals) {
+            if (portal.feature != leaf) continue;
+            const Vec3 half(0.5 * portal.width_m, 0.5 * portal.width_m, 0.0);
+            boxes.push_back({portal.place_m - half, portal.place_m + half + Vec3(0.0, 0.0, 2.0)});
+        }
+    }
+    return boxes;
+}
+
 }  // namespace handrail

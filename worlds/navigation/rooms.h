@@ -81,6 +81,9 @@ void say_room_names(RoomGraph& graph);
 // The room somebody stands in; kNothing where that is no walkable place.
 std::uint32_t room_at(const RoomGraph& graph, const WalkSpace& space, const Vec3& feet_m);
 
+// What nobody passes where a door is blocked: its leaves as the file has them, and the doorway.
+std::vector<Aabb> door_boxes(const Scene& scene, const RoomGraph& graph, FeatureId door);
+
 // Gives the names of a person to the rooms around their places. The names for which there is no room any more, or no
 // longer one of their own.
 std::vector<std::string> give_names(RoomGraph& graph, const WalkSpace& space, const std::vector<GivenName>& names);

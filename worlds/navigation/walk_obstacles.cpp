@@ -12,12 +12,44 @@ constexpr double kWalkableNormalZ = 0.7;  // as walking has it: up to about 45 d
 constexpr double kFlatMost_m = 1.5;       // a door no thicker than this may be a bridge
 constexpr double kWideThing_m = 5.0;      // a thing as wide is a floor or platform
 constexpr double kTallThing_m = 2.3;      // a thing as high as a wall counts as one
+constexpr double kDoorHigh_m = 1.8;       // so does one as high as a door that carries the wall over it
+constexpr double kRests_m = 0.02;         // between what carries and what lies on it
 
-bool is_furniture(const Feature* feature) {
-    if (!feature || feature->kind != FeatureKind::Object || feature->bounds_m.empty()) return false;
-    const Vec3 size = feature->bounds_m.size_m();
-    return size.z < kTallThing_m && std::max(size.x, size.y) < kWideThing_m;
-}
+// Tells walls from things that are lower.
+class Furniture {
+public:
+    explicit Furniture(const Scene& scene) : scene_(scene) {
+        for (const Solid& solid : scene.solids)
+            if (solid.role == SolidRole::Solid) by_foot_.push_back(&solid.shape.bounds_m);
+        std::sort(by_foot_.begin(), by_foot_.end(),
+                  [](const Aabb* a, const Aabb* b) { return a->min_m.z < b->min_m.z; });
+    }
+
+    bool is(FeatureId id) const {
+        const Feature* feature = scene_.find(id);
+        if (!feature || feature->kind != FeatureKind::Object || feature->bounds_m.empty()) return false;
+        const Vec3 size = feature->bounds_m.size_m();
+        return size.z < kTallThing_m && std::max(size.x, size.y) < kWideThing_m &&
+               (size.z < kDoorHigh_m || !carries_wall(feature->bounds_m));
+    }
+
+private:
+    // As the pieces of a wall beside a door do, whose lintel is a piece of its own.
+    bool carries_wall(const Aabb& thing) const {
+        const auto lower = [](const Aabb* box, double z) { return box->min_m.z < z; };
+        for (auto it = std::lower_bound(by_foot_.begin(), by_foot_.end(), thing.max_m.z - kRests_m, lower);
+             it != by_foot_.end() && (*it)->min_m.z <= thing.max_m.z + kRests_m; ++it) {
+            const Aabb& over = **it;
+            if (over.max_m.z - thing.min_m.z >= kTallThing_m && over.min_m.x < thing.max_m.x &&
+                over.max_m.x > thing.min_m.x && over.min_m.y < thing.max_m.y && over.max_m.y > thing.min_m.y)
+                return true;
+        }
+        return false;
+    }
+
+    const Scene& scene_;
+    std::vector<const Aabb*> by_foot_;
+};
 
 }  // namespace
 
@@ -33,6 +65,7 @@ Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
     const auto pushed_aside = [&](FeatureId feature) {
         return feature.value < gives_way.size() && gives_way[feature.value];
     };
+    const Furniture things(scene);
     std::size_t marked = 0;
     const auto mark = [&](bool furniture) {
         for (; marked < all.size(); ++marked) all[marked].furniture = furniture;
@@ -41,7 +74,7 @@ Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
         const int mover = solid.role == SolidRole::Mover && solid.feature.value < mover_of_feature.size()
                               ? mover_of_feature[solid.feature.value]
                               : -1;
-        const bool furniture = is_furniture(scene.find(solid.feature));
+        const bool furniture = things.is(solid.feature);
         if (mover >= 0 && passes(scene, static_cast<std::uint32_t>(mover), solid)) continue;
         if (solid.role == SolidRole::Mover && pushed_aside(solid.feature)) continue;
         add_solid(solid, nullptr, solid.feature, all);
@@ -51,7 +84,7 @@ Obstacles::Obstacles(const Scene& scene, const WalkBody& body) : body_(body) {
     mark(false);
     for (const PlacedModel& placed : scene.placed) {
         if (pushed_aside(placed.feature)) continue;
-        const bool furniture = is_furniture(scene.find(placed.feature));
+        const bool furniture = things.is(placed.feature);
         const PlacedFrame frame(placed.at);
         for (const Solid& solid : placed.model->solids) add_solid(solid, &frame, placed.feature, all);
         for (const MeshTriangle& triangle : placed.model->triangles) add_triangle(triangle, &frame, placed.feature);
@@ -152,7 +185,7 @@ bool Obstacles::passes(const Scene& scene, std::uint32_t mover, const Solid& sol
     const Vec3 size = feature.bounds_m.size_m();
     const bool flat = size.z <= kFlatMost_m && size.z < 0.5 * std::min(size.x, size.y);
     if (flat || feature.kind == FeatureKind::Lift || m.slide_m.z != 0.0) {
-        for (const double part : {0.0, 1.0}) {
+        for (const double part : m.halts.empty() ? std::vector<double>{0.0, 1.0} : m.halts) {
             PassingFloor floor;
             floor.mover = mover;
             const PlacedFrame frame(Placement{m.slide_m * part, {}, 1.0});

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <unordered_map>
 
 #include "worlds/base/language.h"
@@ -143,8 +145,9 @@ void link_lifts_and_teleporters(const Scene& scene, WalkSpace& space) {
         const Feature* found = scene.find(feature);
         return found && found->kind == FeatureKind::Lift ? feature : kNoFeature;
     };
-    std::vector<std::pair<double, WalkLink>> lifts;              // the column nearest to the middle
-    std::unordered_map<std::uint32_t, std::size_t> lift_number;  // of a feature, looked up only
+    std::vector<std::pair<double, WalkLink>> lifts;  // the column nearest to the middle
+    // Of a lift, and of two of the heights where it stops, in centimetres.
+    std::map<std::tuple<std::uint32_t, long, long>, std::size_t> lift_number;
     for (std::uint32_t cell = 0; cell + 1 < space.first.size(); ++cell)
         for (std::uint32_t low = space.first[cell]; low < space.first[cell + 1]; ++low) {
             const FeatureId feature = lift_of(low);
@@ -154,7 +157,10 @@ void link_lifts_and_teleporters(const Scene& scene, WalkSpace& space) {
                 const Vec3 off = space.place_m(low) - scene.features[feature.value].bounds_m.centre_m();
                 const double far = std::hypot(off.x, off.y);
                 const WalkLink link{PassageKind::Lift, low, high, true, feature};
-                const auto [known, is_new] = lift_number.try_emplace(feature.value, lifts.size());
+                const auto [known, is_new] =
+                    lift_number.try_emplace({feature.value, std::lround(100.0F * space.spans[low].floor_m),
+                                             std::lround(100.0F * space.spans[high].floor_m)},
+                                            lifts.size());
                 if (is_new) lifts.emplace_back(far, link);
                 else if (far < lifts[known->second].first) lifts[known->second] = {far, link};
             }

@@ -11,6 +11,7 @@ constexpr NumberKey kMass{"mass", FreeBody::kLeast_kg, FreeBody::kMost_kg, "map.
 constexpr NumberKey kDensity{"density", 20.0, 20000.0, "map.range_density"};
 constexpr NumberKey kElasticity{"elasticity", 0.0, 0.95, "map.range"};
 constexpr NumberKey kRolling{"rolling", 0.0, 1.0, "map.range"};
+constexpr NumberKey kStiffness{"stiffness_n_per_m", 0.1, 10000.0, "map.range_stiffness"};
 constexpr double kStaticOverSliding = 1.25;
 
 double volume_of(const Scene& scene, FeatureId feature) {
@@ -43,6 +44,12 @@ std::optional<BodyWish> body_wish_of(const MapEntity& entity, bool dynamic, bool
     body.friction_static =
         std::max(body.friction, surface.friction_static.value_or(kStaticOverSliding * body.friction));
     body.by_density = !wish.mass_kg;
+    if (const MapKey* string = entity.find("string")) {
+        wish.string = trimmed(string->value);
+        wish.string_place = string->place;
+        wish.string_n_per_m = keys.number_of(entity, kStiffness).value_or(wish.string_n_per_m);
+        if (wish.string.empty()) diagnostics.warn(string->place, "map.then_loose", "map.string_empty");
+    }
     return wish;
 }
 
@@ -63,10 +70,21 @@ void MapBodies::add(Scene& scene, const BodyWish& wish, FeatureId feature, TextP
     body.mass_kg = std::clamp(mass_kg, FreeBody::kLeast_kg, FreeBody::kMost_kg);
     if (body.mass_kg != mass_kg)
         diagnostics.warn(place, "map.then_number", "map.body_mass", {{"mass", mass_kg}, {"taken", body.mass_kg}});
+    if (!wish.string.empty()) tied_.push_back({scene.bodies.size(), wish});
     scene.bodies.push_back(body);
 }
 
-void MapBodies::tell_too_many(Diagnostics& diagnostics) const {
+void MapBodies::finish(Scene& scene, Diagnostics& diagnostics) const {
+    for (const Tied& tied : tied_) {
+        const auto point = points_m_.find(tied.wish.string);
+        if (point == points_m_.end()) {
+            diagnostics.warn(tied.wish.string_place, "map.then_loose", "map.string_nowhere",
+                             {{"name", excerpt(tied.wish.string)}});
+            continue;
+        }
+        scene.bodies[tied.body].string_at_m = point->second;
+        scene.bodies[tied.body].string_n_per_m = tied.wish.string_n_per_m;
+    }
     if (too_many_ > 0)
         diagnostics.warn(first_too_many_, "map.then_stay", "map.too_many_bodies",
                          {{"most", FreeBody::kMost}, {"count", too_many_}});

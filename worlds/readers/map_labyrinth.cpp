@@ -57,12 +57,15 @@ void MapLabyrinth::note_role(const MapEntity& entity, FeatureId feature, bool fr
     const MapKey* key = entity.find("role");
     if (!key) return;
     const std::string role(entity.value("role"));
-    static const std::vector<std::string> kRoles{"ball", "plank", "block"};
+    static const std::vector<std::string> kRoles{"ball", "plank", "block", "border"};
     if (std::find(kRoles.begin(), kRoles.end(), role) == kRoles.end()) {
         diagnostics.warn(key->place, "map.then_key_left_out", "map.role_unknown",
                          {{"role", role}, {"nearest", nearest_name(role, kRoles)}});
-    } else if (!free) {
-        diagnostics.warn(key->place, "map.then_key_left_out", "map.role_fixed", {{"role", role}});
+    } else if (free != (role != "border")) {
+        diagnostics.warn(key->place, "map.then_key_left_out", free ? "map.role_free" : "map.role_fixed",
+                         {{"role", role}});
+    } else if (role == "border") {
+        plan_.borders.push_back(feature);
     } else if (role == "ball") {
         if (plan_.ball) diagnostics.warn(key->place, "map.then_key_left_out", "map.second_ball");
         else plan_.ball = feature;

@@ -6,6 +6,7 @@
 #include "worlds/base/text.h"
 #include "worlds/readers/diagnostics.h"
 #include "worlds/readers/map_keys.h"
+#include "worlds/readers/mesh_materials.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
 
@@ -246,17 +247,10 @@ private:
     MaterialId material_of(const std::string& name) {
         const auto [known, is_new] = materials_.try_emplace(name, kDefaultMaterial);
         if (!is_new) return known->second;
-        Material material;
-        const MaterialSpec* spec = find_material(name);
-        if (!spec && options_.guess_materials) {
-            spec = guess_material(name);
-            material.guessed = spec != nullptr;
-        }
-        if (!spec) return kDefaultMaterial;
-        material.name = spec->name;
-        material.sound = spec->sound;
-        if (material.guessed) guessed_from_.try_emplace(material.name, name);
-        known->second = material_id(scene_, material);
+        const std::optional<Material> material = mesh_material(name, options_.guess_materials);
+        if (!material) return kDefaultMaterial;
+        if (material->guessed) guessed_from_.try_emplace(material->name, name);
+        known->second = material_id(scene_, *material);
         return known->second;
     }
 

@@ -17,6 +17,7 @@
 #include "worlds/readers/map_looks.h"
 #include "worlds/readers/map_meaning.h"
 #include "worlds/readers/map_movers.h"
+#include "worlds/readers/map_prefab.h"
 #include "worlds/readers/map_soft.h"
 #include "worlds/readers/map_surfaces.h"
 #include "worlds/readers/map_syntax.h"
@@ -64,7 +65,7 @@ public:
         attach_effects(effects_, scene_, diagnostics_);
         name_world();
         attach_movers(movers_, scene_, diagnostics_);
-        bodies_.tell_too_many(diagnostics_);
+        bodies_.finish(scene_, diagnostics_);
         labyrinth_.attach(scene_, diagnostics_);
         write_report();
         progress(1.0);
@@ -104,6 +105,10 @@ private:
         if (class_name.starts_with("info_player_")) read_start(entity, class_name, index);
         if (class_name.starts_with("func_door")) ++scene_.report.doors;
         note_name(movers_, entity);
+        // What a rubber string can be tied to.
+        if (const MapKey* name = entity.find("targetname"); name && entity.find("origin"))
+            if (const std::optional<Vec3> origin = keys_.vector_of(entity, "origin"))
+                bodies_.note_point(std::string(trimmed(name->value)), *origin * units_);
         if (class_name == "info_teleport_destination") read_destination(entity);
         if (class_name == "path_corner") {
             note_corner(movers_, entity, keys_);
@@ -132,11 +137,22 @@ private:
                     scene_.name_in = texts_in(entity, key);
                 }
         }
-        if (!entity.brushes.empty() || !entity.patches.empty()) read_brushes(entity, class_name, index);
+        if (entity.find("prefab")) read_prefab(entity, class_name, index);
+        else if (!entity.brushes.empty() || !entity.patches.empty()) read_brushes(entity, class_name, index);
         else if (!world && !class_name.empty() && !class_name.starts_with("info_player_") &&
                  class_name.find("light") != 0 && !class_name.starts_with("ambient_") && !is_particles(class_name) &&
                  class_name != "target_speaker")
             ++shapeless_things_;
+    }
+
+    // What it is called where the map does not say so is what it is.
+    void read_prefab(const MapEntity& entity, const std::string& class_name, int index) {
+        const Prefab* prefab = prefab_of(entity, diagnostics_);
+        const std::optional<Vec3> origin = prefab ? keys_.vector_of(entity, "origin") : std::nullopt;
+        if (origin)
+            read_brushes(with_prefab(entity, *prefab, *origin, heading_of(entity), units_), class_name, index,
+                         prefab->name);
+        else if (!entity.brushes.empty() || !entity.patches.empty()) read_brushes(entity, class_name, index);
     }
 
     // A place without a shape of its own: its brushes are counted and neither touched nor seen.
@@ -314,8 +330,11 @@ private:
         return thing;
     }
 
-    void read_brushes(const MapEntity& entity, const std::string& class_name, int index) {
-        const MapMeaning meaning = meanings_.read(entity, class_name, index);
+    // called: by its kind, where the map gives it no name.
+    void read_brushes(const MapEntity& entity, const std::string& class_name, int index, std::string_view called = {}) {
+        MapMeaning meaning = meanings_.read(entity, class_name, index);
+        if (!called.empty() && entity.value("name").empty()) give_name(meaning.feature, called);
+        if (!called.empty()) meaning.structure = false;
         const TouchSide side = touch_side_of(entity);
         // One brush stays as it is where a box was asked for: it may be a turned one.
         if (meaning.exact && !entity.brushes.empty() &&

@@ -1,4 +1,6 @@
 #include "worlds/readers/reader.h"
+#include "worlds/imdf/read_imdf.h"
+#include "worlds/osm/osm_data.h"
 #include "worlds/readers/units.h"
 
 #include "worlds/base/files.h"
@@ -15,11 +17,30 @@ bool ends_in(const fs::path& path, std::string_view ending) { return lower_ascii
 constexpr std::array kReaders{
     MapReader{"map", [](const fs::path& path, std::string_view) { return ends_in(path, ".map"); }, read_quake_map},
     MapReader{"obj", [](const fs::path& path, std::string_view) { return ends_in(path, ".obj"); }, read_obj},
+    MapReader{"gltf",
+              [](const fs::path& path, std::string_view bytes) {
+                  return ends_in(path, ".glb") || ends_in(path, ".gltf") || bytes.starts_with("glTF");
+              },
+              read_gltf},
+    MapReader{"ply",
+              [](const fs::path& path, std::string_view bytes) {
+                  return ends_in(path, ".ply") || bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+              },
+              read_ply},
+    MapReader{"stl", [](const fs::path& path, std::string_view) { return ends_in(path, ".stl"); }, read_stl},
     MapReader{"ifc",
               [](const fs::path& path, std::string_view bytes) {
                   return ends_in(path, ".ifc") || bytes.starts_with("ISO-10303-21");
               },
               read_ifc},
+    MapReader{"ifczip", is_ifczip, read_ifczip},
+    MapReader{"osm",
+              [](const fs::path& path, std::string_view bytes) {
+                  return osm_form(bytes, path.filename().string()) != OsmForm::None || ends_in(path, ".osm");
+              },
+              read_osm},
+    MapReader{"rooms", [](const fs::path& path, std::string_view) { return ends_in(path, ".rooms"); }, read_words},
+    MapReader{"imdf", [](const fs::path&, std::string_view bytes) { return is_imdf(bytes); }, read_imdf},
 };
 
 // Files that are often given by mistake, told by their first bytes, and what to do then.
@@ -41,8 +62,6 @@ constexpr std::array kForeign{
     ForeignFile{"%PDF", "reader.document"},
     ForeignFile{"\x89PNG", "reader.picture"},
     ForeignFile{"<?xml", "reader.xml"},
-    ForeignFile{"glTF", "reader.gltf"},
-    ForeignFile{"ply\n", "reader.ply"},
 };
 
 // Worldcraft's own format begins with a number and then three letters.
@@ -51,26 +70,26 @@ bool is_rmf(std::string_view bytes) { return bytes.size() > 7 && bytes.substr(4,
 constexpr std::size_t kLargestWorld_bytes = std::size_t{1} << 30;
 constexpr std::size_t kLargestBeside_bytes = std::size_t{1} << 27;
 
-// A world may bring files of its own folder and those below, and no others.
-Result<std::string> read_beside(const fs::path& world, const std::string& other, const std::stop_token& stop) {
+}  // namespace
+
+Result<std::string> read_file_beside(const fs::path& world, const std::string& other, const std::stop_token& stop) {
     const fs::path name = fs::path(other).lexically_normal();
     if (name.empty() || name.is_absolute() || *name.begin() == "..") return fail(phrase("reader.elsewhere"), other);
     return read_whole_file(world.parent_path() / name, kLargestBeside_bytes, stop);
 }
-
-}  // namespace
 
 Result<Scene> read_world(const fs::path& path, const ReadOptions& options) {
     const Result<std::string> bytes = read_whole_file(path, kLargestWorld_bytes, options.stop);
     if (!bytes) return tl::unexpected(bytes.error());
     const std::string name = path.filename().string();
     if (bytes->empty()) return fail(phrase("reader.empty"), name);
+    const bool ours = osm_form(*bytes, name) != OsmForm::None || is_imdf(*bytes) || is_ifczip(path, *bytes);
     for (const ForeignFile& foreign : kForeign)
-        if (bytes->starts_with(foreign.first_bytes)) return fail(phrase(foreign.says), name);
+        if (!ours && bytes->starts_with(foreign.first_bytes)) return fail(phrase(foreign.says), name);
     if (is_rmf(*bytes)) return fail(phrase("reader.worldcraft"), name);
     ReadOptions with_folder = options;
     if (!with_folder.read_beside)
-        with_folder.read_beside = [&](const std::string& other) { return read_beside(path, other, options.stop); };
+        with_folder.read_beside = [&](const std::string& other) { return read_file_beside(path, other, options.stop); };
     for (const MapReader& reader : kReaders)
         if (reader.accepts(path, *bytes)) {
             Result<Scene> scene = reader.read(*bytes, name, with_folder);

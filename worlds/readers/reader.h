@@ -15,14 +15,16 @@ namespace handrail {
 
 struct ReadOptions {
     double map_metres_per_unit = 1.0 / 32.0;  // for .map files (Quake: 1/32)
-    double obj_metres_per_unit = 1.0;         // for .obj files
+    double obj_metres_per_unit = 1.0;         // for .obj, .ply and .stl files
     bool unit_is_known =
         false;  // a person said it: read_world asks no more whether a very wide or narrow world is meant so
     bool guess_materials = true;  // from texture names; exploring yes, replay no
+    std::string building;         // of a file with several, by its name or number; empty: the one with most rooms
     // Another file of the world, by its name relative to the world's own, such as a height picture; empty: there is
     // none to be had.
     std::function<Result<std::string>(const std::string& name)> read_beside;
-    std::function<void(double fraction)> progress;  // 0 to 1, called from the reading thread; may be empty
+    std::function<void(double fraction)> progress;      // 0 to 1, called from the reading thread; may be empty
+    std::function<void(std::string_view stage)> stage;  // what it is at, a text's key ("import.shapes"); may be empty
     std::stop_token stop;  // looked at many times a second, whatever the file holds; the reading fails then, and nobody
                            // needs its sentence
 };
@@ -59,13 +61,37 @@ Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_nam
 // Fills Scene::triangles, not Scene::surfaces.
 Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
+// glTF 2.0 as .glb or .gltf (with its .bin beside it): in metres, y up, turned to z up; nodes are things with their
+// names. PLY and STL: one thing, or one for each solid of an STL in words, z up, in metres unless the options say
+// otherwise. A closed convex mesh is a solid unless others lie in it or it is alone; the rest are sheets.
+Result<Scene> read_gltf(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
+Result<Scene> read_ply(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
+Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
+
 // IFC, whatever unit the file states: a building with rooms and doors as the file has them (worlds/ifc).
 Result<Scene> read_ifc(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
+// The same in a ZIP archive (.ifczip, or one whose first file is an .ifc), which holds one model.
+Result<Scene> read_ifczip(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
+bool is_ifczip(const std::filesystem::path& path, std::string_view bytes);
+
+// OpenStreetMap, .osm, .osm.bz2 or .osm.pbf: a building drawn with Simple Indoor Tagging, or the ways of a place
+// (worlds/osm).
+Result<Scene> read_osm(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
+
+// IMDF, a .zip of GeoJSON: levels, units as rooms, openings as doors (worlds/imdf).
+Result<Scene> read_imdf(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
+
+// .rooms, a text that describes rooms in words, English or German (worlds/words).
+Result<Scene> read_words(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
 // Reads any file that one of the readers accepts. Fails with one sentence fit to be spoken when it is missing,
 // unreadable, of a kind we do not read (named where recognised, with what to do), or holds nothing usable. Where
 // neither file nor options say what a unit is, and the world would be over 2 km or under 2 m wide, its first warning
 // says so and how wide it would be in millimetres, inches and feet.
 Result<Scene> read_world(const std::filesystem::path& path, const ReadOptions& options = {});
+
+// A file that a world brings, by its name relative to the world's own: of its folder and those below, and no others.
+Result<std::string> read_file_beside(const std::filesystem::path& world, const std::string& name,
+                                     const std::stop_token& stop);
 
 }  // namespace handrail

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "worlds/base/feature_id.h"
+#include "worlds/base/vec.h"
 #include "worlds/scene/source_place.h"
 
 namespace handrail {
@@ -20,6 +21,9 @@ struct FreeBody {
     double friction = 0.4, friction_static = 0.5;
     double elasticity = 0.2;  // share of the speed with which it comes back, 0 to 0.95; that of both is multiplied
     double rolling = 0.1;     // of its least half width: how far the push of the floor runs ahead of it as it rolls
+    // A rubber string from its middle to a place, which pulls the harder the longer it is; 0: none.
+    Vec3 string_at_m{0.0};
+    double string_n_per_m = 0.0;
     bool by_density = false;  // the mass follows from volume and density
     SourcePlace source;
 

@@ -123,8 +123,8 @@ std::string crowded_view(const Scene& scene) {
                                    {"most", kMostMaterialsInView}});
 }
 
-LintReport lint_materials(const Scene& scene) {
-    LintReport report;
+std::vector<AlikeMaterials> alike_materials(const Scene& scene) {
+    std::vector<AlikeMaterials> alike;
     const std::vector<std::vector<Aabb>> boxes = visible(scene);
     const std::vector<std::size_t> used = named(scene, boxes);
     std::set<std::string> told;
@@ -134,14 +134,21 @@ LintReport lint_materials(const Scene& scene) {
             if (one.name == other.name || can_be_told_apart(one, other)) continue;
             if (!told.insert(one.name < other.name ? one.name + "/" + other.name : other.name + "/" + one.name).second)
                 continue;
-            report.problems.push_back(phrase("lint.alike", {{"one", capitalised(spoken_material(one.name))},
-                                                            {"other", spoken_material(other.name)},
-                                                            {"stiffness", one.stiffness_fraction},
-                                                            {"other_stiffness", other.stiffness_fraction},
-                                                            {"friction", one.friction_mu},
-                                                            {"other_friction", other.friction_mu},
-                                                            {"advice", advice(one, other)}}));
+            alike.push_back({one.name, other.name,
+                             phrase("lint.alike", {{"one", capitalised(spoken_material(one.name))},
+                                                   {"other", spoken_material(other.name)},
+                                                   {"stiffness", one.stiffness_fraction},
+                                                   {"other_stiffness", other.stiffness_fraction},
+                                                   {"friction", one.friction_mu},
+                                                   {"other_friction", other.friction_mu},
+                                                   {"advice", advice(one, other)}})});
         }
+    return alike;
+}
+
+LintReport lint_materials(const Scene& scene) {
+    LintReport report;
+    for (AlikeMaterials& pair : alike_materials(scene)) report.problems.push_back(std::move(pair.sentence));
     if (std::string crowded = crowded_view(scene); !crowded.empty()) report.warnings.push_back(std::move(crowded));
     for (const FreeBody& body : scene.bodies)
         if (!body.gives_way_to_walkers())

@@ -30,6 +30,14 @@ Finish finish_of(const MaterialSpec& spec);
 
 bool can_be_told_apart(const Finish& a, const Finish& b);
 
+// Two named materials of a world that a hand cannot tell apart, and what to change, in a sentence.
+struct AlikeMaterials {
+    std::string one, other;
+    std::string sentence;
+};
+// Each pair once, over the named materials that a hand can reach.
+std::vector<AlikeMaterials> alike_materials(const Scene& scene);
+
 struct LintReport {
     std::vector<std::string> problems;  // pairs that cannot be told apart, and what to change
     std::vector<std::string> warnings;  // places with too many materials, stick-slip

@@ -39,6 +39,7 @@ struct Mover {
     std::uint32_t passes =
         kNoMover;  // its maker lets it through all that have the same number here; kNoMover: through none but its group
 
+    std::vector<double> halts;      // of a lift: the parts of its way where it stops, rising; empty: its two ends
     std::uint32_t lift = kNoMover;  // a door of that lift: open only while the lift stands at `lift_part` of its way
     double lift_part = 0.0;
     double sends_to = -1.0;  // a lift's button: to that part of the lift's way; negative: to the other end

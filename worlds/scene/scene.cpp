@@ -99,7 +99,7 @@ Result<void> validate(const Scene& scene) {
     }
     for (const FreeBody& body : scene.bodies)
         if (!known(body.feature) || !body.feature || !(body.mass_kg >= FreeBody::kLeast_kg) ||
-            !(body.mass_kg <= FreeBody::kMost_kg))
+            !(body.mass_kg <= FreeBody::kMost_kg) || !is_finite(body.string_at_m) || !(body.string_n_per_m >= 0.0))
             return wrong(phrase("worlds.body_no_mass"), body.source.line);
     for (const PlacedModel& placed : scene.placed) {
         if (!placed.model) return wrong(phrase("worlds.thing_no_shape"), 0);

@@ -56,6 +56,7 @@ struct StatedBuilding {
     std::vector<StatedStorey> storeys;  // from the lowest up
     std::vector<StatedRoom> rooms;      // in file order
     std::vector<StatedPortal> portals;  // in file order
+    double wall_m = 0.0;                // how thick its walls are, where all are alike; 0: not known
     int windows = 0, openings = 0, openings_cut = 0, stairs = 0, ramps = 0, lifts = 0, furnishings = 0, skipped = 0;
 };
 

@@ -186,6 +186,13 @@ void Bodies::tick(double now_s) {
         grip_.tick(*loop_, *scene_, middle(grip_.held()), now_s - hit_s_ < kHeard_s ? hit_ : kNoFeature, now_s);
 }
 
+std::vector<MovedThing> Bodies::moved() const {
+    std::vector<MovedThing> moved;
+    if (!moving_) return moved;
+    for (const DynamicsBody& body : scene_->bodies) moved.push_back({body.haptic, world_.things.at(body.haptic)});
+    return moved;
+}
+
 void Bodies::take_places(double now_s) {
     const DynamicsFrame& frame = loop_->frame_for_app();
     for (std::size_t i = 0; i < scene_->bodies.size(); ++i) {
@@ -207,11 +214,14 @@ void Bodies::hear(double now_s) {
         if (event.kind == BodyEvent::Kind::PutBack)
             context_.say(phrase("bodies.fell_out", {{"name", body_name(context_, scene_->bodies[event.body].feature)}}),
                          SpeechClass::Answer, now_s);
-        if (!mine || event.kind != BodyEvent::Kind::Hit) continue;
+        if (event.kind != BodyEvent::Kind::Hit) continue;
+        const FeatureId met = event.other_body != kNoBody ? scene_->bodies[event.other_body].feature : event.other;
+        if (on_hit) on_hit(scene_->bodies[event.body].feature, met, now_s);
+        if (!mine) continue;
         // What lies under it stops nothing.
         const Vec3 off = event.at_m - middle(event.body).position_m;
         if (off.z < -kUnder * glm::length(off)) continue;
-        hit_ = event.other_body != kNoBody ? scene_->bodies[event.other_body].feature : event.other;
+        hit_ = met;
         hit_s_ = now_s;
     }
 }

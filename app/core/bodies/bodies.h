@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -13,17 +14,17 @@
 #include "app/core/bodies/body_grip.h"
 #include "app/core/bodies/body_sounds.h"
 #include "app/core/bodies/hand_grip.h"
+#include "app/core/context/session_part.h"
+#include "app/core/context/view.h"
 #include "haptic/servo/hand_engine.h"
 
 namespace handrail {
 
-class Bodies {
+class Bodies : SessionPart {
 public:
     // It moves the things of `world` and tells the servos by `hands`.
     Bodies(const SessionContext& context, WorldState& world, HandsState& hands)
-        : context_(context), world_(world), hand_grip_(context, hands) {}
-    Bodies(const Bodies&) = delete;
-    Bodies& operator=(const Bodies&) = delete;
+        : SessionPart(context), world_(world), hand_grip_(context, hands) {}
 
     // The engine of every world entered from now on has a thread; the clock is that of the session and outlives it.
     void run_by(Clock* clock) { clock_ = clock; }
@@ -44,9 +45,13 @@ public:
     // wish.
     bool push_ahead(Vec3& wish_m_per_s, double now_s);
 
+    // Where what is held came to is told by a game.
+    void step_is_told() { grip_.step_is_told(); }
     // Everything where the world has it, without a word.
     void restart();
     bool any_moving() const { return moving_; }
+    // While any move: where each is.
+    std::vector<MovedThing> moved() const;
     bool idle() const { return grip_.idle(); }
     // All has come to rest since this was asked last.
     bool take_rested() { return std::exchange(rested_, false); }
@@ -63,6 +68,9 @@ public:
 
     static constexpr double kReach_m = 1.2;  // of who takes hold
 
+    // Set by a game: one thing has met another, or a part of the building.
+    std::function<void(FeatureId thing, FeatureId met, double now_s)> on_hit;
+
 private:
     std::uint32_t body_of(FeatureId feature) const { return scene_ ? handrail::body_of(*scene_, feature) : kNoBody; }
     Placement middle(std::uint32_t body) const;
@@ -76,7 +84,6 @@ private:
     void take_places(double now_s);
     void put_back(double now_s);
 
-    const SessionContext& context_;
     WorldState& world_;
     Clock* clock_ = nullptr;
     std::shared_ptr<const DynamicsScene> scene_;  // null: nothing is free here

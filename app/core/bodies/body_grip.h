@@ -6,15 +6,15 @@
 #include <optional>
 #include <string>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/dialogue/held_keys.h"
 #include "haptic/dynamics/dynamics_loop.h"
 
 namespace handrail {
 
-class BodyGrip {
+class BodyGrip : SessionPart {
 public:
-    explicit BodyGrip(const SessionContext& context) : context_(context) {}
+    explicit BodyGrip(const SessionContext& context) : SessionPart(context) {}
 
     void enter_world() { let_go(); }
     bool holds() const { return held_ != kNoBody; }
@@ -30,6 +30,8 @@ public:
     // False: not a command of the grip.
     bool act(Command command, DynamicsLoop& engine, const DynamicsScene& scene, const Placement& middle, double now_s,
              int times);
+    // Where the step led is told by somebody else.
+    void step_is_told() { stepped_s_.reset(); }
     // What it met on the way is told when it comes to rest. hit: what it has met last; kNoFeature: nothing.
     void tick(DynamicsLoop& engine, const DynamicsScene& scene, const Placement& middle, FeatureId hit, double now_s);
     void let_go();
@@ -42,7 +44,6 @@ private:
               int times);
     void lead(DynamicsLoop& engine) const;
 
-    const SessionContext& context_;
     HeldKeys keys_;
     std::uint32_t held_ = kNoBody;
     Vec3 to_m_{0.0};  // where it is led

@@ -4,14 +4,14 @@
 
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "haptic/render/body_word.h"
 
 namespace handrail {
 
-class BodySounds {
+class BodySounds : SessionPart {
 public:
-    explicit BodySounds(const SessionContext& context) : context_(context) {}
+    explicit BodySounds(const SessionContext& context) : SessionPart(context) {}
 
     // Another world, or none: what sounds falls silent.
     void enter_world(std::size_t bodies, double now_s);
@@ -28,7 +28,6 @@ private:
     SoundClass sound_of(FeatureId feature) const;
     void loop(std::size_t body, double loudness, SoundClass material, double now_s);
 
-    const SessionContext& context_;
     std::vector<Loop> loops_;  // per body
 };
 

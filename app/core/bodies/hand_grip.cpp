@@ -64,6 +64,7 @@ void HandGrip::tick(const DynamicsScene& scene, double now_s) {
     for (std::size_t which = 0; which < sides_.size(); ++which) {
         Side& side = sides_[which];
         const ToolState& is = tool(which);
+        if (is.scene_world != context_.world.felt) continue;  // what it did in the world one has left
         const bool heavy = std::exchange(side.heavies, is.heavies) != is.heavies && side.heavies_known;
         side.heavies_known = true;
         if (heavy && is.heavy < scene.bodies.size()) {

@@ -5,17 +5,15 @@
 #include <array>
 #include <cstdint>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "haptic/render/dynamics_scene.h"
 
 namespace handrail {
 
-class HandGrip {
+class HandGrip : SessionPart {
 public:
     // It tells the servos by `hands`.
-    HandGrip(const SessionContext& context, HandsState& hands) : context_(context), hands_(hands) {}
-    HandGrip(const HandGrip&) = delete;
-    HandGrip& operator=(const HandGrip&) = delete;
+    HandGrip(const SessionContext& context, HandsState& hands) : SessionPart(context), hands_(hands) {}
 
     void enter_world();
     // Taking hold of what a hand touches, letting go, turning by quarters. False: it is another's.
@@ -34,7 +32,6 @@ private:
     BodyTuning& tuning(std::size_t which) { return which == 0 ? hands_.tuning.bodies : hands_.left_bodies; }
     void told_held(const DynamicsScene& scene, std::uint32_t body, double now_s);
 
-    const SessionContext& context_;
     HandsState& hands_;
     std::array<Side, 2> sides_;
     bool gain_told_ = false;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/core/context/lesson_draft.h"
 #include "app/core/kept/last_place.h"
 
 namespace handrail {
@@ -17,15 +18,22 @@ struct OwnerRequests {
     bool take_first_set_up() { return std::exchange(first_set_up, false); }
     // The hand that was offered last is wanted, by the force key.
     bool take_offered_hand() { return std::exchange(offered_hand, false); }
+    // What is plugged in, to be answered by DevicesFound.
+    bool take_devices() { return std::exchange(devices, false); }
     // To be read and entered.
     std::optional<std::filesystem::path> take_world() { return std::exchange(world, std::nullopt); }
     // To be gone on at: the owner reads that world where it is another one.
     std::optional<LastPlace> take_last_place() { return std::exchange(last_place, std::nullopt); }
 
-    bool set_up = false, first_set_up = false, offered_hand = false;
+    std::optional<std::size_t> take_lesson() { return std::exchange(lesson, std::nullopt); }
+    std::optional<LessonDraft> take_lesson_draft() { return std::exchange(lesson_draft, std::nullopt); }
+
+    bool set_up = false, first_set_up = false, offered_hand = false, devices = false;
     std::optional<std::filesystem::path> world;
     std::optional<LastPlace> last_place;
-    bool leave = false;  // the session is to end
+    std::optional<LessonDraft> lesson_draft;  // to be written
+    std::optional<std::size_t> lesson;        // to be begun: of those that were offered, by number
+    bool leave = false;                       // the session is to end
 };
 
 }  // namespace handrail

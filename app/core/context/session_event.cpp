@@ -7,6 +7,7 @@ namespace handrail {
 
 void Events::tell(Happening what, double now_s) {
     SessionEvent event{now_s, std::move(what)};
+    if (on_told) on_told(event);
     if (waiting_.size() < kMost) return waiting_.push_back(std::move(event));
     waiting_[oldest_] = std::move(event);
     oldest_ = (oldest_ + 1) % kMost;

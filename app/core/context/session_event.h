@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -24,6 +25,17 @@ struct Touched {
 struct RoomEntered {
     std::uint32_t room = 0;
     std::string name;
+};
+// By what somebody is at a thing: a hand touches it, it was asked about, or it is faced.
+enum class VisitedBy : std::uint8_t { Hand, Asking, Facing };
+// The person stands at a thing: once for each stay.
+struct ThingVisited {
+    FeatureId feature;
+    VisitedBy by = VisitedBy::Hand;
+};
+// A question was answered by typing.
+struct Answered {
+    std::string question, text;
 };
 // All of a wall is known by now.
 struct WallDone {
@@ -68,8 +80,14 @@ struct Arrived {
     bool to_nearest = false;
 };
 
-using Happening =
-    std::variant<Touched, RoomEntered, WallDone, HelpAsked, DoorUsed, Teleported, Led, LeftRoute, StopPassed, Arrived>;
+// What somebody in a lesson asks of whoever teaches.
+enum class LessonWish : std::uint8_t { Done, MoreHelp, LessHelp, Leave };
+struct LessonWished {
+    LessonWish wish = LessonWish::Done;
+};
+
+using Happening = std::variant<Touched, RoomEntered, ThingVisited, Answered, WallDone, HelpAsked, DoorUsed, Teleported,
+                               Led, LeftRoute, StopPassed, Arrived, LessonWished>;
 
 struct SessionEvent {
     double time_s = 0.0;
@@ -84,6 +102,8 @@ public:
 
     void tell(Happening what, double now_s);
     std::vector<SessionEvent> take();
+    // Set by the session: each as it is told, for features that follow what happens.
+    std::function<void(const SessionEvent&)> on_told;
 
 private:
     std::vector<SessionEvent> waiting_;

@@ -17,7 +17,7 @@ constexpr double kOneObstacle_m = 0.05;  // pieces nearer to each other than thi
 constexpr double kLikeAWall_m = 1.9;     // a thing as high as this cannot be heard over
 constexpr double kSilent_db = -46.0;     // at the ears, before any volume
 constexpr double kRoomEvery_s = 0.5;
-constexpr double kMoved_m = 0.02, kChanged_db = 0.25;
+constexpr double kMoved_m = 0.02, kChanged_db = 0.25, kChanged_pulses_per_s = 0.2;
 
 double loss_of(const Scene& scene, const Crossing& crossing) {
     const Feature* feature = scene.find(crossing.feature);
@@ -128,13 +128,20 @@ void Soundscape::enter(const Scene& scene) {
             {.kind = world_sound_of(sound.sound), .position_m = sound.position_m, .loudness = sound.loudness});
 }
 
-void Soundscape::add(const std::vector<SoundSource>& sounds) {
-    sources_.resize(sources_.size() - added_);
+void Soundscape::add(const std::vector<AddedSound>& sounds) {
+    const std::size_t own = sources_.size() - added_;
+    sources_.resize(own + sounds.size());
     next_ = 0;
     added_ = sounds.size();
-    for (const SoundSource& sound : sounds)
-        sources_.push_back(
-            {.kind = world_sound_of(sound.sound), .position_m = sound.position_m, .loudness = sound.loudness});
+    for (std::size_t i = 0; i < sounds.size(); ++i) {
+        Source& source = sources_[own + i];
+        // One that goes on where it was is followed further.
+        if (source.kind != sounds[i].kind || source.position_m != sounds[i].position_m) source = Source{};
+        source.kind = sounds[i].kind;
+        source.position_m = sounds[i].position_m;
+        source.loudness = sounds[i].loudness;
+        source.pulses_per_s = sounds[i].pulses_per_s;
+    }
 }
 
 void Soundscape::tick(const BodyWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues) {
@@ -176,7 +183,8 @@ void Soundscape::tick(const BodyWorld& world, const Vec3& ears_m, double now_s, 
         const auto told = std::find_if(told_.begin(), told_.end(), [&](const CueRequest& t) { return t.source == i; });
         const bool known = told != told_.end();
         if (known && glm::length(told->position_m - source.position_m) < kMoved_m &&
-            std::abs(told->muffled_db - source.muffled_db) < kChanged_db)
+            std::abs(told->muffled_db - source.muffled_db) < kChanged_db &&
+            std::abs(told->pulses_per_s - source.pulses_per_s) < kChanged_pulses_per_s)
             continue;
         CueRequest request;
         request.kind = CueRequestKind::WorldSound;
@@ -185,6 +193,7 @@ void Soundscape::tick(const BodyWorld& world, const Vec3& ears_m, double now_s, 
         request.position_m = source.position_m;
         request.loudness = source.loudness;
         request.muffled_db = source.muffled_db;
+        request.pulses_per_s = source.pulses_per_s;
         request.source = i;
         if (known) *told = request;
         else told_.push_back(request);

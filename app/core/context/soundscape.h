@@ -24,6 +24,16 @@ inline constexpr double kUnheard_db = 45.0;  // more than this on the way is sil
 // an upright room with convex outline, wherever one stands in it.
 double reverberation_s(const BodyWorld& world, const Vec3& ears_m);
 
+// A sound that a feature lets a place make.
+struct AddedSound {
+    SoundKind kind = SoundKind::Shimmer;
+    Vec3 position_m{0.0};
+    double loudness = 1.0;      // 0 to 1
+    double pulses_per_s = 0.0;  // swells that often; 0: steady
+
+    bool operator==(const AddedSound&) const = default;
+};
+
 class Soundscape {
 public:
     static constexpr std::size_t kMost = 3;
@@ -33,7 +43,7 @@ public:
     // Another world, or the same one changed: what sounds is told to stop unless it goes on.
     void enter(const Scene& scene);
     // Sounds beside those of the world, in place of what was added before.
-    void add(const std::vector<SoundSource>& sounds);
+    void add(const std::vector<AddedSound>& sounds);
     double reverberation_s() const { return reverberation_s_; }  // of the room around, found out twice a second
     // Follows the ears; what changed since the last tick goes to `cues`.
     void tick(const BodyWorld& world, const Vec3& ears_m, double now_s, std::vector<CueRequest>& cues);
@@ -42,7 +52,7 @@ private:
     struct Source {
         SoundKind kind = SoundKind::Shimmer;
         Vec3 position_m{0.0};
-        double loudness = 1.0;
+        double loudness = 1.0, pulses_per_s = 0.0;
         double muffled_db = 0.0;
         double level_db = -1e9;  // at the ears
         bool known = false;      // muffling was computed

@@ -39,8 +39,9 @@ double scale(const SessionContext& context) {
                               context.hands.right.spec.workspace_radius_m);
 }
 
-DistanceWords distances(const SessionContext& context) {
-    const Settings& settings = context.settings;
+DistanceWords distances(const SessionContext& context) { return distances(context.settings); }
+
+DistanceWords distances(const Settings& settings) {
     return {settings.speech.distances_in_steps, settings.walk.step_length_m, settings.speech.rounded};
 }
 
@@ -60,6 +61,14 @@ std::string where_words(const SessionContext& context, const Aabb& box) {
     // Of what one stands at no direction is told.
     const std::string where = level_m < kUnderfoot_m ? distance_words(level_m, distances(context))
                                                      : told_place(context, level_m, std::atan2(way.x, way.y));
+    return joined(where, storey_words(box.min_m.z - context.body.feet_m().z, way.z));
+}
+
+std::string where_words_on_foot(const SessionContext& context, const Aabb& box, double on_foot_m) {
+    const Vec3 way = nearest_place(box, context.body.feet_m() + Vec3(0.0, 0.0, kWaist_m)) - context.body.feet_m();
+    const std::string far = phrase("place.on_foot", {{"distance", distance_words(on_foot_m, distances(context))}});
+    const std::string where = joined(far, brief_direction_words(std::atan2(way.x, way.y), context.body.heading_goal_rad,
+                                                                context.settings.speech.directions));
     return joined(where, storey_words(box.min_m.z - context.body.feet_m().z, way.z));
 }
 
@@ -92,12 +101,16 @@ std::string lock_words(const SessionContext& context, FeatureId door) {
 }
 
 std::string passage_name(const SessionContext& context, PassageKind kind, FeatureId feature, double rise_m) {
+    return passage_name(*context.world.scene, kind, feature, rise_m);
+}
+
+std::string passage_name(const Scene& scene, PassageKind kind, FeatureId feature, double rise_m) {
     const auto rising = [rise_m](const std::string& passage) {
         if (rise_m == 0.0) return passage;
         return phrase(rise_m > 0.0 ? "rooms.passage_up" : "rooms.passage_down",
                       {{"passage", passage}, {"metres", std::abs(rise_m)}});
     };
-    const Feature* found = context.world.scene->find(feature);
+    const Feature* found = scene.find(feature);
     const std::string name = found ? spoken_name(*found) : std::string();
     switch (kind) {
         case PassageKind::Door:

@@ -3,18 +3,17 @@
 
 #include <array>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 
 namespace handrail {
 
-class TouchEvents {
+class TouchEvents : SessionPart {
 public:
-    explicit TouchEvents(const SessionContext& context) : context_(context) {}
+    explicit TouchEvents(const SessionContext& context) : SessionPart(context) {}
     // Once a tick, when the context knows what the hands feel.
     void tick(double now_s);
 
 private:
-    const SessionContext& context_;
     std::array<FeatureId, 2> touched_{kNoFeature, kNoFeature};  // by the only or right hand, and by the left one
 };
 

@@ -1,6 +1,7 @@
 // What can be seen: a plain snapshot that Session hands to the window (and to nothing else) each frame. App thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,8 +21,17 @@ struct DrawnRoom {
     RoomOutline outline;
 };
 
+// A thing that moves freely, on its way.
+struct MovedThing {
+    std::uint32_t thing = 0;  // of Scene::placed
+    Placement at;
+
+    bool operator==(const MovedThing&) const = default;
+};
+
 struct ViewState {
     std::shared_ptr<const Scene> scene;  // a new pointer when another world was entered
+    std::vector<MovedThing> moved;       // those of its things that are not where it has them
     Vec3 eyes_m{0.0};
     double heading_rad = 0.0;
     double tilt_rad = 0.0;  // up is positive

@@ -3,33 +3,15 @@
 namespace handrail {
 
 bool lays_workspace(Command command) {
-    switch (command) {
-        case Command::ScaleBuilding:
-        case Command::ScaleFloor:
-        case Command::ScaleRoom:
-        case Command::ScaleDetail:
-        case Command::WorkspaceTurnLeft:
-        case Command::WorkspaceTurnRight:
-        case Command::WorkspaceCentre:
-        case Command::Grab:
-            return true;
-        default:
-            return pushes_workspace(command);
-    }
+    return is_one_of(command, {Command::ScaleBuilding, Command::ScaleFloor, Command::ScaleRoom, Command::ScaleDetail,
+                               Command::WorkspaceTurnLeft, Command::WorkspaceTurnRight, Command::WorkspaceCentre,
+                               Command::Grab}) ||
+           pushes_workspace(command);
 }
 
 bool pushes_workspace(Command command) {
-    switch (command) {
-        case Command::WorkspaceForward:
-        case Command::WorkspaceBack:
-        case Command::WorkspaceLeft:
-        case Command::WorkspaceRight:
-        case Command::WorkspaceUp:
-        case Command::WorkspaceDown:
-            return true;
-        default:
-            return false;
-    }
+    return is_one_of(command, {Command::WorkspaceForward, Command::WorkspaceBack, Command::WorkspaceLeft,
+                               Command::WorkspaceRight, Command::WorkspaceUp, Command::WorkspaceDown});
 }
 
 }  // namespace handrail

@@ -1,6 +1,7 @@
 #include "app/core/context/workspace_scale.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "haptic/servo/workspace_mover.h"
@@ -21,17 +22,9 @@ std::string metres(double length_m) {
 }  // namespace
 
 std::string name_of(NamedScale scale) {
-    switch (scale) {
-        case NamedScale::Building:
-            return phrase("session.scale_building");
-        case NamedScale::Floor:
-            return phrase("session.scale_floor");
-        case NamedScale::Room:
-            return phrase("session.scale_room");
-        case NamedScale::Detail:
-            return phrase("session.scale_detail");
-    }
-    return "";
+    constexpr std::array kNames{"session.scale_building", "session.scale_floor", "session.scale_room",
+                                "session.scale_detail"};  // as NamedScale lists them
+    return phrase(kNames.at(static_cast<std::size_t>(scale)));
 }
 
 double world_m_per_hand_m(NamedScale scale, const Aabb& bounds_m, double reach_hand_m) {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/desk/desk.h"
 #include "app/core/desk/desk_hand.h"
 #include "app/core/desk/desk_panel.h"
@@ -19,11 +19,9 @@
 
 namespace handrail {
 
-class DeskVisit {
+class DeskVisit : SessionPart {
 public:
-    explicit DeskVisit(const SessionContext& context) : context_(context) {}
-    DeskVisit(const DeskVisit&) = delete;  // its controls and lists know it by its place
-    DeskVisit& operator=(const DeskVisit&) = delete;
+    explicit DeskVisit(const SessionContext& context) : SessionPart(context) {}
 
     // Its controls, named in the language that is spoken now, and the first page of them.
     void furnish();
@@ -77,7 +75,6 @@ private:
     std::vector<ListItem> items() const;
     std::string after_change(std::string words);
 
-    const SessionContext& context_;
     Desk desk_;
     DeskPanel panel_;
     DeskHand hand_;

@@ -52,6 +52,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::ScaleBar, "scale-bar", "6", false},
     CommandInfo{Command::Simplified, "simplified", "Shift+6", false},
     CommandInfo{Command::Understood, "understood", "Shift+8", false},
+    CommandInfo{Command::Faults, "faults", "Alt+8", false},
     CommandInfo{Command::Coordinates, "coordinates", "Shift+C", false},
     CommandInfo{Command::WhatIsThis, "what", "E", false},
     CommandInfo{Command::Repeat, "repeat", "Space Q", false},
@@ -90,6 +91,8 @@ constexpr std::array kCommands{
     CommandInfo{Command::InputHelp, "input-help", "Shift+F1", false},
     CommandInfo{Command::Lessons, "lessons", "Shift+F9", false},
     CommandInfo{Command::FirstMinutes, "welcome", "", false},
+    CommandInfo{Command::Task, "task", "Alt+F9", false},
+    CommandInfo{Command::TaskDone, "done", "Alt+Enter", false},
     CommandInfo{Command::Language, "language", "", false},
     CommandInfo{Command::NextSound, "sounds", "F11", false},
     CommandInfo{Command::LastSound, "sounds-back", "Shift+F11", false},
@@ -143,17 +146,8 @@ const CommandInfo& info(Command command) {
 }
 
 bool steps_or_turns(Command command) {
-    switch (command) {
-        case Command::Forward:
-        case Command::Back:
-        case Command::TurnLeft:
-        case Command::TurnRight:
-        case Command::SideLeft:
-        case Command::SideRight:
-            return true;
-        default:
-            return false;
-    }
+    return is_one_of(command, {Command::Forward, Command::Back, Command::TurnLeft, Command::TurnRight,
+                               Command::SideLeft, Command::SideRight});
 }
 
 }  // namespace handrail

@@ -2,7 +2,9 @@
 // everything.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,6 +52,7 @@ enum class Command : std::uint8_t {
     ScaleBar,     // and north
     Simplified,   // list of what is too small at this scale and felt otherwise
     Understood,   // list of what was understood of the file, and of what is to be checked
+    Faults,       // list of what should be mended in this world
     Coordinates,  // and height above the floor
     WhatIsThis,   // what the hand touches
     Repeat,
@@ -88,6 +91,8 @@ enum class Command : std::uint8_t {
     InputHelp,  // keys are explained instead of done
     Lessons,
     FirstMinutes,  // as at the first start
+    Task,          // of the lesson of an instructor; without one a list to begin or prepare one
+    TaskDone,      // it is done, or the question is answered: by facing or pointing there
     Language,
     NextSound,
     LastSound,  // the sound dictionary: names and plays one sound after the other
@@ -138,6 +143,10 @@ struct CommandInfo {
 std::span<const CommandInfo> command_table();  // in the order of Command
 const CommandInfo* find_command(std::string_view word);
 const CommandInfo& info(Command command);
+
+constexpr bool is_one_of(Command command, std::initializer_list<Command> commands) {
+    return std::find(commands.begin(), commands.end(), command) != commands.end();
+}
 
 // One step or one notch of a turn.
 bool steps_or_turns(Command command);

@@ -165,9 +165,10 @@ DialogueReply Dialogue::finish(TextSpec& question) {
     std::string text(without_blanks(question.text));
     if (text.empty()) return {true, true, phrase("dialogue.nothing_typed_leave")};
     const auto done = std::move(question.done);
+    DialogueReply reply{true, false, {}, DialogueReply::Answer{std::move(question.question), text}};
     stack_.pop_back();
     if (done) done(std::move(text));
-    return {true, false, {}};
+    return reply;
 }
 
 DialogueReply Dialogue::leave() {

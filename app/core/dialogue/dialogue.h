@@ -67,6 +67,10 @@ struct DialogueReply {
     bool taken = false;  // false: the key means nothing here
     bool denied = false;
     std::string words;  // to be said; may be empty
+    struct Answer {
+        std::string question, text;
+    };
+    std::optional<Answer> answer = {};  // that was given to a question for a text
 };
 
 // What somebody does with an item of the open list without going through it: a screen reader's action. `name` is the

@@ -6,16 +6,14 @@
 #include <string>
 #include <utility>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 
 namespace handrail {
 
-class Forces {
+class Forces : SessionPart {
 public:
     // It tells the servos of `hands` when they may act.
-    Forces(const SessionContext& context, HandsState& hands) : context_(context), hands_(hands) {}
-    Forces(const Forces&) = delete;
-    Forces& operator=(const Forces&) = delete;
+    Forces(const SessionContext& context, HandsState& hands) : SessionPart(context), hands_(hands) {}
 
     // The force key. False: it is another's.
     bool act(Command command, double now_s);
@@ -37,7 +35,6 @@ private:
     void toggle(double now_s);
     std::string why_none_yet() const;
 
-    const SessionContext& context_;
     HandsState& hands_;
     bool offered_ = false;
     bool fault_lasted_ = false;

@@ -29,6 +29,7 @@ void TouchView::enter_world(std::shared_ptr<const HapticScene> sharp, double now
         retune();
         compile(0);
     }
+    world_.felt = haptic_->world;
     world_.things.enter(*world_.scene, *haptic_, compiled_, now_s);
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/hand/felt_world.h"
 #include "app/core/world/beside.h"
 
@@ -19,13 +19,11 @@ struct KnownOpenings {
     bool awaited = false;  // rooms are looked for beside, so there may be more
 };
 
-class TouchView {
+class TouchView : SessionPart {
 public:
     // It tunes `hands`, and makes what is walked of `world` anew along with what is felt.
     TouchView(const SessionContext& context, WorldState& world, BodyState& body, HandsState& hands)
-        : context_(context), world_(world), body_(body), hands_(hands) {}
-    TouchView(const TouchView&) = delete;
-    TouchView& operator=(const TouchView&) = delete;
+        : SessionPart(context), world_(world), body_(body), hands_(hands) {}
 
     // Of worlds entered from now on, and of every later scale, it is made on a thread beside everything else: until it
     // is there the hand feels what there was, at first the world as sharp as it is.
@@ -78,7 +76,6 @@ private:
     void feel_scene(double now_s);
     Vec3 out_of_solids_m(const Vec3& hand_m) const;
 
-    const SessionContext& context_;
     WorldState& world_;
     BodyState& body_;
     HandsState& hands_;

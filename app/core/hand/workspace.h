@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/dialogue/held_keys.h"
 #include "app/core/hand/touch_view.h"
 
@@ -15,13 +15,11 @@ namespace handrail {
 // it is where it belongs again.
 enum class PoseChange { Walked, Moved, Placed };
 
-class Workspace {
+class Workspace : SessionPart {
 public:
     // It lays the pose of `hands`, and changes the person's settings by which it lies.
     Workspace(const SessionContext& context, Person& person, HandsState& hands, const HeldKeys& keys, TouchView& touch)
-        : context_(context), person_(person), hands_(hands), keys_(keys), touch_(touch) {}
-    Workspace(const Workspace&) = delete;
-    Workspace& operator=(const Workspace&) = delete;
+        : SessionPart(context), person_(person), hands_(hands), keys_(keys), touch_(touch) {}
 
     // Of the only or right hand, and of the left one: each servo lays its own hand's shift on its pose; the other
     // hand's comes with it.
@@ -88,7 +86,6 @@ private:
     Vec3 hands_out_of_solids_m(const Vec3& origin_m) const;
     std::string words() const;
 
-    const SessionContext& context_;
     Person& person_;
     HandsState& hands_;
     const HeldKeys& keys_;

@@ -7,11 +7,16 @@
 #include <toml++/toml.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <sstream>
 #include <vector>
 
+#include "app/core/kept/crash_notes.h"
 #include "app/core/kept/folder_lock.h"
 #include "app/core/kept/world_shelf.h"
 #include "app/core/kept/write_beside.h"
@@ -26,7 +31,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kLongest_bytes = 64 * 1024;
-constexpr std::string_view kLock = ".lock", kPlace = ".toml";
+constexpr std::string_view kLock = ".lock", kPlace = ".toml", kReport = ".report", kSignal = ".signal";
+constexpr std::size_t kMostReports = 5;
 constexpr double kMoved_m = 0.05, kTurned_rad = 0.02;
 constexpr std::size_t kMostLooked = 1000;
 constexpr double kLockWait_s = 1.0;
@@ -73,7 +79,9 @@ Result<LastPlace> read_last_place(const std::string& text) {
 struct SessionTrace::State {
     fs::path own;  // without its ending; empty: nothing is kept
     std::optional<Descriptor> held;
-    WriteBeside writer;
+    WriteBeside writer, report_writer;
+    fs::path report;
+    double next_report_s = -std::numeric_limits<double>::infinity();
     bool crashed = false;
     std::optional<LastPlace> left_at, kept;
     double next_s = -std::numeric_limits<double>::infinity();
@@ -88,6 +96,40 @@ struct SessionTrace::State {
         for (const fs::path& file : files) fs::remove(file, ec);
     }
 
+    // What a session left that tells of its crash, as one file that stays. Named by the time of its last word, so that
+    // the names' order is theirs; only the newest few stay.
+    static fs::path keep_report(const fs::path& lock_file) {
+        const auto beside = [&](std::string_view ending) {
+            return with(fs::path(lock_file).replace_extension(), ending);
+        };
+        auto text = read_whole_file(beside(kReport), kLongest_bytes);
+        if (!text) return {};
+        const std::string signal = read_whole_file(beside(kSignal), kLongest_bytes).value_or("");
+        int number = 0;
+        std::from_chars(signal.data(), signal.data() + signal.size(), number);
+        struct stat about {};
+        if (::stat(beside(kReport).c_str(), &about) != 0) return {};
+        std::tm local{};
+        ::localtime_r(&about.st_mtime, &local);
+        std::array<char, 32> name{};
+        std::strftime(name.data(), name.size(), "%Y-%m-%d-%H%M%S.txt", &local);
+        const fs::path folder = lock_file.parent_path().parent_path() / "crash-reports";
+        std::error_code ec;
+        fs::create_directories(folder, ec);
+        fs::permissions(folder, fs::perms::owner_all, ec);
+        *text = phrase("crash_report.title") + ".\n" + spoken_end(number) + "\n" + *text;
+        if (const std::size_t places = signal.find('\n'); places != std::string::npos)
+            *text += signal.substr(places + 1);
+        if (ec || !write_file_atomically(folder / name.data(), *text)) return {};
+        fs::permissions(folder / name.data(), fs::perms::owner_read | fs::perms::owner_write, ec);
+        std::vector<fs::path> all;
+        for (fs::directory_iterator it(folder, ec), end; !ec && it != end; it.increment(ec))
+            if (it->path().extension() == ".txt") all.push_back(it->path());
+        std::sort(all.begin(), all.end());
+        for (std::size_t i = 0; i + kMostReports < all.size(); ++i) fs::remove(all[i], ec);
+        return folder / name.data();
+    }
+
     // Takes away what sessions left that nobody holds any more.
     void look(const fs::path& folder) {
         std::error_code ec;
@@ -100,6 +142,7 @@ struct SessionTrace::State {
             const Descriptor file(::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
             if (!lock(file)) continue;  // that session runs
             crashed = true;
+            if (fs::path kept_report = keep_report(path); kept_report > report) report = std::move(kept_report);
             fs::path place = path;
             place.replace_extension(kPlace);
             const auto written = fs::last_write_time(place, ec);
@@ -143,6 +186,17 @@ SessionTrace::~SessionTrace() = default;
 
 bool SessionTrace::crashed() const { return state_->crashed; }
 const std::optional<LastPlace>& SessionTrace::left_at() const { return state_->left_at; }
+const fs::path& SessionTrace::report() const { return state_->report; }
+
+bool SessionTrace::note_report(const std::string& text, double now_s) {
+    State& s = *state_;
+    if (s.own.empty() || now_s < s.next_report_s || s.report_writer.busy()) return false;
+    s.next_report_s = now_s + kEvery_s;
+    s.report_writer.write(with(s.own, kReport), text);
+    return true;
+}
+
+fs::path SessionTrace::signal_file() const { return state_->own.empty() ? fs::path() : with(state_->own, kSignal); }
 
 void SessionTrace::note(const LastPlace& now, double now_s) {
     State& s = *state_;
@@ -158,10 +212,10 @@ void SessionTrace::note(const LastPlace& now, double now_s) {
 void SessionTrace::end() {
     State& s = *state_;
     s.writer.wait();
+    s.report_writer.wait();
     if (s.own.empty()) return;
     std::error_code ec;
-    fs::remove(with(s.own, kPlace), ec);
-    fs::remove(with(s.own, kLock), ec);
+    for (const std::string_view ending : {kPlace, kReport, kSignal, kLock}) fs::remove(with(s.own, ending), ec);
     s.held.reset();
     s.own.clear();
 }

@@ -40,9 +40,16 @@ public:
     // A session before ended without being left; the last place of the latest one, where it had come to one.
     bool crashed() const;
     const std::optional<LastPlace>& left_at() const;
+    // What is known of it, in a file of its own in the folder `crash-reports` beside `folder`; empty where nothing is.
+    const std::filesystem::path& report() const;
 
     // Where one is now. Kept when kEvery_s have passed and it is elsewhere.
     void note(const LastPlace& now, double now_s);
+    // What would be told of a crash, at most every kEvery_s; false: later.
+    bool note_report(const std::string& text, double now_s);
+    // Where a signal that ends the program is to be noted: its number and a line feed, then what else there is; empty
+    // where nothing is kept.
+    std::filesystem::path signal_file() const;
     // The session is left in good order.
     void end();
 

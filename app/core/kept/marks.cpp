@@ -13,14 +13,14 @@ namespace {
 constexpr const char* kMarkTable = "mark";
 
 Result<Mark> mark_from(const SideEntry& entry) {
-    auto named = named_place_of(entry, "marks.entry_name", "marks.entry_place");
-    if (!named) return tl::unexpected(std::move(named.error()));
-    return Mark{.name = std::move(named->name),
-                .place_m = named->place_m,
-                .near = text_of(entry, "near"),
-                .near_m = number_of(entry, "near_m", 0.0),
-                .world = text_of(entry, "world"),
-                .kept = without(entry, {"name", "place_m", "near", "near_m", "world"})};
+    return named_place_of(entry, "marks.entry_name", "marks.entry_place").map([&](NamedPlace named) {
+        return Mark{.name = std::move(named.name),
+                    .place_m = named.place_m,
+                    .near = text_of(entry, "near"),
+                    .near_m = number_of(entry, "near_m", 0.0),
+                    .world = text_of(entry, "world"),
+                    .kept = without(entry, {"name", "place_m", "near", "near_m", "world"})};
+    });
 }
 
 SideEntry mark_entry(const Mark& mark) {

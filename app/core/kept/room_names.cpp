@@ -10,11 +10,11 @@ namespace {
 constexpr const char* kRoomNameTable = "room_name";
 
 Result<RoomNameGiven> name_from(const SideEntry& entry) {
-    auto named = named_place_of(entry, "room_names.entry_name", "room_names.entry_place");
-    if (!named) return tl::unexpected(std::move(named.error()));
-    return RoomNameGiven{
-        std::move(named->name),  named->place_m, std::max(0.0, number_of(entry, "area_m2", 0.0)),
-        text_of(entry, "world"), true,           without(entry, {"name", "place_m", "area_m2", "world"})};
+    return named_place_of(entry, "room_names.entry_name", "room_names.entry_place").map([&](NamedPlace named) {
+        return RoomNameGiven{
+            std::move(named.name),   named.place_m, std::max(0.0, number_of(entry, "area_m2", 0.0)),
+            text_of(entry, "world"), true,          without(entry, {"name", "place_m", "area_m2", "world"})};
+    });
 }
 
 SideEntry name_entry(const RoomNameGiven& given) {

@@ -39,19 +39,19 @@ std::string checksum_of(std::string_view bytes) {
     return fmt::format("{:08x}", crc);
 }
 
-fs::path beside(const fs::path& world) {
+fs::path beside(const fs::path& world, std::string_view ending = kEnding) {
     fs::path path = world;
-    path += kEnding;
+    path += ending;
     return path;
 }
 
 // Worlds of one name in different folders stay apart.
-fs::path in_data_folder(const fs::path& world, const fs::path& folder) {
+fs::path in_data_folder(const fs::path& world, const fs::path& folder, std::string_view ending = kEnding) {
     std::error_code ec;
     fs::path whole = fs::weakly_canonical(world, ec);
     if (ec) whole = world;
     const std::string name = world.filename().string();
-    return folder / "worlds" / fmt::format("{}-{}{}", name.substr(0, 150), checksum_of(whole.string()), kEnding);
+    return folder / "worlds" / fmt::format("{}-{}{}", name.substr(0, 150), checksum_of(whole.string()), ending);
 }
 
 bool is_there(const fs::path& path) {
@@ -59,9 +59,11 @@ bool is_there(const fs::path& path) {
     return fs::exists(fs::symlink_status(path, ec));
 }
 
-bool folder_takes_files(const fs::path& file) {
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    return ::access(folder.c_str(), W_OK | X_OK) == 0;
+// True where the folder of `near` can be written, or there is nowhere else.
+bool lies_beside(const fs::path& near, const fs::path& far, bool shipped) {
+    const fs::path folder = near.has_parent_path() ? near.parent_path() : fs::path(".");
+    return far.empty() || (!shipped && near.filename().string().size() <= kLongestFileName_bytes &&
+                           ::access(folder.c_str(), W_OK | X_OK) == 0);
 }
 
 SideEntry entry_from(const toml::table& table);
@@ -377,15 +379,20 @@ SideFile::~SideFile() = default;
 SideFile::SideFile(SideFile&&) noexcept = default;
 SideFile& SideFile::operator=(SideFile&&) noexcept = default;
 
+fs::path kept_beside(const fs::path& world, const fs::path& folder, bool shipped, std::string_view ending) {
+    const fs::path near = beside(world, ending),
+                   far = folder.empty() ? fs::path() : in_data_folder(world, folder, ending);
+    return lies_beside(near, far, shipped) ? near : far;
+}
+
 SideFile SideFile::of_world(const fs::path& world, const fs::path& data_folder, bool shipped) {
     SideFile file;
     Content& content = *file.content_;
     if (const auto bytes = read_whole_file(world)) content.checksum = checksum_of(*bytes);
     const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
-    const bool near_works = !(shipped && !far.empty()) && near.filename().string().size() <= kLongestFileName_bytes &&
-                            folder_takes_files(near);
-    content.path = near_works || far.empty() ? near : far;
-    content.other_path = near_works || far.empty() ? far : near;
+    const bool near_works = lies_beside(near, far, shipped);
+    content.path = near_works ? near : far;
+    content.other_path = near_works ? far : near;
     // A folder that could not be written when something was added may be writable now, and the other way round.
     for (const fs::path& from : {content.path, content.other_path})
         if (!from.empty() && is_there(from)) {

@@ -154,32 +154,29 @@ FoundWay look_up(const SavedWay& way, const Scene& scene, const SideFile& file, 
     return found;
 }
 
+namespace {
+
+std::string one_fault(const FoundWay& found, const StopFault& fault,
+                      const std::function<std::string(double)>& distance) {
+    using Kind = StopFault::Kind;
+    const std::string stop = told_next(found.stops, fault.stop);
+    if (fault.kind == Kind::NoWay)
+        return phrase("ways.no_way", {{"from", told_as(found.stops, fault.stop - 1)}, {"to", stop}});
+    if (fault.kind == Kind::NoPlace)
+        return phrase(found.stops[fault.stop].name.empty() ? "ways.no_place_before" : "ways.no_place",
+                      {{"stop", stop}});
+    const bool of_room = fault.kind == Kind::RoomGone || fault.kind == Kind::RoomMoved;
+    const std::string what = of_room ? found.stops[fault.stop].room : stop;
+    if (fault.kind == Kind::ThingGone || fault.kind == Kind::RoomGone) return phrase("ways.gone", {{"stop", what}});
+    return phrase("ways.moved", {{"stop", what}, {"distance", distance(fault.moved_m)}});
+}
+
+}  // namespace
+
 std::string fault_words(const FoundWay& found, const std::function<std::string(double)>& distance) {
     std::vector<std::string> words;
     for (const StopFault& fault : found.faults) {
-        const std::string stop = told_next(found.stops, fault.stop), room = found.stops[fault.stop].room;
-        std::string one;
-        switch (fault.kind) {
-            case StopFault::Kind::ThingGone:
-                one = phrase("ways.gone", {{"stop", stop}});
-                break;
-            case StopFault::Kind::ThingMoved:
-                one = phrase("ways.moved", {{"stop", stop}, {"distance", distance(fault.moved_m)}});
-                break;
-            case StopFault::Kind::RoomGone:
-                one = phrase("ways.gone", {{"stop", room}});
-                break;
-            case StopFault::Kind::RoomMoved:
-                one = phrase("ways.moved", {{"stop", room}, {"distance", distance(fault.moved_m)}});
-                break;
-            case StopFault::Kind::NoPlace:
-                one = phrase(found.stops[fault.stop].name.empty() ? "ways.no_place_before" : "ways.no_place",
-                             {{"stop", stop}});
-                break;
-            case StopFault::Kind::NoWay:
-                one = phrase("ways.no_way", {{"from", told_as(found.stops, fault.stop - 1)}, {"to", stop}});
-                break;
-        }
+        std::string one = one_fault(found, fault, distance);
         if (std::find(words.begin(), words.end(), one) == words.end()) words.push_back(std::move(one));
     }
     return fmt::format("{}", fmt::join(words, "; "));

@@ -15,13 +15,15 @@ namespace {
 
 constexpr std::size_t kLargestList = 64 * 1024;
 constexpr std::size_t kMostInFolder = 1000;
-constexpr std::array<std::string_view, 3> kEndings{".map", ".ifc", ".obj"};
+constexpr std::array<std::string_view, 12> kEndings{".map", ".ifc", ".osm",  ".osm.bz2", ".osm.pbf", ".imdf.zip",
+                                                    ".obj", ".glb", ".gltf", ".ply",     ".stl",     ".rooms"};
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 bool is_world(const fs::path& file) {
-    const std::string ending = lower_ascii(file.extension().string());
-    return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+    const std::string name = lower_ascii(file.filename().string());
+    return std::any_of(kEndings.begin(), kEndings.end(),
+                       [&](std::string_view ending) { return name.ends_with(ending); });
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "app/core/bodies/body_words.h"
 #include "app/core/learning/time_words.h"
@@ -18,7 +20,10 @@ constexpr double kBack_s = 1.0;    // so long after it fell the ball is back
 constexpr double kNearer_m = 0.05, kStuck_s = 60.0;
 constexpr double kLookDown_m = 0.3;  // over a hole, for what lies on it
 constexpr double kFarWall_m = 20.0;
+constexpr double kThudAgain_s = 0.5;
 constexpr double kLoudness = 0.6;
+constexpr double kHoleHeard = 10.0, kGoalHeard = 20.0;  // diameters of the ball
+constexpr double kSlowestBeat_hz = 2.0, kFastestBeat_hz = 10.0;
 
 bool holds(const Aabb& box_m, const Vec3& at_m) {
     return at_m.x >= box_m.min_m.x && at_m.x <= box_m.max_m.x && at_m.y >= box_m.min_m.y && at_m.y <= box_m.max_m.y &&
@@ -29,12 +34,22 @@ double halves(double rolls) { return std::round(2.0 * rolls) / 2.0; }
 
 }  // namespace
 
+Labyrinth::Labyrinth(const SessionContext& context, Bodies& bodies, Soundscape& soundscape)
+    : SessionPart(context), bodies_(bodies), soundscape_(soundscape) {
+    bodies_.on_hit = [this](FeatureId thing, FeatureId met, double now_s) { meet_border(thing, met, now_s); };
+}
+
+// Once, however often it bounces there.
+void Labyrinth::meet_border(FeatureId thing, FeatureId met, double now_s) {
+    if (!there() || thing != plan().ball || std::count(plan().borders.begin(), plan().borders.end(), met) == 0) return;
+    if (now_s - std::exchange(thud_s_, now_s) > kThudAgain_s) context_.play_at(SoundKind::Border, ball_m(), now_s);
+}
+
 void Labyrinth::enter_world(double now_s) {
     covered_.clear();
+    sounds_.clear();
     soundscape_.add({});
-    ball_ = context_.world.scene->placed.size();
-    for (std::size_t i = 0; plan().there() && i < context_.world.scene->placed.size(); ++i)
-        if (context_.world.scene->placed[i].feature == plan().ball) ball_ = i;
+    ball_ = plan().there() ? thing_of(plan().ball) : context_.world.scene->placed.size();
     if (!there()) return;
     start_m_ = ball_m();
     const Aabb& box = context_.world.scene->placed[ball_].model->bounds_m;
@@ -50,13 +65,21 @@ std::string Labyrinth::opening_words() const {
     return phrase("labyrinth.begin", {{"level", plan().level},
                                       {"state", state_words()},
                                       {"key", context_.keys.keys_of(Command::Use)},
+                                      {"ask", context_.keys.keys_of(Command::Labyrinth)},
                                       {"again", context_.keys.keys_of(Command::PutBack)}});
 }
 
+// Among the placed things of the world; their number: there is none.
+std::size_t Labyrinth::thing_of(FeatureId feature) const {
+    const std::vector<PlacedModel>& placed = context_.world.scene->placed;
+    return static_cast<std::size_t>(
+        std::find_if(placed.begin(), placed.end(), [&](const PlacedModel& one) { return one.feature == feature; }) -
+        placed.begin());
+}
+
 Vec3 Labyrinth::at(FeatureId feature) const {
-    for (std::size_t i = 0; i < context_.world.scene->placed.size(); ++i)
-        if (context_.world.scene->placed[i].feature == feature) return context_.world.things.at(i).position_m;
-    return Vec3(0.0);
+    const std::size_t thing = thing_of(feature);
+    return thing < context_.world.scene->placed.size() ? context_.world.things.at(thing).position_m : Vec3(0.0);
 }
 
 Vec3 Labyrinth::ball_m() const { return context_.world.things.at(ball_).position_m; }
@@ -112,11 +135,64 @@ std::string Labyrinth::state_words() const {
     return text;
 }
 
+// What lies in it and where others begin, from its beginning on, in rolls of the ball.
+std::string Labyrinth::corridor_words(const Corridor& corridor) const {
+    std::vector<std::pair<double, std::string>> told;
+    const double near_m = 0.5 * corridor.across_m + 2.0 * radius_m_;
+    const Vec3 middle = corridor.box_m.centre_m();
+    const auto lies = [&](std::string what, const Vec3& at_m) {
+        const double along_m = corridor.along_m(at_m), beside_m = corridor.east ? at_m.y - middle.y : at_m.x - middle.x;
+        if (along_m < -2.0 * radius_m_ || along_m > corridor.length_m + 2.0 * radius_m_ || std::abs(beside_m) > near_m)
+            return;
+        told.emplace_back(std::clamp(along_m, 0.0, corridor.length_m), std::move(what));
+    };
+    lies(body_name(context_, plan().ball), ball_m());
+    for (std::size_t i = 0; i < plan().holes.size(); ++i)
+        lies(phrase(covered_[i] ? "labyrinth.a_covered_hole" : "labyrinth.a_hole"), plan().holes[i].box_m.centre_m());
+    for (const LabyrinthPlan::Place& goal : plan().goals) lies(phrase("labyrinth.the_goal"), goal.box_m.centre_m());
+    for (const FreeBody& body : context_.world.scene->bodies)
+        if (body.feature != plan().ball) lies(body_name(context_, body.feature), at(body.feature));
+    constexpr std::array kTowards{"labyrinth.corridor_east", "labyrinth.corridor_north", "labyrinth.corridor_west",
+                                  "labyrinth.corridor_south"};  // as CorridorSide
+    for (const Corridor::Branch& branch : corridor.branches)
+        told.emplace_back(branch.at_m,
+                          phrase(kTowards.at(static_cast<std::size_t>(branch.towards)), {{"number", branch.to + 1}}));
+    std::stable_sort(told.begin(), told.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::string text;
+    for (const auto& [along_m, what] : told) {
+        const double rolls = halves(along_m / roll_m());
+        const char* where = rolls == 0.0                                    ? "labyrinth.at_beginning"
+                            : rolls >= halves(corridor.length_m / roll_m()) ? "labyrinth.at_end"
+                                                                            : "labyrinth.after";
+        text += (text.empty() ? "" : ", ") + phrase(where, {{"what", what}, {"rolls", rolls}});
+    }
+    return text;
+}
+
+void Labyrinth::list_corridors(double now_s) {
+    const auto corridors = corridors_of(*context_.world.scene, ball_m(), radius_m_);
+    if (!corridors) return context_.answer(corridors.error().sentence(), now_s);
+    ListSpec list;
+    list.title = phrase("labyrinth.corridors", {{"count", corridors->size()}});
+    for (std::size_t i = 0; i < corridors->size(); ++i) {
+        const Corridor& corridor = (*corridors)[i];
+        list.items.push_back({phrase(corridor.east ? "labyrinth.from_west" : "labyrinth.from_south",
+                                     {{"number", i + 1}, {"rolls", halves(corridor.length_m / roll_m())}}),
+                              corridor_words(corridor)});
+    }
+    list.stays_open = true;  // it is read, and nothing in it is done
+    list.chosen = [](std::size_t) {};
+    context_.open_list(std::move(list), now_s);
+}
+
 bool Labyrinth::act(Command command, double now_s) {
     if (command != Command::Labyrinth && !there()) return false;
     switch (command) {
         case Command::Labyrinth:
             context_.answer(there() ? state_words() : phrase("labyrinth.none"), now_s);
+            return true;
+        case Command::Overview:
+            list_corridors(now_s);
             return true;
         case Command::RepeatLeg:  // nobody is led here, and R is the key of the game
         case Command::PutBack:
@@ -150,27 +226,36 @@ bool Labyrinth::covered(std::size_t which) const {
 }
 
 void Labyrinth::look_at_holes(double now_s, bool tell) {
-    bool changed = false;
     for (std::size_t i = 0; i < plan().holes.size(); ++i) {
         const bool is = covered(i);
         if (is == covered_[i]) continue;
         covered_[i] = is;
-        changed = true;
         if (!tell) continue;
-        if (is) context_.play_at(SoundKind::Arrived, plan().holes[i].box_m.centre_m(), now_s);
+        if (is) context_.play_at(SoundKind::Knock, plan().holes[i].box_m.centre_m(), now_s);
         context_.say(phrase(is ? "labyrinth.covered" : "labyrinth.open"), SpeechClass::Answer, now_s);
     }
-    if (changed) sound();
 }
 
-// Open holes hum, and goals ring.
+// Open holes near the ball hum, beating the faster the nearer it is to their edge, and goals that are not far ring.
 void Labyrinth::sound() {
-    std::vector<SoundSource> sounds;
-    for (std::size_t i = 0; i < plan().holes.size(); ++i)
-        if (!covered_[i]) sounds.push_back({plan().holes[i].box_m.centre_m(), {}, "hum", kLoudness});
+    std::vector<AddedSound> sounds;
+    const Vec3 ball = ball_m();
+    const double hums_m = kHoleHeard * 2.0 * radius_m_, rings_m = kGoalHeard * 2.0 * radius_m_;
+    for (std::size_t i = 0; i < plan().holes.size(); ++i) {
+        const Aabb& box = plan().holes[i].box_m;
+        const Vec3 nearest = glm::clamp(ball, box.min_m, box.max_m);
+        const double edge_m = std::hypot(nearest.x - ball.x, nearest.y - ball.y);
+        if (covered_[i] || edge_m > hums_m) continue;
+        // In quarters of a beat, so that it is told anew only where that is heard.
+        const double beats = kFastestBeat_hz - (kFastestBeat_hz - kSlowestBeat_hz) * edge_m / hums_m;
+        sounds.push_back({SoundKind::Hum, box.centre_m(), kLoudness, std::round(4.0 * beats) / 4.0});
+    }
     for (const LabyrinthPlan::Place& goal : plan().goals)
-        sounds.push_back({goal.box_m.centre_m(), {}, "tolling", kLoudness});
-    soundscape_.add(sounds);
+        if (glm::length(goal.box_m.centre_m() - ball) <= rings_m)
+            sounds.push_back({SoundKind::Tolling, goal.box_m.centre_m(), kLoudness});
+    if (sounds == sounds_) return;
+    sounds_ = std::move(sounds);
+    soundscape_.add(sounds_);
 }
 
 void Labyrinth::tick(double now_s) {
@@ -180,6 +265,7 @@ void Labyrinth::tick(double now_s) {
         fallen_s_ = -1.0;
         bodies_.restart();
         nearest_m_ = 1e9;
+        sound();
         return context_.answer(phrase("labyrinth.back"), now_s);
     }
     if (!bodies_.any_moving()) {
@@ -195,11 +281,13 @@ void Labyrinth::tick(double now_s) {
     const Vec3 ball = ball_m();
     if (began_s_ < 0.0 && glm::length(ball - start_m_) > kMoved_m) began_s_ = nearer_s_ = now_s;
     look_at_holes(now_s, true);
+    sound();
     if (over_) return;
     for (const LabyrinthPlan::Place& hole : plan().holes)
         if (holds(hole.box_m, ball)) {
             fallen_s_ = now_s;
-            context_.play_at(SoundKind::DropNear, ball, now_s);
+            bodies_.step_is_told();
+            context_.play_at(SoundKind::Falls, ball, now_s);
             return context_.answer(phrase("labyrinth.fell"), now_s);
         }
     if (const double far_m = to_goal_m(); far_m < nearest_m_ - kNearer_m) {
@@ -209,6 +297,7 @@ void Labyrinth::tick(double now_s) {
     for (const LabyrinthPlan::Place& goal : plan().goals)
         if (holds(goal.box_m, ball) && began_s_ >= 0.0) {
             over_ = true;
+            bodies_.step_is_told();
             const double took_s = now_s - began_s_;
             context_.play(SoundKind::Arrived, now_s);
             return context_.answer(phrase("labyrinth.finished", {{"time", time_words(took_s)}}) + " " +

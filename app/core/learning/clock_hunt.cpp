@@ -20,6 +20,9 @@ const Vec3 kAbove_m(0.0, 0.0, 1.0);   // the clock, over where one stands at it
 
 }  // namespace
 
+ClockHunt::ClockHunt(const SessionContext& context, Rooms& rooms, Soundscape& soundscape)
+    : SessionPart(context), rooms_(rooms), soundscape_(soundscape) {}
+
 void ClockHunt::enter_world() {
     hidden_.reset();
     soundscape_.add({});
@@ -53,7 +56,7 @@ void ClockHunt::hide(double now_s) {
     const Vec3 clock = ground.hiding_place(static_cast<std::uint64_t>(now_s * 1e3) + 7919U * ++hunts_, kHide_m);
     ground.aim(clock);
     hidden_.emplace(Hidden{std::move(ground), std::move(world), clock, now_s, 0});
-    soundscape_.add({SoundSource{clock + kAbove_m, {}, std::string(info(SoundKind::HiddenClock).name), 1.0}});
+    soundscape_.add({{SoundKind::HiddenClock, clock + kAbove_m}});
     context_.play(SoundKind::Arrived, now_s);
     context_.answer(phrase("hunt.begun", {{"key", context_.keys.keys_of(Command::Hunt)}}), now_s);
 }

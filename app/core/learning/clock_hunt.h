@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/context/soundscape.h"
 #include "app/core/learning/best_times.h"
 #include "app/core/learning/hunt.h"
@@ -15,10 +15,9 @@
 
 namespace handrail {
 
-class ClockHunt {
+class ClockHunt : SessionPart {
 public:
-    ClockHunt(const SessionContext& context, Rooms& rooms, Soundscape& soundscape)
-        : context_(context), rooms_(rooms), soundscape_(soundscape) {}
+    ClockHunt(const SessionContext& context, Rooms& rooms, Soundscape& soundscape);
 
     // Where best times are kept; until told, they last as long as the session.
     void keep_records_in(const std::filesystem::path& folder) { best_.keep_in(folder); }
@@ -42,7 +41,6 @@ private:
     void hide(double now_s);
     std::string hint_words() const;
 
-    const SessionContext& context_;
     Rooms& rooms_;
     Soundscape& soundscape_;
     std::optional<Hidden> hidden_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/core/learning/learning.h"
+#include "app/core/learning/learnt_file.h"
 
 namespace handrail {
 
@@ -19,6 +20,9 @@ struct RoomLearning {
     bool walls_done = false;
     std::vector<FeatureId> done;  // walls told of
     std::size_t lanes_told = 0;
+    bool to_base = false;  // a wall was told of since one was at the base
+    bool lanes_done = false;
+    bool remembered = false;  // from a session before; which walls were told of then is looked up once
 };
 
 struct LearningState {
@@ -34,6 +38,12 @@ struct LearningState {
     std::uint32_t room = kNothing;  // the one led in
     std::size_t seen_notes = 0;
     double looked_s = -1e9;
+    // Kept from session to session.
+    KeptLearning kept;  // as it was read
+    bool keeps = false;
+    std::optional<Error> fault;  // why it could not be read: then nothing is written over it
+    std::size_t kept_notes = 0;
+    double kept_s = 0.0, began_s = 0.0;
 };
 
 }  // namespace handrail

@@ -1,6 +1,7 @@
 #include "app/core/learning/place_learning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,34 +15,94 @@
 namespace handrail {
 namespace {
 
-constexpr double kLookEvery_s = 1.0;
+constexpr double kLookEvery_s = 1.0, kKeepEvery_s = 60.0;
+constexpr double kAtBase_m = 1.0;
+constexpr std::array kQuarters{Quarter::Ahead, Quarter::Right, Quarter::Behind, Quarter::Left};
 
 long percent(double share) { return static_cast<long>(std::floor(100.0 * share + 0.5)); }
 
 }  // namespace
 
 bool PlaceLearning::act(Command command, double now_s) {
-    switch (command) {
-        case Command::Unexplored:
-            tell_unexplored(now_s);
-            return true;
-        case Command::ProgressReport:
-            context_.answer(progress_words(now_s), now_s);
-            return true;
-        case Command::LearnPlace:
-            toggle(now_s);
-            return true;
-        case Command::LearntRooms:
-            list_rooms(now_s);
-            return true;
-        default:
-            return false;
-    }
+    if (command == Command::Unexplored) tell_unexplored(now_s);
+    else if (command == Command::ProgressReport) context_.answer(progress_words(now_s), now_s);
+    else if (command == Command::LearnPlace) toggle(now_s);
+    else if (command == Command::LearntRooms) list_rooms(now_s);
+    else return false;
+    return true;
 }
 
 void PlaceLearning::enter_world(double now_s) {
     state_ = {};
-    state_.last_s = now_s;
+    state_.last_s = state_.kept_s = state_.began_s = now_s;
+    take_kept();
+}
+
+void PlaceLearning::take_kept() {
+    if (!remembers(context_.additions)) return;
+    auto kept = read_learnt(context_.additions);
+    state_.keeps = kept.has_value();
+    if (!kept) {
+        state_.fault = std::move(kept.error());
+        return;
+    }
+    for (const TouchNote& note : kept->touches) state_.notes.touched(note.point_m, note.normal, note.reach_m);
+    for (const Vec3& step : kept->steps_m) state_.notes.walked(step);
+    state_.kept_notes = state_.notes.count();
+    state_.kept = std::move(*kept);
+}
+
+void PlaceLearning::tell_kept(double now_s) {
+    if (state_.fault)
+        return context_.say(phrase("learning.unreadable", {{"fault", state_.fault->sentence()}}), SpeechClass::Answer,
+                            now_s);
+    if (!state_.keeps || state_.kept.sessions == 0) return;
+    context_.say(phrase("learning.remembered", {{"sessions", state_.kept.sessions},
+                                                {"time", time_words(state_.kept.spent_s)},
+                                                {"unexplored", context_.keys.keys_of(Command::Unexplored)},
+                                                {"rooms", context_.keys.keys_of(Command::LearntRooms)}}),
+                 SpeechClass::Answer, now_s);
+}
+
+void PlaceLearning::take_again() {
+    if (!state_.keeps || !remembers(context_.additions)) return;
+    const auto kept = read_learnt(context_.additions);
+    if (!kept) return;
+    for (const TouchNote& note : kept->touches) state_.notes.touched(note.point_m, note.normal, note.reach_m);
+    for (const Vec3& step : kept->steps_m) state_.notes.walked(step);
+}
+
+void PlaceLearning::keep(double now_s) {
+    if (!state_.keeps || state_.notes.count() == state_.kept_notes || !remembers(context_.additions)) return;
+    state_.kept_notes = state_.notes.count();
+    state_.kept_s = now_s;
+    KeptLearning kept;
+    kept.sessions = state_.kept.sessions + 1;
+    kept.spent_s = state_.kept.spent_s + now_s - state_.began_s;
+    thin_out(state_.notes, kept);
+    for (const auto& [number, learning] : state_.rooms)
+        if (rooms_.found() && number < rooms_.graph().rooms.size())
+            kept.rooms.push_back({rooms_.graph().rooms[number].name, learning.spent_s, learning.base_m,
+                                  learning.walls_done, static_cast<int>(learning.lanes_told)});
+    write_learnt(context_.additions, kept);
+    context_.asks.save_additions(now_s);
+}
+
+// Of a room, with what a session before has left of it.
+RoomLearning& PlaceLearning::room(std::uint32_t number) {
+    const auto [found, fresh] = state_.rooms.try_emplace(number);
+    RoomLearning& learning = found->second;
+    if (!fresh || state_.kept.rooms.empty()) return learning;
+    const std::string& name = rooms_.graph().rooms[number].name;
+    for (const KeptRoom& kept : state_.kept.rooms) {
+        if (kept.name != name) continue;
+        learning.spent_s = kept.spent_s;
+        learning.base_m = kept.base_m;
+        learning.walls_done = kept.walls_done;
+        learning.lanes_told = static_cast<std::size_t>(kept.lanes_told);
+        learning.remembered = true;
+    }
+    return learning;
 }
 
 void PlaceLearning::note(const std::optional<Vec3>& bumped, const std::optional<Vec3>& trailed, double now_s) {
@@ -70,6 +131,11 @@ void PlaceLearning::note(const std::optional<Vec3>& bumped, const std::optional<
 
 // Looks where something was noted since the last time, once a second.
 void PlaceLearning::tick(double now_s) {
+    if (now_s - state_.kept_s >= kKeepEvery_s) {
+        keep(now_s);
+        state_.kept_s = now_s;
+    }
+    back_at_base(now_s);
     if (!state_.on || now_s - state_.looked_s < kLookEvery_s || state_.notes.count() == state_.seen_notes) return;
     state_.looked_s = now_s;
     state_.seen_notes = state_.notes.count();
@@ -95,14 +161,14 @@ void PlaceLearning::corner_of_hand(double now_s) {
 }
 
 void PlaceLearning::spend_time() {
-    if (rooms_.here() != kNothing) state_.rooms[rooms_.here()].spent_s += std::exchange(state_.unplaced_s, 0.0);
+    if (rooms_.here() != kNothing) room(rooms_.here()).spent_s += std::exchange(state_.unplaced_s, 0.0);
 }
 
 // Of a room, as much as is known of it by now.
-const Learnt& PlaceLearning::learnt_of(std::uint32_t room) {
-    std::optional<Learnt>& learnt = state_.rooms[room].learnt;
+const Learnt& PlaceLearning::learnt_of(std::uint32_t number) {
+    std::optional<Learnt>& learnt = room(number).learnt;
     if (!learnt)
-        learnt.emplace(place_of_room(*context_.world.solids, rooms_.navigation().space(), rooms_.graph(), room));
+        learnt.emplace(place_of_room(*context_.world.solids, rooms_.navigation().space(), rooms_.graph(), number));
     learnt->lay(state_.notes);
     return *learnt;
 }
@@ -127,7 +193,7 @@ std::string PlaceLearning::progress_words(double now_s) {
     std::string named;
     for (const WallProgress& wall : progress.walls)
         if (wall.touched_m > 0.0) named = joined(named, name_of(context_, wall.feature));
-    const std::string time = time_words(state_.rooms[rooms_.here()].spent_s);
+    const std::string time = time_words(room(rooms_.here()).spent_s);
     const TextValue of_walls{"walls", percent(progress.perimeter_share())},
         of_floor{"floor", percent(progress.floor_share())}, took{"time", time};
     const std::string text =
@@ -198,6 +264,7 @@ void PlaceLearning::list_rooms(double now_s) {
 
 // The mode begins in the room one is in, or ends. What is known already stays known.
 void PlaceLearning::toggle(double now_s) {
+    if (state_.on && ask_relations(now_s)) return;
     state_.on = !state_.on;
     state_.seen_notes = 0;
     state_.room = kNothing;
@@ -205,7 +272,17 @@ void PlaceLearning::toggle(double now_s) {
     const bool known = in_known_room(now_s);
     if (known) {
         state_.room = rooms_.here();
-        state_.rooms[rooms_.here()].base_m = context_.body.feet_m();
+        RoomLearning& here = room(rooms_.here());
+        if (here.remembered && here.base_m) {  // goes on where it ended, from the same base
+            context_.answer(
+                phrase("learning.goes_on_here", {{"room", sentence_case(rooms_.graph().rooms[rooms_.here()].name)},
+                                                 {"share", share_words(progress_of(learnt_of(rooms_.here())))},
+                                                 {"base", to_base_words(here)},
+                                                 {"unexplored", context_.keys.keys_of(Command::Unexplored)}}),
+                now_s);
+            return;
+        }
+        here.base_m = context_.body.feet_m();
     }
     context_.answer(phrase("learning.begun", {{"room", known ? sentence_case(rooms_.graph().rooms[rooms_.here()].name)
                                                              : phrase("learning.this_place")},
@@ -215,13 +292,91 @@ void PlaceLearning::toggle(double now_s) {
                     now_s);
 }
 
+bool PlaceLearning::at_base(const RoomLearning& room) const {
+    return room.base_m && glm::length(*room.base_m - context_.body.feet_m()) <= kAtBase_m;
+}
+
+std::string PlaceLearning::to_base_words(const RoomLearning& room) const {
+    const Vec3 base = *room.base_m - context_.body.feet_m();
+    const double distance_m = std::hypot(base.x, base.y);
+    if (distance_m <= kAtBase_m) return phrase("learning.at_base");
+    return phrase("learning.to_base", {{"where", where_words(context_, distance_m, std::atan2(base.x, base.y))}});
+}
+
+// In the mode, after a wall: at the base again it says which stretch of wall comes next.
+void PlaceLearning::back_at_base(double now_s) {
+    if (!state_.on || state_.room == kNothing || rooms_.here() != state_.room) return;
+    RoomLearning& here = room(state_.room);
+    if (!here.to_base || !at_base(here)) return;
+    here.to_base = false;
+    context_.play(SoundKind::Arrived, now_s);
+    std::string text = phrase("learning.base_again");
+    const Vec3 feet_m = context_.body.feet_m();
+    const Learnt& learnt = learnt_of(state_.room);
+    const WallSample* next = nullptr;
+    for (std::size_t i = 0; i < learnt.place().walls.size(); ++i) {
+        const WallSample& wall = learnt.place().walls[i];
+        if (!learnt.knows_wall(i) &&
+            (!next || glm::length(wall.point_m - feet_m) < glm::length(next->point_m - feet_m)))
+            next = &wall;
+    }
+    if (next) {
+        const Vec3 to = next->point_m - feet_m;
+        text += " " + phrase("learning.unexplored_wall",
+                             {{"wall", name_of(context_, next->feature)},
+                              {"where", where_words(context_, std::hypot(to.x, to.y), std::atan2(to.x, to.y))}});
+    }
+    context_.answer(std::move(text), now_s);
+}
+
+// Once all lanes are walked: how things lie to each other. False: there is nothing to be asked of this room, or not
+// yet.
+bool PlaceLearning::ask_relations(double now_s) {
+    if (state_.room == kNothing || rooms_.here() != state_.room) return false;
+    RoomLearning& here = room(state_.room);
+    if (!here.base_m || !std::exchange(here.lanes_done, false)) return false;
+    std::vector<RelationQuestion> questions = relation_questions(context_, rooms_, state_.room, *here.base_m);
+    if (questions.empty()) return false;
+    ask_relation(std::move(questions), 0, 0, now_s);
+    return true;
+}
+
+void PlaceLearning::ask_relation(std::vector<RelationQuestion> questions, std::size_t at, int right, double now_s) {
+    ListSpec list;
+    list.title =
+        phrase("learning.relation", {{"thing", questions[at].thing}, {"number", at + 1}, {"count", questions.size()}});
+    for (const Quarter side : kQuarters) list.items.push_back({side_words(side), {}, false});
+    list.chosen = [this, questions = std::move(questions), at, right](std::size_t chosen) {
+        const double then_s = context_.tick_s;
+        const RelationQuestion& question = questions[at];
+        const bool is_right = kQuarters[chosen] == question.right;
+        context_.events.tell(
+            Answered{phrase("learning.relation",
+                            {{"thing", question.thing}, {"number", at + 1}, {"count", questions.size()}}),
+                     side_words(kQuarters[chosen])},
+            then_s);
+        const std::string distance = distance_words(question.distance_m, distances(context_)),
+                          side = side_words(question.right);
+        context_.answer(phrase(is_right ? "learning.relation_right" : "learning.relation_other",
+                               {{"thing", question.thing}, {"side", side}, {"distance", distance}}),
+                        then_s);
+        const int all_right = right + (is_right ? 1 : 0);
+        if (at + 1 < questions.size()) return ask_relation(questions, at + 1, all_right, then_s);
+        context_.answer(phrase("learning.relations_done", {{"right", all_right}, {"count", questions.size()}}), then_s);
+    };
+    context_.open_list(std::move(list), now_s);
+}
+
 // In the mode: each wall that is done, then each lane. Nothing is forced, and whoever goes another way is told what
 // that has done.
 void PlaceLearning::guide(double now_s) {
     if (!in_known_room(now_s)) return;
     const Learnt& learnt = learnt_of(rooms_.here());
     const Progress progress = progress_of(learnt);
-    RoomLearning& room = state_.rooms[rooms_.here()];
+    RoomLearning& room = this->room(rooms_.here());
+    if (std::exchange(room.remembered, false))  // told of in a session before
+        for (const WallProgress& wall : progress.walls)
+            if (wall.done()) room.done.push_back(wall.feature);
     if (rooms_.here() != std::exchange(state_.room, rooms_.here())) {
         const std::string name = sentence_case(rooms_.graph().rooms[rooms_.here()].name);
         // The base is where one came in first.
@@ -238,14 +393,19 @@ void PlaceLearning::guide(double now_s) {
             continue;
         room.done.push_back(wall.feature);
         context_.events.tell(WallDone{wall.feature, state_.room}, now_s);
-        context_.answer(phrase("learning.wall_done", {{"wall", sentence_case(name_of(context_, wall.feature))},
-                                                      {"done", done},
-                                                      {"walls", progress.walls.size()}}),
-                        now_s);
+        std::string text = phrase("learning.wall_done", {{"wall", sentence_case(name_of(context_, wall.feature))},
+                                                         {"done", done},
+                                                         {"walls", progress.walls.size()}});
+        if (room.base_m && static_cast<std::size_t>(done) < progress.walls.size() && !at_base(room)) {
+            room.to_base = true;  // after each wall one goes back to it
+            text += " " + to_base_words(room);
+        }
+        context_.answer(std::move(text), now_s);
     }
     if (!room.walls_done && progress.perimeter_share() >= 0.95) {
         room.walls_done = true;
         context_.play(SoundKind::Arrived, now_s);
+        room.to_base = false;
         const Vec3 base = *room.base_m - context_.body.feet_m();
         const std::string where = where_words(context_, glm::length(base), std::atan2(base.x, base.y));
         context_.answer(phrase("learning.walls_done", {{"time", time_words(room.spent_s)}, {"where", where}}), now_s);
@@ -254,7 +414,11 @@ void PlaceLearning::guide(double now_s) {
     std::size_t walked = 0;
     for (const Lane& lane : lanes) walked += lane.done();
     if (walked > room.lanes_told && room.walls_done) {
-        std::string next = phrase("learning.lanes_done");
+        room.lanes_done = walked == lanes.size();
+        std::string next =
+            phrase("learning.lanes_done",
+                   {{"key", context_.keys.keys_of(Command::LearnPlace)},
+                    {"questions", relation_questions(context_, rooms_, rooms_.here(), *room.base_m).size()}});
         for (const Lane& lane : lanes)
             if (!lane.done()) {
                 const double off = lane.at_m - (lane.north ? context_.body.feet_m().x : context_.body.feet_m().y);

@@ -15,7 +15,7 @@ constexpr double kAfterName_s = 1.5;  // a name that is being said is heard firs
 }  // namespace
 
 LessonSession::LessonSession(const SessionContext& context, AskedToLeave& asked_to_leave)
-    : context_(context), asked_to_leave_(asked_to_leave), who_speaks_(phrase("session.your_voice")) {}
+    : SessionPart(context), asked_to_leave_(asked_to_leave), who_speaks_(phrase("session.your_voice")) {}
 
 bool LessonSession::hand() const { return context_.hands.right.present && !context_.hands.keys_alone; }
 

@@ -10,17 +10,15 @@
 #include <vector>
 
 #include "app/core/context/asked_to_leave.h"
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/lessons/lesson.h"
 
 namespace handrail {
 
-class LessonSession {
+class LessonSession : SessionPart {
 public:
     // asked_to_leave: whoever was asked before the lesson began is not asked again.
     LessonSession(const SessionContext& context, AskedToLeave& asked_to_leave);
-    LessonSession(const LessonSession&) = delete;  // open lists know it by its place
-    LessonSession& operator=(const LessonSession&) = delete;
 
     // The first minutes, before a world is entered or in one, from where they were left. who_speaks:
     // "speech-dispatcher"; owner_sets_up: the owner runs the set-up by voice when it is asked for, else that part is
@@ -65,7 +63,6 @@ private:
     void choose_what_next(double now_s);
     void open_list(double now_s);
 
-    const SessionContext& context_;
     AskedToLeave& asked_to_leave_;
     std::optional<LessonRun> run_;
     std::vector<Command> did_;       // since the last tick

@@ -7,15 +7,13 @@
 #include <string_view>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 
 namespace handrail {
 
-class CommandLists {
+class CommandLists : SessionPart {
 public:
-    explicit CommandLists(const SessionContext& context) : context_(context) {}
-    CommandLists(const CommandLists&) = delete;  // open lists know it by its place
-    CommandLists& operator=(const CommandLists&) = delete;
+    explicit CommandLists(const SessionContext& context) : SessionPart(context) {}
 
     // Commands by topic; to be done, or to be given another key.
     void open(bool to_rebind, double now_s);
@@ -32,7 +30,6 @@ private:
     void open_rebinding(Command command, double now_s);
     void take_new_key(const std::string& key, double now_s);
 
-    const SessionContext& context_;
     bool input_help_ = false;
     struct Rebinding {
         Command command;

@@ -3,15 +3,13 @@
 
 #include <filesystem>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 
 namespace handrail {
 
-class LanguageList {
+class LanguageList : SessionPart {
 public:
-    explicit LanguageList(const SessionContext& context) : context_(context) {}
-    LanguageList(const LanguageList&) = delete;  // an open list knows it by its place
-    LanguageList& operator=(const LanguageList&) = delete;
+    explicit LanguageList(const SessionContext& context) : SessionPart(context) {}
 
     // Files of languages of the person's own; until this is called there are the bundled ones.
     void find_in(const std::filesystem::path& folder) { folder_ = folder; }
@@ -19,7 +17,6 @@ public:
     void open(double now_s);
 
 private:
-    const SessionContext& context_;
     std::filesystem::path folder_;
 };
 

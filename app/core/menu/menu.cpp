@@ -10,22 +10,12 @@
 namespace handrail {
 
 bool Menu::act(Command command, double now_s) {
-    switch (command) {
-        case Command::Menu:
-            open(now_s);
-            return true;
-        case Command::Help:
-            commands_.open(false, now_s);
-            return true;
-        case Command::InputHelp:
-            commands_.toggle_input_help(now_s);
-            return true;
-        case Command::Language:
-            languages_.open(now_s);
-            return true;
-        default:
-            return false;
-    }
+    if (command == Command::Menu) open(now_s);
+    else if (command == Command::Help) commands_.open(false, now_s);
+    else if (command == Command::InputHelp) commands_.toggle_input_help(now_s);
+    else if (command == Command::Language) languages_.open(now_s);
+    else return false;
+    return true;
 }
 
 void Menu::open(double now_s) {
@@ -43,6 +33,8 @@ void Menu::open(double now_s) {
     add(phrase("menu.settings"), [this] { open_setting_topics(context_, context_.tick_s); });
     add(phrase("menu.keys"), [this] { commands_.open(true, context_.tick_s); });
     add(phrase("menu.sounds"), [this] { open_sounds(context_.tick_s); });
+    add(phrase("menu.devices"), [this] { reports_.ask_for_devices(context_.tick_s); });
+    if (reports_.has_crash()) add(phrase("menu.crash_report"), [this] { reports_.open_crash(context_.tick_s); });
     for (const auto& [key, command] :
          {std::pair{"menu.input_help", Command::InputHelp}, std::pair{"menu.set_up", Command::Calibrate},
           std::pair{"menu.leave", Command::Leave}})

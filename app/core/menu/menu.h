@@ -3,19 +3,18 @@
 
 #include <string>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/menu/command_lists.h"
 #include "app/core/menu/language_list.h"
+#include "app/core/menu/report_lists.h"
 #include "app/core/menu/world_lists.h"
 
 namespace handrail {
 
-class Menu {
+class Menu : SessionPart {
 public:
     explicit Menu(const SessionContext& context)
-        : context_(context), commands_(context), worlds_(context), languages_(context) {}
-    Menu(const Menu&) = delete;  // open lists know it by its place
-    Menu& operator=(const Menu&) = delete;
+        : SessionPart(context), commands_(context), worlds_(context), languages_(context), reports_(context) {}
 
     // The menu, all keys, input help and languages. False: it is another's.
     bool act(Command command, double now_s);
@@ -23,15 +22,16 @@ public:
     CommandLists& commands() { return commands_; }
     WorldLists& worlds() { return worlds_; }
     LanguageList& languages() { return languages_; }
+    ReportLists& reports() { return reports_; }
 
 private:
     void open(double now_s);
     void open_sounds(double now_s);
 
-    const SessionContext& context_;
     CommandLists commands_;
     WorldLists worlds_;
     LanguageList languages_;
+    ReportLists reports_;
 };
 
 }  // namespace handrail

@@ -4,16 +4,16 @@
 
 #include <functional>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/hand/simplified_words.h"
 #include "app/core/wayfinding/stops.h"
 #include "app/core/whereabouts/rooms.h"
 
 namespace handrail {
 
-class SimplifiedList {
+class SimplifiedList : SessionPart {
 public:
-    SimplifiedList(const SessionContext& context, Rooms& rooms) : context_(context), rooms_(rooms) {}
+    SimplifiedList(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     // portals: the openings that `plan` was told of.
     void open(const Simplification& plan, const OpenPortals& portals, double now_s);
@@ -22,7 +22,6 @@ public:
     std::function<void(const Goal& goal, double now_s)> on_choose;
 
 private:
-    const SessionContext& context_;
     Rooms& rooms_;
 };
 

@@ -7,16 +7,14 @@
 #include <string_view>
 #include <utility>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/kept/world_shelf.h"
 
 namespace handrail {
 
-class WorldLists {
+class WorldLists : SessionPart {
 public:
-    explicit WorldLists(const SessionContext& context) : context_(context) {}
-    WorldLists(const WorldLists&) = delete;  // open lists know it by its place
-    WorldLists& operator=(const WorldLists&) = delete;
+    explicit WorldLists(const SessionContext& context) : SessionPart(context) {}
 
     void offer(WorldShelf shelf) { shelf_ = std::move(shelf); }
     void open(double now_s);
@@ -28,7 +26,6 @@ public:
 private:
     void open_folder(const std::filesystem::path& typed, double now_s);
 
-    const SessionContext& context_;
     WorldShelf shelf_;
 };
 

@@ -8,8 +8,10 @@
 #include "app/core/world/questions.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
+#include "worlds/base/text.h"
 #include "worlds/geometry/closest_point.h"
 #include "worlds/scene/models.h"
+#include "worlds/scene/stated_building.h"
 
 namespace handrail {
 namespace {
@@ -60,14 +62,30 @@ bool let_through(const Scene& scene, std::uint32_t a, std::uint32_t b) {
            other.lift == a;
 }
 
-// At its upper end, where one is a storey or so above the other: "at the top"; empty for what goes level.
-std::string stops_words(const Mover& mover, double z_m, const std::string& name) {
+// The storey that a lift's floor is level with when the lift, a thing of the scene, is at that height; empty: the file
+// names none.
+std::string storey_words(const Scene& scene, int thing, double z_m) {
+    constexpr double kLevel_m = 0.1;
+    if (!scene.stated || thing < 0) return {};
+    const double floor_m = z_m + scene.placed[static_cast<std::size_t>(thing)].model->bounds_m.max_m.z;
+    for (const StatedStorey& storey : scene.stated->storeys)
+        if (std::abs(storey.floor_m - floor_m) < kLevel_m) return one_line(storey.name);
+    return {};
+}
+
+// At a storey, where the file names it; at its upper end, where one is a storey or so above the other: "at the top";
+// empty for what goes level.
+std::string stops_words(const Mover& mover, const std::string& storey, double z_m, const std::string& name) {
+    if (!storey.empty()) return phrase("movers.stops_at", {{"name", name}, {"storey", storey}});
     const double low_m = mover.pivot_m.z + std::min(0.0, mover.slide_m.z), way_m = std::abs(mover.slide_m.z);
     if (way_m < 1.0) return phrase("movers.stops", {{"name", name}});
     return phrase(z_m > low_m + 0.5 * way_m ? "movers.stops_above" : "movers.stops_below", {{"name", name}});
 }
 
 }  // namespace
+
+Doors::Doors(const SessionContext& context, WorldState& world, BodyState& body)
+    : SessionPart(context), world_(world), body_(body) {}
 
 bool Doors::act(Command command, double now_s) {
     if (command != Command::Use) return false;
@@ -79,6 +97,7 @@ bool Doors::act(Command command, double now_s) {
 void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
     contract_pre(mover < world_.movers.size());
     context_.events.tell(DoorUsed{world_.scene->movers[mover].feature}, now_s);
+    if (blocked(mover)) return context_.answer(shut_words(mover), now_s);
     const bool lift_comes = world_.movers.lift_is_away(mover);
     if (back_again) world_.movers.set_going(mover);
     else world_.movers.call(mover);
@@ -89,6 +108,13 @@ void Doors::press(std::uint32_t mover, bool back_again, double now_s) {
         return context_.say(phrase("movers.called", {{"name", sentence_case(spoken_name(lift))}}), SpeechClass::Contact,
                             now_s);
     }
+    if (!world_.scene->movers[mover].halts.empty())
+        if (const std::string storey =
+                storey_words(*world_.scene, world_.thing_of_mover[mover], world_.movers.at_goal(mover).position_m.z);
+            !storey.empty())
+            return context_.say(
+                phrase("movers.rides_to", {{"name", sentence_case(spoken_name(feature))}, {"storey", storey}}),
+                SpeechClass::Contact, now_s);
     if (world_.thing_of_mover[mover] >= 0) return;  // its way is told as it goes
     CueRequest sound;
     sound.kind = CueRequestKind::Play;
@@ -153,10 +179,21 @@ void Doors::use(double now_s) {
     press(mover, true, now_s);
 }
 
+bool Doors::block(FeatureId feature, bool blocked) {
+    const int mover = mover_of(world_, feature);
+    if (mover < 0) return false;
+    std::erase(told_, feature);
+    world_.movers.hold_shut(static_cast<std::uint32_t>(mover), blocked);
+    return true;
+}
+
 // What opens it: the key, or the button that is nearest to the body, with where that is.
 std::string Doors::shut_words(std::uint32_t mover) const {
     const Mover& door = world_.scene->movers[mover];
     const std::string name = sentence_case(name_of(context_, door.feature));
+    if (blocked(mover))
+        return phrase("movers.blocked",
+                      {{"name", sentence_case(spoken_name(world_.scene->features[door.feature.value]))}});
     if (door.by_hand) return phrase("lead.door_shut", {{"door", name}, {"key", context_.keys.keys_of(Command::Use)}});
     if (!door.approach_m.empty()) return phrase("movers.opens_by_itself", {{"name", name}});
     const std::optional<FeatureId> button = button_of(world_, mover, body_.feet_m() + Vec3(0.0, 0.0, kLookHeight_m));
@@ -297,9 +334,10 @@ void Doors::tell(std::span<const MoverEvent> events, double now_s) {
                                 {{"name", sentence_case(spoken_name(feature))}}),
                          SpeechClass::Contact, now_s);
         } else if (feature.kind == FeatureKind::Lift) {
-            context_.say(
-                stops_words(mover, world_.movers.at(event.mover).position_m.z, sentence_case(spoken_name(feature))),
-                SpeechClass::Contact, now_s);
+            const double z_m = world_.movers.at(event.mover).position_m.z;
+            const std::string storey = storey_words(*world_.scene, world_.thing_of_mover[event.mover], z_m);
+            context_.say(stops_words(mover, storey, z_m, sentence_case(spoken_name(feature))), SpeechClass::Contact,
+                         now_s);
         }
     }
 }

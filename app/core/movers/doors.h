@@ -7,18 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/world/mover_meeting.h"
 
 namespace handrail {
 
-class Doors {
+class Doors : SessionPart {
 public:
     // It moves the things of `world`, and of `body` what stands on one.
-    Doors(const SessionContext& context, WorldState& world, BodyState& body)
-        : context_(context), world_(world), body_(body) {}
-    Doors(const Doors&) = delete;
-    Doors& operator=(const Doors&) = delete;
+    Doors(const SessionContext& context, WorldState& world, BodyState& body);
 
     // Use. False: it is another's.
     bool act(Command command, double now_s);
@@ -27,6 +24,10 @@ public:
     bool take_arrived() { return std::exchange(arrived_, false); }
     // By hand or by walking against it. back_again: one that is open goes back.
     void press(std::uint32_t mover, bool back_again, double now_s);
+
+    // Shut, and not to be opened, whatever else would open it; or as before. False: that feature is none.
+    bool block(FeatureId feature, bool blocked);
+    bool blocked(std::uint32_t mover) const { return world_.movers.held_shut(mover); }
 
     // A shut door across the way is told once, with what opens it; again once it has been open.
     void tell_shut(FeatureId feature, double now_s);
@@ -45,7 +46,6 @@ private:
     void tell(std::span<const MoverEvent> events, double now_s);
     void tell_endless(const MoverEvent& event, const Aabb& box_m, double now_s);
 
-    const SessionContext& context_;
     WorldState& world_;
     BodyState& body_;
     std::vector<FeatureId> told_;  // shut ones across the way

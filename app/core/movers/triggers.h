@@ -5,14 +5,14 @@
 #include <functional>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 
 namespace handrail {
 
-class Triggers {
+class Triggers : SessionPart {
 public:
     // It sets the movers of `world` going.
-    Triggers(const SessionContext& context, WorldState& world) : context_(context), world_(world) {}
+    Triggers(const SessionContext& context, WorldState& world) : SessionPart(context), world_(world) {}
 
     void enter_world();
     void tick(double now_s);
@@ -23,7 +23,6 @@ public:
 private:
     void meet_switch(FeatureId volume, double now_s);
 
-    const SessionContext& context_;
     WorldState& world_;
     std::vector<FeatureId> inside_;  // volumes the body is in
     std::vector<FeatureId> told_;    // each speaks once

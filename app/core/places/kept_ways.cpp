@@ -24,17 +24,14 @@ std::string names_of(std::span<const Stop> stops) {
 
 }  // namespace
 
+KeptWays::KeptWays(const SessionContext& context, Rooms& rooms, const PlannedStops& planned)
+    : SessionPart(context), rooms_(rooms), planned_(planned) {}
+
 bool KeptWays::act(Command command, double now_s) {
-    switch (command) {
-        case Command::Ways:
-            open_all(now_s);
-            return true;
-        case Command::KeepWay:
-            open_keep(now_s);
-            return true;
-        default:
-            return false;
-    }
+    if (command == Command::Ways) open_all(now_s);
+    else if (command == Command::KeepWay) open_keep(now_s);
+    else return false;
+    return true;
 }
 
 // ---- what is kept ----
@@ -93,15 +90,11 @@ void KeptWays::follow_room_name(const std::string& before, const std::string& na
 
 // ---- keeping ----
 
-void KeptWays::open_keep(double now_s) {
-    if (!rooms_.have(now_s)) return;
-    ListSpec list;
-    list.title = phrase("ways.keep_which");
-    std::vector<std::vector<Stop>> offers;
-    if (planned_.stops().size() > 1) {
-        list.items.push_back({phrase("ways.planned"), names_of(planned_.stops()), false});
-        offers.push_back(planned_.stops());
-    }
+// What could be kept: planned or walked.
+std::vector<KeptWays::Offer> KeptWays::untold_offers() const {
+    std::vector<Offer> offers;
+    if (planned_.stops().size() > 1)
+        offers.push_back({phrase("ways.planned"), names_of(planned_.stops()), planned_.stops()});
     const auto offer = [&](std::string name, std::span<const Vec3> trail) {
         const double way_m = length_of(trail);
         if (way_m < kAtStop_m) return;
@@ -112,17 +105,32 @@ void KeptWays::open_keep(double now_s) {
         for (std::size_t i = 1; i + 1 < corners.size(); ++i)
             stops.push_back({.name = {}, .place_m = corners[i], .thing = {}, .room = {}, .kept = {}});
         stops.push_back(stop_at_place(rooms_, corners.back(), phrase("ways.end")));
-        list.items.push_back({std::move(name), distance_words(way_m, distances(context_)), false});
-        offers.push_back(std::move(stops));
+        offers.push_back({std::move(name), distance_words(way_m, distances(context_)), std::move(stops)});
     };
     const std::vector<Vec3>& crumbs = context_.body.crumbs_m;
     if (begins_m_) offer(phrase("ways.walked_since_begun"), trail_since(crumbs, *begins_m_, kTrailNear_m));
     offer(phrase("ways.walked"), crumbs);
     for (const Mark& mark : context_.world.marks)
         offer(phrase("ways.walked_since", {{"mark", mark.name}}), trail_since(crumbs, mark.place_m, kTrailNear_m));
+    return offers;
+}
+
+std::vector<KeptWays::Offer> KeptWays::offers() const {
+    std::vector<Offer> all = untold_offers();
+    for (auto way = ways_.rbegin(); way != ways_.rend(); ++way)
+        all.push_back({way->name, names_of(way->stops), way->stops});
+    return all;
+}
+
+void KeptWays::open_keep(double now_s) {
+    if (!rooms_.have(now_s)) return;
+    ListSpec list;
+    list.title = phrase("ways.keep_which");
+    const std::vector<Offer> offers = untold_offers();
+    for (const Offer& offer : offers) list.items.push_back({offer.name, offer.value, false});
     list.items.push_back({phrase("ways.begin_here"), {}, false});
     list.chosen = [this, offers](std::size_t i) {
-        if (i < offers.size()) return ask_name(offers[i], context_.tick_s);
+        if (i < offers.size()) return ask_name(offers[i].stops, context_.tick_s);
         begins_m_ = context_.body.feet_m();
         context_.answer(phrase("ways.begun", {{"key", context_.keys.keys_of(Command::KeepWay)}}), context_.tick_s);
     };

@@ -7,19 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/kept/ways.h"
 #include "app/core/wayfinding/stops.h"
 #include "app/core/whereabouts/rooms.h"
 
 namespace handrail {
 
-class KeptWays {
+class KeptWays : SessionPart {
 public:
-    KeptWays(const SessionContext& context, Rooms& rooms, const PlannedStops& planned)
-        : context_(context), rooms_(rooms), planned_(planned) {}
-    KeptWays(const KeptWays&) = delete;  // open lists know it by its place
-    KeptWays& operator=(const KeptWays&) = delete;
+    KeptWays(const SessionContext& context, Rooms& rooms, const PlannedStops& planned);
 
     // Those of the world that was entered; says what of their file cannot be read.
     void enter_world(double now_s);
@@ -33,6 +30,13 @@ public:
     // empty: it had none that files know it by.
     void follow_room_name(const std::string& before, const std::string& name);
 
+    // The way planned and the ways walked, and then those that were kept, the last one first: as they are told.
+    struct Offer {
+        std::string name, value;
+        std::vector<Stop> stops;
+    };
+    std::vector<Offer> offers() const;
+
     // Set by the session: the person wants to go along these stops, led by the hand or told by ear.
     std::function<void(const std::vector<Stop>& stops, bool by_hand, double now_s)> on_go;
 
@@ -40,6 +44,7 @@ private:
     FoundWay look_at(const SavedWay& way) const;
     std::string fault_words_of(const FoundWay& found) const;
     void save(double now_s);
+    std::vector<Offer> untold_offers() const;
     void open_keep(double now_s);
     bool name_taken(const std::string& name, std::size_t except) const;
     void ask_name(const std::vector<Stop>& stops, double now_s);
@@ -55,7 +60,6 @@ private:
     void ask_new_name(std::size_t which, double now_s);
     void remove(std::size_t which, double now_s);
 
-    const SessionContext& context_;
     Rooms& rooms_;
     const PlannedStops& planned_;
     std::vector<SavedWay> ways_;

@@ -58,19 +58,11 @@ void MarkList::save(double now_s) {
 // ---- setting, naming, deleting ----
 
 bool MarkList::act(Command command, double now_s) {
-    switch (command) {
-        case Command::DropMark:
-            drop(false, now_s);
-            return true;
-        case Command::DeleteMark:
-            open_delete(now_s);
-            return true;
-        case Command::Marks:
-            open(now_s);
-            return true;
-        default:
-            return false;
-    }
+    if (command == Command::DropMark) drop(false, now_s);
+    else if (command == Command::DeleteMark) open_delete(now_s);
+    else if (command == Command::Marks) open(now_s);
+    else return false;
+    return true;
 }
 
 void MarkList::tick_button(double now_s) {

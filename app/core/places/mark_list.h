@@ -8,17 +8,15 @@
 #include <string>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/wayfinding/stops.h"
 
 namespace handrail {
 
-class MarkList {
+class MarkList : SessionPart {
 public:
     // marks: of the world one is in, where everybody may look at them.
-    MarkList(const SessionContext& context, std::vector<Mark>& marks) : context_(context), marks_(marks) {}
-    MarkList(const MarkList&) = delete;  // open lists know it by its place
-    MarkList& operator=(const MarkList&) = delete;
+    MarkList(const SessionContext& context, std::vector<Mark>& marks) : SessionPart(context), marks_(marks) {}
 
     // Reads them from what the person added to the world; what is wrong with that waits for tell_faults().
     void enter_world();
@@ -53,7 +51,6 @@ private:
     void open_delete(double now_s);
     void open(double now_s);
 
-    const SessionContext& context_;
     std::vector<Mark>& marks_;
     std::vector<Error> faults_;  // not told yet
     // Where hand and body have been told to be near, so that each is told once.

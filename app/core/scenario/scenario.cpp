@@ -7,6 +7,8 @@
 #include <limits>
 #include <set>
 
+#include "app/core/scenario/scenario_parts.h"
+#include "app/core/scenario/toml_fields.h"
 #include "audio-cues/plan/sound_table.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
@@ -30,134 +32,39 @@ std::vector<std::string_view> all_material_names() {
     return names;
 }
 
-// Thrown inside this file only, so that the reading code can be a list of what is wanted; read_scenario turns it into a
-// Result.
-struct Bad {
-    int line;
-    std::string message;
-};
-
-int line_of(const toml::node& node) { return static_cast<int>(node.source().begin.line); }
-
-// A table whose every key must be asked for by the time done() is called.
-class Fields {
-public:
-    Fields(const toml::table& table, std::string what) : table_(table), what_(std::move(what)) {}
-    int line() const { return line_of(table_); }
-    bool has(const char* key) {
-        asked_.insert(key);
-        return table_.contains(key);
-    }
-    double number(const char* key, double low, double high) {
-        const toml::node& node = need(key);
-        const auto value = node.value<double>();
-        if (!value || !(node.is_number()) || !(*value >= low && *value <= high))
-            throw Bad{line_of(node),
-                      phrase("scenario.number",
-                             {{"key", key}, {"least", fmt::format("{}", low)}, {"most", fmt::format("{}", high)}})};
-        return *value;
-    }
-    double number_or(const char* key, double otherwise, double low, double high) {
-        return has(key) ? number(key, low, high) : otherwise;
-    }
-    std::string text(const char* key) {
-        const toml::node& node = need(key);
-        if (!node.is_string() || node.value<std::string>()->empty())
-            throw Bad{line_of(node), phrase("scenario.text", {{"key", key}})};
-        return *node.value<std::string>();
-    }
-    bool flag(const char* key) {
-        const toml::node& node = need(key);
-        if (!node.is_boolean()) throw Bad{line_of(node), phrase("scenario.flag", {{"key", key}})};
-        return *node.value<bool>();
-    }
-    // Three numbers; `any` is written "any" and becomes NaN where allowed.
-    Vec3 vector(const char* key, bool allow_any = false) {
-        const toml::array* list = need(key).as_array();
-        if (!list || list->size() != 3) throw Bad{line_of(need(key)), phrase("scenario.three", {{"key", key}})};
-        Vec3 v{0.0};
-        for (int i = 0; i < 3; ++i) {
-            const toml::node& node = *list->get(static_cast<std::size_t>(i));
-            if (allow_any && node.is_string() && *node.value<std::string>() == "any")
-                v[i] = std::numeric_limits<double>::quiet_NaN();
-            else if (node.is_number() && std::isfinite(*node.value<double>())) v[i] = *node.value<double>();
-            else throw Bad{line_of(node), phrase("scenario.three_finite", {{"key", key}})};
-        }
-        return v;
-    }
-    std::array<double, 2> range(const char* key) {
-        const toml::array* list = need(key).as_array();
-        if (!list || list->size() != 2 || !list->get(0)->is_number() || !list->get(1)->is_number())
-            throw Bad{line_of(need(key)), phrase("scenario.two", {{"key", key}})};
-        const std::array<double, 2> r{*list->get(0)->value<double>(), *list->get(1)->value<double>()};
-        if (!(r[0] <= r[1])) throw Bad{line_of(*list), phrase("scenario.lower_first", {{"key", key}})};
-        return r;
-    }
-    const toml::node& node(const char* key) { return need(key); }
-    void done() const {
-        std::vector<std::string> known(asked_.begin(), asked_.end());
-        for (const auto& [key, node] : table_)
-            if (!asked_.contains(std::string(key.str())))
-                throw Bad{line_of(node),
-                          phrase("scenario.has_no",
-                                 {{"what", what_}, {"key", key.str()}, {"nearest", nearest_name(key.str(), known)}})};
-    }
-
-private:
-    const toml::node& need(const char* key) {
-        asked_.insert(key);
-        const toml::node* node = table_.get(key);
-        if (!node) throw Bad{line_of(table_), phrase("scenario.needs", {{"what", what_}, {"key", key}})};
-        return *node;
-    }
-    const toml::table& table_;
-    std::string what_;
-    std::set<std::string> asked_;
-};
-
-Command command_named(Fields& fields, const char* key) {
+Command command_named(TomlFields& fields, const char* key) {
     const std::string word = fields.text(key);
     if (const CommandInfo* row = find_command(word)) return row->command;
     std::vector<std::string> known;
     for (const CommandInfo& row : command_table()) known.emplace_back(row.word);
-    throw Bad{line_of(fields.node(key)),
-              phrase("scenario.no_command", {{"word", word}, {"nearest", nearest_name(word, known)}})};
+    throw BadField{line_of(fields.node(key)),
+                   phrase("scenario.no_command", {{"word", word}, {"nearest", nearest_name(word, known)}})};
 }
 
 constexpr double kLongest_s = 3600.0;
 
-// Where the worlds and models that a scenario names are looked for.
-struct Folders {
-    fs::path beside;
-    std::vector<fs::path> others;
-};
-
-fs::path find_world(const std::string& name, const Folders& folders, int line) {
-    std::vector<fs::path> places{folders.beside, folders.beside / "worlds"};
-    places.insert(places.end(), folders.others.begin(), folders.others.end());
-    for (const fs::path& folder : places)
-        if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
-    throw Bad{line, phrase("scenario.no_world", {{"name", name}})};
+fs::path find_world(const std::string& name, const ScenarioFolders& folders, int line) {
+    return find_named_world(name, folders, line);
 }
 
 // turn_deg about turn_axis, upright where none is given.
-std::optional<Rotation> read_turn(Fields& fields) {
+std::optional<Rotation> read_turn(TomlFields& fields) {
     if (!fields.has("turn_deg")) return std::nullopt;
     const Vec3 axis = fields.has("turn_axis") ? fields.vector("turn_axis") : Vec3(0.0, 0.0, 1.0);
     const double length = glm::length(axis);
-    if (!(length > 0.0)) throw Bad{fields.line(), phrase("scenario.zero", {{"key", "turn_axis"}})};
+    if (!(length > 0.0)) throw BadField{fields.line(), phrase("scenario.zero", {{"key", "turn_axis"}})};
     return rotation_about(axis / length, radians_from_degrees(fields.number("turn_deg", -360.0, 360.0)));
 }
 
-bool is_left(Fields& fields) {
+bool is_left(TomlFields& fields) {
     if (!fields.has("whose")) return false;
     const std::string hand = fields.text("whose");
-    if (hand != "left" && hand != "right") throw Bad{fields.line(), phrase("scenario.whose")};
+    if (hand != "left" && hand != "right") throw BadField{fields.line(), phrase("scenario.whose")};
     return hand == "left";
 }
 
-ScenarioAction read_action(const toml::table& table, const Folders& folders) {
-    Fields fields(table, "action");
+ScenarioAction read_action(const toml::table& table, const ScenarioFolders& folders) {
+    TomlFields fields(table, "action");
     ScenarioAction action;
     action.line = fields.line();
     int kinds = 0;
@@ -185,7 +92,7 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     if (is("add")) {
         AddThing add;
         add.name = fields.text("add");
-        if (fields.has("box") == fields.has("model")) throw Bad{action.line, phrase("scenario.add")};
+        if (fields.has("box") == fields.has("model")) throw BadField{action.line, phrase("scenario.add")};
         if (fields.has("box")) add.box_m = fields.vector("box");
         else add.model = find_world(fields.text("model"), folders, line_of(fields.node("model")));
         add.at.position_m = fields.vector("at");
@@ -206,8 +113,9 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
         const std::string kind = fields.text("trouble");
         static const std::vector<std::string> kinds_known{"nan", "jump", "freeze", "unplug", "late", "hot", "error"};
         if (std::find(kinds_known.begin(), kinds_known.end(), kind) == kinds_known.end())
-            throw Bad{line_of(fields.node("trouble")),
-                      phrase("scenario.no_trouble", {{"word", kind}, {"nearest", nearest_name(kind, kinds_known)}})};
+            throw BadField{
+                line_of(fields.node("trouble")),
+                phrase("scenario.no_trouble", {{"word", kind}, {"nearest", nearest_name(kind, kinds_known)}})};
         action.step = ScenarioTrouble{kind, fields.number("for_s", 0.0, kLongest_s)};
     }
     if (is("button")) action.step = DeviceButton{fields.flag("button")};
@@ -218,7 +126,7 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     if (is("set")) {
         const std::string pair = fields.text("set");
         const std::size_t equals = pair.find('=');
-        if (equals == std::string::npos) throw Bad{line_of(fields.node("set")), phrase("scenario.set")};
+        if (equals == std::string::npos) throw BadField{line_of(fields.node("set")), phrase("scenario.set")};
         action.step = ChangeSetting{pair.substr(0, equals), pair.substr(equals + 1)};
     }
     if (fields.has("name")) action.name = fields.text("name");
@@ -226,13 +134,13 @@ ScenarioAction read_action(const toml::table& table, const Folders& folders) {
     action.left = is_left(fields);
     if (fields.has("meanwhile")) action.meanwhile = fields.flag("meanwhile");
     fields.done();
-    if (kinds != 1) throw Bad{action.line, phrase("scenario.one_action")};
+    if (kinds != 1) throw BadField{action.line, phrase("scenario.one_action")};
     return action;
 }
 
 // The moves that one sweep stands for.
 std::vector<ScenarioAction> read_sweep(const toml::table& table) {
-    Fields fields(table, "sweep");
+    TomlFields fields(table, "sweep");
     const Vec3 at = fields.vector("sweep_at");
     const double from_deg = fields.number("from_deg", -360.0, 360.0), to_deg = fields.number("to_deg", -360.0, 720.0);
     const int angles = static_cast<int>(fields.number("angles", 1.0, 360.0));
@@ -255,7 +163,7 @@ std::vector<ScenarioAction> read_sweep(const toml::table& table) {
     return moves;
 }
 
-Moment read_moment(Fields& fields, const char* key, const std::set<std::string>& names) {
+Moment read_moment(TomlFields& fields, const char* key, const std::set<std::string>& names) {
     const toml::node& node = fields.node(key);
     if (node.is_number()) return Moment{{}, false, fields.number(key, 0.0, kLongest_s)};
     Moment moment;
@@ -265,7 +173,7 @@ Moment read_moment(Fields& fields, const char* key, const std::set<std::string>&
         moment.action.resize(moment.action.size() - 5);
     }
     if (!names.contains(moment.action))
-        throw Bad{
+        throw BadField{
             line_of(node),
             phrase("scenario.no_action",
                    {{"word", moment.action},
@@ -275,13 +183,14 @@ Moment read_moment(Fields& fields, const char* key, const std::set<std::string>&
 
 void must_be_one_of(const std::string& word, std::span<const std::string_view> known, int line, const char* otherwise) {
     if (std::find(known.begin(), known.end(), word) != known.end()) return;
-    throw Bad{line, phrase(otherwise,
-                           {{"word", word},
-                            {"nearest", nearest_name(word, std::vector<std::string>(known.begin(), known.end()))}})};
+    throw BadField{
+        line,
+        phrase(otherwise, {{"word", word},
+                           {"nearest", nearest_name(word, std::vector<std::string>(known.begin(), known.end()))}})};
 }
 
-Expectation read_expectation(const toml::table& table, const std::set<std::string>& names) {
-    Fields fields(table, "expectation");
+Expectation expectation_of(const toml::table& table, const std::set<std::string>& names) {
+    TomlFields fields(table, "expectation");
     Expectation e;
     e.line = fields.line();
     int kinds = 0;
@@ -305,7 +214,7 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         e.vector = fields.vector(key);
         e.has_vector = true;
         const double length = glm::length(e.vector);
-        if (!(length > 0.0)) throw Bad{e.line, phrase("scenario.zero", {{"key", "direction"}})};
+        if (!(length > 0.0)) throw BadField{e.line, phrase("scenario.zero", {{"key", "direction"}})};
         e.vector /= length;
     };
     const auto place = [&](const char* key) {
@@ -346,7 +255,7 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         e.high = fields.number("force_angle_deg", 0.0, 180.0);
         e.vector = fields.vector("direction");
         const double length = glm::length(e.vector);
-        if (!(length > 0.0)) throw Bad{e.line, phrase("scenario.zero", {{"key", "direction"}})};
+        if (!(length > 0.0)) throw BadField{e.line, phrase("scenario.zero", {{"key", "direction"}})};
         e.vector /= length;
     }
     if (is("depth_mm", Check::Depth)) e.high = fields.number("depth_mm", 0.0, 1e6);
@@ -391,13 +300,13 @@ Expectation read_expectation(const toml::table& table, const std::set<std::strin
         e.has_to = true;
     }
     if (fields.has("within_s")) {
-        if (e.has_to) throw Bad{e.line, phrase("scenario.not_both")};
+        if (e.has_to) throw BadField{e.line, phrase("scenario.not_both")};
         e.to = e.from;
         e.to.offset_s += fields.number("within_s", 0.0, kLongest_s);
         e.has_to = true;
     }
     fields.done();
-    if (kinds != 1) throw Bad{e.line, phrase("scenario.one_check")};
+    if (kinds != 1) throw BadField{e.line, phrase("scenario.one_check")};
     return e;
 }
 
@@ -406,12 +315,12 @@ std::string toml_text(const toml::node& node) {
     if (node.is_boolean()) return *node.value<bool>() ? "true" : "false";
     if (node.is_integer()) return fmt::format("{}", *node.value<std::int64_t>());
     if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
-    throw Bad{line_of(node), phrase("scenario.setting")};
+    throw BadField{line_of(node), phrase("scenario.setting")};
 }
 
 Scenario read_table(const toml::table& table, const fs::path& file, const std::vector<fs::path>& world_folders) {
-    const Folders folders{file.parent_path(), world_folders};
-    Fields fields(table, "scenario");
+    const ScenarioFolders folders{file.parent_path(), world_folders};
+    TomlFields fields(table, "scenario");
     Scenario scenario;
     scenario.file = file;
     scenario.title = fields.text("title");
@@ -420,8 +329,8 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
     if (fields.has("left_device")) scenario.left_device = fields.text("left_device");
     if (fields.has("start")) {
         const toml::table* start = fields.node("start").as_table();
-        if (!start) throw Bad{line_of(fields.node("start")), phrase("scenario.start")};
-        Fields inner(*start, "start");
+        if (!start) throw BadField{line_of(fields.node("start")), phrase("scenario.start")};
+        TomlFields inner(*start, "start");
         scenario.has_start = true;
         scenario.start_feet_m = inner.vector("feet");
         scenario.start_heading_rad = radians_from_degrees(inner.number_or("heading_deg", 0.0, -360.0, 360.0));
@@ -430,37 +339,53 @@ Scenario read_table(const toml::table& table, const fs::path& file, const std::v
     if (fields.has("tail_s")) scenario.tail_s = fields.number("tail_s", 0.0, kLongest_s);
     if (fields.has("settings")) {
         const toml::table* settings = fields.node("settings").as_table();
-        if (!settings) throw Bad{line_of(fields.node("settings")), phrase("scenario.settings")};
+        if (!settings) throw BadField{line_of(fields.node("settings")), phrase("scenario.settings")};
         for (const auto& [key, node] : *settings) scenario.settings[std::string(key.str())] = toml_text(node);
     }
     const auto each = [&](const char* key, auto&& visit) {
         if (!fields.has(key)) return;
         const toml::array* list = fields.node(key).as_array();
-        if (!list) throw Bad{line_of(fields.node(key)), phrase("scenario.tables", {{"key", key}})};
+        if (!list) throw BadField{line_of(fields.node(key)), phrase("scenario.tables", {{"key", key}})};
         for (const toml::node& node : *list) {
             const toml::table* item = node.as_table();
-            if (!item) throw Bad{line_of(node), phrase("scenario.tables", {{"key", key}})};
+            if (!item) throw BadField{line_of(node), phrase("scenario.tables", {{"key", key}})};
             visit(*item);
         }
     };
     std::set<std::string> names;
     each("do", [&](const toml::table& item) {
-        std::vector<ScenarioAction> actions;
-        if (item.contains("sweep_at")) actions = read_sweep(item);
-        else actions.push_back(read_action(item, folders));
-        for (ScenarioAction& action : actions) {
-            if (!action.name.empty() && !names.insert(action.name).second)
-                throw Bad{line_of(item), phrase("scenario.two_actions", {{"name", action.name}})};
-            scenario.actions.push_back(std::move(action));
-        }
+        for (ScenarioAction& action : read_actions(item, folders, names)) scenario.actions.push_back(std::move(action));
     });
     each("expect", [&](const toml::table& item) { scenario.expectations.push_back(read_expectation(item, names)); });
     fields.done();
-    if (scenario.expectations.empty()) throw Bad{0, phrase("scenario.expects_nothing")};
+    if (scenario.expectations.empty()) throw BadField{0, phrase("scenario.expects_nothing")};
     return scenario;
 }
 
 }  // namespace
+
+fs::path find_named_world(const std::string& name, const ScenarioFolders& folders, int line) {
+    std::vector<fs::path> places{folders.beside, folders.beside / "worlds"};
+    places.insert(places.end(), folders.others.begin(), folders.others.end());
+    for (const fs::path& folder : places)
+        if (std::error_code ec; fs::is_regular_file(folder / name, ec)) return folder / name;
+    throw BadField{line, phrase("scenario.no_world", {{"name", name}})};
+}
+
+std::vector<ScenarioAction> read_actions(const toml::table& table, const ScenarioFolders& folders,
+                                         std::set<std::string>& names) {
+    std::vector<ScenarioAction> actions;
+    if (table.contains("sweep_at")) actions = read_sweep(table);
+    else actions.push_back(read_action(table, folders));
+    for (const ScenarioAction& action : actions)
+        if (!action.name.empty() && !names.insert(action.name).second)
+            throw BadField{line_of(table), phrase("scenario.two_actions", {{"name", action.name}})};
+    return actions;
+}
+
+Expectation read_expectation(const toml::table& table, const std::set<std::string>& names) {
+    return expectation_of(table, names);
+}
 
 Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>& world_folders) {
     const auto text = read_whole_file(file, std::size_t{1} << 24);
@@ -472,7 +397,7 @@ Result<Scenario> read_scenario(const fs::path& file, const std::vector<fs::path>
     } catch (const toml::parse_error& error) {
         return fail(phrase("scenario.not_toml", {{"reason", error.description()}}), name,
                     static_cast<int>(error.source().begin.line), static_cast<int>(error.source().begin.column));
-    } catch (const Bad& bad) {
+    } catch (const BadField& bad) {
         return fail(bad.message, name, bad.line);
     }
 }

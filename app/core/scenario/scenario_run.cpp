@@ -249,7 +249,7 @@ LoggedTick logged(HeadlessSession& session, std::size_t hand) {
 }  // namespace
 
 Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
-                                SpeechSink& speech) {
+                                SpeechSink& speech, const std::function<void(HeadlessSession&)>& each_ms) {
     const std::string file = scenario.file.filename().string();
     SettingsStore settings;
     for (const auto& [key, value] : scenario.settings)
@@ -292,6 +292,7 @@ Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<
         if (const auto stepped = player.step(); !stepped) return tl::unexpected(stepped.error());
         if (!player.done()) last_action_s = session.now_s();
         else if (session.now_s() >= last_action_s + scenario.tail_s) break;
+        if (each_ms) each_ms(session);
         session.advance();
         log.ticks.push_back(logged(session, 0));
         if (facts[1].present) log.left_ticks.push_back(logged(session, 1));

@@ -1,6 +1,7 @@
 // Plays a scenario in a headless session. For `handrail scenario` and tests.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/core/scenario/scenario.h"
@@ -9,9 +10,11 @@
 
 namespace handrail {
 
+class HeadlessSession;
+
 // Runs a scenario in its world from start to end and keeps what happened. Fails only where the scenario itself asks for
-// something impossible: an unknown device or setting.
+// something impossible: an unknown device or setting. each_ms: by whoever goes along, before each millisecond.
 Result<SessionLog> run_scenario(const Scenario& scenario, const std::shared_ptr<const Scene>& scene, AudioSink& audio,
-                                SpeechSink& speech);
+                                SpeechSink& speech, const std::function<void(HeadlessSession&)>& each_ms = {});
 
 }  // namespace handrail

@@ -48,7 +48,6 @@ public:
             case Check::SoundFaster:
                 return sound_faster();
             case Check::Sound:
-                return sound();
             case Check::NotSound:
                 return sound();
             case Check::SoundRising:

@@ -101,7 +101,7 @@ void HeadlessSession::servo(std::size_t which) {
 void HeadlessSession::cues() {
     if (heard_scene_ != app_.scene()) {
         heard_scene_ = app_.scene();
-        if (std::exchange(heard_world_, app_.worlds_entered()) != app_.worlds_entered())
+        if (std::exchange(heard_world_, app_.world().entered) != app_.world().entered)
             planner_.enter_world(heard_scene_);
         else planner_.follow_edit(heard_scene_);
     }

@@ -24,6 +24,7 @@ constexpr double kAnswerFollows_s = 60.0;  // so long what is typed next waits f
 
 Session::Session(const Settings& settings, const HandFacts& hand, const SessionOptions& options)
     : state_(settings, hand) {
+    watched_.arrivals = options.arrivals;
     wire();
     if (options.rooms_beside) where_.rooms.find_beside();
     if (options.touch_beside) hand_.touch_view.make_beside();
@@ -40,6 +41,7 @@ Session::Session(const Settings& settings, const HandFacts& hand, const SessionO
 
 void Session::enter_world(EnteringWorld world, double now_s) {
     settled_.give_up();
+    keep_learnt(now_s);
     state_.body.walker.reset();
     // The world one leaves is let go of beside everything else.
     auto left = std::make_shared<std::pair<std::shared_ptr<const Scene>, std::shared_ptr<const BodyWorld>>>(
@@ -50,6 +52,7 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     state_.world.thing_of_mover = std::move(world.thing_of_mover);
     where_.rooms.enter_world(std::move(world.file));
     where_.far.enter_world();
+    where_.visits.enter_world();
     too_early_.reset();
     take_additions();  // before the hand's scene is made: what bears a mark is not simplified
     hand_.touch_view.enter_world(std::move(world.sharp), now_s);
@@ -64,7 +67,11 @@ void Session::enter_world(EnteringWorld world, double now_s) {
     bodies_.enter_world(std::move(world.moves_freely), now_s);
     soundscape_.enter(*state_.world.scene);
     learn_.place.enter_world(now_s);
+    learn_.ways.enter_world();
     learn_.hunt.enter_world();
+    learn_.teaching.exercise.enter_world();
+    places_.lesson.enter_world();
+    learn_.teaching.blocked.clear();
     labyrinth_.enter_world(now_s);
     state_.lists.dialogue.close_all();  // what it was about may be gone
     movers_.triggers.enter_world();
@@ -85,6 +92,10 @@ void Session::enter_world(EnteringWorld world, double now_s) {
         say(std::move(news), SpeechClass::Ambient, now_s);
     if (std::string game = labyrinth_.opening_words(); !game.empty()) say(std::move(game), SpeechClass::Answer, now_s);
     learn_.hunt.begin_awaited(now_s);
+}
+
+void Session::keep_learnt(double now_s) {
+    if (state_.world.scene) learn_.place.keep(now_s);
 }
 
 void Session::set_hand(const HandFacts& hand, const Settings& settings, double now_s) {
@@ -166,26 +177,31 @@ void Session::answer_what_was_too_early(double now_s) {
 }
 
 void Session::carry_out(Command command, double now_s, int times) {
-    if (labyrinth_.act(command, now_s) || bodies_.act(command, now_s, times)) return;
-    if (walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
+    if (command == Command::Lost) walk_.walking.halt();
+    // A game comes first: its keys are those of others elsewhere.
+    if (labyrinth_.act(command, now_s) || bodies_.act(command, now_s, times) ||
+        walk_.walking.act(command, now_s, times) || hand_.workspace.act(command, now_s) ||
         hand_.forces.act(command, now_s) || learn_.place.act(command, now_s) || learn_.hunt.act(command, now_s) ||
-        where_.asking.act(command, now_s))
+        where_.asking.act(command, now_s) || where_.far.act(command, now_s) || where_.rooms.act(command, now_s) ||
+        movers_.doors.act(command, now_s) || places_.marks.act(command, now_s) || places_.ways.act(command, now_s) ||
+        guide_.act(command, now_s) || menu_.act(command, now_s) || lesson_session_.act(command, now_s) ||
+        learn_.teaching.exercise.act(command, now_s))
         return;
+    act_itself(command, now_s);
+}
+
+// What is no single feature's.
+void Session::act_itself(Command command, double now_s) {
     switch (command) {
-        case Command::Lost:
-            walk_.walking.halt();
-            where_.far.act(command, now_s);
-            break;
-        case Command::Describe:
-        case Command::Overview:
-            where_.far.act(command, now_s);
-            break;
         case Command::Simplified:
             simplified_list_.open(hand_.touch_view.plan(), hand_.touch_view.portals(), now_s);
             break;
         case Command::Understood:
             open_understood(
                 state_.context, [this](const Goal& goal, double then_s) { guide_.open_tools(goal, then_s); }, now_s);
+            break;
+        case Command::Faults:
+            places_.faults.open(now_s);
             break;
         case Command::Repeat:
         case Command::HistoryBack:
@@ -209,49 +225,10 @@ void Session::carry_out(Command command, double now_s, int times) {
         case Command::LastPlace:
             ask_for_last_place(now_s);
             break;
-        case Command::Use:
-            movers_.doors.act(command, now_s);
-            break;
-        case Command::DropMark:
-        case Command::DeleteMark:
-        case Command::Marks:
-            places_.marks.act(command, now_s);
-            break;
-        case Command::Exits:
-        case Command::UnvisitedExits:
-        case Command::NameRoom:
-            where_.rooms.act(command, now_s);
-            break;
-        case Command::SetBeacon:
-        case Command::MuteBeacon:
-        case Command::TakeMe:
-        case Command::Find:
-        case Command::CrossLines:
-        case Command::Routes:
-        case Command::RepeatLeg:
-        case Command::NextLeg:
-        case Command::RestOfWay:
-        case Command::FaceWay:
-            guide_.act(command, now_s);
-            break;
-        case Command::Ways:
-        case Command::KeepWay:
-            places_.ways.act(command, now_s);
-            break;
         case Command::PlanView:
             plan_view_ = !plan_view_;
             where_.rooms.show_plan(plan_view_);
             answer(phrase(plan_view_ ? "session.plan" : "session.first_person"), now_s);
-            break;
-        case Command::Menu:
-        case Command::Help:
-        case Command::InputHelp:
-        case Command::Language:
-            menu_.act(command, now_s);
-            break;
-        case Command::Lessons:
-        case Command::FirstMinutes:
-            lesson_session_.act(command, now_s);
             break;
         case Command::NextSound:
             cue(dictionary_.step(1, listener(), now_s));
@@ -389,6 +366,7 @@ std::optional<Placement> Session::thing_at(const std::string& name) const {
 
 void Session::tick(double now_s, const ToolState& tool, const ToolState& left_tool) {
     contract_pre(std::isfinite(now_s));
+    const Arrivals::Turn turn(watched_.arrivals);
     state_.hands.tool = tool;
     state_.hands.left_tool = left_tool;
     if (!state_.world.scene) return;
@@ -426,6 +404,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     movers_.triggers.tick(now_s);
     where_.rooms.tick(now_s);
     where_.far.tick();
+    where_.visits.tick(where_.asking.take_asked_about(), now_s);
     answer_what_was_too_early(now_s);
     hand_.workspace.take_touch(where_.rooms.looked_for(), greeting_waits(), now_s);
     take_settled();
@@ -435,6 +414,7 @@ void Session::tick(double now_s, const ToolState& tool, const ToolState& left_to
     places_.marks.tick_button(now_s);
     guide_.lead(now_s);
     places_.marks.tick(now_s);
+    places_.faults.tick(now_s);
     guide_.call(now_s);
     publish_pose(now_s, PoseChange::Walked);
     hand_.forces.tell_break(now_s);
@@ -458,8 +438,10 @@ Listener Session::listener() const {
 }
 
 ViewState Session::view(const ToolState& tool, const std::string& last_spoken) const {
+    const Arrivals::Turn looks(watched_.arrivals, true);
     ViewState view;
     view.scene = state_.world.scene;
+    view.moved = bodies_.moved();
     view.feet_m = feet_m();
     view.eyes_m = view.feet_m + Vec3(0.0, 0.0, state_.body.walker->size().eye_height_m);
     view.heading_rad = state_.body.heading_rad;

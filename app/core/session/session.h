@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -22,6 +23,7 @@
 #include "app/core/menu/menu.h"
 #include "app/core/menu/simplified_list.h"
 #include "app/core/session/hand_output.h"
+#include "app/core/session/lesson_view.h"
 #include "app/core/session/session_features.h"
 #include "app/core/session/session_input.h"
 #include "app/core/session/session_options.h"
@@ -42,6 +44,14 @@ public:
     // The one way in (session_input.h). False where a key, text, line or act was not taken. now_s as in tick.
     bool apply(SessionInput input, double now_s);
 
+    // For all who record, one after the other. comes: each input before it acts, and when; not_taken: apply() is false
+    // for the last one.
+    struct InputListener {
+        std::function<void(const SessionInput& input, double now_s)> comes;
+        std::function<void()> not_taken;
+    };
+    void tell_inputs(InputListener listener) { watched_.inputs.push_back(std::move(listener)); }
+
     // Sets a thing down, takes it away or sends it elsewhere while everything goes on: touched, it neither knocks nor
     // leaks. Each fails with a sentence and changes nothing: see worlds/scene/models.h; too many things at once; a
     // speed that is not above zero. Walking meets a thing where it is.
@@ -52,6 +62,9 @@ public:
     // Where the thing of that name is now; none of that name: nothing.
     std::optional<Placement> thing_at(const std::string& name) const;
 
+    // For whoever teaches. Costs some rays, and once in each room looking at all of it.
+    LessonView lesson_view();
+
     // What it asks of whoever owns it, to be looked at after each tick.
     OwnerRequests& requests() { return state_.requests; }
     const Dialogue& dialogue() const { return state_.lists.dialogue; }
@@ -59,15 +72,18 @@ public:
     // now_s never goes back; steps over 0.1 s are cut to 0.1 s of walking.
     void tick(double now_s, const ToolState& tool, const ToolState& left_tool = {});
 
+    // What was learnt of the world one is in, where the person wants to be remembered: each minute anyway, and at the
+    // end.
+    void keep_learnt(double now_s);
+
     // What others take after each tick.
     std::shared_ptr<const Scene> scene() const { return state_.world.scene; }
     std::shared_ptr<const HapticScene> haptic_scene() const { return hand_.touch_view.felt(); }
-    // Rises when another world was entered; scene() may be another one without that, when something was added, moved or
-    // removed.
-    int worlds_entered() const { return state_.world.entered; }
     // 0: the only or right hand; 1: the left one.
     HandOutput hand(std::size_t which = 0) const;
     const BodyFrame& bodies() const { return state_.world.things.frame(); }
+    // Its `entered` rises when another world was entered; scene() may be another one without that, when something was
+    // added, moved or removed.
     const WorldState& world() const { return state_.world; }
     const Guide& guide() const { return guide_; }
     const Bodies& free_bodies() const { return bodies_; }
@@ -133,6 +149,7 @@ private:
     }
     void act(Command command, double now_s, int times = 1);
     void carry_out(Command command, double now_s, int times);
+    void act_itself(Command command, double now_s);
     void answer_what_was_too_early(double now_s);
     void publish_pose(double now_s, PoseChange change) { hand_.workspace.publish(now_s, change); }
     void play(SoundKind kind, double now_s) { state_.cues.play(kind, now_s); }
@@ -158,6 +175,10 @@ private:
     void ask_for_last_place(double now_s);
     void take_others_additions();
     std::string entering_text() const;
+    // Lessons of an instructor: session_teaching.cpp.
+    void teach(const TeacherActed& act, double now_s);
+    void lead_in_lesson(const TeacherActed& act, double now_s);
+    void lay_blocked();
 
     SessionState state_;
     TouchEvents touch_events_{state_.context};
@@ -178,9 +199,17 @@ private:
     LearningFeatures learn_{state_, where_.rooms, soundscape_};
     Labyrinth labyrinth_{state_.context, bodies_, soundscape_};
     SoundDictionary dictionary_;
-    std::optional<SideFile> side_file_next_;
-    std::optional<LastPlace> last_place_;
+    struct Given {
+        std::optional<SideFile> side_file;  // of the world that is entered next
+        std::optional<LastPlace> last_place;
+    };
+    Given given_;
     bool plan_view_ = false;
+    struct Watched {
+        std::vector<InputListener> inputs;
+        Arrivals* arrivals = nullptr;
+    };
+    Watched watched_;
     struct TooEarly {
         Command command;
         double asked_s = 0.0;

@@ -9,16 +9,19 @@ namespace handrail {
 
 // What was added to the world that is entered.
 void Session::take_additions() {
-    if (side_file_next_) state_.additions = std::move(*std::exchange(side_file_next_, std::nullopt));
+    if (given_.side_file) state_.additions = std::move(*std::exchange(given_.side_file, std::nullopt));
     else state_.additions = SideFile();
     guide_.enter_world();
     places_.marks.enter_world();
+    places_.faults.enter_world();
 }
 
 void Session::tell_additions(double now_s) {
     for (const std::string& news : state_.additions.news()) say(news, SpeechClass::Answer, now_s);
     places_.marks.tell_faults(now_s);
+    places_.faults.tell_unreadable(now_s);
     places_.ways.enter_world(now_s);
+    learn_.place.tell_kept(now_s);
 }
 
 void Session::save_additions(double now_s) {
@@ -33,8 +36,10 @@ void Session::save_additions(double now_s) {
 void Session::take_others_additions() {
     state_.lists.dialogue.close_all();  // a list goes by places that may have shifted
     places_.marks.take_again();
+    places_.faults.take_again();
     places_.ways.take_again();
     where_.rooms.take_names_again();
+    learn_.place.take_again();
 }
 
 }  // namespace handrail

@@ -18,28 +18,11 @@ bool works_always(const KeyMap& keys, std::string_view key) {
 
 // Answered while a list stays open.
 bool only_asks(Command command) {
-    switch (command) {
-        case Command::WhereAmI:
-        case Command::Heading:
-        case Command::AroundMe:
-        case Command::AheadOfMe:
-        case Command::LookNext:
-        case Command::LookBefore:
-        case Command::ScaleBar:
-        case Command::Coordinates:
-        case Command::WhatIsThis:
-        case Command::Exits:
-        case Command::UnvisitedExits:
-        case Command::RepeatLeg:
-        case Command::RestOfWay:
-        case Command::Repeat:
-        case Command::HistoryBack:
-        case Command::HistoryForward:
-        case Command::StopSpeech:
-            return true;
-        default:
-            return false;
-    }
+    return is_one_of(command,
+                     {Command::WhereAmI, Command::Heading, Command::AroundMe, Command::AheadOfMe, Command::LookNext,
+                      Command::LookBefore, Command::ScaleBar, Command::Coordinates, Command::WhatIsThis, Command::Exits,
+                      Command::UnvisitedExits, Command::RepeatLeg, Command::RestOfWay, Command::Repeat,
+                      Command::HistoryBack, Command::HistoryForward, Command::StopSpeech});
 }
 
 std::string_view without_blanks(std::string_view text) {
@@ -53,6 +36,7 @@ std::string_view without_blanks(std::string_view text) {
 bool Session::reply(const DialogueReply& reply, double now_s) {
     if (!reply.taken) return false;
     if (reply.denied) play(SoundKind::Denied, now_s);
+    if (reply.answer) state_.events.tell(Answered{reply.answer->question, reply.answer->text}, now_s);
     if (!reply.words.empty()) answer(reply.words, now_s);
     return true;
 }

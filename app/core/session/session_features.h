@@ -10,10 +10,14 @@
 #include "app/core/hand/workspace.h"
 #include "app/core/learning/clock_hunt.h"
 #include "app/core/learning/place_learning.h"
+#include "app/core/learning/way_memory.h"
+#include "app/core/lessons/exercise.h"
 #include "app/core/movers/doors.h"
 #include "app/core/movers/triggers.h"
+#include "app/core/places/fault_list.h"
 #include "app/core/places/kept_ways.h"
 #include "app/core/places/mark_list.h"
+#include "app/core/places/prepare_lesson.h"
 #include "app/core/walking/by_ear.h"
 #include "app/core/walking/footing.h"
 #include "app/core/walking/walking.h"
@@ -21,16 +25,21 @@
 #include "app/core/whereabouts/asking.h"
 #include "app/core/whereabouts/far_places.h"
 #include "app/core/whereabouts/rooms.h"
+#include "app/core/whereabouts/visits.h"
 
 namespace handrail {
 
 // Where the body is: in which room, among what.
 struct Whereabouts {
     explicit Whereabouts(SessionState& state)
-        : rooms(state.context), asking(state.context, rooms), far(state.context, state.body, rooms) {}
+        : rooms(state.context),
+          asking(state.context, rooms),
+          far(state.context, state.body, rooms),
+          visits(state.context) {}
     Rooms rooms;
     Asking asking;
     FarPlaces far;
+    Visits visits;
 };
 
 // What moves when it is used, walked against or walked into.
@@ -67,17 +76,34 @@ struct HandFeatures {
 // What the person keeps of a world, to come back to.
 struct PlacesFeatures {
     PlacesFeatures(SessionState& state, Rooms& rooms, const PlannedStops& planned)
-        : marks(state.context, state.world.marks), ways(state.context, rooms, planned) {}
+        : marks(state.context, state.world.marks),
+          ways(state.context, rooms, planned),
+          faults(state.context, state.world, rooms),
+          lesson(state.context, rooms) {}
     MarkList marks;
     KeptWays ways;
+    FaultList faults;
+    PrepareLesson lesson;
 };
 
-// What of a place is known by now, and the game that makes one look for more.
+// What an instructor's lesson does here.
+struct TeachingFeatures {
+    explicit TeachingFeatures(SessionState& state) : exercise(state.context) {}
+    Exercise exercise;
+    std::vector<FeatureId> blocked;  // doors
+};
+
+// What of a place is known by now, the game that makes one look for more, and the lessons of an instructor.
 struct LearningFeatures {
     LearningFeatures(SessionState& state, Rooms& rooms, Soundscape& soundscape)
-        : place(state.context, rooms), hunt(state.context, rooms, soundscape) {}
+        : place(state.context, rooms),
+          ways(state.context, rooms),
+          hunt(state.context, rooms, soundscape),
+          teaching(state) {}
     PlaceLearning place;
+    WayMemory ways;
     ClockHunt hunt;
+    TeachingFeatures teaching;
 };
 
 }  // namespace handrail

@@ -6,6 +6,9 @@
 namespace handrail {
 
 bool Session::apply(SessionInput input, double now_s) {
+    for (const InputListener& listener : watched_.inputs)
+        if (listener.comes) listener.comes(input, now_s);
+    const Arrivals::Turn turn(watched_.arrivals);
     bool taken = true;
     std::visit(Overloaded{
                    [&](const CommandDown& in) { press(in.command, now_s, in.times); },
@@ -26,7 +29,7 @@ bool Session::apply(SessionInput input, double now_s) {
                    [&](const LeftHandChanged& in) { set_left_hand(in.hand, now_s); },
                    [&](const HandOffered& in) { offer_hand(in.spoken_name, now_s); },
                    [&](WorldEntered& in) {
-                       side_file_next_ = std::move(in.additions);
+                       given_.side_file = std::move(in.additions);
                        enter_world(std::move(in.world), now_s);
                    },
                    [&](const Placed& in) { place(in.feet_m, in.heading_rad, now_s); },
@@ -36,14 +39,19 @@ bool Session::apply(SessionInput input, double now_s) {
                    },
                    [&](const LessonLeft&) { lesson_session_.leave(now_s); },
                    [&](const SetUpOver&) { lesson_session_.know_set_up_over(); },
-                   [&](LastPlaceKnown& in) { last_place_ = std::move(in.place); },
+                   [&](LastPlaceKnown& in) { given_.last_place = std::move(in.place); },
                    [&](const WentOnAt& in) { go_on_at(in.place, now_s); },
+                   [&](CrashReportKnown& in) { menu_.reports().know_crash(std::move(in.lines)); },
+                   [&](const DevicesFound& in) { menu_.reports().open_devices(in.sentences, now_s); },
+                   [&](const TeacherActed& in) { teach(in, now_s); },
                    [&](WorldsKnown& in) {
                        desk_visit_.offer_worlds(in.shelf);
                        menu_.worlds().offer(std::move(in.shelf));
                    },
                },
                input);
+    for (const InputListener& listener : watched_.inputs)
+        if (!taken && listener.not_taken) listener.not_taken();
     return taken;
 }
 

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "app/core/context/cues.h"
 #include "app/core/context/hands_state.h"
+#include "app/core/context/teacher_act.h"
 #include "app/core/dialogue/command.h"
 #include "app/core/dialogue/dialogue.h"
 #include "app/core/kept/last_place.h"
@@ -81,9 +84,16 @@ struct HandOffered {
 };
 // The body is put where the world says and one is told where one is. The additions are what the person added to that
 // world and where it is kept; without them they are forgotten with the world.
+// source: the file it was read from, and how, for whoever reads it again.
+struct WorldSource {
+    std::filesystem::path file;  // absolute; empty: it comes from no file
+    double map_metres_per_unit = 0.0, obj_metres_per_unit = 0.0;
+    bool unit_is_known = false;
+};
 struct WorldEntered {
     EnteringWorld world;
     std::optional<SideFile> additions = {};
+    WorldSource source = {};
 };
 // Puts the body somewhere else in this world; the workspace jumps with it.
 struct Placed {
@@ -115,14 +125,23 @@ struct LastPlaceKnown {
 struct WentOnAt {
     LastPlace place;
 };
+// What is known of a session before this one that broke off: line by line, and the file that holds the same.
+struct CrashReportKnown {
+    std::string file;
+    std::vector<std::string> lines;
+};
+// What is plugged in, in sentences, where the session had asked its owner for it: opened as a list.
+struct DevicesFound {
+    std::vector<std::string> sentences;
+};
 // What the chooser of worlds offers.
 struct WorldsKnown {
     WorldShelf shelf;
 };
 
-using SessionInput =
-    std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ItemActed, Steered, FocusChanged, Stopped,
-                 HandMoved, SettingsChanged, HandChanged, LeftHandChanged, HandOffered, WorldEntered, Placed, Told,
-                 FirstMinutesBegun, LessonLeft, SetUpOver, LastPlaceKnown, WentOnAt, WorldsKnown>;
+using SessionInput = std::variant<CommandDown, CommandUp, KeyTapped, TextTyped, LineTyped, ItemActed, Steered,
+                                  FocusChanged, Stopped, HandMoved, SettingsChanged, HandChanged, LeftHandChanged,
+                                  HandOffered, WorldEntered, Placed, Told, FirstMinutesBegun, LessonLeft, SetUpOver,
+                                  LastPlaceKnown, WentOnAt, CrashReportKnown, DevicesFound, WorldsKnown, TeacherActed>;
 
 }  // namespace handrail

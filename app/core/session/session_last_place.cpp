@@ -12,11 +12,11 @@ constexpr double kOutside_m = 10.0;  // farther out of the world nobody has stoo
 }  // namespace
 
 void Session::ask_for_last_place(double now_s) {
-    if (!last_place_) {
+    if (!given_.last_place) {
         play(SoundKind::Denied, now_s);
         return answer(phrase("last_place.none"), now_s);
     }
-    state_.requests.last_place = last_place_;
+    state_.requests.last_place = given_.last_place;
 }
 
 void Session::go_on_at(const LastPlace& last, double now_s) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "app/core/world/arrivals.h"
 #include "worlds/base/clock.h"
 
 namespace handrail {
@@ -20,6 +21,8 @@ struct SessionOptions {
     // The engine of what is free to move has a thread of its own, by this clock, the session's, which outlives it;
     // null: it is stepped in each tick.
     Clock* bodies_by = nullptr;
+    // Tells or decides when what is worked out beside is there; outlives the session. Null: it comes as it comes.
+    Arrivals* arrivals = nullptr;
 };
 
 }  // namespace handrail

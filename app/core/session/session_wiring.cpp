@@ -34,13 +34,24 @@ void Session::wire() {
         contract_pre(fits);
         if (fits) state_.person.changes.emplace_back(key, value);
     };
-    where_.rooms.on_known = [this](double now_s) { places_.ways.tell_unfit(now_s); };
+    where_.rooms.on_known = [this](double now_s) {
+        places_.ways.tell_unfit(now_s);
+        if (!learn_.teaching.blocked.empty()) lay_blocked();
+    };
     where_.rooms.on_renamed = [this](const std::string& before, const std::string& name) {
         places_.ways.follow_room_name(before, name);
     };
     places_.ways.on_go = [this](const std::vector<Stop>& stops, bool by_hand, double now_s) {
         guide_.go_along(stops, by_hand, now_s);
     };
+    places_.lesson.routes = [this] {
+        std::vector<PrepareLesson::Offer> routes;
+        for (KeptWays::Offer& offer : places_.ways.offers())
+            routes.push_back({std::move(offer.name), std::move(offer.stops)});
+        return routes;
+    };
+    learn_.teaching.exercise.on_prepare = [this](double now_s) { places_.lesson.open(now_s); };
+    places_.faults.on_find = [this](const Goal& place, double now_s) { guide_.open_tools(place, now_s); };
     places_.marks.on_find = [this](const Goal& mark, double now_s) { guide_.open_tools(mark, now_s); };
     // Beside the marks: the beacon, and how much help being led gives.
     places_.marks.rows_above = [this] {
@@ -60,6 +71,7 @@ void Session::wire() {
         answer(phrase("movers.elsewhere") + " " + where_am_i(), now_s);
     };
     learn_.place.on_go_to_room = [this](std::uint32_t room, double now_s) { guide_.go_to_room(room, now_s); };
+    state_.events.on_told = [this](const SessionEvent& event) { learn_.ways.see(event); };
     guide_.on_face = [this](double heading_rad, double now_s) { walk_.walking.face(heading_rad, now_s); };
     walk_.walking.line_up_m = [this](const Vec3& feet_m, double heading_rad) {
         return guide_.line_up_m(feet_m, heading_rad);
@@ -79,6 +91,7 @@ void Session::wire() {
                           now_s);
         learn_.hunt.tick(now_s);
         learn_.place.tick(now_s);
+        learn_.ways.tick(now_s);
     };
     walk_.walking.on_bumped = [this](FeatureId feature, double now_s) {
         lesson_session_.note_bump(feature);

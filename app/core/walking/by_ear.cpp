@@ -28,6 +28,9 @@ constexpr double kAtWall_m = 0.8;                // a wall that is farther is wa
 
 }  // namespace
 
+ByEar::ByEar(const SessionContext& context, BodyState& body, const HeldKeys& keys)
+    : SessionPart(context), body_(body), keys_(keys) {}
+
 void ByEar::enter_world() {
     leaping_.enter_world();
     set_down();

@@ -8,20 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/dialogue/held_keys.h"
 #include "app/core/walking/leaping.h"
 #include "app/core/world/trail.h"
 
 namespace handrail {
 
-class ByEar {
+class ByEar : SessionPart {
 public:
     // It turns `body`, and lays and takes up the crumbs it goes back along.
-    ByEar(const SessionContext& context, BodyState& body, const HeldKeys& keys)
-        : context_(context), body_(body), keys_(keys) {}
-    ByEar(const ByEar&) = delete;
-    ByEar& operator=(const ByEar&) = delete;
+    ByEar(const SessionContext& context, BodyState& body, const HeldKeys& keys);
 
     void enter_world();
     // The body was set down elsewhere in the same world.
@@ -58,7 +55,6 @@ private:
     std::optional<Vec3> retrace(double now_s, double dt_s);
     void square_up(double now_s);
 
-    const SessionContext& context_;
     BodyState& body_;
     const HeldKeys& keys_;
     Trail trail_;

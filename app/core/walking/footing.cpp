@@ -97,7 +97,9 @@ void Footing::tick(const Vec3& before_m, const WalkResult& walked, double now_s)
     tell_underfoot(feet - before_m, walked, now_s);
     const bool turned = std::abs(wrap_angle(body_.heading_rad - looked_.heading_rad)) > kLookEvery_rad;
     const bool went = glm::length(feet - looked_.from_m) > kLookEvery_m;
-    if ((turned || went) && now_s - looked_.at_s >= (turned ? 0.1 : kLookEvery_s * 0.5)) {
+    // What one's eyes sweep over in the middle of a turn is not ahead.
+    const bool turning = body_.heading_rad != body_.heading_goal_rad;
+    if (!turning && (turned || went) && now_s - looked_.at_s >= (turned ? 0.1 : kLookEvery_s * 0.5)) {
         looked_.ahead = ground_ahead(*context_.world.solids, feet, body_.heading_rad,
                                      ground_rules(*context_.world.scene, body_.walker->size()), kStairsCallout_m + 0.3);
         looked_.from_m = feet;

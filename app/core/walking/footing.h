@@ -4,19 +4,17 @@
 
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/walking/paces.h"
 #include "app/core/world/hazards.h"
 #include "app/core/world/walker.h"
 
 namespace handrail {
 
-class Footing {
+class Footing : SessionPart {
 public:
     // It holds `body` back at edges.
-    Footing(const SessionContext& context, BodyState& body) : context_(context), body_(body) {}
-    Footing(const Footing&) = delete;
-    Footing& operator=(const Footing&) = delete;
+    Footing(const SessionContext& context, BodyState& body) : SessionPart(context), body_(body) {}
 
     void enter_world();
     // The body was set down elsewhere in the same world: what was told of it lately stays told.
@@ -63,7 +61,6 @@ private:
         bool drop = false;
     };
 
-    const SessionContext& context_;
     BodyState& body_;
     Looked looked_;
     Edge edge_;

@@ -25,19 +25,11 @@ void Leaping::enter_world() {
 }
 
 bool Leaping::act(Command command, double now_s) {
-    switch (command) {
-        case Command::LeapNext:
-            leap_on(now_s);
-            return true;
-        case Command::LeapLast:
-            leap_back(now_s);
-            return true;
-        case Command::UndoLeap:
-            undo(now_s);
-            return true;
-        default:
-            return false;
-    }
+    if (command == Command::LeapNext) leap_on(now_s);
+    else if (command == Command::LeapLast) leap_back(now_s);
+    else if (command == Command::UndoLeap) undo(now_s);
+    else return false;
+    return true;
 }
 
 void Leaping::keep_place() {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 
 namespace handrail {
 
@@ -18,15 +18,13 @@ struct LeapDoor {
     Vec3 place_m{0.0}, feet_m{0.0};
 };
 
-class Leaping {
+class Leaping : SessionPart {
 public:
     // where_am_i: the answer to that question; doors: of the room one is in, none where rooms are not known. Both may
     // be set later, and outlive this object.
     Leaping(const SessionContext& context, const BodyState& body, const std::function<std::string()>& where_am_i,
             const std::function<std::vector<LeapDoor>()>& doors)
-        : context_(context), body_(body), where_am_i_(where_am_i), doors_(doors) {}
-    Leaping(const Leaping&) = delete;
-    Leaping& operator=(const Leaping&) = delete;
+        : SessionPart(context), body_(body), where_am_i_(where_am_i), doors_(doors) {}
 
     void enter_world();
     // Whoever goes or turns by other means begins anew with what is nearest then.
@@ -61,7 +59,6 @@ private:
     void leap_to(const Leapt& to, double now_s);
     void undo(double now_s);
 
-    const SessionContext& context_;
     const BodyState& body_;
     const std::function<std::string()>& where_am_i_;
     const std::function<std::vector<LeapDoor>()>& doors_;

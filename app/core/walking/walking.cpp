@@ -31,10 +31,7 @@ constexpr double kOutOfWorld_m = 20.0;  // below its lowest place
 
 }  // namespace
 
-void Walking::enter_world() {
-    path_m_.assign(1, body_.feet_m());
-    by_ear_.enter_world();
-    footing_.enter_world();
+void Walking::stand() {
     halt();
     since_footstep_m_ = 0.0;
     gait_.begin();
@@ -43,16 +40,18 @@ void Walking::enter_world() {
     paces_.begin();
 }
 
+void Walking::enter_world() {
+    path_m_.assign(1, body_.feet_m());
+    by_ear_.enter_world();
+    footing_.enter_world();
+    stand();
+}
+
 void Walking::set_down(const Vec3& feet_m, double heading_rad) {
     contract_pre(is_finite(feet_m) && std::isfinite(heading_rad));
     body_.walker->place(feet_m);
     body_.heading_rad = body_.heading_goal_rad = wrap_angle(heading_rad);
-    halt();
-    since_footstep_m_ = 0.0;
-    gait_.begin();
-    blocked_ = false;
-    heading_due_s_.reset();
-    paces_.begin();
+    stand();
     path_m_.push_back(body_.feet_m());
     by_ear_.set_down();
     footing_.set_down();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/context/session_part.h"
 #include "app/core/walking/by_ear.h"
 #include "app/core/walking/footing.h"
 #include "app/core/walking/gait.h"
@@ -15,12 +16,10 @@
 
 namespace handrail {
 
-class Walking {
+class Walking : SessionPart {
 public:
     Walking(const SessionContext& context, BodyState& body, const HeldKeys& keys, ByEar& by_ear, Footing& footing)
-        : context_(context), body_(body), keys_(keys), by_ear_(by_ear), footing_(footing) {}
-    Walking(const Walking&) = delete;
-    Walking& operator=(const Walking&) = delete;
+        : SessionPart(context), body_(body), keys_(keys), by_ear_(by_ear), footing_(footing) {}
 
     // After the body was put into the world, at its home.
     void enter_world();
@@ -69,6 +68,7 @@ public:
     std::function<std::optional<double>(const Vec3& feet_m, double heading_rad)> line_up_m;
 
 private:
+    void stand();  // where it was set down: nothing is on its way, nothing was met
     void step(double& pending_m, double sign, int times);
     void turn_by(double by_rad, int times, double now_s);
     void turn(double now_s, double dt_s);
@@ -83,7 +83,6 @@ private:
     void tell_rest(bool goes, double now_s);
     void tell_bump(const TraceHit& met, double way_rad, double now_s);
 
-    const SessionContext& context_;
     BodyState& body_;
     const HeldKeys& keys_;
     ByEar& by_ear_;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/core/context/session_part.h"
 #include "app/core/context/telling.h"
 #include "app/core/wayfinding/route_words.h"
 #include "app/core/wayfinding/way_plans.h"
@@ -12,10 +13,10 @@
 
 namespace handrail {
 
-class EarWay {
+class EarWay : SessionPart {
 public:
     EarWay(const SessionContext& context, Rooms& rooms, WayPlans& plans, WordGround& ground)
-        : context_(context), rooms_(rooms), plans_(plans), word_(context, rooms, ground) {}
+        : SessionPart(context), rooms_(rooms), plans_(plans), word_(context, rooms, ground) {}
 
     // Tells the way and follows it; where the goal cannot be reached, to the nearest place that can. `first` is said
     // before all else. The rooms are found.
@@ -59,7 +60,6 @@ private:
     RouteFollower::Said tick_words(double now_s);
     void tell_facing(double now_s);
 
-    const SessionContext& context_;
     Rooms& rooms_;
     WayPlans& plans_;
     RouteFollower follower_;

@@ -8,7 +8,10 @@
 
 #include "app/core/context/telling.h"
 #include "app/core/whereabouts/room_things.h"
+#include "app/core/world/body_heights.h"
+#include "app/core/world/surroundings.h"
 #include "worlds/base/language.h"
+#include "worlds/navigation/foot_distances.h"
 
 namespace handrail {
 namespace {
@@ -35,9 +38,30 @@ bool is_of(const SessionContext& context, const Goal& goal, FindKind kind) {
 }
 
 ListItem item_of(const SessionContext& context, const Rooms& rooms, const FindGroup& group) {
-    const std::string nearest = find_words(context, rooms, group.goals.front());
-    if (group.goals.size() == 1) return {group.name, nearest};
-    return {group.name, phrase("guide.several", {{"count", group.goals.size()}, {"nearest", nearest}})};
+    const std::string nearest = find_words(context, rooms, group.found.front());
+    if (group.found.size() == 1) return {group.name, nearest};
+    return {group.name, phrase("guide.several", {{"count", group.found.size()}, {"nearest", nearest}})};
+}
+
+// A doorway of the room one is in is there, whichever room its door stands in.
+Found place(const Rooms& rooms, std::uint32_t here, const FootDistances& on_foot, Goal goal) {
+    const std::uint32_t room = room_of(rooms, goal.box_m);
+    Found found{std::move(goal), room, {}};
+    const Goal& is = found.goal;
+    if (found.room == kNothing || here == kNothing || found.room == here) {
+        found.room = kNothing;
+        return found;
+    }
+    const RoomGraph& graph = rooms.graph();
+    for (std::uint32_t p = 0; is.feature && p < graph.portals.size(); ++p) {
+        const Portal& portal = graph.portals[p];
+        if (portal.kind != PassageKind::Door || portal.feature != is.feature) continue;
+        if (portal.rooms[0] != here && portal.rooms[1] != here) found.on_foot_m = on_foot.to_portal(p);
+        return found;
+    }
+    const Vec3 middle = is.box_m.centre_m();
+    found.on_foot_m = on_foot.to(found.room, {middle.x, middle.y, is.box_m.min_m.z});
+    return found;
 }
 
 struct Open {
@@ -54,31 +78,43 @@ std::vector<ListItem> items_of(const SessionContext& context, const Rooms& rooms
 
 }  // namespace
 
-std::vector<FindGroup> find_groups(const SessionContext& context, FindKind kind) {
-    std::vector<FindGroup> groups;
-    std::map<std::string, std::size_t> known;
+std::vector<FindGroup> find_groups(const SessionContext& context, const Rooms& rooms, FindKind kind) {
+    const Vec3& feet_m = context.body.feet_m();
+    const Vec3 waist_m = feet_m + Vec3(0.0, 0.0, kWaist_m);
+    std::vector<std::pair<double, Found>> all;
+    const std::uint32_t here = rooms.found() ? room_at(rooms.graph(), rooms.space(), feet_m) : kNothing;
+    std::optional<FootDistances> on_foot;
+    if (rooms.found()) on_foot.emplace(rooms.graph(), here, feet_m);
     for (Goal& goal : goals(context)) {
         if (!is_of(context, goal, kind)) continue;
-        const auto [at, fresh] = known.try_emplace(goal.name, groups.size());
-        if (fresh) groups.push_back({goal.name, {}});
-        groups[at->second].goals.push_back(std::move(goal));
+        Found found = on_foot ? place(rooms, here, *on_foot, std::move(goal)) : Found{std::move(goal), kNothing, {}};
+        const double straight_m = glm::length(nearest_place(found.goal.box_m, waist_m) - waist_m);
+        all.emplace_back(std::max(straight_m, found.on_foot_m.value_or(straight_m)), std::move(found));
+    }
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<FindGroup> groups;
+    std::map<std::string, std::size_t> known;
+    for (auto& [far_m, found] : all) {
+        const auto [at, fresh] = known.try_emplace(found.goal.name, groups.size());
+        if (fresh) groups.push_back({found.goal.name, {}});
+        groups[at->second].found.push_back(std::move(found));
     }
     return groups;
 }
 
-std::string find_words(const SessionContext& context, const Rooms& rooms, const Goal& goal) {
-    std::string where = where_words(context, told_box(rooms, goal));
-    if (!rooms.found()) return where;
-    const std::uint32_t room = room_of(rooms, goal.box_m);
-    if (room == kNothing || room == room_at(rooms.graph(), rooms.space(), context.body.feet_m())) return where;
-    const std::string name = sentence_case(rooms.graph().rooms[room].name);
-    return name == goal.name ? where : joined(where, name);
+std::string find_words(const SessionContext& context, const Rooms& rooms, const Found& found) {
+    const Aabb box_m = told_box(rooms, found.goal);
+    std::string where =
+        found.on_foot_m ? where_words_on_foot(context, box_m, *found.on_foot_m) : where_words(context, box_m);
+    if (found.room == kNothing || found.room >= rooms.graph().rooms.size()) return where;
+    const std::string name = sentence_case(rooms.graph().rooms[found.room].name);
+    return name == found.goal.name ? where : joined(where, name);
 }
 
 void open_find_list(const SessionContext& context, const Rooms& rooms,
                     std::function<void(const Goal& goal, double now_s)> chosen, double now_s) {
     const auto open = std::make_shared<Open>();
-    open->groups = find_groups(context, FindKind::Everything);
+    open->groups = find_groups(context, rooms, FindKind::Everything);
     ListSpec list;
     list.title = phrase("guide.find");
     list.items = items_of(context, rooms, *open);
@@ -87,7 +123,7 @@ void open_find_list(const SessionContext& context, const Rooms& rooms,
         // On to the next kind of which there is something.
         for (int i = 0; i < kFindKinds; ++i) {
             open->kind = (open->kind + by + kFindKinds) % kFindKinds;
-            open->groups = find_groups(context, static_cast<FindKind>(open->kind));
+            open->groups = find_groups(context, rooms, static_cast<FindKind>(open->kind));
             if (!open->groups.empty()) break;
         }
         context.lists.dialogue.change_items(items_of(context, rooms, *open));
@@ -97,14 +133,15 @@ void open_find_list(const SessionContext& context, const Rooms& rooms,
         const double then_s = context.tick_s;
         if (at >= open->groups.size()) return context.answer(phrase("guide.kind_how"), then_s);
         const FindGroup group = open->groups[at];
-        if (group.goals.size() == 1) {
+        if (group.found.size() == 1) {
             context.lists.dialogue.close_all();
-            return chosen(group.goals.front(), then_s);
+            return chosen(group.found.front().goal, then_s);
         }
         ListSpec several;
         several.title = phrase("guide.which", {{"name", group.name}});
-        for (const Goal& goal : group.goals) several.items.push_back({goal.name, find_words(context, rooms, goal)});
-        several.chosen = [&context, group, chosen](std::size_t one) { chosen(group.goals[one], context.tick_s); };
+        for (const Found& found : group.found)
+            several.items.push_back({found.goal.name, find_words(context, rooms, found)});
+        several.chosen = [&context, group, chosen](std::size_t one) { chosen(group.found[one].goal, context.tick_s); };
         context.open_list(std::move(several), then_s);
     };
     context.open_list(std::move(list), now_s);

@@ -11,6 +11,9 @@ constexpr double kAgain_s = 1.0;  // those that ended are laid again no sooner
 
 }  // namespace
 
+FloorGrooves::FloorGrooves(const SessionContext& context, Rooms& rooms, const WayPlans& plans)
+    : SessionPart(context), rooms_(rooms), plans_(plans) {}
+
 void FloorGrooves::enter_world() { laid_ = {}; }
 
 bool FloorGrooves::wished() const {

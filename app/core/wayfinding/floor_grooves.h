@@ -5,15 +5,15 @@
 #include <optional>
 #include <vector>
 
+#include "app/core/context/session_part.h"
 #include "app/core/wayfinding/grooves.h"
 #include "app/core/wayfinding/way_plans.h"
 
 namespace handrail {
 
-class FloorGrooves {
+class FloorGrooves : SessionPart {
 public:
-    FloorGrooves(const SessionContext& context, Rooms& rooms, const WayPlans& plans)
-        : context_(context), rooms_(rooms), plans_(plans) {}
+    FloorGrooves(const SessionContext& context, Rooms& rooms, const WayPlans& plans);
 
     void enter_world();
     // They are wished for, and there is a hand for them in the world.
@@ -24,7 +24,6 @@ public:
     std::optional<GuidancePath> lay(const GuidancePath& path, double now_s);
 
 private:
-    const SessionContext& context_;
     Rooms& rooms_;
     const WayPlans& plans_;
     struct Laid {

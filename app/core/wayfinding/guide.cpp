@@ -10,11 +10,13 @@
 #include "app/core/world/questions.h"
 #include "audio-cues/plan/speakable.h"
 #include "worlds/base/language.h"
+#include "worlds/navigation/foot_distances.h"
 
 namespace handrail {
 namespace {
 
 constexpr double kLookRange_m = 30.0;
+constexpr double kNoWay_m = 1e6;         // farther than all that can be reached
 constexpr std::size_t kMostOnFoot = 16;  // ways planned for a list, some milliseconds each
 
 // Two sentences, one after the other; either may be empty.
@@ -39,6 +41,7 @@ void Guide::enter_world() {
     goal_.reset();
     planned_.clear();
     laps_ = {};
+    help_limit_.reset();
     plans_.enter_world();
     ear_.stop();
     ground_.enter_world();
@@ -48,40 +51,18 @@ void Guide::enter_world() {
 }
 
 bool Guide::act(Command command, double now_s) {
-    switch (command) {
-        case Command::SetBeacon:
-            beacon_here(now_s);
-            return true;
-        case Command::MuteBeacon:
-            mute_beacon(now_s);
-            return true;
-        case Command::TakeMe:
-            take_me(now_s);
-            return true;
-        case Command::Find:
-            open_find(now_s);
-            return true;
-        case Command::CrossLines:
-            toggle_lines(now_s);
-            return true;
-        case Command::Routes:
-            list_routes(now_s);
-            return true;
-        case Command::RepeatLeg:
-            ear_.tell_leg(now_s);
-            return true;
-        case Command::NextLeg:
-            ear_.tell_next_leg(now_s);
-            return true;
-        case Command::RestOfWay:
-            ear_.tell_rest(now_s);
-            return true;
-        case Command::FaceWay:
-            face_way(now_s);
-            return true;
-        default:
-            return false;
-    }
+    if (command == Command::SetBeacon) beacon_here(now_s);
+    else if (command == Command::MuteBeacon) mute_beacon(now_s);
+    else if (command == Command::TakeMe) take_me(now_s);
+    else if (command == Command::Find) open_find(now_s);
+    else if (command == Command::CrossLines) toggle_lines(now_s);
+    else if (command == Command::Routes) list_routes(now_s);
+    else if (command == Command::RepeatLeg) ear_.tell_leg(now_s);
+    else if (command == Command::NextLeg) ear_.tell_next_leg(now_s);
+    else if (command == Command::RestOfWay) ear_.tell_rest(now_s);
+    else if (command == Command::FaceWay) face_way(now_s);
+    else return false;
+    return true;
 }
 
 // ---- every tick ----
@@ -169,15 +150,29 @@ bool Guide::next_stop(const std::string& words, double now_s) {
 void Guide::list_routes(double now_s) {
     if (!rooms_.have(now_s)) return;
     const RoomGraph& graph = rooms_.graph();
-    std::vector<std::pair<double, std::uint32_t>> near;
-    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r)
-        if (r != rooms_.here()) near.emplace_back(glm::length(graph.rooms[r].middle_m - context_.body.feet_m()), r);
-    std::stable_sort(near.begin(), near.end());
+    const Vec3& feet_m = context_.body.feet_m();
+    const FootDistances on_foot(graph, rooms_.here(), feet_m);
+    struct Near {
+        double order_m = 0.0;  // on foot; behind all of those, where no way is known, as the crow flies
+        std::uint32_t room = 0;
+        std::optional<double> way_m;
+    };
+    std::vector<Near> near;
+    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
+        if (r == rooms_.here()) continue;
+        const Vec3& middle_m = graph.rooms[r].middle_m;
+        near.push_back({on_foot.to(r, middle_m).value_or(kNoWay_m + glm::length(middle_m - feet_m)), r, {}});
+    }
+    const auto in_order = [](const Near& a, const Near& b) { return a.order_m < b.order_m; };
+    std::stable_sort(near.begin(), near.end(), in_order);
     // As long as the way is told to be when it is chosen; of those farther off that is told then alone.
     const std::size_t planned = std::min(near.size(), kMostOnFoot);
     for (std::size_t i = 0; i < planned; ++i)
-        if (const Route route = ear_.to_room(near[i].second); route.reaches) near[i].first = route.length_m;
-    std::stable_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(planned));
+        if (const Route route = ear_.to_room(near[i].room); route.reaches) {
+            near[i].order_m = route.length_m;
+            near[i].way_m = route.length_m;
+        }
+    std::stable_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(planned), in_order);
     ListSpec list;
     list.title = phrase("rooms.way_to");
     std::vector<std::uint32_t> rooms;
@@ -186,9 +181,8 @@ void Guide::list_routes(double now_s) {
         list.items.push_back({phrase("rooms.stop_following"), {}, false});
         rooms.assign(2, kNothing);
     }
-    for (std::size_t i = 0; i < near.size(); ++i) {
-        const auto& [distance_m, room] = near[i];
-        const std::string far = i < planned ? distance_words(distance_m, distances(context_)) : std::string();
+    for (const auto& [order_m, room, way_m] : near) {
+        const std::string far = way_m ? distance_words(*way_m, distances(context_)) : std::string();
         list.items.push_back({sentence_case(graph.rooms[room].name),
                               joined(far, storey_words(context_, graph.rooms[room].middle_m.z)), false});
         rooms.push_back(room);
@@ -313,6 +307,13 @@ void Guide::take_me(double now_s) {
     if (!hand_.may_lead() && beacon().on()) return mute_beacon(now_s);
     if (!goal_) return open_find(now_s);
     lead_to(Goal(*goal_), {}, now_s);
+}
+
+void Guide::leave_way() {
+    hand_.end();
+    ear_.stop();
+    plans_.end();
+    seek_.silence_beacon();
 }
 
 // As a stop that is planned after the ones before.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/context/session_part.h"
 #include "app/core/wayfinding/ear_way.h"
 #include "app/core/wayfinding/finding.h"
 #include "app/core/wayfinding/hand_lead.h"
@@ -15,10 +16,10 @@
 
 namespace handrail {
 
-class Guide {
+class Guide : SessionPart {
 public:
     Guide(const SessionContext& context, Rooms& rooms, Doors& doors)
-        : context_(context),
+        : SessionPart(context),
           rooms_(rooms),
           doors_(doors),
           planned_(context, rooms),
@@ -27,8 +28,6 @@ public:
           ear_(context, rooms, plans_, ground_),
           hand_(context, rooms, plans_, doors),
           seek_(context, rooms, plans_, doors) {}
-    Guide(const Guide&) = delete;  // lists that are open know it by its place
-    Guide& operator=(const Guide&) = delete;
 
     void enter_world();
     // SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, the legs of a way and FaceWay. False: it is another's.
@@ -51,7 +50,12 @@ public:
     void call_from(const Goal& goal);
     void silence_beacon() { seek_.silence_beacon(); }
     // How much help being led gives, 0 to 1; 1 more or -1 less of it.
-    double help() const { return laps_.strength(); }
+    double help() const { return help_limit_.value_or(laps_.strength()); }
+    // So much instead, as a lesson has it, 0 to 1; none: as the laps have it.
+    void limit_help(std::optional<double> help) { help_limit_ = help; }
+    bool may_lead_hand() const { return hand_.may_lead() && hand_.force_may_act(); }
+    // Nothing leads any more, without a word.
+    void leave_way();
     void change_help(int by) { laps_.change(by); }
     // The hand is another one from now on.
     void let_go() { hand_.end(); }
@@ -89,12 +93,12 @@ private:
     void go_on(const std::string& first, double now_s);
     bool next_stop(const std::string& words, double now_s);
 
-    const SessionContext& context_;
     Rooms& rooms_;
     Doors& doors_;
     std::optional<Goal> goal_;
     PlannedStops planned_;
     Laps laps_;
+    std::optional<double> help_limit_;
     WayPlans plans_;
     WordGround ground_;
     EarWay ear_;

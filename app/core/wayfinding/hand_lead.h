@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "app/core/context/session_part.h"
 #include "app/core/movers/doors.h"
 #include "app/core/wayfinding/floor_grooves.h"
 #include "app/core/wayfinding/way_plans.h"
@@ -15,12 +16,12 @@
 
 namespace handrail {
 
-class HandLead {
+class HandLead : SessionPart {
 public:
     static constexpr std::size_t kMostLinePoints = GuidancePath::kMostPoints / 2 + 1;
 
     HandLead(const SessionContext& context, Rooms& rooms, WayPlans& plans, Doors& doors)
-        : context_(context), plans_(plans), doors_(doors), grooves_(context, rooms, plans) {}
+        : SessionPart(context), plans_(plans), doors_(doors), grooves_(context, rooms, plans) {}
 
     void enter_world();
     // A hand that is only simulated for want of a device is led by ear.
@@ -72,7 +73,6 @@ private:
     void watch_lines(const std::optional<Goal>& goal, double now_s);
     void lay_grooves(double now_s);
 
-    const SessionContext& context_;
     WayPlans& plans_;
     Doors& doors_;
     FloorGrooves grooves_;

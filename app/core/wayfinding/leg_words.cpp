@@ -20,14 +20,13 @@ constexpr double kRiser_m = 0.06;
 constexpr double kLeft_part = 0.5;  // of a step, that is nothing any more
 
 std::string notch_words(int notches) {
-    constexpr std::array kRight{"leg.straight_on",        "route.turn_slightly_right", "route.turn_half_right",
-                                "leg.turn_3_right",       "route.turn_right",          "leg.turn_5_right",
-                                "route.turn_sharp_right", "leg.turn_7_right",          "route.turn_round"};
-    constexpr std::array kLeft{"leg.straight_on",       "route.turn_slightly_left", "route.turn_half_left",
-                               "leg.turn_3_left",       "route.turn_left",          "leg.turn_5_left",
-                               "route.turn_sharp_left", "leg.turn_7_left",          "route.turn_round"};
-    const auto by = static_cast<std::size_t>(std::min(8, std::abs(notches)));
-    return capitalised(phrase(notches > 0 ? kRight[by] : kLeft[by]));
+    constexpr std::array kFromLeft{"route.turn_round",          "leg.turn_7_left",          "route.turn_sharp_left",
+                                   "leg.turn_5_left",           "route.turn_left",          "leg.turn_3_left",
+                                   "route.turn_half_left",      "route.turn_slightly_left", "leg.straight_on",
+                                   "route.turn_slightly_right", "route.turn_half_right",    "leg.turn_3_right",
+                                   "route.turn_right",          "leg.turn_5_right",         "route.turn_sharp_right",
+                                   "leg.turn_7_right",          "route.turn_round"};
+    return capitalised(phrase(kFromLeft[static_cast<std::size_t>(std::clamp(notches, -8, 8) + 8)]));
 }
 
 Vec2 level(const Vec3& way) { return {way.x, way.y}; }

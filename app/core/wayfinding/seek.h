@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/core/context/session_part.h"
 #include "app/core/movers/doors.h"
 #include "app/core/wayfinding/finding.h"
 #include "app/core/wayfinding/sought_way.h"
@@ -21,10 +22,10 @@ struct AlongWay {
     double looked_s = -1e9;                   // when it was last looked at what stands between, and for shut doors
 };
 
-class Seek {
+class Seek : SessionPart {
 public:
     Seek(const SessionContext& context, Rooms& rooms, WayPlans& plans, Doors& doors)
-        : context_(context), rooms_(rooms), plans_(plans), doors_(doors) {}
+        : SessionPart(context), rooms_(rooms), plans_(plans), doors_(doors) {}
 
     void enter_world();
     // Without a word.
@@ -56,7 +57,6 @@ private:
     void tell_way(const AlongWay& along, double now_s);
     std::optional<Vec3> beacon_turning(double now_s);
 
-    const SessionContext& context_;
     Rooms& rooms_;
     WayPlans& plans_;
     Doors& doors_;

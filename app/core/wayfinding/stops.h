@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/kept/ways.h"
 #include "app/core/whereabouts/rooms.h"
 
@@ -39,9 +39,9 @@ Stop stop_at_goal(const SessionContext& context, const Rooms& rooms, const Goal&
 Goal goal_of(const SessionContext& context, const Stop& stop);
 
 // Where the person has wanted to go, one after the other, each from where the one before ended: one way.
-class PlannedStops {
+class PlannedStops : SessionPart {
 public:
-    PlannedStops(const SessionContext& context, const Rooms& rooms) : context_(context), rooms_(rooms) {}
+    PlannedStops(const SessionContext& context, const Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     void clear() { stops_.clear(); }
     // The person wants to go there, from that place.
@@ -49,7 +49,6 @@ public:
     const std::vector<Stop>& stops() const { return stops_; }
 
 private:
-    const SessionContext& context_;
     const Rooms& rooms_;
     std::vector<Stop> stops_;
 };

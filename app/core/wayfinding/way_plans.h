@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/kept/ways.h"
 #include "app/core/wayfinding/stops.h"
 #include "app/core/whereabouts/rooms.h"
@@ -22,9 +22,9 @@ struct WayForHand {
     std::vector<std::string> passes;  // doors and stairs, in order
 };
 
-class WayPlans {
+class WayPlans : SessionPart {
 public:
-    WayPlans(const SessionContext& context, Rooms& rooms) : context_(context), rooms_(rooms) {}
+    WayPlans(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     void enter_world();
 
@@ -60,7 +60,6 @@ public:
     unsigned changes() const { return changes_; }
 
 private:
-    const SessionContext& context_;
     Rooms& rooms_;
     std::optional<WayRun> run_;
     std::vector<Vec3> last_m_;

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/whereabouts/rooms.h"
 #include "app/core/world/beside.h"
 #include "worlds/navigation/word_route.h"
@@ -33,11 +33,9 @@ struct WordFloor {
     double step_m;
 };
 
-class WordGround {
+class WordGround : SessionPart {
 public:
-    WordGround(const SessionContext& context, Rooms& rooms) : context_(context), rooms_(rooms) {}
-    WordGround(const WordGround&) = delete;
-    WordGround& operator=(const WordGround&) = delete;
+    WordGround(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     void enter_world();
     void tick();
@@ -51,7 +49,6 @@ public:
     std::optional<double> line_up_m(const Vec3& feet_m, double heading_rad);
 
 private:
-    const SessionContext& context_;
     Rooms& rooms_;
     std::shared_ptr<const WordFloor> floor_;
     Beside<std::shared_ptr<const WordFloor>> making_;

@@ -26,6 +26,9 @@ double distance_to_stretch(const Vec3& at, const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
+WordWay::WordWay(const SessionContext& context, Rooms& rooms, WordGround& ground)
+    : SessionPart(context), rooms_(rooms), ground_(ground) {}
+
 void WordWay::begin(std::uint32_t room, std::string goal) {
     stop();
     room_ = room;

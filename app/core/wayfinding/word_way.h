@@ -7,17 +7,15 @@
 #include <optional>
 #include <string>
 
+#include "app/core/context/session_part.h"
 #include "app/core/wayfinding/leg_words.h"
 #include "app/core/wayfinding/word_ground.h"
 
 namespace handrail {
 
-class WordWay {
+class WordWay : SessionPart {
 public:
-    WordWay(const SessionContext& context, Rooms& rooms, WordGround& ground)
-        : context_(context), rooms_(rooms), ground_(ground) {}
-    WordWay(const WordWay&) = delete;
-    WordWay& operator=(const WordWay&) = delete;
+    WordWay(const SessionContext& context, Rooms& rooms, WordGround& ground);
 
     // From where the body stands; `goal` is what its end is called. In place of what was followed before.
     void begin(std::uint32_t room, std::string goal);
@@ -60,7 +58,6 @@ private:
     std::string tell();
     DoorsOpen open_now() const { return ground_.open_now(*way_.floor); }
 
-    const SessionContext& context_;
     Rooms& rooms_;
     WordGround& ground_;
     State state_ = State::None;

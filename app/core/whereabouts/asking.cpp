@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "app/core/context/telling.h"
 #include "app/core/dialogue/brief_words.h"
@@ -30,35 +31,18 @@ bool Asking::act(Command command, double now_s) {
 }
 
 bool Asking::answer(Command command, double now_s) {
-    switch (command) {
-        case Command::WhereAmI:
-            context_.answer(where_words_now(now_s), now_s);
-            return true;
-        case Command::Heading:
-            context_.answer(heading_words(), now_s);
-            return true;
-        case Command::AroundMe:
-            context_.answer(around_me(), now_s);
-            return true;
-        case Command::AheadOfMe:
-            context_.answer(ahead_of_me(), now_s);
-            return true;
-        case Command::LookNext:
-        case Command::LookBefore:
-            look_round(command == Command::LookNext ? 1 : -1, now_s);
-            return true;
-        case Command::ScaleBar:
-            context_.answer(scale_bar(), now_s);
-            return true;
-        case Command::Coordinates:
-            context_.answer(coordinates(), now_s);
-            return true;
-        case Command::WhatIsThis:
-            describe_touched(now_s);
-            return true;
-        default:
-            return false;
-    }
+    const auto said = [&](std::string words) { context_.answer(std::move(words), now_s); };
+    if (command == Command::WhereAmI) said(where_words_now(now_s));
+    else if (command == Command::Heading) said(heading_words());
+    else if (command == Command::AroundMe) said(around_me());
+    else if (command == Command::AheadOfMe) said(ahead_of_me());
+    else if (command == Command::LookNext) look_round(1, now_s);
+    else if (command == Command::LookBefore) look_round(-1, now_s);
+    else if (command == Command::ScaleBar) said(scale_bar());
+    else if (command == Command::Coordinates) said(coordinates());
+    else if (command == Command::WhatIsThis) describe_touched(now_s);
+    else return false;
+    return true;
 }
 
 Telling Asking::telling() const {
@@ -226,8 +210,13 @@ std::string Asking::around_me() const {
     return text;
 }
 
-std::string Asking::ahead_of_me() const {
+std::string Asking::ahead_of_me() {
     const std::vector<Sight> sights = ahead(asker());
+    for (const Sight& sight : sights)
+        if (!sight.surface) {
+            asked_about_ = sight.seen.feature;
+            break;
+        }
     return sights.empty() ? phrase("questions.nothing_ahead", {{"metres", kSightRange_m}}) : tell_sights(sights);
 }
 
@@ -288,6 +277,7 @@ std::string Asking::touched_words(const ToolState& tool) {
         return phrase("session.touches_nothing");
     }
     const FeatureId id = tool.touched();
+    asked_about_ = id;
     const int verbosity =
         std::exchange(described, id) == id ? kTellAll : std::max(kTellName, context_.settings.speech.verbosity);
     std::string text = describe_feature(*context_.world.scene, id, verbosity);

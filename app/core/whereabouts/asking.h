@@ -5,25 +5,28 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/whereabouts/rooms.h"
 #include "app/core/world/questions.h"
 
 namespace handrail {
 
-class Asking {
+class Asking : SessionPart {
 public:
     static constexpr std::size_t kMostWords = 25;
 
-    Asking(const SessionContext& context, Rooms& rooms) : context_(context), rooms_(rooms) {}
+    Asking(const SessionContext& context, Rooms& rooms) : SessionPart(context), rooms_(rooms) {}
 
     // The questions. False: it is another's.
     bool act(Command command, double now_s);
     // The answer to "where am I": place, which way one faces, ways out, what is ahead; at most kMostWords of it at the
     // default level, all there is from level 3 on.
     std::string where_am_i(std::size_t most_words = kMostWords) const;
+    // The thing that was last asked about, once: under the hand, or ahead. kNoFeature: none.
+    FeatureId take_asked_about() { return std::exchange(asked_about_, kNoFeature); }
     // What of it is left out there: the other sides and what else is near.
     std::string what_else() const;
 
@@ -41,7 +44,7 @@ private:
     std::vector<std::string> ways_out() const;
     std::string tell_sights(std::span<const Sight> sights) const;
     std::string around_me() const;
-    std::string ahead_of_me() const;
+    std::string ahead_of_me();
     void look_round(int by, double now_s);
     std::string heading_words() const;
     std::string coordinates() const;
@@ -49,8 +52,8 @@ private:
     void describe_touched(double now_s);
     std::string touched_words(const ToolState& tool);
 
-    const SessionContext& context_;
     Rooms& rooms_;
+    FeatureId asked_about_ = kNoFeature;
     LookRound look_round_;
     struct Stood {
         Vec3 feet_m{0.0};

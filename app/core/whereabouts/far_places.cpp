@@ -20,25 +20,24 @@ constexpr std::size_t kMostKnown = 32;
 
 }  // namespace
 
+FarPlaces::FarPlaces(const SessionContext& context, BodyState& body, Rooms& rooms)
+    : SessionPart(context), body_(body), rooms_(rooms) {}
+
 void FarPlaces::enter_world() {
     known_.clear();
     room_ = kNothing;
 }
 
 bool FarPlaces::act(Command command, double now_s) {
-    switch (command) {
-        case Command::Lost:
-            find_bearings(now_s);
-            return true;
-        case Command::Describe:
-            choose_room(now_s);
-            return true;
-        case Command::Overview:
-            if (rooms_.have(now_s)) context_.answer(building_words(context_, rooms_), now_s);
-            return true;
-        default:
-            return false;
-    }
+    if (command == Command::Lost) find_bearings(now_s);
+    else if (command == Command::Describe) choose_room(now_s);
+    else if (command == Command::Overview) tell_building(now_s);
+    else return false;
+    return true;
+}
+
+void FarPlaces::tell_building(double now_s) {
+    if (rooms_.have(now_s)) context_.answer(building_words(context_, rooms_), now_s);
 }
 
 void FarPlaces::know(Known place) {

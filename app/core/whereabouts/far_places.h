@@ -5,17 +5,15 @@
 #include <deque>
 #include <string>
 
+#include "app/core/context/session_part.h"
 #include "app/core/whereabouts/rooms.h"
 
 namespace handrail {
 
-class FarPlaces {
+class FarPlaces : SessionPart {
 public:
     // "I am lost" turns `body`.
-    FarPlaces(const SessionContext& context, BodyState& body, Rooms& rooms)
-        : context_(context), body_(body), rooms_(rooms) {}
-    FarPlaces(const FarPlaces&) = delete;  // open lists know it by its place
-    FarPlaces& operator=(const FarPlaces&) = delete;
+    FarPlaces(const SessionContext& context, BodyState& body, Rooms& rooms);
 
     void enter_world();
     // The three questions. False: it is another's.
@@ -37,8 +35,8 @@ private:
     std::string way_back() const;
     void find_bearings(double now_s);
     void choose_room(double now_s);
+    void tell_building(double now_s);
 
-    const SessionContext& context_;
     BodyState& body_;
     Rooms& rooms_;
     std::deque<Known> known_;  // the newest last

@@ -32,7 +32,9 @@ bool Rooms::act(Command command, double now_s) {
             tell_exits(command == Command::UnvisitedExits, now_s);
             return true;
         case Command::NameRoom:
-            ask_name(now_s);
+            if (!have(now_s)) return true;
+            if (here_ == kNothing) context_.answer(phrase("rooms.nowhere"), now_s);
+            else ask_name(here_, {}, now_s);
             return true;
         default:
             return false;
@@ -156,12 +158,13 @@ void Rooms::lay_given_names(double now_s) {
     if (on_known) on_known(now_s);
 }
 
-void Rooms::ask_name(double now_s) {
-    if (!have(now_s)) return;
-    if (here_ == kNothing) return context_.answer(phrase("rooms.nowhere"), now_s);
+void Rooms::ask_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s) {
     TextSpec question;
-    question.question = phrase("room_names.ask", {{"room", sentence_case(graph().rooms[here_].name)}});
-    question.done = [this, room = here_](const std::string& typed) { give_name(room, typed, context_.tick_s); };
+    question.question = phrase("room_names.ask", {{"room", sentence_case(graph().rooms[room].name)}});
+    question.done = [this, room, then = std::move(then)](const std::string& typed) {
+        give_name(room, typed, context_.tick_s);
+        if (then) then(context_.tick_s);
+    };
     question.left = [this] { context_.answer(phrase("room_names.stays"), context_.tick_s); };
     context_.ask_text(std::move(question), now_s);
 }

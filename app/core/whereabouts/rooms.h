@@ -8,18 +8,16 @@
 #include <utility>
 #include <vector>
 
-#include "app/core/context/session_context.h"
+#include "app/core/context/session_part.h"
 #include "app/core/context/view.h"
 #include "app/core/kept/room_names.h"
 #include "app/core/whereabouts/rooms_of_world.h"
 
 namespace handrail {
 
-class Rooms {
+class Rooms : SessionPart {
 public:
-    explicit Rooms(const SessionContext& context) : context_(context) {}
-    Rooms(const Rooms&) = delete;  // open questions know it by its place
-    Rooms& operator=(const Rooms&) = delete;
+    explicit Rooms(const SessionContext& context) : SessionPart(context) {}
 
     // Of worlds entered from now on they are found on a thread beside everything else; without this when they are first
     // asked for.
@@ -51,6 +49,8 @@ public:
     RoomGraph& graph() const { return of_world_->graph(); }
     Navigation& navigation() const { return of_world_->navigation(); }
     const WalkSpace& space() const { return navigation().space(); }
+    // The world as its file has it.
+    const std::shared_ptr<const Scene>& file_scene() const { return of_world_->scene(); }
     std::shared_ptr<const Navigation> navigation_kept() const { return of_world_->navigation_kept(); }
 
     // The last one the body was in; kNothing: none.
@@ -58,6 +58,8 @@ public:
     // Which one that is now; quietly: without a word about it.
     void notice(double now_s, bool quietly);
 
+    // Asks what a room is to be called, `then` once it is; names it and keeps that.
+    void ask_name(std::uint32_t room, std::function<void(double now_s)> then, double now_s);
     // The names that the person gave have been changed in their file.
     void take_names_again();
 
@@ -75,10 +77,8 @@ private:
     void draw();
     void tell_exits(bool unvisited_only, double now_s);
     void lay_given_names(double now_s);
-    void ask_name(double now_s);
     void give_name(std::uint32_t room, const std::string& typed, double now_s);
 
-    const SessionContext& context_;
     bool beside_ = false, told_ = false, drawn_ = false, refused_ = false;
     std::unique_ptr<RoomsOfWorld> of_world_;
     std::uint32_t here_ = kNothing;

@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "app/core/world/arrivals.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/navigation/reach.h"
@@ -37,11 +38,13 @@ void RoomsOfWorld::find(const std::stop_token& stop) {
         problem_ = phrase("navigation.too_large");
     }
     done_ = true;
+    done_.notify_all();
 }
 
 bool RoomsOfWorld::ready() {
     if (at_once_ && !done_) find({});
-    return done_;
+    if (!known_ && !at_once_) known_ = Arrivals::there([this] { return done_.load(); }, [this] { done_.wait(false); });
+    return at_once_ ? done_.load() : known_;
 }
 
 }  // namespace handrail

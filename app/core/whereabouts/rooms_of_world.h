@@ -25,11 +25,13 @@ public:
 
     // True when it is done, well or not; the rest is looked at only then.
     bool ready();
-    bool done() const { return done_; }  // ready(), without making it so
+    bool done() { return at_once_ ? done_.load() : ready(); }  // ready(), without making it so
     bool found() const { return navigation_ != nullptr; }
     const std::string& problem() const { return problem_; }  // a sentence; empty: none
     // See unreachable_rooms().
     const std::vector<std::string>& out_of_reach() const { return out_of_reach_; }
+    // As it was given.
+    const std::shared_ptr<const Scene>& scene() const { return scene_; }
     Navigation& navigation() { return *navigation_; }
     // For what is planned beside while another world may be entered.
     std::shared_ptr<const Navigation> navigation_kept() const { return navigation_; }
@@ -46,6 +48,7 @@ private:
     std::vector<std::string> out_of_reach_;
     std::string problem_;
     std::atomic<bool> done_{false};
+    bool known_ = false;   // to the session, where it is found beside it
     std::jthread worker_;  // the last: it is ended before what it fills goes
 };
 

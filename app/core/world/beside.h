@@ -12,6 +12,8 @@
 #include <thread>
 #include <utility>
 
+#include "app/core/world/arrivals.h"
+
 namespace handrail {
 
 template <class Result>
@@ -42,6 +44,19 @@ public:
     bool busy() const { return next_ || (run_ && !run_->stop.stop_requested()); }
     // What was begun last, once it is done; where memory did not suffice for it, never.
     std::optional<Result> take() {
+        std::optional<Result> made;
+        Arrivals::there([&] { return (made = take_done()).has_value(); },
+                        [&] {
+                            while (run_ && !made) {
+                                run_->done.wait(false, std::memory_order_acquire);
+                                made = take_done();
+                            }
+                        });
+        return made;
+    }
+
+private:
+    std::optional<Result> take_done() {
         if (!run_ || !run_->done.load(std::memory_order_acquire)) return std::nullopt;
         worker_.join();
         std::unique_ptr<Run> run = std::move(run_);
@@ -50,8 +65,6 @@ public:
         go_on(std::move(run));
         return made;
     }
-
-private:
     struct Run {
         std::stop_source stop;
         std::atomic<bool> done{false};
@@ -77,6 +90,7 @@ private:
                 if (run->stop.stop_requested()) run->made.reset();
                 work = nullptr;
                 run->done.store(true, std::memory_order_release);
+                run->done.notify_all();
             });
     }
 

@@ -38,6 +38,7 @@ std::shared_ptr<const DynamicsScene> moves_freely(const Scene& scene, std::span<
         free.back().nature.friction_static = body.friction_static;
         free.back().nature.elasticity = body.elasticity;
         free.back().nature.rolling = body.rolling;
+        if (body.string_n_per_m > 0.0) free.back().nature.string = {body.string_at_m, body.string_n_per_m};
     }
     if (free.empty()) return nullptr;
     return compile_dynamics(scene, free, scene.bounds_m.empty() ? Vec3(0.0) : scene.bounds_m.centre_m());

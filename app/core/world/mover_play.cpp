@@ -37,7 +37,7 @@ Placement MoverPlay::at(std::uint32_t mover) const { return where(mover, parts_[
 
 void MoverPlay::send(std::uint32_t group, bool to_rest) {
     for (std::uint32_t i = 0; i < parts_.size(); ++i) {
-        if (movers_[i].group != group || !movers_[i].moves()) continue;
+        if (movers_[i].group != group || !movers_[i].moves() || parts_[i].held_shut) continue;
         Part& part = parts_[i];
         if (movers_[i].endless()) {
             if (part.going == to_rest) part.left_s = 0.0;  // sent on from a stop where it waits
@@ -54,10 +54,34 @@ void MoverPlay::send(std::uint32_t group, bool to_rest) {
     }
 }
 
+void MoverPlay::hold_shut(std::uint32_t mover, bool held) {
+    contract_pre(mover < parts_.size());
+    for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+        if (movers_[i].group != movers_[mover].group || !movers_[i].moves() || movers_[i].endless()) continue;
+        Part& part = parts_[i];
+        if (part.held_shut == held) continue;
+        part.held_shut = held;
+        const double goal = held ? 0.0 : rest(i);  // where the file has it, it is shut, also where it rests open
+        part.told = part.told && part.goal == goal;
+        part.goal = goal;
+    }
+}
+
 // Where it stands already its doors open.
 void MoverPlay::send_lift(std::uint32_t lift, double part) {
     if (parts_[lift].part == part && parts_[lift].goal == part) return open_doors(lift);
     send(movers_[lift].group, part == rest(lift));
+    if (parts_[lift].goal == part) return;
+    parts_[lift].goal = part;  // between its ends
+    parts_[lift].told = false;
+}
+
+// The next of its halts above the one it stands at or goes to, and from the highest the lowest.
+double MoverPlay::next_halt(std::uint32_t lift) const {
+    const std::vector<double>& halts = movers_[lift].halts;
+    const auto above =
+        std::find_if(halts.begin(), halts.end(), [&](double halt) { return halt > parts_[lift].goal + 1e-9; });
+    return above == halts.end() ? halts.front() : *above;
 }
 
 bool MoverPlay::lift_is_at(const Mover& door) const {
@@ -100,6 +124,7 @@ void MoverPlay::come_near(std::uint32_t mover) {
 
 void MoverPlay::set_going(std::uint32_t mover) {
     contract_pre(mover < parts_.size());
+    if (!movers_[mover].halts.empty()) return send_lift(mover, next_halt(mover));
     const bool away = parts_[mover].goal != rest(mover);
     if (!away || movers_[mover].lift != kNoMover) return call(mover);
     send(movers_[mover].group, true);
@@ -145,7 +170,7 @@ void MoverPlay::tick_ends(std::uint32_t i, double dt_s, const Meets& meets, std:
         if (part.left_s <= 0.0) send(mover.group, true);
         if (part.part == part.goal) return;
     }
-    if ((part.part == 0.0 || part.part == 1.0) && !doors_shut(i)) return;
+    if ((part.part == 0.0 || part.part == 1.0 || !part.told) && !doors_shut(i)) return;
     const bool to_rest = part.goal == rest(i);
     if (!part.told) {
         part.told = true;

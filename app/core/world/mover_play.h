@@ -36,7 +36,8 @@ public:
     // Goes on with the same movers, which lie elsewhere in memory now.
     void follow(std::span<const Mover> movers) { movers_ = movers; }
     // Sends a mover and all of its group to the other end, or back to rest from there; and what it sets going, to the
-    // other end. A lift's door and a lift's button bring the lift, or open its door where it is there.
+    // other end. A lift's door and a lift's button bring the lift, or open its door where it is there. A lift with
+    // halts goes to the next one above, and from the highest to the lowest.
     void set_going(std::uint32_t mover);
     // Sends it, and its group, to the other end, or keeps it there longer; what it sets going likewise.
     void call(std::uint32_t mover);
@@ -45,6 +46,9 @@ public:
     void come_near(std::uint32_t mover);
     // Nobody is near.
     void leave_alone(std::uint32_t mover) { parts_[mover].shy = false; }
+    // Shuts it and its group, and nothing sends them elsewhere until they are let go of.
+    void hold_shut(std::uint32_t mover, bool held);
+    bool held_shut(std::uint32_t mover) const { return parts_[mover].held_shut; }
     // In the order of the movers; `meets` is asked for each that is about to move, before it does, and sees the earlier
     // ones where they have come to.
     void tick(double dt_s, const Meets& meets, std::vector<MoverEvent>& events);
@@ -52,6 +56,8 @@ public:
     std::size_t size() const { return parts_.size(); }
     Placement at(std::uint32_t mover) const;
     Placement at_rest(std::uint32_t mover) const { return movers_[mover].at(rest(mover)); }
+    // Where it is when it has come to where it goes.
+    Placement at_goal(std::uint32_t mover) const { return movers_[mover].at(parts_[mover].goal); }
     // How far it is from where it rests, as a part of its whole way, 0 to 1; of an endless one 0.
     double away(std::uint32_t mover) const { return std::abs(parts_[mover].part - rest(mover)); }
     bool goes_to_rest(std::uint32_t mover) const {
@@ -72,7 +78,8 @@ private:
         bool told = true;               // that it left
         double held_s = 0.0;            // a lift's door that met somebody: until it tries to shut again
         bool shy = false;               // it met somebody on its way out, who is still near
-        bool going = false;             // an endless one
+        bool held_shut = false;
+        bool going = false;  // an endless one
         std::uint32_t next_stop = 0;
         Vec3 at_m{0.0};           // of a train
         double turned_rad = 0.0;  // of a turning part, -pi to pi
@@ -81,6 +88,7 @@ private:
     Placement where(std::uint32_t mover, const Part& part) const;
     void send(std::uint32_t group, bool to_rest);
     void send_lift(std::uint32_t lift, double part);
+    double next_halt(std::uint32_t lift) const;
     void call_others(std::uint32_t mover, int deep);
     void open_doors(std::uint32_t lift);
     bool doors_shut(std::uint32_t lift) const;

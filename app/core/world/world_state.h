@@ -15,6 +15,7 @@ namespace handrail {
 struct WorldState {
     std::shared_ptr<const Scene> scene;  // null: none was entered yet
     int entered = 0;                     // rises with every world that is entered
+    std::uint32_t felt = 0;              // HapticScene::world of what a hand is given to feel of it
     PlacedThings things;
     MoverPlay movers;
     std::vector<int> thing_of_mover;    // place among the things, -1: part of the building

@@ -1,6 +1,9 @@
 #include "tests/bench/compare/bench.h"
 
+#include <fmt/chrono.h>
+
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <utility>
 
@@ -11,7 +14,8 @@
 namespace handrail::bench {
 namespace {
 
-constexpr const char* kWorst = "worst";  // the family that is no comparison
+constexpr const char* kWorst = "worst";    // the family that is no comparison
+constexpr const char* kBodies = "bodies";  // likewise: what a hand feels of things that move
 
 // A scene that is made when its turn comes and dropped after it: a million triangles are not kept beside the rest.
 struct Planned {
@@ -58,7 +62,7 @@ std::vector<Planned> plan(const BenchOptions& options, std::vector<std::string>&
             return lower_ascii(p.name).find(wanted) == std::string::npos &&
                    lower_ascii(p.family).find(wanted) == std::string::npos;
         });
-        if (all.empty() && wanted != kWorst)
+        if (all.empty() && wanted != kWorst && wanted != kBodies)
             left_out.push_back(fmt::format("No scene is named like \"{}\".", options.only));
     }
     return all;
@@ -79,6 +83,7 @@ BenchReport run_bench(const BenchOptions& options) {
     BenchReport report;
     report.quick = options.quick;
     report.machine = machine();
+    report.day = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
     const auto say = [&](const std::string& sentence) {
         if (options.progress) options.progress(sentence);
     };
@@ -114,6 +119,10 @@ BenchReport run_bench(const BenchOptions& options) {
             report.worst.push_back(run_worst_case(number, options.quick ? 200 : 2000, options.quick ? 1 : 3));
             say(fmt::format("{}, {:.0f} s so far.", report.worst.back().scene, clock.now_s() - begun_s));
         }
+    if (options.only.empty() || lower_ascii(options.only) == kBodies) {
+        report.bodies = run_bodies();
+        say(fmt::format("Things that move, {:.0f} s so far.", clock.now_s() - begun_s));
+    }
     if (options.only.empty()) {
         for (const std::string& wall :
              options.quick
@@ -135,6 +144,7 @@ std::vector<std::string> scene_names(const BenchOptions& options) {
     std::vector<std::string> names, left_out;
     for (const Planned& planned : plan(options, left_out)) names.push_back(planned.name);
     if (options.only.empty() || lower_ascii(options.only) == kWorst) names.emplace_back(kWorst);
+    if (options.only.empty() || lower_ascii(options.only) == kBodies) names.emplace_back(kBodies);
     return names;
 }
 

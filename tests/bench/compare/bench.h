@@ -54,13 +54,24 @@ struct WorstTicks {
     double instructions = -1.0;         // mean; < 0: not counted
 };
 
+// A ball on a rubber string, pushed to and fro by a hand that is led exactly (bodies_part.cpp).
+struct BodiesMeasured {
+    std::string way;
+    double mass_kg = 0.0;
+    double error_n = 0.0;                       // rms, of the hand, against the formula
+    double felt_n = 0.0;                        // half the swing of the force by the formula
+    double given_j = 0.0, right_given_j = 0.0;  // to the hand in a loop, and by the formula
+    double tick_s = 0.0, step_s = 0.0;          // mean, of the hand's side and of the engine
+};
+
 struct BenchReport {
     bool quick = false;
-    std::string machine;
+    std::string machine, day;  // "2026-11-22", universal time
     std::vector<Measured> results;
     std::vector<SceneCost> scenes;
     std::vector<Stability> stability;
     std::vector<WorstTicks> worst;
+    std::vector<BodiesMeasured> bodies;
     std::vector<ServoThread> servo;     // none or one
     std::vector<std::string> left_out;  // sentences: what was asked for and could not be run
     double took_s = 0.0;
@@ -75,6 +86,7 @@ Result<double> count_once(const BenchOptions& options, const std::string& render
 
 // Parts of run_bench.
 Stability stable_stiffness(const Contestant& contestant, const std::string& wall, double factor);
+std::vector<BodiesMeasured> run_bodies();
 ServoThread run_servo_thread(double seconds);
 WorstTicks run_worst_case(int number, int ticks, int passes);
 

@@ -191,32 +191,42 @@ std::string direction_words(const std::vector<Summary>& rows) {
     return words.empty() ? words : words + ".\n";
 }
 
-void tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
+// Those of the main renderers, or of the knobs; of one family, or of every where it is empty.
+std::vector<Summary> only(std::vector<Summary> rows, bool main, const std::string& family) {
+    std::erase_if(rows,
+                  [&](const Summary& s) { return is_main(s) != main || (!family.empty() && s.family != family); });
+    return rows;
+}
+
+std::string heading_of(const std::string& words, bool markdown) {
+    return markdown ? "\n## " + words + "\n\n" : "\n" + words + "\n";
+}
+
+void hard_case_tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
     const std::vector<Summary> hard = hard_case_summary(report);
-    const auto only = [](std::vector<Summary> rows, bool main, const std::string& family, bool any_family) {
-        std::erase_if(rows,
-                      [&](const Summary& s) { return is_main(s) != main || (!any_family && s.family != family); });
-        return rows;
-    };
-    const auto heading = [&](const std::string& words) {
-        out << (markdown ? "\n### " + words + "\n\n" : "\n" + words + "\n");
-    };
-    if (!hard.empty()) {
-        heading("All hard cases together");
-        table(out, only(hard, true, "", true), markdown);
-        if (const std::vector<Summary> knobs = only(hard, false, "", true); !knobs.empty()) {
-            heading("The knobs, over all hard cases");
-            table(out, knobs, markdown);
-        }
+    if (hard.empty()) return;
+    out << heading_of("All hard cases together", markdown);
+    table(out, only(hard, true, ""), markdown);
+    if (const std::vector<Summary> knobs = only(hard, false, ""); !knobs.empty()) {
+        out << heading_of("The knobs, over all hard cases", markdown);
+        table(out, knobs, markdown);
     }
+}
+
+void family_tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
     const std::vector<Summary> by_family = summaries(report);
     for (const std::string& family : families_of(by_family)) {
-        heading(family_words(report, family));
-        const std::vector<Summary> rows = only(by_family, true, family, false);
+        out << heading_of(family_words(report, family), markdown);
+        const std::vector<Summary> rows = only(by_family, true, family);
         table(out, rows, markdown);
         const std::string directions = direction_words(rows);
         if (!directions.empty()) out << (markdown ? "\n" : "  ") << directions;
     }
+}
+
+// The worst ticks, the stiffest walls, the servo thread.
+void limit_tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
+    const auto heading = [&](const std::string& words) { out << heading_of(words, markdown); };
     if (!report.worst.empty()) {
         heading("The worst ticks: places where more is near the ball than a tick has time for");
         if (markdown)
@@ -259,6 +269,20 @@ void tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
                 out << fmt::format("  {}, {}: {:.0f} N/m\n", s.wall, s.title, s.stiffness_n_per_m);
         }
     }
+    if (!report.bodies.empty()) {
+        heading("Things that move: a ball on a rubber string pushed to and fro, without damping by the hand's side");
+        if (markdown)
+            out << "| Way | Mass | Error of the force, rms | Swing of the force | Given to the hand in a loop | "
+                   "It should be | Tick of the hand | Step of the engine |\n|---|---|---|---|---|---|---|---|\n";
+        for (const BodiesMeasured& b : report.bodies)
+            out << fmt::format(
+                fmt::runtime(
+                    markdown ? "| {} | {:g} kg | {:.3f} N | {:.2f} N | {:+.3f} mJ | {:+.3f} mJ | {} | {} |\n"
+                             : "  {}, {:g} kg: {:.3f} N off in a swing of {:.2f} N; {:+.3f} mJ given to the hand in a "
+                               "loop where {:+.3f} mJ are right; tick {}, engine's step {}\n"),
+                b.way, b.mass_kg, b.error_n, b.felt_n, 1e3 * b.given_j, 1e3 * b.right_given_j, time_words(b.tick_s),
+                time_words(b.step_s));
+    }
     for (const ServoThread& s : report.servo) {
         heading(fmt::format("The servo thread, {:g} s with a simulated Falcon in two walls", s.seconds));
         out << fmt::format(
@@ -270,7 +294,7 @@ void tables(std::ostringstream& out, const BenchReport& report, bool markdown) {
     }
 }
 
-// Every family in a row, every renderer in a column: the tables that results.md speaks of.
+// Every family in a row, every renderer in a column: the tables that docs/results/speed.md speaks of.
 void at_a_glance(std::ostringstream& out, const BenchReport& report) {
     const std::vector<Summary> all = summaries(report);
     std::vector<Summary> titles;
@@ -292,7 +316,7 @@ void at_a_glance(std::ostringstream& out, const BenchReport& report) {
             rows += '\n';
         }
         if (rows.empty()) return;
-        out << "\n### At a glance: " << heading << "\n\n| Family |";
+        out << "\n## At a glance: " << heading << "\n\n| Family |";
         for (const Summary& t : titles) out << ' ' << t.title << " |";
         out << "\n|---|";
         for (std::size_t i = 0; i < titles.size(); ++i) out << "---|";
@@ -363,20 +387,32 @@ std::string text_of(const BenchReport& report) {
         "Speed against error, on {}, in {:.0f} seconds{}. At 1 kN/m a millimetre of error is a newton.\n",
         report.machine, report.took_s, report.quick ? ", quickly: times are rough" : "");
     for (const std::string& sentence : report.left_out) out << sentence << '\n';
-    tables(out, report, false);
+    hard_case_tables(out, report, false);
+    family_tables(out, report, false);
+    limit_tables(out, report, false);
     return out.str();
 }
 
-std::string markdown_of(const BenchReport& report) {
+std::string markdown_of(const BenchReport& report, const std::string& families_file) {
     std::ostringstream out;
     out << fmt::format(
-        "<!-- Made by `handrail bench --markdown`; do not edit. -->\n# Speed against error\n\nMeasured on {}{}. "
-        "[results.md](results.md#speed-against-error) "
-        "says how to read this.\n",
-        report.machine, report.quick ? ", quickly: times are rough" : "");
+        "<!-- Made by `handrail bench --markdown`; do not edit. -->\n# Speed against error: tables\n\nMeasured {} on "
+        "{}{}. [How to read this](results/speed.md#speed-against-error); [each family by itself]({}).\n",
+        report.day, report.machine, report.quick ? ", quickly: times are rough" : "", families_file);
     for (const std::string& sentence : report.left_out) out << '\n' << sentence << '\n';
     at_a_glance(out, report);
-    tables(out, report, true);
+    hard_case_tables(out, report, true);
+    limit_tables(out, report, true);
+    return out.str();
+}
+
+std::string families_markdown_of(const BenchReport& report, const std::string& first_file) {
+    std::ostringstream out;
+    out << fmt::format(
+        "<!-- Made by `handrail bench --markdown`; do not edit. -->\n# Speed against error: each family by itself\n\n"
+        "Measured {} on {}{}. [All families at a glance]({}).\n",
+        report.day, report.machine, report.quick ? ", quickly: times are rough" : "", first_file);
+    family_tables(out, report, true);
     return out.str();
 }
 
@@ -450,6 +486,16 @@ std::string json_of(const BenchReport& report) {
                          {"most_looks", w.most_looks},
                          {"waits", w.waits},
                          {"instructions", w.instructions >= 0.0 ? Json(w.instructions) : Json(nullptr)}});
+    Json bodies = Json::array();
+    for (const BodiesMeasured& b : report.bodies)
+        bodies.push_back({{"way", b.way},
+                          {"mass_kg", b.mass_kg},
+                          {"error_n", b.error_n},
+                          {"felt_n", b.felt_n},
+                          {"given_j", b.given_j},
+                          {"right_given_j", b.right_given_j},
+                          {"tick_s", b.tick_s},
+                          {"step_s", b.step_s}});
     const Json all{{"machine", report.machine},
                    {"quick", report.quick},
                    {"stiffness_n_per_m", kStiffness_n_per_m},
@@ -457,6 +503,7 @@ std::string json_of(const BenchReport& report) {
                    {"results", std::move(results)},
                    {"scenes", std::move(scenes)},
                    {"worst", std::move(worst)},
+                   {"bodies", std::move(bodies)},
                    {"stability", std::move(stability)},
                    {"servo_thread", servo.empty() ? Json(nullptr) : servo[0]},
                    {"left_out", report.left_out}};

@@ -30,7 +30,10 @@ std::vector<Summary> hard_case_summary(const BenchReport& report);
 
 std::string text_of(const BenchReport& report);
 std::string json_of(const BenchReport& report);
-std::string markdown_of(const BenchReport& report);
+// The tables over all families, and those of each family, which are too many for one page; each with a link to the
+// other.
+std::string markdown_of(const BenchReport& report, const std::string& families_file);
+std::string families_markdown_of(const BenchReport& report, const std::string& first_file);
 // File names and their contents.
 std::vector<std::pair<std::string, std::string>> plots_of(const BenchReport& report);
 

@@ -50,7 +50,8 @@ TEST(BenchReport, holds_every_renderer_on_every_scene_with_speed_and_error) {
 }
 
 TEST(BenchReport, says_the_same_in_words_and_in_markdown) {
-    for (const std::string& text : {text_of(small_report()), markdown_of(small_report())})
+    for (const std::string& text : {text_of(small_report()), markdown_of(small_report(), "families.md"),
+                                    families_markdown_of(small_report(), "first.md")})
         for (const Contestant& c : main_contestants()) EXPECT_NE(text.find(c.title), std::string::npos) << c.title;
 }
 
@@ -68,6 +69,16 @@ TEST(BenchWorlds, a_simplified_sphere_is_coarser_within_its_bound_and_says_so) {
     EXPECT_GT(coarse.simplify_measured_m, 0.0);
     EXPECT_LE(coarse.simplify_measured_m, coarse.simplify_bound_m);
     EXPECT_EQ(coarse.family, "simplified sphere of 980 triangles, within 10 mm");
+}
+
+TEST(BenchBodies, are_felt_as_the_formula_says_by_our_model_which_gives_the_hand_nothing) {
+    const std::vector<BodiesMeasured> all = run_bodies();
+    ASSERT_EQ(all.size(), 9U);
+    for (std::size_t i = 0; i < all.size(); i += 3) {
+        SCOPED_TRACE(all[i].mass_kg);
+        EXPECT_LT(all[i].error_n, 0.05 * all[i].felt_n) << "the model";
+        EXPECT_NEAR(1e3 * all[i].given_j, 1e3 * all[i].right_given_j, 0.05);
+    }
 }
 
 TEST(BenchPlots, have_a_title_words_for_all_points_and_axes_with_units) {
@@ -111,7 +122,13 @@ TEST(BenchCommand, writes_tables_and_plots_and_names_what_is_missing) {
     EXPECT_EQ(status, 0) << err;
     EXPECT_NE(out.find("T11"), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "plots" / "bench-t11.svg"));
-    EXPECT_TRUE(std::filesystem::exists(folder.path() / "bench.md"));
+    const std::string first = test::content_of(folder.path() / "bench.md"),
+                      families = test::content_of(folder.path() / "bench-families.md");
+    EXPECT_NE(first.find("(bench-families.md)"), std::string::npos) << first;
+    EXPECT_NE(first.find("\n## All hard cases together\n"), std::string::npos) << first;
+    EXPECT_EQ(first.find("## T11"), std::string::npos) << first;
+    EXPECT_NE(families.find("(bench.md)"), std::string::npos) << families;
+    EXPECT_NE(families.find("\n## T11"), std::string::npos) << families;
     EXPECT_EQ(std::get<0>(run({"--scene", "no such scene"})), 1);
     EXPECT_NE(std::get<2>(run({"--scene", "no such scene"})).find("--list"), std::string::npos);
     EXPECT_EQ(std::get<0>(run({"--map", "missing.map"})), 1);

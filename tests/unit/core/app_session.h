@@ -40,6 +40,7 @@ struct AppSession {
         for (CueRequest& cue : app.take_cues()) {
             if (cue.kind == CueRequestKind::Say || cue.kind == CueRequestKind::Demonstrate) said.push_back(cue.text);
             if (cue.kind == CueRequestKind::Play) sounds.push_back(cue.sound);
+            if (cue.kind == CueRequestKind::WorldSound) world_sounds.push_back(cue);
             if (cue.kind == CueRequestKind::Bump) bumped.push_back(cue.feature);
         }
     }
@@ -86,6 +87,7 @@ struct AppSession {
     double now = 0.0;
     std::vector<std::string> said;
     std::vector<SoundKind> sounds;
+    std::vector<CueRequest> world_sounds;  // as the planner was told of them, the newest last
     std::vector<FeatureId> bumped;  // into
 };
 

@@ -43,5 +43,46 @@ TEST(SessionEvents, of_a_walk_through_our_house_tell_rooms_doors_the_way_and_bei
     EXPECT_EQ(std::get<Teleported>(put[0].what).feet_m, Vec3(6.0, -4.0, 0.0));
 }
 
+TEST(SessionEvents, of_a_stay_at_a_thing_are_told_once_and_of_a_typed_answer_with_its_question) {
+    test::AppSession s;
+    s.app.apply(WorldEntered{make_ready(test::our_world("house.map"))}, 0.0);
+    s.run(0.2);
+    (void)s.app.take_events();
+    const auto visits = [&] {
+        std::vector<std::pair<std::string, VisitedBy>> all;
+        for (const SessionEvent& event : s.app.take_events())
+            if (const auto* visit = std::get_if<ThingVisited>(&event.what))
+                all.emplace_back(s.app.scene()->features[visit->feature.value].name, visit->by);
+        return all;
+    };
+    // At the base one faces the stairs from afar: nothing is visited by standing there, and the question is a visit.
+    s.run(3.0);
+    EXPECT_TRUE(visits().empty());
+    s.ask(Command::AheadOfMe);
+    s.run(0.1);
+    const auto asked = visits();
+    ASSERT_EQ(asked.size(), 1U);
+    EXPECT_EQ(asked[0].second, VisitedBy::Asking);
+    s.ask(Command::AheadOfMe);
+    s.run(3.0);
+    EXPECT_TRUE(visits().empty()) << "one stay is told once";
+    // Up to what is ahead, until it is in the way.
+    s.hold(Command::Forward, 6.0);
+    s.run(3.0);
+    const auto faced = visits();
+    ASSERT_FALSE(faced.empty());
+    EXPECT_EQ(faced.back().second, VisitedBy::Facing);
+    s.ask(Command::NameRoom);
+    s.app.apply(LineTyped{"My hall"}, s.now);
+    int answers = 0;
+    for (const SessionEvent& event : s.app.take_events())
+        if (const auto* answered = std::get_if<Answered>(&event.what)) {
+            ++answers;
+            EXPECT_EQ(answered->text, "My hall");
+            EXPECT_FALSE(answered->question.empty());
+        }
+    EXPECT_EQ(answers, 1);
+}
+
 }  // namespace events_test
 }  // namespace handrail

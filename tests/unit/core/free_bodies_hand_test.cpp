@@ -104,6 +104,41 @@ TEST(HandOnBodies, the_key_takes_what_the_hand_touches_turns_it_and_lets_it_go) 
     EXPECT_EQ(hand.app().free_bodies().held_by_hand(0), kNoFeature);
 }
 
+TEST(HandOnBodies, what_was_held_in_the_world_one_has_left_is_nothing_in_the_next) {
+    Hand hand(box("Crate", 1.0, 4.0, 2.5));
+    hand.to({4.0, 1.9, 0.25});
+    hand.to({4.0, 2.16, 0.25}, 0.01);
+    hand.tap(Command::Use, 0.2);
+    ASSERT_TRUE(hand.heard("Crate held, 1 kilogram.")) << hand.all_heard();
+    hand.app().apply(WorldEntered{make_ready(hall(box("Barrel", 1.0, 6.0, 6.0)))}, hand.now_s());
+    hand.run(1.0);
+    EXPECT_FALSE(hand.heard("Barrel held")) << hand.all_heard();
+    EXPECT_FALSE(hand.heard("Barrel let go")) << hand.all_heard();
+    EXPECT_EQ(hand.app().free_bodies().held_by_hand(0), kNoFeature);
+}
+
+TEST(HandOnBodies, a_ball_on_a_rubber_string_hangs_pulls_back_and_swings_home) {
+    const std::string hook = entity("info_null", key("origin", "192 96 48") + key("targetname", "hook"));
+    Hand hand(hook + entity("thing",
+                            key("cs_name", "dynamic_sphere") + key("name", "Ball") + key("mass", "0.3") +
+                                key("string", "hook") + key("stiffness_n_per_m", "20"),
+                            box_brush(186, 90, 42, 198, 102, 54)));
+    hand.run(12.0);
+    const double hangs_m = 1.5 - 0.3 * 9.81 / 20.0;
+    EXPECT_NEAR(hand.at("Ball").z, hangs_m, 0.03) << "the weight of 0.3 kg draws a string of 20 N/m 15 cm long";
+    hand.to({6.0, 1.6, hangs_m});
+    hand.to({6.0, 2.5, hangs_m});
+    hand.to({6.0, 3.2, hangs_m}, 0.005);
+    hand.run(1.0);
+    // Half a metre to the north and more: the string draws with some 10 N, of which the hand feels one in twenty.
+    EXPECT_LT(hand.tool().force_n.y, -0.2);
+    const double pulled_m = hand.at("Ball").y - 3.0;
+    EXPECT_NEAR(-hand.tool().force_n.y * 20.0, 20.0 * pulled_m, 0.25 * 20.0 * pulled_m);
+    hand.to({5.0, 1.0, 0.6}, 0.2);
+    hand.run(20.0);
+    EXPECT_NEAR(glm::length(hand.at("Ball") - Vec3(6.0, 3.0, hangs_m)), 0.0, 0.1);
+}
+
 TEST(HandOnBodies, what_is_too_heavy_slips_out_of_the_grip_and_says_its_weight) {
     Hand hand(box("Safe", 20.0, 4.0, 2.5));
     hand.to({4.0, 1.9, 0.25});

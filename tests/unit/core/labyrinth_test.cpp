@@ -29,6 +29,10 @@ struct Player : test::AppSession {
 TEST(Labyrinth, first_level_is_finished_by_a_newcomer_who_knows_only_what_is_said_in_under_two_minutes) {
     Player player("labyrinth1.map");
     EXPECT_TRUE(player.heard("Labyrinth 1.")) << player.news();
+    // The keys that it presses are told to it.
+    const KeyMap keys_of({});
+    for (const Command told : {Command::Use, Command::Labyrinth, Command::PutBack})
+        EXPECT_TRUE(player.heard(keys_of.keys_of(told))) << keys_of.keys_of(told) << ": " << player.news();
     player.tap(Command::Use, 0.5);
     ASSERT_TRUE(player.heard("Ball held"));
     const double began_s = player.now;
@@ -69,9 +73,67 @@ TEST(Labyrinth, a_hole_swallows_the_ball_and_all_is_back_at_the_start) {
     EXPECT_TRUE(player.heard("In the hole."));
     EXPECT_TRUE(player.heard("Back at the start."));
     EXPECT_FALSE(player.heard("Finished"));
+    const std::string news = player.news();
+    EXPECT_EQ(news.find("Ball moved.", news.find("In the hole.")), std::string::npos) << news;
     const Vec3 ball = player.app.thing_at("Ball").value_or(Placement{}).position_m;
     EXPECT_NEAR(ball.x, 1.25, 1e-3);
     EXPECT_NEAR(ball.z, 0.55, 2e-3);
+}
+
+TEST(Labyrinth, a_hole_hums_the_faster_the_nearer_the_ball_is_and_is_heard_to_swallow_it) {
+    Player player("labyrinth2.map");
+    player.run(1.0);
+    const auto hum = [&] {
+        const auto last = std::find_if(player.world_sounds.rbegin(), player.world_sounds.rend(),
+                                       [](const CueRequest& cue) { return cue.sound == SoundKind::Hum; });
+        return last == player.world_sounds.rend() ? CueRequest{} : *last;
+    };
+    const double far = hum().pulses_per_s;
+    EXPECT_GE(far, 2.0);
+    player.tap(Command::Use, 0.5);
+    player.tap(Command::TurnRight, 0.3);
+    EXPECT_GT(hum().pulses_per_s, far + 0.5);
+    EXPECT_LE(hum().pulses_per_s, 10.0);
+    player.taps(Command::TurnRight, 2);
+    player.run(2.0);
+    EXPECT_NE(std::find(player.sounds.begin(), player.sounds.end(), SoundKind::Falls), player.sounds.end());
+    EXPECT_NEAR(hum().pulses_per_s, far, 1e-9) << "back at the start";
+    player.taps(Command::SideLeft, 1);
+    player.tap(Command::Use, 0.5);
+    player.taps(Command::TiltUp, 1);
+    player.taps(Command::TurnRight, 3);
+    player.taps(Command::TiltDown, 1);
+    EXPECT_NE(std::find(player.sounds.begin(), player.sounds.end(), SoundKind::Knock), player.sounds.end());
+    EXPECT_EQ(hum().loudness, 0.0) << "a covered hole is silent";
+}
+
+TEST(Labyrinth, corridors_are_a_list_with_what_lies_in_them_and_where_they_lead) {
+    Player player("labyrinth2.map");
+    player.tap(Command::Overview, 0.5);
+    EXPECT_TRUE(
+        player.heard("3 corridors. Corridor 1, 7.5 rolls from west to east, Plank after 1 roll, Ball after 2.5 "
+                     "rolls, hole after 4 rolls, corridor 2 to the north after 7 rolls, 1 of 3"))
+        << player.news();
+    for (int i = 0; i < 2; ++i) {
+        player.app.apply(KeyTapped{"Down"}, player.now);
+        player.run(0.1);
+    }
+    EXPECT_TRUE(
+        player.heard("Corridor 2, 3 rolls from south to north, corridor 1 to the south at the beginning, "
+                     "corridor 3 to the north at the end"));
+    EXPECT_TRUE(
+        player.heard("Corridor 3, 7.5 rolls from west to east, goal at the beginning, corridor 2 to the south "
+                     "after 7 rolls"));
+}
+
+TEST(Labyrinth, the_border_thuds_when_the_ball_meets_it) {
+    Player player("labyrinth1.map");
+    const auto thuds = [&] { return std::count(player.sounds.begin(), player.sounds.end(), SoundKind::Border); };
+    player.tap(Command::Use, 0.5);
+    EXPECT_EQ(thuds(), 0);
+    player.taps(Command::TurnRight, 12);
+    EXPECT_TRUE(player.heard("Ball stopped by Border")) << player.news();
+    EXPECT_GE(thuds(), 1);
 }
 
 // Lays the plank over the hole and rolls the ball over it.
@@ -112,6 +174,43 @@ TEST(Labyrinth, second_level_is_finished_over_the_plank_and_again_after_starting
     finish_second(again);
     EXPECT_TRUE(again.heard("Finished, "));
     EXPECT_TRUE(again.heard("The best time here is ") || again.heard("The best time here, before")) << again.news();
+}
+
+// Where all things are at every frame of a second of each tap.
+std::vector<Placement> course_of(Player& player) {
+    std::vector<Placement> course;
+    const auto step = [&](Command command, int times, double each_s) {
+        for (int i = 0; i < times; ++i) {
+            player.tap(command, 0.0);
+            for (int frame = 0; frame < static_cast<int>(60.0 * each_s); ++frame) {
+                player.run(1.0 / 60.0);
+                for (const char* name : {"Ball", "Plank"})
+                    course.push_back(player.app.thing_at(name).value_or(Placement{}));
+            }
+        }
+    };
+    step(Command::SideLeft, 1, 1.0);
+    step(Command::Use, 1, 0.5);
+    step(Command::TiltUp, 1, 1.0);
+    step(Command::TurnRight, 3, 1.0);
+    step(Command::TiltDown, 1, 1.0);
+    step(Command::Use, 2, 1.0);
+    step(Command::TurnRight, 6, 1.0);
+    step(Command::Forward, 5, 1.0);
+    step(Command::SideRight, 1, 1.0);
+    return course;
+}
+
+TEST(Labyrinth, begun_anew_goes_with_the_same_bits_as_in_another_run) {
+    Player first("labyrinth2.map"), second("labyrinth2.map");
+    const std::vector<Placement> once = course_of(first);
+    EXPECT_EQ(once, course_of(second));
+    // The ball has gone somewhere, and the plank too.
+    EXPECT_GT(glm::length(once.back().position_m - once[1].position_m), 0.3);
+    EXPECT_GT(glm::length(once[once.size() - 2].position_m - once[0].position_m), 0.3);
+    for (Player* player : {&first, &second}) EXPECT_EQ(player->ask(Command::PutBack), "All back at the start.");
+    const std::vector<Placement> again = course_of(first);
+    EXPECT_EQ(again, course_of(second));
 }
 
 TEST(Labyrinth, third_level_is_finished_by_filling_the_pit_and_lifting_the_crate_away) {
@@ -172,7 +271,7 @@ TEST(Labyrinth, is_nothing_of_in_other_worlds) {
     house.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     house.run(0.1);
     EXPECT_FALSE(house.heard("Labyrinth"));
-    EXPECT_EQ(house.ask(Command::Labyrinth), "This world is no labyrinth. The list of worlds has three.");
+    EXPECT_EQ(house.ask(Command::Labyrinth), "This world is no labyrinth. The list of worlds has some.");
     EXPECT_EQ(house.ask(Command::PutBack), "Nothing can be moved here.");
 }
 

@@ -128,7 +128,8 @@ bool Newcomer::walk(int steps) {
         if (!bumped_since(sounds)) continue;
         if (told_of_lock(said)) return true;
         const std::string ahead = ask("3");
-        if (heard("door", said) || ahead.find("oor") != std::string::npos) {
+        if (heard("door", said) || ahead.find("oor") != std::string::npos ||
+            ahead.find("ntrance") != std::string::npos) {
             const std::string answer = ask("Enter", 3.0);
             if (told_of_lock(said)) return true;
             if (answer.find("opens") != std::string::npos || answer.find("Left") != std::string::npos) {

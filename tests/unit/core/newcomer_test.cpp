@@ -1,5 +1,6 @@
 // A newcomer with keys and ears alone, in worlds that nobody made for this test.
 #include "tests/unit/core/newcomer.h"
+#include "tests/support/scale.h"
 
 #include <set>
 
@@ -27,6 +28,7 @@ std::string name_of(const std::string& entry) { return entry.substr(0, entry.rfi
 
 // Where the way to a room is told to lead: chosen by a word in its name.
 std::string room_with(Newcomer& n, const std::string& word) {
+    (void)n.entries("Shift+4");  // once rooms are known something is told of them between the entries
     for (const std::string& room : n.entries("Shift+4"))
         if (room.find(word) != std::string::npos) return name_of(room);
     return {};
@@ -122,6 +124,48 @@ TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_melee_that_it_found_b
 }
 TEST(ANewcomer, reaches_three_things_in_other_rooms_of_the_office_that_it_found_by_asking) {
     reaches_three_things(real("office.map"));
+}
+
+// Named on two storeys: "E008" is at the ground, "1022" one flight up. From the main entrance to each and out again, by
+// the stairs: the lifts are out of order.
+TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_again) {
+    const auto read = real("apb-tu-dresden.osm");
+    if (!read) GTEST_SKIP() << "apb-tu-dresden.osm is not here";
+    const auto world = std::make_shared<Scene>(*read);
+    for (Feature& feature : world->features)
+        if (feature.kind == FeatureKind::Lift) feature.kind = FeatureKind::Object;
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
+    Newcomer n(world);
+    const double ground_m = n.feet_m().z;
+    std::vector<std::string> rooms;
+    for (const std::string& entry : n.entries("Shift+4")) rooms.push_back(entry.substr(0, entry.find_first_of(",;")));
+    std::vector<std::string> wanted;
+    for (const char first : {'E', '1', '1'})
+        for (const std::string& room : rooms)
+            if (room[0] == first && room.size() == 4 && std::find(wanted.begin(), wanted.end(), room) == wanted.end()) {
+                wanted.push_back(room);
+                break;
+            }
+    ASSERT_EQ(wanted.size(), 3U) << n.last_lines(5);
+    for (const std::string& room : wanted) {
+        EXPECT_TRUE(n.go_to_room(room)) << room << ": " << n.last_lines(60);
+        if (room[0] == '1') {
+            EXPECT_NEAR(n.feet_m().z, ground_m + 3.0, 0.1) << room;
+        }
+        std::cout << room << " after " << n.now_s() << " s\n";
+    }
+    // Back to the porch of the main entrance, and through the door that leads out.
+    EXPECT_TRUE(n.go_to_room("Windfang")) << n.last_lines(60);
+    const auto is_out = [&] { return n.ask("1").find("Ground outside") != std::string::npos; };
+    for (int asked = 0; asked < 20 && !is_out(); ++asked) {
+        const std::string exits = n.ask("X");
+        const std::size_t out = exits.find("to ground outside: ");
+        ASSERT_NE(out, std::string::npos) << exits;
+        EXPECT_TRUE(n.obey(exits.substr(out))) << exits;
+    }
+    EXPECT_TRUE(is_out()) << n.last_lines(30);
+    EXPECT_LT(glm::length(n.feet_m() - world->starts[0].feet_m), 12.0) << "by a door of the same front";
+    std::cout << "outside after " << n.now_s() << " s\n";
 }
 
 }  // namespace newcomer_test

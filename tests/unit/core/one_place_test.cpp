@@ -91,6 +91,34 @@ TEST(OnePlace, of_a_door_is_the_same_in_exits_where_ahead_and_the_list_of_things
     }
 }
 
+TEST(OnePlace, of_a_thing_in_another_room_is_as_far_as_its_way_on_foot_and_told_so) {
+    int on_foot = 0, straight = 0;
+    in_every_room("house.map", [&](AppSession& s) {
+        const Vec3 waist_m = s.app.feet_m() + Vec3(0.0, 0.0, 1.0);
+        for (const auto& [name, value] : list_told(s, Command::Find)) {
+            const bool told = value.find(" on foot") != std::string::npos;
+            ++(told ? on_foot : straight);
+            if (!told) continue;
+            // Its room is told with it unless they share a name, and no way on foot is shorter than the straight line,
+            // but for rounding to five steps.
+            EXPECT_GE(std::count(value.begin(), value.end(), ','), name == "Pond" ? 1 : 2) << name << ": " << value;
+            const auto things = named_things(*s.app.scene());
+            double nearest_m = 1e9;
+            for (const NamedThing& thing : things)
+                if (sentence_case(thing.name) == name)
+                    nearest_m = std::min(nearest_m, glm::length(nearest_place(thing.bounds_m, waist_m) - waist_m));
+            const std::size_t number_ends = value.find(" step");
+            ASSERT_NE(number_ends, std::string::npos) << value;
+            const double steps = std::stod(value.substr(number_ends < 2 ? 0 : number_ends - 2));
+            if (nearest_m < 1e9) {
+                EXPECT_GE((steps + 3.0) * 0.65, nearest_m - 1.0) << name << ": " << value;
+            }
+        }
+    });
+    EXPECT_GT(on_foot, 100);
+    EXPECT_GT(straight, 50);
+}
+
 TEST(OnePlace, of_a_room_is_as_far_in_the_list_of_ways_as_its_way_is_long_and_tells_its_storey) {
     for (const char* world : {"house.map", "school.map"}) {
         if (test::kSanitizerScale < 1.0 && world == std::string_view("school.map")) continue;

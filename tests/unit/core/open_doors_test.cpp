@@ -85,7 +85,9 @@ TEST(OpenDoors, stand_in_no_way_between_two_rooms_of_the_house) {
 TEST(OpenDoors, that_one_opens_on_the_way_are_gone_round_from_there_on) {
     HouseWalker first;
     const std::vector<std::string> doors = doors_of(*first.app.scene());
+    std::size_t number = 0;
     for (const std::string& room : first.rooms) {
+        if (!test::tried(number++, 4)) continue;
         SCOPED_TRACE(room);
         HouseWalker p;
         EXPECT_TRUE(p.go_to(room)) << "stands at " << p.app.feet_m().x << " " << p.app.feet_m().y << " "

@@ -75,7 +75,7 @@ TEST_F(ScenarioFile, says_what_is_wrong_and_where) {
     EXPECT_THAT(error(head + "[[expect]]\nsaid = \"x\"\n"), testing::HasSubstr("Did you mean \"say\""));
     EXPECT_THAT(error(head + "[[do]]\nname = \"reach\"\nwait_s = 1\n[[expect]]\nsay = \"x\"\nafter = \"reech\"\n"),
                 testing::HasSubstr("Did you mean \"reach\""));
-    EXPECT_THAT(error(head + "[[expect]]\nsound = \"knock\"\n"), testing::HasSubstr("There is no sound"));
+    EXPECT_THAT(error(head + "[[expect]]\nsound = \"gong\"\n"), testing::HasSubstr("There is no sound"));
     EXPECT_THAT(error(head + "[[expect]]\nforce_n = [2, 1]\n"), testing::HasSubstr("lower number first"));
     EXPECT_THAT(error(head + "[[do]\n"), testing::HasSubstr("not valid TOML"));
     EXPECT_THAT(error(head + "tytle = 1\n[[expect]]\nfree = true\n"), testing::HasSubstr("Did you mean \"title\""));

@@ -1,6 +1,9 @@
 // The guides say what the code does: their tables are compared with the tables in the code, row by row.
+#include <algorithm>
+#include <cctype>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "settings/settings.h"
 #include "tests/unit/docs/table_rows.h"
@@ -13,7 +16,47 @@ using testing::UnorderedElementsAreArray;
 
 using test::table_rows;
 
-const std::filesystem::path kRoot = HANDRAIL_SOURCE_DIR;
+namespace fs = std::filesystem;
+
+const fs::path kRoot = HANDRAIL_SOURCE_DIR;
+
+// The pages at the top and every page of docs, in the order of their names.
+std::vector<fs::path> pages() {
+    std::vector<fs::path> all{kRoot / "README.md", kRoot / "CONTRIBUTING.md", kRoot / "NEWS.md"};
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / "docs"))
+        if (entry.path().extension() == ".md") all.push_back(entry.path());
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+// A page without its blocks of code, where a lambda looks like a link and a comment like a heading.
+std::string prose_of(const fs::path& page) {
+    std::string text = test::content_of(page);
+    for (std::size_t open = text.find("```"); open != std::string::npos; open = text.find("```", open)) {
+        const std::size_t close = text.find("```", open + 3);
+        text.erase(open, close == std::string::npos ? close : close + 3 - open);
+    }
+    return text;
+}
+
+// The names by which a page's headings are linked to: small letters, digits and hyphens.
+std::set<std::string> anchors_of(const fs::path& page) {
+    std::set<std::string> anchors;
+    std::istringstream lines(prose_of(page));
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t words = line.find_first_not_of('#');
+        if (words == 0 || words == std::string::npos || line[words] != ' ') continue;
+        std::string anchor;
+        for (const char c : line.substr(words + 1)) {
+            const auto byte = static_cast<unsigned char>(c);
+            if (c == ' ') anchor += '-';
+            else if (byte >= 0x80 || std::isalnum(byte) || c == '-' || c == '_')
+                anchor += static_cast<char>(std::tolower(byte));
+        }
+        anchors.insert(anchor);
+    }
+    return anchors;
+}
 
 TEST(SettingsGuide, lists_every_setting_as_the_program_explains_it) {
     std::vector<std::string> expected;
@@ -40,7 +83,8 @@ TEST(MapAuthorsGuide, lists_every_material_with_what_it_feels_like) {
             material.friction_mu,
             material.damping_ns_per_m < 0.0 ? "as set" : fmt::format("{}", material.damping_ns_per_m), texture));
     }
-    EXPECT_THAT(table_rows("map-authors-guide.md", "| Material | Stiffness |"), UnorderedElementsAreArray(expected));
+    EXPECT_THAT(table_rows("map-authors-guide/touch.md", "| Material | Stiffness |"),
+                UnorderedElementsAreArray(expected));
 }
 
 TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
@@ -53,7 +97,7 @@ TEST(MapAuthorsGuide, lists_every_effect_with_its_ranges) {
             "| {} | {} | {} | {} |", effect.name, range(effect.strength_n, effect.least_n, effect.most_n, "N"),
             range(effect.width_hand_m, effect.least_hand_m, effect.most_hand_m, "m"), effect_meaning(effect)));
     }
-    EXPECT_THAT(table_rows("map-authors-guide.md", "| Effect | Strength |"), UnorderedElementsAreArray(expected));
+    EXPECT_THAT(table_rows("map-authors-guide/touch.md", "| Effect | Strength |"), UnorderedElementsAreArray(expected));
 }
 
 // The reader asks for its keys by name; every name it asks for must have a row, and every row must be asked for.
@@ -71,7 +115,7 @@ TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
     asked.erase("_external_map");  // content of another program, left out and said
     EXPECT_GE(asked.size(), 10U) << "the reader's source was not understood";
     std::set<std::string> listed;
-    for (const std::string& row : table_rows("map-authors-guide.md", "| Key | On |"))
+    for (const std::string& row : table_rows("map-authors-guide/keys.md", "| Key | On |"))
         listed.insert(row.substr(2, row.find(' ', 2) - 2));
     EXPECT_EQ(listed, asked);
 }
@@ -80,7 +124,9 @@ TEST(MapAuthorsGuide, lists_every_key_that_the_map_reader_looks_at) {
 TEST(DevelopersGuide, quotes_its_examples_from_files_that_are_compiled_and_run) {
     static const std::regex kQuotation(
         R"re(From \[`(tests/examples/[a-z_]+\.cpp)`\]\([^)]*\):\n\n```cpp\n([^`]*)```)re");
-    const std::string guide = test::content_of(kRoot / "docs" / "developer.md");
+    std::string guide;
+    for (const fs::path& page : pages())
+        if (page.string().find("/docs/developer") != std::string::npos) guide += test::content_of(page);
     std::set<std::string> quoted;
     for (auto it = std::sregex_iterator(guide.begin(), guide.end(), kQuotation); it != std::sregex_iterator(); ++it) {
         const std::string file = (*it)[1], code = (*it)[2];
@@ -101,23 +147,90 @@ TEST(DevelopersGuide, quotes_its_examples_from_files_that_are_compiled_and_run) 
         << "every block of code in the guide is a quotation";
 }
 
-TEST(Documents, link_only_to_files_that_exist) {
-    static const std::regex kLink(R"re(\]\(([^)#:]+)(#[^)]*)?\))re");
-    std::vector<std::filesystem::path> documents{kRoot / "README.md"};
-    for (const auto& entry : std::filesystem::directory_iterator(kRoot / "docs"))
-        if (entry.path().extension() == ".md") documents.push_back(entry.path());
-    EXPECT_GE(documents.size(), 8U);
-    for (const auto& document : documents) {
-        // A lambda in a block of code looks like a link and is none.
-        std::string text = test::content_of(document);
-        for (std::size_t open = text.find("```"); open != std::string::npos; open = text.find("```", open)) {
-            const std::size_t close = text.find("```", open + 3);
-            text.erase(open, close == std::string::npos ? close : close + 3 - open);
+TEST(Documents, link_only_to_files_and_headings_that_exist) {
+    static const std::regex kLink(R"re(\]\(([^)#:\s]*)(?:#([^)\s]*))?\))re");
+    std::size_t headings = 0;
+    EXPECT_GE(pages().size(), 30U);
+    for (const fs::path& page : pages()) {
+        const std::string text = prose_of(page);
+        for (auto it = std::sregex_iterator(text.begin(), text.end(), kLink); it != std::sregex_iterator(); ++it) {
+            const std::string file = (*it)[1], anchor = (*it)[2];
+            const fs::path target = file.empty() ? page : page.parent_path() / file;
+            EXPECT_TRUE(fs::exists(target)) << page << " links to " << file;
+            if (anchor.empty() || target.extension() != ".md") continue;
+            ++headings;
+            EXPECT_TRUE(anchors_of(target).contains(anchor)) << page << " links to " << file << "#" << anchor;
         }
-        for (auto it = std::sregex_iterator(text.begin(), text.end(), kLink); it != std::sregex_iterator(); ++it)
-            EXPECT_TRUE(std::filesystem::exists(document.parent_path() / (*it)[1].str()))
-                << document << " links to " << (*it)[1];
     }
+    EXPECT_GE(headings, 20U) << "links to headings were not understood";
+}
+
+TEST(Documents, are_all_reached_from_the_index) {
+    static const std::regex kLink(R"re(\]\(([^)#:\s]+\.md)(?:#[^)\s]*)?\))re");
+    std::set<fs::path> reached;
+    std::vector<fs::path> open{kRoot / "docs" / "README.md"};
+    while (!open.empty()) {
+        const fs::path page = open.back();
+        open.pop_back();
+        if (!reached.insert(page).second) continue;
+        const std::string text = prose_of(page);
+        for (auto it = std::sregex_iterator(text.begin(), text.end(), kLink); it != std::sregex_iterator(); ++it)
+            open.push_back((page.parent_path() / (*it)[1].str()).lexically_normal());
+    }
+    for (const fs::path& page : pages())
+        EXPECT_TRUE(reached.contains(page) || page == kRoot / "README.md") << page << " stands in no list";
+    EXPECT_NE(prose_of(kRoot / "README.md").find("](docs/README.md)"), std::string::npos);
+}
+
+TEST(Documents, have_headings_whose_levels_no_screen_reader_misses) {
+    for (const fs::path& page : pages()) {
+        std::istringstream lines(prose_of(page));
+        std::size_t before = 0;
+        for (std::string line; std::getline(lines, line);) {
+            const std::size_t level = line.find_first_not_of('#');
+            if (level == 0 || level == std::string::npos || line[level] != ' ') continue;
+            EXPECT_LE(level, before + 1) << page << ": " << line;
+            before = level;
+        }
+    }
+}
+
+TEST(Documents, have_fewer_than_400_lines_and_one_title_each) {
+    for (const fs::path& page : pages()) {
+        const std::string text = test::content_of(page), prose = prose_of(page);
+        EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 400) << page;
+        std::size_t titles = prose.starts_with("# ") ? 1 : 0;
+        for (std::size_t at = prose.find("\n# "); at != std::string::npos; at = prose.find("\n# ", at + 1)) ++titles;
+        EXPECT_EQ(titles, 1U) << page;
+    }
+}
+
+// The line after a table of docs/results: "Measured 2026-11-24, a machine, with a command."
+TEST(Results, say_of_each_table_when_where_and_with_what_it_was_measured) {
+    static const std::regex kMeasured(R"re(^Measured \d{4}-\d\d-\d\d, [^`]+, with ([^`]*`[^`]+`.*|the .*column)\.$)re");
+    std::size_t tables = 0;
+    for (const fs::path& page : pages()) {
+        if (page.parent_path().filename() != "results") continue;
+        std::istringstream lines(test::content_of(page));
+        bool inside = false;
+        std::string head;
+        for (std::string line; std::getline(lines, line);) {
+            const bool row = line.starts_with("|");
+            if (row && !inside) head = line;
+            if (!row && inside) {
+                ++tables;
+                EXPECT_TRUE(line.empty()) << page << ": an empty line ends the table " << head;
+                std::getline(lines, line);
+                EXPECT_TRUE(std::regex_match(line, kMeasured)) << page << ", after the table " << head << ": " << line;
+            }
+            inside = row;
+        }
+    }
+    EXPECT_GE(tables, 30U);
+    for (const char* made : {"bench.md", "bench-families.md"})
+        EXPECT_TRUE(std::regex_search(test::content_of(kRoot / "docs" / made),
+                                      std::regex(R"re(\nMeasured \d{4}-\d\d-\d\d[^\n]* on )re")))
+            << made;
 }
 
 }  // namespace docs_test

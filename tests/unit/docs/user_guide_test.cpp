@@ -1,5 +1,12 @@
+#include <map>
+#include <regex>
+#include <sstream>
+
 #include "app/core/dialogue/command.h"
+#include "app/core/dialogue/command_words.h"
+#include "app/core/dialogue/key_map.h"
 #include "audio-cues/plan/sound_table.h"
+#include "tests/support/spoken_language.h"
 #include "tests/unit/docs/table_rows.h"
 
 namespace handrail {
@@ -7,15 +14,66 @@ namespace user_guide_test {
 using test::table_rows;
 using testing::UnorderedElementsAreArray;
 
+// A command's keys as a guide lists them: "F or Grave", each as `name` calls it.
+template <typename Name>
+std::string keys_of(const CommandInfo& command, const std::string& between, Name&& name) {
+    std::istringstream words{std::string(command.key)};
+    std::string keys;
+    for (std::string key; words >> key;) keys += (keys.empty() ? "" : between) + name(key);
+    return keys;
+}
+
 TEST(UserGuide, lists_every_command_with_its_keys_and_nothing_else) {
     std::vector<std::string> expected;
-    for (const CommandInfo& command : command_table()) {
-        std::string keys(command.key);
-        for (std::size_t at = keys.find(' '); at != std::string::npos; at = keys.find(' ', at + 4))
-            keys.replace(at, 1, " or ");
-        expected.push_back(fmt::format("| {} | {} | {} |", command.word, keys, command.help()));
+    for (const CommandInfo& command : command_table())
+        expected.push_back(fmt::format("| {} | {} | {} |", command.word,
+                                       keys_of(command, " or ", [](const std::string& key) { return key; }),
+                                       command.help()));
+    EXPECT_THAT(table_rows("user-guide/keys.md", "| Command | Keys |"), UnorderedElementsAreArray(expected));
+}
+
+TEST(UserGuide, lists_every_command_in_german_by_its_german_word_and_keys) {
+    const test::InLanguage german("de");
+    std::vector<std::string> expected;
+    for (const CommandInfo& command : command_table())
+        expected.push_back(fmt::format("| {} | {} | {} |", spoken_word(command.command),
+                                       keys_of(command, " oder ", spoken_key), command.help()));
+    EXPECT_THAT(table_rows("de/benutzerhandbuch/tasten.md", "| Befehl | Tasten |"),
+                UnorderedElementsAreArray(expected));
+}
+
+// What a page is made of, by kind: titles of each level, rows of tables, items of lists, lines of code, and settings
+// and options by their names.
+std::map<std::string, int> parts_of(const std::string& page) {
+    std::map<std::string, int> parts;
+    std::istringstream lines(test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "docs" / page));
+    for (std::string line; std::getline(lines, line);) {
+        static const std::regex kItem(R"(^(#+|\||-|\d\.|    )[ |-].*)");
+        if (std::smatch found; std::regex_match(line, found, kItem)) ++parts[found[1]];
+        static const std::regex kName(R"(`(-?-?[a-z_]+\.[a-z_]+|--[a-z-]+)( [^`]*)?`)");
+        for (auto it = std::sregex_iterator(line.begin(), line.end(), kName); it != std::sregex_iterator(); ++it)
+            ++parts[(*it)[1]];
     }
-    EXPECT_THAT(table_rows("user-guide.md", "| Command | Keys |"), UnorderedElementsAreArray(expected));
+    return parts;
+}
+
+TEST(UserGuide, is_all_there_in_german) {
+    const std::map<std::string, std::string> pages{
+        {"user-guide.md", "benutzerhandbuch.md"},
+        {"user-guide/setting-up.md", "benutzerhandbuch/einrichten.md"},
+        {"user-guide/keys.md", "benutzerhandbuch/tasten.md"},
+        {"user-guide/finding.md", "benutzerhandbuch/finden.md"},
+        {"user-guide/moving.md", "benutzerhandbuch/bewegen.md"},
+        {"user-guide/rooms-and-ways.md", "benutzerhandbuch/raeume-und-wege.md"},
+        {"user-guide/things.md", "benutzerhandbuch/dinge.md"},
+        {"user-guide/speech-and-sound.md", "benutzerhandbuch/sprache-und-klang.md"},
+        {"user-guide/devices.md", "benutzerhandbuch/geraete.md"},
+        {"user-guide/worlds.md", "benutzerhandbuch/gebaeude.md"},
+        {"user-guide/trouble.md", "benutzerhandbuch/hilfe.md"}};
+    const auto docs = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "docs";
+    for (const auto& entry : std::filesystem::directory_iterator(docs / "user-guide"))
+        EXPECT_TRUE(pages.contains("user-guide/" + entry.path().filename().string())) << entry.path();
+    for (const auto& [english, german] : pages) EXPECT_EQ(parts_of(english), parts_of("de/" + german)) << german;
 }
 
 TEST(Dictionary, lists_every_sound_as_the_spoken_one_tells_it_in_its_order) {

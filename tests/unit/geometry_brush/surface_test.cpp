@@ -251,6 +251,41 @@ TEST(ExposedSurface, cuts_a_floor_by_all_that_stands_on_it) {
     EXPECT_NEAR(area, 400.0 * free / points, 400.0 * 4.0 / std::sqrt(points));
 }
 
+// Among tilted solids, each as often as there is time to read: what shows is what shows of one of each, and it is the
+// first of them that has it.
+TEST(ExposedSurface, shows_once_what_lies_in_one_place_thousands_of_times) {
+    std::mt19937 random(11);
+    std::uniform_int_distribution<int> place(0, 5), extent(1, 4);
+    std::vector<ConvexSolid> once;
+    for (int i = 0; i < 6; ++i) {
+        const Vec3 low{place(random), place(random), place(random)};
+        once.push_back(box(low, low + Vec3{extent(random), extent(random), extent(random)}));
+    }
+    std::vector<ConvexSolid> often = once;
+    for (int i = 0; i < test::scaled(12'000); ++i) often.push_back(once[static_cast<std::size_t>(i) % once.size()]);
+    const std::vector<ExposedPiece> of_one = exposed(once), of_all = exposed(often);
+    ASSERT_EQ(of_all.size(), of_one.size());
+    for (std::size_t i = 0; i < of_one.size(); ++i) {
+        EXPECT_EQ(of_all[i].solid, of_one[i].solid);
+        EXPECT_EQ(of_all[i].face, of_one[i].face);
+        EXPECT_EQ(of_all[i].polygon.points_m, of_one[i].polygon.points_m);
+    }
+}
+
+// Hardly apart from each other, so that none is the same as another: still no more shows than of their union.
+TEST(ExposedSurface, shows_no_more_of_a_heap_than_is_outside) {
+    std::mt19937 random(12);
+    std::uniform_int_distribution<int> tenths_of_mm(0, 20);
+    const auto shift = [&] { return 1e-4 * tenths_of_mm(random); };
+    std::vector<ConvexSolid> heap;
+    const int many = test::scaled(1'500);
+    for (int i = 0; i < many; ++i) {
+        const Vec3 low{shift(), shift(), shift()};
+        heap.push_back(box(low, low + Vec3(1.0)));
+    }
+    EXPECT_NEAR(total_area(exposed(heap)), 6.0 * 1.002 * 1.002, 0.01);
+}
+
 TEST(JoinedSurfaces, joins_along_edges_and_t_junctions_but_not_at_corners) {
     using testing::ElementsAre;
     EXPECT_THAT(joined({square(0, 0, 1, 1), square(1, 0, 2, 1)}), ElementsAre(0, 0));

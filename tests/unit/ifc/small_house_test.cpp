@@ -129,20 +129,48 @@ TEST(SmallHouse, stands_where_it_is_when_its_site_lies_thousands_of_kilometres_a
 }
 
 TEST(SmallHouse, opens_a_door_by_a_box_where_something_stands_in_it_and_names_both) {
-    // A second wall in the place of the one between, without an opening.
+    // A beam in the place and of the form of the wall between, without an opening.
     const std::string text = test::small_house();
     const std::size_t at = text.find("'middle'");
     ASSERT_NE(at, std::string::npos);
     const std::size_t begin = text.rfind('\n', at) + 1, end = text.find('\n', at);
     std::string wall = text.substr(begin, end - begin + 1);
     wall = "#90001" + wall.substr(wall.find('='));
-    const Scene scene = scene_of(test::with_instances(text, test::replaced(wall, "'middle'", "'forgotten wall'")));
+    const std::string beam = test::replaced(test::replaced(wall, "'middle'", "'forgotten beam'"), "IFCWALL", "IFCBEAM");
+    const Scene scene = scene_of(test::with_instances(text, beam));
     EXPECT_TRUE(scene.stated->portals[1].opened_by_box);
     EXPECT_TRUE(scene.stated->portals[1].passable);
     EXPECT_FALSE(scene.stated->portals[0].opened_by_box);
     ASSERT_EQ(scene.report.warnings.size(), 1U);
-    EXPECT_THAT(scene.report.warnings[0].sentence(), AllOf(HasSubstr("inner door"), HasSubstr("forgotten wall")));
+    EXPECT_THAT(scene.report.warnings[0].sentence(), AllOf(HasSubstr("inner door"), HasSubstr("forgotten beam")));
     EXPECT_FALSE(test::in_a_solid(scene, {4.0, 1.45, 1.0}));
+    // A second such wall is the same one.
+    const Scene twice = scene_of(test::with_instances(text, wall));
+    EXPECT_FALSE(twice.stated->portals[1].opened_by_box);
+    EXPECT_TRUE(twice.stated->portals[1].passable);
+}
+
+// Its own openings are cut whichever of them is the first.
+TEST(SmallHouse, is_felt_once_where_a_wall_stands_in_its_file_many_times) {
+    const std::string house = test::small_house();
+    const Result<Scene> once = read_ifc(house, "once.ifc");
+    ASSERT_TRUE(once.has_value());
+    const std::size_t at = house.find("=IFCWALL(");
+    const std::string wall = house.substr(at, house.find(';', at) + 1 - at) + "\n";
+    std::string more;
+    for (int i = 0; i < 500; ++i) more += "#" + std::to_string(100'000 + i) + wall;
+    const std::size_t line = house.rfind('\n', at) + 1;
+    const std::string first = house.substr(0, line) + "#99999" + wall + house.substr(line);
+    for (const std::string& text : {test::with_instances(house, more), test::with_instances(first, more)}) {
+        const Result<Scene> often = read_ifc(text, "often.ifc");
+        ASSERT_TRUE(often.has_value()) << often.error().sentence();
+        EXPECT_EQ(often->solids.size(), once->solids.size());
+        EXPECT_EQ(often->stated->openings_cut, once->stated->openings_cut);
+        for (std::size_t i = 0; i < once->solids.size(); ++i)
+            EXPECT_EQ(often->solids[i].shape.bounds_m.min_m, once->solids[i].shape.bounds_m.min_m) << i;
+        EXPECT_THAT(often->report.left_out, ::testing::Contains(::testing::HasSubstr("exactly where others")));
+    }
+    EXPECT_THAT(once->report.left_out, ::testing::Not(::testing::Contains(::testing::HasSubstr("exactly where"))));
 }
 
 TEST(SmallHouse, gives_the_same_scene_for_the_same_bytes) {

@@ -7,6 +7,7 @@
 #include "tests/support/map_text.h"
 #include "tests/support/random_families.h"
 #include "tests/support/real_worlds.h"
+#include "tests/support/scale.h"
 #include "tests/unit/navigation/grid_twin.h"
 #include "worlds/navigation/navigation.h"
 #include "worlds/readers/reader.h"
@@ -98,6 +99,7 @@ TEST(Routes, agree_with_a_grid_search_between_all_landmarks_of_every_bundled_wor
          std::filesystem::directory_iterator(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps")) {
         if (entry.path().extension() != ".map") continue;
         SCOPED_TRACE(entry.path().filename().string());
+        if (!test::tried(entry.path().filename() == "school.map" ? 0 : 1, 2)) continue;
         const Scene scene = bundled(entry.path().filename().string());
         const auto navigation = navigate(scene);
         ASSERT_TRUE(navigation);

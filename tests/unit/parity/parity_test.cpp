@@ -1,4 +1,4 @@
-// What the plugin that Handrail succeeds offered to programs, and ours: the table in docs/developer.md, row by row.
+// What the plugin that Handrail succeeds offered to programs, and ours: the table in docs/developer/adding.md by rows.
 // Every row is called here.
 #include <algorithm>
 #include <functional>
@@ -273,7 +273,7 @@ std::string first_cell(const std::string& row) {
 
 TEST(ParityWithTheOriginal, every_row_of_the_list_is_called_here_and_names_a_file_that_exists) {
     std::vector<std::string> listed, called;
-    for (const std::string& row : test::table_rows("developer.md", "| Original | Ours |")) {
+    for (const std::string& row : test::table_rows("developer/adding.md", "| Original | Ours |")) {
         listed.push_back(first_cell(row));
         const std::size_t last = row.rfind("| ", row.size() - 2);
         std::string file = row.substr(last + 2, row.size() - last - 4);

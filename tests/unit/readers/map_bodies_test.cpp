@@ -90,6 +90,32 @@ TEST(MapBodies, bad_numbers_are_told_with_file_and_line_and_the_rest_loads) {
     }
 }
 
+TEST(MapBodies, a_rubber_string_is_tied_to_a_named_point_wherever_it_stands_in_the_file) {
+    const std::string point = entity("info_null", key("origin", "32 64 96") + key("targetname", "hook"));
+    const std::string tied = key("free", "1") + key("mass", "1") + key("string", " hook ");
+    for (const bool first : {false, true}) {
+        const std::string ball = entity("thing", tied + key("stiffness_n_per_m", "40"), kCube);
+        const Reading reading = test::reading_of(
+            read_quake_map(entity("worldspawn", {}, kFloor) + (first ? point + ball : ball + point), "test.map"));
+        EXPECT_THAT(reading.said, IsEmpty());
+        ASSERT_EQ(reading.scene.bodies.size(), 1U);
+        EXPECT_EQ(reading.scene.bodies[0].string_at_m, Vec3(1.0, 2.0, 3.0));
+        EXPECT_EQ(reading.scene.bodies[0].string_n_per_m, 40.0);
+    }
+    for (const auto& [string, words] :
+         {std::pair(key("string", "nowhere"), "no place with an origin and the targetname nowhere"),
+          std::pair(key("string", ""), "names nothing to tie"),
+          std::pair(key("string", "hook") + key("stiffness_n_per_m", "nan"),
+                    "of the key stiffness_n_per_m is no number")}) {
+        const Reading reading =
+            test::reading_of(read_quake_map(entity("worldspawn", {}, kFloor) + point +
+                                                entity("thing", key("free", "1") + key("mass", "1") + string, kCube),
+                                            "test.map"));
+        EXPECT_THAT(reading.said, ElementsAre(testing::AllOf(HasSubstr("test.map, line "), HasSubstr(words))));
+        ASSERT_EQ(reading.scene.bodies.size(), 1U);
+    }
+}
+
 TEST(MapBodies, what_cannot_be_free_stays_where_it_is_and_says_so) {
     const auto stays = [](const std::string& text, const char* words) {
         const Reading reading = test::reading_of(read_quake_map(text, "test.map"));

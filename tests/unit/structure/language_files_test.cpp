@@ -85,9 +85,16 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
         {"worlds/scene/surfaces.cpp", {"sloping ceiling", "slope rising", "low block", "large block"}},
         {"worlds/scene/material.cpp", {"steel grille"}},
         {"worlds/ifc/ifc_doors.cpp", {"ground outside"}},
+        {"worlds/drawn/plan_scene.cpp", {"ground outside", "about this place"}},
+        {"worlds/osm/osm_things.cpp", {"tactile paving"}},
         {"worlds/navigation/rooms.cpp", {"ground outside"}},
-        {"app/core/kept/side_file.cpp", {"# What was added to this world"}},         // how such a file begins
-        {"app/main/scenario_command.cpp", {"<testsuite", "<testcase", "<failure"}},  // JUnit's XML
+        {"worlds/plan/storey.cpp", {"ground outside"}},
+        {"app/report/report_page.cpp", {"<", "content=", "initial-scale", "class=", "{"}},  // HTML and its style
+        {"app/report/page_parts.cpp", {"<", "content=", "initial-scale", "class=", "{", ":root"}},
+        {"worlds/exports/sheet.cpp",
+         {"svg", "aria-", "<title", "<rect", "<circle", "<<", "0 R", " n\\n", " f\\n"}},  // SVG and PDF
+        {"app/core/kept/side_file.cpp", {"# What was added to this world"}},              // how such a file begins
+        {"app/main/scenario_command.cpp", {"<testsuite", "<testcase", "<failure"}},       // JUnit's XML
         {"worlds/readers/map_words.cpp",
          {"moving platform", "turning part", "secret place", "marked place"}},  // names that files know things by
         {"worlds/readers/quake_map.cpp", {"marked place", "sliding floor", "curved surface"}},  // likewise
@@ -98,6 +105,9 @@ const std::map<std::string, std::vector<std::string>>& not_said() {
           "guide start", "guide stop"}},
         {"worlds/ifc/step_file.cpp", {"version https://git-lfs"}},   // the same
         {"worlds/readers/reader.cpp", {"version https://git-lfs"}},  // how such a file begins
+        {"worlds/exports/as_words.cpp", {" "}},                      // the same words written
+        {"worlds/exports/found_house.cpp", {" "}},                   // the same
+        {"worlds/words/word_patterns.cpp", {" "}},                   // words that texts of both languages are read by
         {"worlds/readers/height_picture.cpp", {"cut short"}},        // said to libpng, which is kept quiet
         {"haptic/compile/touch_model.cpp",
          {"sheets of one side", "liquid surfaces", "textures and shading"}},               // of info --json
@@ -133,6 +143,11 @@ const std::vector<std::string> kMadeOfNames{
     "kind.",
     "material.",
     "effect.",
+    // Values of OpenStreetMap's tags and IMDF's categories.
+    "osm_kind.",
+    "osm_fact.",
+    "imdf_kind.",
+    "imdf_fact.",
     // Looked at beside their tables: tests/unit/core/command_texts_test.cpp,
     "command.",
     "key_name.",
@@ -157,6 +172,15 @@ const std::vector<std::string> kMadeOfNames{
     "touch_stage.",
     // tests/unit/wizard/wizard_test.cpp,
     "wizard_part.",
+    // tests/unit/check/planted_faults_test.cpp,
+    "world_fault.",
+    "world_fault_do.",
+    // tests/unit/report/report_page_test.cpp
+    "report.measure_",
+    "report.means_",
+    "report.strategy_",
+    "report.mostly_",
+    "report.csv_",
     // and below.
     "side.",
 };

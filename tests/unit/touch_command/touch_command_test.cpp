@@ -106,6 +106,44 @@ TEST_F(TouchCommand, presses_back_with_800_newtons_per_metre_and_names_what_it_t
     EXPECT_EQ(last.fault(), "");
 }
 
+// A crate of 1 kg, half a metre wide, on a floor; the hand goes 20 cm into where its side was.
+TEST_F(TouchCommand, pushes_what_is_free_to_move_in_virtual_time_with_the_same_bits_each_time) {
+    const auto world = [](const std::string& free) {
+        return entity("worldspawn", "", room_brushes(-128, -128, 0, 128, 128, 96)) +
+               entity("info_player_start", key("origin", "-64 -64 24")) +
+               entity("thing", key("name", "Crate") + free + key("material", "wood"), box_brush(-8, -8, 0, 8, 8, 16));
+    };
+    arguments_.scale_world_m_per_hand_m = 20.0;
+    std::string push = "t,x,y,z\n";
+    for (int i = 0; i < 1200; ++i) push += fmt::format("{},{},0,0.2\n", i * 1e-3, -0.45 + std::min(i, 1000) * 4e-4);
+    const auto pushed = [&](const std::string& free) {
+        arguments_.world = folder_.write("crate.map", world(free));
+        std::vector<Row> out = rows(push);
+        for (Row& row : out) row.cells.pop_back();  // how long it took
+        return out;
+    };
+    const std::vector<Row> fixed = pushed(""), first = pushed(key("free", "1") + key("mass", "1"));
+    ASSERT_EQ(fixed.size(), first.size());
+    // What is fixed holds the proxy at its side; what is free goes along, and its friction is felt.
+    const double side_m = fixed.back().proxy().x;
+    EXPECT_NEAR(side_m, -0.25 - 0.005, 0.01);
+    EXPECT_GT(first.back().proxy().x, side_m + 0.15);
+    EXPECT_GT(glm::length(fixed.back().force()), glm::length(first.back().force()));
+    EXPECT_TRUE(std::any_of(first.begin(), first.end(), [](const Row& row) { return row.feature() == "Crate, wood"; }));
+    const std::vector<Row> again = pushed(key("free", "1") + key("mass", "1"));
+    for (std::size_t i = 0; i < first.size(); ++i) ASSERT_EQ(again[i].cells, first[i].cells) << "row " << i;
+}
+
+// Rows far apart in time end, and what was pushed has come to rest by then.
+TEST_F(TouchCommand, ends_with_rows_that_are_a_year_apart_where_things_move) {
+    arguments_.world =
+        folder_.write("crate.map", entity("worldspawn", "", room_brushes(-128, -128, 0, 128, 128, 96)) +
+                                       entity("info_player_start", key("origin", "-64 -64 24")) +
+                                       entity("thing", key("name", "Crate") + key("free", "1") + key("mass", "1"),
+                                              box_brush(-8, -8, 0, 8, 8, 16)));
+    EXPECT_EQ(rows("t,x,y,z\n0,-0.5,0,0.2\n0.001,-0.4,0,0.2\n31557600,-0.4,0,0.2\n").size(), 3U);
+}
+
 TEST_F(TouchCommand, takes_radius_stiffness_scale_and_map_scale) {
     arguments_.radius_m = 0.0;
     arguments_.stiffness_n_per_m = 500.0;

@@ -379,6 +379,12 @@ TEST(LiteralSession, comes_from_room_to_room_of_the_school_with_errors) {
     expect_share(count(test::our_world("school.map"), english(), every(53, 113), kUsual, test::seed_of_run()), 95);
 }
 
+TEST(LiteralSession, comes_from_room_to_room_of_the_school_in_german) {
+    const test::InLanguage german_spoken("de");
+    expect_share(count(test::our_world("school.map"), german(), every(61, 211), kExact, 0), 98);
+    expect_share(count(test::our_world("school.map"), german(), every(73, 223), kUsual, test::seed_of_run()), 95);
+}
+
 void comes_from_the_base(const char* map, int percent_exact, int percent_with_errors, std::uint32_t usual = 1) {
     if (kSanitized) GTEST_SKIP() << "takes minutes under a sanitizer";
     const auto file = test::real_world(map);

@@ -1,4 +1,4 @@
-#include "worlds/ifc/flat_parts.h"
+#include "worlds/geometry/flat_parts.h"
 
 #include <algorithm>
 

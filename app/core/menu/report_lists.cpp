@@ -1,0 +1,27 @@
+#include "app/core/menu/report_lists.h"
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+void ReportLists::ask_for_devices(double now_s) {
+    context_.requests.devices = true;
+    context_.answer(phrase("devices.looking"), now_s);
+}
+
+void ReportLists::open_devices(const std::vector<std::string>& sentences, double now_s) {
+    open(phrase("devices.title"), sentences, now_s);
+}
+
+void ReportLists::open_crash(double now_s) { open(phrase("crash_report.title"), crash_, now_s); }
+
+void ReportLists::open(std::string title, const std::vector<std::string>& lines, double now_s) {
+    ListSpec list;
+    list.title = std::move(title);
+    list.stays_open = true;
+    for (const std::string& line : lines) list.items.push_back({line, {}, false});
+    list.chosen = [this, lines](std::size_t i) { context_.answer(lines[i], context_.tick_s); };
+    context_.open_list(std::move(list), now_s);
+}
+
+}  // namespace handrail

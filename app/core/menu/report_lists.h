@@ -1,0 +1,32 @@
+// What is told of the program itself, as lists that are read line by line: what is plugged in, and what is known of a
+// session that broke off. App thread only.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/core/context/session_part.h"
+
+namespace handrail {
+
+class ReportLists : SessionPart {
+public:
+    explicit ReportLists(const SessionContext& context) : SessionPart(context) {}
+
+    // Looking takes a moment, so the owner of the session does it and tells open_devices().
+    void ask_for_devices(double now_s);
+    void open_devices(const std::vector<std::string>& sentences, double now_s);
+
+    void know_crash(std::vector<std::string> lines) { crash_ = std::move(lines); }
+    bool has_crash() const { return !crash_.empty(); }
+    void open_crash(double now_s);
+
+private:
+    // Enter says a line again.
+    void open(std::string title, const std::vector<std::string>& lines, double now_s);
+
+    std::vector<std::string> crash_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,127 @@
+#include "app/core/places/fault_list.h"
+
+#include <utility>
+
+#include "app/core/context/telling.h"
+#include "app/core/dialogue/words.h"
+#include "app/core/kept/landmarks.h"
+#include "worlds/base/contract.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+// A list ends no item with a stop of its own.
+std::string unstopped(std::string sentence) {
+    if (sentence.ends_with('.')) sentence.pop_back();
+    return sentence;
+}
+
+// Landmarks of now upon the world as its file has it: both have the same features.
+std::shared_ptr<const Scene> with_landmarks_of(const std::shared_ptr<const Scene>& file,
+                                               const std::vector<bool>& landmarks) {
+    std::shared_ptr<Scene> copy;
+    for (std::size_t f = 0; f < std::min(landmarks.size(), file->features.size()); ++f) {
+        if (file->features[f].landmark == landmarks[f]) continue;
+        if (!copy) copy = std::make_shared<Scene>(*file);
+        copy->features[f].landmark = landmarks[f];
+    }
+    return copy ? copy : file;
+}
+
+}  // namespace
+
+FaultList::FaultList(const SessionContext& context, WorldState& world, Rooms& rooms)
+    : SessionPart(context), world_(world), rooms_(rooms) {}
+
+void FaultList::enter_world() {
+    looking_.give_up();
+    world_.scene = with_landmarks(world_.scene, read_landmarks(context_.additions, unreadable_));
+}
+
+void FaultList::take_again() {
+    enter_world();
+    world_.movers.follow(world_.scene->movers);
+}
+
+void FaultList::tell_unreadable(double now_s) const {
+    if (!unreadable_.empty())
+        context_.say(unreadable_words("landmarks.unreadable", unreadable_), SpeechClass::Answer, now_s);
+}
+
+void FaultList::open(double now_s) {
+    if (!rooms_.have(now_s)) return;
+    std::vector<bool> landmarks;
+    for (const Feature& feature : world_.scene->features) landmarks.push_back(feature.landmark);
+    Beside<std::shared_ptr<const Found>>::Work work = [file = rooms_.file_scene(),
+                                                       navigation = rooms_.navigation_kept(), graph = rooms_.graph(),
+                                                       landmarks = std::move(landmarks)](const std::stop_token&) {
+        auto found = std::make_shared<Found>();
+        found->scene = with_landmarks_of(file, landmarks);
+        found->faults = find_faults(*found->scene, &navigation->space(), &graph);
+        return std::shared_ptr<const Found>(std::move(found));
+    };
+    if (!rooms_.beside()) return show(work({}), now_s);
+    context_.answer(phrase("faults.looking"), now_s);
+    looking_.begin(std::move(work));
+}
+
+void FaultList::tick(double now_s) {
+    if (const auto found = looking_.take()) show(*found, now_s);
+}
+
+void FaultList::show(const std::shared_ptr<const Found>& found, double now_s) {
+    if (found->faults.empty()) return context_.answer(phrase("faults.none"), now_s);
+    ListSpec list;
+    list.title = phrase("faults.title");
+    for (const WorldFault& fault : found->faults)
+        list.items.push_back({unstopped(fault_words(*found->scene, fault)),
+                              has_place(fault) ? where_words(context_, point_box(fault.at_m)) : std::string()});
+    list.stays_open = true;  // one goes from one to the next
+    list.chosen = [this, found](std::size_t i) { show_one(found, i, context_.tick_s); };
+    context_.open_list(std::move(list), now_s);
+}
+
+void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t which, double now_s) {
+    const WorldFault& fault = found->faults[which];
+    const std::string what = fault_words(*found->scene, fault), advice = fault_advice(*found->scene, fault);
+    ListSpec list;
+    list.title = unstopped(advice);
+    std::vector<std::function<void(double)>> acts;
+    const auto add = [&](std::string name, std::function<void(double)> act) {
+        list.items.push_back({std::move(name), {}});
+        acts.push_back(std::move(act));
+    };
+    if (fault.kind == FaultKind::UnnamedRoom || fault.kind == FaultKind::OddName)
+        if (fault.room < rooms_.graph().rooms.size())
+            add(phrase("faults.name"), [this, room = fault.room](double then_s) {
+                rooms_.ask_name(
+                    room, [this](double named_s) { open(named_s); }, then_s);
+            });
+    for (const FeatureId id : fault.candidates)
+        add(phrase("faults.mark", {{"name", one_line(spoken_name(found->scene->features[id.value]))}}),
+            [this, id](double then_s) { mark_landmark(id, then_s); });
+    if (has_place(fault))
+        add(phrase("faults.find"),
+            [this, goal = Goal{unstopped(what), point_box(fault.at_m)}](double then_s) { on_find(goal, then_s); });
+    if (list.items.empty()) return context_.answer(advice, now_s);
+    list.chosen = [this, acts](std::size_t i) { acts[i](context_.tick_s); };
+    context_.open_list(std::move(list), now_s);
+}
+
+void FaultList::mark_landmark(FeatureId id, double now_s) {
+    const Feature* feature = world_.scene->find(id);
+    contract_pre(feature != nullptr);
+    if (!feature) return;
+    keep_landmark(context_.additions, *feature);
+    context_.asks.save_additions(now_s);
+    auto changed = std::make_shared<Scene>(*world_.scene);
+    changed->features[id.value].landmark = true;
+    world_.scene = std::move(changed);
+    world_.movers.follow(world_.scene->movers);
+    context_.answer(phrase("faults.marked", {{"name", one_line(spoken_name(world_.scene->features[id.value]))}}),
+                    now_s);
+}
+
+}  // namespace handrail

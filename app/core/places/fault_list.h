@@ -1,0 +1,49 @@
+// What should be mended in the world one is in (worlds/check), as a list: from one fault to the next, to its place, and
+// mended there where a name or a landmark is all that is missing. Found on a thread beside everything else where rooms
+// are; what is mended is kept in the side file. App thread only.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "app/core/context/session_part.h"
+#include "app/core/wayfinding/stops.h"
+#include "app/core/whereabouts/rooms.h"
+#include "app/core/world/beside.h"
+#include "worlds/check/faults.h"
+
+namespace handrail {
+
+class FaultList : SessionPart {
+public:
+    FaultList(const SessionContext& context, WorldState& world, Rooms& rooms);
+
+    // Lays the landmarks that the person has marked upon it.
+    void enter_world();
+    // Says which of these could not be read.
+    void tell_unreadable(double now_s) const;
+    // The landmarks have been changed in their file.
+    void take_again();
+    // Opens the list, now or once the faults are found; says why not.
+    void open(double now_s);
+    void tick(double now_s);
+
+    std::function<void(const Goal& goal, double now_s)> on_find;  // set by the session
+
+private:
+    struct Found {
+        std::shared_ptr<const Scene> scene;  // as its file has it, with the landmarks of now
+        std::vector<WorldFault> faults;
+    };
+    void show(const std::shared_ptr<const Found>& found, double now_s);
+    void show_one(const std::shared_ptr<const Found>& found, std::size_t which, double now_s);
+    void mark_landmark(FeatureId feature, double now_s);
+
+    WorldState& world_;
+    Rooms& rooms_;
+    std::vector<Error> unreadable_;
+    Beside<std::shared_ptr<const Found>> looking_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,49 @@
+// A lesson put together by who teaches, in one list: the base, landmarks, a route, and save. What was put together
+// stays while one is in the world. App thread only.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/core/context/lesson_draft.h"
+#include "app/core/context/session_context.h"
+#include "app/core/kept/ways.h"
+#include "app/core/whereabouts/rooms.h"
+
+namespace handrail {
+
+class PrepareLesson {
+public:
+    static constexpr std::size_t kMostLandmarks = 20;
+
+    PrepareLesson(const SessionContext& context, Rooms& rooms) : context_(context), rooms_(rooms) {}
+    PrepareLesson(const PrepareLesson&) = delete;  // open lists know it by its place
+    PrepareLesson& operator=(const PrepareLesson&) = delete;
+
+    void enter_world() { draft_ = {}, begun_ = false; }
+    void open(double now_s) { open_at(0, now_s); }
+
+    // Set by the session: the ways that could be a route, as they are told: planned, walked, kept.
+    struct Offer {
+        std::string name;
+        std::vector<Stop> stops;
+    };
+    std::function<std::vector<Offer>()> routes;
+
+private:
+    void open_at(std::size_t at, double now_s);
+    void base_here();
+    void open_landmarks(double now_s);
+    void open_routes(double now_s);
+    void save(double now_s);
+    LessonDraft::Place place_of(const Stop& stop) const;
+
+    const SessionContext& context_;
+    Rooms& rooms_;
+    LessonDraft draft_;
+    bool begun_ = false;
+};
+
+}  // namespace handrail

@@ -1,0 +1,93 @@
+// Session's part on lessons of an instructor: what they do to it, and what they see of it. App thread only.
+#include <algorithm>
+
+#include "app/core/session/session.h"
+#include "app/core/world/surroundings.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+void Session::teach(const TeacherActed& act, double now_s) {
+    if (!state_.world.scene) return;
+    using Kind = TeacherActed::Kind;
+    switch (act.kind) {
+        case Kind::Lead:
+            lead_in_lesson(act, now_s);
+            break;
+        case Kind::Leave:
+            guide_.leave_way();
+            break;
+        case Kind::Block:
+        case Kind::Open: {
+            const FeatureId door{static_cast<std::uint32_t>(std::clamp(act.number, 0.0, 4e9))};
+            if (!state_.world.scene->find(door) || !movers_.doors.block(door, act.kind == Kind::Block)) break;
+            std::erase(learn_.teaching.blocked, door);
+            if (act.kind == Kind::Block) learn_.teaching.blocked.push_back(door);
+            lay_blocked();
+            break;
+        }
+        case Kind::End:
+            guide_.limit_help({});
+            guide_.leave_way();
+            for (const FeatureId door : learn_.teaching.blocked) movers_.doors.block(door, false);
+            learn_.teaching.blocked.clear();
+            lay_blocked();
+            learn_.teaching.exercise.take(act, now_s);
+            break;
+        default:
+            learn_.teaching.exercise.take(act, now_s);
+            break;
+    }
+}
+
+// By the hand where there is one; by words from half the help on, below that by the sound of the goal alone.
+void Session::lead_in_lesson(const TeacherActed& act, double now_s) {
+    constexpr double kByWords = 0.5;
+    guide_.limit_help(std::clamp(act.number, 0.0, 1.0));
+    guide_.leave_way();
+    std::vector<Stop> stops;
+    for (std::size_t i = 0; i < std::min(act.items.size(), act.places_m.size()); ++i)
+        if (is_finite(act.places_m[i])) {
+            Stop& stop = stops.emplace_back();
+            stop.name = act.items[i];
+            stop.place_m = act.places_m[i];
+        }
+    if (act.number <= 0.0 || stops.empty() || !where_.rooms.have(now_s)) return;
+    const bool by_hand = guide_.may_lead_hand();
+    if (by_hand || act.number >= kByWords) return guide_.go_along(stops, by_hand, now_s);
+    guide_.call_from({stops.back().name, point_box(stops.back().place_m), kNoFeature});
+    state_.events.tell(Led{stops.back().name, LedBy::Beacon}, now_s);
+}
+
+// Ways lead round the doors that are blocked, once there are ways.
+void Session::lay_blocked() {
+    if (!where_.rooms.look()) return;
+    std::vector<Aabb> boxes;
+    for (const FeatureId door : learn_.teaching.blocked)
+        for (const Aabb& box : door_boxes(*where_.rooms.file_scene(), where_.rooms.graph(), door)) boxes.push_back(box);
+    where_.rooms.navigation().block(boxes);
+}
+
+LessonView Session::lesson_view() {
+    const Arrivals::Turn looks(watched_.arrivals, true);
+    LessonView view;
+    if (!state_.world.scene) return view;
+    view.feet_m = feet_m();
+    view.heading_rad = state_.body.heading_rad;
+    view.wall_m = wall_beside_m(*state_.world.solids, view.feet_m);
+    view.trails = walk_.by_ear.wall_at_side().has_value();
+    view.rooms_known = where_.rooms.known();
+    if (!view.rooms_known || where_.rooms.here() == kNothing) return view;
+    view.room = own_name(where_.rooms.graph().rooms[where_.rooms.here()]);
+    if (const Room& here = where_.rooms.graph().rooms[where_.rooms.here()]; here.given) view.room = here.name;
+    const Progress progress = learn_.place.progress_in(where_.rooms.here());
+    view.walls_share = progress.perimeter_share();
+    view.walls = static_cast<int>(progress.walls.size());
+    view.walls_done = static_cast<int>(
+        std::count_if(progress.walls.begin(), progress.walls.end(), [](const WallProgress& w) { return w.done(); }));
+    view.exits = progress.exits;
+    view.exits_found = progress.exits_found;
+    return view;
+}
+
+}  // namespace handrail

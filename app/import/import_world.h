@@ -1,0 +1,30 @@
+// How the program comes to a world from a file: .map files are read at once, all others in a process of their own
+// (reader_process), and what comes of those is kept, so that the next start is as fast as a .map's. Any thread but the
+// app thread: it waits.
+#pragma once
+
+#include "app/import/reader_process.h"
+
+namespace handrail {
+
+struct ImportHow {
+    // Where to keep what was read; empty: nowhere. Written atomically; may go at any time.
+    std::filesystem::path keep_in;
+    std::filesystem::path program = find_reader_program();  // empty: the file is read in this process
+    ReaderLimits limits;
+};
+
+// A small file is read sooner than what would be kept of it.
+inline constexpr std::uintmax_t kLeastKept_bytes = 65'536;
+
+struct ImportedWorld {
+    Scene scene;
+    bool kept = false;          // taken from what was kept
+    bool kept_damaged = false;  // what was kept could not be understood, so the file was read anew
+};
+
+// As read_world. What was kept counts only for the same bytes of the file and of those beside it, options, language and
+// build.
+Result<ImportedWorld> import_world(const std::filesystem::path& path, const ReadOptions& options, const ImportHow& how);
+
+}  // namespace handrail

@@ -1,0 +1,109 @@
+// The other side of read_apart: what runs in handrail-reader.
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <new>
+
+#include "app/import/reader_answer.h"
+#include "app/import/reader_process.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HANDRAIL_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define HANDRAIL_SANITIZED 1
+#endif
+#endif
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+void limit(int what, rlim_t most) {
+    rlimit both{most, most};
+    if (what == RLIMIT_CPU) ++both.rlim_max;  // first a signal that tells why, then the end
+    ::setrlimit(static_cast<__rlimit_resource_t>(what), &both);
+}
+
+bool write_all(int fd, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t put = ::write(fd, bytes.data(), bytes.size());
+        if (put < 0 && errno == EINTR) continue;
+        if (put <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(put));
+    }
+    return true;
+}
+
+template <class T>
+T number(const char* word) {
+    T value{};
+    const std::string_view text = word;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+int answer(int fd, const Result<Scene>& scene, const std::vector<BesideFile>& beside) {
+    ReaderAnswer told;
+    told.read = scene.has_value();
+    if (scene) told.beside = beside;
+    else told.error = scene.error();
+    Packer pack;
+    pack(told);
+    if (!write_all(fd, pack.take())) return kNoRoom;
+    if (scene && !write_all(fd, stored(*scene))) return kNoRoom;
+    return 0;
+}
+
+}  // namespace
+
+int reader_process(int argc, char** argv) {
+    if (argc != kReaderWords) return kWrongUse;
+    const auto parent = number<pid_t>(argv[3]);
+    // Whoever started this process may have ended before the kernel was asked.
+    if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) return kWrongUse;
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_FSIZE, kMostHandedOver_bytes);
+    ::signal(SIGXFSZ, SIG_IGN);  // writing fails instead
+    limit(RLIMIT_CPU, number<rlim_t>(argv[5]));
+#ifndef HANDRAIL_SANITIZED
+    limit(RLIMIT_AS, number<rlim_t>(argv[4]));
+#endif
+    std::set_new_handler([] { ::_exit(kNoMemory); });
+    (void)speak_language(argv[1], argv[2]);
+
+    const fs::path path = argv[6];
+    ReadOptions options;
+    options.map_metres_per_unit = number<double>(argv[7]);
+    options.obj_metres_per_unit = number<double>(argv[8]);
+    options.unit_is_known = argv[9][0] == '1';
+    options.guess_materials = argv[9][1] == '1';
+    options.building = argv[10];
+    std::vector<BesideFile> beside;
+    options.read_beside = [&](const std::string& name) {
+        Result<std::string> bytes = read_file_beside(path, name, {});
+        beside.push_back({name, bytes ? checksum(0, *bytes) : 0U});
+        return bytes;
+    };
+    // Lines on the pipe; a reader that calls often is heard at every hundredth.
+    int told = -1;
+    options.progress = [&](double fraction) {
+        const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
+        if (percent != std::exchange(told, percent)) write_all(kTellFd, fmt::format("p{}\n", percent));
+    };
+    options.stage = [](std::string_view stage) { write_all(kTellFd, fmt::format("s{}\n", stage)); };
+    try {
+        return answer(kAnswerFd, read_world(path, options), beside);
+    } catch (const std::bad_alloc&) {
+        return kNoMemory;
+    }
+}
+
+}  // namespace handrail

@@ -1,0 +1,213 @@
+#include "app/import/reader_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+
+#include "app/import/reader_answer.h"
+#include "worlds/base/clock.h"
+#include "worlds/base/descriptor.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+
+extern "C" char** environ;
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kReaderProgram = "handrail-reader";
+constexpr int kLookEvery_ms = 50;  // at whether it is still wanted
+
+// A process that is gone with its owner.
+class Reading {
+public:
+    explicit Reading(pid_t process) : process_(process) {}
+    ~Reading() {
+        if (ended_) return;
+        ::kill(-process_, SIGKILL);  // with whatever it may have started: it leads a group of its own
+        wait();
+    }
+    Reading(const Reading&) = delete;
+    Reading& operator=(const Reading&) = delete;
+
+    int wait() {
+        int status = 0;
+        while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+        }
+        ended_ = true;
+        return status;
+    }
+
+private:
+    pid_t process_;
+    bool ended_ = false;
+};
+
+// "p57": percent; "stext.key": what it is at.
+void tell(const ReadOptions& options, std::string_view line) {
+    if (line.starts_with('p') && options.progress) {
+        int percent = 0;
+        std::from_chars(line.data() + 1, line.data() + line.size(), percent);
+        options.progress(0.01 * percent);
+    } else if (line.starts_with('s') && options.stage) {
+        options.stage(line.substr(1));
+    }
+}
+
+Result<std::string> everything_in(int fd) {
+    struct stat of {};
+    if (::fstat(fd, &of) != 0) return fail(reason_of(errno));
+    std::string bytes(static_cast<std::size_t>(of.st_size), '\0');
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t got = ::pread(fd, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return fail(reason_of(got < 0 ? errno : EIO));
+        done += static_cast<std::size_t>(got);
+    }
+    return bytes;
+}
+
+std::string end_words(int status, const ReaderLimits& limits, double cpu_s) {
+    const auto too_long = [&] { return phrase("import.too_long", {{"seconds", limits.cpu_s}}); };
+    const auto too_much = [&] {
+        return phrase("import.too_much_memory", {{"gigabytes", 1e-9 * static_cast<double>(limits.memory_bytes)}});
+    };
+    if (WIFSIGNALED(status)) {
+        const int signal = WTERMSIG(status);
+        if (signal == SIGXCPU) return too_long();
+        // The kernel's own end: of one whose time is over, else of one for which the machine has no memory left.
+        if (signal == SIGKILL) return cpu_s >= limits.cpu_s ? too_long() : too_much();
+        return phrase("import.broke_down", {{"reason", ::strsignal(signal)}});
+    }
+    if (WEXITSTATUS(status) == kNoMemory) return too_much();
+    if (WEXITSTATUS(status) == kNoRoom) return phrase("import.too_large");
+    return phrase("import.broke_down", {{"reason", phrase("import.status", {{"status", WEXITSTATUS(status)}})}});
+}
+
+double children_cpu_s() {
+    rusage use{};
+    ::getrusage(RUSAGE_CHILDREN, &use);
+    return static_cast<double>(use.ru_utime.tv_sec + use.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(use.ru_utime.tv_usec + use.ru_stime.tv_usec);
+}
+
+Result<ReadApart> read_answer(int fd) {
+    Result<std::string> bytes = everything_in(fd);
+    if (!bytes) return tl::unexpected(bytes.error());
+    Unpacker unpack(*bytes);
+    ReaderAnswer answer;
+    unpack(answer);
+    if (!unpack.good()) return fail(phrase("import.damaged"));
+    if (!answer.read) return tl::unexpected(answer.error);
+    bytes->erase(0, bytes->size() - unpack.rest().size());
+    return ReadApart{std::move(*bytes), std::move(answer.beside)};
+}
+
+Result<pid_t> start(const fs::path& program, std::vector<std::string> words, int answer_fd, int tell_fd) {
+    // Numbers out of the way of 3 and 4 first, so that neither is overwritten before it is passed on.
+    const Descriptor answer(::fcntl(answer_fd, F_DUPFD_CLOEXEC, 64)), told(::fcntl(tell_fd, F_DUPFD_CLOEXEC, 64));
+    if (answer.get() < 0 || told.get() < 0) return fail(reason_of(errno));
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    for (const int quiet : {STDIN_FILENO, STDOUT_FILENO})
+        posix_spawn_file_actions_addopen(&actions, quiet, "/dev/null", O_RDWR, 0);
+    posix_spawn_file_actions_adddup2(&actions, answer.get(), kAnswerFd);
+    posix_spawn_file_actions_adddup2(&actions, told.get(), kTellFd);
+    posix_spawn_file_actions_addclosefrom_np(&actions, kTellFd + 1);
+    posix_spawnattr_t how;
+    posix_spawnattr_init(&how);
+    // A group of its own: what a terminal's keys send is for the program, which then ends this one.
+    sigset_t none, all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    posix_spawnattr_setsigmask(&how, &none);
+    posix_spawnattr_setsigdefault(&how, &all);
+    posix_spawnattr_setpgroup(&how, 0);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    pid_t process = -1;
+    const int status = ::posix_spawn(&process, program.c_str(), &actions, &how, argv.data(), environ);
+    posix_spawnattr_destroy(&how);
+    posix_spawn_file_actions_destroy(&actions);
+    if (status != 0) return fail(reason_of(status));
+    return process;
+}
+
+}  // namespace
+
+fs::path find_reader_program() {
+    std::error_code ec;
+    const fs::path here = fs::read_symlink("/proc/self/exe", ec).parent_path();
+    for (const fs::path& candidate :
+         {here / kReaderProgram, here.parent_path() / "libexec" / "handrail" / kReaderProgram})
+        if (!ec && ::access(candidate.c_str(), X_OK) == 0) return candidate;
+    return {};
+}
+
+Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, const fs::path& program,
+                             const ReaderLimits& limits) {
+    const std::string name = path.filename().string();
+    const auto problem = [&](const std::string& why) {
+        return fail(phrase("import.cannot_start", {{"reason", why}}), name);
+    };
+    const Descriptor answer(::memfd_create("handrail-scene", MFD_CLOEXEC));
+    std::array<int, 2> ends{-1, -1};
+    if (answer.get() < 0 || ::pipe2(ends.data(), O_CLOEXEC) != 0) return problem(reason_of(errno));
+    const Descriptor ours(ends[0]);
+    std::string flags = options.unit_is_known ? "1" : "0";
+    flags += options.guess_materials ? '1' : '0';
+    const double before_s = children_cpu_s();
+    pid_t process = -1;
+    {
+        const Descriptor theirs(ends[1]);
+        const Result<pid_t> started =
+            start(program,
+                  {program.string(), spoken_language(), spoken_language_folder().string(), std::to_string(::getpid()),
+                   std::to_string(limits.memory_bytes), std::to_string(limits.cpu_s), path.string(),
+                   fmt::format("{}", options.map_metres_per_unit), fmt::format("{}", options.obj_metres_per_unit),
+                   flags, options.building},
+                  answer.get(), theirs.get());
+        if (!started) return problem(started.error().message);
+        process = *started;
+    }
+    Reading reading(process);
+    const SteadyClock clock;
+    const double until_s = clock.now_s() + limits.wall_s;
+    std::string line;
+    for (bool open = true; open;) {
+        if (options.stop.stop_requested()) return fail(phrase("files.stopped"), name);
+        if (clock.now_s() > until_s) return fail(phrase("import.too_long", {{"seconds", limits.wall_s}}), name);
+        pollfd wait{ours.get(), POLLIN, 0};
+        if (::poll(&wait, 1, kLookEvery_ms) <= 0) continue;
+        std::array<char, 4096> bytes;
+        const ssize_t got = ::read(ours.get(), bytes.data(), bytes.size());
+        if (got < 0 && errno == EINTR) continue;
+        open = got > 0;
+        for (ssize_t i = 0; i < got; ++i) {
+            if (bytes[static_cast<std::size_t>(i)] != '\n') line += bytes[static_cast<std::size_t>(i)];
+            else tell(options, std::exchange(line, {}));
+        }
+    }
+    const int status = reading.wait();
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        return fail(end_words(status, limits, children_cpu_s() - before_s), name);
+    return read_answer(answer.get());
+}
+
+}  // namespace handrail

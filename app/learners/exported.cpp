@@ -1,0 +1,87 @@
+#include "app/learners/exported.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "app/core/kept/folder_lock.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLockWait_s = 0.5;
+constexpr std::size_t kLongestList_bytes = std::size_t{16} << 20;
+
+fs::path list_in(const fs::path& learner_folder) { return learner_folder / "exports.jsonl"; }
+
+Result<std::string> checksum_of(const fs::path& file) {
+    const auto bytes = read_whole_file(file);
+    if (!bytes) return tl::unexpected(bytes.error());
+    return fmt::format(
+        "{:08x}", ::crc32_z(::crc32_z(0, nullptr, 0), reinterpret_cast<const Bytef*>(bytes->data()), bytes->size()));
+}
+
+}  // namespace
+
+Result<void> note_exported(const fs::path& learner_folder, const fs::path& file) {
+    const FolderLock lock(learner_folder, kLockWait_s);
+    if (lock.held_elsewhere()) return fail(phrase("side_file.locked", {{"file", "exports.jsonl"}}));
+    const auto checksum = checksum_of(file);
+    if (!checksum) return tl::unexpected(checksum.error());
+    std::string list;
+    std::error_code ec;
+    if (fs::exists(list_in(learner_folder), ec)) {
+        auto before = read_whole_file(list_in(learner_folder), kLongestList_bytes);
+        if (!before) return tl::unexpected(before.error());
+        list = std::move(*before);
+        if (!list.empty() && list.back() != '\n') list += '\n';
+    }
+    const nlohmann::json line{{"file", fs::absolute(file, ec).lexically_normal().string()}, {"crc32", *checksum}};
+    list += line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    auto written = write_file_atomically(list_in(learner_folder), list);
+    if (written) (void)::chmod(list_in(learner_folder).c_str(), 0600);  // its folder keeps others out already
+    return written;
+}
+
+std::vector<Exported> exported_of(const fs::path& learner_folder, std::vector<Error>& faults) {
+    std::vector<Exported> all;
+    std::error_code ec;
+    const fs::path path = list_in(learner_folder);
+    if (!fs::exists(path, ec)) return all;
+    const auto text = read_whole_file(path, kLongestList_bytes);
+    if (!text) {
+        faults.push_back(text.error());
+        return all;
+    }
+    int number = 0;
+    for (std::size_t at = 0; at < text->size();) {
+        const std::size_t end = std::min(text->find('\n', at), text->size());
+        const nlohmann::json line = nlohmann::json::parse(text->substr(at, end - at), nullptr, false);
+        at = end + 1;
+        ++number;
+        if (!line.is_object() || !line.contains("file") || !line["file"].is_string() || !line.contains("crc32") ||
+            !line["crc32"].is_string()) {
+            faults.push_back({path.string(), number, 0, phrase("learner.no_export")});
+            continue;
+        }
+        const Exported one{line["file"].get<std::string>(), line["crc32"]};
+        std::erase_if(all, [&](const Exported& before) { return before.file == one.file; });  // written over
+        all.push_back(one);
+    }
+    return all;
+}
+
+bool unchanged(const Exported& exported) {
+    const auto checksum = checksum_of(exported.file);
+    return checksum && *checksum == exported.checksum;
+}
+
+}  // namespace handrail

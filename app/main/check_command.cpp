@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/core/whereabouts/rooms_of_world.h"
+#include "app/core/world/walker.h"
+#include "app/main/commands.h"
+#include "app/main/world_files.h"
+#include "settings/settings.h"
+#include "worlds/base/language.h"
+#include "worlds/check/faults.h"
+
+namespace handrail {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Scene& scene, const std::vector<WorldFault>& faults, const RoomGraph& graph) {
+    Json list = Json::array();
+    for (const WorldFault& fault : faults) {
+        Json candidates = Json::array();
+        for (const FeatureId id : fault.candidates) candidates.push_back(spoken_name(scene.features[id.value]));
+        list.push_back(
+            {{"kind", row_of(fault.kind).word},
+             {"blocks", blocks(fault)},
+             {"what", fault_words(scene, fault)},
+             {"do", fault_advice(scene, fault)},
+             {"file", scene.source_file},
+             {"line", fault.source.line},
+             {"at_m", has_place(fault) ? Json::array({fault.at_m.x, fault.at_m.y, fault.at_m.z}) : Json(nullptr)},
+             {"room", fault.room < graph.rooms.size() ? Json(graph.rooms[fault.room].name) : Json(nullptr)},
+             {"candidates", std::move(candidates)}});
+    }
+    return {{"name", scene.name},
+            {"file", scene.source_file},
+            {"rooms", graph.rooms.size()},
+            {"blocking", std::count_if(faults.begin(), faults.end(), blocks)},
+            {"faults", std::move(list)}};
+}
+
+void tell(const Scene& scene, const std::vector<WorldFault>& faults, std::ostream& out) {
+    out << phrase("check.summary", {{"world", spoken_name(scene)},
+                                    {"file", scene.source_file},
+                                    {"count", faults.size()},
+                                    {"blocking", std::count_if(faults.begin(), faults.end(), blocks)}})
+        << '\n';
+    for (std::size_t i = 0; i < faults.size(); ++i)
+        out << phrase("check.item", {{"number", i + 1},
+                                     {"what", fault_words(scene, faults[i])},
+                                     {"do", fault_advice(scene, faults[i])},
+                                     {"line", faults[i].source.line},
+                                     {"placed", has_place(faults[i]) ? "yes" : "no"},
+                                     {"east", faults[i].at_m.x},
+                                     {"north", faults[i].at_m.y},
+                                     {"up", faults[i].at_m.z}})
+            << '\n';
+}
+
+}  // namespace
+
+int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err) {
+    Result<Scene> read =
+        imported(arguments.world, arguments.common.read_options(arguments.world)).map([](ImportedWorld&& world) {
+            return std::move(world.scene);
+        });
+    if (read)
+        if (const Result<void> valid = validate(*read); !valid) read = tl::unexpected(valid.error());
+    if (!read) {
+        err << read.error().sentence() << '\n';
+        return 1;
+    }
+    const auto scene = std::make_shared<const Scene>(std::move(*read));
+    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true);
+    const bool found = rooms.ready() && rooms.found();
+    const std::vector<WorldFault> faults = found ? find_faults(*scene, &rooms.navigation().space(), &rooms.graph())
+                                                 : find_faults(*scene, nullptr, nullptr);
+    if (arguments.json)
+        out << json_of(*scene, faults, rooms.graph()).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    else tell(*scene, faults, out);
+    return std::any_of(faults.begin(), faults.end(), blocks) ? 1 : 0;
+}
+
+}  // namespace handrail

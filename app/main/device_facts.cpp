@@ -1,0 +1,60 @@
+#include "app/main/device_facts.h"
+
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+std::string kind_sentence(DeviceKind kind) {
+    if (kind == DeviceKind::Kinesthetic) return phrase("program.device_pushes");
+    return phrase(kind == DeviceKind::Cues ? "program.device_cues" : "program.device_moves");
+}
+
+}  // namespace
+
+std::vector<std::string> device_sentences(const FoundDevice& device) {
+    std::vector<std::string> sentences{phrase("program.device", {{"model", device.model},
+                                                                 {"name", device.name},
+                                                                 {"connection", device.connection},
+                                                                 {"kind", kind_sentence(device.kind)}})};
+    const auto line = [&sentences](std::string sentence) { sentences.push_back(std::move(sentence)); };
+    if (!device.serial.empty()) line(phrase("program.device_serial", {{"serial", device.serial}}));
+    line(phrase("program.device_driver", {{"driver", device.driver}}));
+    if (!device.firmware.empty()) line(phrase("program.device_firmware", {{"firmware", device.firmware}}));
+    if (!device.calibration.empty()) line(phrase("program.device_calibration", {{"calibration", device.calibration}}));
+    if (device.spec)
+        line(phrase("program.device_reach", {{"reach", device.spec->workspace_radius_m * 100.0},
+                                             {"force", device.spec->peak_force_n},
+                                             {"stiffness", device.spec->rated_stiffness_n_per_m}}));
+    if (device.rate_hz > 0.0) line(phrase("program.device_rate", {{"rate", device.rate_hz}}));
+    line(device.usable ? phrase("program.device_state", {{"state", spoken_device_state(device)}})
+                       : phrase("program.device_problem", {{"problem", device.problem}}));
+    return sentences;
+}
+
+std::vector<std::string> device_sentences(std::span<const FoundDevice> devices) {
+    std::vector<std::string> all;
+    for (const FoundDevice& device : devices)
+        for (std::string& sentence : device_sentences(device)) all.push_back(std::move(sentence));
+    if (all.empty()) all.push_back(phrase("program.no_devices"));
+    return all;
+}
+
+void DeviceFacts::answer(Session& app, double now_s) {
+    const auto look = [] { return device_sentences(find_devices()); };
+    if (app.requests().take_devices() && !looking_.valid()) {
+        try {
+            looking_ = std::async(std::launch::async, look);
+        } catch (const std::system_error&) {  // no thread is to be had
+            app.apply(DevicesFound{look()}, now_s);
+        }
+    }
+    if (!looking_.valid() || looking_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    app.apply(DevicesFound{looking_.get()}, now_s);
+}
+
+}  // namespace handrail

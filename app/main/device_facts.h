@@ -1,0 +1,30 @@
+// What is plugged in, in sentences: printed by `handrail devices`, and told in a session that asks for it, where
+// looking must not keep anybody waiting.
+#pragma once
+
+#include <future>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/core/session/session.h"
+#include "haptic/drivers/found_device.h"
+
+namespace handrail {
+
+// Of one device, its first sentence first.
+std::vector<std::string> device_sentences(const FoundDevice& device);
+// Of all; that there is none where there is none.
+std::vector<std::string> device_sentences(std::span<const FoundDevice> devices);
+
+// App thread; looks on a thread of its own, for up to half a second.
+class DeviceFacts {
+public:
+    // Once a frame.
+    void answer(Session& app, double now_s);
+
+private:
+    std::future<std::vector<std::string>> looking_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,187 @@
+#include <algorithm>
+#include <memory>
+
+#include "app/core/whereabouts/rooms_of_world.h"
+#include "app/core/world/walker.h"
+#include "app/main/commands.h"
+#include "app/main/route_cards.h"
+#include "app/main/world_files.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+#include "worlds/exports/names.h"
+#include "worlds/exports/sheet.h"
+#include "worlds/exports/storey_stl.h"
+#include "worlds/exports/swell_sheet.h"
+#include "worlds/plan/storey.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What is to be written, and what is said of it: nothing is touched before all of it is made.
+struct MadeFile {
+    fs::path path;
+    std::string content, said;
+};
+
+std::string ending_of(const fs::path& path) { return lower_ascii(path.extension().string()); }
+
+// "plan.svg" and "key-2" make "plan-key-2.svg".
+fs::path beside(const fs::path& path, const std::string& what) {
+    return path.parent_path() / (path.stem().string() + "-" + what + path.extension().string());
+}
+
+struct Wishes {
+    PaperSize paper;
+    BrailleTable table = BrailleTable::EnUebG1;
+};
+
+Result<Wishes> wishes_of(const ExportArguments& arguments) {
+    Wishes wishes;
+    if (!arguments.swell && !arguments.stl && !arguments.route_card) return fail(phrase("export.nothing_asked"));
+    if (const std::string ending = arguments.swell ? ending_of(*arguments.swell) : ".svg";
+        ending != ".svg" && ending != ".pdf")
+        return fail(phrase("export.swell_ending", {{"file", arguments.swell->string()}}));
+    if (const std::string ending = arguments.route_card ? ending_of(*arguments.route_card) : ".txt";
+        ending != ".brf" && ending != ".txt")
+        return fail(phrase("export.card_ending", {{"file", arguments.route_card->string()}}));
+    if ((arguments.from || arguments.to) && !arguments.route_card) return fail(phrase("export.card_needed"));
+    const std::string paper = lower_ascii(arguments.paper);
+    if (paper != "a4" && paper != "a3") return fail(phrase("export.paper", {{"word", arguments.paper}}));
+    wishes.paper = paper == "a3" ? kA3 : kA4;
+    wishes.table = braille_table_of(spoken_language());
+    if (!arguments.braille.empty()) {
+        const auto named = braille_table_named(lower_ascii(arguments.braille));
+        if (!named) return fail(phrase("export.braille", {{"word", arguments.braille}}));
+        wishes.table = *named;
+    }
+    return wishes;
+}
+
+Result<void> add_swell(const fs::path& path, const Storey& storey, const Wishes& wishes, bool strip,
+                       std::vector<MadeFile>& files, std::vector<std::string>& simplified) {
+    Result<SwellSheet> sheet = swell_sheet(storey, wishes.paper, wishes.table);
+    if (!sheet) return tl::unexpected(sheet.error());
+    std::optional<SheetPage> samples;
+    if (strip) {
+        Result<SheetPage> made = calibration_strip(wishes.paper, wishes.table);
+        if (!made) return tl::unexpected(made.error());
+        samples = std::move(*made);
+    }
+    const std::string language = spoken_language();
+    const auto said = [&](const fs::path& file) {
+        return phrase("export.wrote_swell", {{"file", file.string()},
+                                             {"title", sheet->plan.title},
+                                             {"one_to", sheet->one_to},
+                                             {"rooms", sheet->signs.size()},
+                                             {"things", sheet->drawn.size()}});
+    };
+    if (ending_of(path) == ".pdf") {
+        std::vector<SheetPage> pages;
+        if (samples) pages.push_back(*samples);
+        pages.push_back(sheet->plan);
+        pages.insert(pages.end(), sheet->key.begin(), sheet->key.end());
+        files.push_back({path, pdf_of(pages, language), said(path)});
+    } else {
+        const auto add = [&](const fs::path& file, const SheetPage& page) {
+            files.push_back({file, svg_of(page, language),
+                             phrase("export.wrote", {{"file", file.string()}, {"title", page.title}})});
+        };
+        files.push_back({path, svg_of(sheet->plan, language), said(path)});
+        for (std::size_t i = 0; i < sheet->key.size(); ++i)
+            add(beside(path, "key-" + std::to_string(i + 1)), sheet->key[i]);
+        if (samples) add(beside(path, "strip"), *samples);
+    }
+    simplified.insert(simplified.end(), sheet->simplified.begin(), sheet->simplified.end());
+    simplified.push_back(phrase("export.print_as_is"));
+    return {};
+}
+
+Result<void> add_stl(const fs::path& path, const Storey& storey, BrailleTable table, std::vector<MadeFile>& files,
+                     std::vector<std::string>& simplified) {
+    const Result<StoreyPlate> plate = storey_plate(storey, table);
+    if (!plate) return tl::unexpected(plate.error());
+    files.push_back({path, stl_of(plate->triangles),
+                     phrase("export.wrote_stl", {{"file", path.string()},
+                                                 {"one_to", plate->one_to},
+                                                 {"x", plate->wide_mm},
+                                                 {"y", plate->deep_mm},
+                                                 {"things", plate->drawn.size()}})});
+    for (const std::string& sentence : plate->simplified)
+        simplified.push_back(phrase("export.of_plate", {{"sentence", sentence}}));
+    return {};
+}
+
+Result<void> add_card(const fs::path& path, const std::vector<CardWay>& ways, BrailleTable table,
+                      std::vector<MadeFile>& files) {
+    const Result<std::string> text = ending_of(path) == ".brf" ? card_brf(ways, table) : card_text(ways);
+    if (!text) return tl::unexpected(text.error());
+    files.push_back({path, *text, phrase("export.wrote_card", {{"file", path.string()}, {"count", ways.size()}})});
+    return {};
+}
+
+// Nothing is written where one of them must stay.
+Result<void> write_all(const std::vector<MadeFile>& files, bool force, std::ostream& out) {
+    std::error_code ec;
+    if (!force)
+        for (const MadeFile& file : files)
+            if (fs::exists(fs::symlink_status(file.path, ec)))
+                return fail(phrase("export.exists", {{"file", file.path.string()}}));
+    for (const MadeFile& file : files) {
+        if (Result<void> written = write_file_atomically(file.path, file.content); !written) return written;
+        out << file.said << '\n';
+    }
+    return {};
+}
+
+}  // namespace
+
+int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err) {
+    const auto failed = [&](const Error& error, int status) {
+        err << error.sentence() << '\n';
+        return status;
+    };
+    const Result<Wishes> wishes = wishes_of(arguments);
+    if (!wishes) return failed(wishes.error(), 2);
+    const fs::path world = world_by_name(arguments.world).value_or(arguments.world);
+    Result<Scene> read = imported(world, arguments.common.read_options(world)).map([](ImportedWorld&& one) {
+        return std::move(one.scene);
+    });
+    if (!read) return failed(read.error(), 1);
+    if (const Result<void> valid = validate(*read); !valid) return failed(valid.error(), 1);
+    const auto scene = std::make_shared<const Scene>(std::move(*read));
+    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true);
+    if (!rooms.ready() || !rooms.found())
+        return failed({world.string(), 0, 0, rooms.problem().empty() ? phrase("export.no_rooms") : rooms.problem()}, 1);
+    const WalkSpace& space = rooms.navigation().space();
+    const int number = arguments.storey.value_or(storey_of_start(*scene, rooms.graph(), space));
+    const Result<Storey> storey = storey_of(*scene, rooms.graph(), space, number);
+    if (!storey) return failed(storey.error(), 1);
+    std::vector<MadeFile> files;
+    std::vector<std::string> simplified;
+    if (arguments.swell)
+        if (const Result<void> made = add_swell(*arguments.swell, *storey, *wishes, arguments.strip, files, simplified);
+            !made)
+            return failed(made.error(), 1);
+    if (arguments.stl)
+        if (const Result<void> made = add_stl(*arguments.stl, *storey, wishes->table, files, simplified); !made)
+            return failed(made.error(), 1);
+    if (arguments.route_card) {
+        const Result<CardWays> ways = card_ways(*scene, rooms.graph(), rooms.navigation(), *storey,
+                                                {arguments.from, arguments.to, arguments.how});
+        if (!ways) return failed(ways.error(), 1);
+        if (const Result<void> made = add_card(*arguments.route_card, ways->ways, wishes->table, files); !made)
+            return failed(made.error(), 1);
+        if (!ways->unreached.empty())
+            simplified.push_back(phrase("export.unreached", {{"names", names_list(ways->unreached)}}));
+    }
+    if (const Result<void> written = write_all(files, arguments.force, out); !written)
+        return failed(written.error(), 1);
+    for (const std::string& sentence : simplified) out << sentence << '\n';
+    return 0;
+}
+
+}  // namespace handrail

@@ -1,0 +1,231 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/core/kept/last_place.h"
+#include "app/core/kept/side_file.h"
+#include "app/learners/forget.h"
+#include "app/learners/learners.h"
+#include "app/main/commands.h"
+#include "settings/settings.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string purpose_words(Purpose purpose) {
+    if (purpose == Purpose::Remember) return phrase("learner.remember");
+    return phrase(purpose == Purpose::Record ? "learner.record" : "learner.share");
+}
+
+// "is remembered and is recorded"; what holds today.
+std::string agreed_words(const Learner& learner) {
+    std::string words;
+    for (const Purpose purpose : kPurposes) {
+        if (!learner.allows(purpose, today())) continue;
+        const std::string one = purpose_words(purpose);
+        words = words.empty() ? one : phrase("learner.and", {{"one", words}, {"other", one}});
+    }
+    return words.empty() ? phrase("learner.agreed_to_nothing") : words;
+}
+
+// One run of the command: where learners are, and who is asked and answered.
+class LearnerCommand {
+public:
+    LearnerCommand(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err)
+        : arguments_(arguments), learners_(user_data_folder()), in_(in), out_(out), err_(err) {}
+
+    int run() {
+        const std::string& action = arguments_.action;
+        if (action == "list") return list();
+        if (action == "new") return make();
+        constexpr std::array<const char*, 5> kActions = {"list", "new", "show", "consent", "delete"};
+        if (std::find(kActions.begin(), kActions.end(), action) == kActions.end()) {
+            const std::vector<std::string> actions(kActions.begin(), kActions.end());
+            return refuse(phrase("learner.no_action", {{"word", action}, {"nearest", nearest_name(action, actions)}}),
+                          2);
+        }
+        if (arguments_.name.empty()) return refuse(phrase("learner.needs_name", {{"action", action}}), 2);
+        return action == "show" ? show() : action == "consent" ? consent() : remove();
+    }
+
+private:
+    int refuse(const std::string& sentence, int status) {
+        err_ << sentence << '\n';
+        return status;
+    }
+    int refuse(const Error& error, int status = 1) { return refuse(error.sentence(), status); }
+
+    // No where nobody answers.
+    bool agreed(const std::string& question) {
+        if (arguments_.yes) return true;
+        out_ << question << ' ' << phrase("learner.yes_or_no") << std::endl;
+        std::string line;
+        std::getline(in_, line);
+        const auto answer = good_name(line);
+        return answer && lower_ascii(*answer) == phrase("learner.yes");
+    }
+
+    int list() {
+        const Learners::Found found = learners_.all();
+        for (const Error& fault : found.faults) err_ << fault.sentence() << '\n';
+        if (found.learners.empty()) out_ << phrase("learner.none") << '\n';
+        for (const Learner& one : found.learners)
+            out_ << phrase("learner.listed", {{"name", one.name},
+                                              {"purposes", agreed_words(one)},
+                                              {"recordings", holdings_of(learners_.folder_of(one.id)).recordings}})
+                 << '\n';
+        return found.faults.empty() ? 0 : 1;
+    }
+
+    int make() {
+        if (arguments_.name.empty()) {
+            out_ << phrase("learner.offered", {{"name", learners_.offer()}}) << '\n';
+            return 0;
+        }
+        if (!purposes(arguments_.give)) return 2;
+        if (may_be_real(arguments_.name) &&
+            !agreed(phrase("learner.real_name", {{"name", arguments_.name}, {"offer", learners_.offer()}})))
+            return refuse(phrase("learner.not_made"), 1);
+        // Settings begin as one's own are: the device and the voice are the same.
+        std::error_code ec;
+        std::string settings;
+        if (const fs::path own = user_settings_path(); fs::exists(own, ec))
+            if (const auto text = read_whole_file(own)) settings = *text;
+        const auto made = learners_.make(arguments_.name, settings);
+        if (!made) return refuse(made.error());
+        if (!arguments_.give.empty()) return consent();
+        out_ << phrase("learner.made", {{"name", made->name}}) << '\n';
+        return 0;
+    }
+
+    int show() {
+        const auto learner = learners_.find(arguments_.name);
+        if (!learner) return refuse(learner.error());
+        tell(*learner);
+        const Holdings holdings = holdings_of(learners_.folder_of(learner->id));
+        for (const Error& fault : holdings.faults) err_ << fault.sentence() << '\n';
+        out_ << phrase("learner.holds", {{"recordings", holdings.recordings},
+                                         {"worlds", holdings.worlds},
+                                         {"files", holdings.exported.size() + holdings.exported_other.size()}})
+             << '\n'
+             << phrase("learner.id", {{"folder", learners_.folder_of(learner->id).string()}}) << '\n';
+        return 0;
+    }
+
+    void tell(const Learner& learner) {
+        if (!learner.created.empty())
+            out_ << phrase("learner.created", {{"name", learner.name}, {"day", learner.created}}) << '\n';
+        for (const Purpose purpose : kPurposes) {
+            const auto& given = learner.consent(purpose);
+            const TextValue name{"name", learner.name};
+            const std::string what = purpose_words(purpose);
+            const TextValue is{"purpose", what};
+            if (!given) out_ << phrase("learner.consent_not", {name, is}) << '\n';
+            else if (!learner.allows(purpose, today()))
+                out_ << phrase("learner.consent_over", {name, is, {"until", given->until}}) << '\n';
+            else
+                out_ << phrase("learner.consents",
+                               {name,
+                                is,
+                                {"day", given->given},
+                                {"by", given->by.empty() ? std::string("none") : given->by},
+                                {"until", given->until.empty() ? std::string("none") : given->until}})
+                     << '\n';
+        }
+    }
+
+    // "remember,record"; none: wrong usage, told.
+    std::optional<std::vector<Purpose>> purposes(const std::string& words) {
+        std::vector<Purpose> all;
+        for (std::size_t at = 0; at < words.size();) {
+            const std::size_t end = std::min(words.find(',', at), words.size());
+            const auto purpose = purpose_named(std::string_view(words).substr(at, end - at));
+            if (!purpose) {
+                refuse(phrase("learner.no_purpose", {{"word", one_line(words.substr(at, end - at))}}), 2);
+                return std::nullopt;
+            }
+            all.push_back(*purpose);
+            at = end + 1;
+        }
+        return all;
+    }
+
+    int consent() {
+        const auto given = purposes(arguments_.give), withdrawn = purposes(arguments_.withdraw);
+        if (!given || !withdrawn) return 2;
+        if (given->empty() && withdrawn->empty()) return refuse(phrase("learner.consent_nothing"), 2);
+        if (!arguments_.until.empty() && !is_day(arguments_.until))
+            return refuse(phrase("learner.bad_day", {{"word", one_line(arguments_.until)}}), 2);
+        if (!arguments_.until.empty() && arguments_.until < today())
+            return refuse(phrase("learner.until_over", {{"day", arguments_.until}}), 2);
+        const auto learner = learners_.find(arguments_.name);
+        if (!learner) return refuse(learner.error());
+        const auto changed = learners_.change(learner->id, [&](Learner& one) {
+            for (const Purpose purpose : *given)
+                one.consent(purpose) = Consent{today(), one_line(arguments_.by), arguments_.until};
+            for (const Purpose purpose : *withdrawn) one.consent(purpose).reset();
+        });
+        if (!changed) return refuse(changed.error());
+        tell(*changed);
+        return 0;
+    }
+
+    int remove() {
+        const std::string id = learners_.id_of(arguments_.name);
+        const auto learner = learners_.find(arguments_.name);
+        if (id.empty()) return refuse(learner.error());
+        if (!learner) err_ << learner.error().sentence() << '\n';
+        const std::string name = learner ? learner->name : id;
+        const fs::path folder = learners_.folder_of(id);
+        const Holdings holdings = holdings_of(folder);
+        for (const Error& fault : holdings.faults) err_ << fault.sentence() << '\n';
+        out_ << phrase("learner.goes", {{"name", name},
+                                        {"recordings", holdings.recordings},
+                                        {"worlds", holdings.worlds},
+                                        {"files", holdings.exported.size()}})
+             << '\n';
+        for (const fs::path& file : holdings.exported)
+            out_ << phrase("learner.goes_file", {{"file", file.string()}}) << '\n';
+        for (const fs::path& file : holdings.exported_other)
+            out_ << phrase("learner.stays_file", {{"file", file.string()}}) << '\n';
+        if (!agreed(phrase("learner.delete_asked", {{"name", name}}))) return refuse(phrase("learner.delete_not"), 1);
+        if (const auto deleted = delete_learner(folder, holdings); !deleted) return refuse(deleted.error());
+        out_ << phrase("learner.deleted", {{"name", name}}) << '\n';
+        return search({id, learner ? learner->name : std::string()});
+    }
+
+    // What is left of a deleted learner.
+    int search(const std::array<std::string, 2>& words) {
+        std::vector<fs::path> folders = {user_data_folder(), user_settings_path().parent_path()};
+        if (const fs::path sessions = sessions_folder(); !sessions.empty()) folders.push_back(sessions.parent_path());
+        std::erase_if(folders, [](const fs::path& folder) { return folder.empty(); });
+        const Search left = search_for(words, folders);
+        for (const fs::path& file : left.unread) err_ << phrase("learner.unread", {{"file", file.string()}}) << '\n';
+        if (left.hits.empty()) {
+            out_ << phrase("learner.nothing_left", {{"files", left.files}}) << '\n';
+            return left.unread.empty() ? 0 : 1;
+        }
+        out_ << phrase("learner.left", {{"count", left.hits.size()}}) << '\n';
+        for (const fs::path& file : left.hits) out_ << phrase("learner.left_in", {{"file", file.string()}}) << '\n';
+        return 1;
+    }
+
+    const LearnerArguments& arguments_;
+    const Learners learners_;
+    std::istream& in_;
+    std::ostream& out_;
+    std::ostream& err_;
+};
+
+}  // namespace
+
+int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err) {
+    return LearnerCommand(arguments, in, out, err).run();
+}
+
+}  // namespace handrail

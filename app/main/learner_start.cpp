@@ -1,0 +1,44 @@
+#include "app/main/learner_start.h"
+
+#include "app/core/kept/side_file.h"
+#include "app/learners/learners.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+namespace fs = std::filesystem;
+
+Result<void> begin_as_learner(ExploreCall& call) {
+    ExploreArguments& arguments = call.arguments;
+    if (arguments.learner.empty()) return {};
+    const Learners learners(user_data_folder());
+    const auto learner = learners.find(arguments.learner);
+    if (!learner) return tl::unexpected(learner.error());
+    const bool may_record = learner->allows(Purpose::Record, today());
+    if (arguments.record_in && !may_record) return fail(phrase("learner.not_recorded", {{"name", learner->name}}));
+    if (may_record) arguments.record_in = learners.recordings_of(learner->id);
+    if (!call.settings.file) call.settings.file = learners.settings_of(learner->id);
+    arguments.common.data_in = learners.folder_of(learner->id);
+    arguments.remember = learner->allows(Purpose::Remember, today());
+    arguments.learner = learner->name;
+    arguments.news.push_back(phrase("learner.welcome", {{"name", learner->name}}));
+    return {};
+}
+
+Result<void> begin_as_learner(LessonCall& call) {
+    std::error_code ec;
+    LessonArguments& arguments = call.arguments;
+    if (arguments.learner.empty() || arguments.check || (arguments.file == "watch" && !fs::exists(arguments.file, ec)))
+        return {};
+    if (arguments.protocol) {  // may be written down before there is such a learner
+        if (const auto learner = Learners(user_data_folder()).find(arguments.learner))
+            arguments.learner = learner->name;
+        return {};
+    }
+    call.explore.arguments.learner = arguments.learner;
+    if (auto begun = begin_as_learner(call.explore); !begun) return begun;
+    arguments.learner = call.explore.arguments.learner;
+    return {};
+}
+
+}  // namespace handrail

@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+#include <unistd.h>
+
+#include "app/main/commands.h"
+#include "app/main/lesson_here.h"
+#include "app/main/world_files.h"
+#include "app/teaching/desk.h"
+#include "app/teaching/lesson_check.h"
+#include "audio-cues/sinks/recording_sinks.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+// 0: every pupil's expectations hold; 1: one does not, or a script cannot be done.
+int check_lesson(const std::shared_ptr<TaughtWorld>& world, std::ostream& out) {
+    bool all_hold = true;
+    for (const LessonPupil& pupil : world->lesson().pupils) {
+        RecordingAudio audio;
+        RecordingSpeech speech;
+        const auto outcome = run_pupil(world, pupil, audio, speech);
+        std::vector<std::string> failures =
+            outcome ? outcome->failures : std::vector<std::string>{outcome.error().sentence()};
+        fmt::print(out, "{}\n",
+                   phrase(failures.empty() ? "program.scenario_holds" : "program.scenario_fails",
+                          {{"title", pupil.name},
+                           {"file", world->lesson().file.filename().string()},
+                           {"seconds", outcome ? outcome->seconds : 0.0}}));
+        for (const std::string& failure : failures) fmt::print(out, "  {}\n", failure);
+        all_hold = all_hold && failures.empty();
+    }
+    if (world->lesson().pupils.empty()) fmt::print(out, "{}\n", phrase("teaching.no_pupils"));
+    return all_hold ? 0 : 1;
+}
+
+}  // namespace
+
+// 0: done. 1: a pupil failed, or there is nothing to watch. 2: the lesson is refused. None: it is to be taught, and
+// `explore` says how.
+std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, SettingsStore& settings,
+                              std::ostream& out, std::ostream& err) {
+    std::error_code ec;
+    if (arguments.file == "watch" && !std::filesystem::exists(arguments.file, ec))
+        return watch_desk(desk_socket_path(), STDIN_FILENO, out, err);
+    const LearnerName learner = learner_named(arguments.learner);
+    const auto refused = [&](const Error& error) {
+        fmt::print(err, "{}\n", error.sentence());
+        return 2;
+    };
+    if (arguments.protocol) {
+        const auto lesson = read_lesson(arguments.file, {world_folder()});
+        if (!lesson) return refused(lesson.error());
+        out << protocol_of(*lesson, learner);
+        return 0;
+    }
+    auto world = read_taught_world(arguments.file);
+    if (!world) return refused(world.error());
+    if (arguments.check) return check_lesson(*world, out);
+    const LessonFile& lesson = (*world)->lesson();
+    if (arguments.session < 1 || arguments.session > lesson.sessions.size()) {
+        fmt::print(err, "{}\n", phrase("teaching.sessions_are", {{"count", lesson.sessions.size()}}));
+        return 2;
+    }
+    const std::size_t session = arguments.session - 1;
+    for (const auto* conditions : {&lesson.settings, &lesson.sessions[session].settings})
+        for (const auto& [key, value] : *conditions)
+            if (const auto set = settings.set(key, value, SettingSource::World); !set) return refused(set.error());
+    explore.world = lesson.world;
+    explore.lesson = LessonToTeach{std::move(*world), session, learner};
+    return std::nullopt;
+}
+
+}  // namespace handrail

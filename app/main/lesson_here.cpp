@@ -1,0 +1,130 @@
+#include "app/main/lesson_here.h"
+
+#include <algorithm>
+
+#include "app/core/kept/side_file.h"
+#include "app/main/world_files.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kTurn_s = 0.1;
+constexpr std::size_t kMostOffered = 50;
+
+}  // namespace
+
+fs::path lessons_folder() { return user_data_folder() / "lessons"; }
+
+Result<std::shared_ptr<TaughtWorld>> read_taught_world(const fs::path& file) {
+    auto lesson = read_lesson(file, {world_folder()});
+    if (!lesson) return tl::unexpected(lesson.error());
+    auto scene = read_world(lesson->world);
+    if (!scene) return tl::unexpected(scene.error());
+    const std::string checksum =
+        lesson->world_checksum.empty() ? std::string() : SideFile::of_world(lesson->world, {}).world_checksum();
+    return TaughtWorld::find(std::move(*lesson), std::make_shared<const Scene>(std::move(*scene)), checksum);
+}
+
+// Those whose world this is, beside it and in the folder of the person's own.
+void LessonHere::offer(const fs::path& world, double now_s) {
+    offered_.clear();
+    TeacherActed act{TeacherActed::Kind::Offer, {}, {}, {}, 0.0};
+    for (const fs::path& folder : {world.parent_path(), lessons_folder()}) {
+        std::error_code ec;
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(folder, ec))
+            if (entry.path().string().ends_with(".lesson.toml")) files.push_back(entry.path());
+        std::sort(files.begin(), files.end());
+        for (const fs::path& file : files) {
+            if (offered_.size() >= kMostOffered) break;
+            const auto lesson = read_lesson(file, {world_folder()});
+            if (!lesson || !fs::equivalent(lesson->world, world, ec)) continue;
+            if (std::find(offered_.begin(), offered_.end(), file) != offered_.end()) continue;
+            offered_.push_back(file);
+            act.items.push_back(lesson->title.spoken());
+        }
+    }
+    app_.apply(std::move(act), now_s);
+}
+
+void LessonHere::begin(const LessonToTeach& lesson) {
+    run_.emplace(begin_lesson(lesson.world, lesson.session, lesson.learner, app_));
+    if (auto desk = DeskServer::open(desk_socket_path())) desk_ = std::move(*desk);
+    else say_(desk.error().sentence());
+}
+
+// Under a name of its own in the person's folder; what is there already stays.
+void LessonHere::write_draft(const fs::path& world, double now_s) {
+    const auto draft = app_.requests().take_lesson_draft();
+    if (!draft) return;
+    LessonFile lesson = three_sessions(*draft, world);
+    std::error_code ec;
+    if (!fs::equivalent(world_folder() / world.filename(), world, ec)) lesson.world_name = world.string();
+    std::string stem;
+    for (const char c : lower_ascii(draft->title))
+        if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) stem += c;
+        else if (!stem.empty() && stem.back() != '-') stem += '-';
+    while (stem.ends_with('-')) stem.pop_back();
+    if (stem.empty()) stem = "lesson";
+    fs::create_directories(lessons_folder(), ec);  // what keeps it from being there is told by the write
+    fs::path file = lessons_folder() / (stem + ".lesson.toml");
+    for (int number = 2; fs::exists(file, ec); ++number)
+        file = lessons_folder() / fmt::format("{}-{}.lesson.toml", stem, number);
+    const auto written = write_file_atomically(file, lesson_text(lesson));
+    app_.apply(Told{written ? phrase("prepare.saved", {{"title", draft->title}, {"file", file.string()}})
+                            : written.error().sentence(),
+                    SpeechClass::Answer},
+               now_s);
+    if (written) offer(world, now_s);
+}
+
+// What was chosen from the list, once its world has been looked through.
+void LessonHere::begin_chosen(double now_s) {
+    if (const auto chosen = app_.requests().take_lesson(); chosen && *chosen < offered_.size() && !looked_for_.valid())
+        looked_for_ = std::async(std::launch::async, read_taught_world, offered_[*chosen]);
+    if (!looked_for_.valid() || looked_for_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    auto found = looked_for_.get();
+    if (found) begin({std::move(*found), 0, learner_named(learner_)});
+    else app_.apply(Told{found.error().sentence(), SpeechClass::Answer}, now_s);
+}
+
+void LessonHere::listen_to_desk(double now_s) {
+    if (!desk_) return;
+    for (const std::string& order : desk_->take_orders()) desk_->tell(carry_out_order(*run_, order, now_s));
+    if (now_s - told_s_ < TeachingRun::kSummary_s) return;
+    told_s_ = now_s;
+    desk_->tell(run_->summary());
+}
+
+void LessonHere::turn(const fs::path& world, double now_s) {
+    if (app_.world().entered == 0) return;
+    if (world_ != app_.world().entered) {
+        world_ = app_.world().entered;
+        run_.reset();
+        desk_.reset();
+        offer(world, now_s);
+        if (wanted_ && !began_) begin(*wanted_);
+        began_ = true;
+    }
+    write_draft(world, now_s);
+    begin_chosen(now_s);
+    if (!run_ || now_s - turned_s_ < kTurn_s) return;
+    turned_s_ = now_s;
+    listen_to_desk(now_s);
+    teach_on(*run_, app_, std::exchange(events_, {}), now_s);
+    if (!run_->over()) return;
+    run_.reset();
+    desk_.reset();
+}
+
+void LessonHere::see(const std::vector<SessionEvent>& events) {
+    if (run_) events_.insert(events_.end(), events.begin(), events.end());
+}
+
+}  // namespace handrail

@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
+#include "app/core/kept/side_file.h"
+#include "app/core/kept/spoken_language.h"
+#include "app/main/commands.h"
+#include "app/main/end_signals.h"
+#include "app/record/compute_again.h"
+#include "app/record/hearing.h"
+#include "app/record/scenario_of.h"
+#include "app/terminal/raw_terminal.h"
+#include "app/terminal/terminal.h"
+#include "app/terminal/terminal_keys.h"
+#include "audio-cues/sinks/audio_thread.h"
+#include "audio-cues/sinks/sound_outputs.h"
+#include "worlds/base/clock.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kFrame_s = 1.0 / 60.0;
+constexpr double kBegins_s = 0.1;     // after which a line that was handed over is being said
+constexpr double kLastWords_s = 3.0;  // how long the end waits for what is being said
+constexpr double kEars_m = 1.6;       // above the soles
+
+// ---- heard again ----
+
+enum class Wish : std::uint8_t { None, Stop, Back, On, Leave };
+
+Wish wish_of(std::string_view word) {
+    const auto is_one_of = [word](std::initializer_list<std::string_view> words) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    if (is_one_of({"Space", " ", "", "stop"})) return Wish::Stop;
+    if (is_one_of({"Left", "left", "back"})) return Wish::Back;
+    if (is_one_of({"Right", "right", "on"})) return Wish::On;
+    if (is_one_of({"Escape", "leave"})) return Wish::Leave;
+    return Wish::None;
+}
+
+// Keys at once where there is a terminal for them, else lines of words.
+class Wishes {
+public:
+    explicit Wishes(Clock& clock) : terminal_(RawTerminal::take(STDIN_FILENO, STDOUT_FILENO)) {
+        const char* kind = std::getenv("TERM");
+        if (terminal_)
+            keys_.emplace(STDIN_FILENO, terminal_keyboard(spoken_language(), kind ? kind : "", terminal_->erase()),
+                          clock, [](const std::string&) { return false; });
+        else lines_.emplace(STDIN_FILENO, LineWatch::WhenFull::Waits, [](std::string_view) { return false; });
+    }
+    bool has_keys() const { return keys_.has_value(); }
+    std::vector<Wish> take() {
+        std::vector<Wish> wishes;
+        bool emptied = false;
+        if (keys_)
+            for (const TimedInput& one : keys_->take(emptied))
+                wishes.push_back(wish_of(one.input.key.empty() ? one.input.text : one.input.key));
+        else
+            for (const std::string& line : lines_->take(emptied)) wishes.push_back(wish_of(line));
+        return wishes;
+    }
+
+private:
+    std::unique_ptr<RawTerminal> terminal_;
+    std::optional<TerminalKeys> keys_;
+    std::optional<LineWatch> lines_;
+};
+
+class HeardAgain {
+public:
+    HeardAgain(const Recording& recording, double speed, const Settings& settings)
+        : hearing_(recording, speed), wishes_(clock_) {
+        SoundOutputs outputs = open_sound_outputs(settings, STDOUT_FILENO);
+        sound_ = std::make_unique<AudioThread>(std::move(outputs.audio), std::move(outputs.speech), clock_, nullptr,
+                                               settings);
+        sound_->start();
+    }
+
+    void run() {
+        const EndSignals signals;
+        say(phrase(wishes_.has_keys() ? "replay.begin_keys" : "replay.begin_words",
+                   {{"length", time_words(hearing_.length_s())}}));
+        double then_s = clock_.now_s();
+        while (!signals.asked() && !left_ && !(hearing_.over() && !speaking())) {
+            const double now_s = clock_.now_s();
+            for (const Wish wish : wishes_.take()) act(wish);
+            Hearing::Heard heard = hearing_.go_on(now_s - then_s, speaking());
+            then_s = now_s;
+            if (const FrameRow* place = hearing_.place())
+                sound_->set_listener({place->feet_m + Vec3(0.0, 0.0, kEars_m), place->heading_rad, 0.0});
+            for (const Hearing::Knock& knock : heard.knocks) play(knock);
+            for (SaidLine& line : heard.lines)
+                if (line.voiced) say(std::move(line.text));
+            clock_.sleep_until_s(now_s + kFrame_s);
+        }
+        sound_->stop(signals.asked() ? 0.0 : kLastWords_s);
+    }
+
+private:
+    static std::string time_words(double t_s) {
+        const int seconds = static_cast<int>(t_s);
+        return phrase("learning.minutes_and_seconds", {{"minutes", seconds / 60}, {"seconds", seconds % 60}});
+    }
+    bool speaking() const { return sound_->speaking() || clock_.now_s() - said_s_ < kBegins_s; }
+
+    void say(std::string text) {
+        CueRequest request;
+        request.text = std::move(text);
+        request.repeatable = true;
+        request.time_s = said_s_ = clock_.now_s();
+        sound_->post(std::move(request));
+    }
+    void play(const Hearing::Knock& knock) {
+        CueRequest request;
+        request.kind = CueRequestKind::Play;
+        request.sound = SoundKind::Contact;
+        request.time_s = clock_.now_s();
+        request.position_m = knock.at_m;
+        request.loudness = std::clamp(knock.force_n / 2.0, 0.2, 1.0);
+        sound_->post(std::move(request));
+    }
+    void act(Wish wish) {
+        if (wish == Wish::None) return;
+        CueRequest quiet;
+        quiet.kind = CueRequestKind::StopSpeech;
+        quiet.time_s = clock_.now_s();
+        sound_->post(std::move(quiet));
+        if (wish == Wish::Leave) left_ = true;
+        if (wish == Wish::Stop) hearing_.stop_or_go_on();
+        if (wish == Wish::Back || wish == Wish::On)
+            hearing_.jump(wish == Wish::On ? Hearing::kJump_s : -Hearing::kJump_s);
+        if (left_) return;
+        say(phrase(hearing_.stopped() ? "replay.stopped_at" : "replay.at", {{"time", time_words(hearing_.at_s())}}));
+    }
+
+    SteadyClock clock_;
+    Hearing hearing_;
+    Wishes wishes_;
+    std::unique_ptr<AudioThread> sound_;
+    double said_s_ = -1e9;
+    bool left_ = false;
+};
+
+// ---- written ----
+
+template <class Rows>
+Result<void> write_table(const fs::path& file, std::string_view header, const Rows& rows) {
+    if (rows.empty()) return {};
+    std::string text = std::string(header) + "\n";
+    for (const auto& row : rows) text += fmt::format("{}\n", fmt::join(numbers_of(row), ","));
+    return write_file_atomically(file, text);
+}
+
+Result<void> write_tables(const Recording& recording, const fs::path& folder) {
+    for (const Result<void>& written : {write_table(folder / "hand.csv", hand_header(), recording.hands[0]),
+                                        write_table(folder / "left.csv", hand_header(), recording.hands[1]),
+                                        write_table(folder / "frames.csv", frame_header(), recording.frames),
+                                        write_table(folder / "cues.csv", cue_header(), recording.cues)})
+        if (!written) return written;
+    return {};
+}
+
+// ---- computed again ----
+
+int check(const Recording& recording, std::ostream& out, std::ostream& err) {
+    if (const auto spoken = speak_language(recording.head.language, user_languages_folder()); !spoken) {
+        err << spoken.error().sentence() << '\n';
+        return 1;
+    }
+    const auto again = compute_again(recording);
+    if (!again) {
+        err << again.error().sentence() << '\n';
+        return 1;
+    }
+    for (const std::string& remark : again->remarks) out << remark << '\n';
+    if (const auto other = first_difference(recording, *again)) {
+        err << phrase("replay.differs", {{"line", other->line + 1},
+                                         {"recorded", other->recorded},
+                                         {"computed", other->computed},
+                                         {"version", recording.head.program}})
+            << '\n';
+        return 1;
+    }
+    out << phrase("replay.same", {{"count", again->said.size()}}) << '\n';
+    return 0;
+}
+
+}  // namespace
+
+fs::path newest_in(const fs::path& folder) {
+    fs::path newest;
+    std::error_code ec;
+    for (const auto& entry : fs::directory_iterator(folder, ec))
+        if (entry.is_directory(ec) && entry.path().filename() > newest.filename()) newest = entry.path();
+    return newest;
+}
+
+int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err) {
+    const fs::path folder = arguments.folder.value_or(newest_in(user_data_folder() / "recordings"));
+    const auto refuse = [&err](const Error& error) {
+        err << error.sentence() << '\n';
+        return 1;
+    };
+    if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
+    const auto recording = read_recording(folder);
+    if (!recording) return refuse(recording.error());
+    for (const Error& problem : recording->problems) err << problem.sentence() << '\n';
+    if (!recording->ended) out << phrase("replay.ends_early") << '\n';
+    if (arguments.csv)
+        if (const auto written = write_tables(*recording, *arguments.csv); !written) return refuse(written.error());
+    if (arguments.scenario) {
+        const auto scenario = scenario_of(*recording, folder.filename().string());
+        if (!scenario) return refuse(scenario.error());
+        for (const std::string& sentence : scenario->left_out) out << sentence << '\n';
+        if (const auto written = write_file_atomically(*arguments.scenario, scenario->toml); !written)
+            return refuse(written.error());
+    }
+    if (arguments.check) return check(*recording, out, err);
+    if (arguments.csv || arguments.scenario) return 0;
+    HeardAgain(*recording, arguments.speed, settings).run();
+    return 0;
+}
+
+}  // namespace handrail

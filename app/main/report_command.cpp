@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <array>
+
+#include "app/core/kept/side_file.h"
+#include "app/learners/exported.h"
+#include "app/learners/learners.h"
+#include "app/main/commands.h"
+#include "app/main/session_report.h"
+#include "app/record/compute_again.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One recording; where it is damaged or goes on in other worlds that is told.
+Result<SessionReport> report_of_folder(const fs::path& folder, std::ostream& out, std::ostream& err) {
+    const auto recording = read_recording(folder);
+    if (!recording) return tl::unexpected(recording.error());
+    for (const Error& problem : recording->problems) err << problem.sentence() << '\n';
+    const RecordedEvents events = events_of(*recording);
+    if (!events.world) return fail(phrase("report.no_world"), folder.string());
+    if (events.more_worlds) out << phrase("report.first_world") << '\n';
+    const auto scene = read_recorded_scene(*events.world);
+    if (!scene) return tl::unexpected(scene.error());
+    return report_of(*recording, events, *scene);
+}
+
+std::vector<fs::path> folders_in(const fs::path& folder) {
+    std::vector<fs::path> found;
+    std::error_code ec;
+    for (fs::directory_iterator at(folder, ec), end; !ec && at != end; at.increment(ec))
+        if (std::error_code other; at->is_directory(other)) found.push_back(at->path());
+    std::sort(found.begin(), found.end());  // named by the time they were begun
+    return found;
+}
+
+bool lies_in(const fs::path& file, const fs::path& folder) {
+    std::error_code ec;
+    const fs::path inside = fs::weakly_canonical(fs::absolute(file, ec), ec), whole = fs::weakly_canonical(folder, ec);
+    return std::mismatch(whole.begin(), whole.end(), inside.begin(), inside.end()).first == whole.end();
+}
+
+// One run of the command.
+class ReportCommand {
+public:
+    ReportCommand(const ReportArguments& arguments, std::ostream& out, std::ostream& err)
+        : arguments_(arguments), out_(out), err_(err) {}
+
+    int run() {
+        if (!arguments_.html && !arguments_.csv && !arguments_.json)
+            return refuse({{}, 0, 0, phrase("report.nothing_asked")}, 2);
+        return arguments_.learner.empty() || arguments_.folder ? of_session() : of_learner();
+    }
+
+private:
+    int refuse(const Error& error, int status = 1) {
+        err_ << error.sentence() << '\n';
+        return status;
+    }
+
+    int of_session() {
+        const fs::path folder = arguments_.folder.value_or(newest_in(user_data_folder() / "recordings"));
+        if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
+        auto report = report_of_folder(folder, out_, err_);
+        if (!report) return refuse(report.error());
+        report->learner = arguments_.learner;
+        const std::span<const SessionReport> one(&*report, 1);
+        if (const int status = write(arguments_.html ? report_page(*report) : std::string(), one); status != 0)
+            return status;
+        for (const std::string& sentence : report_words(*report)) out_ << sentence << '\n';
+        return 0;
+    }
+
+    // All sessions that can be read; what cannot be is told and left out.
+    int of_learner() {
+        const Learners learners(user_data_folder());
+        const auto learner = learners.find(arguments_.learner);
+        if (!learner) return refuse(learner.error());
+        learner_folder_ = learners.folder_of(learner->id);
+        for (const auto& file : {arguments_.html, arguments_.csv, arguments_.json})
+            if (file && !lies_in(*file, learner_folder_) && !learner->allows(Purpose::Share, today()))
+                return refuse({{}, 0, 0, phrase("learner.not_shared", {{"name", learner->name}})});
+        std::vector<SessionReport> reports;
+        for (const fs::path& folder : folders_in(learners.recordings_of(learner->id))) {
+            auto report = report_of_folder(folder, out_, err_);
+            if (!report) {
+                err_ << report.error().sentence() << '\n';
+                continue;
+            }
+            report->learner = learner->name;
+            report->learner_id = learner->id;
+            report->session = fmt::format("{}", reports.size() + 1);
+            reports.push_back(std::move(*report));
+        }
+        if (reports.empty()) return refuse({{}, 0, 0, phrase("learner.no_sessions", {{"name", learner->name}})});
+        if (const int status = write(arguments_.html ? learner_page(reports) : std::string(), reports); status != 0)
+            return status;
+        for (const std::string& sentence : learner_words(reports)) out_ << sentence << '\n';
+        return 0;
+    }
+
+    int write(std::string page, std::span<const SessionReport> reports) {
+        const std::vector<ResultRow> rows = result_rows(reports);
+        struct Made {
+            fs::path path;
+            std::string content;
+        };
+        std::vector<Made> files;
+        if (arguments_.html) files.push_back({*arguments_.html, std::move(page)});
+        if (arguments_.csv) {
+            files.push_back({*arguments_.csv, results_csv(rows)});
+            files.push_back(
+                {arguments_.csv->string() + "-metadata.json", results_metadata(arguments_.csv->filename().string())});
+        }
+        if (arguments_.json) files.push_back({*arguments_.json, results_json(rows)});
+        std::error_code ec;
+        for (const Made& made : files)
+            if (!arguments_.force && fs::exists(fs::symlink_status(made.path, ec)))
+                return refuse({{}, 0, 0, phrase("export.exists", {{"file", made.path.string()}})});
+        for (const Made& made : files) {
+            if (const auto written = write_file_atomically(made.path, made.content); !written)
+                return refuse(written.error());
+            // So that deleting the learner can take it away.
+            if (!learner_folder_.empty() && !lies_in(made.path, learner_folder_))
+                if (const auto noted = note_exported(learner_folder_, made.path); !noted)
+                    err_ << noted.error().sentence() << '\n';
+            out_ << phrase("report.wrote", {{"file", made.path.string()}}) << '\n';
+        }
+        return 0;
+    }
+
+    const ReportArguments& arguments_;
+    fs::path learner_folder_;  // of whom it is; empty: of nobody by name
+    std::ostream& out_;
+    std::ostream& err_;
+};
+
+}  // namespace
+
+int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err) {
+    return ReportCommand(arguments, out, err).run();
+}
+
+}  // namespace handrail

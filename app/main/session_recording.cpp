@@ -1,0 +1,63 @@
+#include "app/main/session_recording.h"
+
+#include <utility>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+
+SessionRecording::SessionRecording(const ExploreArguments& arguments, const Settings& settings, Clock& clock,
+                                   std::vector<std::string>& news)
+    : clock_(clock) {
+    if (!arguments.record_in || arguments.calibrate) return;
+    RecordingHead head;
+    head.program = arguments.program_version;
+    head.language = spoken_language();
+    head.begun_s = in_whole_microseconds(clock.now_s());
+    head.settings = settings;
+    auto begun = Recorder::begin(*arguments.record_in, std::move(head));
+    if (!begun) {
+        news.push_back(begun.error().sentence());
+        return;
+    }
+    recorder_ = std::move(*begun);
+    arrivals_.emplace([this](std::uint64_t asked) { note("came", asked); });
+    news.push_back(phrase("recording.begun"));
+}
+
+void SessionRecording::listen_to(Session& app) {
+    if (!recorder_) return;
+    app.tell_inputs({[this](const SessionInput& input, double now_s) { recorder_->input(input, now_s); },
+                     [this] { recorder_->not_taken(); }});
+}
+
+SoundOutputs SessionRecording::noted(SoundOutputs outputs) {
+    if (!recorder_) return outputs;
+    outputs.audio = std::make_unique<RecordedSound>(std::move(outputs.audio), *recorder_, steps_);
+    outputs.speech = std::make_unique<RecordedVoice>(std::move(outputs.speech), *recorder_, steps_);
+    return outputs;
+}
+
+void SessionRecording::listen_to(AudioThread& sound) {
+    if (!recorder_) return;
+    sound.tell_steps(
+        {[this](double now_s) { steps_->begin(now_s); },
+         [this](const AudioThread::Step& step) {
+             recorder_->cue_step({step.now_s, step.contacts, step.left_contacts, step.posts, steps_->end()});
+         }});
+}
+
+std::vector<SessionEvent> SessionRecording::ticked(Session& app, double now_s, const ToolState& tool,
+                                                   const ToolState& left_tool) {
+    std::vector<SessionEvent> events = app.take_events();
+    if (!recorder_) return events;
+    recorder_->frame({now_s, tool.ticks, left_tool.ticks, app.scene() ? app.feet_m() : Vec3(0.0), app.heading_rad()});
+    for (const SessionEvent& event : events) recorder_->event(event, app.scene().get());
+    return events;
+}
+
+void SessionRecording::set_up(bool under_way) {
+    if (std::exchange(set_up_, under_way) != under_way && under_way) note("set_up");
+}
+
+}  // namespace handrail

@@ -1,0 +1,16 @@
+// A report made of a recording and the world it was made in: measures, strategies, contacts, the way and the course.
+// Any thread; takes as long as finding the rooms of the world.
+#pragma once
+
+#include <memory>
+
+#include "app/record/recorded_events.h"
+#include "app/report/report_page.h"
+
+namespace handrail {
+
+// Fails with a sentence where the rooms of the world cannot be found. scene: that of events.world.
+Result<SessionReport> report_of(const Recording& recording, const RecordedEvents& events,
+                                const std::shared_ptr<const Scene>& scene);
+
+}  // namespace handrail

@@ -1,0 +1,282 @@
+#include "app/record/compute_again.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "app/core/kept/side_file.h"
+#include "app/record/json_fields.h"
+#include "app/record/played_ears.h"
+#include "app/record/played_hand.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+#include "worlds/base/typist.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kLost_s = 0.6;  // so much of the end of a recording that was cut off is not in all its files
+
+// A folder of its own for what the session saves meanwhile; gone with it.
+class Aside {
+public:
+    Aside() {
+        std::string name = (fs::temp_directory_path() / "handrail-replay-XXXXXX").string();
+        if (::mkdtemp(name.data())) path_ = name;
+    }
+    ~Aside() {
+        std::error_code ec;
+        if (!path_.empty()) fs::remove_all(path_, ec);
+    }
+    Aside(const Aside&) = delete;
+    Aside& operator=(const Aside&) = delete;
+    const fs::path& path() const { return path_; }
+
+    // What the person had added to the world, as a file beside a link to it.
+    SideFile additions_of(const RecordedWorld& world) {
+        const fs::path folder = path_ / std::to_string(++worlds_);
+        std::error_code ec;
+        fs::create_directories(folder, ec);
+        const fs::path link = folder / world.source.file.filename();
+        fs::create_symlink(world.source.file, link, ec);
+        fs::path file = link;
+        file += ".handrail.toml";
+        if (!world.additions.empty()) (void)write_file_atomically(file, world.additions);
+        return SideFile::of_world(link, {});
+    }
+
+private:
+    fs::path path_;
+    int worlds_ = 0;
+};
+
+template <class T>
+T field(const Json& json, const char* key, T otherwise) {
+    const auto at = json.find(key);
+    if (at == json.end()) return otherwise;
+    if constexpr (std::is_same_v<T, std::string>) return at->is_string() ? at->get<T>() : otherwise;
+    else return at->is_number_unsigned() ? at->get<T>() : otherwise;
+}
+
+std::set<std::uint64_t> numbers_that_came(const Recording& recording) {
+    std::set<std::uint64_t> came;
+    for (const RecordedLine& line : recording.lines)
+        if (line.is == "came") came.insert(field<std::uint64_t>(Json::parse(line.json, nullptr, false), "number", 0));
+    return came;
+}
+
+class Player {
+public:
+    Player(const Recording& recording, const std::function<Result<EnteringWorld>(const RecordedWorld&)>& read)
+        : recording_(recording),
+          read_(read),
+          arrivals_(numbers_that_came(recording)),
+          app_(recording.head.settings, HandFacts{}, options()),
+          right_(recording.hands[0], 0),
+          left_(recording.hands[1], 1),
+          ears_(recording.head.settings, recording.head.begun_s) {
+        for (const RecordedLine& line : recording.lines) {
+            if (line.is != "sink_news") continue;
+            const Json json = Json::parse(line.json, nullptr, false);
+            ears_.hear_of(field<std::uint64_t>(json, "step", 0), field<std::string>(json, "from", "") == "voice",
+                          field<std::string>(json, "text", ""));
+        }
+    }
+
+    ~Player() { speak_to(spoken_to_); }
+    Player(const Player&) = delete;
+    Player& operator=(const Player&) = delete;
+
+    Result<ComputedAgain> play() {
+        for (const RecordedLine& line : recording_.lines) {
+            auto goes_on = take(line);
+            if (!goes_on) return tl::unexpected(goes_on.error());
+            if (!*goes_on) break;
+        }
+        if (!stopped_)
+            while (frames_ < recording_.frames.size() && frame()) hear();
+        flush();
+        hear();
+        if (recording_.ended && !stopped_) ears_.finish();
+        again_.said = ears_.said();
+        again_.cut = again_.cut || !recording_.ended;
+        again_.until_s = until_s_;
+        return std::move(again_);
+    }
+
+private:
+    SessionOptions options() {
+        SessionOptions options;
+        options.records_in = aside_.path();
+        if (recording_.head.virtual_time) return options;
+        options.rooms_beside = options.touch_beside = true;
+        options.arrivals = &arrivals_;
+        return options;
+    }
+
+    // False where it cannot go on.
+    Result<bool> take(const RecordedLine& line) {
+        const bool of_ears = line.is == "ears_settings" || line.is == "ears_two_hands" || line.is == "ears_stand_in";
+        const bool is_one = is_input(line.is) || of_ears || line.is == "handed_over" || line.is == "set_up";
+        if (line.is == "acts_by") {
+            const auto who = field<std::uint64_t>(Json::parse(line.json, nullptr, false), "number", 0);
+            speak_to(who == 1 ? ActsBy::TerminalKeys : who == 2 ? ActsBy::Lines : ActsBy::WindowKeys);
+        }
+        if (line.is == "lost_rows") again_.remarks.push_back(phrase("replay.lost_rows"));
+        if (!is_one) return true;
+        const Json json = Json::parse(line.json, nullptr, false);
+        const auto before = field<std::uint64_t>(json, "frame", 0);
+        while (frames_ < before) {
+            if (frame()) {
+                hear();
+                continue;
+            }
+            if (recording_.ended) again_.remarks.push_back(phrase("replay.rows_missing"));
+            stopped_ = true;
+            return false;
+        }
+        if (line.is == "set_up") {
+            again_.remarks.push_back(phrase("replay.set_up"));
+            again_.cut = true;
+            stopped_ = true;
+            return false;
+        }
+        if (line.is == "ears_settings") ears_.set_settings(app_.settings());
+        else flush();
+        const bool yes = field<std::uint64_t>(json, "number", 0) != 0;
+        if (line.is == "ears_two_hands") ears_.set_two_hands(yes);
+        if (line.is == "ears_stand_in") ears_.set_hand_stands_in(yes);
+        if (line.is == "handed_over") hand_over();
+        if (is_input(line.is))
+            if (auto taken = take_input(line); !taken) return tl::unexpected(taken.error());
+        hear();
+        return true;
+    }
+
+    Result<void> take_input(const RecordedLine& line) {
+        auto input = read_input_line(line.json);
+        if (!input) return fail(input.error().message, "events.jsonl", line.line);
+        if (auto* entered = std::get_if<WorldEntered>(&input->input)) {
+            auto world = read_(input->world);
+            if (!world) return tl::unexpected(world.error());
+            if (world->moves_freely) again_.remarks.push_back(phrase("replay.free_bodies"));
+            entered->world = std::move(*world);
+            if (input->world.has_additions) entered->additions = aside_.additions_of(input->world);
+        }
+        if (const auto* hand = std::get_if<HandChanged>(&input->input)) right_.change(hand->hand);
+        if (const auto* hand = std::get_if<LeftHandChanged>(&input->input)) left_.change(hand->hand);
+        app_.apply(std::move(input->input), input->now_s);
+        return {};
+    }
+
+    // One tick of the session; what it hands over follows with flush. False where the recording has no such tick, or
+    // not what it read.
+    bool frame() {
+        flush();
+        if (frames_ >= recording_.frames.size()) return false;
+        const FrameRow& row = recording_.frames[frames_];
+        if (!right_.run_to(row.tick) || !left_.run_to(row.left_tick)) return false;
+        ++frames_;
+        app_.tick(row.now_s, right_.tool(), left_.tool());
+        until_s_ = row.now_s - recording_.head.begun_s;
+        to_hand_over_ = true;
+        return true;
+    }
+
+    void flush() {
+        if (std::exchange(to_hand_over_, false)) hand_over();
+    }
+
+    // In the order in which the program does it.
+    void hand_over() {
+        (void)app_.take_setting_changes();
+        if (app_.scene() != given_scene_) {
+            given_scene_ = app_.scene();
+            if (std::exchange(given_world_, app_.world().entered) != app_.world().entered)
+                ears_.enter_world(given_scene_);
+            else ears_.follow_edit(given_scene_);
+        }
+        for (CueRequest& cue : app_.take_cues()) ears_.post(std::move(cue));
+        left_.take(app_);
+        right_.take(app_);
+    }
+
+    // All steps of the ears for which everything is there.
+    void hear() {
+        while (cues_ < recording_.cues.size()) {
+            const CueRow& row = recording_.cues[cues_];
+            if (row.posts > ears_.posted() || !right_.run_to_events(row.contacts) ||
+                !left_.run_to_events(row.left_contacts))
+                return;
+            std::vector<ContactEvent> contacts = right_.take_events(row.contacts);
+            for (const ContactEvent& event : left_.take_events(row.left_contacts)) contacts.push_back(event);
+            ears_.step(row, std::move(contacts), app_.scene() ? app_.listener() : Listener{});
+            ++cues_;
+        }
+    }
+
+    const ActsBy spoken_to_ = spoken_to();
+    const Recording& recording_;
+    const std::function<Result<EnteringWorld>(const RecordedWorld&)>& read_;
+    Aside aside_;
+    Arrivals arrivals_;
+    Session app_;
+    PlayedHand right_, left_;
+    PlayedEars ears_;
+    ComputedAgain again_;
+    std::shared_ptr<const Scene> given_scene_;
+    int given_world_ = 0;
+    std::size_t frames_ = 0, cues_ = 0;
+    bool to_hand_over_ = false, stopped_ = false;
+    double until_s_ = 0.0;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& world) {
+    const std::string name = world.source.file.string();
+    ReadOptions options;
+    options.map_metres_per_unit = world.source.map_metres_per_unit;
+    options.obj_metres_per_unit = world.source.obj_metres_per_unit;
+    options.unit_is_known = world.source.unit_is_known;
+    auto scene = read_world(world.source.file, options);
+    if (!scene) return tl::unexpected(scene.error());
+    if (!world.checksum.empty() && SideFile::of_world(world.source.file, {}).world_checksum() != world.checksum)
+        return fail(phrase("replay.other_world"), name);
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+Result<EnteringWorld> read_recorded_world(const RecordedWorld& world) {
+    const auto scene = read_recorded_scene(world);
+    if (!scene) return tl::unexpected(scene.error());
+    return make_ready_to_touch(*scene);
+}
+
+Result<ComputedAgain> compute_again(const Recording& recording,
+                                    const std::function<Result<EnteringWorld>(const RecordedWorld&)>& read) {
+    if (recording.head.language != spoken_language())
+        return fail(phrase("replay.other_language", {{"language", recording.head.language}}));
+    return Player(recording, read).play();
+}
+
+std::optional<LineDifference> first_difference(const Recording& recording, const ComputedAgain& again) {
+    const std::vector<SaidLine> said = said_lines(recording);
+    const double sure_s = again.cut ? again.until_s - kLost_s : std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < std::max(said.size(), again.said.size()); ++i) {
+        const bool both = i < said.size() && i < again.said.size();
+        if (both && said[i].text == again.said[i].text && said[i].speech_class == again.said[i].speech_class &&
+            said[i].voiced == again.said[i].voiced)
+            continue;
+        // Behind what all files of a recording that was cut off hold, one may know more than another.
+        if ((i < said.size() ? said[i].t_s : again.said[i].t_s) > sure_s) break;
+        return LineDifference{i, i < said.size() ? said[i].text : "", i < again.said.size() ? again.said[i].text : ""};
+    }
+    return std::nullopt;
+}
+
+}  // namespace handrail

@@ -1,0 +1,56 @@
+// A recording heard again: its lines and knocks at their times, faster or slower, stopped, and to and fro. Time stands
+// still while the voice of today needs longer than there was. Pure logic; whoever has the voice asks it on.
+#pragma once
+
+#include <vector>
+
+#include "app/record/recording.h"
+
+namespace handrail {
+
+class Hearing {
+public:
+    static constexpr double kSlowest = 0.5, kFastest = 4.0, kJump_s = 10.0;
+
+    struct Knock {
+        Vec3 at_m{0.0};
+        double force_n = 0.0;
+    };
+    struct Heard {
+        std::vector<SaidLine> lines;  // at most one of them is to be voiced, the last
+        std::vector<Knock> knocks;
+    };
+
+    // The recording outlives it. speed: kSlowest to kFastest.
+    Hearing(const Recording& recording, double speed);
+
+    // dt_s of real time have passed; speaking: what was given before is still being said. What is heard now.
+    Heard go_on(double dt_s, bool speaking);
+    void stop_or_go_on() { stopped_ = !stopped_; }
+    bool stopped() const { return stopped_; }
+    // To another moment, not beyond the ends.
+    void jump(double by_s);
+
+    double at_s() const { return at_s_; }  // since the recording began
+    double length_s() const { return length_s_; }
+    bool over() const { return at_s_ >= length_s_ && next_ >= events_.size(); }
+    // Where the body was then; null: before the first tick.
+    const FrameRow* place() const;
+
+private:
+    struct Event {
+        double t_s = 0.0;
+        SaidLine line;
+        bool is_line = false;
+        Knock knock;
+    };
+
+    const Recording& recording_;
+    double speed_;
+    std::vector<Event> events_;
+    std::size_t next_ = 0;
+    double at_s_ = 0.0, length_s_ = 0.0;
+    bool stopped_ = false;
+};
+
+}  // namespace handrail

@@ -1,0 +1,326 @@
+#include "app/record/input_text.h"
+
+#include <cmath>
+#include <map>
+
+#include "app/record/json_fields.h"
+#include "worlds/base/files.h"
+#include "worlds/base/language.h"
+#include "worlds/base/overloaded.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::array<const char*, 5> kActs = {"go_to", "choose", "less", "more", "put"};
+
+constexpr std::array<const char*, 14> kTeacherActs = {"begin", "offer", "task", "ask",  "order",  "point",   "lead",
+                                                      "leave", "block", "open", "note", "result", "summary", "end"};
+
+template <std::size_t N>
+std::size_t place_in(const std::array<const char*, N>& words, const Json& word) {
+    for (std::size_t i = 0; i < N; ++i)
+        if (word == words[i]) return i;
+    throw Json::other_error::create(501, "word", nullptr);
+}
+
+Command command_of(const Json& json) {
+    if (const CommandInfo* found = find_command(json.at("command").get<std::string>())) return found->command;
+    throw Json::other_error::create(501, "command", nullptr);
+}
+
+Json json_of(const HandFacts& hand) {
+    Json json{{"present", hand.present}};
+    if (!hand.present) return json;
+    const DeviceSpec& spec = hand.spec;
+    json["simulated"] = hand.simulated;
+    json["device"] = std::string(spec.name);
+    json["serial"] = hand.serial;
+    // JSON knows no infinity, which stands for a device without a limit.
+    if (std::isfinite(spec.peak_force_n)) json["peak_force_n"] = spec.peak_force_n;
+    json["rated_stiffness_n_per_m"] = spec.rated_stiffness_n_per_m;
+    json["workspace_radius_m"] = spec.workspace_radius_m;
+    json["device_damping_ns_per_m"] = spec.device_damping_ns_per_m;
+    json["delay_s"] = spec.delay_s;
+    json["min_rate_hz"] = spec.min_rate_hz;
+    json["encoder_quantum_m"] = spec.encoder_quantum_m;
+    json["kinesthetic"] = spec.kinesthetic;
+    json["sustained_share"] = spec.sustained_share;
+    return json;
+}
+
+HandFacts hand_of(const Json& json) {
+    HandFacts hand;
+    hand.present = json.at("present").get<bool>();
+    if (!hand.present) return hand;
+    hand.simulated = json.at("simulated").get<bool>();
+    hand.serial = json.at("serial").get<std::string>();
+    const std::string name = json.at("device").get<std::string>();
+    const DeviceSpec* model = find_device_spec(name);
+    hand.spec = model ? *model : ideal_device_spec();
+    DeviceSpec& spec = hand.spec;
+    const auto peak = json.find("peak_force_n");
+    spec.peak_force_n = peak == json.end() ? std::numeric_limits<double>::infinity() : peak->get<double>();
+    spec.rated_stiffness_n_per_m = json.at("rated_stiffness_n_per_m").get<double>();
+    spec.workspace_radius_m = json.at("workspace_radius_m").get<double>();
+    spec.device_damping_ns_per_m = json.at("device_damping_ns_per_m").get<double>();
+    spec.delay_s = json.at("delay_s").get<double>();
+    spec.min_rate_hz = json.at("min_rate_hz").get<double>();
+    spec.encoder_quantum_m = json.at("encoder_quantum_m").get<double>();
+    spec.kinesthetic = json.at("kinesthetic").get<bool>();
+    spec.sustained_share = json.at("sustained_share").get<double>();
+    return hand;
+}
+
+Json json_of(const Settings& settings) { return Json::parse(settings_text(settings)); }
+Settings settings_of(const Json& json) {
+    auto settings = read_settings_text(json.dump());
+    if (!settings) throw Json::other_error::create(501, settings.error().message, nullptr);
+    return std::move(*settings);
+}
+
+Json json_of(const LastPlace& place) {
+    return {{"world", place.world.string()}, {"feet_m", json_of_vec(place.feet_m)}, {"heading_rad", place.heading_rad}};
+}
+LastPlace last_place_of(const Json& json) {
+    return {json.at("world").get<std::string>(), vec_of(json.at("feet_m")), json.at("heading_rad").get<double>()};
+}
+
+Json json_of(const WorldEntered& in) {
+    Json json{{"world", in.source.file.string()},
+              {"map_metres_per_unit", in.source.map_metres_per_unit},
+              {"obj_metres_per_unit", in.source.obj_metres_per_unit},
+              {"unit_is_known", in.source.unit_is_known}};
+    if (!in.additions) return json;
+    json["checksum"] = in.additions->world_checksum();
+    const auto text = in.additions->path().empty() ? fail({}) : read_whole_file(in.additions->path());
+    json["additions"] = text ? *text : std::string();
+    return json;
+}
+
+RecordedWorld world_of(const Json& json) {
+    RecordedWorld world;
+    world.source = {json.at("world").get<std::string>(), json.at("map_metres_per_unit").get<double>(),
+                    json.at("obj_metres_per_unit").get<double>(), json.at("unit_is_known").get<bool>()};
+    world.checksum = json.value("checksum", std::string());
+    world.has_additions = json.contains("additions");
+    world.additions = json.value("additions", std::string());
+    return world;
+}
+
+Json fields_of(const SessionInput& input) {
+    return std::visit(
+        Overloaded{
+            [](const CommandDown& in) {
+                Json json{{"is", "command_down"}, {"command", std::string(info(in.command).word)}};
+                if (in.times != 1) json["times"] = in.times;
+                return json;
+            },
+            [](const CommandUp& in) {
+                return Json{{"is", "command_up"}, {"command", std::string(info(in.command).word)}};
+            },
+            [](const KeyTapped& in) {
+                return Json{{"is", "key"}, {"key", in.key}};
+            },
+            [](const TextTyped& in) {
+                return Json{{"is", "text"}, {"text", in.utf8}};
+            },
+            [](const LineTyped& in) {
+                return Json{{"is", "line"}, {"line", in.line}};
+            },
+            [](const ItemActed& in) {
+                return Json{{"is", "item_act"},
+                            {"act", kActs.at(static_cast<std::size_t>(in.act.kind))},
+                            {"item", in.act.item},
+                            {"name", in.act.name},
+                            {"number", in.act.number}};
+            },
+            [](const Steered& in) {
+                return Json{{"is", "steered"},
+                            {"ahead", in.steering.ahead},
+                            {"right", in.steering.right},
+                            {"turn_right", in.steering.turn_right}};
+            },
+            [](const FocusChanged& in) {
+                return Json{{"is", "focus"}, {"focused", in.focused}};
+            },
+            [](const Stopped& in) {
+                return Json{{"is", "stops"}, {"count", in.count}};
+            },
+            [](const HandMoved& in) {
+                return Json{{"is", "hand_moved"}, {"by_m", json_of_vec(in.by_m)}};
+            },
+            [](const SettingsChanged& in) {
+                return Json{{"is", "settings"}, {"settings", json_of(in.settings)}};
+            },
+            [](const HandChanged& in) {
+                return Json{{"is", "hand"},
+                            {"hand", json_of(in.hand)},
+                            {"settings", json_of(in.settings)},
+                            {"for_want_of_one", in.for_want_of_one}};
+            },
+            [](const LeftHandChanged& in) {
+                return Json{{"is", "left_hand"}, {"hand", json_of(in.hand)}};
+            },
+            [](const HandOffered& in) {
+                return Json{{"is", "hand_offered"}, {"spoken_name", in.spoken_name}};
+            },
+            [](const WorldEntered& in) {
+                Json json{{"is", "world_entered"}};
+                json.update(json_of(in));
+                return json;
+            },
+            [](const Placed& in) {
+                return Json{{"is", "placed"}, {"feet_m", json_of_vec(in.feet_m)}, {"heading_rad", in.heading_rad}};
+            },
+            [](const Told& in) {
+                return Json{{"is", "told"},
+                            {"text", in.text},
+                            {"class", kClassWords.at(static_cast<std::size_t>(in.speech_class))}};
+            },
+            [](const FirstMinutesBegun& in) {
+                return Json{
+                    {"is", "first_minutes"}, {"who_speaks", in.who_speaks}, {"owner_sets_up", in.owner_sets_up}};
+            },
+            [](const LessonLeft&) {
+                return Json{{"is", "lesson_left"}};
+            },
+            [](const SetUpOver&) {
+                return Json{{"is", "set_up_over"}};
+            },
+            [](const LastPlaceKnown& in) {
+                return Json{{"is", "last_place"}, {"place", json_of(in.place)}};
+            },
+            [](const WentOnAt& in) {
+                return Json{{"is", "went_on_at"}, {"place", json_of(in.place)}};
+            },
+            [](const CrashReportKnown& in) {
+                return Json{{"is", "crash_report"}, {"file", in.file}, {"lines", in.lines}};
+            },
+            [](const DevicesFound& in) {
+                return Json{{"is", "devices"}, {"sentences", in.sentences}};
+            },
+            [](const TeacherActed& in) {
+                Json json{{"is", "teacher"},           {"act", kTeacherActs.at(static_cast<std::size_t>(in.kind))},
+                          {"text", in.text},           {"items", in.items},
+                          {"places_m", Json::array()}, {"number", in.number}};
+                for (const Vec3& place : in.places_m) json["places_m"].push_back(json_of_vec(place));
+                return json;
+            },
+            [](const WorldsKnown& in) {
+                Json recent = Json::array();
+                for (const auto& world : in.shelf.recent) recent.push_back(world.string());
+                return Json{{"is", "worlds"}, {"bundled", in.shelf.bundled.string()}, {"recent", std::move(recent)}};
+            },
+        },
+        input);
+}
+
+using ReadFields = SessionInput (*)(const Json&);
+const std::map<std::string, ReadFields, std::less<>>& readers() {
+    static const std::map<std::string, ReadFields, std::less<>> kReaders = {
+        {"command_down",
+         [](const Json& j) -> SessionInput {
+             return CommandDown{command_of(j), j.value("times", 1)};
+         }},
+        {"command_up", [](const Json& j) -> SessionInput { return CommandUp{command_of(j)}; }},
+        {"key", [](const Json& j) -> SessionInput { return KeyTapped{j.at("key").get<std::string>()}; }},
+        {"text", [](const Json& j) -> SessionInput { return TextTyped{j.at("text").get<std::string>()}; }},
+        {"line", [](const Json& j) -> SessionInput { return LineTyped{j.at("line").get<std::string>()}; }},
+        {"item_act",
+         [](const Json& j) -> SessionInput {
+             return ItemActed{{static_cast<ItemAct::Kind>(place_in(kActs, j.at("act"))),
+                               j.at("item").get<std::size_t>(), j.at("name").get<std::string>(),
+                               j.at("number").get<double>()}};
+         }},
+        {"steered",
+         [](const Json& j) -> SessionInput {
+             return Steered{
+                 {j.at("ahead").get<double>(), j.at("right").get<double>(), j.at("turn_right").get<double>()}};
+         }},
+        {"focus", [](const Json& j) -> SessionInput { return FocusChanged{j.at("focused").get<bool>()}; }},
+        {"stops", [](const Json& j) -> SessionInput { return Stopped{j.at("count").get<std::uint32_t>()}; }},
+        {"hand_moved", [](const Json& j) -> SessionInput { return HandMoved{vec_of(j.at("by_m"))}; }},
+        {"settings", [](const Json& j) -> SessionInput { return SettingsChanged{settings_of(j.at("settings"))}; }},
+        {"hand",
+         [](const Json& j) -> SessionInput {
+             return HandChanged{hand_of(j.at("hand")), settings_of(j.at("settings")),
+                                j.at("for_want_of_one").get<bool>()};
+         }},
+        {"left_hand", [](const Json& j) -> SessionInput { return LeftHandChanged{hand_of(j.at("hand"))}; }},
+        {"hand_offered",
+         [](const Json& j) -> SessionInput { return HandOffered{j.at("spoken_name").get<std::string>()}; }},
+        {"world_entered",
+         [](const Json& j) -> SessionInput {
+             return WorldEntered{{}, {}, world_of(j).source};
+         }},
+        {"placed",
+         [](const Json& j) -> SessionInput {
+             return Placed{vec_of(j.at("feet_m")), j.at("heading_rad").get<double>()};
+         }},
+        {"told",
+         [](const Json& j) -> SessionInput {
+             return Told{j.at("text").get<std::string>(),
+                         static_cast<SpeechClass>(place_in(kClassWords, j.at("class")))};
+         }},
+        {"first_minutes",
+         [](const Json& j) -> SessionInput {
+             return FirstMinutesBegun{j.at("who_speaks").get<std::string>(), j.at("owner_sets_up").get<bool>()};
+         }},
+        {"lesson_left", [](const Json&) -> SessionInput { return LessonLeft{}; }},
+        {"set_up_over", [](const Json&) -> SessionInput { return SetUpOver{}; }},
+        {"last_place", [](const Json& j) -> SessionInput { return LastPlaceKnown{last_place_of(j.at("place"))}; }},
+        {"went_on_at", [](const Json& j) -> SessionInput { return WentOnAt{last_place_of(j.at("place"))}; }},
+        {"crash_report",
+         [](const Json& j) -> SessionInput {
+             return CrashReportKnown{j.at("file").get<std::string>(), j.at("lines").get<std::vector<std::string>>()};
+         }},
+        {"devices",
+         [](const Json& j) -> SessionInput { return DevicesFound{j.at("sentences").get<std::vector<std::string>>()}; }},
+        {"teacher",
+         [](const Json& j) -> SessionInput {
+             TeacherActed act{static_cast<TeacherActed::Kind>(place_in(kTeacherActs, j.at("act"))),
+                              j.at("text").get<std::string>(),
+                              j.at("items").get<std::vector<std::string>>(),
+                              {},
+                              j.at("number").get<double>()};
+             for (const Json& place : j.at("places_m")) act.places_m.push_back(vec_of(place));
+             return act;
+         }},
+        {"worlds",
+         [](const Json& j) -> SessionInput {
+             WorldShelf shelf{j.at("bundled").get<std::string>(), {}};
+             for (const Json& world : j.at("recent")) shelf.recent.emplace_back(world.get<std::string>());
+             return WorldsKnown{std::move(shelf)};
+         }},
+    };
+    return kReaders;
+}
+
+}  // namespace
+
+bool is_input(const std::string& is) { return readers().contains(is); }
+
+std::string input_line(const SessionInput& input, double now_s, std::uint64_t frame, double begun_s) {
+    Json line{{"t", std::llround((now_s - begun_s) * 1e3)}};
+    line.update(fields_of(input));
+    line["frame"] = frame;
+    line["now_s"] = now_s;
+    return line_of(line);
+}
+
+Result<RecordedInput> read_input_line(const std::string& line) {
+    const Json json = Json::parse(line, nullptr, false);
+    if (!json.is_object()) return fail(phrase("recording.no_line"));
+    try {
+        const auto reader = readers().find(json.at("is").get<std::string>());
+        if (reader == readers().end()) return fail(phrase("recording.no_line"));
+        RecordedInput read{
+            json.at("frame").get<std::uint64_t>(), json.at("now_s").get<double>(), reader->second(json), {}};
+        if (std::holds_alternative<WorldEntered>(read.input)) read.world = world_of(json);
+        return read;
+    } catch (const Json::exception&) {
+        return fail(phrase("recording.no_line"));
+    }
+}
+
+}  // namespace handrail

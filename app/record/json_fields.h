@@ -1,0 +1,25 @@
+// What one line of events.jsonl holds as plain values; JSON itself stays in the sources of this folder. Private to it.
+#pragma once
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+using Json = nlohmann::ordered_json;
+
+// Of SpeechClass, in its order.
+inline constexpr std::array<const char*, 5> kClassWords = {"alarm", "warning", "answer", "contact", "ambient"};
+
+inline Json json_of_vec(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+// Throws Json::exception where it is no array of three numbers.
+inline Vec3 vec_of(const Json& json) {
+    return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+// One line without its end; what is no UTF-8 is replaced.
+inline std::string line_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace handrail

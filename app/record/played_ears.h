@@ -1,0 +1,84 @@
+// The ears of a recording, step by step: what the app hands over, what the hands met, and a voice that answers as the
+// recorded one did. One thread.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/record/recording.h"
+#include "audio-cues/plan/cue_planner.h"
+
+namespace handrail {
+
+class PlayedEars {
+public:
+    PlayedEars(const Settings& settings, double begun_s);
+
+    // What the app hands over, each one counted.
+    void post(CueRequest request);
+    void set_settings(const Settings& settings);
+    void set_two_hands(bool two);
+    void set_hand_stands_in(bool stands_in);
+    void enter_world(std::shared_ptr<const Scene> scene);
+    void follow_edit(std::shared_ptr<const Scene> scene);
+    std::size_t posted() const { return posts_.size(); }
+    // What a sink told of itself, in which step.
+    void hear_of(std::uint64_t step, bool from_voice, std::string text);
+
+    // row.posts <= posted().
+    void step(const CueRow& row, std::vector<ContactEvent> contacts, const Listener& listener);
+    // At the end: what still waits is written.
+    void finish();
+    const std::vector<SaidLine>& said() const { return voice_.said; }
+
+private:
+    struct Voice final : SpeechSink {
+        double now_s = 0.0;  // since the recording began
+        std::uint64_t answers = 0;
+        int answers_left = 0;
+        bool last = false;
+        std::vector<SaidLine> said;
+        std::string told;  // of itself, in this step
+
+        void begin(std::uint64_t speaking);
+        void end();
+        bool answer();
+        void say(const Utterance& utterance) override { keep(utterance, true); }
+        void write(const Utterance& utterance) override { keep(utterance, false); }
+        void stop() override {}
+        // The recorded voice answered in an order, so each question takes the next answer.
+        bool speaking() const override { return const_cast<Voice*>(this)->answer(); }
+        std::optional<std::string> news() override;
+        void keep(const Utterance& utterance, bool voiced);
+    };
+    struct Silence final : AudioSink {
+        std::string told;
+        void play(const SoundCue&) override {}
+        void set_loop(const SoundCue&) override {}
+        void set_listener(const Listener&) override {}
+        void stop_all() override {}
+        void tick(double) override {}
+        std::optional<std::string> news() override;
+    };
+    enum class Kind { Request, Settings, TwoHands, StandsIn, World, Edit };
+    struct Post {
+        Kind kind = Kind::Request;
+        CueRequest request;
+        Settings settings;
+        std::shared_ptr<const Scene> scene;
+        bool yes = false;
+    };
+
+    double begun_s_;
+    CuePlanner planner_;
+    Voice voice_;
+    Silence sound_;
+    std::deque<Post> posts_;
+    std::map<std::uint64_t, std::pair<std::string, std::string>> news_;  // by step: of the voice, of the sounds
+    std::uint64_t steps_ = 0;
+    double last_s_ = 0.0;
+};
+
+}  // namespace handrail

@@ -1,0 +1,95 @@
+// A hand of a recording, tick by tick as its servo had it: the same samples and the same values of the app, by their
+// numbers. One thread.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "app/core/session/session.h"
+#include "haptic/servo/hand_recording.h"
+#include "haptic/servo/servo_tick.h"
+
+namespace handrail {
+
+// What was handed over, by how many came before it and itself.
+template <class T>
+class NumberedValues {
+public:
+    void give(T value) { values_.push_back(std::move(value)); }
+    std::uint32_t given() const { return let_go_ + static_cast<std::uint32_t>(values_.size()); }
+    // number <= given(); what came before it is not asked for again. 0: as if nothing had been given.
+    const T& at(std::uint32_t number) {
+        if (number == 0) return none_;
+        while (let_go_ + 1 < number) {
+            values_.pop_front();
+            ++let_go_;
+        }
+        return values_.front();
+    }
+
+private:
+    std::deque<T> values_;
+    std::uint32_t let_go_ = 0;
+    T none_{};
+};
+
+// One of the servos that a hand had.
+class PlayedServo {
+public:
+    explicit PlayedServo(const DeviceSpec& spec) : state_(std::make_unique<ServoState>(spec)) {}
+
+    // As the hand in use gives it, after each time the session hands over. which: 0 or 1.
+    void take(const Session& app, std::size_t which);
+    // All that the tick read has been given.
+    bool can(const ServoReads& reads) const;
+    void tick(const HandRow& row);
+    const ServoState& state() const { return *state_; }
+
+private:
+    struct Scenes {
+        std::shared_ptr<const HapticScene> scene, desk;
+        std::shared_ptr<HandEngine> engine;
+    };
+    std::unique_ptr<ServoState> state_;
+    NumberedValues<Scenes> scenes_;
+    NumberedValues<ServoTuning> tunings_;
+    NumberedValues<WorkspacePose> poses_;
+    NumberedValues<BodyFrame> bodies_;
+    NumberedValues<GuidancePath> guidances_;
+    Scenes given_;  // last
+    std::uint64_t given_bodies_ = 0;
+    std::uint32_t given_guidance_ = 0;
+};
+
+class PlayedHand {
+public:
+    // Rows outlive it.
+    PlayedHand(const std::vector<HandRow>& rows, std::size_t which) : rows_(rows), which_(which) {}
+
+    // The session was given this hand.
+    void change(const HandFacts& facts);
+    void take(const Session& app) {
+        if (driven_) servos_.back()->take(app, which_);
+    }
+    // Until the newest servo has done that many ticks; false where the rows do not go so far.
+    bool run_to(std::uint64_t tick);
+    // Until so many events wait; false where that is not yet known.
+    bool run_to_events(std::size_t count);
+    // What the newest servo told last.
+    ToolState tool() const { return driven_ ? servos_.back()->state().tool() : ToolState{}; }
+    std::vector<ContactEvent> take_events(std::size_t count);
+
+private:
+    bool step();
+
+    const std::vector<HandRow>& rows_;
+    const std::size_t which_;
+    std::size_t next_ = 0;
+    std::vector<std::unique_ptr<PlayedServo>> servos_;
+    bool driven_ = false;  // there is a hand now
+    std::deque<ContactEvent> events_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,85 @@
+#include "app/record/recorded_events.h"
+
+#include "app/record/json_fields.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+class EventReader {
+public:
+    RecordedEvents read(const Recording& recording) {
+        for (const RecordedLine& line : recording.lines) {
+            if (events_.more_worlds) break;
+            const Json json = Json::parse(line.json, nullptr, false);
+            // What is damaged was told when it was read; a line that says less than it should tells nothing here.
+            if (!json.is_object()) continue;
+            try {
+                take(line, json);
+            } catch (const Json::exception&) {
+            }
+        }
+        if (!events_.more_worlds) {
+            if (!recording.lines.empty()) events_.to_s = recording.lines.back().t_s;
+            if (!recording.frames.empty())
+                events_.to_s = std::max(events_.to_s, recording.frames.back().now_s - recording.head.begun_s);
+        }
+        return std::move(events_);
+    }
+
+private:
+    void take(const RecordedLine& line, const Json& json) {
+        if (line.is == "world_entered") return enter(line);
+        if (!events_.world) return;
+        if (line.is == "contact")
+            events_.contacts.push_back(
+                {line.t_s, json.at("feature").get<std::uint32_t>(), json.value("thing", ""), vec_of(json.at("at_m"))});
+        if (line.is == "thing_visited") events_.visits.push_back({line.t_s, json.at("feature").get<std::uint32_t>()});
+        if (line.is == "help_asked") events_.help_s.push_back(line.t_s);
+        if (line.is == "command_down" && json.value("command", "") == "home") events_.home_s.push_back(line.t_s);
+        if (line.is == "teacher") teacher(line, json);
+        if (line.is == "led") {
+            const std::string goal = json.at("goal").get<std::string>();
+            // Going on to the same goal is the same way.
+            if (events_.ways.empty() || events_.ways.back().goal != goal || events_.ways.back().arrived_s)
+                events_.ways.push_back({goal, line.t_s, {}});
+        }
+        if (line.is == "arrived" && !events_.ways.empty() && !json.value("to_nearest", false) &&
+            events_.ways.back().goal == json.at("goal").get<std::string>())
+            events_.ways.back().arrived_s = line.t_s;
+    }
+    void teacher(const RecordedLine& line, const Json& json) {
+        const std::string act = json.value("act", "");
+        if (act == "begin" && events_.lesson.empty()) events_.lesson = json.at("text").get<std::string>();
+        if (act != "result") return;
+        const Json& items = json.at("items");
+        RecordedTask task{line.t_s, items.at(0).get<std::string>(), json.at("text").get<std::string>(), {}};
+        for (std::size_t i = 2; i < items.size(); ++i) {
+            const auto item = items[i].get<std::string>();
+            const std::size_t equals = item.find('=');
+            double value = 0.0;
+            if (equals != std::string::npos && parse_finite(item.substr(equals + 1), value))
+                task.measures[item.substr(0, equals)] = value;
+        }
+        events_.tasks.push_back(std::move(task));
+    }
+    void enter(const RecordedLine& line) {
+        if (events_.world) {
+            events_.more_worlds = true;
+            events_.to_s = line.t_s;
+            return;
+        }
+        auto input = read_input_line(line.json);
+        if (!input) return;
+        events_.world = std::move(input->world);
+        events_.from_s = line.t_s;
+    }
+
+    RecordedEvents events_;
+};
+
+}  // namespace
+
+RecordedEvents events_of(const Recording& recording) { return EventReader().read(recording); }
+
+}  // namespace handrail

@@ -1,0 +1,68 @@
+// Voice and sounds as before, with what they say and answer noted by a recorder. For AudioThread, which owns them;
+// every function on its thread.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "app/record/recorder.h"
+#include "audio-cues/plan/sinks.h"
+
+namespace handrail {
+
+// What both sinks of one session share.
+struct StepNotes {
+    double now_s = 0.0;
+    std::uint64_t step = 0;  // counted from 0
+    bool in_step = false;
+    std::uint64_t answers = 1;  // of speaking() in this step, behind a leading 1
+    bool last_answer = false, changed = false;
+
+    void begin(double at_s);
+    // CueRow::speaking of the step.
+    std::uint64_t end();
+};
+
+class RecordedVoice final : public SpeechSink {
+public:
+    // The recorder outlives it.
+    RecordedVoice(std::unique_ptr<SpeechSink> voice, Recorder& recorder, std::shared_ptr<StepNotes> notes)
+        : voice_(std::move(voice)), recorder_(recorder), notes_(std::move(notes)) {}
+
+    void say(const Utterance& utterance) override;
+    void write(const Utterance& utterance) override;
+    void stop() override { voice_->stop(); }
+    bool speaking() const override;
+    void tick(double now_s) override { voice_->tick(now_s); }
+    void set_speech(const Settings::Speech& settings) override { voice_->set_speech(settings); }
+    std::optional<std::string> news() override;
+    std::string who() const override { return voice_->who(); }
+
+private:
+    std::unique_ptr<SpeechSink> voice_;
+    Recorder& recorder_;
+    std::shared_ptr<StepNotes> notes_;
+};
+
+class RecordedSound final : public AudioSink {
+public:
+    RecordedSound(std::unique_ptr<AudioSink> sound, Recorder& recorder, std::shared_ptr<StepNotes> notes)
+        : sound_(std::move(sound)), recorder_(recorder), notes_(std::move(notes)) {}
+
+    void play(const SoundCue& cue) override { sound_->play(cue); }
+    void set_loop(const SoundCue& cue) override { sound_->set_loop(cue); }
+    void set_listener(const Listener& listener) override { sound_->set_listener(listener); }
+    void set_sound(const Settings::Sound& settings) override { sound_->set_sound(settings); }
+    void set_speaking(bool speaking) override { sound_->set_speaking(speaking); }
+    void stop_all() override { sound_->stop_all(); }
+    void tick(double now_s) override { sound_->tick(now_s); }
+    bool drops_out() const override { return sound_->drops_out(); }
+    std::optional<std::string> news() override;
+
+private:
+    std::unique_ptr<AudioSink> sound_;
+    Recorder& recorder_;
+    std::shared_ptr<StepNotes> notes_;
+};
+
+}  // namespace handrail

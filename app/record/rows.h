@@ -1,0 +1,67 @@
+// The three tables of a recording as text: whole numbers, each row the differences to the one before, a column that did
+// not change left empty, and empty columns at the end left out. A row that begins with "=" holds the numbers
+// themselves; each gzip piece begins with one. The first line names the columns. Pure functions, any thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "haptic/servo/hand_recording.h"
+#include "worlds/base/result.h"
+
+namespace handrail {
+
+// One tick of the session.
+struct FrameRow {
+    double now_s = 0.0;                     // whole microseconds
+    std::uint64_t tick = 0, left_tick = 0;  // ToolState::ticks of each hand, as read; 0: none
+    Vec3 feet_m{0.0};
+    double heading_rad = 0.0;
+};
+// One step of the ears: what it took, in whole microseconds of the session's clock.
+struct CueRow {
+    double now_s = 0.0;
+    std::uint32_t contacts = 0, left_contacts = 0;  // taken in this step
+    std::uint32_t posts = 0;                        // of what the app had handed over, likewise
+    // Each answer to SpeechSink::speaking(): a leading 1, then a binary digit for each answer; 0: all as the last one
+    // of the steps before.
+    std::uint64_t speaking = 0;
+};
+
+inline constexpr std::size_t kHandColumns = 21, kFrameColumns = 7, kCueColumns = 5;
+using HandNumbers = std::array<std::int64_t, kHandColumns>;
+using FrameNumbers = std::array<std::int64_t, kFrameColumns>;
+using CueNumbers = std::array<std::int64_t, kCueColumns>;
+
+// The columns' names, in order; the file's first line.
+std::string_view hand_header();
+std::string_view frame_header();
+std::string_view cue_header();
+
+HandNumbers numbers_of(const HandRow& row);
+FrameNumbers numbers_of(const FrameRow& row);
+CueNumbers numbers_of(const CueRow& row);
+// Exactly what numbers_of was given where that was in whole steps; heading and feet are as coarse as they are kept.
+HandRow row_of(const HandNumbers& numbers);
+FrameRow row_of(const FrameNumbers& numbers);
+CueRow row_of(const CueNumbers& numbers);
+
+// One line with its end. absolute: it begins with "=" and owes nothing to `before`.
+template <std::size_t N>
+std::string row_text(const std::array<std::int64_t, N>& row, const std::array<std::int64_t, N>& before, bool absolute);
+
+// All rows of a table's text up to the first that is none. `problem`: why it ends there, with file and line; nothing
+// where all was read. A last line without its end is no row, and a problem too.
+template <std::size_t N>
+struct TableRows {
+    std::vector<std::array<std::int64_t, N>> rows;
+    std::optional<Error> problem;
+};
+template <std::size_t N>
+TableRows<N> read_rows(std::string_view text, std::string_view header, const std::string& file);
+
+}  // namespace handrail

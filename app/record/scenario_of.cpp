@@ -1,0 +1,193 @@
+#include "app/record/scenario_of.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "app/record/input_text.h"
+#include "app/record/json_fields.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kHandEvery_s = 0.1;   // one move of the hand
+constexpr double kHandMoved_m = 1e-3;  // less is none
+constexpr double kTail_s = 5.0;        // for what is still to be said
+constexpr std::size_t kMostExpected = 40;
+
+// A TOML string is a JSON string, but for the slash.
+std::string in_quotes(const std::string& text) {
+    return Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// A setting's value as TOML has it: a number and yes or no plainly, else in quotes.
+std::string as_value(const std::string& text) {
+    double number = 0.0;
+    return text == "true" || text == "false" || text.starts_with('"') || parse_finite(text, number) ? text
+                                                                                                    : in_quotes(text);
+}
+
+struct Writer {
+    const Recording& recording;
+    double begun_s = 0.0;  // of the world
+    std::string actions;
+    std::vector<std::string> left_out;
+    std::map<Command, double> down_s;  // held keys
+    std::vector<RecordedInput> inputs;
+
+    void act(double now_s, const std::string& what) {
+        actions += fmt::format("\n[[do]]\nat_s = {:.3f}\n{}\n", std::max(0.0, now_s - begun_s), what);
+    }
+    void leave_out(std::string_view why) {
+        std::string sentence = phrase(why);
+        if (std::find(left_out.begin(), left_out.end(), sentence) == left_out.end())
+            left_out.push_back(std::move(sentence));
+    }
+
+    void press(const CommandDown& down, double now_s, std::size_t at) {
+        double up_s = now_s;
+        for (std::size_t i = at + 1; i < inputs.size(); ++i)
+            if (const auto* up = std::get_if<CommandUp>(&inputs[i].input); up && up->command == down.command) {
+                up_s = inputs[i].now_s;
+                break;
+            }
+        const std::string word(info(down.command).word);
+        if (up_s - now_s > 0.15)
+            return act(now_s, fmt::format("hold = {}\nfor_s = {:.3f}", in_quotes(word), up_s - now_s));
+        // A count is that many taps, each after the other has ended.
+        act(now_s, fmt::format("press = {}", in_quotes(word)));
+        for (int i = 1; i < down.times; ++i) actions += fmt::format("\n[[do]]\npress = {}\n", in_quotes(word));
+    }
+
+    void write(std::size_t at) {
+        const double now_s = inputs[at].now_s;
+        const SessionInput& input = inputs[at].input;
+        if (const auto* down = std::get_if<CommandDown>(&input)) press(*down, now_s, at);
+        else if (const auto* key = std::get_if<KeyTapped>(&input)) act(now_s, "key = " + in_quotes(key->key));
+        else if (const auto* text = std::get_if<TextTyped>(&input)) act(now_s, "type = " + in_quotes(text->utf8));
+        else if (const auto* line = std::get_if<LineTyped>(&input)) {
+            if (!line->line.empty()) act(now_s, "type = " + in_quotes(line->line));
+            act(now_s, "key = \"Enter\"");
+        } else if (const auto* placed = std::get_if<Placed>(&input)) {
+            const Vec3& feet = placed->feet_m;
+            act(now_s, fmt::format("place = [{}, {}, {}]\nheading_deg = {}", feet.x, feet.y, feet.z,
+                                   placed->heading_rad * 180.0 / 3.14159265358979323846));
+        } else if (const auto* focus = std::get_if<FocusChanged>(&input)) {
+            act(now_s, fmt::format("focus = {}", focus->focused));
+        } else if (std::holds_alternative<WorldEntered>(input)) {
+            leave_out("replay.one_world");
+        } else if (std::holds_alternative<Steered>(input) || std::holds_alternative<ItemActed>(input)) {
+            leave_out("replay.no_sticks");
+        }
+    }
+};
+
+// Where the hand went, as moves between its places each tenth of a second.
+std::vector<std::pair<double, std::string>> moves_of(const Recording& recording, double begun_s) {
+    std::vector<std::pair<double, std::string>> moves;
+    Vec3 was_m(0.0);
+    double next_s = begun_s;
+    bool known = false;
+    for (const HandRow& row : recording.hands[0]) {
+        if (row.time_s < next_s || !is_finite(row.sample.position_m)) continue;
+        next_s = row.time_s + kHandEvery_s;
+        const Vec3& to = row.sample.position_m;
+        const double far_m = glm::length(to - was_m);
+        if (known && far_m >= kHandMoved_m)
+            moves.emplace_back(row.time_s - kHandEvery_s,
+                               fmt::format("hand_to = [{:.6f}, {:.6f}, {:.6f}]\nspeed_m_per_s = {:.4f}", to.x, to.y,
+                                           to.z, far_m / kHandEvery_s));
+        if (!known || far_m >= kHandMoved_m) was_m = to;
+        known = true;
+    }
+    return moves;
+}
+
+}  // namespace
+
+Result<ScenarioText> scenario_of(const Recording& recording, const std::string& title) {
+    Writer writer{recording, 0.0, {}, {}, {}, {}};
+    std::string world, device = "none";
+    double last_s = 0.0;
+    std::vector<std::string> expected;
+    std::set<std::string> told_by_program;
+    bool over = false, expects = true;
+    for (const RecordedLine& line : recording.lines) {
+        if (over) break;
+        if (line.is == "said" && !world.empty() && expects) {
+            const Json json = Json::parse(line.json, nullptr, false);
+            const std::string text = json.value("text", std::string());
+            if (json.value("class", std::string()) == "answer" && json.value("voiced", false) &&
+                // A scenario has the rooms of its world at once.
+                text != phrase("rooms.not_yet") && text.find('|') == std::string::npos &&
+                line.t_s + recording.head.begun_s > writer.begun_s + 0.5)
+                expected.push_back(text);
+        }
+        // What no list took is followed by its command.
+        if (line.is == "not_taken" && !writer.inputs.empty()) writer.inputs.pop_back();
+        if (!is_input(line.is)) continue;
+        auto input = read_input_line(line.json);
+        if (!input) return fail(input.error().message, "events.jsonl", line.line);
+        if (const auto* hand = std::get_if<HandChanged>(&input->input); hand && hand->hand.present && world.empty())
+            device = std::string(hand->hand.spec.name) == "sim-f" ? "sim-f" : "sim-t";
+        // What the program itself told is not what the world answers.
+        if (const auto* told = std::get_if<Told>(&input->input)) told_by_program.insert(told->text);
+        if (std::holds_alternative<WorldEntered>(input->input)) {
+            if (world.empty()) {
+                world = input->world.source.file.string();
+                writer.begun_s = input->now_s;
+                continue;
+            }
+            writer.leave_out("replay.one_world");
+            over = true;
+        }
+        if (world.empty()) continue;
+        // A count is taps in a scenario, which are answered one by one; and it ends by itself.
+        if (const auto* down = std::get_if<CommandDown>(&input->input)) {
+            expects = down->times == 1 && down->command != Command::Leave;
+            if (down->command == Command::Leave) continue;
+        }
+        last_s = input->now_s;
+        writer.inputs.push_back(std::move(*input));
+    }
+    if (world.empty()) return fail(phrase("replay.no_world"));
+    std::erase_if(expected, [&](const std::string& text) { return told_by_program.contains(text); });
+    if (expected.empty()) return fail(phrase("replay.nothing_answered"));
+
+    std::string toml =
+        fmt::format("title = {}\nworld = {}\ndevice = {}\n", in_quotes(title), in_quotes(world), in_quotes(device));
+    toml += fmt::format("tail_s = {}\n", kTail_s);
+    const Json settings = Json::parse(settings_text(recording.head.settings), nullptr, false);
+    if (const auto set = settings.find("set"); set != settings.end()) {
+        toml += "\n[settings]\n";
+        for (const auto& [key, value] : set->items())
+            toml += fmt::format("{} = {}\n", in_quotes(key), as_value(value.get<std::string>()));
+    }
+    // Actions in the order of their times.
+    const auto moves = moves_of(recording, writer.begun_s);
+    std::size_t next = 0;
+    const auto move_until = [&](double now_s) {
+        for (; next < moves.size() && moves[next].first <= now_s; ++next) {
+            writer.act(moves[next].first, moves[next].second);
+            // The hand moves while keys are pressed.
+        }
+    };
+    for (std::size_t i = 0; i < writer.inputs.size(); ++i) {
+        move_until(writer.inputs[i].now_s);
+        writer.write(i);
+    }
+    if (!over) move_until(last_s + kTail_s);
+    toml += writer.actions;
+    if (expected.size() > kMostExpected) expected.resize(kMostExpected);
+    std::string all;
+    for (const std::string& text : expected) all += (all.empty() ? "" : " | ") + text;
+    toml += fmt::format("\n[[expect]]\nsay_in_order = {}\n", in_quotes(all));
+    return ScenarioText{std::move(toml), std::move(writer.left_out)};
+}
+
+}  // namespace handrail

@@ -1,0 +1,83 @@
+// The lesson that the program makes. See lesson_file.h.
+#include <algorithm>
+
+#include "app/teaching/lesson_file.h"
+
+namespace handrail {
+namespace {
+
+LessonPlace place_of(const LessonDraft::Place& from) {
+    LessonPlace place;
+    place.name = from.name;
+    place.thing = from.thing;
+    if (from.thing.empty()) place.room = from.room;
+    if (place.thing.empty() && place.room.empty()) place.place_m = from.place_m;
+    return place;
+}
+
+TaughtStep step_of(StepKind kind) {
+    TaughtStep step;
+    step.kind = kind;
+    return step;
+}
+
+}  // namespace
+
+LessonFile three_sessions(const LessonDraft& draft, const std::filesystem::path& world) {
+    constexpr int kMinutes = 15;
+    LessonFile lesson;
+    lesson.title.text = draft.title;
+    lesson.world = world;
+    lesson.world_name = world.filename().string();
+    lesson.base_feet_m = draft.base_feet_m;
+    lesson.base_heading_rad = draft.base_heading_rad;
+    std::vector<std::string> names;
+    for (const LessonDraft::Place& landmark : draft.landmarks) {
+        if (std::find(names.begin(), names.end(), landmark.name) != names.end()) continue;
+        lesson.landmarks.push_back(place_of(landmark));
+        names.push_back(landmark.name);
+    }
+    LessonRoute route;
+    route.name = draft.title;
+    for (const LessonDraft::Place& stop : draft.stops) route.stops.push_back(place_of(stop));
+    lesson.routes.push_back(route);
+
+    TaughtSession first{phrase("prepare.first"), kMinutes, false, {}, {}, 0};
+    if (!draft.base_room.empty()) {
+        TaughtStep learn = step_of(StepKind::Learn);
+        learn.room = draft.base_room;
+        first.steps.push_back(learn);
+    }
+    TaughtStep point = step_of(StepKind::Point);
+    point.from = "base";
+    point.to = names;
+    first.steps.push_back(point);
+
+    TaughtSession second{phrase("prepare.second"), kMinutes, false, {}, {}, 0};
+    TaughtStep go = step_of(StepKind::Go);
+    go.route = route.name;
+    go.help_percent = {100, 60, 30, 0};
+    second.steps.push_back(go);
+
+    TaughtSession third{phrase("prepare.third"), kMinutes, false, {}, {}, 0};
+    go.help_percent = {0};
+    third.steps.push_back(go);
+    TaughtStep distance = step_of(StepKind::Distance);
+    distance.from = "base";
+    distance.to = names;
+    third.steps.push_back(distance);
+    if (names.size() > 1) {
+        TaughtStep order = step_of(StepKind::Order);
+        order.to = names;
+        order.say.text = phrase("prepare.order");
+        third.steps.push_back(order);
+    }
+    TaughtStep sure = step_of(StepKind::Ask);
+    sure.say.text = phrase("prepare.how_sure");
+    sure.scale = {1, 7};
+    third.steps.push_back(sure);
+    lesson.sessions = {first, second, third};
+    return lesson;
+}
+
+}  // namespace handrail

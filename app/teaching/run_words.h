@@ -1,0 +1,23 @@
+// What both parts of a run use.
+#pragma once
+
+#include <cmath>
+#include <string>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+// So near on the level, and on this storey.
+inline bool near_place(const Vec3& a, const Vec3& b, double level_m) {
+    constexpr double kStorey_m = 1.0;
+    return std::abs(a.z - b.z) < kStorey_m && std::hypot(a.x - b.x, a.y - b.y) < level_m;
+}
+
+// Two sentences, either of which may be empty.
+inline std::string one_after(std::string first, const std::string& then) {
+    if (!first.empty() && !then.empty()) first += ' ';
+    return first + then;
+}
+
+}  // namespace handrail

@@ -1,0 +1,178 @@
+#include "app/teaching/taught_world.h"
+
+#include <algorithm>
+
+#include "app/core/kept/ways.h"
+#include "app/core/wayfinding/finding.h"
+#include "app/core/world/walker.h"
+#include "settings/settings.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+bool same_name(std::string_view a, std::string_view b) { return lower_ascii(a) == lower_ascii(b); }
+
+}  // namespace
+
+tl::unexpected<Error> TaughtWorld::bad(int line, const char* key, const std::string& name,
+                                       const std::vector<std::string>& known) const {
+    return fail(phrase(key, {{"name", name}, {"nearest", nearest_name(name, known)}}), lesson_.file.filename().string(),
+                line);
+}
+
+std::vector<std::string> TaughtWorld::names() const {
+    std::vector<std::string> names{"base"};
+    for (const auto& [key, place] : places_) names.push_back(place.name);
+    for (const Room& room : rooms_->graph().rooms) names.push_back(own_name(room));
+    return names;
+}
+
+const TaughtPlace* TaughtWorld::place(std::string_view name) const {
+    if (same_name(name, "base") || (!lesson_.base_name.empty() && same_name(name, lesson_.base_name))) return &base_;
+    const auto found = places_.find(lower_ascii(name));
+    return found == places_.end() ? nullptr : &found->second;
+}
+
+std::vector<TaughtPlace> TaughtWorld::stops_of(const LessonRoute& route) const {
+    std::vector<TaughtPlace> stops;
+    for (const LessonPlace& stop : route.stops)
+        if (const TaughtPlace* known = place(stop.name)) stops.push_back(*known);
+    return stops;
+}
+
+std::optional<FeatureId> TaughtWorld::door(std::string_view name) const {
+    for (const Mover& mover : scene_->movers) {
+        const Feature& feature = scene_->features[mover.feature.value];
+        if (feature.kind == FeatureKind::Door &&
+            (same_name(feature.name, name) || same_name(spoken_name(feature), name)))
+            return mover.feature;
+    }
+    return std::nullopt;
+}
+
+Route TaughtWorld::way(const Vec3& from_m, const std::vector<TaughtPlace>& stops,
+                       const std::vector<FeatureId>& blocked) {
+    std::vector<Aabb> boxes;
+    for (const FeatureId one : blocked)
+        for (const Aabb& box : door_boxes(*scene_, rooms_->graph(), one)) boxes.push_back(box);
+    rooms_->navigation().block(boxes);
+    std::vector<Vec3> places;
+    for (const TaughtPlace& stop : stops) places.push_back(stop.stand_m);
+    Route route = plan_through(rooms_->navigation(), from_m, places);
+    rooms_->navigation().block({});
+    return route;
+}
+
+Result<TaughtPlace> TaughtWorld::look_up(const LessonPlace& place) const {
+    Navigation& navigation = rooms_->navigation();
+    TaughtPlace found{place.name, Vec3(0.0), Vec3(0.0)};
+    const auto stand = [&](const Vec3& at_m) -> Result<TaughtPlace> {
+        const auto near = navigation.nearest_place(at_m);
+        if (!near) return bad(place.line, "teaching.no_place", place.name, {});
+        found.stand_m = *near;
+        return found;
+    };
+    if (place.place_m) {
+        found.middle_m = *place.place_m;
+        return stand(*place.place_m);
+    }
+    std::vector<std::string> known;
+    if (!place.room.empty()) {
+        for (const Room& room : rooms_->graph().rooms) {
+            if (same_name(room.map_name, place.room) || same_name(own_name(room), place.room)) {
+                found.middle_m = found.stand_m = room.middle_m;
+                return found;
+            }
+            known.push_back(own_name(room));
+        }
+        return bad(place.line, "teaching.no_room", place.room, known);
+    }
+    for (const NamedThing& thing : named_things(*scene_)) {
+        if (same_name(thing.name, place.thing) ||
+            same_name(spoken_name(scene_->features[thing.feature.value]), place.thing)) {
+            found.middle_m = thing.bounds_m.centre_m();
+            Vec3 foot = found.middle_m;
+            foot.z = thing.bounds_m.min_m.z;
+            return stand(foot);
+        }
+        known.push_back(thing.name);
+    }
+    return bad(place.line, "teaching.no_thing", place.thing, known);
+}
+
+Result<void> TaughtWorld::know(const LessonPlace& place) {
+    auto found = look_up(place);
+    if (!found) return tl::unexpected(found.error());
+    places_.emplace(lower_ascii(place.name), std::move(*found));
+    return {};
+}
+
+Result<void> TaughtWorld::check_step(const TaughtStep& step) {
+    std::vector<std::string> named = step.to;
+    if (!step.from.empty()) named.push_back(step.from);
+    if (!step.room.empty()) named.push_back(step.room);
+    for (const std::string& name : named)
+        if (!place(name)) return bad(step.line, "teaching.no_name", name, names());
+    std::vector<FeatureId> blocked;
+    for (const std::string& name : step.block) {
+        const auto found = door(name);
+        if (!found) {
+            std::vector<std::string> doors;
+            for (const Mover& mover : scene_->movers)
+                if (scene_->features[mover.feature.value].kind == FeatureKind::Door)
+                    doors.push_back(scene_->features[mover.feature.value].name);
+            return bad(step.line, "teaching.no_door", name, doors);
+        }
+        blocked.push_back(*found);
+    }
+    if (step.kind != StepKind::Go) return {};
+    const LessonRoute& route = *lesson_.route(step.route);
+    if (!way(base_.stand_m, stops_of(route), {}).reaches) return bad(route.line, "teaching.no_way", route.name, {});
+    if (!blocked.empty() && !way(base_.stand_m, {stops_of(route).back()}, blocked).reaches)
+        return bad(step.line, "teaching.no_way_round", route.name, {});
+    return {};
+}
+
+Result<std::shared_ptr<TaughtWorld>> TaughtWorld::find(LessonFile lesson, const std::shared_ptr<const Scene>& scene,
+                                                       const std::string& checksum) {
+    std::shared_ptr<TaughtWorld> world(new TaughtWorld);
+    world->scene_ = scene;
+    const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
+    world->rooms_ =
+        std::make_unique<RoomsOfWorld>(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true);
+    if (!world->rooms_->ready() || !world->rooms_->found())
+        return fail(world->rooms_->problem(), lesson.file.filename().string());
+    if (!lesson.world_checksum.empty() && !checksum.empty() && checksum != lesson.world_checksum)
+        world->news_ = phrase("teaching.world_edited", {{"world", lesson.world_name}});
+    world->lesson_ = std::move(lesson);
+    const LessonFile& file = world->lesson_;
+    world->base_.name = file.base_name.empty() ? phrase("teaching.base") : file.base_name;
+    Vec3 feet(0.0);
+    if (file.base_feet_m) {
+        feet = *file.base_feet_m;
+        world->base_heading_rad_ = file.base_heading_rad;
+    } else if (!scene->starts.empty()) {
+        const Start* start = &scene->starts.front();
+        for (const Start& one : scene->starts)
+            if (one.base) start = &one;
+        feet = start->feet_m;
+        world->base_heading_rad_ = start->heading_rad;
+    }
+    const auto stand = world->rooms_->navigation().nearest_place(feet);
+    if (!stand) return fail(phrase("teaching.no_base"), file.file.filename().string(), 1);
+    world->base_.stand_m = world->base_.middle_m = *stand;
+    for (const LessonPlace& landmark : file.landmarks)
+        if (auto known = world->know(landmark); !known) return tl::unexpected(known.error());
+    for (const LessonRoute& route : file.routes)
+        for (const LessonPlace& stop : route.stops)
+            if (auto known = world->know(stop); !known) return tl::unexpected(known.error());
+    for (const Room& room : world->rooms_->graph().rooms)
+        world->places_.emplace(lower_ascii(own_name(room)), TaughtPlace{own_name(room), room.middle_m, room.middle_m});
+    for (const TaughtSession& session : file.sessions)
+        for (const TaughtStep& step : session.steps)
+            if (auto fits = world->check_step(step); !fits) return tl::unexpected(fits.error());
+    return world;
+}
+
+}  // namespace handrail

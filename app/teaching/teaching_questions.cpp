@@ -1,0 +1,141 @@
+// What a lesson asks, and what of answers it takes. See teaching_run.h.
+#include <algorithm>
+#include <cmath>
+
+#include "app/teaching/run_words.h"
+#include "app/teaching/teaching_run.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kAway_m = 1.0;  // farther from where a question is asked one is put there
+
+}  // namespace
+
+void TeachingRun::ask() {
+    const TaughtStep& now = step();
+    const std::string say = asked_.at == 0 ? now.say.spoken() : std::string();
+    if (now.kind == StepKind::Ask) {
+        asked_.text =
+            now.scale
+                ? one_after(say, phrase("teaching.scale_is", {{"least", (*now.scale)[0]}, {"most", (*now.scale)[1]}}))
+                : say;
+        return act(TeacherActed::Kind::Ask, asked_.text);
+    }
+    if (now.kind == StepKind::Order) {
+        // Shown in an order of its own, never in the right one.
+        asked_.shown.clear();
+        TaughtSession drawn;
+        drawn.shuffle = true;
+        drawn.steps.resize(now.to.size());
+        asked_.shown = step_order(drawn, order_[at_], start_.learner.number);
+        if (std::is_sorted(asked_.shown.begin(), asked_.shown.end()))
+            std::rotate(asked_.shown.begin(), asked_.shown.begin() + 1, asked_.shown.end());
+        asked_.text = one_after(say, phrase("teaching.order_of", {{"count", now.to.size()}}));
+        TeacherActed order{TeacherActed::Kind::Order, asked_.text, {}, {}, 0.0};
+        for (const std::size_t i : asked_.shown) order.items.push_back(world_->place(now.to[i])->name);
+        acts_.emplace_back(std::move(order));
+        return;
+    }
+    const TaughtPlace &from = *world_->place(now.from), &to = *world_->place(now.to[asked_.at]);
+    const bool moved = !near_place(view_.feet_m, from.stand_m, kAway_m);
+    if (moved) place(from, &from == &world_->base() ? std::optional(world_->base_heading_rad()) : std::nullopt);
+    const std::string stand =
+        moved || asked_.at == 0 ? phrase("teaching.you_are_at", {{"name", from.name}}) : std::string();
+    if (now.kind == StepKind::Point) {
+        asked_.text =
+            one_after(one_after(say, stand), phrase("teaching.point", {{"name", to.name}, {"key", start_.done_key}}));
+        return act(TeacherActed::Kind::Point, asked_.text);
+    }
+    asked_.text = one_after(one_after(say, stand),
+                            phrase(now.along_way ? "teaching.how_far_along" : "teaching.how_far", {{"name", to.name}}));
+    act(TeacherActed::Kind::Ask, asked_.text);
+}
+
+// "12", "12 steps", "8.5 m".
+bool TeachingRun::take_number(const std::string& text, double& number) const {
+    std::string word = lower_ascii(one_line(text));
+    std::replace(word.begin(), word.end(), ',', '.');
+    const std::size_t end = std::min(word.find_first_not_of("-0123456789."), word.size());
+    if (!parse_finite(word.substr(0, end), number)) return false;
+    while (!word.empty() && end < word.size() && word[end] == ' ') word.erase(end, 1);
+    const std::string unit = word.substr(end);
+    if (step().kind == StepKind::Ask) return unit.empty();
+    if (!(number > 0.0)) return false;
+    if (!unit.starts_with("m")) number *= start_.step_length_m;
+    return true;
+}
+
+void TeachingRun::answered(const std::string& text) {
+    const TaughtStep& now = step();
+    const auto again = [&](const char* why) {
+        acts_.emplace_back(Told{phrase(why), SpeechClass::Answer});
+        act(TeacherActed::Kind::Ask, asked_.text);
+    };
+    double number = 0.0;
+    if (now.kind == StepKind::Ask) {
+        TaskResult result = measured(now.say.spoken());
+        if (now.scale) {
+            if (!take_number(text, number) || number != std::floor(number) || number < (*now.scale)[0] ||
+                number > (*now.scale)[1])
+                return again("teaching.not_on_scale");
+            result.measures["answer"] = number;
+        } else result.name += " " + one_line(text);
+        asked_.text.clear();
+        keep(std::move(result));
+        return end_step();
+    }
+    if (now.kind == StepKind::Order) {
+        std::vector<std::size_t> put;
+        std::size_t from = 0;
+        while (from < text.size()) {
+            const std::size_t blank = std::min(text.find(' ', from), text.size());
+            double one = 0.0;
+            if (!parse_finite(text.substr(from, blank - from), one) || one < 1.0 ||
+                one > static_cast<double>(asked_.shown.size()))
+                return;
+            put.push_back(asked_.shown[static_cast<std::size_t>(one) - 1]);
+            from = blank + 1;
+        }
+        asked_.text.clear();
+        TaskResult result = measured({});
+        if (const auto tau = order_tau(put)) result.measures["order_kept"] = *tau;
+        keep(std::move(result));
+        acts_.emplace_back(Told{phrase("teaching.thanks"), SpeechClass::Answer});
+        return end_step();
+    }
+    const TaughtPlace &from = *world_->place(now.from), &to = *world_->place(now.to[asked_.at]);
+    std::string words;
+    if (now.kind == StepKind::Point) {
+        if (!parse_finite(text, number)) return;
+        const Vec3 way = to.middle_m - view_.feet_m;
+        const double error = pointing_error_rad(radians_from_degrees(number), std::atan2(way.x, way.y));
+        asked_.errors_rad.push_back(error);
+        const int degrees = static_cast<int>(std::lround(std::abs(degrees_from_radians(error))));
+        words = phrase(degrees < 5   ? "teaching.pointed_well"
+                       : error > 0.0 ? "teaching.pointed_right"
+                                     : "teaching.pointed_left",
+                       {{"degrees", degrees}});
+    } else {
+        if (!take_number(text, number)) return again("teaching.not_a_distance");
+        const Vec3 way = to.middle_m - from.stand_m;
+        const double true_m = now.along_way ? world_->way(from.stand_m, {to}).length_m : std::hypot(way.x, way.y);
+        asked_.judged.push_back({number, true_m});
+        words = phrase("teaching.distance_is",
+                       {{"metres", true_m}, {"steps", static_cast<int>(std::lround(true_m / start_.step_length_m))}});
+    }
+    asked_.text.clear();
+    acts_.emplace_back(Told{words, SpeechClass::Answer});
+    if (++asked_.at < now.to.size()) return ask();
+    TaskResult result = measured(now.kind == StepKind::Point ? std::string() : to.name);
+    if (const auto off = pointing(asked_.errors_rad)) {
+        result.measures["pointing_off"] = degrees_from_radians(off->absolute_rad);
+        if (off->biased) result.measures["pointing_side"] = degrees_from_radians(off->signed_rad);
+    }
+    if (const auto ratio = distance_ratio(asked_.judged)) result.measures["distance_judged"] = *ratio;
+    keep(std::move(result));
+    end_step();
+}
+
+}  // namespace handrail

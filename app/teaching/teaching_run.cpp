@@ -1,0 +1,419 @@
+#include "app/teaching/teaching_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/teaching/run_words.h"
+#include "worlds/base/overloaded.h"
+#include "worlds/base/text.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kSample_s = 0.1, kArrived_m = 1.5, kStorey_m = 1.0;
+constexpr double kAtDoor_m = 1.5, kLeftDoor_m = 2.0;
+constexpr double kWindow_s = 100.0;          // of samples that the strategy of now is judged by
+constexpr std::size_t kMostSamples = 36000;  // an hour
+constexpr double kWallTouched_s = 0.5;
+
+// How far a place is from a way, on the level and on its storey.
+double off_way_m(const std::vector<Vec3>& way, const Vec3& at) {
+    double best = 1e9;
+    for (std::size_t i = 1; i < way.size(); ++i) {
+        const Vec3 along = way[i] - way[i - 1];
+        const double length2 = glm::dot(along, along);
+        const double part = length2 > 0.0 ? std::clamp(glm::dot(at - way[i - 1], along) / length2, 0.0, 1.0) : 0.0;
+        const Vec3 off = at - (way[i - 1] + along * part);
+        best = std::min(best, std::abs(off.z) > 2.0 ? 1e9 : std::hypot(off.x, off.y));
+    }
+    return best;
+}
+
+int times_off(const std::vector<Vec3>& way, const std::vector<WayPoint>& walk, double off_m) {
+    int times = 0;
+    bool off = false;
+    for (const WayPoint& point : walk) {
+        const double now_m = off_way_m(way, point.place_m);
+        if (!off && now_m > off_m) ++times, off = true;
+        else if (off && now_m < 0.5 * off_m) off = false;
+    }
+    return times;
+}
+
+}  // namespace
+
+LearnerName learner_named(const std::string& name) {
+    if (name.empty()) return {};
+    std::uint64_t hash = 14695981039346656037U;  // FNV-1a
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+    return {name, hash};
+}
+
+TeacherActed result_act(const TaskResult& result) {
+    TeacherActed act{TeacherActed::Kind::Result, result.name, {}, {}, static_cast<double>(result.step)};
+    act.items.push_back(kStepWords.at(static_cast<std::size_t>(result.kind)));
+    act.items.push_back(fmt::format("{}", result.lap));
+    for (const auto& [key, value] : result.measures) act.items.push_back(fmt::format("{}={}", key, value));
+    return act;
+}
+
+TeachingRun::TeachingRun(std::shared_ptr<TaughtWorld> world, Start start)
+    : world_(std::move(world)), start_(std::move(start)) {
+    order_ = step_order(session(), start_.session, start_.learner.number);
+}
+
+void TeachingRun::act(TeacherActed::Kind kind, std::string text, double number) {
+    acts_.emplace_back(TeacherActed{kind, std::move(text), {}, {}, number});
+}
+
+void TeachingRun::task(std::string text) {
+    asked_.told = std::move(text);
+    act(TeacherActed::Kind::Task, asked_.told);
+}
+
+void TeachingRun::place(const TaughtPlace& at, std::optional<double> heading_rad) {
+    acts_.emplace_back(Placed{at.stand_m, heading_rad.value_or(view_.heading_rad)});
+    view_.feet_m = at.stand_m;
+    if (heading_rad) view_.heading_rad = *heading_rad;
+    task_.leap = true;
+}
+
+void TeachingRun::keep(TaskResult result) {
+    acts_.emplace_back(result_act(result));
+    results_.push_back(std::move(result));
+}
+
+// ---- what happens ----
+
+void TeachingRun::see(const SessionEvent& event) {
+    now_s_ = std::max(now_s_, event.time_s);
+    std::visit(Overloaded{
+                   [&](const Touched& e) {
+                       const Feature* feature = world_->scene()->find(e.feature);
+                       if (!feature) return;
+                       task_.touches.push_back({event.time_s, e.feature.value});
+                       whole_.touches.push_back({event.time_s, e.feature.value});
+                       if (feature->kind == FeatureKind::Wall) whole_.wall_touched_s = event.time_s;
+                   },
+                   [&](const ThingVisited& e) { whole_.visited = static_cast<int>(e.feature.value); },
+                   [&](const HelpAsked&) {
+                       ++task_.help;
+                       whole_.helped_s = event.time_s;
+                   },
+                   [&](const Led&) { task_.led_since_s = event.time_s; },
+                   [&](const Arrived&) {
+                       if (task_.led_since_s) task_.led_s += event.time_s - *task_.led_since_s;
+                       task_.led_since_s.reset();
+                   },
+                   [&](const DoorUsed& e) {
+                       const bool blocked =
+                           std::find(laps_.blocked.begin(), laps_.blocked.end(), e.feature) != laps_.blocked.end();
+                       if (blocked && !laps_.met_s) laps_.met_s = laps_.left_s = event.time_s;
+                   },
+                   [&](const Teleported&) { task_.leap = true; },
+                   [&](const Answered& e) {
+                       if (!asked_.text.empty() && e.question == asked_.text) answered(e.text);
+                   },
+                   [&](const LessonWished& e) {
+                       if (!begun_ || over_) return;
+                       switch (e.wish) {
+                           case LessonWish::Done:
+                               next(event.time_s);
+                               break;
+                           case LessonWish::MoreHelp:
+                               ++task_.help;
+                               whole_.helped_s = event.time_s;
+                               change_help(1);
+                               break;
+                           case LessonWish::LessHelp:
+                               change_help(-1);
+                               break;
+                           case LessonWish::Leave:
+                               end(event.time_s);
+                               break;
+                       }
+                   },
+                   [](const auto&) {},
+               },
+               event.what);
+}
+
+void TeachingRun::follow_walk() {
+    if (now_s_ - sampled_s_ < kSample_s - 1e-6) return;
+    sampled_s_ = now_s_;
+    task_.walk.push_back({now_s_, view_.feet_m, std::exchange(task_.leap, false)});
+    if (whole_.samples.size() < kMostSamples)
+        whole_.samples.push_back({.t_s = now_s_,
+                                  .place_m = view_.feet_m,
+                                  .wall_m = view_.wall_m,
+                                  .wall_touched = view_.trails || now_s_ - whole_.wall_touched_s <= kWallTouched_s,
+                                  .thing = std::exchange(whole_.visited, -1)});
+}
+
+void TeachingRun::tick(double now_s, const LessonView& view) {
+    now_s_ = now_s;
+    view_ = view;
+    if (over_ || !view.rooms_known) return;
+    if (!begun_) {
+        begun_ = true;
+        summed_s_ = now_s;
+        const LessonFile& lesson = world_->lesson();
+        act(TeacherActed::Kind::Begin, lesson.title.spoken());
+        std::string first =
+            phrase("teaching.session",
+                   {{"lesson", lesson.title.spoken()}, {"name", session().name}, {"count", session().steps.size()}});
+        if (session().minutes > 0) first = one_after(first, phrase("teaching.minutes", {{"count", session().minutes}}));
+        acts_.emplace_back(Told{one_after(first, world_->news()), SpeechClass::Answer});
+        begin_step();
+        return;
+    }
+    follow_walk();
+    if (now_s - summed_s_ >= kSummary_s) {
+        summed_s_ = now_s;
+        act(TeacherActed::Kind::Summary, summary());
+    }
+    const TaughtStep& now = step();
+    if (now.kind == StepKind::Learn && (now.walls_percent > 0 || now.exits > 0) &&
+        lower_ascii(view.room) == lower_ascii(now.room) && 100.0 * view.walls_share >= now.walls_percent &&
+        view.exits_found >= now.exits)
+        return next(now_s);
+    if (now.kind != StepKind::Go) return;
+    for (const FeatureId door : laps_.blocked) {
+        const Aabb& box = world_->scene()->features[door.value].bounds_m;
+        const Vec3 nearest = glm::clamp(view.feet_m, box.min_m, box.max_m);
+        if (std::abs(nearest.z - view.feet_m.z) > kStorey_m) continue;
+        const double away_m = std::hypot(nearest.x - view.feet_m.x, nearest.y - view.feet_m.y);
+        if (!laps_.met_s && away_m < kAtDoor_m) laps_.met_s = laps_.left_s = now_s;
+        if (laps_.met_s && away_m < kLeftDoor_m) laps_.left_s = now_s;
+    }
+    if (!laps_.stops.empty() && near_place(view.feet_m, laps_.stops.back().stand_m, kArrived_m)) end_lap(true);
+}
+
+// ---- steps ----
+
+void TeachingRun::begin_step() {
+    asked_.text.clear();
+    asked_.at = 0;
+    asked_.errors_rad.clear();
+    asked_.judged.clear();
+    task_ = {.begun_s = now_s_, .walk = {}, .touches = {}, .led_since_s = {}};
+    const TaughtStep& now = step();
+    const std::string say = now.say.spoken();
+    switch (now.kind) {
+        case StepKind::Learn: {
+            const TaughtPlace& room = *world_->place(now.room);
+            if (lower_ascii(view_.room) != lower_ascii(now.room)) place(room, std::nullopt);
+            return task(one_after(say, phrase("teaching.learn", {{"room", room.name}, {"key", start_.done_key}})));
+        }
+        case StepKind::Free:
+            return task(one_after(say, phrase("teaching.free", {{"key", start_.done_key}})));
+        case StepKind::Go:
+            return begin_go();
+        case StepKind::Point:
+        case StepKind::Distance:
+        case StepKind::Order:
+        case StepKind::Ask:
+            return ask();
+    }
+}
+
+void TeachingRun::begin_go() {
+    laps_ = {};
+    const TaughtStep& now = step();
+    laps_.stops = world_->stops_of(*world_->lesson().route(now.route));
+    for (const std::string& name : now.block)
+        if (const auto door = world_->door(name)) {
+            laps_.blocked.push_back(*door);
+            act(TeacherActed::Kind::Block, name, static_cast<double>(door->value));
+        }
+    begin_lap();
+}
+
+// Of the help that the learner allows, how much there is in this lap.
+double TeachingRun::level() const {
+    const std::vector<int>& help = step().help_percent;
+    const bool last = laps_.lap + 1 == static_cast<int>(help.size());
+    return 0.01 * (last && laps_.level >= help.size() ? help.back() : help[std::min(laps_.level, help.size() - 1)]);
+}
+
+void TeachingRun::begin_lap() {
+    const TaughtStep& now = step();
+    const int laps = static_cast<int>(now.help_percent.size());
+    if (laps_.lap + 1 == laps) laps_.level = now.help_percent.size() - 1;  // the last one is free
+    laps_.met_s = laps_.left_s = std::nullopt;
+    task_ = {.begun_s = now_s_, .walk = {}, .touches = {}, .led_since_s = {}};
+    place(world_->base(), world_->base_heading_rad());
+    const std::vector<TaughtPlace> stops =
+        laps_.blocked.empty() ? laps_.stops : std::vector<TaughtPlace>{laps_.stops.back()};
+    laps_.shortest = world_->way(world_->base().stand_m, stops, laps_.blocked);
+    std::string words = laps_.lap == 0 ? now.say.spoken() : std::string();
+    if (laps > 1) words = one_after(words, phrase("teaching.lap", {{"lap", laps_.lap + 1}, {"count", laps}}));
+    words = one_after(words, phrase("teaching.go", {{"name", laps_.stops.back().name}}));
+    const int percent = static_cast<int>(std::lround(100.0 * level()));
+    task(one_after(words, phrase("teaching.help_is", {{"percent", percent}})));
+    lead();
+}
+
+void TeachingRun::lead() {
+    TeacherActed lead{TeacherActed::Kind::Lead, {}, {}, {}, level()};
+    for (const TaughtPlace& stop : laps_.blocked.empty() ? laps_.stops : std::vector{laps_.stops.back()}) {
+        lead.items.push_back(stop.name);
+        lead.places_m.push_back(stop.stand_m);
+    }
+    if (lead.number <= 0.0) act(TeacherActed::Kind::Leave);
+    else acts_.emplace_back(std::move(lead));
+}
+
+TaskResult TeachingRun::measured(std::string name) const {
+    TaskResult result{step().kind, order_[at_], laps_.lap, std::move(name), {}};
+    if (step().kind != StepKind::Go) result.lap = 0;
+    result.measures["time"] = now_s_ - task_.begun_s;
+    const Hesitations pauses = hesitations(task_.walk);
+    result.measures["pauses"] = pauses.count;
+    result.measures["pause_time"] = pauses.sum_s;
+    result.measures["contacts_hand"] = contact_episodes(task_.touches);
+    result.measures["help_asked"] = task_.help;
+    result.measures["led_time"] = task_.led_s + (task_.led_since_s ? now_s_ - *task_.led_since_s : 0.0);
+    return result;
+}
+
+void TeachingRun::end_lap(bool reached) {
+    TaskResult result = measured(laps_.stops.back().name);
+    result.measures["reached"] = reached ? 1.0 : 0.0;
+    // Where the lap was begun, the body was put: what it walked counts from there.
+    int errors = times_off(laps_.shortest.points_m, task_.walk, step().off_route_m);
+    if (const auto ratio = path_ratio(way_walked_m(task_.walk), laps_.shortest.length_m, reached))
+        result.measures["path_ratio"] = *ratio;
+    const TurnsMet turns = turns_met(laps_.shortest.points_m, task_.walk);
+    result.measures["turns_missed"] = turns.missed;
+    result.measures["turns_early"] = turns.early;
+    errors += turns.missed;
+    if (!laps_.blocked.empty()) {
+        result.measures["detour"] = reached ? 1.0 : 0.0;
+        if (reached && laps_.met_s) result.measures["detour_time"] = *laps_.left_s - *laps_.met_s;
+    }
+    keep(std::move(result));
+    act(TeacherActed::Kind::Leave);
+    acts_.emplace_back(
+        Told{phrase(reached ? "teaching.reached" : "teaching.left_way", {{"name", laps_.stops.back().name}}),
+             SpeechClass::Answer});
+    if (!laps_.errors_before || errors <= *laps_.errors_before)
+        laps_.level = std::min(laps_.level + 1, step().help_percent.size() - 1);
+    laps_.errors_before = errors;
+    if (++laps_.lap < static_cast<int>(step().help_percent.size())) return begin_lap();
+    for (const FeatureId door : laps_.blocked)
+        act(TeacherActed::Kind::Open, spoken_name(world_->scene()->features[door.value]),
+            static_cast<double>(door.value));
+    laps_ = {};
+    end_step();
+}
+
+void TeachingRun::end_step() {
+    if (++at_ < order_.size()) return begin_step();
+    at_ = order_.size() - 1;
+    finish(true);
+}
+
+void TeachingRun::finish(bool all) {
+    if (over_) return;
+    over_ = true;
+    act(TeacherActed::Kind::Summary, summary());
+    act(TeacherActed::Kind::End);
+    const std::size_t next = start_.session + 1;
+    std::string words = phrase(all ? "teaching.over" : "teaching.left", {{"name", session().name}});
+    if (all && next < world_->lesson().sessions.size())
+        words = one_after(words, phrase("teaching.next_session", {{"name", world_->lesson().sessions[next].name}}));
+    acts_.emplace_back(Told{words, SpeechClass::Answer});
+}
+
+// ---- whoever teaches ----
+
+void TeachingRun::next(double now_s) {
+    now_s_ = now_s;
+    if (!begun_ || over_) return;
+    asked_.text.clear();
+    const TaughtStep& now = step();
+    if (now.kind == StepKind::Go) return end_lap(false);
+    if (now.kind == StepKind::Learn || now.kind == StepKind::Free) {
+        TaskResult result = measured(now.room);
+        if (now.kind == StepKind::Learn && lower_ascii(view_.room) == lower_ascii(now.room)) {
+            result.measures["walls_percent"] = 100.0 * view_.walls_share;
+            if (view_.exits > 0) result.measures["exits_percent"] = 100.0 * view_.exits_found / view_.exits;
+        }
+        keep(std::move(result));
+    }
+    end_step();
+}
+
+void TeachingRun::repeat() {
+    if (begun_ && !over_)
+        acts_.emplace_back(Told{asked_.text.empty() ? asked_.told : asked_.text, SpeechClass::Answer});
+}
+
+void TeachingRun::change_help(int by) {
+    if (!begun_ || over_ || step().kind != StepKind::Go) return;
+    const std::size_t last = step().help_percent.size() - 1;
+    if (by > 0 && laps_.level > 0) --laps_.level;
+    else if (by < 0 && laps_.level < last) ++laps_.level;
+    acts_.emplace_back(Told{phrase("teaching.help_is", {{"percent", static_cast<int>(std::lround(100.0 * level()))}}),
+                            SpeechClass::Answer});
+    lead();
+}
+
+std::string TeachingRun::lead_to(const std::string& name) {
+    const TaughtPlace* to = world_->place(name);
+    if (!to) return phrase("teaching.no_name", {{"name", name}, {"nearest", nearest_name(name, {})}});
+    acts_.emplace_back(TeacherActed{TeacherActed::Kind::Lead, {}, {to->name}, {to->stand_m}, 1.0});
+    return {};
+}
+
+std::string TeachingRun::block(const std::string& name, bool blocked) {
+    const auto door = world_->door(name);
+    if (!door) return phrase("teaching.no_door", {{"name", name}, {"nearest", nearest_name(name, {})}});
+    act(blocked ? TeacherActed::Kind::Block : TeacherActed::Kind::Open, name, static_cast<double>(door->value));
+    return {};
+}
+
+void TeachingRun::note(const std::string& text) { act(TeacherActed::Kind::Note, one_line(text)); }
+
+void TeachingRun::end(double now_s) {
+    now_s_ = now_s;
+    if (begun_ && !over_) finish(false);
+}
+
+// ---- how it stands ----
+
+std::vector<WalkSample> TeachingRun::last_samples() const {
+    const auto from = std::partition_point(whole_.samples.begin(), whole_.samples.end(),
+                                           [&](const WalkSample& s) { return s.t_s < now_s_ - kWindow_s; });
+    return {from, whole_.samples.end()};
+}
+
+double TeachingRun::share_of(Strategy strategy) const {
+    const auto windows = strategy_windows(whole_.samples, world_->base().stand_m);
+    std::size_t all = 0, such = 0;
+    for (const StrategyWindow& window : windows)
+        if (window.kind != Strategy::None) ++all, such += window.kind == strategy ? 1U : 0U;
+    return all == 0 ? 0.0 : static_cast<double>(such) / static_cast<double>(all);
+}
+
+std::string TeachingRun::summary() const {
+    std::string words = view_.room.empty() ? std::string() : phrase("teaching.sum_room", {{"room", view_.room}});
+    if (view_.walls > 0)
+        words = one_after(words, phrase("teaching.sum_walls", {{"done", view_.walls_done}, {"count", view_.walls}}));
+    words = one_after(words, phrase("teaching.sum_contacts", {{"count", contact_episodes(whole_.touches)}}));
+    words = one_after(words, whole_.helped_s
+                                 ? phrase("teaching.sum_help",
+                                          {{"seconds", static_cast<int>(std::lround(now_s_ - *whole_.helped_s))}})
+                                 : phrase("teaching.sum_no_help"));
+    const auto windows = strategy_windows(last_samples(), world_->base().stand_m);
+    if (!windows.empty()) {
+        constexpr std::array<const char*, kStrategies> kKeys{"", "perimeter", "grid", "object", "base", "mixed"};
+        const char* key = kKeys.at(static_cast<std::size_t>(windows.back().kind));
+        if (*key) words = one_after(words, phrase(std::string("report.strategy_") + key) + ".");
+    }
+    return words;
+}
+
+}  // namespace handrail

@@ -1,0 +1,27 @@
+#include "haptic/servo/hand_recording.h"
+
+#include <limits>
+
+namespace handrail {
+namespace {
+
+constexpr double kSteps = 1e6;  // a metre, a radian
+constexpr double kFarthest = 1e3;
+
+void round_all(Vec3& v) noexcept {
+    bool whole = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        v[axis] = std::round(v[axis] * kSteps) / kSteps;
+        whole = whole && std::abs(v[axis]) <= kFarthest;  // false for what is no number
+    }
+    if (!whole) v = Vec3(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace
+
+void round_to_whole_steps(DeviceSample& sample) noexcept {
+    round_all(sample.position_m);
+    round_all(sample.gimbal_rad);
+}
+
+}  // namespace handrail

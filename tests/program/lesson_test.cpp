@@ -1,0 +1,176 @@
+// A lesson taught by the program itself, by text alone: to a learner by name, with the desk beside it, recorded where
+// that is agreed, computed again, reported on and forgotten.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "app/report/report_page.h"
+#include "tests/support/child_process.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+namespace lesson_test {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+class TaughtByTheProgram : public testing::Test {
+protected:
+    void SetUp() override {
+        for (const char* name : {"data", "state", "run"}) fs::create_directories(home_.path() / name);
+        fs::permissions(home_.path() / "run", fs::perms::owner_all);
+    }
+    std::map<std::string, std::string> environment() const {
+        auto all = bare_environment(home_.path().string());
+        all["XDG_DATA_HOME"] = (home_.path() / "data").string();
+        all["XDG_STATE_HOME"] = (home_.path() / "state").string();
+        all["XDG_RUNTIME_DIR"] = (home_.path() / "run").string();
+        return all;
+    }
+    ProgramRun run(std::vector<std::string> words, const std::string& input = {}) const {
+        ProgramCall call;
+        call.program = HANDRAIL_PROGRAM;
+        call.arguments = std::move(words);
+        call.input = input;
+        call.environment = environment();
+        return run_program(call);
+    }
+    // One who learns, at a terminal: waits for what is told before the next line is typed.
+    class Pupil {
+    public:
+        Pupil(const TaughtByTheProgram& test, const char* name, std::vector<std::string> words)
+            : output_(test.home_.path() / name) {
+            words.insert(words.begin(), HANDRAIL_PROGRAM);
+            child_ = ChildProcess::start(words, test.environment(), output_);
+        }
+        bool hears(const std::string& words) {
+            return eventually([&] { return content_of(output_).find(words, heard_) != std::string::npos; }) &&
+                   (heard_ = content_of(output_).find(words, heard_) + words.size(), true);
+        }
+        void type(const std::string& line) { child_->type(line + "\n"); }
+        int leave() {
+            child_->end_input();
+            return child_->exit_status();
+        }
+        int ends() { return child_->exit_status(); }
+        std::string all() const { return content_of(output_); }
+
+    private:
+        fs::path output_;
+        std::unique_ptr<ChildProcess> child_;
+        std::size_t heard_ = 0;
+    };
+    std::vector<std::string> taught(const char* session) const {
+        return {"lesson",      TEST_WORLDS "/school.lesson.toml",
+                "--session",   session,
+                "--learner",   "oak owl",
+                "--no-window", "--device",
+                "none"};
+    }
+    std::vector<std::string> recordings() const {
+        std::vector<std::string> found;
+        for (const auto& entry : fs::recursive_directory_iterator(home_.path() / "data"))
+            if (entry.path().filename() == "events.jsonl") found.push_back(entry.path().parent_path().string());
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+    TemporaryFolder home_;
+};
+
+TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_computed_again_and_reported_on) {
+    EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "record,share"}).exit_status, 0);
+    Pupil first(*this, "first", taught("1"));
+    ASSERT_TRUE(first.hears("Oak Owl learns.")) << first.all();
+    ASSERT_TRUE(first.hears("Walls, 2 tasks.")) << first.all();
+    Pupil desk(*this, "desk", {"lesson", "watch"});
+    ASSERT_TRUE(desk.hears("Watching the lesson.")) << desk.all();
+    desk.type("note holds the rail");
+    ASSERT_TRUE(desk.hears("Done.")) << desk.all();
+    desk.type("repeat");
+    ASSERT_TRUE(first.hears("Get to know Entrance hall")) << first.all();
+    first.type("mark");
+    first.type("door");
+    ASSERT_TRUE(desk.hears("walls done")) << desk.all();
+    first.type("done");
+    ASSERT_TRUE(first.hears("Face Trophy case")) << first.all();
+    first.type("done");
+    ASSERT_TRUE(first.hears("Face Drinking fountain")) << first.all();
+    first.type("done");
+    ASSERT_TRUE(first.hears("Walls is over. Well done. Next time: Way with help.")) << first.all();
+    EXPECT_EQ(first.leave(), 0);
+    EXPECT_EQ(desk.ends(), 0) << "it ends with the session";
+
+    Pupil last(*this, "last", taught("3"));
+    ASSERT_TRUE(last.hears("4 tasks.")) << last.all();
+    ASSERT_TRUE(last.hears("Go to Library")) << last.all();
+    last.type("marks");
+    ASSERT_TRUE(last.hears("1 of 3")) << "the learner's own mark: " << last.all();
+    last.type("escape");
+    last.type("done");
+    ASSERT_TRUE(last.hears("How far is it to Drinking fountain")) << last.all();
+    last.type("20");
+    ASSERT_TRUE(last.hears("Put 3 places in order")) << last.all();
+    last.type("1");
+    ASSERT_TRUE(last.hears("After ")) << last.all();
+    last.type("1");
+    ASSERT_TRUE(last.hears("How sure were you of the way?")) << last.all();
+    last.type("6");
+    ASSERT_TRUE(last.hears("Free, with a blocked door is over.")) << last.all();
+    EXPECT_EQ(last.leave(), 0);
+
+    const std::vector<std::string> folders = recordings();
+    ASSERT_EQ(folders.size(), 2U);
+    EXPECT_THAT(content_of(fs::path(folders[0]) / "events.jsonl"), HasSubstr("holds the rail"));
+    for (const std::string& folder : folders) {
+        const ProgramRun again = run({"replay", folder, "--check"});
+        EXPECT_EQ(again.exit_status, 0) << again.out << again.err;
+    }
+    const std::string page = (home_.path() / "page.html").string(), table = (home_.path() / "results.csv").string(),
+                      json = (home_.path() / "results.json").string();
+    const ProgramRun report = run({"report", "--learner", "Oak Owl", "--html", page, "--csv", table, "--json", json});
+    EXPECT_EQ(report.exit_status, 0) << report.err;
+    EXPECT_THAT(content_of(page), HasSubstr("You did not get to Library this time."));
+    EXPECT_THAT(content_of(page), Not(HasSubstr("You made all the turns."))) << "of a way that was given up";
+    EXPECT_THAT(content_of(page), HasSubstr("You learned Entrance hall."));
+    EXPECT_THAT(content_of(table), HasSubstr("From the main door to the library"));
+    const auto rows = read_results_csv(content_of(table), table), same = read_results_json(content_of(json), json);
+    ASSERT_TRUE(rows && same);
+    EXPECT_EQ(*rows, *same);
+    std::string measured;
+    for (const ResultRow& row : *rows) measured += row.session + " " + row.measure + "\n";
+    for (const char* one : {"1 walls_percent", "1 pointing_off", "2 distance_judged", "2 order_kept"})
+        EXPECT_THAT(measured, HasSubstr(one));
+
+    const ProgramRun deleted = run({"learner", "delete", "Oak Owl", "--yes"});
+    EXPECT_EQ(deleted.exit_status, 0) << deleted.out << deleted.err;
+    EXPECT_THAT(deleted.out, HasSubstr("0 hits"));
+    EXPECT_FALSE(fs::exists(page) || fs::exists(table) || fs::exists(json));
+}
+
+TEST_F(TaughtByTheProgram, is_neither_recorded_without_consent_nor_taught_to_who_is_not_there) {
+    EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
+    std::vector<std::string> words = taught("2");
+    words.push_back("--record");
+    const ProgramRun refused = run(words);
+    EXPECT_EQ(refused.exit_status, 1);
+    EXPECT_THAT(refused.err, HasSubstr("Oak Owl has not agreed to be recorded"));
+    Pupil pupil(*this, "pupil", taught("2"));
+    ASSERT_TRUE(pupil.hears("Lap 1 of 4.")) << pupil.all();
+    EXPECT_EQ(pupil.leave(), 0);
+    EXPECT_THAT(pupil.all(), Not(HasSubstr("recorded")));
+    EXPECT_TRUE(recordings().empty());
+    words = taught("2");
+    words[5] = "Oak Ovl";
+    const ProgramRun unknown = run(words);
+    EXPECT_EQ(unknown.exit_status, 1);
+    EXPECT_THAT(unknown.err, HasSubstr("Did you mean Oak Owl?"));
+    const std::string protocol =
+        run({"lesson", TEST_WORLDS "/school.lesson.toml", "--protocol", "--learner", "oak owl"}).out;
+    EXPECT_THAT(protocol, HasSubstr("[100, 60, 30, 0]"));
+    EXPECT_EQ(protocol, run({"lesson", TEST_WORLDS "/school.lesson.toml", "--protocol", "--learner", "Oak Owl"}).out);
+}
+
+}  // namespace lesson_test
+}  // namespace handrail::test

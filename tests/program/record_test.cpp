@@ -1,0 +1,199 @@
+// A session of the program itself that is recorded.
+#include "app/record/compute_again.h"
+#include "app/record/recording.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+namespace record_test {
+
+using testing::HasSubstr;
+
+std::vector<std::filesystem::path> folders_in(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> found;
+    std::error_code ec;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ec)) found.push_back(entry.path());
+    return found;
+}
+
+TEST(RecordedSession, holds_every_line_that_was_said_in_order) {
+    const TemporaryFolder folder;
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in",
+                      folder.path().string()};
+    call.input = "forward 3\nwhere\nexits\nescape\nverbosity\n";
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("This session is recorded."));
+    const auto folders = folders_in(folder.path());
+    ASSERT_EQ(folders.size(), 1U);
+    const auto read = read_recording(folders[0]);
+    ASSERT_TRUE(read) << read.error().sentence();
+    EXPECT_TRUE(read->problems.empty());
+    EXPECT_TRUE(read->ended);
+    EXPECT_GT(read->hands[0].size(), 300U);
+    EXPECT_GT(read->frames.size(), 20U);
+    std::string said;
+    for (const SaidLine& line : said_lines(*read)) said += "say: " + line.text + "\n";
+    std::string out = run.out;
+    EXPECT_EQ(said, out);
+}
+
+// What somebody does who is in a hurry: commands, lists, typed text, another world, settings.
+constexpr const char* kBusy[] = {
+    "forward 3\nwhere\nexits\nescape\nverbosity\nfind\nkitchen\nexits\n1\nscale-up\nscale-down\nwhat\nahead\n",
+    "world quake\nforward 9\nright 4\nforward 5\naround\nmark\nmy \"first\" mark\nmarks\nescape\nmenu\n2\n"
+    "escape\nforward 4\nbackward 2\nwhere\nrepeat\n",
+    "hand-left\nfind\nstairs\ntake-me\nleft 3\nforward 12\nname-room\nMy "
+    "hall\nwhere\nlost\n"
+    "desk\nescape\nhelp\nescape\n",
+};
+
+class RecordedUnderLoad : public testing::TestWithParam<int> {};
+
+TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order) {
+    const TemporaryFolder folder;
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {GetParam() == 1 ? TEST_WORLDS "/school.map" : TEST_WORLDS "/house.map",
+                      "--no-window",
+                      "--device",
+                      "sim-t",
+                      "--record-in",
+                      folder.path().string()};
+    call.input = kBusy[GetParam()];
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    const auto folders = folders_in(folder.path());
+    ASSERT_EQ(folders.size(), 1U);
+    const auto read = read_recording(folders[0]);
+    ASSERT_TRUE(read) << read.error().sentence();
+    const auto again = compute_again(*read);
+    ASSERT_TRUE(again) << again.error().sentence();
+    for (const std::string& remark : again->remarks) ADD_FAILURE() << remark;
+    const auto difference = first_difference(*read, *again);
+    EXPECT_FALSE(difference) << difference->line << "\n" << difference->recorded << "\n" << difference->computed;
+    EXPECT_GT(again->said.size(), 12U) << run.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Sessions, RecordedUnderLoad, testing::Range(0, 3));
+
+TEST(RecordedSession, becomes_a_scenario_that_holds) {
+    const TemporaryFolder folder;
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in",
+                      folder.path().string()};
+    call.input = "where\nforward 2\nright\nheading\nexits\nescape\n";
+    EXPECT_EQ(run_program(call).exit_status, 0);
+    const std::string recording = folders_in(folder.path()).at(0).string();
+    const std::string scenario = (folder.path() / "made.toml").string();
+    call.input.clear();
+    call.arguments = {"replay", recording, "--scenario", scenario, "--csv", (folder.path() / "tables").string()};
+    EXPECT_EQ(run_program(call).exit_status, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "tables/hand.csv"));
+    call.arguments = {"scenario", scenario};
+    const ProgramRun played = run_program(call);
+    EXPECT_EQ(played.exit_status, 0) << played.out << content_of(scenario);
+    EXPECT_THAT(content_of(scenario), HasSubstr("press = \"exits\""));
+}
+
+TEST(ReplayCommand, checks_hears_and_tells_what_differs) {
+    const TemporaryFolder folder;
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in",
+                      folder.path().string()};
+    call.input = "where\nforward 2\n";
+    EXPECT_EQ(run_program(call).exit_status, 0);
+    const std::filesystem::path recording = folders_in(folder.path()).at(0);
+    call.input.clear();
+    call.arguments = {"replay", recording.string(), "--check"};
+    const ProgramRun same = run_program(call);
+    EXPECT_EQ(same.exit_status, 0) << same.err;
+    EXPECT_THAT(same.out, HasSubstr("said again as they were recorded, in the same order."));
+    call.arguments = {"replay", recording.string(), "--speed", "4"};
+    const ProgramRun heard = run_program(call);
+    EXPECT_EQ(heard.exit_status, 0);
+    EXPECT_THAT(heard.out, HasSubstr("At the door, base, facing north."));
+    // Another question than was recorded.
+    std::string events = content_of(recording / "events.jsonl");
+    const std::size_t where = events.find("\"command\":\"where\"");
+    ASSERT_NE(where, std::string::npos);
+    events.replace(where, 17, "\"command\":\"ahead\"");
+    std::filesystem::copy(folder.write("events.jsonl", events), recording / "events.jsonl",
+                          std::filesystem::copy_options::overwrite_existing);
+    call.arguments = {"replay", recording.string(), "--check"};
+    const ProgramRun other = run_program(call);
+    EXPECT_EQ(other.exit_status, 1);
+    EXPECT_THAT(other.err, HasSubstr("differs. Recorded, by version"));
+    folder.write("events.jsonl", "x\n");
+    call.arguments = {"replay", folder.path().string()};
+    EXPECT_THAT(run_program(call).err, HasSubstr("A recording begins with a line that says what it is."));
+    call.arguments = {"replay", "--speed", "9"};
+    EXPECT_EQ(run_program(call).exit_status, 2);
+}
+
+TEST(ReportCommand, makes_a_page_and_tables_of_a_recording_and_replaces_nothing_unasked) {
+    const TemporaryFolder folder;
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "sim-t", "--record-in",
+                      folder.path().string()};
+    call.input = "where\nroutes\nkitchen\nleft 4\nforward 6\nexits\n";
+    EXPECT_EQ(run_program(call).exit_status, 0);
+    const std::string recording = folders_in(folder.path()).at(0).string();
+    call.input.clear();
+    const std::string page = (folder.path() / "page.html").string(), table = (folder.path() / "table.csv").string(),
+                      json = (folder.path() / "values.json").string();
+    call.arguments = {"report", recording, "--html", page, "--csv", table, "--json", json, "--learner", "Kim"};
+    const ProgramRun made = run_program(call);
+    EXPECT_EQ(made.exit_status, 0) << made.err;
+    const std::string html = content_of(page);
+    EXPECT_THAT(html, testing::StartsWith("<!DOCTYPE html>\n<html lang=\"en\">"));
+    EXPECT_THAT(html, HasSubstr("Kim"));
+    EXPECT_THAT(html, HasSubstr("<svg"));
+    EXPECT_THAT(html, HasSubstr("At the door, base, facing north."));  // the course is what was said
+    EXPECT_THAT(content_of(table),
+                testing::AllOf(HasSubstr(",time,"), HasSubstr(",contacts_hand,"), testing::Not(HasSubstr("Kim"))));
+    EXPECT_TRUE(std::filesystem::exists(table + "-metadata.json"));
+    EXPECT_THAT(content_of(json), HasSubstr("pauses"));
+    const ProgramRun again = run_program(call);
+    EXPECT_EQ(again.exit_status, 1);
+    EXPECT_THAT(again.err, HasSubstr("page.html"));
+    call.arguments.push_back("--force");
+    EXPECT_EQ(run_program(call).exit_status, 0);
+    call.arguments = {"report", recording};
+    EXPECT_EQ(run_program(call).exit_status, 2);
+    call.arguments = {"report", (folder.path() / "nowhere").string(), "--html", page, "--force"};
+    EXPECT_EQ(run_program(call).exit_status, 1);
+    EXPECT_EQ(content_of(page), html) << "a report that fails touches nothing";
+}
+
+TEST(RecordedSession, is_none_unless_it_is_asked_for) {
+    const TemporaryFolder home;
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {TEST_WORLDS "/house.map", "--no-window", "--device", "none"};
+    call.input = "where\n";
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.out, testing::Not(HasSubstr("recorded")));
+}
+
+TEST(RecordedSession, that_cannot_be_recorded_says_so_and_goes_on) {
+    const TemporaryFolder folder;
+    ProgramCall call;
+    call.program = HANDRAIL_PROGRAM;
+    call.arguments = {TEST_WORLDS "/house.map",          "--no-window", "--device", "none", "--record-in",
+                      folder.write("file", "x").string()};
+    call.input = "where\n";
+    const ProgramRun run = run_program(call);
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("Nothing is recorded."));
+    EXPECT_THAT(run.out, HasSubstr("At the door, base"));
+}
+
+}  // namespace record_test
+}  // namespace handrail::test

@@ -1,0 +1,193 @@
+// Real buildings under a hand: it never enters a solid, and ball and body pass every door that the file says is one.
+// They run where the buildings are at hand (HANDRAIL_REAL_WORLDS), and 200,000 ticks each with HANDRAIL_LONG_WALKS=1.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "haptic/compile/compile_haptic.h"
+#include "haptic/render/touch.h"
+#include "tests/support/real_worlds.h"
+#include "worlds/geometry/box_index.h"
+#include "worlds/readers/reader.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+namespace real_buildings_test {
+
+// A plain twin: planes alone, of the solids near a place.
+class Solids {
+public:
+    explicit Solids(const Scene& scene) : scene_(scene), boxes_(boxes_of(scene)) {}
+
+    // How deep the place lies in the solid that holds it deepest; at most 0: in none.
+    double depth_m(const Vec3& at_m) const {
+        boxes_.find({at_m, at_m}, near_);
+        double deepest = -1.0;
+        for (const std::uint32_t i : near_) {
+            double out = -1e9;
+            for (const Plane& plane : scene_.solids[i].shape.planes) out = std::max(out, signed_distance(plane, at_m));
+            deepest = std::max(deepest, -out);
+        }
+        return deepest;
+    }
+
+private:
+    static std::vector<Aabb> boxes_of(const Scene& scene) {
+        std::vector<Aabb> boxes(scene.solids.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            if (scene.solids[i].role == SolidRole::Solid || scene.solids[i].role == SolidRole::Mover)
+                boxes[i] = scene.solids[i].shape.bounds_m;
+        return boxes;
+    }
+
+    const Scene& scene_;
+    BoxIndex boxes_;
+    mutable std::vector<std::uint32_t> near_;
+};
+
+TouchTuning tuning_of(double radius_m) {
+    TouchTuning tuning;
+    tuning.radius_m = radius_m;
+    tuning.rated_stiffness_n_per_m = 1000.0;
+    tuning.default_stiffness_fraction = 1.0;
+    return tuning;
+}
+
+constexpr const char* kBuildings[] = {"duplex-apartment.ifc", "fzk-haus.ifc", "institute.ifczip", "apb-tu-dresden.osm"};
+
+// A hand at 1 m/s that starts in one room after the other and mostly presses on what it has met.
+TEST(RealBuildings, a_hand_never_enters_a_solid) {
+    const int ticks = std::getenv("HANDRAIL_LONG_WALKS") ? 200'000 : 20'000;
+    int buildings = 0;
+    for (const char* name : kBuildings) {
+        const auto path = test::real_world(name);
+        if (!path) continue;
+        ++buildings;
+        const Result<Scene> scene = read_world(*path);
+        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+        const auto haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
+        const Solids solids(*scene);
+        const TouchTuning tuning = tuning_of(0.005);
+        TouchState state;
+        std::mt19937 random(20261124);
+        const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+        Vec3 ball{0.0}, hand{0.0}, direction{1, 0, 0};
+        Vec3 normal{0.0};  // of what is touched; zero: nothing is
+        int touching = 0, left = 0;
+        std::size_t room = 0;
+        for (int i = 0; i < ticks; ++i) {
+            if (i % 4000 == 0) {
+                // The next room with free air in it.
+                do {
+                    room = (room + 1) % scene->stated->rooms.size();
+                    ball = hand = scene->stated->rooms[room].at_m + Vec3(0, 0, 0.2);
+                } while (solids.depth_m(ball) > -0.02 && solids.depth_m(ball) != -1.0);
+                state.reset();
+            }
+            if (--left <= 0) {
+                direction = glm::normalize(Vec3(2 * unit() - 1, 2 * unit() - 1, 1.4 * unit() - 1.0) + Vec3(1e-6));
+                // Three of four keep to what is touched, and press on it.
+                if (normal != Vec3(0.0) && random() % 4 != 0)
+                    direction -= normal * (glm::dot(direction, normal) + 0.3 * glm::length(direction));
+                left = 200 + static_cast<int>(800 * unit());
+            }
+            hand += direction * 1e-3;
+            if (const double away = glm::length(hand - ball); away > 0.01) hand = ball + (hand - ball) * (0.01 / away);
+            const TouchResult felt = touch_tick(state, *haptic, tuning, hand, 1e-3);
+            ball = felt.proxy_m;
+            if (felt.contacts.ghosted) continue;
+            touching += felt.contacts.count > 0 ? 1 : 0;
+            normal = Vec3(0.0);
+            if (felt.contacts.count > 0) normal = felt.contacts.contacts[felt.contacts.strongest].normal;
+            ASSERT_LE(solids.depth_m(ball), 1e-6)
+                << name << ", tick " << i << ": " << ball.x << " " << ball.y << " " << ball.z;
+        }
+        EXPECT_GT(touching, ticks / 10) << name;
+    }
+    if (buildings == 0) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
+}
+
+// The way through a leaf: square to its largest upright face.
+std::optional<Vec3> way_through(const Scene& scene, FeatureId leaf) {
+    std::optional<Vec3> way;
+    double largest_m2 = 0.0;
+    for (const Solid& solid : scene.solids) {
+        if (solid.feature != leaf) continue;
+        for (std::size_t f = 0; f < solid.shape.faces.size(); ++f) {
+            const std::vector<Vec3>& p = solid.shape.faces[f].points_m;
+            Vec3 area{0.0};
+            for (std::size_t k = 1; k + 1 < p.size(); ++k) area += 0.5 * glm::cross(p[k] - p[0], p[k + 1] - p[0]);
+            if (std::abs(solid.shape.planes[f].normal.z) > 0.1 || glm::length(area) <= largest_m2) continue;
+            largest_m2 = glm::length(area);
+            way = solid.shape.planes[f].normal;
+        }
+    }
+    return way;
+}
+
+// At Room scale the ball is as wide as a fist of the building: 0.1 m.
+bool ball_passes(const HapticScene& haptic, const Vec3& from_m, const Vec3& to_m) {
+    TouchState state;
+    const TouchTuning tuning = tuning_of(0.1);
+    Vec3 ball = from_m;
+    const int steps = static_cast<int>(glm::length(to_m - from_m) / 2e-3);
+    for (int i = 0; i <= steps + 200; ++i) {
+        const Vec3 wanted = from_m + (to_m - from_m) * std::min(1.0, static_cast<double>(i) / steps);
+        ball = touch_tick(state, haptic, tuning, wanted, 1e-3).proxy_m;
+    }
+    return glm::length(ball - to_m) < 0.02;
+}
+
+// A body of 0.5 by 0.3 m, 1.7 m tall, by its points.
+bool body_passes(const Solids& solids, const Vec3& middle_m, const Vec3& way) {
+    const Vec3 across = glm::cross(Vec3(0, 0, 1), way);
+    for (double along = -0.45; along <= 0.45; along += 0.05)
+        for (const double side : {-0.24, -0.12, 0.0, 0.12, 0.24})
+            for (double z = 0.3; z <= 1.75; z += 0.145)
+                if (solids.depth_m(middle_m + way * along + across * side + Vec3(0, 0, z)) > 1e-3) return false;
+    return true;
+}
+
+TEST(RealBuildings, body_and_ball_pass_every_open_door_of_the_file) {
+    int buildings = 0;
+    for (const char* name : kBuildings) {
+        const auto path = test::real_world(name);
+        if (!path) continue;
+        ++buildings;
+        const Result<Scene> scene = read_world(*path);
+        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+        // All leaves out of the way; what a ball meets besides are walls.
+        Scene open = *scene;
+        std::erase_if(open.solids, [](const Solid& solid) { return solid.role == SolidRole::Mover; });
+        open.movers.clear();
+        const auto haptic = compile_haptic(open, MaterialSource::KeysOnly);
+        const Solids solids(open);
+        int doors = 0, shut_to_body = 0, shut_to_ball = 0;
+        std::string shut;
+        for (const StatedPortal& portal : scene->stated->portals) {
+            if (portal.kind != StatedPortalKind::Door || !portal.passable || portal.rooms.empty()) continue;
+            const std::optional<Vec3> way = way_through(*scene, portal.feature);
+            if (!way) continue;
+            ++doors;
+            const bool body = body_passes(solids, portal.place_m, *way);
+            bool ball = false;
+            for (const double z : {1.0, 1.3, 1.6}) {
+                const Vec3 middle = portal.place_m + Vec3(0, 0, z);
+                ball = ball || ball_passes(*haptic, middle - *way * 0.5, middle + *way * 0.5);
+            }
+            shut_to_body += body ? 0 : 1;
+            shut_to_ball += ball ? 0 : 1;
+            if (!body || !ball) shut += " " + portal.name + "/" + std::to_string(portal.source.line);
+        }
+        std::cout << name << ": " << doors << " doors, shut to a body " << shut_to_body << ", to a ball "
+                  << shut_to_ball << "\n";
+        EXPECT_GT(doors, 3) << name;
+        EXPECT_EQ(shut_to_ball, 0) << name << ":" << shut;
+        EXPECT_EQ(shut_to_body, 0) << name << ":" << shut;
+    }
+    if (buildings == 0) GTEST_SKIP() << "no real building is here; set HANDRAIL_REAL_WORLDS";
+}
+
+}  // namespace real_buildings_test
+}  // namespace handrail

@@ -1,0 +1,12 @@
+// ZIP archives for tests.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace handrail::test {
+
+// With all files stored as they are; or deflated.
+std::string zipped(const std::map<std::string, std::string>& files, bool deflated = false);
+
+}  // namespace handrail::test

@@ -1,0 +1,124 @@
+// `handrail export`: what it writes, says and refuses.
+#include <fstream>
+#include <sstream>
+
+#include "app/main/command_line.h"
+#include "app/main/commands.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/base/files.h"
+
+namespace handrail::test {
+namespace export_command_test {
+
+struct Outcome {
+    int status = -1;
+    std::string out, err;
+};
+
+Outcome run(std::vector<std::string> words) {
+    words.insert(words.begin(), "export");
+    std::ostringstream out, err;
+    Outcome outcome;
+    outcome.status = run_command_line(words, out, err);
+    outcome.out = out.str();
+    outcome.err = err.str();
+    return outcome;
+}
+
+std::string house() { return std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/house.map"; }
+
+TEST(ExportCommand, writes_a_sheet_its_key_and_samples_and_tells_what_was_simplified) {
+    const TemporaryFolder folder;
+    const std::string svg = (folder.path() / "plan.svg").string();
+    const Outcome done = run({house(), "--swell", svg, "--storey", "2", "--strip"});
+    ASSERT_EQ(done.status, 0) << done.err;
+    for (const char* name : {"plan.svg", "plan-key-1.svg", "plan-key-2.svg", "plan-strip.svg"}) {
+        const Result<std::string> text = read_whole_file(folder.path() / name);
+        ASSERT_TRUE(text) << name;
+        EXPECT_EQ(text->substr(0, 5), "<?xml") << name;
+    }
+    EXPECT_THAT(done.out,
+                testing::HasSubstr("plan.svg: House with a garden, storey 2 of 2, 1 to 75, 6 rooms, 5 things."));
+    EXPECT_THAT(done.out, testing::HasSubstr("Left out for lack of room:"));
+    EXPECT_THAT(done.out, testing::HasSubstr("Print at 100 percent"));
+}
+
+TEST(ExportCommand, writes_a_plate_for_a_printer) {
+    const TemporaryFolder folder;
+    const std::filesystem::path stl = folder.path() / "plate.stl";
+    const Outcome done = run({house(), "--stl", stl.string()});
+    ASSERT_EQ(done.status, 0) << done.err;
+    EXPECT_GT(read_whole_file(stl)->size(), 100'000U);
+    EXPECT_THAT(done.out, testing::HasSubstr("plate.stl: 1 to 128, "));
+    EXPECT_THAT(done.out, testing::HasSubstr("Plate: Left out for lack of room: "));
+}
+
+TEST(ExportCommand, writes_ways_in_words_in_print_and_in_braille) {
+    const TemporaryFolder folder;
+    const std::filesystem::path txt = folder.path() / "card.txt", brf = folder.path() / "card.brf";
+    ASSERT_EQ(run({house(), "--route-card", txt.string(), "--to", "kitchen"}).status, 0);
+    const std::string text = *read_whole_file(txt);
+    EXPECT_THAT(text, testing::StartsWith("From the base to Kitchen.\nFace north.\n"));
+    EXPECT_THAT(text, testing::HasSubstr("steps in all."));
+    EXPECT_THAT(text, testing::HasSubstr("to Kitchen."));
+    const Outcome all = run({house(), "--route-card", brf.string(), "--set", "walk.step_length_m=0.5"});
+    ASSERT_EQ(all.status, 0) << all.err;
+    EXPECT_THAT(all.out, testing::HasSubstr("ways in words."));
+    const std::string cells = *read_whole_file(brf);
+    std::size_t line = 0, lines = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i] == '\f') lines = 0;
+        else if (cells[i] == '\r') {
+            EXPECT_EQ(cells[i + 1], '\n');
+            EXPECT_LE(++lines, 25U);
+            line = 0;
+            ++i;
+        } else EXPECT_LE(++line, 40U);
+    }
+    EXPECT_EQ(std::count(cells.begin(), cells.end(), '\f'), 9) << "ten rooms, each on a page of its own";
+}
+
+TEST(ExportCommand, replaces_files_only_when_told_to_and_then_all_of_them) {
+    const TemporaryFolder folder;
+    const std::filesystem::path pdf = folder.path() / "plan.pdf";
+    std::ofstream(pdf) << "mine";
+    const Outcome refused = run({house(), "--swell", pdf.string()});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_EQ(refused.err, pdf.string() + " is there already; with --force it is replaced.\n");
+    EXPECT_EQ(*read_whole_file(pdf), "mine");
+    EXPECT_EQ(run({house(), "--swell", pdf.string(), "--force"}).status, 0);
+    EXPECT_EQ(read_whole_file(pdf)->substr(0, 5), "%PDF-");
+    // A key that is there already keeps the sheet from being written.
+    std::ofstream(folder.path() / "s-key-1.svg") << "mine";
+    EXPECT_EQ(run({house(), "--swell", (folder.path() / "s.svg").string()}).status, 1);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "s.svg"));
+}
+
+TEST(ExportCommand, refuses_what_it_cannot_do_in_one_sentence) {
+    const TemporaryFolder folder;
+    const std::string svg = (folder.path() / "plan.svg").string();
+    const auto sentence = [&](std::vector<std::string> words, int status) {
+        const Outcome outcome = run(std::move(words));
+        EXPECT_EQ(outcome.status, status) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+        return outcome.err;
+    };
+    EXPECT_THAT(sentence({house()}, 2), testing::HasSubstr("Say what to export"));
+    EXPECT_THAT(sentence({house(), "--swell", "plan.png"}, 2), testing::HasSubstr(".svg or .pdf"));
+    EXPECT_THAT(sentence({house(), "--swell", svg, "--paper", "a5"}, 2), testing::HasSubstr("a4 and a3"));
+    EXPECT_THAT(sentence({house(), "--swell", svg, "--braille", "x"}, 2), testing::HasSubstr("en-ueb-g1"));
+    EXPECT_THAT(sentence({house(), "--swell", svg, "--storey", "0"}, 2), testing::HasSubstr("whole number"));
+    EXPECT_THAT(sentence({house(), "--swell", svg, "--storey", "7"}, 1), testing::HasSubstr("there are 2"));
+    EXPECT_THAT(sentence({house(), "--swell", svg, "--to", "Kitchen"}, 2), testing::HasSubstr("--route-card"));
+    EXPECT_THAT(sentence({house(), "--route-card", svg}, 2), testing::HasSubstr(".brf or .txt"));
+    EXPECT_THAT(sentence({house(), "--route-card", "card.txt", "--to", "kitschen"}, 1),
+                testing::HasSubstr("the nearest name is Kitchen"));
+    EXPECT_THAT(sentence({"none.map", "--swell", svg}, 1), testing::HasSubstr("none.map"));
+    EXPECT_THAT(sentence({house(), "--swell", (folder.path() / "no" / std::string(300, 'x')).string() + ".svg"}, 1),
+                testing::HasSubstr("xxx"));
+    EXPECT_FALSE(std::filesystem::exists(svg));
+}
+
+}  // namespace export_command_test
+}  // namespace handrail::test

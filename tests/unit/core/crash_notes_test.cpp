@@ -1,0 +1,159 @@
+// A report of a crash: what gets in, what never does, and where it lies.
+#include "app/core/kept/crash_notes.h"
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "app/core/kept/last_place.h"
+#include "tests/support/child_process.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/core/app_session.h"
+
+namespace handrail {
+namespace crash_notes_test {
+namespace fs = std::filesystem;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(CrashNotes, tell_the_last_acts_with_the_time_before_the_latest_and_repeated_ones_once) {
+    CrashNotes notes({"Handrail 1."});
+    EXPECT_THAT(notes.text(), HasSubstr("Nothing was done before."));
+    notes.note("forward", 10.0);
+    notes.note("forward", 10.5);
+    notes.note("where", 12.0);
+    EXPECT_THAT(notes.text(), HasSubstr("Handrail 1.\n"));
+    EXPECT_THAT(notes.text(), HasSubstr("forward, 2 times: 1.5 seconds.\nwhere: 0.0 seconds.\n"));
+    EXPECT_EQ(notes.changes(), 4U);
+    for (int i = 0; i < 1000; ++i) notes.note(i % 2 ? "left" : "right", 20.0 + i);
+    EXPECT_THAT(notes.text(), Not(HasSubstr("where")));
+    EXPECT_LT(notes.text().size(), 4000U);
+}
+
+TEST(CrashNotes, hold_values_of_settings_only_where_they_name_nobody) {
+    EXPECT_TRUE(may_be_reported("0.8", "0 to 1"));
+    EXPECT_TRUE(may_be_reported("-3", "any"));
+    EXPECT_TRUE(may_be_reported("true", "true or false"));
+    EXPECT_TRUE(may_be_reported("\"text\"", "auto, screen-reader, speech-dispatcher, embedded or text"));
+    EXPECT_TRUE(may_be_reported("\"screen-reader\"", "auto, screen-reader or text"));
+    EXPECT_FALSE(may_be_reported("\"reader\"", "auto, screen-reader or text")) << "a part of a word";
+    EXPECT_FALSE(may_be_reported("\"annas-falcon\"", "auto, none or a device's name"));
+    EXPECT_FALSE(may_be_reported("\"A9001\"", "auto, none or a device's name"));
+    EXPECT_FALSE(may_be_reported("\"/srv/anna/lou.wav\"", "a file"));
+    EXPECT_FALSE(may_be_reported("[1, 2]", "a list"));
+    EXPECT_FALSE(may_be_reported("\"", "\""));
+    EXPECT_FALSE(may_be_reported("", ""));
+}
+
+std::vector<fs::path> reports_beside(const fs::path& sessions) {
+    std::vector<fs::path> found;
+    std::error_code ec;
+    for (const auto& file : fs::directory_iterator(sessions.parent_path() / "crash-reports", ec))
+        found.push_back(file.path());
+    return found;
+}
+
+// As a session that is killed after it has noted this.
+void die_with(const fs::path& sessions, const std::string& text, const std::string& signal) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        SessionTrace trace(sessions);
+        trace.note_report(text, 0.0);
+        if (!signal.empty()) std::ofstream(trace.signal_file()) << signal;
+        for (;;) ::usleep(1000);
+    }
+    const bool written = test::eventually([&] {
+        bool report = false, ended = signal.empty();
+        std::error_code ec;
+        for (const auto& file : fs::directory_iterator(sessions, ec)) {
+            report = report || (file.path().extension() == ".report" && test::content_of(file.path()) == text);
+            ended = ended || (file.path().extension() == ".signal" && test::content_of(file.path()) == signal);
+        }
+        return report && ended;
+    });
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    EXPECT_TRUE(written);
+}
+
+TEST(CrashReport, lies_beside_the_sessions_with_how_it_ended_and_where) {
+    const TemporaryFolder folder;
+    const fs::path sessions = folder.path() / "sessions";
+    die_with(sessions, "Handrail 1.\nforward: 0.0 seconds.\n", "11\nhandrail+0x1f\n-\n");
+    {
+        SessionTrace next(sessions);
+        EXPECT_TRUE(next.crashed());
+        ASSERT_TRUE(fs::exists(next.report()));
+        const std::string text = test::content_of(next.report());
+        EXPECT_EQ(text,
+                  "Report of a session that broke off.\nIt ended with a wrong access to memory, signal 11.\n"
+                  "Handrail 1.\nforward: 0.0 seconds.\nhandrail+0x1f\n-\n");
+        EXPECT_EQ(fs::status(next.report()).permissions() & fs::perms::others_read, fs::perms::none);
+        next.end();
+    }
+    EXPECT_TRUE(fs::is_empty(sessions));
+    EXPECT_TRUE(SessionTrace(sessions).report().empty()) << "told once";
+    EXPECT_EQ(reports_beside(sessions).size(), 1U) << "and it stays";
+}
+
+TEST(CrashReport, of_a_kill_says_that_its_end_was_not_seen_and_a_session_that_was_left_leaves_none) {
+    const TemporaryFolder folder;
+    const fs::path sessions = folder.path() / "sessions";
+    {
+        SessionTrace left(sessions);
+        left.note_report("text\n", 0.0);
+        left.end();
+    }
+    EXPECT_TRUE(fs::is_empty(sessions));
+    EXPECT_FALSE(SessionTrace(sessions).crashed());
+    EXPECT_TRUE(reports_beside(sessions).empty());
+    die_with(sessions, "Handrail 1.\n", "");
+    const SessionTrace next(sessions);
+    EXPECT_THAT(test::content_of(next.report()), HasSubstr("How it ended was not seen"));
+}
+
+TEST(CrashReport, only_the_newest_five_stay) {
+    const TemporaryFolder folder;
+    const fs::path sessions = folder.path() / "sessions", reports = folder.path() / "crash-reports";
+    fs::create_directories(reports);
+    for (int i = 0; i < 8; ++i) std::ofstream(reports / ("2020-01-0" + std::to_string(i + 1) + "-120000.txt")) << i;
+    die_with(sessions, "Handrail 1.\n", "6\n");
+    const SessionTrace next(sessions);
+    EXPECT_EQ(reports_beside(sessions).size(), 5U);
+    EXPECT_TRUE(fs::exists(next.report()));
+    EXPECT_FALSE(fs::exists(reports / "2020-01-01-120000.txt"));
+}
+
+TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
+    test::AppSession session;
+    session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
+    session.run(0.1);
+    session.ask(Command::Menu);
+    EXPECT_FALSE(session.heard("Report of the session")) << "there is none";
+    session.line("escape");
+    session.app.apply(CrashReportKnown{"/a/report.txt", {"It ended.", "forward: 0.0 seconds."}}, session.now);
+    session.ask(Command::Menu);
+    session.line("Report of the session that broke off");
+    session.run(0.1);
+    EXPECT_TRUE(session.heard("Report of a session that broke off")) << session.news();
+    session.line("list");
+    EXPECT_TRUE(session.heard("forward: 0.0 seconds.")) << session.news();
+    session.line("escape");
+    session.ask(Command::Menu);
+    session.line("Touch devices: what is plugged in");
+    session.run(0.1);
+    EXPECT_TRUE(session.app.requests().take_devices());
+    EXPECT_FALSE(session.app.requests().take_devices());
+    session.app.apply(DevicesFound{{"Novint Falcon, called falcon.", "State: ready."}}, session.now);
+    session.news();
+    session.line("list");
+    EXPECT_TRUE(session.heard("State: ready.")) << session.news();
+}
+
+}  // namespace crash_notes_test
+}  // namespace handrail

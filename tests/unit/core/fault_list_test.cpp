@@ -1,0 +1,114 @@
+// What should be mended in a world: from fault to fault by keys and by words, and mended in place.
+#include "app/core/kept/landmarks.h"
+#include "tests/support/map_text.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/core/explorer.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace fault_list_test {
+
+using test::Explorer;
+using testing::HasSubstr;
+
+// A room of 8 by 6 metres without name and landmark, with two things of which one could be a landmark.
+std::shared_ptr<const Scene> bare_room() {
+    const std::string map = test::entity("worldspawn", test::key("message", "Bare room") + test::key("building", "1"),
+                                         test::room_brushes(0, 0, 0, 256, 192, 96)) +
+                            test::entity("thing", test::key("name", "Stove"), test::box_brush(0, 0, 0, 20, 20, 30)) +
+                            test::entity("info_player_start", test::key("origin", "128 96 24"));
+    Result<Scene> scene = read_quake_map(map, "bare.map");
+    EXPECT_TRUE(scene.has_value());
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+std::vector<std::string> names_of(const DialogueView& view) {
+    std::vector<std::string> names;
+    for (const ListItem& item : view.items) names.push_back(item.name);
+    return names;
+}
+
+TEST(FaultList, leads_from_fault_to_fault_and_says_where_each_is_and_what_to_do) {
+    Explorer p(bare_room(), nullptr);
+    p.key("Alt+8");
+    ASSERT_TRUE(p.app().dialogue().is_open());
+    const DialogueView faults = p.app().dialogue().view();
+    ASSERT_EQ(faults.items.size(), 2U) << testing::PrintToString(names_of(faults));
+    EXPECT_THAT(faults.items[0].name, HasSubstr("has no name"));
+    EXPECT_THAT(faults.items[1].name, HasSubstr("has no landmark"));
+    EXPECT_FALSE(faults.items[0].value.empty()) << "where it is";
+    p.line("2");
+    EXPECT_THAT(p.app().dialogue().view().title, HasSubstr("it could be Stove"));
+    EXPECT_THAT(names_of(p.app().dialogue().view()),
+                testing::ElementsAre("Mark Stove as a landmark", "Find this place or go there"));
+    p.key("Escape");
+    EXPECT_EQ(p.app().dialogue().view().title, faults.title) << "back among the faults";
+}
+
+TEST(FaultList, mends_a_missing_name_and_a_missing_landmark_in_place) {
+    Explorer p(bare_room(), nullptr);
+    p.tap(Command::Faults);
+    p.line("1");
+    p.line("Give this room a name");
+    p.line("Kitchen");
+    ASSERT_TRUE(p.app().dialogue().is_open()) << "the list opens again";
+    ASSERT_EQ(p.app().dialogue().view().items.size(), 1U);
+    EXPECT_THAT(p.app().dialogue().view().items[0].name, HasSubstr("Kitchen has no landmark"));
+    p.line("1");
+    p.line("Mark Stove as a landmark");
+    EXPECT_TRUE(p.heard("Stove is a landmark from now on")) << p.all_heard(0);
+    const Scene& scene = *p.app().scene();
+    EXPECT_EQ(std::count_if(scene.features.begin(), scene.features.end(), [](const Feature& f) { return f.landmark; }),
+              1);
+    p.tap(Command::Faults);
+    EXPECT_TRUE(p.heard("Nothing is to be mended here.")) << p.all_heard(0);
+}
+
+TEST(FaultList, finds_nothing_in_the_school) {
+    Explorer p(test::our_world("school.map"), nullptr);
+    p.tap(Command::Faults);
+    EXPECT_TRUE(p.heard("Nothing is to be mended here.")) << p.all_heard(0);
+    EXPECT_FALSE(p.app().dialogue().is_open());
+}
+
+TEST(Landmarks, are_kept_in_the_side_file_and_laid_upon_the_world_again) {
+    const test::TemporaryFolder folder;
+    const auto world = folder.write("bare.map", "bytes");
+    const std::shared_ptr<const Scene> scene = bare_room();
+    const auto stove = std::find_if(scene->features.begin(), scene->features.end(),
+                                    [](const Feature& feature) { return feature.name == "Stove"; });
+    ASSERT_NE(stove, scene->features.end());
+    {
+        SideFile file = SideFile::of_world(world, folder.path());
+        keep_landmark(file, *stove);
+        ASSERT_TRUE(file.save().has_value());
+    }
+    const SideFile file = SideFile::of_world(world, folder.path());
+    std::vector<Error> faults;
+    std::vector<LandmarkGiven> kept = read_landmarks(file, faults);
+    EXPECT_TRUE(faults.empty());
+    ASSERT_EQ(kept.size(), 1U);
+    EXPECT_EQ(kept[0].name, "Stove");
+    const auto marked = with_landmarks(scene, kept);
+    EXPECT_TRUE(marked->features[static_cast<std::size_t>(stove - scene->features.begin())].landmark);
+    EXPECT_FALSE(stove->landmark) << "the world itself stays as it is";
+    kept[0].at_m.x += 1.0;  // the thing is not there any more
+    EXPECT_EQ(with_landmarks(scene, kept), scene);
+    EXPECT_EQ(with_landmarks(marked, read_landmarks(file, faults)), marked) << "nothing is left to mark";
+}
+
+TEST(Landmarks, that_cannot_be_read_are_told_and_stay) {
+    const test::TemporaryFolder folder;
+    const auto world = folder.write("bare.map", "bytes");
+    folder.write("bare.map.handrail.toml",
+                 "[[landmark]]\nname = \"Stove\"\n\n[[landmark]]\nplace_m = [1.0, 2.0, 3.0]\n");
+    const SideFile file = SideFile::of_world(world, folder.path());
+    std::vector<Error> faults;
+    EXPECT_TRUE(read_landmarks(file, faults).empty());
+    ASSERT_EQ(faults.size(), 2U);
+    EXPECT_THAT(faults[0].sentence(), HasSubstr("line 1"));
+    EXPECT_THAT(unreadable_words("landmarks.unreadable", faults), HasSubstr("1 more landmark cannot be read"));
+}
+
+}  // namespace fault_list_test
+}  // namespace handrail

@@ -1,0 +1,98 @@
+// Lifts that stop at more than two storeys: called to each, and ridden to a storey that one chooses.
+#include <gmock/gmock.h>
+
+#include "app/core/world/mover_play.h"
+#include "tests/unit/core/app_session.h"
+#include "worlds/drawn/plan_scene.h"
+
+namespace handrail {
+namespace lift_halts_test {
+
+// A hall on three storeys, and north of it a lift with a door on each.
+std::shared_ptr<const Scene> hall_with_lift() {
+    FloorPlan plan;
+    plan.name = "Hall";
+    plan.format = "osm";
+    for (const int level : {0, 1, 2})
+        plan.levels.push_back({static_cast<double>(level), "Level " + std::to_string(level), 3.0 * level});
+    PlanSpace hall;
+    hall.name = "Hall";
+    hall.rings = {{{0, 0}, {6, 0}, {6, 6}, {4, 6}, {3, 6}, {2, 6}, {0, 6}}};
+    hall.levels = {0, 1, 2};
+    PlanSpace lift;
+    lift.kind = PlanSpaceKind::Lift;
+    lift.name = "Lift";
+    lift.rings = {{{2, 6}, {3, 6}, {4, 6}, {4, 8}, {2, 8}}};
+    lift.levels = {0, 1, 2};
+    plan.spaces = {hall, lift};
+    PlanDoor door;
+    door.at = {3, 6};
+    door.levels = {0, 1, 2};
+    door.spaces = {{0, 1}, {0, 1}, {0, 1}};
+    plan.doors = {door};
+    Result<Scene> scene = scene_of_plan(plan, "hall.osm", {});
+    EXPECT_TRUE(scene) << scene.error().sentence();
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+struct Ride : test::AppSession {
+    explicit Ride(std::shared_ptr<const Scene> scene) { app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0); }
+};
+
+TEST(LiftHalts, the_lift_comes_to_a_door_between_its_ends_and_opens_it) {
+    const auto scene = hall_with_lift();
+    MoverPlay play;
+    play.enter(scene->movers);
+    std::uint32_t middle = 0;
+    for (std::uint32_t i = 0; i < scene->movers.size(); ++i)
+        if (scene->movers[i].lift != kNoMover && std::abs(scene->movers[i].lift_part - 0.5) < 1e-9) middle = i;
+    ASSERT_NE(middle, 0U);
+    const auto run = [&](double seconds) {
+        std::vector<MoverEvent> events;
+        for (int i = 0; i < static_cast<int>(60 * seconds); ++i)
+            play.tick(
+                1.0 / 60.0, [](std::uint32_t, const Placement&, const Placement&) { return Meeting::None; }, events);
+    };
+    EXPECT_TRUE(play.lift_is_away(middle));
+    play.call(middle);
+    run(5.0);
+    EXPECT_FALSE(play.lift_is_away(middle));
+    EXPECT_GT(play.away(middle), 0.9) << "its door is open";
+    EXPECT_NEAR(play.at(0).position_m.z - play.at_rest(0).position_m.z, 3.0, 1e-9);
+    run(10.0);
+    EXPECT_EQ(play.away(middle), 0.0) << "and shuts by itself";
+    play.call(middle);
+    run(1.5);
+    EXPECT_GT(play.away(middle), 0.9) << "opened again, the lift being there";
+    play.set_going(0);
+    run(0.5);
+    EXPECT_NEAR(play.at(0).position_m.z - play.at_rest(0).position_m.z, 3.0, 1e-9) << "not before its door is shut";
+    run(8.0);
+    EXPECT_NEAR(play.at(0).position_m.z - play.at_rest(0).position_m.z, 6.0, 1e-9);
+    play.set_going(0);
+    run(12.0);
+    EXPECT_NEAR(play.at(0).position_m.z, play.at_rest(0).position_m.z, 1e-9) << "from the highest to the lowest";
+}
+
+TEST(LiftHalts, one_rides_to_the_storey_that_is_told_and_chosen_by_the_key_again) {
+    Ride ride(hall_with_lift());
+    ride.walk(4.0);  // up to its door
+    ride.tap(Command::Use);
+    ride.run(1.5);
+    ride.walk(2.5);
+    ASSERT_GT(ride.app.feet_m().y, 6.4) << "in the cabin";
+    ride.tap(Command::Use);
+    EXPECT_TRUE(ride.heard("Lift goes to Level 1"));
+    ride.run(8.0);
+    EXPECT_NEAR(ride.app.feet_m().z, 3.0, 0.02);
+    EXPECT_TRUE(ride.heard("Lift stops: Level 1"));
+    ride.tap(Command::Use);
+    EXPECT_TRUE(ride.heard("Lift goes to Level 2"));
+    ride.tap(Command::Use);
+    EXPECT_TRUE(ride.heard("Lift goes to Level 0"));
+    ride.run(10.0);
+    EXPECT_NEAR(ride.app.feet_m().z, 0.0, 0.02);
+}
+
+}  // namespace lift_halts_test
+}  // namespace handrail

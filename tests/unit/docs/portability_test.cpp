@@ -1,0 +1,65 @@
+// The page on portability lists each file that asks the system, with the headers that it includes, and no other.
+#include <algorithm>
+#include <array>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "tests/support/project_files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail {
+namespace portability_test {
+
+const std::filesystem::path kRoot = HANDRAIL_SOURCE_DIR;
+
+constexpr std::array kProgram{"app/", "haptic/", "worlds/", "settings/", "audio-cues/"};
+
+bool of_the_system(const std::string& header) {
+    static const std::set<std::string> kNames{"unistd.h", "fcntl.h",  "signal.h",   "csignal", "termios.h",
+                                              "poll.h",   "dirent.h", "pthread.h",  "pwd.h",   "sched.h",
+                                              "dlfcn.h",  "spawn.h",  "execinfo.h", "pty.h",   "langinfo.h"};
+    static const std::array<std::string, 4> kFolders{"sys/", "linux/", "netinet/", "arpa/"};
+    return kNames.contains(header) || std::any_of(kFolders.begin(), kFolders.end(),
+                                                  [&](const auto& folder) { return header.starts_with(folder); });
+}
+
+std::set<std::string> asked_by(const std::string& text) {
+    static const std::regex kInclude(R"re(#[ \t]*include[ \t]*<([^>]+)>)re");
+    std::set<std::string> headers;
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), kInclude); it != std::sregex_iterator(); ++it)
+        if (of_the_system((*it)[1])) headers.insert((*it)[1]);
+    return headers;
+}
+
+// Folder, and what of it may ask the system all the same.
+bool needs_no_system(const std::string& file) {
+    for (const char* folder : {"settings/", "haptic/render/", "haptic/compile/", "haptic/dynamics/", "haptic/device/",
+                               "haptic/loop/", "haptic/c/", "audio-cues/plan/"})
+        if (file.starts_with(folder)) return true;
+    return (file.starts_with("worlds/") && !file.starts_with("worlds/base/")) ||
+           (file.starts_with("app/core/") && !file.starts_with("app/core/kept/"));
+}
+
+TEST(Portability, page_lists_every_file_that_asks_the_system_and_the_core_asks_nothing) {
+    std::map<std::string, std::string> asking;
+    for (const std::string& file : test::project_files()) {
+        const bool program =
+            std::any_of(kProgram.begin(), kProgram.end(), [&](const char* folder) { return file.starts_with(folder); });
+        if (!program || !(file.ends_with(".h") || file.ends_with(".cpp"))) continue;
+        const std::set<std::string> headers = asked_by(test::content_of(kRoot / file));
+        if (headers.empty()) continue;
+        EXPECT_FALSE(needs_no_system(file)) << file << " includes " << *headers.begin();
+        asking[file] = fmt::format("{}", fmt::join(headers, ", "));
+    }
+    EXPECT_GT(asking.size(), 20U);
+    static const std::regex kRow(R"re(\n\| ([a-z][\w./-]+\.(?:h|cpp)) \| ([^|]+) \|)re");
+    const std::string page = test::content_of(kRoot / "docs" / "portability.md");
+    std::map<std::string, std::string> listed;
+    for (auto it = std::sregex_iterator(page.begin(), page.end(), kRow); it != std::sregex_iterator(); ++it)
+        listed[(*it)[1]] = (*it)[2];
+    EXPECT_EQ(listed, asking);
+}
+
+}  // namespace portability_test
+}  // namespace handrail

@@ -1,0 +1,22 @@
+// Storeys of our own worlds and of real ones for tests of what is printed, each world read once.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "worlds/plan/storey.h"
+
+namespace handrail::test {
+
+struct NamedStoreys {
+    std::string world;
+    std::vector<Storey> storeys;
+};
+// "house.map" and "school.map" ship with the program; others are looked for among real worlds. Null: it is not here.
+const NamedStoreys* storeys_of(const std::string& file);
+
+// A room of 6 by 4 m with a door of 1 m to a second of 3 by 4 m, a table in the first: see plans.cpp.
+Storey two_rooms();
+
+}  // namespace handrail::test

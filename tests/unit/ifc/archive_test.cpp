@@ -1,0 +1,53 @@
+// Models in a ZIP archive.
+#include <gmock/gmock.h>
+
+#include "tests/support/real_worlds.h"
+#include "tests/support/zip_text.h"
+#include "tests/unit/ifc/ifc_text.h"
+
+namespace handrail {
+namespace archive_test {
+
+using ::testing::HasSubstr;
+
+TEST(IfcArchive, is_the_building_that_lies_in_it) {
+    const test::TemporaryFolder folder;
+    const std::string zip = test::zipped({{"model/House.IFC", test::small_house()}, {"model/.ifc", "x"}}, true);
+    for (const char* name : {"house.ifczip", "HOUSE.IFCZIP"}) {
+        const Result<Scene> scene = read_world(folder.write(name, zip));
+        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+        EXPECT_EQ(scene->report.format, "ifc");
+        EXPECT_EQ(scene->source_file, name);
+        EXPECT_EQ(scene->stated->rooms.size(), 2U);
+    }
+    const Result<Scene> by_content =
+        read_world(folder.write("house.zip", test::zipped({{"house.ifc", test::small_house()}}, true)));
+    ASSERT_TRUE(by_content.has_value()) << by_content.error().sentence();
+}
+
+TEST(IfcArchive, that_is_no_single_model_is_told_in_a_sentence) {
+    const auto told = [](const std::string& bytes) {
+        const Result<Scene> scene = read_ifczip(bytes, "a.ifczip");
+        return scene ? std::string("a world") : scene.error().sentence();
+    };
+    EXPECT_THAT(told(test::zipped({{"house.ifcxml", "<ifc/>"}})), HasSubstr("no .ifc file"));
+    EXPECT_THAT(told(test::zipped({{"a.ifc", "x"}, {"b.ifc", "y"}})), HasSubstr("holds 2 .ifc files"));
+    EXPECT_THAT(told(test::zipped({{"a.ifc", "no model"}})), HasSubstr("a.ifczip"));
+    const std::string whole = test::zipped({{"a.ifc", test::small_house()}}, true);
+    for (std::size_t at = 0; at < whole.size(); at += 7)
+        EXPECT_THAT(told(whole.substr(0, at)), HasSubstr("damaged")) << "cut at " << at;
+}
+
+TEST(IfcArchive, institute_is_read_as_it_lies_there) {
+    const auto path = test::real_world("institute.ifczip");
+    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    const Result<Scene> scene = read_world(*path);
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    EXPECT_EQ(scene->stated->rooms.size(), 82U);
+    EXPECT_EQ(scene->stated->openings, 287);
+    EXPECT_EQ(scene->stated->openings_cut, 287);
+    for (const StatedPortal& portal : scene->stated->portals) EXPECT_TRUE(portal.passable) << portal.name;
+}
+
+}  // namespace archive_test
+}  // namespace handrail

@@ -1,0 +1,217 @@
+// What archives of the Indoor Mapping Data Format become.
+#include <gmock/gmock.h>
+
+#include "tests/support/precompiled.h"
+#include "tests/support/real_worlds.h"
+#include "tests/support/zip_text.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/readers/reader.h"
+#include "worlds/scene/honest_report.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+namespace venue_test {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
+
+constexpr double kPerMetre_lon = 1.0 / 70'197.6, kPerMetre_lat = 1.0 / 111'249.5;  // at 51 degrees north
+
+std::string point(double x_m, double y_m) {
+    return fmt::format("[{:.9f},{:.9f}]", 13.0 + x_m * kPerMetre_lon, 51.0 + y_m * kPerMetre_lat);
+}
+
+std::string box(double x0, double y0, double x1, double y1) {
+    return R"({"type":"Polygon","coordinates":[[)" + point(x0, y0) + "," + point(x1, y0) + "," + point(x1, y1) + "," +
+           point(x0, y1) + "," + point(x0, y0) + "]]}";
+}
+
+std::string line(double x0, double y0, double x1, double y1) {
+    return R"({"type":"LineString","coordinates":[)" + point(x0, y0) + "," + point(x1, y1) + "]}";
+}
+
+std::string feature(const std::string& id, const std::string& geometry, const std::string& properties) {
+    return R"({"type":"Feature","id":")" + id + R"(","geometry":)" + geometry + R"(,"properties":{)" + properties +
+           "}}";
+}
+
+std::string collection(const std::vector<std::string>& features) {
+    std::string all;
+    for (const std::string& one : features) all += (all.empty() ? "" : ",") + one;
+    return R"({"type":"FeatureCollection","features":[)" + all + "]}";
+}
+
+std::string unit(const std::string& id, const std::string& where, const std::string& level, const std::string& category,
+                 const std::string& name = "null", const std::string& more = "") {
+    return feature(id, where,
+                   R"("level_id":")" + level + R"(","category":")" + category + R"(","name":)" + name + more);
+}
+
+// A walkway with an office (a hinged door) and toilets (an opening without a door), stairs and a lift on two levels, an
+// unknown kind of room upstairs, and the main way in from the west.
+std::map<std::string, std::string> venue() {
+    std::map<std::string, std::string> files;
+    files["manifest.json"] = R"({"version":"1.0.0","language":"en"})";
+    files["venue.geojson"] =
+        collection({feature("v", box(0, 0, 20, 10), R"("name":{"en":"Town hall","de":"Rathaus"})")});
+    files["building.geojson"] = collection(
+        {feature("b1", "null", R"("name":{"en":"Old wing"})"), feature("b2", "null", R"("name":{"en":"Annex"})")});
+    files["level.geojson"] = collection(
+        {feature("l0", box(0, 0, 20, 10), R"("ordinal":0,"name":{"en":"Ground floor"},"building_ids":["b1"])"),
+         feature("l1", box(0, 0, 20, 10), R"("ordinal":1,"name":null,"building_ids":["b1"])"),
+         feature("l9", box(0, 0, 20, 10), R"("ordinal":0,"name":{"en":"Ground floor"},"building_ids":["b2"])")});
+    files["unit.geojson"] = collection(
+        {unit("u1", box(0, 4, 12, 6), "l0", "walkway"),
+         unit("u2", box(0, 0, 6, 4), "l0", "office", R"({"en":"Passports","de":"Pässe"})"),
+         unit("u3", box(6, 0, 12, 4), "l0", "restroom.female", "null", R"(,"accessibility":["wheelchair"])"),
+         unit("u4", box(0, 6, 6, 10), "l0", "stairs"), unit("u5", box(0, 6, 6, 10), "l1", "stairs"),
+         unit("u6", box(12, 4, 14, 6), "l0", "elevator"), unit("u7", box(12, 4, 14, 6), "l1", "elevator"),
+         unit("u8", box(0, 4, 12, 6), "l1", "walkway"), unit("u9", box(0, 0, 12, 4), "l1", "acme.brewery_room"),
+         unit("u10", box(30, 0, 34, 4), "l9", "room", R"({"en":"Shed"})")});
+    files["opening.geojson"] = collection(
+        {feature("o1", line(0, 4.5, 0, 5.5),
+                 R"("level_id":"l0","category":"pedestrian.principal",)"
+                 R"("name":{"en":"Front door"},"door":{"type":"revolving"})"),
+         feature("o2", line(2, 4, 3, 4), R"("level_id":"l0","category":"pedestrian","door":{"type":"door"})"),
+         feature("o3", line(8, 4, 9, 4), R"("level_id":"l0","category":"pedestrian","door":null)"),
+         feature("o4", line(2.5, 6, 3.5, 6), R"("level_id":"l0","category":"pedestrian","door":{"type":"door"})"),
+         feature("o5", line(2.5, 6, 3.5, 6), R"("level_id":"l1","category":"pedestrian","door":{"type":"door"})"),
+         feature("o6", line(12, 4.5, 12, 5.5),
+                 R"("level_id":"l0","category":"pedestrian",)"
+                 R"("door":{"type":"sliding","automatic":true})"),
+         feature("o7", line(2, 4, 3, 4), R"("level_id":"l1","category":"pedestrian","door":{"type":"door"})")});
+    files["fixture.geojson"] =
+        collection({feature("f1", box(1, 1, 2, 2), R"("level_id":"l0","category":"desk","name":null)")});
+    return files;
+}
+
+Scene read(const std::map<std::string, std::string>& files, const std::string& building = {}) {
+    ReadOptions options;
+    options.building = building;
+    Result<Scene> scene = read_imdf(test::zipped(files, true), "town.imdf.zip", options);
+    EXPECT_TRUE(scene.has_value()) << scene.error().sentence();
+    if (!scene) return {};
+    const Result<void> valid = validate(*scene);
+    EXPECT_TRUE(valid.has_value()) << valid.error().sentence();
+    return std::move(*scene);
+}
+
+std::vector<std::string> names_of(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const StatedRoom& room : scene.stated->rooms) names.push_back(room.name);
+    return names;
+}
+
+TEST(ImdfVenue, units_openings_and_levels_become_rooms_and_doors) {
+    const Scene scene = read(venue(), "Old wing");
+    EXPECT_EQ(scene.name, "Old wing");
+    EXPECT_THAT(names_of(scene), UnorderedElementsAre("Walkway, Ground floor", "Walkway, Level 1", "Passports",
+                                                      "Women's toilets", "Stairs, Ground floor", "Stairs, Level 1",
+                                                      "Lift, Ground floor", "Lift, Level 1", "Acme brewery room"));
+    const HonestReport report = honest_report(scene);
+    EXPECT_EQ(report.doors, 6);
+    EXPECT_EQ(report.stairs, 1);
+    EXPECT_EQ(report.lifts, 1);
+    EXPECT_EQ(report.largest_connected, 9);
+    EXPECT_EQ(report.furnishings, 1);
+    EXPECT_THAT(scene.report.simplified, Contains(HasSubstr("no word for")));
+    ASSERT_FALSE(scene.starts.empty());
+    EXPECT_EQ(scene.starts[0].name, "Front door");
+    const auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(ways.has_value());
+    for (const StatedRoom& room : scene.stated->rooms)
+        if (room.name == "Passports" || room.name == "Women's toilets" || room.name == "Acme brewery room") {
+            // Not where the desk stands.
+            EXPECT_TRUE((*ways)->reachable(scene.starts[0].feet_m, room.at_m + Vec3(1.0, 0.0, 0.0))) << room.name;
+        }
+}
+
+TEST(ImdfVenue, all_buildings_of_a_venue_are_read_unless_one_is_asked_for) {
+    const Scene all = read(venue());
+    EXPECT_EQ(all.name, "Town hall");
+    EXPECT_THAT(names_of(all), Contains("Shed"));
+    EXPECT_THAT(names_of(read(venue(), "2")), UnorderedElementsAre("Shed"));
+    ReadOptions options;
+    options.building = "castle";
+    const Result<Scene> none = read_imdf(test::zipped(venue()), "town.imdf.zip", options);
+    ASSERT_FALSE(none.has_value());
+    EXPECT_THAT(none.error().sentence(), HasSubstr("1 Old wing, 2 Annex"));
+}
+
+TEST(ImdfVenue, a_folder_around_the_files_and_other_files_make_no_difference) {
+    std::map<std::string, std::string> wrapped{{"town/readme.txt", "hello"}, {"__MACOSX/._x", "junk"}};
+    for (const auto& [name, content] : venue()) wrapped["town/" + name] = content;
+    EXPECT_EQ(names_of(read(wrapped)), names_of(read(venue())));
+}
+
+TEST(ImdfVenue, without_openings_rooms_stay_closed_and_that_is_told) {
+    std::map<std::string, std::string> files = venue();
+    files.erase("opening.geojson");
+    const Scene scene = read(files);
+    EXPECT_THAT(scene.report.left_out, Contains(HasSubstr("states no openings")));
+    EXPECT_EQ(honest_report(scene).doors, 0);
+}
+
+TEST(ImdfVenue, damage_is_one_sentence) {
+    const auto said = [](const std::string& bytes) {
+        const Result<Scene> scene = read_imdf(bytes, "town.imdf.zip");
+        return scene ? std::string("read") : scene.error().sentence();
+    };
+    std::map<std::string, std::string> files = venue();
+    files["unit.geojson"].resize(files["unit.geojson"].size() / 2);
+    EXPECT_THAT(said(test::zipped(files)), HasSubstr("unit.geojson in this archive is no whole GeoJSON"));
+    files["unit.geojson"] = "[]";
+    EXPECT_THAT(said(test::zipped(files)), HasSubstr("holds no rooms"));
+    files["unit.geojson"] =
+        R"({"features":[7,{"id":1,"geometry":[],"properties":3},{"properties":{"level_id":"l0"}}]})";
+    EXPECT_THAT(said(test::zipped(files)), HasSubstr("holds no rooms"));
+    std::string locked = test::zipped(venue());
+    locked[locked.find("PK\x01\x02") + 8] = 1;
+    EXPECT_THAT(said(locked), HasSubstr("password"));
+    std::string swollen = test::zipped(venue(), true);  // says that it holds more than it can
+    for (std::size_t at = swollen.find("PK\x01\x02"); at != std::string::npos; at = swollen.find("PK\x01\x02", at + 1))
+        swollen.replace(at + 24, 4, "\xff\xff\xff\x3f");
+    EXPECT_THAT(said(swollen), HasSubstr("damaged"));
+}
+
+TEST(ImdfVenue, cut_at_any_byte_it_is_told) {
+    for (const bool deflated : {false, true}) {
+        const std::string whole = test::zipped(venue(), deflated);
+        for (std::size_t at = 0; at < whole.size(); ++at) {
+            const Result<Scene> scene = read_imdf(whole.substr(0, at), "cut.imdf.zip");
+            ASSERT_FALSE(scene.has_value()) << "cut at " << at;
+            ASSERT_FALSE(scene.error().sentence().empty());
+        }
+    }
+}
+
+TEST(ImdfVenue, numbers_beyond_all_bounds_leave_the_shape_out) {
+    for (const char* number : {"1e308", "-1e308", "1e999", "180.0", "\"x\"", "null"}) {
+        std::map<std::string, std::string> files = venue();
+        std::string& units = files["unit.geojson"];
+        const std::size_t at = units.find("[[[") + 3;
+        units.replace(at, units.find(',', at) - at, number);
+        const Result<Scene> scene = read_imdf(test::zipped(files), "far.imdf.zip");
+        if (!scene) {
+            EXPECT_FALSE(scene.error().sentence().empty());
+            continue;
+        }
+        EXPECT_TRUE(validate(*scene).has_value()) << number;
+        EXPECT_LT(glm::length(scene->bounds_m.size_m()), 1e5) << number;
+    }
+}
+
+TEST(ImdfRealFiles, the_smallest_venue_opens) {
+    const auto path = test::real_world("minimal.imdf.zip");
+    if (!path) GTEST_SKIP() << "../shared/worlds is not there";
+    const Result<Scene> scene = read_world(*path);
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    EXPECT_EQ(scene->name, "Tokyo Station Test Venue");
+    EXPECT_THAT(names_of(*scene), Contains("Shop Unit, Station Shop"));
+    EXPECT_EQ(scene->stated->storeys.size(), 3U);
+    EXPECT_THAT(scene->report.left_out, Contains(HasSubstr("no unit that is there")));
+}
+
+}  // namespace venue_test
+}  // namespace handrail

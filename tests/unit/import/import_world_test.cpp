@@ -1,0 +1,265 @@
+// Files read in a process of their own, and what is kept of them.
+#include "app/import/import_world.h"
+
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+
+#include "app/import/kept_scene.h"
+#include "tests/support/child_process.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/ifc/ifc_text.h"
+#include "worlds/stored/stored_scene.h"
+
+namespace handrail {
+namespace import_world_test {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// A model of our own, blown up by furniture that has no shape: enough bytes to be kept.
+std::string large_house() {
+    std::string more;
+    for (int i = 0; i < 1200; ++i)
+        more += fmt::format("#{}=IFCFURNISHINGELEMENT('{}',$,'a chair of no shape',$,$,$,$,$);\n", 200'000 + i, i);
+    return test::with_instances(test::small_house(), more);
+}
+
+TEST(ImportedWorld, is_the_same_bit_for_bit_as_one_read_here_or_kept) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", large_house()), kept = folder.path() / "house.kept";
+    ASSERT_GE(fs::file_size(path), kLeastKept_bytes);
+    const Result<Scene> here = read_world(path);
+    ASSERT_TRUE(here.has_value()) << here.error().sentence();
+    const ImportHow how{kept, find_reader_program(), {}};
+    ASSERT_FALSE(how.program.empty());
+    for (const bool again : {false, true}) {
+        const Result<ImportedWorld> world = import_world(path, {}, how);
+        ASSERT_TRUE(world.has_value()) << world.error().sentence();
+        EXPECT_EQ(world->kept, again);
+        EXPECT_FALSE(world->kept_damaged);
+        EXPECT_EQ(stored(world->scene), stored(*here));
+        EXPECT_TRUE(fs::exists(kept));
+    }
+}
+
+TEST(ImportedWorld, is_read_anew_when_anything_it_was_made_of_has_changed) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", large_house());
+    const ImportHow how{folder.path() / "house.kept", find_reader_program(), {}};
+    const auto is_kept = [&](const ReadOptions& options = {}) {
+        const Result<ImportedWorld> world = import_world(path, options, how);
+        EXPECT_TRUE(world.has_value());
+        return world && world->kept;
+    };
+    EXPECT_FALSE(is_kept());
+    EXPECT_TRUE(is_kept());
+    ReadOptions other;
+    other.guess_materials = false;
+    EXPECT_FALSE(is_kept(other));
+    EXPECT_FALSE(is_kept()) << "the last one is kept, not each";
+    EXPECT_TRUE(is_kept());
+    folder.write("house.ifc", test::replaced(large_house(), "a chair of no shape", "a table of no shape"));
+    EXPECT_FALSE(is_kept());
+    EXPECT_TRUE(is_kept());
+    ASSERT_TRUE(speak_language("de").has_value());
+    EXPECT_FALSE(is_kept());
+    ASSERT_TRUE(speak_language("en").has_value());
+}
+
+TEST(ImportedWorld, looks_at_the_files_beside_it_too) {
+    const test::TemporaryFolder folder;
+    // A corner of three points in a file of its own; blanks make it large enough to be kept.
+    const std::string gltf = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"Ramp"}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"uri":"ramp.bin","byteLength":36}]})" +
+                             std::string(kLeastKept_bytes, ' ');
+    const auto write_bin = [&](float far) {
+        const float points[9] = {0, 0, 0, far, 0, 0, 0, 1, 4};
+        folder.write("ramp.bin", std::string_view(reinterpret_cast<const char*>(points), sizeof points));
+    };
+    write_bin(4.0F);
+    const fs::path path = folder.write("ramp.gltf", gltf);
+    const ImportHow how{folder.path() / "ramp.kept", find_reader_program(), {}};
+    for (const bool again : {false, true}) {
+        const Result<ImportedWorld> world = import_world(path, {}, how);
+        ASSERT_TRUE(world.has_value()) << world.error().sentence();
+        EXPECT_EQ(world->kept, again);
+        EXPECT_NEAR(world->scene.bounds_m.size_m().x, 4.0, 1e-6);
+    }
+    write_bin(5.0F);
+    const Result<ImportedWorld> world = import_world(path, {}, how);
+    ASSERT_TRUE(world.has_value()) << world.error().sentence();
+    EXPECT_FALSE(world->kept);
+    EXPECT_NEAR(world->scene.bounds_m.size_m().x, 5.0, 1e-6);
+}
+
+TEST(ImportedWorld, is_read_anew_where_what_was_kept_is_damaged_anywhere) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", large_house());
+    const ImportHow how{folder.path() / "house.kept", find_reader_program(), {}};
+    const Result<ImportedWorld> first = import_world(path, {}, how);
+    ASSERT_TRUE(first.has_value()) << first.error().sentence();
+    const std::string whole = test::content_of(how.keep_in), bytes = stored(first->scene);
+    const auto good = [](const KeptFrom&) { return true; };
+    ASSERT_TRUE(scene_in(whole, good).has_value());
+    for (std::size_t at = 0; at < whole.size(); at += 1 + whole.size() / 700) {
+        EXPECT_FALSE(scene_in(whole.substr(0, at), good).has_value()) << "cut at " << at;
+        std::string other = whole;
+        other[at] = static_cast<char>(other[at] ^ 0x10);
+        EXPECT_FALSE(scene_in(other, good).has_value()) << "changed at " << at;
+    }
+    folder.write("house.kept", whole.substr(0, whole.size() / 2));
+    const Result<ImportedWorld> anew = import_world(path, {}, how);
+    ASSERT_TRUE(anew.has_value()) << anew.error().sentence();
+    EXPECT_TRUE(anew->kept_damaged);
+    EXPECT_FALSE(anew->kept);
+    EXPECT_EQ(stored(anew->scene), bytes);
+    EXPECT_EQ(test::content_of(how.keep_in), whole) << "mended";
+}
+
+TEST(ImportedWorld, that_cannot_be_kept_is_read_all_the_same) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", large_house());
+    const ImportHow how{fs::path("/proc/no/such/folder"), find_reader_program(), {}};
+    const Result<ImportedWorld> world = import_world(path, {}, how);
+    ASSERT_TRUE(world.has_value()) << world.error().sentence();
+    EXPECT_FALSE(world->kept);
+}
+
+TEST(ReaderProcess, tells_how_far_it_is_and_what_it_is_at) {
+    const test::TemporaryFolder folder;
+    std::vector<double> fractions;
+    std::vector<std::string> stages;
+    ReadOptions options;
+    options.progress = [&](double fraction) { fractions.push_back(fraction); };
+    options.stage = [&](std::string_view stage) { stages.emplace_back(stage); };
+    const auto read = read_apart(folder.write("house.ifc", large_house()), options, find_reader_program());
+    ASSERT_TRUE(read.has_value()) << read.error().sentence();
+    EXPECT_GT(fractions.size(), 5U);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    EXPECT_EQ(fractions.back(), 1.0);
+    EXPECT_EQ(stages, (std::vector<std::string>{"import.file", "import.shapes", "import.surfaces"}));
+    for (const std::string& stage : stages) EXPECT_NE(phrase(stage), stage);
+}
+
+TEST(ReaderProcess, says_what_the_reader_said_with_its_line) {
+    const test::TemporaryFolder folder;
+    const std::string text = large_house();
+    const fs::path path = folder.write("cut.ifc", text.substr(0, text.size() / 2));
+    const auto apart = read_apart(path, {}, find_reader_program());
+    const auto here = read_world(path);
+    ASSERT_FALSE(apart.has_value());
+    ASSERT_FALSE(here.has_value());
+    EXPECT_EQ(apart.error().sentence(), here.error().sentence());
+    EXPECT_GT(apart.error().line, 0);
+    const auto missing = read_apart(folder.path() / "none.ifc", {}, find_reader_program());
+    ASSERT_FALSE(missing.has_value());
+    EXPECT_THAT(missing.error().sentence(), HasSubstr("none.ifc"));
+}
+
+// A stand-in for the reader that does what a script says.
+fs::path stand_in(const test::TemporaryFolder& folder, const std::string& script) {
+    const fs::path program = folder.write("reader.sh", "#!/bin/sh\n" + script + "\n");
+    fs::permissions(program, fs::perms::owner_all);
+    return program;
+}
+
+TEST(ReaderProcess, that_ends_in_any_way_is_one_sentence) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", test::small_house());
+    const auto told = [&](const std::string& script) {
+        const auto read = read_apart(path, {}, stand_in(folder, script), {2'000'000'000, 7, 0.5});
+        return read ? std::string("a world") : read.error().sentence();
+    };
+    EXPECT_THAT(told("kill -SEGV $$"), HasSubstr("broke down: Segmentation fault"));
+    EXPECT_THAT(told("kill -ABRT $$"), HasSubstr("broke down: Aborted"));
+    EXPECT_THAT(told("kill -XCPU $$"), HasSubstr("takes longer than 7 seconds"));
+    EXPECT_THAT(told("kill -KILL $$"), HasSubstr("more than 2 gigabytes"));
+    EXPECT_THAT(told("exit 3"), HasSubstr("more than 2 gigabytes"));
+    EXPECT_THAT(told("exit 4"), HasSubstr("too large"));
+    EXPECT_THAT(told("exit 77"), HasSubstr("exit status 77"));
+    EXPECT_THAT(told("exit 0"), HasSubstr("damaged"));
+    EXPECT_THAT(told("printf 'nonsense of a sort' >&3"), HasSubstr("damaged"));
+    EXPECT_THAT(told("printf 'p999999999999\\nsx\\n\\n\\0p' >&4; exit 77"), HasSubstr("exit status 77"));
+    EXPECT_THAT(told("sleep 60"), HasSubstr("takes longer than"));
+    const auto none = read_apart(path, {}, folder.path() / "no program");
+    ASSERT_FALSE(none.has_value());
+    EXPECT_THAT(none.error().sentence(), HasSubstr("cannot be started"));
+}
+
+TEST(ReaderProcess, is_bounded_in_memory) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "sanitizers need all the address space there is";
+#endif
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", large_house());
+    const auto little = read_apart(path, {}, find_reader_program(), {30'000'000, 60, 60.0});
+    ASSERT_FALSE(little.has_value());
+    std::string text = test::small_house(), more;
+    for (int i = 0; i < 60'000; ++i)
+        more += fmt::format("#{}=IFCSPACE('x',$,'{}',$,$,#20,#21,'Room',.ELEMENT.,.INTERNAL.,$);\n", 300'000 + i, i);
+    const fs::path bomb = folder.write("memory.ifc", test::with_instances(text, more));
+    const auto much = read_apart(bomb, {}, find_reader_program(), {60'000'000, 60, 60.0});
+    ASSERT_FALSE(much.has_value());
+    EXPECT_THAT(much.error().sentence(), HasSubstr("gigabytes of memory"));
+}
+
+TEST(ReaderProcess, ends_at_once_when_it_is_not_wanted_any_more) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", test::small_house());
+    std::stop_source stop;
+    ReadOptions options;
+    options.stop = stop.get_token();
+    options.progress = [&](double) { stop.request_stop(); };
+    const auto begun = std::chrono::steady_clock::now();
+    const auto read = read_apart(
+        path, options,
+        stand_in(folder, fmt::format("echo $$ > {}/pid; echo p1 >&4; sleep 600 & wait", folder.path().string())));
+    ASSERT_FALSE(read.has_value());
+    EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20));
+    const pid_t process = std::stoi(test::content_of(folder.path() / "pid"));
+    EXPECT_NE(::kill(process, 0), 0) << "it is gone and waited for";
+}
+
+// Gone, or dead and not yet waited for by whoever inherited it.
+bool is_dead(pid_t process) {
+    const std::string stat = test::content_of(fmt::format("/proc/{}/stat", process));
+    const std::size_t after = stat.rfind(')');
+    return after == std::string::npos || stat.substr(after + 2, 1) == "Z";
+}
+
+TEST(ReaderProcess, dies_with_the_program_even_where_that_is_killed) {
+    const test::TemporaryFolder folder;
+    const fs::path path = folder.write("house.ifc", large_house());
+    const fs::path told = folder.path() / "reader";
+    const pid_t program = ::fork();
+    ASSERT_GE(program, 0);
+    if (program == 0) {
+        ReadOptions options;
+        // The reader is stopped in the middle of its work, so that it cannot end by itself.
+        options.stage = [&](std::string_view) {
+            const std::string children = test::content_of(fmt::format("/proc/self/task/{}/children", ::getpid()));
+            ::kill(static_cast<pid_t>(std::stoi(children)), SIGSTOP);
+            std::ofstream(told.string() + ".new") << children;
+            fs::rename(told.string() + ".new", told);
+            ::pause();
+        };
+        (void)read_apart(path, options, find_reader_program());
+        ::_exit(0);
+    }
+    ASSERT_TRUE(test::eventually([&] { return fs::exists(told); }));
+    const pid_t reader = std::stoi(test::content_of(told));
+    EXPECT_FALSE(is_dead(reader));
+    ::kill(program, SIGKILL);
+    EXPECT_TRUE(test::eventually([&] { return is_dead(reader); }));
+    ::waitpid(program, nullptr, 0);
+}
+
+}  // namespace import_world_test
+}  // namespace handrail

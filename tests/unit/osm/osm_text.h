@@ -1,0 +1,44 @@
+// A small building from OpenStreetMap as text, to be changed for a test.
+#pragma once
+
+#include <string>
+
+#include "tests/support/precompiled.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/readers/reader.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail::test {
+
+// A corridor of 12 by 2 m on levels 0 and 1, the main entrance at its west end; south of it Library (both levels), 102
+// and women's toilets T1 (both); north of it stairs S1 (both) and, open to it, the Foyer; a lift L1 at its east end. A
+// Vault without a door. In another building, with tags as they were, a Shed.
+inline std::string test_house() {
+    return content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/osm/worlds/test_house.osm");
+}
+
+inline std::string with(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+inline const StatedRoom* room_named(const Scene& scene, const std::string& name) {
+    for (const StatedRoom& room : scene.stated->rooms)
+        if (room.name == name) return &room;
+    return nullptr;
+}
+
+// "Corridor F1, Level 0 | Library, Level 0" for each door and opening, in file order.
+inline std::vector<std::string> joins_of(const Scene& scene, StatedPortalKind kind) {
+    std::vector<std::string> joins;
+    for (const StatedPortal& portal : scene.stated->portals) {
+        if (portal.kind != kind) continue;
+        joins.emplace_back();
+        for (const std::uint32_t r : portal.rooms)
+            joins.back() += (joins.back().empty() ? "" : " | ") + scene.stated->rooms[r].name;
+    }
+    return joins;
+}
+
+}  // namespace handrail::test

@@ -1,0 +1,174 @@
+// The open plan of a storey: what is a wall, a window, a door, a room and a thing of it.
+#include "worlds/plan/storey.h"
+
+#include <filesystem>
+
+#include "tests/support/box_scene.h"
+#include "tests/support/real_worlds.h"
+#include "worlds/navigation/navigation.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail::test {
+namespace storey_test {
+
+struct Plans {
+    Scene scene;
+    std::vector<Storey> storeys;
+};
+
+Plans plans_of(Scene scene) {
+    Plans plans;
+    const auto made = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    EXPECT_TRUE(made) << made.error().sentence();
+    if (!made) return plans;
+    const RoomGraph graph = make_rooms(scene, (*made)->space());
+    for (int i = 1; i <= storey_count(graph); ++i) {
+        Result<Storey> storey = storey_of(scene, graph, (*made)->space(), i);
+        EXPECT_TRUE(storey) << storey.error().sentence();
+        if (storey) plans.storeys.push_back(std::move(*storey));
+    }
+    EXPECT_FALSE(storey_of(scene, graph, (*made)->space(), storey_count(graph) + 1));
+    EXPECT_FALSE(storey_of(scene, graph, (*made)->space(), 0));
+    plans.scene = std::move(scene);
+    return plans;
+}
+
+Plans plans_of(const std::filesystem::path& path) {
+    auto scene = read_world(path);
+    EXPECT_TRUE(scene) << path;
+    return scene ? plans_of(std::move(*scene)) : Plans{};
+}
+
+std::filesystem::path bundled(const std::string& name) {
+    return std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds" / "maps" / name;
+}
+
+bool walled(const Storey& storey, const Vec2& at) {
+    return std::any_of(storey.walls_m.begin(), storey.walls_m.end(),
+                       [&](const PlanOutline& wall) { return within(wall, at); });
+}
+
+// A room of 6 by 4 m, walls of 0.2 m: a window of 1 m in the south wall over a sill, one in the north wall from the
+// floor up, a door of 1 m in the east wall to a second room of 3 by 4 m.
+struct TwoRooms {
+    SceneBuilder build;
+    FeatureId pane, low_pane, table, ball;
+    TwoRooms() {
+        const auto wall = [&](double x0, double y0, double x1, double y1, double z0 = 0.0, double z1 = 2.5) {
+            build.box({x0, y0, z0}, {x1, y1, z1}, "wall", SolidRole::Solid, {}, FeatureKind::Wall);
+        };
+        build.box({-0.2, -0.2, -0.2}, {9.4, 4.2, 0.0}, "floor", SolidRole::Solid, {}, FeatureKind::Floor);
+        wall(-0.2, -0.2, 0.0, 4.2);
+        wall(0.0, -0.2, 2.0, 0.0);
+        wall(2.0, -0.2, 3.0, 0.0, 0.0, 0.9);
+        wall(3.0, -0.2, 9.4, 0.0);
+        wall(0.0, 4.0, 2.0, 4.2);
+        wall(3.0, 4.0, 9.4, 4.2);
+        wall(6.0, 0.0, 6.2, 1.5);
+        wall(6.0, 2.5, 6.2, 4.0);
+        wall(9.2, 0.0, 9.4, 4.0);
+        pane = build.box({2.0, -0.11, 0.9}, {3.0, -0.09, 2.0}, "window");
+        low_pane = build.box({2.0, 4.09, 0.0}, {3.0, 4.11, 2.0}, "window");
+        table = build.box({1.0, 1.0, 0.0}, {2.0, 3.0, 0.75}, "table");
+        build.start({4.0, 2.0, 0.0}, kPi / 2.0);
+    }
+};
+
+TEST(StoreyPlan, closes_windows_and_leaves_doors_open) {
+    const Plans plans = plans_of(std::move(TwoRooms().build.scene()));
+    ASSERT_EQ(plans.storeys.size(), 1U);
+    const Storey& storey = plans.storeys.front();
+    EXPECT_TRUE(walled(storey, {2.5, -0.1})) << "over its sill";
+    EXPECT_TRUE(walled(storey, {2.5, 4.1})) << "glass from the floor up";
+    EXPECT_FALSE(walled(storey, {6.1, 2.0})) << "a way through";
+    ASSERT_EQ(storey.rooms.size(), 2U);
+    ASSERT_EQ(storey.gaps.size(), 1U);
+    EXPECT_NEAR(storey.gaps[0].width_m, 1.0, 1e-6);
+    EXPECT_NEAR(storey.gaps[0].place_m.y, 2.0, 1e-6);
+    EXPECT_NEAR(std::abs(storey.gaps[0].along.y), 1.0, 1e-6);
+    ASSERT_EQ(storey.things.size(), 1U) << "neither pane is a thing";
+    EXPECT_NEAR(storey.things[0].box.half_m.x, 1.0, 1e-9);
+    EXPECT_NEAR(storey.things[0].box.half_m.y, 0.5, 1e-9);
+    EXPECT_EQ(floor_at(storey, {1.5, 2.0}), kNothing) << "the table stands there";
+    EXPECT_NE(floor_at(storey, {4.0, 2.0}), floor_at(storey, {7.5, 2.0}));
+    EXPECT_EQ(floor_at(storey, {-50.0, 2.0}), kNothing);
+    ASSERT_TRUE(storey.base);
+    EXPECT_NEAR(storey.base->place_m.x, 4.0, 1e-9);
+}
+
+TEST(StoreyPlan, takes_a_front_of_glass_without_walls_beside_it_as_closed) {
+    TwoRooms world;
+    // Glass in the middle of the western room, from nowhere to nowhere, a rail that is too low for one, and what is
+    // none.
+    world.build.box({4.0, 0.5, 0.0}, {4.05, 1.5, 2.2}, "pane", SolidRole::Solid, "glass");
+    world.build.box({5.0, 2.5, 0.0}, {5.05, 3.5, 2.2}, "banister");
+    world.build.box({5.0, 0.5, 0.0}, {5.05, 1.5, 0.9}, "rail");
+    const Plans plans = plans_of(std::move(world.build.scene()));
+    ASSERT_EQ(plans.storeys.size(), 1U);
+    EXPECT_TRUE(walled(plans.storeys[0], {4.02, 1.0}));
+    EXPECT_FALSE(walled(plans.storeys[0], {5.02, 1.0}));
+    EXPECT_EQ(plans.storeys[0].things.size(), 3U) << "table, rail, banister";
+}
+
+// Every door that joins rooms is free of walls from jamb to jamb, and no window is.
+void is_sound(const Plans& plans, const std::string& world) {
+    for (const Storey& storey : plans.storeys) {
+        EXPECT_FALSE(storey.rooms.empty());
+        EXPECT_LT(storey.min_m.x, storey.max_m.x);
+        for (std::uint32_t room = 0; room < storey.rooms.size(); ++room) {
+            const std::uint32_t there = floor_at(storey, storey.rooms[room].middle_m);
+            EXPECT_TRUE(there == room || there == kNothing)
+                << world << ": the middle of " << storey.rooms[room].name << " lies in another room";
+        }
+        for (const StoreyGap& gap : storey.gaps)
+            for (const double part : {-0.48, -0.25, 0.0, 0.25, 0.48})
+                EXPECT_FALSE(walled(storey, gap.place_m + gap.along * (part * gap.width_m)))
+                    << world << " " << storey.number << ": " << gap.name << " at " << gap.place_m.x << " "
+                    << gap.place_m.y;
+        for (const PlanOutline& outline : storey.walls_m) {
+            ASSERT_GE(outline.size(), 3U);
+            for (const Vec2& p : outline) {
+                EXPECT_GE(p.x, storey.min_m.x - 1e-9);
+                EXPECT_LE(p.y, storey.max_m.y + 1e-9);
+            }
+        }
+    }
+}
+
+TEST(StoreyPlan, of_our_house_and_school_has_doors_where_rooms_are_joined) {
+    const Plans house = plans_of(bundled("house.map"));
+    ASSERT_EQ(house.storeys.size(), 2U);
+    is_sound(house, "house");
+    EXPECT_GE(house.storeys[0].gaps.size(), 6U);
+    EXPECT_TRUE(house.storeys[0].base);
+    const Plans school = plans_of(bundled("school.map"));
+    ASSERT_EQ(school.storeys.size(), 2U);
+    is_sound(school, "school");
+}
+
+TEST(StoreyPlan, of_real_buildings_is_not_made_large_by_the_ground_around_them) {
+    const auto path = real_world("duplex-apartment.ifc");
+    if (!path) GTEST_SKIP() << "duplex-apartment.ifc is not here";
+    const Plans duplex = plans_of(*path);
+    ASSERT_GE(duplex.storeys.size(), 2U);
+    is_sound(duplex, "Duplex");
+    for (const Storey& storey : duplex.storeys) {
+        EXPECT_LT(storey.max_m.x - storey.min_m.x, 30.0);
+        EXPECT_LT(storey.max_m.y - storey.min_m.y, 30.0);
+    }
+    EXPECT_FALSE(duplex.storeys[0].windows_m.empty());
+}
+
+TEST(BoxAround, finds_the_smallest_box_of_something_askew) {
+    const double turn = 0.4;
+    const Vec2 x(std::cos(turn), std::sin(turn)), y(-std::sin(turn), std::cos(turn));
+    const PlanBox found = box_around(convex_hull({x * 3.0, x * 3.0 + y, y, Vec2(0.0), x + y * 0.5}));
+    EXPECT_NEAR(found.half_m.x, 1.5, 1e-9);
+    EXPECT_NEAR(found.half_m.y, 0.5, 1e-9);
+    EXPECT_NEAR(std::abs(cross_of(found.along, x)), 0.0, 1e-9);
+    for (const Vec2& corner : found.corners_m())
+        EXPECT_NEAR(glm::length(corner - found.middle_m), std::hypot(1.5, 0.5), 1e-9);
+}
+
+}  // namespace storey_test
+}  // namespace handrail::test

@@ -1,0 +1,96 @@
+// The report of a learner over several sessions.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/report/report_page.h"
+#include "tests/support/spoken_language.h"
+#include "tests/unit/report/page_rules.h"
+
+namespace handrail::test {
+namespace learner_page_test {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Two sessions and a third: to the library worse, better and best; once to the gym.
+std::vector<SessionReport> three_sessions() {
+    const auto session = [](const char* started, double seconds, double ratio, double missed, double help) {
+        SessionReport report;
+        report.learner = "Blue Heron <b>";
+        report.learner_id = "k7f2m3qa";
+        report.started_utc = started;
+        report.world = "School";
+        report.seconds = seconds;
+        report.tasks.push_back({ReportTaskKind::Go,
+                                "Library",
+                                true,
+                                {{"path_ratio", ratio},
+                                 {"time", 90.0},
+                                 {"turns_missed", missed},
+                                 {"turns_early", 1.0},
+                                 {"help_asked", help}}});
+        report.strategies = {{"perimeter", 60.0}, {"grid", 20.0}};
+        return report;
+    };
+    std::vector<SessionReport> reports = {session("2026-11-22T17:30:00Z", 600.0, 2.1, 2.0, 5.0),
+                                          session("2026-11-24T17:30:00Z", 540.0, 1.4, 0.0, 1.0),
+                                          session("2026-11-30T17:30:00Z", 480.0, 1.1, 0.0, 0.0)};
+    reports[1].tasks.push_back({ReportTaskKind::Go, "Gym", false, {{"time", 30.0}}});
+    return reports;
+}
+
+TEST(LearnerWords, tell_what_became_of_each_way) {
+    EXPECT_THAT(
+        learner_words(three_sessions()),
+        ElementsAre("There were 3 sessions, 27 minutes in all.", "You set out for this place 3 times: Library.",
+                    "Your way there got shorter.", "Wrong turns there: 3 at first, 1 at last.",
+                    "Help asked for there: 5 times at first, 0 at last.", "You set out for this place once: Gym."));
+    std::vector<SessionReport> back = three_sessions();
+    std::swap(back[0], back[2]);
+    EXPECT_THAT(learner_words(back), testing::Contains("Your way there got longer."));
+    back[0].tasks[0].measures.clear();
+    back[1].tasks[0].measures.clear();
+    EXPECT_THAT(learner_words(back), testing::Not(testing::Contains(HasSubstr("Your way"))))
+        << "measured once is no change";
+}
+
+TEST(LearnerWords, are_easy_to_read_in_both_languages) {
+    for (const char* language : {"en", "de"}) {
+        const InLanguage spoken(language);
+        std::string text;
+        for (const std::string& sentence : learner_words(three_sessions())) {
+            EXPECT_LE(std::count(sentence.begin(), sentence.end(), ' '), 19) << sentence;
+            text += sentence + "\n";
+        }
+        EXPECT_LT(lix_of(text), 40.0) << text;
+    }
+}
+
+TEST(LearnerPage, keeps_every_rule_in_both_languages_and_with_nothing_at_all) {
+    for (const char* language : {"en", "de"}) {
+        const InLanguage spoken(language);
+        const std::vector<SessionReport> reports = three_sessions();
+        EXPECT_THAT(page_faults(learner_page(reports)), IsEmpty()) << language;
+        EXPECT_THAT(page_faults(learner_page(std::span(reports).first(1))), IsEmpty()) << "of one session";
+        EXPECT_THAT(page_faults(learner_page({})), IsEmpty()) << "of none";
+    }
+}
+
+TEST(LearnerPage, is_read_in_its_order) {
+    const std::string text = spoken_text(learner_page(three_sessions()));
+    std::size_t at = 0;
+    for (const char* line :
+         {"h1: Report: Blue Heron <b>", "h2: In short", "li: There were 3 sessions", "h2: From time to time",
+          "caption: Going to Library", "th: Session 1, 2026-11-22", "td: 2.10", "th: Session 3, 2026-11-30", "td: 1.10",
+          "caption: Going to Gym", "td: not measured", "h2: How you went", "th: Along the walls", "td: 75 percent",
+          "h2: Sessions", "td: School", "h2: Session 1, 2026-11-22", "li: You got to Library.",
+          "h2: Session 3, 2026-11-30"}) {
+        const std::size_t found = text.find(line, at);
+        ASSERT_NE(found, std::string::npos) << line << " is not after what comes before it in\n" << text;
+        at = found;
+    }
+}
+
+}  // namespace learner_page_test
+}  // namespace handrail::test

@@ -1,0 +1,157 @@
+// Measures against numbers worked out by hand, and against the plainest way to compute them.
+#include "app/results/measures.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <random>
+
+namespace handrail {
+namespace measures_test {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+// At 1 m/s along straight lines, ten places a second.
+std::vector<WayPoint> walk_along(const std::vector<Vec3>& corners) {
+    std::vector<WayPoint> walk{{0.0, corners.front()}};
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const Vec3 from = corners[i - 1], to = corners[i];
+        const int steps = std::max(1, static_cast<int>(std::lround(glm::length(to - from) * 10.0)));
+        for (int s = 1; s <= steps; ++s)
+            walk.push_back({walk.back().t_s + 0.1, from + (to - from) * (static_cast<double>(s) / steps)});
+    }
+    return walk;
+}
+
+TEST(WayWalked, counts_places_a_quarter_of_a_metre_apart_and_leaves_leaps_and_swaying_out) {
+    EXPECT_NEAR(way_walked_m(walk_along({{0, 0, 0}, {3, 0, 0}, {3, 4, 0}})), 7.0, 0.3);
+    std::vector<WayPoint> sways;
+    for (int i = 0; i < 100; ++i) sways.push_back({i * 0.1, {i % 2 == 0 ? 0.0 : 0.2, 0.0, 0.0}});
+    EXPECT_EQ(way_walked_m(sways), 0.0);
+    const std::vector<WayPoint> leaps = {{0, {0, 0, 0}}, {1, {1, 0, 0}}, {2, {50, 0, 0}, true}, {3, {51, 0, 0}}};
+    EXPECT_DOUBLE_EQ(way_walked_m(leaps), 2.0);
+    EXPECT_EQ(way_walked_m({}), 0.0);
+}
+
+TEST(PathRatio, is_none_for_a_short_way_or_a_goal_that_was_not_reached) {
+    EXPECT_DOUBLE_EQ(*path_ratio(15.0, 10.0, true), 1.5);
+    EXPECT_FALSE(path_ratio(15.0, 0.9, true));
+    EXPECT_FALSE(path_ratio(15.0, 10.0, false));
+}
+
+TEST(Hesitations, are_pauses_of_over_two_seconds_but_for_those_that_have_a_reason) {
+    std::vector<WayPoint> walk = walk_along({{0, 0, 0}, {2, 0, 0}});
+    const auto stand = [&walk](double seconds) {
+        for (const double until_s = walk.back().t_s + seconds; walk.back().t_s < until_s - 0.05;)
+            walk.push_back({walk.back().t_s + 0.1, walk.back().place_m + Vec3(0.001, 0.0, 0.0)});
+    };
+    stand(3.0);
+    for (int i = 0; i < 20; ++i) walk.push_back({walk.back().t_s + 0.1, walk.back().place_m + Vec3(0.1, 0, 0)});
+    stand(1.5);
+    for (int i = 0; i < 20; ++i) walk.push_back({walk.back().t_s + 0.1, walk.back().place_m + Vec3(0.1, 0, 0)});
+    const double third_s = walk.back().t_s;
+    stand(5.0);
+    const Hesitations all = hesitations(walk);
+    EXPECT_EQ(all.count, 2);
+    EXPECT_NEAR(all.sum_s, 8.0, 0.5);
+    const Span reading{third_s + 1.0, third_s + 2.0};
+    const Hesitations without = hesitations(walk, std::span(&reading, 1));
+    EXPECT_EQ(without.count, 1);
+    EXPECT_NEAR(without.sum_s, 3.0, 0.3);
+}
+
+TEST(ContactEpisodes, join_touches_of_one_thing_within_two_seconds) {
+    const std::vector<Touch> touches = {{0.0, 1}, {1.9, 1}, {3.8, 1}, {4.0, 2}, {6.0, 1}, {6.1, 2}, {8.5, 2}};
+    EXPECT_EQ(contact_episodes(touches), 5);
+    EXPECT_EQ(contact_episodes({}), 0);
+}
+
+TEST(Pointing, is_circular_and_calls_a_bias_only_what_agrees) {
+    EXPECT_NEAR(pointing_error_rad(350 * kDegree, 10 * kDegree), -20 * kDegree, 1e-12);
+    EXPECT_NEAR(pointing_error_rad(10 * kDegree, 350 * kDegree), 20 * kDegree, 1e-12);
+    EXPECT_NEAR(pointing_error_rad(180 * kDegree, 0.0), 180 * kDegree, 1e-12);
+    EXPECT_NEAR(pointing_error_rad(-180 * kDegree, 0.0), 180 * kDegree, 1e-12);
+    // Across the seam: 170, 180 and -170 degrees have their mean at 180, which a plain mean (60) misses.
+    const std::vector<double> seam = {170 * kDegree, 180 * kDegree, -170 * kDegree};
+    const auto across = pointing(seam);
+    EXPECT_NEAR(std::abs(across->signed_rad), 180 * kDegree, 1e-9);
+    EXPECT_NEAR(across->absolute_rad, (170 + 180 + 170) / 3.0 * kDegree, 1e-12);
+    EXPECT_NEAR(across->agreement, (1.0 + 2.0 * std::cos(10 * kDegree)) / 3.0, 1e-12);
+    EXPECT_TRUE(across->biased);
+    const std::vector<double> two = {20 * kDegree, 20 * kDegree};
+    EXPECT_FALSE(pointing(two)->biased);
+    const std::vector<double> scattered = {0.0, 120 * kDegree, -120 * kDegree};
+    EXPECT_NEAR(pointing(scattered)->agreement, 0.0, 1e-12);
+    EXPECT_FALSE(pointing(scattered)->biased);
+    EXPECT_FALSE(pointing({}));
+}
+
+TEST(DistanceRatio, is_the_geometric_mean) {
+    const std::vector<Judged> answers = {{20.0, 10.0}, {5.0, 10.0}};
+    EXPECT_NEAR(*distance_ratio(answers), 1.0, 1e-12);
+    const std::vector<Judged> long_ones = {{20.0, 10.0}, {8.0, 1.0}};
+    EXPECT_NEAR(*distance_ratio(long_ones), 4.0, 1e-12);
+    const std::vector<Judged> none = {{0.0, 10.0}};
+    EXPECT_FALSE(distance_ratio(none));
+    EXPECT_FALSE(distance_ratio({}));
+}
+
+TEST(OrderTau, is_one_for_the_right_order_and_follows_the_swaps_that_mend_it) {
+    EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{0, 1, 2, 3}), 1.0);
+    EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{3, 2, 1, 0}), -1.0);
+    EXPECT_DOUBLE_EQ(*order_tau(std::vector<std::size_t>{0, 2, 1, 3}), 1.0 - 2.0 / 6.0);
+    EXPECT_FALSE(order_tau(std::vector<std::size_t>{0}));
+    // Each swap of neighbours mends one pair of n(n-1)/2: counted by sorting.
+    std::mt19937 draw(5);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<std::size_t> order(2 + draw() % 7);
+        std::iota(order.begin(), order.end(), 0U);
+        std::shuffle(order.begin(), order.end(), draw);
+        std::vector<std::size_t> sorted = order;
+        int swaps = 0;
+        for (bool again = true; again;) {
+            again = false;
+            for (std::size_t i = 0; i + 1 < sorted.size(); ++i)
+                if (sorted[i] > sorted[i + 1]) std::swap(sorted[i], sorted[i + 1]), ++swaps, again = true;
+        }
+        const double pairs = 0.5 * static_cast<double>(order.size() * (order.size() - 1));
+        EXPECT_NEAR(*order_tau(order), 1.0 - 2.0 * swaps / pairs, 1e-12);
+    }
+}
+
+const std::vector<Vec3> kRoute = {{0, 0, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}};
+
+TEST(TurnsMet, of_a_walk_along_the_route_are_all_met) {
+    const TurnsMet met = turns_met(kRoute, walk_along(kRoute));
+    EXPECT_EQ(met.turns, 2);
+    EXPECT_EQ(met.missed, 0);
+    EXPECT_EQ(met.early, 0);
+    // Corners cut by half a metre, and a route without turns.
+    EXPECT_EQ(
+        turns_met(kRoute, walk_along({{0, 0, 0}, {0.2, 9.5, 0}, {0.5, 10, 0}, {7.5, 10, 0}, {8, 10.5, 0}, {8, 20, 0}}))
+            .missed,
+        0);
+    EXPECT_EQ(turns_met(std::vector<Vec3>{{0, 0, 0}, {0, 5, 0}, {1, 9, 0}}, walk_along(kRoute)).turns, 0);
+}
+
+TEST(TurnsMet, that_are_walked_past_are_missed_and_that_are_taken_too_soon_are_early) {
+    const TurnsMet past = turns_met(kRoute, walk_along({{0, 0, 0}, {0, 13, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}}));
+    EXPECT_EQ(past.missed, 1);
+    EXPECT_EQ(past.early, 0);
+    const TurnsMet second = turns_met(kRoute, walk_along({{0, 0, 0}, {0, 10, 0}, {11, 10, 0}, {8, 10, 0}, {8, 20, 0}}));
+    EXPECT_EQ(second.missed, 1);
+    const TurnsMet early = turns_met(
+        kRoute, walk_along({{0, 0, 0}, {0, 7, 0}, {1.5, 7, 0}, {0, 7, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}}));
+    EXPECT_EQ(early.early, 1);
+    EXPECT_EQ(early.missed, 0);
+    // To the wrong side is not early.
+    const TurnsMet wrong = turns_met(
+        kRoute, walk_along({{0, 0, 0}, {0, 7, 0}, {-1.5, 7, 0}, {0, 7, 0}, {0, 10, 0}, {8, 10, 0}, {8, 20, 0}}));
+    EXPECT_EQ(wrong.early, 0);
+}
+
+}  // namespace measures_test
+}  // namespace handrail

@@ -1,0 +1,211 @@
+// Lessons taught in a headless session of our school: scripted pupils, a pupil who walks the way, a blocked door, and
+// the same once more.
+#include "app/teaching/lesson_check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/core/session/headless_session.h"
+#include "audio-cues/sinks/recording_sinks.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace lesson_run_test {
+
+const std::filesystem::path kWorlds = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps";
+
+std::shared_ptr<const Scene> scene_of(const char* name) {
+    return std::make_shared<const Scene>(std::move(*read_world(kWorlds / name)));
+}
+const std::shared_ptr<TaughtWorld>& school() {
+    static const std::shared_ptr<TaughtWorld> kWorld =
+        *TaughtWorld::find(*read_lesson(kWorlds / "school.lesson.toml", {}), scene_of("school.map"));
+    return kWorld;
+}
+
+// Somebody who walks along places by sticks, opens what is shut, and hears what is said.
+class Walker20 {
+public:
+    Walker20(const std::shared_ptr<TaughtWorld>& world, std::size_t session)
+        : world_(world), headless_(Settings{}, HandFacts{}, audio_, speech_) {
+        headless_.app().apply(
+            WorldEntered{make_ready_at(world->scene(), world->base().stand_m, world->base_heading_rad())}, 0.0);
+        run_.emplace(begin_lesson(world, session, {}, headless_.app()));
+    }
+    TeachingRun& run() { return *run_; }
+    HeadlessSession& headless() { return headless_; }
+    void live(double seconds) {
+        for (const double until_s = headless_.now_s() + seconds; headless_.now_s() < until_s - 1e-9;) {
+            if (ms_++ % 100 == 0) teach_on(*run_, headless_.app(), headless_.app().take_events(), headless_.now_s());
+            headless_.advance();
+        }
+    }
+    // Until the lesson puts the body elsewhere, or the last of the places is reached.
+    bool walk(const std::vector<Vec3>& places, double at_most_s = 120.0) {
+        std::size_t next = 0;
+        double stuck_s = 0.0;
+        const double until_s = headless_.now_s() + at_most_s;
+        while (next < places.size() && headless_.now_s() < until_s) {
+            const Vec3 feet = headless_.app().feet_m(), way = places[next] - feet;
+            if (std::hypot(way.x, way.y) < 0.25) {
+                ++next;
+                continue;
+            }
+            const double off = wrap_angle(std::atan2(way.x, way.y) - headless_.app().heading_rad());
+            headless_.app().apply(Steered{{std::abs(off) < 0.3 ? 1.0 : 0.0, 0.0, std::clamp(3.0 * off, -1.0, 1.0)}},
+                                  headless_.now_s());
+            live(0.02);
+            const double moved_m = glm::length(headless_.app().feet_m() - feet);
+            if (moved_m > 1.0) return true;  // the lesson has put it back
+            stuck_s = std::abs(off) < 0.3 && moved_m < 1e-3 ? stuck_s + 0.02 : 0.0;
+            if (stuck_s < 0.5) continue;
+            stuck_s = 0.0;
+            headless_.app().apply(Steered{}, headless_.now_s());
+            headless_.press(Command::Use);
+            live(0.1);
+            headless_.app().apply(CommandUp{Command::Use}, headless_.now_s());
+            live(3.0);
+        }
+        headless_.app().apply(Steered{}, headless_.now_s());
+        return next == places.size();
+    }
+    bool heard(const std::string& words) const {
+        return std::any_of(speech_.lines().begin(), speech_.lines().end(),
+                           [&](const auto& one) { return one.utterance.text.find(words) != std::string::npos; });
+    }
+    std::string all() const {
+        std::string text;
+        for (const auto& one : speech_.lines()) text += one.utterance.text + "\n";
+        return text;
+    }
+
+private:
+    std::shared_ptr<TaughtWorld> world_;
+    RecordingAudio audio_;
+    RecordingSpeech speech_;
+    HeadlessSession headless_;
+    std::optional<TeachingRun> run_;
+    int ms_ = 0;
+};
+
+TEST(LessonTaught, holds_what_its_pupils_expect_and_says_the_same_once_more) {
+    for (const LessonPupil& pupil : school()->lesson().pupils) {
+        std::vector<std::vector<std::string>> said;
+        for (int time = 0; time < 2; ++time) {
+            RecordingAudio audio;
+            RecordingSpeech speech;
+            const auto outcome = run_pupil(school(), pupil, audio, speech);
+            ASSERT_TRUE(outcome) << outcome.error().sentence();
+            said.emplace_back();
+            for (const auto& one : speech.lines()) said.back().push_back(one.utterance.text);
+            std::string all;
+            for (const std::string& line : said.back()) all += line + "\n";
+            for (const std::string& failure : outcome->failures) ADD_FAILURE() << pupil.name << ": " << failure << all;
+        }
+        EXPECT_GT(said[0].size(), 4U);
+        EXPECT_EQ(said[0], said[1]);
+    }
+}
+
+TEST(LessonTaught, fades_its_help_lap_by_lap_and_measures_the_way) {
+    Walker20 pupil(school(), 1);
+    pupil.live(1.0);
+    const Route way = school()->way(school()->base().stand_m, school()->stops_of(school()->lesson().routes[0]));
+    ASSERT_TRUE(way.reaches);
+    for (int lap = 0; lap < 4; ++lap) ASSERT_TRUE(pupil.walk(way.points_m)) << pupil.all();
+    pupil.live(1.0);
+    ASSERT_EQ(pupil.run().results().size(), 4U) << pupil.all();
+    for (const TaskResult& lap : pupil.run().results()) {
+        EXPECT_EQ(lap.measures.at("reached"), 1.0);
+        EXPECT_GT(lap.measures.at("path_ratio"), 0.8);
+        EXPECT_LT(lap.measures.at("path_ratio"), 1.3);
+        EXPECT_EQ(lap.measures.at("turns_missed"), 0.0);
+    }
+    EXPECT_GT(pupil.run().results()[0].measures.at("led_time"), 10.0);
+    EXPECT_EQ(pupil.run().results()[3].measures.at("led_time"), 0.0);
+    for (const char* words : {"Help: 100 percent", "Help: 60 percent", "Help: 30 percent", "Without help"})
+        EXPECT_TRUE(pupil.heard(words)) << words << pupil.all();
+    EXPECT_TRUE(pupil.run().over());
+}
+
+TEST(LessonTaught, blocks_a_door_and_finds_that_somebody_went_another_way) {
+    Walker20 pupil(school(), 2);
+    pupil.live(1.0);
+    const TaughtPlace lift{"lift", {14.1, 9.8, 0.0}, {}};
+    ASSERT_TRUE(pupil.walk(school()->way(school()->base().stand_m, {lift}).points_m)) << pupil.all();
+    pupil.walk({{14.1, 11.5, 0.0}}, 5.0);
+    EXPECT_TRUE(pupil.heard("Lift door is blocked")) << pupil.all();
+    EXPECT_LT(pupil.headless().app().feet_m().y, 11.0);
+    const Route round =
+        school()->way(pupil.headless().app().feet_m(), {*school()->place("Library")}, {*school()->door("Lift door")});
+    ASSERT_TRUE(pupil.walk(round.points_m)) << pupil.all();
+    pupil.live(1.0);
+    ASSERT_FALSE(pupil.run().results().empty()) << pupil.all();
+    const TaskResult& lap = pupil.run().results()[0];
+    EXPECT_EQ(lap.measures.at("reached"), 1.0);
+    EXPECT_EQ(lap.measures.at("detour"), 1.0);
+    EXPECT_GT(lap.measures.at("detour_time"), 0.0);
+    EXPECT_GT(lap.measures.at("path_ratio"), 1.02);
+    pupil.run().end(pupil.headless().now_s());
+    pupil.live(1.0);
+    EXPECT_TRUE(pupil.run().over());
+    EXPECT_NE(pupil.run().summary().find("contact"), std::string::npos) << pupil.run().summary();
+}
+
+TEST(BlockedDoor, is_gone_round_by_ways_where_there_is_another_and_not_where_there_is_none) {
+    LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
+    lesson.base_feet_m = Vec3(-1.0, -3.0, 0.0);
+    lesson.landmarks = {{"Hall", {}, "Hall", {}, 1}};
+    lesson.routes = {{"in", {{"Hall", {}, "Hall", {}, 3}}, 2}};
+    TaughtStep go;
+    go.kind = StepKind::Go;
+    go.route = "in";
+    go.block = {"Front door"};
+    lesson.sessions = {{"One", 0, false, {}, {go}, 4}};
+    lesson.pupils.clear();
+    const auto house = scene_of("house.map");
+    const auto found = TaughtWorld::find(lesson, house);
+    ASSERT_TRUE(found) << found.error().sentence();
+    TaughtWorld& world = **found;
+    const std::vector<TaughtPlace> hall{*world.place("Hall")};
+    const Route plain = world.way(world.base().stand_m, hall);
+    const Route round = world.way(world.base().stand_m, hall, {*world.door("Front door")});
+    ASSERT_TRUE(plain.reaches && round.reaches);
+    EXPECT_GT(round.length_m, plain.length_m + 5.0);
+    for (const RoutePassage& passage : round.passages) EXPECT_NE(passage.feature, *world.door("Front door"));
+    for (const char* room : {"Study", "Bedroom", "Bathroom", "Guest room"}) {
+        const std::string door = std::string(room) + " door";
+        const Route none = world.way(world.base().stand_m, {*world.place(room)}, {*world.door(door)});
+        EXPECT_FALSE(none.reaches) << room;
+    }
+    lesson.sessions[0].steps[0].block = {"Front door", "Garden door"};
+    const auto shut_in = TaughtWorld::find(lesson, house);
+    ASSERT_FALSE(shut_in);
+    EXPECT_NE(shut_in.error().sentence().find("no way is left"), std::string::npos) << shut_in.error().sentence();
+}
+
+TEST(LessonInItsWorld, is_refused_where_it_names_what_is_not_there) {
+    const LessonFile lesson = *read_lesson(kWorlds / "school.lesson.toml", {});
+    const auto refused = [&](LessonFile wrong) {
+        const auto found = TaughtWorld::find(std::move(wrong), school()->scene());
+        return found ? std::string("taken") : found.error().sentence();
+    };
+    LessonFile wrong = lesson;
+    wrong.landmarks[0].thing = "Trophy cas";
+    EXPECT_NE(refused(wrong).find("Trophy case"), std::string::npos) << refused(wrong);
+    EXPECT_NE(refused(wrong).find("line 7"), std::string::npos) << refused(wrong);
+    wrong = lesson;
+    wrong.routes[0].stops[0].room = "Lower coridor";
+    EXPECT_NE(refused(wrong).find("Lower corridor"), std::string::npos) << refused(wrong);
+    wrong = lesson;
+    wrong.sessions[2].steps[0].block = {"Lift dor"};
+    EXPECT_NE(refused(wrong).find("Lift door"), std::string::npos) << refused(wrong);
+    wrong = lesson;
+    wrong.sessions[0].steps[1].to = {"Trophy caze"};
+    EXPECT_NE(refused(wrong).find("Trophy case"), std::string::npos) << refused(wrong);
+}
+
+}  // namespace lesson_run_test
+}  // namespace handrail

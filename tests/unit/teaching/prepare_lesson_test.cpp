@@ -1,0 +1,108 @@
+// A lesson put together in the program, key by key, and taught.
+#include <gtest/gtest.h>
+
+#include <cctype>
+
+#include "app/core/session/headless_session.h"
+#include "app/teaching/taught_world.h"
+#include "audio-cues/sinks/recording_sinks.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace prepare_lesson_test {
+
+const std::filesystem::path kSchool = std::filesystem::path(HANDRAIL_SOURCE_DIR) / "worlds/maps/school.map";
+
+class Instructor {
+public:
+    explicit Instructor(const std::shared_ptr<const Scene>& scene)
+        : headless_(Settings{}, HandFacts{}, audio_, speech_) {
+        headless_.app().apply(WorldEntered{make_ready(scene)}, 0.0);
+        live(1.0);
+    }
+    void key(const std::string& name) {
+        ++keys_;
+        EXPECT_TRUE(headless_.tap_key(name)) << name;
+        live(0.5);
+    }
+    void keys(const std::string& name, int times) {
+        for (int i = 0; i < times; ++i) key(name);
+    }
+    void type(const std::string& text) {
+        for (const char c : text) {
+            ++keys_;
+            EXPECT_TRUE(headless_.app().apply(TextTyped{std::string(1, c)}, headless_.now_s())) << text;
+            live(0.2);
+        }
+    }
+    void live(double seconds) {
+        for (const double until_s = headless_.now_s() + seconds; headless_.now_s() < until_s - 1e-9;)
+            headless_.advance();
+    }
+    int pressed() const { return keys_; }
+    HeadlessSession& headless() { return headless_; }
+    std::string at() { return headless_.app().dialogue().where(); }
+
+private:
+    RecordingAudio audio_;
+    RecordingSpeech speech_;
+    HeadlessSession headless_;
+    int keys_ = 0;
+};
+
+TEST(PreparingALesson, takes_under_60_keys_and_5_minutes_in_our_school_and_the_file_can_be_taught) {
+    const auto scene = std::make_shared<const Scene>(std::move(*read_world(kSchool)));
+    Instructor instructor(scene);
+    // A way is planned: to the lower corridor, and from there on to the library.
+    instructor.key("Shift+4");
+    instructor.type("lower c");
+    instructor.key("Enter");
+    instructor.key("Shift+4");
+    instructor.type("lib");
+    instructor.key("Enter");
+    instructor.key("Alt+F9");
+    instructor.key("End");
+    instructor.key("Enter");
+    EXPECT_NE(instructor.at().find("Base"), std::string::npos) << instructor.at();
+    instructor.key("Enter");
+    for (const char* landmark : {"trop", "drin", "libr"}) {
+        instructor.key("Enter");
+        instructor.type(landmark);
+        instructor.key("Enter");
+    }
+    EXPECT_NE(instructor.at().find("Route"), std::string::npos) << instructor.at();
+    instructor.keys("Enter", 2);
+    EXPECT_NE(instructor.at().find("Save"), std::string::npos) << instructor.at();
+    instructor.keys("Enter", 2);
+    const auto draft = instructor.headless().app().requests().take_lesson_draft();
+    ASSERT_TRUE(draft) << instructor.at();
+    EXPECT_LT(instructor.pressed(), 60);
+    EXPECT_LT(instructor.headless().now_s(), 300.0);
+    RecordProperty("keys", instructor.pressed());
+    EXPECT_EQ(draft->landmarks.size(), 3U);
+
+    const std::string text = lesson_text(three_sessions(*draft, kSchool));
+    const auto lesson = read_lesson_text(text, kSchool.parent_path() / "made.lesson.toml", {});
+    ASSERT_TRUE(lesson) << lesson.error().sentence() << text;
+    EXPECT_EQ(lesson->sessions.size(), 3U);
+    EXPECT_EQ(lesson->landmarks[0].thing, "Trophy case");
+    EXPECT_EQ(lesson->routes[0].stops.back().name, "Library");
+    const auto taught = TaughtWorld::find(*lesson, scene);
+    ASSERT_TRUE(taught) << taught.error().sentence() << text;
+}
+
+TEST(PreparingALesson, saves_nothing_that_has_no_landmark_or_no_route) {
+    const auto scene = std::make_shared<const Scene>(std::move(*read_world(kSchool)));
+    Instructor instructor(scene);
+    instructor.key("Alt+F9");
+    instructor.key("End");
+    instructor.key("Enter");
+    instructor.key("End");
+    instructor.key("Enter");
+    EXPECT_FALSE(instructor.headless().app().requests().take_lesson_draft());
+    EXPECT_FALSE(instructor.headless().app().dialogue().typing());
+}
+
+}  // namespace prepare_lesson_test
+}  // namespace handrail

@@ -1,0 +1,179 @@
+// Worlds written in words, and read again.
+#include <gmock/gmock.h>
+
+#include <random>
+
+#include "tests/support/scale.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/words/words_text.h"
+#include "worlds/exports/as_words.h"
+#include "worlds/navigation/navigation.h"
+
+namespace handrail {
+namespace words_writing_test {
+
+// A building of rooms side by side, some with corners cut out, on up to three storeys, with doors, openings, stairs,
+// things and names that need quotation marks.
+std::string random_building(std::mt19937& random) {
+    const auto upto = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    std::string text = "Building: Random " + std::to_string(upto(1000)) + ".\nWalls: " + std::to_string(10 + upto(20)) +
+                       " cm thick.\n";
+    const int storeys = 1 + upto(3), columns = 2 + upto(3), rows = 1 + upto(3);
+    std::vector<int> wide, deep;
+    for (int i = 0; i < columns; ++i) wide.push_back(300 + upto(400));
+    for (int i = 0; i < rows; ++i) deep.push_back(300 + upto(400));
+    const auto number = [](int cm) {
+        return std::to_string(cm / 100) + "." + std::string(cm % 100 < 10 ? "0" : "") + std::to_string(cm % 100);
+    };
+    const auto name = [](int storey, int x, int y) {
+        constexpr std::array<const char*, 4> kNames{"Room", "\"Office, north\"", "Küche", "\"Door to 2.5 metres\""};
+        std::string made = kNames[static_cast<std::size_t>((storey + x * 2 + y) % 4)];
+        const std::string place = " " + std::to_string(storey * 100 + y * 10 + x);
+        return made.ends_with('"') ? made.substr(0, made.size() - 1) + place + "\"" : made + place;
+    };
+    for (int s = 0; s < storeys; ++s) {
+        text += "Storey: Floor " + std::to_string(s) + ", " + number(260 + upto(100)) + " metres high.\n";
+        int y_cm = upto(500) - 250;
+        for (int y = 0; y < rows; ++y) {
+            int x_cm = -700;
+            for (int x = 0; x < columns; ++x) {
+                const int w = wide[static_cast<std::size_t>(x)], d = deep[static_cast<std::size_t>(y)];
+                text += "\nRoom: " + name(s, x, y);
+                const auto east = [](int cm) {
+                    return std::to_string(cm < 0 ? -cm : cm) + " cm " + (cm < 0 ? "west" : "east");
+                };
+                const auto north = [](int cm) {
+                    return std::to_string(cm < 0 ? -cm : cm) + " cm " + (cm < 0 ? "south" : "north");
+                };
+                // An L where nothing hangs on it.
+                const bool cut = upto(5) == 0 && y == rows - 1 && s == storeys - 1;
+                if (cut)
+                    text += ", corners " + std::to_string(x_cm) + " " + std::to_string(y_cm) + ", " +
+                            std::to_string(x_cm + w) + " " + std::to_string(y_cm) + ", " + std::to_string(x_cm + w) +
+                            " " + std::to_string(y_cm + d) + ", " + std::to_string(x_cm + w / 2) + " " +
+                            std::to_string(y_cm + d) + ", " + std::to_string(x_cm + w / 2) + " " +
+                            std::to_string(y_cm + d / 2) + ", " + std::to_string(x_cm) + " " +
+                            std::to_string(y_cm + d / 2) + " cm";
+                else
+                    text += ", " + number(w) + " by " + number(d) + " metres, corner at " + east(x_cm) + " and " +
+                            north(y_cm);
+                text += upto(3) == 0 ? ", wooden floor.\n" : ".\n";
+                const bool opening = upto(4) == 0;
+                if (x + 1 < columns && upto(5) > 0)
+                    text += std::string(opening ? "Opening" : "Door") + " to " + name(s, x + 1, y) + ", " +
+                            number(70 + upto(60)) + " metres wide.\n";
+                if (y + 1 < rows && upto(3) > 0)
+                    text += std::string(upto(4) == 0 ? "Sliding door" : "Door") + " to " + name(s, x, y + 1) + ".\n";
+                if (s == 0 && y == 0 && x == 0) text += "Door outside in the south wall, called \"Main, entrance\".\n";
+                if (!cut && upto(2) == 0)
+                    text += "Table against the north wall, landmark. Bin in the south-east corner, made of metal.\n";
+                x_cm += w;
+            }
+            y_cm += deep[static_cast<std::size_t>(y)];
+        }
+        if (s == 0 && storeys > 1)
+            text += "\nRoom: Stairs, 3 by 7 metres, west of " + name(0, 0, 0) + ", stairs to \"Floor " +
+                    std::to_string(storeys - 1) + "\". Door to " + name(0, 0, 0) + ".\n";
+    }
+    return text;
+}
+
+std::vector<std::string> names_of(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const StatedRoom& room : scene.stated->rooms) names.push_back(room.name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+void expect_same_building(const Scene& before, const Scene& after, const std::string& text) {
+    ASSERT_EQ(names_of(after), names_of(before)) << text;
+    ASSERT_EQ(test::joins_of(after), test::joins_of(before)) << text;
+    for (const StatedRoom& room : before.stated->rooms) {
+        const StatedRoom& again = *test::room_of(after, room.name);
+        EXPECT_NEAR(again.area_m2, room.area_m2, 1e-3) << room.name << text;
+        EXPECT_NEAR(again.floor_m, room.floor_m, 1e-3) << room.name << text;
+        EXPECT_LT(glm::length(test::box_of(again).first - test::box_of(room).first), 1e-3) << room.name << text;
+    }
+    // Each door where it was.
+    for (const StatedPortal& portal : before.stated->portals) {
+        double nearest = 1e9;
+        for (const StatedPortal& other : after.stated->portals)
+            if (other.kind == portal.kind) nearest = std::min(nearest, glm::length(other.place_m - portal.place_m));
+        EXPECT_LT(nearest, 2e-3) << portal.name << text;
+    }
+    EXPECT_EQ(after.stated->furnishings, before.stated->furnishings) << text;
+}
+
+TEST(WrittenInWords, random_buildings_come_back_with_the_same_rooms_and_doors_in_both_languages) {
+    std::mt19937 random(20261124);
+    for (int round = 0; round < 40; ++round) {
+        const std::string text = random_building(random);
+        const Scene scene = test::read_rooms(text);
+        for (const WordLanguage language : {WordLanguage::English, WordLanguage::German}) {
+            const std::string written = text_of(stated_house(scene, language), scene, language);
+            const Scene again = test::read_rooms(written);
+            for (const Diagnostic& warning : again.report.warnings)
+                if (warning.line > 0) ADD_FAILURE() << warning.sentence() << written;
+            ASSERT_NO_FATAL_FAILURE(expect_same_building(scene, again, "\n" + text + "\n-----\n" + written));
+            EXPECT_EQ(text_of(stated_house(again, language), again, language), written) << "and the same text";
+            if (HasFailure()) return;
+        }
+    }
+}
+
+// The rooms by name with what joins them; stairs, which are a room on each storey where they are written, are one.
+struct Graph {
+    std::set<std::string> rooms;
+    std::multiset<std::string> joins;
+};
+
+Graph graph_of(const WordsHouse& house) {
+    Graph graph;
+    for (const WordsHouse::Room& room : house.rooms) graph.rooms.insert(room.name);
+    for (const WordsHouse::Door& door : house.doors) {
+        std::multiset<std::string> names;
+        for (const std::size_t r : door.rooms) names.insert(house.rooms[r].name);
+        std::string text = door.opening ? "opening" : "door";
+        for (const std::string& name : names) text += " | " + name;
+        graph.joins.insert(text);
+    }
+    return graph;
+}
+
+void expect_map_comes_back(const std::string& map) {
+    const std::string path = std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/" + map;
+    const Result<Scene> scene = read_world(path);
+    ASSERT_TRUE(scene.has_value());
+    const Result<WalkSpace> space = make_walk_space(*scene, walk_body(*scene, 0.25, 1.8, 0.25));
+    ASSERT_TRUE(space.has_value());
+    const RoomGraph graph = make_rooms(*scene, *space);
+    for (const WordLanguage language : {WordLanguage::English, WordLanguage::German}) {
+        const WordsHouse house = found_house(*scene, graph, *space, language);
+        ASSERT_EQ(house.rooms.size(), graph.rooms.size());
+        const std::string written = text_of(house, *scene, language);
+        const Scene again = test::read_rooms(written);
+        for (const Diagnostic& warning : again.report.warnings)
+            if (warning.line > 0) ADD_FAILURE() << warning.sentence();
+        const Graph before = graph_of(house), after = graph_of(stated_house(again, language));
+        EXPECT_EQ(after.rooms, before.rooms);
+        EXPECT_EQ(after.joins, before.joins);
+    }
+}
+
+TEST(WrittenInWords, the_house_comes_back_with_the_same_rooms_and_doors) { expect_map_comes_back("house.map"); }
+TEST(WrittenInWords, the_school_comes_back_with_the_same_rooms_and_doors) { expect_map_comes_back("school.map"); }
+TEST(WrittenInWords, the_first_room_comes_back) { expect_map_comes_back("first_room.map"); }
+
+TEST(WrittenInWords, a_building_from_openstreetmap_comes_back) {
+    const std::string osm =
+        test::content_of(std::filesystem::path(HANDRAIL_SOURCE_DIR) / "tests/unit/osm/worlds/test_house.osm");
+    const Result<Scene> scene = read_osm(osm, "house.osm");
+    ASSERT_TRUE(scene.has_value());
+    const std::string written = text_of(stated_house(*scene, WordLanguage::English), *scene, WordLanguage::English);
+    const Scene again = test::read_rooms(written);
+    EXPECT_EQ(names_of(again), names_of(*scene)) << written;
+    EXPECT_EQ(test::joins_of(again), test::joins_of(*scene)) << written;
+}
+
+}  // namespace words_writing_test
+}  // namespace handrail

@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/check/examined.h"
+#include "worlds/scene/honest_report.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLeastOverlap_m2 = 0.5;
+constexpr double kSamples = 2000.0;  // of a room, at most about
+constexpr std::size_t kMostCorners = 2000;
+
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+    return turn(a, b, c) * turn(a, b, d) < -1e-12 && turn(c, d, a) * turn(c, d, b) < -1e-12;
+}
+
+// Where the ring first crosses itself.
+std::optional<Vec2> crossing(const std::vector<Vec2>& ring) {
+    const std::size_t n = std::min(ring.size(), kMostCorners);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = i + 2; k < n; ++k) {
+            const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()], &c = ring[k], &d = ring[(k + 1) % ring.size()];
+            if ((k + 1) % ring.size() == i || !cross(a, b, c, d)) continue;
+            const double ratio = turn(c, d, a) / (turn(c, d, a) - turn(c, d, b));
+            return a + ratio * (b - a);
+        }
+    return std::nullopt;
+}
+
+std::string name_of(const StatedRoom& room) { return room.name.empty() ? room.number : room.name; }
+
+Aabb bounds_of_room(const StatedRoom& room) {
+    Aabb box;
+    for (const std::vector<Vec2>& ring : room.rings)
+        for (const Vec2& p : ring) {
+            box.include(Vec3(p, room.floor_m));
+            box.include(Vec3(p, room.floor_m + std::max(room.height_m, 1.0)));
+        }
+    return box;
+}
+
+// How much floor both have, and a place in it.
+double shared_m2(const StatedRoom& one, const StatedRoom& other, const Aabb& both, Vec3& at_m) {
+    const Vec3 size = both.size_m();
+    const double step_m = std::max(0.1, std::sqrt(size.x * size.y / kSamples));
+    double shared = 0.0;
+    for (double y = both.min_m.y + 0.5 * step_m; y < both.max_m.y; y += step_m)
+        for (double x = both.min_m.x + 0.5 * step_m; x < both.max_m.x; x += step_m) {
+            const double z = std::max(one.floor_m, other.floor_m) + 0.1;
+            if (!holds(one, {x, y, z}) || !holds(other, {x, y, z})) continue;
+            if (shared == 0.0) at_m = {x, y, std::max(one.floor_m, other.floor_m)};
+            shared += step_m * step_m;
+        }
+    return shared;
+}
+
+void crossing_outlines(const StatedBuilding& stated, std::vector<WorldFault>& faults) {
+    for (const StatedRoom& room : stated.rooms)
+        for (const std::vector<Vec2>& ring : room.rings)
+            if (const auto at = crossing(ring)) {
+                WorldFault fault{FaultKind::CrossingOutline, Vec3(*at, room.floor_m), room.source};
+                fault.name = name_of(room);
+                faults.push_back(std::move(fault));
+                break;
+            }
+}
+
+void overlapping(const StatedBuilding& stated, std::vector<WorldFault>& faults) {
+    std::vector<Aabb> boxes;
+    for (const StatedRoom& room : stated.rooms) boxes.push_back(bounds_of_room(room));
+    const BoxIndex index(boxes);
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        index.find(boxes[i], near);
+        for (const std::uint32_t k : near) {
+            if (k >= i || std::abs(stated.rooms[i].floor_m - stated.rooms[k].floor_m) > 0.5) continue;
+            const Aabb both{glm::max(boxes[i].min_m, boxes[k].min_m), glm::min(boxes[i].max_m, boxes[k].max_m)};
+            Vec3 at_m{0.0};
+            const double shared = both.empty() ? 0.0 : shared_m2(stated.rooms[i], stated.rooms[k], both, at_m);
+            if (shared < kLeastOverlap_m2) continue;
+            WorldFault fault{FaultKind::OverlappingRooms, at_m, stated.rooms[i].source};
+            fault.name = name_of(stated.rooms[k]);
+            fault.other = name_of(stated.rooms[i]);
+            fault.amount = shared;
+            faults.push_back(std::move(fault));
+        }
+    }
+}
+
+// What the honest report found in the file's own words and no look at the scene tells.
+void from_the_report(const Scene& scene, std::vector<WorldFault>& faults) {
+    const StatedBuilding& stated = *scene.stated;
+    for (const CheckPoint& point : honest_report(scene).check) {
+        WorldFault fault{FaultKind::OddName, point.at_m, point.source};
+        if (point.what == ToCheck::ImpassableDoor) fault.kind = FaultKind::ImpassableDoor;
+        else if (point.what == ToCheck::DoorToNoRoom) fault.kind = FaultKind::DoorToNoRoom;
+        else if (point.what == ToCheck::DoorCutFree) fault.kind = FaultKind::DoorCutFree;
+        else if (point.what != ToCheck::OddName) continue;  // found in the rooms themselves
+        if (is_of_a_room(point.what)) {
+            fault.name = name_of(stated.rooms[point.index]);
+        } else {
+            fault.name = stated.portals[point.index].name;
+            fault.feature = stated.portals[point.index].feature;
+            fault.amount = stated.portals[point.index].width_m;
+        }
+        faults.push_back(std::move(fault));
+    }
+}
+
+}  // namespace
+
+void find_outline_faults(const Examined& world, std::vector<WorldFault>& faults) {
+    if (!world.scene.stated) return;
+    crossing_outlines(*world.scene.stated, faults);
+    overlapping(*world.scene.stated, faults);
+    from_the_report(world.scene, faults);
+}
+
+}  // namespace handrail

@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <set>
+
+#include "worlds/base/language.h"
+#include "worlds/check/examined.h"
+#include "worlds/navigation/reach.h"
+#include "worlds/scene/honest_report.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kLeastNamed_m2 = 2.0;       // a smaller one is a niche, whatever its shape
+constexpr double kLeastLandmarked_m2 = 4.0;  // in a smaller one everything is at hand
+constexpr double kOneRoom_m = 1.5;           // names nearer than that stand in one place
+constexpr std::size_t kMostCandidates = 3;
+
+// Which rooms one walks into from the base, past all that stands about, doors open. More than a doorway of it: a
+// strip before a blocked door may count to the room behind.
+std::vector<bool> walked_into(const Examined& world) {
+    const WalkSpace& space = *world.space;
+    const std::vector<Start>& starts = world.scene.starts;
+    const auto base = std::find_if(starts.begin(), starts.end(), [](const Start& start) { return start.base; });
+    const std::uint32_t first = base == starts.end() ? kNothing : space.nearest(base->feet_m, 0.5, 0.4, 1.0);
+    if (first == kNothing) return {};
+    std::vector<std::vector<std::uint32_t>> leads_to(space.spans.size());
+    for (const WalkLink& link : space.links) {
+        leads_to[link.from].push_back(link.to);
+        if (link.both_ways) leads_to[link.to].push_back(link.from);
+    }
+    std::vector<bool> seen(space.spans.size(), false);
+    std::vector<std::uint32_t> open{first};
+    seen[first] = true;
+    const auto go = [&](std::uint32_t next) {
+        if (next == kNothing || seen[next]) return;
+        seen[next] = true;
+        open.push_back(next);
+    };
+    while (!open.empty()) {
+        const std::uint32_t here = open.back();
+        open.pop_back();
+        for (const std::uint32_t next : space.spans[here].next) go(next);
+        for (const std::uint32_t next : leads_to[here]) go(next);
+    }
+    std::vector<std::size_t> all(world.graph->rooms.size(), 0), walked(all);
+    for (std::uint32_t s = 0; s < space.spans.size(); ++s)
+        if (const std::uint32_t room = world.graph->room_of_span[s]; room != kNothing) {
+            ++all[room];
+            walked[room] += seen[s] ? 1 : 0;
+        }
+    std::vector<bool> rooms;
+    for (std::size_t r = 0; r < all.size(); ++r) rooms.push_back(all[r] == 0 || 5 * walked[r] > all[r]);
+    return rooms;
+}
+
+void blocked_by_things(const Examined& world, std::vector<WorldFault>& faults) {
+    const std::vector<bool> reached = walked_into(world);
+    for (std::uint32_t r = 0; r < reached.size(); ++r) {
+        const Room& room = world.graph->rooms[r];
+        const bool told = std::any_of(faults.begin(), faults.end(), [&](const WorldFault& fault) {
+            return fault.kind == FaultKind::RoomOutOfReach && fault.room == r;
+        });
+        if (reached[r] || told || room.kind == RoomKind::Liquid || room.kind == RoomKind::Niche || world.is_ground(r))
+            continue;
+        WorldFault fault{FaultKind::RoomOutOfReach, room.middle_m, world.room_source(r)};
+        fault.room = r;
+        fault.name = room.name;
+        faults.push_back(std::move(fault));
+    }
+}
+
+void out_of_reach(const Examined& world, std::vector<WorldFault>& faults) {
+    for (const RoomOutOfReach& room : rooms_out_of_reach(world.scene, *world.space, *world.graph)) {
+        if (room.room != kNothing && world.is_ground(room.room)) continue;
+        WorldFault fault{FaultKind::RoomOutOfReach, room.at_m,
+                         room.room == kNothing ? world.ground_source(room.at_m) : world.room_source(room.room)};
+        fault.room = room.room;
+        fault.name = room.name;
+        faults.push_back(std::move(fault));
+    }
+}
+
+// No landing of stairs, which is a part of them, and no ground.
+bool is_place_of_its_own(const Examined& world, std::uint32_t r) {
+    bool other_ways = false, stairs = false;
+    for (const Portal& portal : world.graph->portals)
+        if (portal.rooms[0] == r || portal.rooms[1] == r)
+            (portal.kind == PassageKind::Stairs ? stairs : other_ways) = true;
+    const Room& room = world.graph->rooms[r];
+    const bool landing = stairs && !other_ways && !room.given && room.map_name.empty();
+    return room.kind == RoomKind::Room && !landing && !world.is_ground(r);
+}
+
+void unnamed(const Examined& world, std::vector<WorldFault>& faults) {
+    for (std::uint32_t r = 0; r < world.graph->rooms.size(); ++r) {
+        const Room& room = world.graph->rooms[r];
+        if (room.area_m2 < kLeastNamed_m2 || !is_place_of_its_own(world, r) || room.given || !room.map_name.empty())
+            continue;
+        WorldFault fault{FaultKind::UnnamedRoom, room.middle_m, world.room_source(r)};
+        fault.room = r;
+        fault.name = room.name;
+        fault.amount = room.area_m2;
+        faults.push_back(std::move(fault));
+    }
+}
+
+// Fixed, with a name that nothing else here has, and a size that a hand finds; the largest first.
+std::vector<FeatureId> landmark_candidates(const Examined& world, const std::vector<std::uint32_t>& things) {
+    const Scene& scene = world.scene;
+    const auto is_free = [&](FeatureId id) {
+        return std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                           [&](const FreeBody& body) { return body.feature == id; });
+    };
+    std::vector<std::uint32_t> candidates;
+    for (const std::uint32_t f : things) {
+        const Feature& feature = scene.features[f];
+        const auto same = std::count_if(scene.features.begin(), scene.features.end(),
+                                        [&](const Feature& other) { return other.name == feature.name; });
+        if (feature.made_name || feature.name.empty() || same > 1 || is_free(FeatureId{f})) continue;
+        candidates.push_back(f);
+    }
+    std::stable_sort(candidates.begin(), candidates.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return scene.features[a].area_m2 > scene.features[b].area_m2;
+    });
+    std::vector<FeatureId> best;
+    for (std::size_t i = 0; i < std::min(kMostCandidates, candidates.size()); ++i)
+        best.push_back(FeatureId{candidates[i]});
+    return best;
+}
+
+void without_landmark(const Examined& world, std::vector<WorldFault>& faults) {
+    const RoomGraph& graph = *world.graph;
+    std::vector<bool> marked(graph.rooms.size(), false);
+    std::vector<std::vector<std::uint32_t>> things(graph.rooms.size());
+    const auto mark = [&](std::uint32_t room) {
+        if (room != kNothing) marked[room] = true;
+    };
+    for (std::uint32_t f = 0; f < world.scene.features.size(); ++f) {
+        const Feature& feature = world.scene.features[f];
+        const bool thing = world.is_thing(FeatureId{f});
+        if (!feature.landmark && !thing) continue;
+        const std::uint32_t room = world.room_of(feature);
+        if (feature.landmark) mark(room);
+        else if (room != kNothing) things[room].push_back(f);
+        if (!feature.landmark) continue;
+        for (const Portal& portal : graph.portals)  // a door is one on both its sides
+            if (portal.feature == FeatureId{f}) mark(portal.rooms[0]), mark(portal.rooms[1]);
+    }
+    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
+        const Room& room = graph.rooms[r];
+        if (room.area_m2 < kLeastLandmarked_m2 || marked[r] || !is_place_of_its_own(world, r)) continue;
+        WorldFault fault{FaultKind::NoLandmark, room.middle_m, world.room_source(r)};
+        fault.room = r;
+        fault.name = room.name;
+        fault.candidates = landmark_candidates(world, things[r]);
+        faults.push_back(std::move(fault));
+    }
+}
+
+// Names of a map that fight for one place; stated rooms are looked at by their outlines.
+void names_in_one_place(const Examined& world, std::vector<WorldFault>& faults) {
+    const std::vector<RoomName>& names = world.scene.room_names;
+    std::vector<std::uint32_t> spans, rooms;
+    for (const RoomName& name : names) {
+        spans.push_back(world.space->nearest(name.at_m, 1.0, 0.6, 3.0));
+        rooms.push_back(spans.back() == kNothing ? kNothing : world.graph->room_of_span[spans.back()]);
+    }
+    for (std::size_t i = 0; i < names.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const Vec3 apart = names[i].at_m - names[k].at_m;
+            const bool near = glm::length(Vec2(apart)) < kOneRoom_m && std::abs(apart.z) < 1.5;
+            if (names[i].name == names[k].name || rooms[i] == kNothing || rooms[k] == kNothing) continue;
+            const bool nothing_between =
+                near && world.space->straight(world.space->place_m(spans[i]), world.space->place_m(spans[k]));
+            if (rooms[i] != rooms[k] && !nothing_between) continue;
+            const Vec3 at_m = world.space->place_m(spans[i]);
+            WorldFault fault{FaultKind::OverlappingRooms, at_m, world.ground_source(at_m)};
+            fault.room = rooms[i];
+            fault.name = in_spoken_language(names[k].name, names[k].name_in);
+            fault.other = in_spoken_language(names[i].name, names[i].name_in);
+            faults.push_back(std::move(fault));
+        }
+}
+
+}  // namespace
+
+void find_room_faults(const Examined& world, std::vector<WorldFault>& faults) {
+    out_of_reach(world, faults);
+    blocked_by_things(world, faults);
+    if (!world.scene.stated) names_in_one_place(world, faults);
+    unnamed(world, faults);
+    without_landmark(world, faults);
+}
+
+}  // namespace handrail

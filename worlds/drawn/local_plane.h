@@ -1,0 +1,31 @@
+// Degrees of longitude and latitude near a place as metres east and north of it. Pure; any thread.
+#pragma once
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+// On the ellipsoid WGS 84: right to millimetres over half a kilometre.
+class LocalPlane {
+public:
+    LocalPlane() = default;
+    // x: longitude, y: latitude, in degrees.
+    explicit LocalPlane(const Vec2& origin_deg) : origin_deg_(origin_deg) {
+        constexpr double kEarth_m = 6378137.0, kFlatter = 0.00669437999014;  // radius, eccentricity squared
+        const double sine = std::sin(radians_from_degrees(origin_deg.y)), rest = 1.0 - kFlatter * sine * sine;
+        metres_per_deg_ = {
+            radians_from_degrees(kEarth_m / std::sqrt(rest) * std::cos(radians_from_degrees(origin_deg.y))),
+            radians_from_degrees(kEarth_m * (1.0 - kFlatter) / (rest * std::sqrt(rest)))};
+    }
+
+    // To a tenth of a millimetre, which is finer than the degrees of such files.
+    Vec2 place_m(const Vec2& degrees) const {
+        const Vec2 at = (degrees - origin_deg_) * metres_per_deg_;
+        return {std::round(at.x * 1e4) / 1e4, std::round(at.y * 1e4) / 1e4};
+    }
+
+private:
+    Vec2 origin_deg_{0.0}, metres_per_deg_{1.0};
+};
+
+}  // namespace handrail

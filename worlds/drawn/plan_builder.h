@@ -1,0 +1,77 @@
+// The work behind scene_of_plan: one building, part by part. One thread.
+#pragma once
+
+#include <memory>
+
+#include "worlds/drawn/plan_scene.h"
+#include "worlds/drawn/plan_stairs.h"
+#include "worlds/drawn/plan_walls.h"
+#include "worlds/scene/stated_building.h"
+
+namespace handrail {
+
+class PlanBuilder {
+public:
+    PlanBuilder(FloorPlan plan, const PlanOptions& options);
+    Result<Scene> build(const std::string& file_name);
+
+private:
+    static constexpr std::uint32_t kNoLift = 0xffffffffU;
+
+    bool stopped() const { return options_.stop.stop_requested() || too_large(); }
+    bool too_large() const;
+    void state_rooms();
+    std::string room_name(const PlanSpace& space, std::size_t level, bool with_level) const;
+    double storey_of(std::size_t level) const;
+    void plan_vertical_spaces();
+    void add_lifts();
+    void add_floors(std::size_t space, std::size_t level);
+    void add_facts(const std::vector<Ring>& parts, double floor_m, const std::vector<std::string>& facts);
+    void add_walls(std::size_t level, const LevelWalls& walls);
+    void add_doors(std::size_t level, const LevelWalls& walls);
+    void add_leaf(const PlanDoor& door, const DoorGap& gap, double floor_m, double from, double to, bool hinge_at_from,
+                  bool to_left, std::uint32_t lift, std::uint32_t group);
+    void add_openings(std::size_t level, const LevelWalls& walls);
+    void add_stairs(std::size_t space);
+    void add_things();
+    void add_ways();
+    std::vector<Ring> add_strips(const PlanWay& way, FeatureId feature);
+    void state_way(const PlanWay& way, const std::vector<Ring>& parts);
+    void add_blocks();
+    void add_ground();
+    void add_starts();
+    void write_report();
+
+    FeatureId add_feature(FeatureKind kind, std::string_view made_name, const std::string& name);
+    void add_solid(std::optional<ConvexSolid> shape, SolidRole role, FeatureId feature,
+                   MaterialId material = kDefaultMaterial);
+    MaterialId material_named(const std::string& name);  // of the library; the default wall where it has none
+    double room_height(const PlanSpace& space, std::size_t level) const;
+    void warn(std::string message, std::string action);
+    std::uint32_t room_at(std::size_t space, std::size_t level) const;
+    std::vector<std::uint32_t> rooms_at(const std::vector<std::size_t>& spaces, std::size_t level) const;
+    const StatedRoom* stated_at(std::size_t space, std::size_t level) const;
+
+    FloorPlan plan_;
+    const PlanOptions& options_;
+    Scene scene_;
+    std::shared_ptr<StatedBuilding> stated_;
+    std::vector<std::vector<std::uint32_t>> looks_;
+    std::vector<std::vector<std::uint32_t>> room_of_;  // of each space and each of its levels
+    std::vector<std::optional<StairWell>> wells_;      // of each space
+    std::vector<Ring> cabins_;                         // of each space; empty: it is no lift
+    std::vector<std::uint32_t> lifts_;                 // of each space, the place in Scene::movers
+    std::vector<FeatureId> vertical_;                  // of each space, what leads up and down in it
+    struct OuterDoor {
+        PlanEntrance entrance = PlanEntrance::Plain;
+        Vec3 at_m{0.0};
+        Vec2 out{0.0};
+        std::string name;
+    };
+    std::vector<OuterDoor> outer_;
+    double ground_m_ = 0.0;
+    std::size_t ground_level_ = 0;
+    int to_nowhere_ = 0, narrow_ = 0, off_walls_ = 0, moved_ = 0, guessed_widths_ = 0, revolving_ = 0, no_stairs_ = 0;
+};
+
+}  // namespace handrail

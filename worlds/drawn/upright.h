@@ -1,0 +1,22 @@
+// Upright solids over flat outlines, and what is left of an outline beside another. Pure functions; metres.
+#pragma once
+
+#include <optional>
+
+#include "worlds/geometry/convex.h"
+#include "worlds/geometry/flat_parts.h"
+
+namespace handrail {
+
+inline double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+// To the left of a direction.
+inline Vec2 left_of(const Vec2& v) { return {-v.y, v.x}; }
+
+// Over a convex outline that runs counter-clockwise; nothing where it has no volume.
+std::optional<ConvexSolid> upright(const Ring& outline, double from_m, double to_m);
+// The rectangle round a line, counter-clockwise.
+Ring strip(const Vec2& from, const Vec2& to, double half_width_m);
+// Convex outlines, counter-clockwise, of what lies in `ring` and not in `cutter`; both convex and counter-clockwise.
+std::vector<Ring> without(const Ring& ring, const Ring& cutter);
+
+}  // namespace handrail

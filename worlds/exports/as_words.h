@@ -1,0 +1,52 @@
+// A world as a text that describes its rooms in words, English or German, which the reader of such texts takes again:
+// the same rooms and doors. Pure functions; any thread.
+#pragma once
+
+#include <string>
+
+#include "worlds/navigation/rooms.h"
+#include "worlds/scene/scene.h"
+#include "worlds/scene/stated_building.h"
+#include "worlds/words/word_patterns.h"
+
+namespace handrail {
+
+// What is to be written: rooms as a file states them, or as they were found. World metres.
+struct WordsHouse {
+    struct Storey {
+        std::string name;
+        double floor_m = 0.0, height_m = 3.0;
+    };
+    enum class Kind { Room, Stairs, Lift };
+    struct Room {
+        Kind kind = Kind::Room;
+        std::string name, floor_material;
+        std::size_t storey = 0, to_storey = 0;  // of stairs and lifts the highest
+        double height_m = 0.0;                  // 0: as the storey is
+        std::vector<std::vector<Vec2>> rings;
+    };
+    struct Door {
+        bool opening = false, sliding = false, by_itself = false;
+        std::string name;
+        std::vector<std::size_t> rooms;  // one: it leads outside
+        Vec2 at_m{0.0};
+        double width_m = 0.9;
+    };
+    std::string name;
+    double wall_m = 0.0;  // 0: not known
+    std::vector<Storey> storeys;
+    std::vector<Room> rooms;
+    std::vector<Door> doors;
+    std::vector<std::string> lost;  // sentences on what words cannot say, in the language written
+};
+
+// Of a world that states its rooms.
+WordsHouse stated_house(const Scene& scene, WordLanguage language);
+// Of any other: outlines by the floor that is free to walk on, as far as the middle of walls. `space` still has its
+// walls. Time goes with its spans.
+WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language);
+
+// The text. Things and the base are taken from the scene.
+std::string text_of(const WordsHouse& house, const Scene& scene, WordLanguage language);
+
+}  // namespace handrail

@@ -1,0 +1,349 @@
+// Outlines of rooms that were found by the floor: of each storey a raster of which room lies where, grown to the middle
+// of the walls, and its borders.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <set>
+
+#include "worlds/base/text.h"
+#include "worlds/exports/as_words.h"
+#include "worlds/geometry/flat_parts.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kHalfWall_m = 0.1, kDoorway_m = 0.65, kStoreyApart_m = 2.2, kNearSpan_m = 0.3, kLeastPiece_m2 = 0.3;
+
+// Of each span without furniture its room: what the walkable space knows, and what lies beside it under furniture.
+std::vector<std::uint32_t> rooms_of_walls(const RoomGraph& graph, const WalkSpace& space) {
+    const SpanGrid<WallSpan>& walls = *space.walls;
+    std::vector<std::uint32_t> room(walls.spans.size(), kNothing);
+    std::deque<std::uint32_t> open;
+    const bool alike = walls.width == space.width && walls.depth == space.depth;
+    for (std::uint32_t s = 0; s < space.spans.size(); ++s) {
+        if (graph.room_of_span[s] == kNothing) continue;
+        const Vec3 at = space.place_m(s);
+        std::uint32_t found = kNothing;
+        if (alike) {
+            const std::uint32_t cell = space.spans[s].cell;
+            for (std::uint32_t w = walls.first[cell]; w < walls.first[cell + 1]; ++w)
+                if (std::abs(walls.place_m(w).z - at.z) < kNearSpan_m) found = w;
+        } else {
+            found = walls.nearest(at, walls.cell_m, kNearSpan_m, kNearSpan_m);
+        }
+        if (found == kNothing || room[found] != kNothing) continue;
+        room[found] = graph.room_of_span[s];
+        open.push_back(found);
+    }
+    while (!open.empty()) {
+        const std::uint32_t s = open.front();
+        open.pop_front();
+        for (const std::uint32_t next : walls.spans[s].next)
+            if (next != kNothing && room[next] == kNothing) room[next] = room[s], open.push_back(next);
+    }
+    return room;
+}
+
+class Raster {
+public:
+    Raster(std::uint32_t width, std::uint32_t depth) : width_(width), room_(std::size_t{width} * depth, kNothing) {}
+
+    std::uint32_t& at(std::uint32_t cell) { return room_[cell]; }
+
+    // What is narrower than that is nobody's: the floor in doorways. Rooms that are all narrow stay.
+    void open(std::uint32_t cells, std::size_t rooms) {
+        const auto depth = static_cast<std::uint32_t>(room_.size() / width_);
+        std::vector<std::uint32_t> along(room_.size(), 0), up(room_.size(), 0), kept(room_.size(), kNothing);
+        std::vector<std::size_t> before(rooms, 0), after(rooms, 0);
+        for (std::uint32_t c = static_cast<std::uint32_t>(room_.size()); c-- > 0;) {
+            if (room_[c] == kNothing) continue;
+            ++before[room_[c]];
+            const bool east = (c + 1) % width_ != 0 && room_[c + 1] == room_[c];
+            along[c] = east ? along[c + 1] + 1 : 1;
+            const bool north = c + width_ < room_.size() && room_[c + width_] == room_[c];
+            up[c] = along[c] < cells ? 0 : north ? up[c + width_] + 1 : 1;
+        }
+        for (std::uint32_t y = 0; y + cells <= depth; ++y)
+            for (std::uint32_t x = 0; x + cells <= width_; ++x)
+                if (const std::uint32_t c = y * width_ + x; room_[c] != kNothing && up[c] >= cells)
+                    for (std::uint32_t row = 0; row < cells; ++row)
+                        std::fill_n(kept.begin() + c + row * width_, cells, room_[c]);
+        for (const std::uint32_t r : kept)
+            if (r != kNothing) ++after[r];
+        for (std::uint32_t c = 0; c < room_.size(); ++c)
+            if (room_[c] != kNothing && after[room_[c]] * 2 < before[room_[c]]) kept[c] = room_[c];
+        room_ = std::move(kept);
+    }
+
+    // Into what is nobody's, that many cells far, from all rooms at once; corners stay corners.
+    void grow(int cells) {
+        std::vector<std::uint32_t> edge;
+        for (std::uint32_t c = 0; c < room_.size(); ++c)
+            if (room_[c] != kNothing) edge.push_back(c);
+        for (int step = 0; step < cells; ++step) {
+            std::vector<std::uint32_t> next;
+            for (const std::uint32_t c : edge)
+                for (const std::uint32_t n : beside(c, true))
+                    if (n != kNothing && room_[n] == kNothing) room_[n] = room_[c], next.push_back(n);
+            edge = std::move(next);
+        }
+    }
+
+    // A room that all but fills its rectangle, with hardly anything of others in it, is that rectangle.
+    void square(std::size_t rooms) {
+        struct Extent {
+            std::uint32_t west = kNothing, east = 0, south = kNothing, north = 0;
+            std::size_t cells = 0;
+        };
+        std::vector<Extent> extents(rooms);
+        for (std::uint32_t c = 0; c < room_.size(); ++c) {
+            if (room_[c] == kNothing) continue;
+            Extent& e = extents[room_[c]];
+            const std::uint32_t x = c % width_, y = c / width_;
+            e.west = std::min(e.west, x), e.east = std::max(e.east, x);
+            e.south = std::min(e.south, y), e.north = std::max(e.north, y);
+            ++e.cells;
+        }
+        for (std::uint32_t r = 0; r < rooms; ++r) {
+            const Extent& e = extents[r];
+            if (e.cells == 0) continue;
+            const std::size_t all = std::size_t{e.east - e.west + 1} * (e.north - e.south + 1);
+            std::map<std::uint32_t, std::size_t> lost;  // of others
+            std::size_t others = 0;
+            for (std::uint32_t y = e.south; y <= e.north; ++y)
+                for (std::uint32_t x = e.west; x <= e.east; ++x)
+                    if (const std::uint32_t other = room_[y * width_ + x]; other != kNothing && other != r)
+                        ++others, ++lost[other];
+            if (others * 30 > all || e.cells * 10 < all * 7) continue;
+            if (std::any_of(lost.begin(), lost.end(),
+                            [&](const auto& other) { return other.second * 4 > extents[other.first].cells; }))
+                continue;
+            for (std::uint32_t y = e.south; y <= e.north; ++y)
+                for (std::uint32_t x = e.west; x <= e.east; ++x) room_[y * width_ + x] = r;
+        }
+    }
+
+    // The outlines of the largest piece of a room: its outer one first, then holes that other rooms fill. In cells.
+    std::vector<Ring> outline(std::uint32_t r, double cell_m) const {
+        std::vector<std::uint32_t> piece_of(room_.size(), kNothing);
+        std::vector<std::size_t> sizes;
+        for (std::uint32_t c = 0; c < room_.size(); ++c) {
+            if (room_[c] != r || piece_of[c] != kNothing) continue;
+            const auto piece = static_cast<std::uint32_t>(sizes.size());
+            sizes.push_back(0);
+            std::vector<std::uint32_t> open{c};
+            piece_of[c] = piece;
+            while (!open.empty()) {
+                const std::uint32_t now = open.back();
+                open.pop_back();
+                ++sizes.back();
+                for (const std::uint32_t n : beside(now, false))
+                    if (n != kNothing && room_[n] == r && piece_of[n] == kNothing)
+                        piece_of[n] = piece, open.push_back(n);
+            }
+        }
+        if (sizes.empty()) return {};
+        const auto largest = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+        if (static_cast<double>(sizes[largest]) * cell_m * cell_m < kLeastPiece_m2) return {};
+        // Edges with the room to their left, by the corner they begin at.
+        std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> edges;
+        const auto own = [&](int x, int y) {
+            if (x < 0 || y < 0 || x >= static_cast<int>(width_)) return false;
+            const std::size_t c = static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x);
+            return c < piece_of.size() && piece_of[c] == largest;
+        };
+        for (std::uint32_t c = 0; c < room_.size(); ++c) {
+            if (piece_of[c] != largest) continue;
+            const int x = static_cast<int>(c % width_), y = static_cast<int>(c / width_);
+            if (!own(x, y - 1)) edges[{x, y}].emplace_back(x + 1, y);
+            if (!own(x + 1, y)) edges[{x + 1, y}].emplace_back(x + 1, y + 1);
+            if (!own(x, y + 1)) edges[{x + 1, y + 1}].emplace_back(x, y + 1);
+            if (!own(x - 1, y)) edges[{x, y + 1}].emplace_back(x, y);
+        }
+        std::vector<Ring> rings;
+        while (!edges.empty()) {
+            const std::pair<int, int> first = edges.begin()->first;
+            std::pair<int, int> now = first, way{0, 0};
+            Ring ring;
+            do {
+                auto found = edges.find(now);
+                if (found == edges.end()) break;
+                // Where two meet at a corner, to the left: so that a ring does not cross itself.
+                std::size_t take = 0;
+                for (std::size_t i = 0; i < found->second.size(); ++i) {
+                    const std::pair<int, int> next{found->second[i].first - now.first,
+                                                   found->second[i].second - now.second};
+                    if (way.first * next.second - way.second * next.first > 0) take = i;
+                }
+                const std::pair<int, int> to = found->second[take];
+                found->second.erase(found->second.begin() + static_cast<std::ptrdiff_t>(take));
+                if (found->second.empty()) edges.erase(found);
+                const std::pair<int, int> next{to.first - now.first, to.second - now.second};
+                if (next != way) ring.emplace_back(now.first, now.second);
+                way = next;
+                now = to;
+            } while (now != first);
+            if (ring.size() > 3) rings.push_back(std::move(ring));
+        }
+        // The first corner may lie on a straight side.
+        for (Ring& ring : rings) {
+            const Vec2 before = ring.back(), &here = ring[0], after = ring[1];
+            if ((before.x == here.x && here.x == after.x) || (before.y == here.y && here.y == after.y))
+                ring.erase(ring.begin());
+        }
+        std::stable_sort(rings.begin(), rings.end(), [](const Ring& a, const Ring& b) {
+            return std::abs(signed_area(a)) > std::abs(signed_area(b));
+        });
+        std::vector<Ring> kept;
+        for (std::size_t i = 0; i < rings.size(); ++i)
+            if (i == 0 || (signed_area(rings[i]) < 0 && holds_another(rings[i], r))) kept.push_back(rings[i]);
+        return kept;
+    }
+
+private:
+    std::array<std::uint32_t, 8> beside(std::uint32_t cell, bool corners) const {
+        const std::uint32_t x = cell % width_, rows = static_cast<std::uint32_t>(room_.size() / width_),
+                            y = cell / width_;
+        const bool west = x > 0, east = x + 1 < width_, south = y > 0, north = y + 1 < rows;
+        return {east ? cell + 1 : kNothing,
+                north ? cell + width_ : kNothing,
+                west ? cell - 1 : kNothing,
+                south ? cell - width_ : kNothing,
+                corners && east && north ? cell + width_ + 1 : kNothing,
+                corners && west && north ? cell + width_ - 1 : kNothing,
+                corners && west && south ? cell - width_ - 1 : kNothing,
+                corners && east && south ? cell - width_ + 1 : kNothing};
+    }
+
+    bool holds_another(const Ring& hole, std::uint32_t r) const {
+        Vec2 least(1e300), most(-1e300);
+        for (const Vec2& p : hole) least = glm::min(least, p), most = glm::max(most, p);
+        for (auto y = static_cast<std::size_t>(least.y); y < static_cast<std::size_t>(most.y); ++y)
+            for (auto x = static_cast<std::size_t>(least.x); x < static_cast<std::size_t>(most.x); ++x) {
+                const std::uint32_t other = room_[y * width_ + x];
+                if (other != kNothing && other != r) return true;
+            }
+        return false;
+    }
+
+    std::uint32_t width_;
+    std::vector<std::uint32_t> room_;
+};
+
+}  // namespace
+
+WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language) {
+    const bool german = language == WordLanguage::German;
+    WordsHouse house;
+    house.name = spoken_name(scene);
+    if (graph.rooms.empty() || !space.walls) return house;
+    // Storeys by the floors of rooms, stairs left out.
+    std::vector<double> floors;
+    for (const Room& room : graph.rooms)
+        if (room.kind != RoomKind::Stairs) floors.push_back(room.floor_m);
+    if (floors.empty()) floors.push_back(graph.rooms[0].floor_m);
+    std::sort(floors.begin(), floors.end());
+    // The floor that most rooms have between two that are a storey apart.
+    std::map<long, int> votes;
+    const auto close_storey = [&] {
+        const auto best = std::max_element(votes.begin(), votes.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        house.storeys.push_back({{}, static_cast<double>(best->first) * 0.01, 3.0});
+        votes.clear();
+    };
+    double lowest = floors[0];
+    for (const double floor : floors) {
+        if (floor - lowest > kStoreyApart_m) close_storey(), lowest = floor;
+        ++votes[std::lround(floor * 100.0)];
+    }
+    close_storey();
+    for (std::size_t s = 0; s < house.storeys.size(); ++s) {
+        house.storeys[s].name = fmt::format("{} {}", german ? "Ebene" : "Level", s);
+        if (s + 1 < house.storeys.size())
+            house.storeys[s].height_m = std::max(house.storeys[s + 1].floor_m - house.storeys[s].floor_m, 2.3);
+    }
+    const auto storey_at = [&](double z) {
+        std::size_t best = 0;
+        for (std::size_t s = 1; s < house.storeys.size(); ++s)
+            if (std::abs(house.storeys[s].floor_m - z) < std::abs(house.storeys[best].floor_m - z)) best = s;
+        return best;
+    };
+    const std::vector<std::uint32_t> of_wall = rooms_of_walls(graph, space);
+    const SpanGrid<WallSpan>& walls = *space.walls;
+    std::vector<std::size_t> storey_of(graph.rooms.size());
+    std::vector<Aabb> extent(graph.rooms.size());
+    for (std::uint32_t s = 0; s < walls.spans.size(); ++s)
+        if (of_wall[s] != kNothing) extent[of_wall[s]].include(walls.place_m(s));
+    for (std::size_t r = 0; r < graph.rooms.size(); ++r) {
+        const Room& room = graph.rooms[r];
+        const bool stairs = room.kind == RoomKind::Stairs && !extent[r].empty();
+        storey_of[r] = storey_at(stairs ? extent[r].min_m.z : room.floor_m);
+        WordsHouse::Room made;
+        made.name = room.name;
+        made.storey = made.to_storey = storey_of[r];
+        if (stairs) made.to_storey = std::max(made.storey, storey_at(extent[r].max_m.z));
+        if (made.to_storey > made.storey) made.kind = WordsHouse::Kind::Stairs;
+        house.rooms.push_back(std::move(made));
+    }
+    const auto cells = static_cast<int>(std::lround((space.body.radius_m + kHalfWall_m) / walls.cell_m));
+    const auto border = static_cast<std::uint32_t>(cells + 2);
+    const std::uint32_t width = walls.width + 2 * border, depth = walls.depth + 2 * border;
+    for (std::size_t storey = 0; storey < house.storeys.size(); ++storey) {
+        Raster raster(width, depth);
+        for (std::uint32_t s = 0; s < walls.spans.size(); ++s) {
+            const std::uint32_t room = of_wall[s];
+            if (room == kNothing || storey_of[room] != storey) continue;
+            const std::uint32_t x = walls.spans[s].cell % walls.width, y = walls.spans[s].cell / walls.width;
+            raster.at((y + border) * width + x + border) = room;
+        }
+        raster.open(static_cast<std::uint32_t>(std::lround(kDoorway_m / walls.cell_m)), graph.rooms.size());
+        raster.grow(cells);
+        raster.square(graph.rooms.size());
+        for (std::uint32_t r = 0; r < graph.rooms.size(); ++r) {
+            if (storey_of[r] != storey) continue;
+            for (Ring& ring : raster.outline(r, walls.cell_m)) {
+                for (Vec2& p : ring) {
+                    p = Vec2(walls.origin_m) + (p - static_cast<double>(border)) * walls.cell_m;
+                    p = {std::round(p.x * 1e4) * 1e-4, std::round(p.y * 1e4) * 1e-4};
+                }
+                house.rooms[r].rings.push_back(std::move(ring));
+            }
+        }
+    }
+    // Too small for an outline: a square metre round its middle.
+    for (std::size_t r = 0; r < graph.rooms.size(); ++r) {
+        if (!house.rooms[r].rings.empty()) continue;
+        const Vec2 at(std::round(graph.rooms[r].middle_m.x * 100.0) * 0.01,
+                      std::round(graph.rooms[r].middle_m.y * 100.0) * 0.01);
+        house.rooms[r].rings = {{at - 0.5, Vec2(at.x + 0.5, at.y - 0.5), at + 0.5, Vec2(at.x - 0.5, at.y + 0.5)}};
+    }
+    for (const Portal& portal : graph.portals) {
+        const std::uint32_t a = portal.rooms[0], b = portal.rooms[1];
+        if (portal.kind == PassageKind::Door || portal.kind == PassageKind::Opening ||
+            portal.kind == PassageKind::Stairs) {
+            WordsHouse::Door door;
+            door.opening = portal.kind != PassageKind::Door;
+            door.rooms = {a, b};
+            if (house.rooms[a].kind == WordsHouse::Kind::Stairs) std::swap(door.rooms[0], door.rooms[1]);
+            door.at_m = Vec2(portal.place_m);
+            door.width_m = std::clamp(portal.width_m, 0.6, 8.0);
+            if (const Feature* feature = scene.find(portal.feature); feature && !door.opening && !feature->made_name)
+                door.name = one_line(spoken_name(*feature));
+            house.doors.push_back(std::move(door));
+            continue;
+        }
+        const char* kind = portal.kind == PassageKind::Lift ? (german ? "Ein Aufzug fährt" : "A lift goes")
+                           : portal.kind == PassageKind::Drop
+                               ? (german ? "Hinab geht es" : "One drops")
+                               : (german ? "Ein Teleporter führt" : "A teleporter leads");
+        house.lost.push_back(german ? fmt::format("{} von {} nach {}.", kind, house.rooms[a].name, house.rooms[b].name)
+                                    : fmt::format("{} from {} to {}.", kind, house.rooms[a].name, house.rooms[b].name));
+    }
+    return house;
+}
+
+}  // namespace handrail

@@ -1,0 +1,86 @@
+// A page as a picture of black and white pixels, on which distances are exact and cheap whatever the shapes are: where
+// something still fits, where black comes too near to black, where it is too thick. Pure functions; any thread. Lengths
+// in pixels but where they say millimetres.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+inline constexpr double kInkPixel_mm = 0.1;
+
+struct Ink {
+    int wide = 0, high = 0;
+    std::vector<std::uint8_t> black;  // row by row from below; 0 or 1
+
+    Ink() = default;
+    Ink(double width_mm, double height_mm);
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(wide) + static_cast<std::size_t>(x);
+    }
+    bool holds(int x, int y) const { return x >= 0 && y >= 0 && x < wide && y < high; }
+};
+
+// Calls `each(x, y)` for every pixel whose middle lies in an odd number of the loops.
+template <class Each>
+void for_pixels_in(const Ink& ink, std::span<const std::vector<Vec2>> loops_mm, Each each) {
+    double low = 1e300, high = -1e300;
+    for (const auto& loop : loops_mm)
+        for (const Vec2& p : loop) low = std::min(low, p.y), high = std::max(high, p.y);
+    const int first = std::max(0, static_cast<int>(std::floor(std::max(low, -1.0) / kInkPixel_mm)));
+    const int last = std::min(ink.high - 1, static_cast<int>(std::ceil(std::min(high, 1e5) / kInkPixel_mm)));
+    std::vector<double> crossings;
+    for (int y = first; y <= last; ++y) {
+        const double at_mm = (y + 0.5) * kInkPixel_mm;
+        crossings.clear();
+        for (const auto& loop : loops_mm)
+            for (std::size_t i = 0; i < loop.size(); ++i) {
+                const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+                if ((a.y > at_mm) == (b.y > at_mm)) continue;
+                crossings.push_back((a.x + (b.x - a.x) * ((at_mm - a.y) / (b.y - a.y))) / kInkPixel_mm - 0.5);
+            }
+        std::sort(crossings.begin(), crossings.end());
+        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+            const int from = std::max(0, static_cast<int>(std::ceil(std::max(crossings[i], -1.0))));
+            const int to = std::min(ink.wide - 1, static_cast<int>(std::floor(std::min(crossings[i + 1], 1e6))));
+            for (int x = from; x <= to; ++x) each(x, y);
+        }
+    }
+}
+
+void fill(Ink& ink, std::span<const std::vector<Vec2>> loops_mm, bool black);
+void fill_disc(Ink& ink, const Vec2& middle_mm, double radius_mm);
+
+// From each pixel to the nearest black one, middle to middle, 0 on black itself; a large number where nothing is black.
+// Exact, in a time that goes with the pixels. `whose`, where given, receives the place of that black pixel.
+// Source: Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, Theory of Computing 8, 2012.
+std::vector<float> distances_px(const Ink& ink, std::vector<std::uint32_t>* whose = nullptr);
+
+// The white pixels where black comes nearer to black than `gap_mm`: gaps and slits through which no disc of that size
+// goes. Inner corners, which no disc fills either, are not among them unless they are deeper than `gap_mm`.
+Ink narrow_white(const Ink& ink, double gap_mm);
+
+// Connected pieces of what is black, over sides and corners; 0 is white, pieces count from 1.
+struct InkPieces {
+    std::vector<std::uint32_t> of;      // of each pixel
+    std::vector<std::uint32_t> pixels;  // of each piece, [0] is unused
+    std::vector<int> extent;            // the longer side of its box
+};
+InkPieces pieces_of(const Ink& ink);
+
+// Black over `thick_mm` becomes hollow, with a border of `border_mm`; hollows shorter than `least_mm` stay black, so
+// that none lies where two walls merely meet. How many there were.
+int hollow_out(Ink& ink, double thick_mm, double border_mm, double least_mm);
+
+// Fills in where black meets black in a corner alone, so that pieces touch along sides or not at all.
+void part_corners(Ink& ink);
+
+// The borders of what is black as closed lines, to be filled odd and even; straight within 0.13 mm.
+std::vector<std::vector<Vec2>> traced_mm(const Ink& ink);
+
+}  // namespace handrail

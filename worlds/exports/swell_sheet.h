@@ -1,0 +1,56 @@
+// A storey for swell paper: black rises under heat, so walls are thick lines, things thin ones, stairs lines side by
+// side, and rooms have two cells of braille that a key explains. What a finger cannot part is kept 3 mm apart, made
+// wider, made smaller or left out, and each of these is told in a sentence. Pure functions over plain values; any
+// thread. A sheet of A4 takes about a second.
+//
+// Numbers: 3 mm between what is not joined (1/8 inch) and 6.4 mm (1/4 inch) for the smallest symbol and doorway, as the
+// American Printing House advises for tactile graphics; braille 2.5 / 6.0 / 10.0 mm with dots of 1.5 mm, DIN 32976
+// medium. Widths of lines are our own choice, two that differ by half.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "worlds/exports/braille.h"
+#include "worlds/exports/sheet.h"
+#include "worlds/plan/storey.h"
+
+namespace handrail {
+
+struct PaperSize {
+    double short_mm = 210.0, long_mm = 297.0;
+};
+inline constexpr PaperSize kA4{210.0, 297.0}, kA3{297.0, 420.0};
+
+inline constexpr double kLeastGap_mm = 3.0, kLeastSymbol_mm = 6.4, kWallLine_mm = 1.5, kThinLine_mm = 1.0;
+inline constexpr double kBrailleDot_mm = 1.5, kBraillePitch_mm = 2.5, kBrailleCell_mm = 6.0, kBrailleLine_mm = 10.0;
+
+// How a room is called on the sheet.
+struct RoomSign {
+    std::string sign;  // two letters, or a letter and a number; of one storey no two are alike
+    std::string name;
+    bool on_sheet = false;  // else the key alone names it: there was no room for the sign
+};
+// In the order of Storey::rooms. First letter and a later one of the name; where it ends in a number, that.
+std::vector<RoomSign> room_signs(const Storey& storey);
+
+struct SwellSheet {
+    SheetPage plan;
+    std::vector<SheetPage> key;           // pages of braille: what signs and lines mean, and what was simplified
+    std::vector<std::string> key_text;    // the same in print, a line each
+    std::vector<std::string> simplified;  // sentences
+    std::vector<RoomSign> signs;          // see room_signs
+    double one_to = 0.0;                  // 75: a scale of 1 to 75
+    std::vector<std::string> drawn;       // names of the things that stand on it
+};
+
+// Upright or across, whichever is larger. Fails with one sentence where the storey is larger than a sheet at 1 to 1000,
+// where there is nothing to draw, and where braille cannot be had.
+Result<SwellSheet> swell_sheet(const Storey& storey, const PaperSize& paper, BrailleTable table);
+
+// A page to be printed and swollen first, and chosen from by touch: dots of 1.2 to 1.8 mm, lines of 0.5 to 2 mm and
+// gaps of 2 to 6 mm, each with its size in braille.
+Result<SheetPage> calibration_strip(const PaperSize& paper, BrailleTable table);
+
+}  // namespace handrail

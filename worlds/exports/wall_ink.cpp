@@ -1,0 +1,207 @@
+#include "worlds/exports/wall_ink.h"
+
+#include <algorithm>
+
+#include "worlds/base/language.h"
+
+namespace handrail {
+namespace {
+
+using Loops = std::vector<std::vector<Vec2>>;
+
+class Inker {
+public:
+    Inker(const Storey& storey, const OnPaper& on_paper, const WallLook& look)
+        : storey_(storey), on_paper_(on_paper), look_(look) {}
+
+    WallInk make(double width_mm, double height_mm) {
+        made_.ink = Ink(width_mm, height_mm);
+        draw();
+        for (const StoreyGap& gap : storey_.gaps) open_gap(gap);
+        join();
+        leave_out_pieces();
+        return std::move(made_);
+    }
+
+private:
+    std::vector<Vec2> thick_enough(std::vector<Vec2> outline) {
+        if (narrowest_m(outline) >= look_.line_mm) return outline;
+        PlanBox box = box_around(outline);
+        if (2.0 * box.half_m.y >= look_.line_mm) return outline;
+        ++made_.thicker;
+        box.half_m.y = 0.5 * look_.line_mm;
+        box.half_m.x = std::max(box.half_m.x, box.half_m.y);
+        return corners_of(box);
+    }
+
+    void draw() {
+        for (const PlanOutline& wall : storey_.walls_m)
+            fill(made_.ink, Loops{thick_enough(std::move(on_paper_(Loops{wall})[0]))}, true);
+        for (const auto& sheet : storey_.sheets_m) {
+            const Vec2 a = on_paper_(sheet[0]), b = on_paper_(sheet[1]);
+            const double length = glm::distance(a, b);
+            if (length < 1e-6) continue;
+            const PlanBox box{0.5 * (a + b), (b - a) / length, {0.5 * length + 0.01, 0.5 * look_.line_mm}};
+            fill(made_.ink, Loops{corners_of(box)}, true);
+        }
+    }
+
+    bool walled_at(const Vec2& at_mm) const {
+        const int x = static_cast<int>(at_mm.x / kInkPixel_mm), y = static_cast<int>(at_mm.y / kInkPixel_mm);
+        return made_.ink.holds(x, y) && made_.ink.black[made_.ink.at(x, y)];
+    }
+
+    // How thick the wall is at a place beside a jamb; -1 where a wall goes on across there, which is not cut.
+    double thickness(const Vec2& at, const Vec2& across) const {
+        const double most = 0.7 * on_paper_.mm_per_m;
+        double deepest = 0.0;
+        for (const double way : {-1.0, 1.0}) {
+            double far = 0.0;
+            while (far < most && walled_at(at + across * (way * far))) far += kInkPixel_mm;
+            if (far >= most) return -1.0;
+            deepest = std::max(deepest, far);
+        }
+        return deepest;
+    }
+
+    // A door must stay as wide as a finger needs, and no line that was made thicker may stand in it.
+    void open_gap(const StoreyGap& gap) {
+        const Vec2 middle = on_paper_(gap.place_m), along = gap.along, across(-along.y, along.x);
+        const double width = gap.width_m * on_paper_.mm_per_m;
+        double low = -0.5 * width, high = 0.5 * width;
+        const double before = thickness(middle + along * (low - 0.3), across);
+        const double behind = thickness(middle + along * (high + 0.3), across);
+        if (width < look_.door_mm) {
+            const bool can_before = before > 0.0, can_behind = behind > 0.0;
+            const double more = look_.door_mm - width;
+            if (can_before) low -= can_behind ? 0.5 * more : more;
+            if (can_behind) high += can_before ? 0.5 * more : more;
+            if (can_before || can_behind) ++made_.wider;
+            else made_.narrow_doors.push_back(gap.name.empty() ? phrase("export.opening") : gap.name);
+        }
+        // What was made thicker and ends at a jamb may stay as it is where the gap is wide.
+        if (width > look_.door_mm + look_.line_mm) low += 0.5 * look_.line_mm, high -= 0.5 * look_.line_mm;
+        const double deep = std::max({before, behind, look_.line_mm}) + 0.3;
+        fill(made_.ink, Loops{corners_of({middle + along * (0.5 * (low + high)), along, {0.5 * (high - low), deep}})},
+             false);
+    }
+
+    void join() {
+        for (int round = 0; round < 4; ++round) {
+            const Ink narrow = narrow_white(made_.ink, look_.clear_mm);
+            const std::size_t places = pieces_of(narrow).pixels.size() - 1;
+            if (places == 0) return;
+            if (round == 0) made_.joined = places;
+            for (std::size_t i = 0; i < narrow.black.size(); ++i)
+                if (narrow.black[i]) made_.ink.black[i] = 1;
+        }
+    }
+
+    void leave_out_pieces() {
+        const InkPieces pieces = pieces_of(made_.ink);
+        const auto small = [&](std::size_t piece) { return pieces.extent[piece] * kInkPixel_mm < look_.piece_mm; };
+        for (std::size_t piece = 1; piece < pieces.pixels.size(); ++piece)
+            made_.pieces_left_out += small(piece) ? 1 : 0;
+        for (std::size_t i = 0; i < pieces.of.size(); ++i)
+            if (pieces.of[i] && small(pieces.of[i])) made_.ink.black[i] = 0;
+    }
+
+    const Storey& storey_;
+    const OnPaper& on_paper_;
+    const WallLook& look_;
+    WallInk made_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Vec2>> OnPaper::operator()(std::vector<std::vector<Vec2>> loops_m) const {
+    for (auto& loop : loops_m)
+        for (Vec2& p : loop) p = (*this)(p);
+    return loops_m;
+}
+
+PlanBox OnPaper::operator()(PlanBox box_m) const {
+    box_m.middle_m = (*this)(box_m.middle_m);
+    box_m.half_m *= mm_per_m;
+    return box_m;
+}
+
+WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
+                     const WallLook& look) {
+    return Inker(storey, on_paper, look).make(width_mm, height_mm);
+}
+
+std::vector<PlanBox> stair_lines(const Storey& storey, const OnPaper& on_paper, Places& places, double line_mm,
+                                 double clear_mm, double least_mm) {
+    std::vector<PlanBox> lines;
+    for (const StoreyRoom& room : storey.rooms) {
+        if (room.kind != RoomKind::Stairs) continue;
+        std::vector<Vec2> all;
+        for (const auto& loop : on_paper(room.loops_m)) all.insert(all.end(), loop.begin(), loop.end());
+        const PlanOutline hull = convex_hull(std::move(all));
+        if (hull.empty()) continue;
+        const PlanBox box = box_around(hull);
+        const double pitch_mm = line_mm + clear_mm + 0.2;  // a little over, or a line would not fit beside the last
+        for (double at = -box.half_m.x; at <= box.half_m.x + 1e-9; at += pitch_mm) {
+            PlanBox line{box.middle_m + box.along * at,
+                         Vec2(-box.along.y, box.along.x),
+                         {box.half_m.y + 0.2 * on_paper.mm_per_m, 0.5 * line_mm}};
+            while (line.half_m.x >= 0.5 * least_mm && !places.fits(line)) line.half_m.x -= 0.25;
+            if (line.half_m.x < 0.5 * least_mm) continue;
+            places.take(corners_of(line));
+            lines.push_back(line);
+        }
+    }
+    return lines;
+}
+
+ThingFit fit_of_thing(const StoreyThing& thing, const OnPaper& on_paper, const Places& places, double least_mm) {
+    PlanBox box = on_paper(thing.box);
+    const double least = 0.5 * least_mm;
+    if (thing.landmark) box.half_m = glm::max(box.half_m, Vec2(least));
+    if (box.half_m.y < least - 1e-9) return {};
+    ThingFit fit{places.largest_fit(box, least), false};
+    fit.shrunk = fit.box && fit.box->half_m.x * fit.box->half_m.y < 0.8 * box.half_m.x * box.half_m.y;
+    return fit;
+}
+
+std::optional<BaseArrow> arrow_of_base(const StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
+                                       const Places& places, const Vec2& half_mm) {
+    const Vec3 forward = forward_of_heading(base.heading_rad);
+    const Vec2 ahead(forward.x, forward.y), side(-ahead.y, ahead.x), at = on_paper(base.place_m);
+    const auto place = places.nearest_fit(
+        at, 12.0,
+        [&](const Vec2& p) {
+            return PlanBox{p, ahead, half_mm};
+        },
+        [&](const Vec2& p) { return clear_between(walls, at, p); });
+    if (!place) return std::nullopt;
+    return BaseArrow{{*place + ahead * half_mm.x, *place - ahead * half_mm.x + side * half_mm.y,
+                      *place - ahead * half_mm.x - side * half_mm.y},
+                     glm::distance(*place, at)};
+}
+
+std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper, const Ink& walls,
+                                  const Places& places, const Places& beside_things, const Vec2& half_mm) {
+    const StoreyRoom& mine = storey.rooms[room];
+    const Vec2 middle = on_paper(mine.middle_m);
+    const double reach = glm::distance(on_paper(mine.min_m), on_paper(mine.max_m)) + 5.0;
+    const auto box_at = [&](const Vec2& p) { return PlanBox{p, {1.0, 0.0}, half_mm}; };
+    const auto on_floor = [&](const Vec2& p) { return floor_at(storey, on_paper.world(p)) == room; };
+    const auto near_floor = [&](const Vec2& p) {
+        if (floor_at(storey, on_paper.world(p)) != kNothing) return on_floor(p);
+        for (double far = 1.0; far <= 12.0; far += 1.0)
+            for (int way = 0; way < 16; ++way) {
+                const double turn = way * kPi / 8.0;
+                const Vec2 at = p + Vec2(std::cos(turn), std::sin(turn)) * far;
+                if (on_floor(at) && clear_between(walls, p, at)) return true;
+            }
+        return false;
+    };
+    std::optional<Vec2> place = beside_things.nearest_fit(middle, reach, box_at, on_floor);
+    if (!place) place = places.nearest_fit(middle, reach, box_at, on_floor);
+    if (!place) place = places.nearest_fit(middle, reach, box_at, near_floor);
+    return place;
+}
+
+}  // namespace handrail

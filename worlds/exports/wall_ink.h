@@ -1,0 +1,68 @@
+// The walls of a storey as black on a sheet or plate, fit for fingers: thin ones thicker, doors open and wide enough,
+// what is too near joined. And where the sign of a room may stand. Pure functions; any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "worlds/exports/ink.h"
+#include "worlds/exports/places.h"
+#include "worlds/plan/storey.h"
+
+namespace handrail {
+
+// From the world's metres to millimetres on the sheet, north up.
+struct OnPaper {
+    Vec2 from_m{0.0}, shift_mm{0.0};
+    double mm_per_m = 1.0;
+
+    Vec2 operator()(const Vec2& world_m) const { return shift_mm + (world_m - from_m) * mm_per_m; }
+    Vec2 world(const Vec2& mm) const { return from_m + (mm - shift_mm) / mm_per_m; }
+    std::vector<std::vector<Vec2>> operator()(std::vector<std::vector<Vec2>> loops_m) const;
+    PlanBox operator()(PlanBox box_m) const;
+};
+
+struct WallLook {
+    double line_mm = 1.5;   // at least as thick
+    double clear_mm = 3.2;  // nearer to each other is joined
+    double door_mm = 6.6;   // at least as wide
+    double piece_mm = 4.0;  // shorter pieces are left out
+};
+
+struct WallInk {
+    Ink ink;
+    int thicker = 0, wider = 0, pieces_left_out = 0;
+    std::size_t joined = 0;                 // places
+    std::vector<std::string> narrow_doors;  // between walls that leave no room to widen them
+};
+WallInk ink_of_walls(const Storey& storey, const OnPaper& on_paper, double width_mm, double height_mm,
+                     const WallLook& look);
+
+// Lines across every flight of stairs, whatever pieces its floor came in, with `clear_mm` between them; each takes its
+// place. Shorter ones are left out.
+std::vector<PlanBox> stair_lines(const Storey& storey, const OnPaper& on_paper, Places& places, double line_mm,
+                                 double clear_mm, double least_mm);
+
+// What of a thing's box is free; nothing where it, or what is free of it, is smaller than `least_mm`. What people find
+// their way by (landmarks) counts as that large at least.
+struct ThingFit {
+    std::optional<PlanBox> box;
+    bool shrunk = false;  // to under four fifths of it
+};
+ThingFit fit_of_thing(const StoreyThing& thing, const OnPaper& on_paper, const Places& places, double least_mm);
+
+// The arrow of the base, its point first: as near to it as there is room, within 12 mm, with no wall between.
+struct BaseArrow {
+    std::vector<Vec2> loop_mm;
+    double off_mm = 0.0;  // from where the base is
+};
+std::optional<BaseArrow> arrow_of_base(const StoreyBase& base, const OnPaper& on_paper, const Ink& walls,
+                                       const Places& places, const Vec2& half_mm);
+
+// Where a sign of such half sides fits for the how manyth room of the storey: on its floor and beside things, else on
+// its floor, else under furniture from where its floor is seen. The nearest to the middle of the room.
+std::optional<Vec2> place_of_sign(const Storey& storey, std::size_t room, const OnPaper& on_paper, const Ink& walls,
+                                  const Places& places, const Places& beside_things, const Vec2& half_mm);
+
+}  // namespace handrail

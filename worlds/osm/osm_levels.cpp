@@ -1,0 +1,70 @@
+#include "worlds/osm/osm_levels.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace handrail {
+namespace {
+
+constexpr double kLowest = -100.0, kHighest = 300.0;
+constexpr std::size_t kMost = 200;
+
+// A number at the front of the text, which it is taken off.
+bool take_number(std::string_view& text, double& number) {
+    std::string_view digits = text;
+    const bool below = digits.starts_with('-');
+    if (below || digits.starts_with('+')) digits.remove_prefix(1);
+    if (digits.empty() || digits.front() < '0' || digits.front() > '9') return false;
+    const auto [end, error] =
+        std::from_chars(digits.data(), digits.data() + digits.size(), number, std::chars_format::fixed);
+    if (error != std::errc() || !std::isfinite(number)) return false;
+    text = digits.substr(static_cast<std::size_t>(end - digits.data()));
+    if (below) number = -number;
+    if (number == 0.0) number = 0.0;
+    return number >= kLowest && number <= kHighest;
+}
+
+std::string_view trimmed_of_blanks(std::string_view text) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    return text;
+}
+
+void add(std::string_view text, OsmLevels& into) {
+    for (std::size_t from = 0; from <= text.size() && !text.empty();) {
+        const std::size_t end = std::min(text.find_first_of(";,", from), text.size());
+        std::string_view one = trimmed_of_blanks(text.substr(from, end - from));
+        from = end + 1;
+        if (one.empty()) continue;
+        double low = 0.0, high = 0.0;
+        if (!take_number(one, low)) {
+            into.damaged = true;
+            continue;
+        }
+        high = low;
+        one = trimmed_of_blanks(one);
+        if (one.starts_with('-')) {
+            one = trimmed_of_blanks(one.substr(1));
+            if (!take_number(one, high)) into.damaged = true, high = low;
+        }
+        if (!trimmed_of_blanks(one).empty()) into.damaged = true;
+        if (high < low) std::swap(low, high);
+        for (double level = low; level < high && into.levels.size() < kMost; level += 1.0) into.levels.push_back(level);
+        if (into.levels.size() < kMost) into.levels.push_back(high);
+        else into.damaged = true;
+    }
+}
+
+}  // namespace
+
+OsmLevels levels_of(std::string_view level, std::string_view repeat_on) {
+    OsmLevels found;
+    add(level, found);
+    add(repeat_on, found);
+    std::sort(found.levels.begin(), found.levels.end());
+    found.levels.erase(std::unique(found.levels.begin(), found.levels.end()), found.levels.end());
+    return found;
+}
+
+}  // namespace handrail

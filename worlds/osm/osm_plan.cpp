@@ -1,0 +1,411 @@
+#include "worlds/osm/osm_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+#include "worlds/drawn/upright.h"
+#include "worlds/geometry/box_index.h"
+#include "worlds/geometry/exposed_surface.h"
+#include "worlds/osm/osm_levels.h"
+#include "worlds/osm/osm_words.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kStorey_m = 3.0, kLeastStorey_m = 2.5, kMostStorey_m = 6.0;
+constexpr double kFarthest_m = 20'000.0;
+constexpr std::size_t kMostOutlines = 60'000, kMostCornersOfOne = 2'000;
+
+bool is_space(const OsmTags& tags) {
+    const std::string_view indoor = tags["indoor"];
+    if (indoor == "room" || indoor == "corridor" || indoor == "area" || indoor == "level") return indoor != "level";
+    if (tags.is("highway", "elevator") || tags.is("stairs", "yes")) return true;
+    if (indoor == "yes" && tags.has("room")) return true;
+    const std::string_view part = tags["buildingpart"];
+    return part == "room" || part == "corridor" || part == "hall" || part == "verticalpassage";
+}
+
+void note_id(std::string& ids, const std::string& id) {
+    if (ids.size() < 60) ids += (ids.empty() ? "" : ", ") + id;
+}
+
+double metres_of(std::string_view text) {
+    double value = 0.0;
+    std::string_view digits = text.substr(0, text.find_first_not_of("0123456789."));
+    return parse_finite(digits, value) ? value : 0.0;
+}
+
+}  // namespace
+
+OsmPlan::OsmPlan(const OsmData& data, const OsmOptions& options) : data_(data), options_(options) {
+    plan_.format = "osm";
+    plan_.schema = "OpenStreetMap";
+    plan_.storey_m = kStorey_m;
+}
+
+Result<FloorPlan> OsmPlan::build(const std::string& file_name) {
+    find_outlines();
+    if (outlines_.size() > kMostOutlines) return fail(phrase("osm.too_large"), file_name);
+    if (const Result<void> chosen = choose_building(file_name); !chosen) return tl::unexpected(chosen.error());
+    set_origin();
+    lay_levels();
+    add_spaces();
+    add_doors();
+    add_walls_and_things();
+    if (!rooms_are_joined()) add_ways();
+    if (plan_.spaces.empty() && plan_.ways.empty()) return fail(phrase("osm.nothing"), file_name);
+    add_blocks();
+    tell("osm.open_outlines", open_, open_ids_);
+    tell("osm.incomplete", incomplete_, incomplete_ids_);
+    tell("osm.odd_levels", odd_levels_);
+    if (without_level_ > 0) plan_.guessed.push_back(phrase("osm.without_level", {{"n", without_level_}}));
+    if (doors_alone_ > 0) plan_.left_out.push_back(phrase("osm.doors_alone", {{"n", doors_alone_}}));
+    return std::move(plan_);
+}
+
+void OsmPlan::tell(std::string_view key, int count, const std::string& ids) {
+    if (count > 0) plan_.warnings.emplace_back(phrase(key, {{"n", count}, {"ids", ids}}), phrase("osm.then_left_out"));
+}
+
+bool OsmPlan::all_known(const std::vector<std::int64_t>& nodes) const {
+    return std::all_of(nodes.begin(), nodes.end(), [&](std::int64_t n) { return data_.nodes.contains(n); });
+}
+
+// The member ways joined end to end.
+std::vector<std::vector<std::int64_t>> OsmPlan::rings_of(const OsmArea& area, bool& broken) const {
+    std::vector<std::vector<std::int64_t>> rings, open;
+    for (const auto& [id, hole] : area.ways) {
+        const auto found = data_.way_number.find(id);
+        if (found == data_.way_number.end()) {
+            broken = true;
+            continue;
+        }
+        const std::vector<std::int64_t>& nodes = data_.ways[found->second].nodes;
+        const bool closed = data_.ways[found->second].closed();
+        if (nodes.size() > 1 && (closed || nodes.front() != nodes.back())) (closed ? rings : open).push_back(nodes);
+    }
+    while (!open.empty()) {
+        std::vector<std::int64_t> ring = std::move(open.back());
+        open.pop_back();
+        for (bool grown = true; grown && ring.front() != ring.back();) {
+            grown = false;
+            for (std::size_t i = 0; i < open.size(); ++i) {
+                if (open[i].back() == ring.back()) std::reverse(open[i].begin(), open[i].end());
+                if (open[i].front() != ring.back()) continue;
+                ring.insert(ring.end(), open[i].begin() + 1, open[i].end());
+                open.erase(open.begin() + static_cast<std::ptrdiff_t>(i));
+                grown = true;
+                break;
+            }
+        }
+        if (ring.front() == ring.back() && ring.size() > 3) rings.push_back(std::move(ring));
+        else broken = true;
+    }
+    return rings;
+}
+
+void OsmPlan::take_outline(std::string id, const OsmTags& tags, std::vector<std::vector<std::int64_t>> rings) {
+    Outline outline;
+    outline.id = std::move(id);
+    outline.tags = &tags;
+    for (std::vector<std::int64_t>& ring : rings) {
+        if (!all_known(ring) || ring.size() > kMostCornersOfOne) {
+            ++incomplete_;
+            note_id(incomplete_ids_, outline.id);
+            return;
+        }
+        ring.pop_back();
+        outline.rings.push_back(std::move(ring));
+    }
+    OsmLevels levels = levels_of(tags["level"], tags["repeat_on"]);
+    odd_levels_ += levels.damaged ? 1 : 0;
+    if (levels.levels.empty()) {
+        ++without_level_;
+        levels.levels.push_back(0.0);
+    }
+    outline.levels = std::move(levels.levels);
+    outlines_.push_back(std::move(outline));
+}
+
+void OsmPlan::find_outlines() {
+    for (const OsmWay& way : data_.ways) {
+        const bool building = way.tags.has("building") && !way.tags.is("building", "no");
+        const std::string id = phrase("osm.way", {{"id", std::to_string(way.id)}});
+        if (building && way.closed() && all_known(way.nodes)) {
+            Building made{id, std::string(in_spoken(way.tags, "name")), std::string(way.tags["ref"]), &way.tags, {}};
+            if (made.name.empty()) made.name = way.tags["addr:housename"];
+            made.rings = in_degrees({way.nodes});
+            buildings_.push_back(std::move(made));
+        }
+        if (!is_space(way.tags)) continue;
+        if (!way.closed()) {
+            ++open_;
+            note_id(open_ids_, std::to_string(way.id));
+            continue;
+        }
+        take_outline(id, way.tags, {way.nodes});
+    }
+    for (const OsmArea& area : data_.areas) {
+        const bool building = area.tags.has("building") && !area.tags.is("building", "no");
+        if (!building && !is_space(area.tags)) continue;
+        const std::string id = phrase("osm.relation", {{"id", std::to_string(area.id)}});
+        bool broken = false;
+        std::vector<std::vector<std::int64_t>> rings = rings_of(area, broken);
+        const bool known = std::all_of(rings.begin(), rings.end(), [&](const auto& ring) { return all_known(ring); });
+        if (building && known && !rings.empty()) {
+            Building made{id, std::string(in_spoken(area.tags, "name")), std::string(area.tags["ref"]), &area.tags, {}};
+            made.rings = in_degrees(rings);
+            buildings_.push_back(std::move(made));
+        }
+        if (!is_space(area.tags)) continue;
+        if (broken || rings.empty()) {
+            ++incomplete_;
+            note_id(incomplete_ids_, id);
+        }
+        if (!rings.empty()) take_outline(id, area.tags, std::move(rings));
+    }
+    for (Building& building : buildings_)
+        for (const Ring& ring : building.rings)
+            for (const Vec2& p : ring)
+                building.least = glm::min(building.least, p), building.most = glm::max(building.most, p);
+}
+
+std::vector<Ring> OsmPlan::in_degrees(const std::vector<std::vector<std::int64_t>>& rings) const {
+    std::vector<Ring> made;
+    for (const std::vector<std::int64_t>& ring : rings) {
+        made.emplace_back();
+        for (const std::int64_t n : ring) {
+            const OsmNode& node = data_.nodes.at(n);
+            made.back().emplace_back(node.lon_deg, node.lat_deg);
+        }
+    }
+    return made;
+}
+
+// Each outline goes to the building around its middle; those around which there is none to the nearest
+// within a kilometre.
+Result<void> OsmPlan::choose_building(const std::string& file_name) {
+    std::vector<Aabb> boxes;
+    for (const Building& building : buildings_) boxes.push_back({Vec3(building.least, 0.0), Vec3(building.most, 0.0)});
+    const BoxIndex index(boxes);
+    std::vector<std::uint32_t> near;
+    for (Outline& outline : outlines_) {
+        const std::vector<Ring> rings = in_degrees(outline.rings);
+        Vec2 middle{0.0};
+        for (const Vec2& p : rings[0]) middle += p / static_cast<double>(rings[0].size());
+        double nearest = 1e300;
+        for (const double around_deg : {0.0, 1e-4, 1e-3, 1e-2}) {  // 0, 10, 100 m and 1 km
+            const Vec3 reach(around_deg, around_deg, 1.0);
+            index.find({Vec3(middle, 0.0) - reach, Vec3(middle, 0.0) + reach}, near);
+            for (const std::uint32_t b : near) {
+                const Building& building = buildings_[b];
+                const Vec2 off = glm::max(glm::max(building.least - middle, middle - building.most), Vec2(0.0));
+                double far = glm::length(off);
+                if (far == 0.0 && !inside(building.rings, middle)) far = 1e-6;
+                if (far < nearest) nearest = far, outline.building = b;
+            }
+            if (outline.building != kNone) break;
+        }
+        if (outline.building != kNone) buildings_[outline.building].spaces += static_cast<int>(outline.levels.size());
+    }
+    std::vector<std::size_t> with_rooms;
+    for (std::size_t b = 0; b < buildings_.size(); ++b)
+        if (buildings_[b].spaces > 0) with_rooms.push_back(b);
+    const auto called = [&](std::size_t b) {
+        if (!buildings_[b].name.empty()) return buildings_[b].name;
+        return buildings_[b].ref.empty() ? buildings_[b].id : buildings_[b].ref;
+    };
+    const auto listed = [&](std::size_t but) {
+        std::string names;
+        for (std::size_t k = 0; k < with_rooms.size() && k < 8; ++k)
+            if (with_rooms[k] != but)
+                names += (names.empty() ? "" : ", ") + std::to_string(k + 1) + " " + called(with_rooms[k]);
+        return names;
+    };
+    if (!options_.building.empty()) {
+        const std::string wish = lower_ascii(options_.building);
+        for (std::size_t k = 0; k < with_rooms.size() && chosen_ == kNone; ++k) {
+            const Building& b = buildings_[with_rooms[k]];
+            const bool meant = wish == std::to_string(k + 1) || lower_ascii(b.name).find(wish) != std::string::npos ||
+                               lower_ascii(b.ref) == wish || b.id == options_.building;
+            if (meant) chosen_ = with_rooms[k];
+        }
+        if (chosen_ == kNone)
+            return fail(phrase("osm.no_such_building",
+                               {{"wish", one_line(options_.building.substr(0, 60))}, {"names", listed(kNone)}}),
+                        file_name);
+    }
+    for (const std::size_t b : with_rooms)
+        if (options_.building.empty() && (chosen_ == kNone || buildings_[b].spaces > buildings_[chosen_].spaces))
+            chosen_ = b;
+    if (with_rooms.size() > 1) {
+        plan_.left_out.push_back(
+            phrase("osm.other_buildings",
+                   {{"n", with_rooms.size() - 1}, {"name", called(chosen_)}, {"names", listed(chosen_)}}));
+        std::erase_if(outlines_, [&](const Outline& outline) { return outline.building != chosen_; });
+    }
+    if (chosen_ == kNone) return {};
+    const Building& building = buildings_[chosen_];
+    plan_.name = building.name;
+    const double height = metres_of((*building.tags)["height"]),
+                 levels = metres_of((*building.tags)["building:levels"]);
+    if (levels >= 1.0 && height / levels >= kLeastStorey_m && height / levels <= kMostStorey_m)
+        plan_.storey_m = height / levels;
+    return {};
+}
+
+// The middle of what is read, so that a metre is a metre there.
+void OsmPlan::set_origin() {
+    Vec2 least{1e300}, most{-1e300};
+    const auto include = [&](const Vec2& p) { least = glm::min(least, p), most = glm::max(most, p); };
+    for (const Outline& outline : outlines_)
+        for (const Ring& ring : in_degrees(outline.rings))
+            for (const Vec2& p : ring) include(p);
+    if (outlines_.empty())
+        for (const OsmWay& way : data_.ways)
+            if (way.tags.has("highway") && all_known(way.nodes))
+                for (const Ring& line : in_degrees({way.nodes}))
+                    for (const Vec2& p : line) include(p);
+    if (least.x > most.x) return;
+    plane_ = LocalPlane(0.5 * (least + most));
+}
+
+Vec2 OsmPlan::place_of(std::int64_t node) const {
+    const OsmNode& found = data_.nodes.at(node);
+    return plane_.place_m({found.lon_deg, found.lat_deg});
+}
+
+std::vector<Ring> OsmPlan::placed(const std::vector<std::vector<std::int64_t>>& rings) const {
+    std::vector<Ring> made;
+    for (const std::vector<std::int64_t>& ring : rings) {
+        made.emplace_back();
+        for (const std::int64_t n : ring) made.back().push_back(place_of(n));
+    }
+    return made;
+}
+
+void OsmPlan::lay_levels() {
+    std::set<double> numbers;
+    for (const Outline& outline : outlines_) numbers.insert(outline.levels.begin(), outline.levels.end());
+    if (numbers.empty()) numbers.insert(0.0);
+    for (const double number : numbers)
+        plan_.levels.push_back({number, phrase("plan.level", {{"number", number}}), number * plan_.storey_m});
+}
+
+std::size_t OsmPlan::level_at(double number) const {
+    for (std::size_t l = 0; l < plan_.levels.size(); ++l)
+        if (plan_.levels[l].number == number) return l;
+    return kNone;
+}
+
+void OsmPlan::add_spaces() {
+    int far = 0;
+    for (const Outline& outline : outlines_) {
+        const OsmTags& tags = *outline.tags;
+        const std::string kind = kind_of_space(tags);
+        PlanSpace space;
+        const bool open_sides = tags.is("indoor", "area"), corridor = tags.is("indoor", "corridor") ||
+                                                                      tags.is("buildingpart", "corridor") ||
+                                                                      tags.is("buildingpart", "hall");
+        space.walled = !open_sides && !corridor;
+        space.kind = kind == "stairs"      ? PlanSpaceKind::Stairs
+                     : kind == "escalator" ? PlanSpaceKind::Escalator
+                     : kind == "lift"      ? PlanSpaceKind::Lift
+                     : open_sides          ? PlanSpaceKind::Area
+                     : corridor            ? PlanSpaceKind::Corridor
+                                           : PlanSpaceKind::Room;
+        space.name = name_of_space(tags);
+        space.number = tags["ref"];
+        space.id = outline.id;
+        space.facts = facts_of(tags);
+        space.rings = placed(outline.rings);
+        const bool near = std::all_of(space.rings.begin(), space.rings.end(), [](const Ring& ring) {
+            return std::all_of(ring.begin(), ring.end(), [](const Vec2& p) { return glm::length(p) < kFarthest_m; });
+        });
+        if (!near) {
+            ++far;
+            continue;
+        }
+        for (const double number : outline.levels) space.levels.push_back(level_at(number));
+        for (const std::vector<std::int64_t>& ring : outline.rings)
+            for (const std::int64_t n : ring) {
+                std::vector<std::size_t>& at = spaces_at_[n];
+                if (at.empty() || at.back() != plan_.spaces.size()) at.push_back(plan_.spaces.size());
+            }
+        plan_.spaces.push_back(std::move(space));
+    }
+    tell("osm.far", far);
+}
+
+void OsmPlan::add_doors() {
+    for (const std::int64_t n : data_.tagged_nodes) {
+        const OsmTags& tags = data_.nodes.at(n).tags;
+        const std::string_view kind = tags["door"];
+        if (kind.empty() && !tags.has("entrance")) continue;
+        const auto spaces = spaces_at_.find(n);
+        if (spaces == spaces_at_.end()) {
+            doors_alone_ += kind.empty() ? 0 : 1;
+            continue;
+        }
+        OsmLevels levels = levels_of(tags["level"], tags["repeat_on"]);
+        odd_levels_ += levels.damaged ? 1 : 0;
+        if (levels.levels.empty())
+            for (const std::size_t s : spaces->second)
+                for (const std::size_t l : plan_.spaces[s].levels) levels.levels.push_back(plan_.levels[l].number);
+        std::sort(levels.levels.begin(), levels.levels.end());
+        levels.levels.erase(std::unique(levels.levels.begin(), levels.levels.end()), levels.levels.end());
+        PlanDoor door;
+        door.kind = kind == "no"                                ? PlanDoorKind::Opening
+                    : kind == "sliding" || kind == "overhead"   ? PlanDoorKind::Sliding
+                    : kind == "revolving" || kind == "trapdoor" ? PlanDoorKind::Revolving
+                                                                : PlanDoorKind::Hinged;
+        door.at = place_of(n);
+        if (const double width_m = metres_of(tags["width"]); width_m > 0.0) door.width_m = width_m;
+        else if (const double own_m = metres_of(tags["door:width"]); own_m > 0.0) door.width_m = own_m;
+        door.name = in_spoken(tags, "name");
+        door.id = phrase("osm.node", {{"id", std::to_string(n)}});
+        const std::string_view entrance = tags["entrance"];
+        door.entrance = entrance == "main"                              ? PlanEntrance::Main
+                        : entrance == "emergency" || entrance == "exit" ? PlanEntrance::Emergency
+                                                                        : PlanEntrance::Plain;
+        if (door.name.empty() && !entrance.empty() && entrance != "no")
+            door.name = kind_words(entrance == "main"        ? "entrance_main"
+                                   : entrance == "emergency" ? "entrance_emergency"
+                                                             : "entrance");
+        if (const std::string_view ref = tags["ref"]; !ref.empty() && !door.name.empty())
+            door.name += " " + std::string(ref);
+        door.by_itself = tags.has("automatic_door") && !tags.is("automatic_door", "no");
+        for (const double number : levels.levels) {
+            const std::size_t level = level_at(number);
+            if (level == kNone) continue;
+            std::vector<std::size_t> joined;
+            for (const std::size_t s : spaces->second) {
+                const std::vector<std::size_t>& own = plan_.spaces[s].levels;
+                if (std::find(own.begin(), own.end(), level) != own.end()) joined.push_back(s);
+            }
+            if (joined.empty()) continue;
+            door.levels.push_back(level);
+            door.spaces.push_back(std::move(joined));
+        }
+        if (door.levels.empty()) ++doors_alone_;
+        else plan_.doors.push_back(std::move(door));
+    }
+}
+
+bool OsmPlan::rooms_are_joined() const {
+    if (plan_.spaces.empty()) return false;
+    DisjointSets groups(plan_.spaces.size());
+    for (const PlanDoor& door : plan_.doors)
+        for (const std::vector<std::size_t>& joined : door.spaces)
+            for (std::size_t i = 1; i < joined.size(); ++i)
+                groups.join(static_cast<std::uint32_t>(joined[0]), static_cast<std::uint32_t>(joined[i]));
+    std::vector<std::size_t> size(plan_.spaces.size(), 0);
+    std::size_t most = 0;
+    for (std::uint32_t s = 0; s < size.size(); ++s) most = std::max(most, ++size[groups.find(s)]);
+    return 2 * most >= size.size();
+}
+
+}  // namespace handrail

@@ -1,0 +1,66 @@
+// From tags to a plan: which outlines are rooms, which nodes doors, which levels there are. One reading thread.
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "worlds/drawn/local_plane.h"
+#include "worlds/osm/read_osm.h"
+
+namespace handrail {
+
+class OsmPlan {
+public:
+    OsmPlan(const OsmData& data, const OsmOptions& options);
+    // Fails with one sentence where there is nothing to walk in, or no such building.
+    Result<FloorPlan> build(const std::string& file_name);
+
+private:
+    struct Outline {
+        std::string id;
+        const OsmTags* tags = nullptr;
+        std::vector<std::vector<std::int64_t>> rings;  // nodes, the first not repeated
+        std::vector<double> levels;
+        std::size_t building = kNone;
+    };
+    struct Building {
+        std::string id, name, ref;
+        const OsmTags* tags = nullptr;
+        std::vector<Ring> rings;  // degrees
+        Vec2 least{1e300}, most{-1e300};
+        int spaces = 0;
+    };
+    static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+    void find_outlines();
+    void take_outline(std::string id, const OsmTags& tags, std::vector<std::vector<std::int64_t>> rings);
+    std::vector<std::vector<std::int64_t>> rings_of(const OsmArea& area, bool& broken) const;
+    bool all_known(const std::vector<std::int64_t>& nodes) const;
+    std::vector<Ring> in_degrees(const std::vector<std::vector<std::int64_t>>& rings) const;
+    Result<void> choose_building(const std::string& file_name);
+    void set_origin();
+    Vec2 place_of(std::int64_t node) const;
+    std::vector<Ring> placed(const std::vector<std::vector<std::int64_t>>& rings) const;
+    void lay_levels();
+    std::size_t level_at(double number) const;  // kNone: none
+    void add_spaces();
+    void add_doors();
+    void add_walls_and_things();
+    void add_ways();
+    void add_blocks();
+    bool rooms_are_joined() const;
+    void tell(std::string_view key, int count, const std::string& ids = {});
+
+    const OsmData& data_;
+    const OsmOptions& options_;
+    FloorPlan plan_;
+    std::vector<Outline> outlines_;
+    std::vector<Building> buildings_;
+    std::size_t chosen_ = kNone;
+    LocalPlane plane_;
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> spaces_at_;  // of a node; looked up only
+    int open_ = 0, incomplete_ = 0, without_level_ = 0, odd_levels_ = 0, doors_alone_ = 0;
+    std::string open_ids_, incomplete_ids_;
+};
+
+}  // namespace handrail

@@ -1,0 +1,518 @@
+#include "worlds/plan/storey.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "worlds/base/language.h"
+#include "worlds/navigation/room_outlines.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kAround_m = 0.6;       // of what stands round the rooms comes along
+constexpr double kSillFrom_m = 0.3;     // above the floor: what ends lower is stepped over
+constexpr double kWindowDeep_m = 0.45;  // at most, of what closes a window
+constexpr double kThingFrom_m = 0.25, kLeastThing_m = 0.05;
+// A pane of glass that closes a front by itself, or a partition that a wall holds: as thin as that, as long and high.
+constexpr double kPartitionThin_m = 0.2;
+constexpr double kPaneThin_m = 0.12, kPaneLong_m = 0.4, kPaneHigh_m = 1.2;
+constexpr double kStep_m = 0.6;
+constexpr int kBesideSteps = 8;       // of 5 cm, that a gap may lie beside where rooms meet
+constexpr double kWidestGap_m = 4.0;  // between its jambs; what is wider is no gap in a wall
+
+bool inside_any(const std::vector<PlanOutline>& outlines, const Vec2& at) {
+    return std::any_of(outlines.begin(), outlines.end(), [&](const PlanOutline& o) { return within(o, at); });
+}
+
+// The middle by area of a closed line.
+Vec2 middle_of(const std::vector<Vec2>& loop, double& area_m2) {
+    Vec2 sum(0.0);
+    double twice = 0.0;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2 a = loop[i] - loop.front(), b = loop[(i + 1) % loop.size()] - loop.front();
+        sum += (a + b) * cross_of(a, b);
+        twice += cross_of(a, b);
+    }
+    area_m2 = 0.5 * std::abs(twice);
+    return twice == 0.0 ? loop.front() : loop.front() + sum / (3.0 * twice);
+}
+
+bool is_structure(const Scene& scene, FeatureId id) {
+    const Feature* feature = scene.find(id);
+    if (!feature) return true;
+    return feature->kind == FeatureKind::Wall || feature->kind == FeatureKind::Floor ||
+           feature->kind == FeatureKind::Ceiling || feature->kind == FeatureKind::Slope;
+}
+
+void clear_floor(Storey& storey) {
+    StoreyFloor& floor = storey.floor;
+    const Vec2 size = storey.max_m - storey.min_m;
+    floor.wide = std::max(0, static_cast<int>(std::ceil(size.x / floor.cell_m)));
+    floor.high = std::max(0, static_cast<int>(std::ceil(size.y / floor.cell_m)));
+    floor.room.assign(static_cast<std::size_t>(floor.wide) * static_cast<std::size_t>(floor.high), kNothing);
+}
+
+// What is made of one storey, in the order in which it becomes known.
+class StoreyMaker {
+public:
+    StoreyMaker(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number)
+        : scene_(scene), graph_(graph), space_(space), level_(number - 1) {
+        made_.number = number;
+        made_.count = storey_count(graph);
+        made_.world = spoken_name(scene);
+        for (const WalkSpan& span : space.spans)
+            if (span.ground != kNothing && span.ground < space.obstacle_features.size())
+                trodden_.insert(space.obstacle_features[span.ground].value);
+        for (const FreeBody& body : scene.bodies) moving_.insert(body.feature.value);
+    }
+
+    Storey make() {
+        take_rooms();
+        take_walls();
+        take_things();  // some of them close windows
+        take_gaps();
+        take_base();
+        return std::move(made_);
+    }
+
+private:
+    double cut_m() const { return made_.floor_m + kPlanCutAboveFeet_m; }
+
+    // Most of the room lies on the ground that a reader laid around a building.
+    bool on_outer_ground(std::uint32_t room) const {
+        std::size_t all = 0, outer = 0;
+        for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
+            if (graph_.room_of_span[i] != room) continue;
+            ++all;
+            const std::uint32_t ground = space_.spans[i].ground;
+            const Feature* feature =
+                ground < space_.obstacle_features.size() ? scene_.find(space_.obstacle_features[ground]) : nullptr;
+            outer += feature && feature->made_name && feature->name == "ground outside" ? 1 : 0;
+        }
+        return 2 * outer > all;
+    }
+
+    void take_rooms() {
+        const std::vector<RoomOutline> outlines = room_outlines(graph_, space_);
+        double floor = 0.0, area = 0.0;
+        Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
+        for (std::uint32_t i = 0; i < graph_.rooms.size(); ++i) {
+            const Room& room = graph_.rooms[i];
+            if (room.level != level_ || outlines[i].loops_m.empty()) continue;
+            StoreyRoom mine;
+            mine.room = i;
+            mine.name = room.name;
+            mine.kind = room.kind;
+            mine.loops_m = outlines[i].loops_m;
+            mine.area_m2 = room.area_m2;
+            mine.min_m = Vec2(std::numeric_limits<double>::infinity());
+            mine.max_m = -mine.min_m;
+            double largest = -1.0;
+            for (const auto& loop : mine.loops_m) {
+                double loop_area = 0.0;
+                const Vec2 middle = middle_of(loop, loop_area);
+                if (loop_area > largest) largest = loop_area, mine.middle_m = middle;
+                for (const Vec2& p : loop) {
+                    mine.min_m = glm::min(mine.min_m, p);
+                    mine.max_m = glm::max(mine.max_m, p);
+                }
+            }
+            mine.outside = on_outer_ground(i);
+            if (!mine.outside) {
+                low = glm::min(low, mine.min_m);
+                high = glm::max(high, mine.max_m);
+            }
+            const double weight = room.area_m2 * (room.kind == RoomKind::Stairs || mine.outside ? 1e-6 : 1.0);
+            floor += weight * room.floor_m;
+            area += weight;
+            made_.rooms.push_back(std::move(mine));
+        }
+        if (made_.rooms.empty()) return;
+        if (!(low.x <= high.x))  // nothing but ground outside
+            for (const StoreyRoom& room : made_.rooms) {
+                low = glm::min(low, room.min_m);
+                high = glm::max(high, room.max_m);
+            }
+        made_.floor_m = floor / area;
+        const double margin = space_.body.radius_m + kAround_m;
+        made_.min_m = low - Vec2(margin);
+        made_.max_m = high + Vec2(margin);
+        take_floor();
+        put_middles_on_floor();
+    }
+
+    // The middle of a bent room, or of one around others, may lie in another: then the nearest floor of its own.
+    void put_middles_on_floor() {
+        const StoreyFloor& floor = made_.floor;
+        std::vector<double> nearest(made_.rooms.size(), std::numeric_limits<double>::infinity());
+        std::vector<Vec2> middles(made_.rooms.size());
+        for (std::size_t i = 0; i < floor.room.size(); ++i) {
+            const std::uint32_t room = floor.room[i];
+            if (room == kNothing) continue;
+            const auto wide = static_cast<std::size_t>(floor.wide);
+            const Vec2 at = made_.min_m + (Vec2(i % wide, i / wide) + Vec2(0.5)) * floor.cell_m;
+            const double far = glm::length(at - made_.rooms[room].middle_m);
+            if (far >= nearest[room]) continue;
+            nearest[room] = far;
+            middles[room] = at;
+        }
+        for (std::uint32_t room = 0; room < made_.rooms.size(); ++room) {
+            const std::uint32_t there = floor_at(made_, made_.rooms[room].middle_m);
+            if (there != room && there != kNothing && std::isfinite(nearest[room]))
+                made_.rooms[room].middle_m = middles[room];
+        }
+    }
+
+    void take_floor() {
+        StoreyFloor& floor = made_.floor;
+        clear_floor(made_);
+        std::vector<std::uint32_t> mine(graph_.rooms.size(), kNothing);
+        for (std::uint32_t i = 0; i < made_.rooms.size(); ++i) mine[made_.rooms[i].room] = i;
+        for (std::uint32_t i = 0; i < space_.spans.size(); ++i) {
+            const std::uint32_t room = graph_.room_of_span[i];
+            if (room == kNothing || mine[room] == kNothing) continue;
+            const Vec3 at = space_.place_m(i);
+            const int x = static_cast<int>(std::floor((at.x - made_.min_m.x) / floor.cell_m));
+            const int y = static_cast<int>(std::floor((at.y - made_.min_m.y) / floor.cell_m));
+            if (x < 0 || y < 0 || x >= floor.wide || y >= floor.high) continue;
+            floor.room[static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) +
+                       static_cast<std::size_t>(x)] = mine[room];
+        }
+    }
+
+    // The part of an outline that is shown.
+    PlanOutline shown(const PlanOutline& outline) const {
+        PlanOutline kept = outline;
+        for (const int axis : {0, 1})
+            for (const double sign : {1.0, -1.0}) {
+                const double limit = sign > 0.0 ? made_.max_m[axis] : made_.min_m[axis];
+                const PlanOutline before = std::move(kept);
+                kept.clear();
+                for (std::size_t i = 0; i < before.size(); ++i) {
+                    const Vec2 &a = before[i], &b = before[(i + 1) % before.size()];
+                    const double in_a = sign * (limit - a[axis]), in_b = sign * (limit - b[axis]);
+                    if (in_a >= 0.0) kept.push_back(a);
+                    if ((in_a < 0.0) != (in_b < 0.0)) kept.push_back(a + (b - a) * (in_a / (in_a - in_b)));
+                }
+                if (kept.size() < 3) return {};
+            }
+        return kept;
+    }
+
+    // One can stand on top of it: a step, a stage, no sill.
+    bool stood_on(const PlanOutline& section, double top_m) const {
+        Vec2 middle(0.0);
+        for (const Vec2& p : section) middle += p;
+        middle /= static_cast<double>(section.size());
+        const std::uint32_t span = space_.at(Vec3(middle.x, middle.y, top_m));
+        return span != kNothing && std::abs(space_.place_m(span).z - top_m) < 0.1;
+    }
+
+    void take_walls() {
+        for (const Solid& solid : scene_.solids) {
+            if (solid.role != SolidRole::Solid || !is_structure(scene_, solid.feature)) continue;
+            const double bottom_m = solid.shape.bounds_m.min_m.z, top_m = solid.shape.bounds_m.max_m.z;
+            if (bottom_m > cut_m() || top_m < made_.floor_m + kSillFrom_m) continue;
+            const bool sill = top_m <= cut_m();
+            const double at_m = sill ? 0.5 * (std::max(bottom_m, made_.floor_m) + top_m) : cut_m();
+            PlanOutline outline = shown(section_at(solid.shape, at_m));
+            if (outline.size() < 3 || (sill && stood_on(outline, top_m))) continue;
+            made_.walls_m.push_back(std::move(outline));
+        }
+        for (const MeshTriangle& triangle : scene_.triangles)
+            if (is_structure(scene_, triangle.feature))
+                if (auto sheet = cut(triangle)) made_.sheets_m.push_back(*sheet);
+    }
+
+    std::optional<std::array<Vec2, 2>> cut(const MeshTriangle& triangle) const {
+        std::vector<Vec2> points;
+        const std::array<Vec3, 3> corners{triangle.a_m, triangle.b_m, triangle.c_m};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
+            if ((a.z > cut_m()) == (b.z > cut_m())) continue;
+            const double t = (cut_m() - a.z) / (b.z - a.z);
+            points.emplace_back(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y));
+        }
+        if (points.size() != 2) return std::nullopt;
+        for (const Vec2& p : points)
+            if (p.x < made_.min_m.x || p.y < made_.min_m.y || p.x > made_.max_m.x || p.y > made_.max_m.y)
+                return std::nullopt;
+        return std::array<Vec2, 2>{points[0], points[1]};
+    }
+
+    void take_things() {
+        struct Found {
+            std::vector<Vec2> points;
+            double low_m = std::numeric_limits<double>::infinity(), high_m = -low_m;
+        };
+        std::map<std::uint32_t, Found> found;
+        const auto at_hand = [&](double bottom_m, double top_m) {
+            return bottom_m < cut_m() && top_m > made_.floor_m + kThingFrom_m;
+        };
+        const auto is_thing = [&](FeatureId id) {
+            const Feature* feature = scene_.find(id);
+            return feature && feature->kind == FeatureKind::Object && !trodden_.contains(id.value);
+        };
+        for (const Solid& solid : scene_.solids) {
+            const Aabb& bounds = solid.shape.bounds_m;
+            if (solid.role != SolidRole::Solid || !is_thing(solid.feature) || !at_hand(bounds.min_m.z, bounds.max_m.z))
+                continue;
+            Found& mine = found[solid.feature.value];
+            for (const Polygon& face : solid.shape.faces)
+                for (const Vec3& p : face.points_m) mine.points.emplace_back(p.x, p.y);
+            mine.low_m = std::min(mine.low_m, bounds.min_m.z);
+            mine.high_m = std::max(mine.high_m, bounds.max_m.z);
+        }
+        for (const MeshTriangle& t : scene_.triangles) {
+            const double low_m = std::min({t.a_m.z, t.b_m.z, t.c_m.z}), high_m = std::max({t.a_m.z, t.b_m.z, t.c_m.z});
+            if (!is_thing(t.feature) || !at_hand(low_m, high_m)) continue;
+            Found& mine = found[t.feature.value];
+            for (const Vec3& p : {t.a_m, t.b_m, t.c_m}) mine.points.emplace_back(p.x, p.y);
+            mine.low_m = std::min(mine.low_m, low_m);
+            mine.high_m = std::max(mine.high_m, high_m);
+        }
+        const std::vector<PlanOutline> walls = made_.walls_m;
+        for (auto& [id, mine] : found) {
+            if (moving_.contains(id)) {
+                ++made_.moving;
+                continue;
+            }
+            const PlanOutline hull = convex_hull(std::move(mine.points));
+            if (hull.empty()) continue;
+            const PlanBox box = box_around(hull);
+            const auto ends_in_wall = [&](double end) {
+                return inside_any(walls, box.middle_m + box.along * (end * (box.half_m.x + kLeastThing_m)));
+            };
+            const bool stands =
+                2.0 * box.half_m.x >= kPaneLong_m && mine.high_m > cut_m() && mine.high_m - mine.low_m >= kPaneHigh_m;
+            const bool glass = scene_.material(scene_.features[id].material).name == "glass";
+            const bool pane = stands && glass && 2.0 * box.half_m.y <= kPaneThin_m;
+            const bool ends[2] = {ends_in_wall(-1.0), ends_in_wall(1.0)};
+            const bool partition = stands && 2.0 * box.half_m.y <= kPartitionThin_m && (ends[0] || ends[1]);
+            if (pane || partition || (2.0 * box.half_m.y <= kWindowDeep_m && ends[0] && ends[1])) {
+                if (PlanOutline outline = shown(hull); outline.size() >= 3) {
+                    made_.windows_m.push_back(outline);
+                    made_.walls_m.push_back(std::move(outline));
+                }
+                continue;
+            }
+            if (inside_any(walls, box.middle_m) || !on_storey(box.middle_m)) continue;
+            const Feature& feature = scene_.features[id];
+            made_.things.push_back({FeatureId{id}, spoken_name(feature), box, feature.landmark});
+        }
+        std::stable_sort(made_.things.begin(), made_.things.end(), [](const StoreyThing& a, const StoreyThing& b) {
+            if (a.landmark != b.landmark) return a.landmark;
+            return a.box.half_m.x * a.box.half_m.y > b.box.half_m.x * b.box.half_m.y;
+        });
+    }
+
+    bool on_storey(const Vec2& at) const {
+        return at.x > made_.min_m.x && at.y > made_.min_m.y && at.x < made_.max_m.x && at.y < made_.max_m.y;
+    }
+
+    // How far it is to the next wall; `most_m` where there is none so near.
+    double free_m(const Vec2& from, const Vec2& way, double most_m) const {
+        double least = most_m;
+        const auto meet = [&](const Vec2& a, const Vec2& b) {
+            const double across = cross_of(way, b - a);
+            if (std::abs(across) < 1e-12) return;
+            const double far = cross_of(a - from, b - a) / across, along = cross_of(a - from, way) / across;
+            if (far >= 0.0 && far < least && along >= 0.0 && along <= 1.0) least = far;
+        };
+        for (const PlanOutline& wall : made_.walls_m)
+            for (std::size_t i = 0; i < wall.size(); ++i) meet(wall[i], wall[(i + 1) % wall.size()]);
+        for (const auto& sheet : made_.sheets_m) meet(sheet[0], sheet[1]);
+        return least;
+    }
+
+    // Square to the walls near a place: the ways in which a gap in one of them can lie.
+    std::vector<Vec2> square_ways(const Vec2& place) const {
+        // Shorter sides are where walls end, straight or mitred.
+        constexpr double kNear_m = 2.5, kLeast_m = 0.7;
+        std::vector<Vec2> ways;
+        const auto take = [&](const Vec2& a, const Vec2& b) {
+            const double length = glm::length(b - a);
+            if (length < kLeast_m) return;
+            const Vec2 along = (b - a) / length;
+            const double at = std::clamp(glm::dot(place - a, along), 0.0, length);
+            if (glm::length(a + along * at - place) > kNear_m) return;
+            for (const Vec2& way : {Vec2(along.y, -along.x), along})
+                if (std::none_of(ways.begin(), ways.end(),
+                                 [&](const Vec2& known) { return std::abs(cross_of(known, way)) < 1e-3; }))
+                    ways.push_back(way);
+        };
+        for (const PlanOutline& wall : made_.walls_m)
+            for (std::size_t i = 0; i < wall.size(); ++i) take(wall[i], wall[(i + 1) % wall.size()]);
+        for (const auto& sheet : made_.sheets_m) take(sheet[0], sheet[1]);
+        return ways;
+    }
+
+    // Where rooms meet may lie a little before or behind the wall that parts them: then the narrowest place on the way
+    // through counts, of equal ones the nearest.
+    void measure(StoreyGap& gap, const Vec2& place, const Vec2& way, int first, int last, double& least) const {
+        constexpr double kApart_m = 0.05;
+        const Vec2 through(-way.y, way.x);
+        for (int i = first; i <= last; ++i) {
+            const Vec2 at = place + through * (kApart_m * ((i + 1) / 2) * (i % 2 == 0 ? 1.0 : -1.0));
+            if (inside_any(made_.walls_m, at)) continue;
+            const double ahead = free_m(at, way, kWidestGap_m), behind = free_m(at, -way, kWidestGap_m);
+            if (ahead + behind >= least - 1e-6) continue;
+            least = ahead + behind;
+            gap.along = way;
+            gap.place_m = at + way * (0.5 * (ahead - behind));
+        }
+    }
+
+    void take_gaps() {
+        for (const Portal& portal : graph_.portals) {
+            const bool here =
+                graph_.rooms[portal.rooms[0]].level == level_ || graph_.rooms[portal.rooms[1]].level == level_;
+            if (!here || (portal.kind != PassageKind::Door && portal.kind != PassageKind::Opening)) continue;
+            const Vec2 place(portal.place_m.x, portal.place_m.y);
+            if (std::abs(portal.place_m.z - made_.floor_m) > 1.5 || inside_any(made_.walls_m, place)) continue;
+            StoreyGap gap;
+            gap.kind = portal.kind;
+            if (const Feature* feature = scene_.find(portal.feature)) gap.name = spoken_name(*feature);
+            double least = kWidestGap_m;
+            const std::vector<Vec2> ways = square_ways(place);
+            for (const Vec2& way : ways) measure(gap, place, way, 0, 0, least);
+            if (least >= kWidestGap_m)
+                for (const Vec2& way : ways) measure(gap, place, way, 1, 2 * kBesideSteps, least);
+            const Vec2 through(-gap.along.y, gap.along.x);
+            // The niche of a window is as narrow, and a step on there is the pane.
+            if (least >= kWidestGap_m || free_m(gap.place_m, through, kStep_m) < kStep_m ||
+                free_m(gap.place_m, -through, kStep_m) < kStep_m)
+                continue;
+            gap.width_m = least;
+            made_.gaps.push_back(std::move(gap));
+        }
+    }
+
+    void take_base() {
+        const Start* base = nullptr;
+        for (const Start& start : scene_.starts)
+            if (!base || (start.base && !base->base)) base = &start;
+        if (!base) return;
+        const std::uint32_t room = room_at(graph_, space_, base->feet_m);
+        if (room == kNothing || graph_.rooms[room].level != level_) return;
+        made_.base = StoreyBase{{base->feet_m.x, base->feet_m.y}, base->heading_rad};
+    }
+
+    const Scene& scene_;
+    const RoomGraph& graph_;
+    const WalkSpace& space_;
+    int level_;
+    std::set<std::uint32_t> trodden_, moving_;  // features
+    Storey made_;
+};
+
+}  // namespace
+
+std::array<Vec2, 4> PlanBox::corners_m() const {
+    const Vec2 x = along * half_m.x, y = Vec2(-along.y, along.x) * half_m.y;
+    return {middle_m - x - y, middle_m + x - y, middle_m + x + y, middle_m - x + y};
+}
+
+PlanBox box_around(const PlanOutline& hull) {
+    PlanBox best;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec2 side = hull[(i + 1) % hull.size()] - hull[i];
+        const double length = glm::length(side);
+        if (length < 1e-9) continue;
+        const Vec2 along = side / length, across(-along.y, along.x);
+        Vec2 low(std::numeric_limits<double>::infinity()), high(-low);
+        for (const Vec2& p : hull) {
+            const Vec2 q(glm::dot(p, along), glm::dot(p, across));
+            low = glm::min(low, q);
+            high = glm::max(high, q);
+        }
+        const Vec2 size = high - low;
+        // A little better is no better: of equal ones the first, on every machine.
+        if (size.x * size.y > least * (1.0 - 1e-6)) continue;
+        least = size.x * size.y;
+        const Vec2 middle = 0.5 * (low + high);
+        best = {along * middle.x + across * middle.y, along, 0.5 * size};
+        if (size.y > size.x) {
+            best.along = across;
+            best.half_m = {0.5 * size.y, 0.5 * size.x};
+        }
+    }
+    return best;
+}
+
+bool within(const PlanOutline& outline, const Vec2& at) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2& a = outline[i];
+        if (cross_of(outline[(i + 1) % outline.size()] - a, at - a) < -1e-9) return false;
+    }
+    return outline.size() >= 3;
+}
+
+bool within_loop(const std::vector<Vec2>& loop, const Vec2& at) {
+    bool within = false;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        const Vec2 &a = loop[i], &b = loop[(i + 1) % loop.size()];
+        if ((a.y > at.y) != (b.y > at.y) && at.x < a.x + (b.x - a.x) * (at.y - a.y) / (b.y - a.y)) within = !within;
+    }
+    return within;
+}
+
+double narrowest_m(const PlanOutline& outline) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec2 side = outline[(i + 1) % outline.size()] - outline[i];
+        const double length = glm::length(side);
+        if (length < 1e-9) continue;
+        double far = 0.0;
+        for (const Vec2& p : outline) far = std::max(far, std::abs(cross_of(side / length, p - outline[i])));
+        least = std::min(least, far);
+    }
+    return least;
+}
+
+std::uint32_t floor_at(const Storey& storey, const Vec2& at) {
+    const StoreyFloor& floor = storey.floor;
+    const double x = std::floor((at.x - storey.min_m.x) / floor.cell_m);
+    const double y = std::floor((at.y - storey.min_m.y) / floor.cell_m);
+    if (!(x >= 0.0 && y >= 0.0 && x < floor.wide && y < floor.high)) return kNothing;
+    return floor.room[static_cast<std::size_t>(y) * static_cast<std::size_t>(floor.wide) + static_cast<std::size_t>(x)];
+}
+
+void lay_floor(Storey& storey) {
+    clear_floor(storey);
+    for (std::size_t i = 0; i < storey.floor.room.size(); ++i) {
+        const Vec2 cell(static_cast<double>(i % static_cast<std::size_t>(storey.floor.wide)) + 0.5,
+                        static_cast<double>(i / static_cast<std::size_t>(storey.floor.wide)) + 0.5);
+        for (std::uint32_t room = 0; room < storey.rooms.size(); ++room)
+            for (const auto& loop : storey.rooms[room].loops_m)
+                if (within_loop(loop, storey.min_m + cell * storey.floor.cell_m)) storey.floor.room[i] = room;
+    }
+}
+
+int storey_count(const RoomGraph& graph) {
+    int count = 0;
+    for (const Room& room : graph.rooms) count = std::max(count, room.level + 1);
+    return count;
+}
+
+int storey_of_start(const Scene& scene, const RoomGraph& graph, const WalkSpace& space) {
+    const Start* base = nullptr;
+    for (const Start& start : scene.starts)
+        if (!base || (start.base && !base->base)) base = &start;
+    const std::uint32_t room = base ? room_at(graph, space, base->feet_m) : kNothing;
+    return room == kNothing ? 1 : graph.rooms[room].level + 1;
+}
+
+Result<Storey> storey_of(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, int number) {
+    const int count = storey_count(graph);
+    if (number < 1 || number > count)
+        return fail(phrase("export.no_storey", {{"storey", number}, {"count", count}}), scene.source_file);
+    Storey made = StoreyMaker(scene, graph, space, number).make();
+    if (made.rooms.empty())
+        return fail(phrase("export.empty_storey", {{"storey", number}, {"count", count}}), scene.source_file);
+    return made;
+}
+
+}  // namespace handrail

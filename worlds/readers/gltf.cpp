@@ -1,0 +1,312 @@
+// glTF 2.0, as .glb or .gltf: metres, y up, turned here to z up. Nodes are things with their names; their triangles are
+// placed as the file says. Source: Khronos, glTF 2.0 specification. Compressed meshes, lines and points are not read.
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "worlds/base/text.h"
+#include "worlds/readers/mesh_scene.h"
+
+namespace handrail {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kDeepest = 64, kMostNodes = 200'000, kMostNumbers = std::size_t{1} << 31;
+
+// Four by four, column by column, as the file has it.
+using Matrix = std::array<double, 16>;
+constexpr Matrix kUnmoved{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+Matrix product(const Matrix& a, const Matrix& b) {
+    Matrix c{};
+    for (std::size_t column = 0; column < 4; ++column)
+        for (std::size_t row = 0; row < 4; ++row)
+            for (std::size_t k = 0; k < 4; ++k) c[4 * column + row] += a[4 * k + row] * b[4 * column + k];
+    return c;
+}
+
+// To z up: what was up the file's y is up ours, and its z, towards the viewer, is south.
+Vec3 to_world(const Matrix& m, const Vec3& p) {
+    const Vec3 at(m[0] * p.x + m[4] * p.y + m[8] * p.z + m[12], m[1] * p.x + m[5] * p.y + m[9] * p.z + m[13],
+                  m[2] * p.x + m[6] * p.y + m[10] * p.z + m[14]);
+    return {at.x, -at.z, at.y};
+}
+
+bool turns_inside_out(const Matrix& m) {
+    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
+               m[8] * (m[1] * m[6] - m[2] * m[5]) <
+           0.0;
+}
+
+const Json& in(const Json& object, const char* key) {
+    static const Json kNone;
+    if (!object.is_object()) return kNone;
+    const auto found = object.find(key);
+    return found == object.end() ? kNone : *found;
+}
+
+std::optional<std::size_t> whole(const Json& value) {
+    if (!value.is_number_integer() || value.get<double>() < 0.0 || value.get<double>() >= 2147483648.0)
+        return std::nullopt;
+    return static_cast<std::size_t>(value.get<double>());
+}
+
+// The entry of a list of the file that a number stands for.
+const Json& entry(const Json& list, const Json& number) {
+    static const Json kNone;
+    const auto at = whole(number);
+    return list.is_array() && at && *at < list.size() ? list[*at] : kNone;
+}
+
+std::string text(const Json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
+
+template <std::size_t N>
+bool numbers(const Json& list, std::array<double, N>& into) {
+    if (!list.is_array() || list.size() != N) return false;
+    for (std::size_t i = 0; i < N; ++i) {
+        if (!list[i].is_number()) return false;
+        into[i] = list[i].get<double>();
+    }
+    return true;
+}
+
+Matrix placement_of(const Json& node) {
+    Matrix matrix = kUnmoved;
+    if (numbers(in(node, "matrix"), matrix)) return matrix;
+    std::array<double, 3> shift{0, 0, 0}, scale{1, 1, 1};
+    std::array<double, 4> q{0, 0, 0, 1};
+    numbers(in(node, "translation"), shift);
+    numbers(in(node, "scale"), scale);
+    numbers(in(node, "rotation"), q);
+    const auto [x, y, z, w] = q;
+    const std::array<double, 9> turn{1 - 2 * (y * y + z * z), 2 * (x * y + z * w),     2 * (x * z - y * w),
+                                     2 * (x * y - z * w),     1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
+                                     2 * (x * z + y * w),     2 * (y * z - x * w),     1 - 2 * (x * x + y * y)};
+    for (std::size_t column = 0; column < 3; ++column)
+        for (std::size_t row = 0; row < 3; ++row) matrix[4 * column + row] = turn[3 * column + row] * scale[column];
+    for (std::size_t row = 0; row < 3; ++row) matrix[12 + row] = shift[row];
+    return matrix;
+}
+
+std::string decoded_base64(std::string_view letters) {
+    std::string bytes;
+    std::uint32_t held = 0;
+    int bits = 0;
+    for (const char c : letters) {
+        const int value = c >= 'A' && c <= 'Z'   ? c - 'A'
+                          : c >= 'a' && c <= 'z' ? c - 'a' + 26
+                          : c >= '0' && c <= '9' ? c - '0' + 52
+                          : c == '+'             ? 62
+                          : c == '/'             ? 63
+                                                 : -1;
+        if (value < 0) continue;  // padding and line ends
+        held = held << 6 | static_cast<std::uint32_t>(value);
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes += static_cast<char>(held >> bits & 0xff);
+    }
+    return bytes;
+}
+
+std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+    std::uint32_t word = 0;
+    std::memcpy(&word, bytes.data() + at, 4);
+    return word;
+}
+
+class GltfReader {
+public:
+    GltfReader(std::string_view bytes, const std::string& file_name, const ReadOptions& options)
+        : bytes_(bytes), file_name_(file_name), options_(options) {
+        file_.format = "gltf";
+        // The format's unit is the metre; a person may know better.
+        file_.metres_per_unit = options.unit_is_known ? options.obj_metres_per_unit : 1.0;
+    }
+
+    Result<Scene> read() {
+        if (auto opened = open(); !opened) return tl::unexpected(opened.error());
+        for (const Json& name : in(document_, "extensionsRequired"))
+            if (text(name).find("compression") != std::string::npos)
+                return fail(phrase("mesh.compressed", {{"name", excerpt(text(name), 40)}}), file_name_);
+        if (auto buffers = read_buffers(); !buffers) return tl::unexpected(buffers.error());
+        const Json& scene =
+            entry(in(document_, "scenes"), in(document_, "scene").is_null() ? Json(0) : in(document_, "scene"));
+        Matrix unit = kUnmoved;
+        for (const std::size_t axis : {0U, 5U, 10U}) unit[axis] = file_.metres_per_unit;
+        for (const Json& node : in(scene, "nodes")) visit(node, unit, 0);
+        if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), file_name_);
+        if (is_too_large()) return fail(phrase("mesh.too_large", {{"most", kMostMeshTriangles}}), file_name_);
+        return scene_of_meshes(std::move(file_), Diagnostics(file_name_), file_name_, options_);
+    }
+
+private:
+    Result<void> open() {
+        std::string_view description = bytes_;
+        if (bytes_.starts_with("glTF")) {
+            if (bytes_.size() < 20 || word_at(bytes_, 8) > bytes_.size())
+                return fail(phrase("mesh.cut_short"), file_name_);
+            const std::size_t length = word_at(bytes_, 12);
+            if (length > bytes_.size() - 20) return fail(phrase("mesh.cut_short"), file_name_);
+            description = bytes_.substr(20, length);
+            const std::string_view rest = bytes_.substr(20 + length);
+            if (rest.size() >= 8 && word_at(rest, 0) <= rest.size() - 8) binary_ = rest.substr(8, word_at(rest, 0));
+        }
+        document_ = Json::parse(description, nullptr, false);
+        const std::string version = text(in(in(document_, "asset"), "version"));
+        if (document_.is_discarded() || !version.starts_with("2")) return fail(phrase("mesh.gltf_damaged"), file_name_);
+        return {};
+    }
+
+    Result<void> read_buffers() {
+        for (const Json& buffer : in(document_, "buffers")) {
+            const std::string uri = text(in(buffer, "uri"));
+            if (uri.empty()) {
+                buffers_.push_back(binary_);
+                continue;
+            }
+            if (uri.starts_with("data:")) {
+                owned_.push_back(std::make_unique<std::string>(
+                    decoded_base64(std::string_view(uri).substr(std::min(uri.find(','), uri.size())))));
+            } else {
+                Result<std::string> beside =
+                    options_.read_beside ? options_.read_beside(uri) : Result<std::string>(fail(std::string()));
+                if (!beside) return fail(phrase("mesh.no_buffer", {{"file", excerpt(uri, 60)}}), file_name_);
+                owned_.push_back(std::make_unique<std::string>(std::move(*beside)));
+            }
+            buffers_.push_back(*owned_.back());
+        }
+        return {};
+    }
+
+    // The bytes of an accessor, of `size` each, one after the other by `stride`.
+    struct Numbers {
+        std::string_view bytes;
+        std::size_t count = 0, stride = 0;
+    };
+    std::optional<Numbers> numbers_of(const Json& accessor, std::size_t size) const {
+        const Json& view = entry(in(document_, "bufferViews"), in(accessor, "bufferView"));
+        const auto count = whole(in(accessor, "count")), length = whole(in(view, "byteLength")),
+                   buffer = whole(in(view, "buffer"));
+        const std::size_t skip = whole(in(accessor, "byteOffset")).value_or(0),
+                          begin = whole(in(view, "byteOffset")).value_or(0),
+                          stride = whole(in(view, "byteStride")).value_or(size);
+        if (!count || !length || !buffer || *buffer >= buffers_.size() || stride < size || *count > kMostNumbers ||
+            in(accessor, "sparse").is_object())
+            return std::nullopt;
+        const std::string_view bytes = buffers_[*buffer];
+        if (begin > bytes.size() || *length > bytes.size() - begin || skip > *length) return std::nullopt;
+        if (*count == 0 || stride * (*count - 1) + size > *length - skip) return std::nullopt;
+        return Numbers{bytes.substr(begin + skip, *length - skip), *count, stride};
+    }
+
+    std::optional<std::vector<Vec3>> points_of(const Json& accessor, const Matrix& at) const {
+        if (text(in(accessor, "type")) != "VEC3" || whole(in(accessor, "componentType")) != 5126U) return std::nullopt;
+        const auto raw = numbers_of(accessor, 12);
+        if (!raw) return std::nullopt;
+        std::vector<Vec3> points;
+        for (std::size_t i = 0; i < raw->count; ++i) {
+            std::array<float, 3> p{};
+            std::memcpy(p.data(), raw->bytes.data() + i * raw->stride, sizeof(p));
+            points.push_back(
+                to_world(at, {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])}));
+        }
+        return points;
+    }
+
+    // The corners of triangles one after the other; all points in their order where the file names none.
+    std::optional<std::vector<std::uint32_t>> corners_of(const Json& number, std::size_t points) const {
+        std::vector<std::uint32_t> corners;
+        if (number.is_null()) {
+            for (std::uint32_t i = 0; i < points; ++i) corners.push_back(i);
+            return corners;
+        }
+        const Json& accessor = entry(in(document_, "accessors"), number);
+        const auto kind = whole(in(accessor, "componentType"));
+        const std::size_t size = kind == 5121U ? 1 : kind == 5123U ? 2 : kind == 5125U ? 4 : 0;
+        if (size == 0) return std::nullopt;
+        const auto raw = numbers_of(accessor, size);
+        if (!raw) return std::nullopt;
+        for (std::size_t i = 0; i < raw->count; ++i) {
+            std::uint32_t corner = 0;
+            std::memcpy(&corner, raw->bytes.data() + i * raw->stride, size);
+            corners.push_back(corner);
+        }
+        return corners;
+    }
+
+    bool is_too_large() const {
+        return nodes_ > kMostNodes || triangles_ > kMostMeshTriangles || points_ > 4 * kMostMeshTriangles;
+    }
+
+    void add(const Json& primitive, std::size_t thing, const std::string& name, const Matrix& at) {
+        const std::size_t mode = whole(in(primitive, "mode")).value_or(4);
+        const auto points =
+            points_of(entry(in(document_, "accessors"), in(in(primitive, "attributes"), "POSITION")), at);
+        if (points) points_ += points->size();
+        const auto corners = points ? corners_of(in(primitive, "indices"), points->size()) : std::nullopt;
+        if (!corners || mode < 4 || mode > 6) {
+            ++file_.parts_left_out;
+            return;
+        }
+        MeshPart part;
+        part.thing = static_cast<std::uint32_t>(thing);
+        part.name = name;
+        part.material = text(in(entry(in(document_, "materials"), in(primitive, "material")), "name"));
+        const bool turned = turns_inside_out(at);
+        const auto put = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            part.triangles.push_back(turned ? std::array{a, c, b} : std::array{a, b, c});
+        };
+        const std::vector<std::uint32_t>& c = *corners;
+        if (mode == 4)
+            for (std::size_t i = 2; i < c.size(); i += 3) put(c[i - 2], c[i - 1], c[i]);
+        for (std::size_t i = 2; mode != 4 && i < c.size(); ++i)
+            if (mode == 6) put(c[0], c[i - 1], c[i]);
+            else i % 2 == 0 ? put(c[i - 2], c[i - 1], c[i]) : put(c[i - 1], c[i - 2], c[i]);
+        triangles_ += part.triangles.size();
+        part.points_m = std::move(*points);
+        file_.parts.push_back(std::move(part));
+    }
+
+    void visit(const Json& number, const Matrix& above, std::size_t depth) {
+        const Json& node = entry(in(document_, "nodes"), number);
+        if (is_too_large() || options_.stop.stop_requested()) return;
+        ++nodes_;
+        if (!node.is_object() || depth > kDeepest) return;
+        const Matrix at = product(above, placement_of(node));
+        const Json& mesh = entry(in(document_, "meshes"), in(node, "mesh"));
+        const std::string name = text(in(node, "name"));
+        const std::size_t thing = nodes_;
+        for (const Json& primitive : in(mesh, "primitives")) {
+            if (is_too_large()) return;
+            ++nodes_;
+            add(primitive, thing, name.empty() ? text(in(mesh, "name")) : name, at);
+        }
+        for (const Json& child : in(node, "children")) {
+            if (is_too_large()) return;
+            visit(child, at, depth + 1);
+        }
+    }
+
+    std::string_view bytes_;
+    const std::string& file_name_;
+    const ReadOptions& options_;
+    Json document_;
+    std::string_view binary_;
+    std::vector<std::unique_ptr<std::string>> owned_;
+    std::vector<std::string_view> buffers_;
+    MeshFile file_;
+    std::size_t nodes_ = 0, triangles_ = 0, points_ = 0;
+};
+
+}  // namespace
+
+Result<Scene> read_gltf(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
+    return GltfReader(bytes, file_name, options).read();
+}
+
+}  // namespace handrail

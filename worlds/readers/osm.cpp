@@ -1,0 +1,16 @@
+// Buildings from OpenStreetMap (worlds/osm), as a row of the table of readers.
+#include "worlds/osm/read_osm.h"
+#include "worlds/readers/reader.h"
+#include "worlds/readers/spoken_text.h"
+
+namespace handrail {
+
+Result<Scene> read_osm(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
+    const OsmForm form = osm_form(bytes, file_name);
+    return read_osm_building(
+        bytes, form == OsmForm::None ? OsmForm::Xml : form, file_name,
+        {options.building,
+         {words_of_name(file_name.substr(0, file_name.find(".osm"))), options.progress, options.stop}});
+}
+
+}  // namespace handrail

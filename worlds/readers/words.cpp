@@ -1,0 +1,12 @@
+// Rooms in words (worlds/words), as a row of the table of readers.
+#include "worlds/readers/reader.h"
+#include "worlds/readers/spoken_text.h"
+#include "worlds/words/read_words.h"
+
+namespace handrail {
+
+Result<Scene> read_words(std::string_view bytes, const std::string& file_name, const ReadOptions& options) {
+    return read_words_building(bytes, file_name, {words_of_name(file_name), options.progress, options.stop});
+}
+
+}  // namespace handrail

@@ -1,0 +1,254 @@
+// Values as bytes and back, bit for bit, as this machine holds numbers: for what never leaves it. One function template
+// serves both directions, so that they cannot differ. Whatever bytes come, reading ends, gives no enumerator that there
+// is not, and takes no more memory than some hundred times their size. Any thread.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "worlds/base/vec.h"
+
+namespace handrail {
+
+template <class T, class U>
+concept Is = std::is_same_v<std::remove_const_t<T>, U>;
+
+// The last enumerator: of each enumeration that is kept.
+template <class E>
+inline constexpr int kLastOf = -1;
+
+class Packer {
+public:
+    static constexpr bool kReads = false;
+
+    template <class... T>
+    void operator()(const T&... values);
+    void raw(const void* from, std::size_t size) { bytes_.append(static_cast<const char*>(from), size); }
+    std::string take() { return std::move(bytes_); }
+
+    // The number of a shared value, and whether it is new here.
+    template <class T>
+    std::pair<std::uint32_t, bool> number_of(const std::shared_ptr<const T>& value) {
+        const auto [at, is_new] = known_.emplace(value.get(), static_cast<std::uint32_t>(known_.size() + 1));
+        return {at->second, is_new};
+    }
+
+private:
+    std::string bytes_;
+    std::map<const void*, std::uint32_t> known_;
+};
+
+class Unpacker {
+public:
+    static constexpr bool kReads = true;
+    static constexpr int kDeepest = 4;  // scenes within scenes
+
+    explicit Unpacker(std::string_view bytes) : bytes_(bytes) {}
+    template <class... T>
+    void operator()(T&... values);
+    void raw(void* into, std::size_t size) {
+        if (size > bytes_.size() || !good_) return spoil();
+        if (size > 0) std::memcpy(into, bytes_.data(), size);
+        bytes_.remove_prefix(size);
+    }
+    void spoil() { good_ = false; }
+    bool good() const { return good_; }
+    std::string_view rest() const { return bytes_; }
+
+    bool descend() {
+        good_ = good_ && ++depth_ <= kDeepest;
+        return good_;
+    }
+    void ascend() { --depth_; }
+    // Shared values by their numbers.
+    std::map<std::uint32_t, std::shared_ptr<const void>>& known(const void* kind) { return known_[kind]; }
+
+private:
+    std::string_view bytes_;
+    bool good_ = true;
+    int depth_ = 0;
+    std::map<const void*, std::map<std::uint32_t, std::shared_ptr<const void>>> known_;  // by their type
+};
+
+namespace archive {
+
+template <class T>
+struct Kind {
+    static constexpr bool vector = false, optional = false, variant = false, shared = false;
+};
+template <class T>
+struct Kind<std::vector<T>> : Kind<void> {
+    static constexpr bool vector = true;
+};
+template <class T>
+struct Kind<std::optional<T>> : Kind<void> {
+    static constexpr bool optional = true;
+};
+template <class... T>
+struct Kind<std::variant<T...>> : Kind<void> {
+    static constexpr bool variant = true;
+};
+template <class T>
+struct Kind<std::shared_ptr<const T>> : Kind<void> {
+    static constexpr bool shared = true;
+};
+
+// Copied as they lie, without gaps between their parts.
+template <class T>
+inline constexpr bool kFlat = std::is_same_v<T, Vec2> || std::is_same_v<T, Vec3> ||
+                              (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>);
+
+template <class A, class T>
+void one(A& a, T& value);
+
+template <class A>
+std::uint64_t count(A& a, std::uint64_t size) {
+    a.raw(&size, sizeof size);
+    return size;
+}
+
+template <class A, class T>
+void list(A& a, T& values) {
+    using Element = typename T::value_type;
+    const std::uint64_t size = count(a, values.size());
+    if constexpr (A::kReads) {
+        // Each takes at least a byte.
+        if (!a.good() || size > a.rest().size()) return a.spoil();
+        values.clear();
+        if constexpr (kFlat<Element>) {
+            if (size > a.rest().size() / sizeof(Element)) return a.spoil();
+            values.resize(size);
+            a.raw(values.data(), size * sizeof(Element));
+        } else {
+            values.reserve(std::min<std::uint64_t>(size, a.rest().size() / sizeof(Element) + 1));
+            for (std::uint64_t i = 0; i < size && a.good(); ++i) {
+                Element value{};
+                one(a, value);
+                values.push_back(std::move(value));
+            }
+        }
+    } else if constexpr (kFlat<Element>) {
+        a.raw(values.data(), size * sizeof(Element));
+    } else {
+        for (const auto& value : values) one(a, value);
+    }
+}
+
+template <std::size_t I, class A, class V>
+void alternative(A& a, V& value, std::size_t wanted) {
+    if constexpr (I < std::variant_size_v<std::remove_const_t<V>>) {
+        if (wanted != I) return alternative<I + 1>(a, value, wanted);
+        if constexpr (A::kReads) value.template emplace<I>();
+        if constexpr (!std::is_same_v<std::variant_alternative_t<I, std::remove_const_t<V>>, std::monostate>)
+            one(a, *std::get_if<I>(&value));
+    } else if constexpr (A::kReads) {
+        a.spoil();
+    }
+}
+
+template <class T>
+inline constexpr char kTypeTag = 0;
+
+template <class A, class T>
+void shared(A& a, T& pointer) {
+    using Value = std::remove_const_t<typename std::remove_const_t<T>::element_type>;
+    std::uint32_t number = 0;
+    if constexpr (A::kReads) {
+        a(number);
+        if (number == 0 || !a.good()) return;
+        auto& known = a.known(&kTypeTag<Value>);
+        if (const auto found = known.find(number); found != known.end()) {
+            pointer = std::static_pointer_cast<const Value>(found->second);
+            return;
+        }
+        const auto made = std::make_shared<Value>();
+        if (a.descend()) one(a, *made);
+        a.ascend();
+        known.emplace(number, made);
+        pointer = made;
+    } else {
+        if (!pointer) return a(number);
+        const auto [of_it, is_new] = a.number_of(pointer);
+        a(of_it);
+        if (is_new) one(a, *pointer);
+    }
+}
+
+template <class A, class T>
+void one(A& a, T& value) {
+    using V = std::remove_const_t<T>;
+    if constexpr (std::is_enum_v<V> || std::is_same_v<V, bool>) {
+        constexpr int last = [] {
+            if constexpr (std::is_enum_v<V>) return kLastOf<V>;
+            else return 1;
+        }();
+        static_assert(last >= 0, "an enumeration whose last one is not said");
+        auto byte = static_cast<std::uint8_t>(value);
+        a.raw(&byte, 1);
+        if constexpr (A::kReads) {
+            if (byte > last) return a.spoil();
+            value = static_cast<V>(byte);
+        }
+    } else if constexpr (kFlat<V>) {
+        a.raw(&value, sizeof value);
+    } else if constexpr (std::is_same_v<V, std::string>) {
+        const std::uint64_t size = count(a, value.size());
+        if constexpr (A::kReads) {
+            if (!a.good() || size > a.rest().size()) return a.spoil();
+            value.resize(size);
+        }
+        a.raw(value.data(), size);
+    } else if constexpr (std::is_same_v<V, std::vector<bool>>) {
+        const std::uint64_t size = count(a, value.size());
+        if constexpr (A::kReads) {
+            if (!a.good() || size > a.rest().size()) return a.spoil();
+            value.resize(size);
+        }
+        for (std::uint64_t i = 0; i < size; ++i) {
+            bool bit = value[i];
+            one(a, bit);
+            if constexpr (A::kReads) value[i] = bit;
+        }
+    } else if constexpr (Kind<V>::vector) {
+        list(a, value);
+    } else if constexpr (Kind<V>::optional) {
+        bool there = value.has_value();
+        one(a, there);
+        if constexpr (A::kReads) {
+            if (there) value.emplace();
+            else value.reset();
+        }
+        if (there && value) one(a, *value);
+    } else if constexpr (Kind<V>::variant) {
+        auto index = static_cast<std::uint8_t>(value.index());
+        a.raw(&index, 1);
+        alternative<0>(a, value, index);
+    } else if constexpr (Kind<V>::shared) {
+        shared(a, value);
+    } else {
+        fields(a, value);  // found where the type lives: names all of its members, so that none is forgotten
+    }
+}
+
+}  // namespace archive
+
+template <class... T>
+void Packer::operator()(const T&... values) {
+    (archive::one(*this, values), ...);
+}
+template <class... T>
+void Unpacker::operator()(T&... values) {
+    (archive::one(*this, values), ...);
+}
+
+}  // namespace handrail

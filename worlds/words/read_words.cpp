@@ -1,0 +1,25 @@
+#include "worlds/words/read_words.h"
+
+#include "worlds/words/words_plan.h"
+
+namespace handrail {
+
+Result<Scene> read_words_building(std::string_view bytes, const std::string& file_name, const PlanOptions& options) {
+    constexpr std::size_t kLargest = std::size_t{8} << 20, kMostKept = 20;
+    if (bytes.size() > kLargest) return fail(phrase("rooms_text.too_large"), file_name);
+    WordsPlan words(file_name);
+    Result<FloorPlan> plan = words.build(bytes);
+    if (!plan) return tl::unexpected(plan.error());
+    if (options.stop.stop_requested()) return fail(phrase("files.stopped"), file_name);
+    Result<Scene> scene = scene_of_plan(std::move(*plan), file_name, options);
+    if (!scene) return scene;
+    // What the words gave rise to first, by its lines.
+    std::vector<Diagnostic> warnings = words.warnings();
+    for (Diagnostic& warning : scene->report.warnings)
+        if (warnings.size() < kMostKept) warnings.push_back(std::move(warning));
+    scene->report.warnings = std::move(warnings);
+    scene->report.warnings_in_all += words.warnings_in_all();
+    return scene;
+}
+
+}  // namespace handrail

@@ -1,0 +1,860 @@
+#include "worlds/words/word_patterns.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+#include "worlds/scene/material.h"
+
+namespace handrail {
+namespace {
+
+constexpr std::size_t kMostWords = 120, kMostNumbers = 4000, kMostOfName = 12;
+
+// A pattern: words with alternatives ("by|x"), a question mark behind what may be missing, and in braces a number {n},
+// a unit {u}, a side of the compass {c}, a wall {w} or a corner {k} with its noun, a material {m}, a name {name}. Kinds
+// of sentence that it is looked for in: r room, d door or opening, w window, t thing, s start, h heads of storeys and
+// buildings.
+struct Pattern {
+    Says says;
+    std::string_view kinds, words;
+};
+
+constexpr Pattern kEnglish[] = {
+    {Says::Size3, "t", "{n} {u}? by|x|times {n} {u}? by|x|times {n} {u}?"},
+    {Says::Size2, "rt", "{n} {u}? by|x|times {n} {u}?"},
+    {Says::High, "rtwh", "{n} {u}? high|tall"},
+    {Says::Wide, "dwt", "{n} {u}? wide"},
+    {Says::Thick, "h", "{n} {u}? thick"},
+    {Says::AboveFloor, "twh", "{n} {u}? above|over the? floor|ground"},
+    {Says::SideOf, "r", "{n} {u}? to? the? {c} of {name}"},
+    {Says::SideOf, "r", "to|on? the? {c} of {name}"},
+    {Says::SideOf, "r", "{n} {u}? behind|beyond|before {name}"},
+    {Says::SideOf, "r", "in? behind|beyond|front|before of? {name}"},
+    {Says::Above, "r", "above|over|below|under|underneath {name}"},
+    {Says::Further, "r", "{n} {u}? further|farther|more to? the? {c}"},
+    {Says::Flush, "r", "flush|aligned with|at|to|in? the|its? {c} end|wall|side|edge?"},
+    {Says::Flush, "r", "flush|aligned with|at|to|in? {w}"},
+    {Says::CornerAt, "r", "its|the|south-west|southwest? corner at {n} {u}? {c} and? {n} {u}? {c}"},
+    {Says::At, "dwts", "at {n} {u}? {c} and? {n} {u}? {c}"},
+    {Says::Offset, "ts", "{n} {u}? {c} and? {n} {u}? {c}"},
+    {Says::CornerList, "r", "with? corners|corner at|are?"},
+    {Says::Hole, "r", "with? a? hole|courtyard at?"},
+    {Says::FromWall, "dwts", "and? {n} {u}? from|off {w}"},
+    {Says::Along, "dwts", "{n} {u}? along|down|on {w}"},
+    {Says::Along, "dwts", "{n} {u}? along"},
+    {Says::MiddleOf, "dwts", "in|at the? middle|centre|center of {w}"},
+    {Says::Middle, "dwts", "in|at the? middle|centre|center"},
+    {Says::InCorner, "ts", "in|at|into {k}"},
+    {Says::InWall, "dwts", "in|on|at|along|against|by {w}"},
+    {Says::ByWindow, "ts", "by|at|under|below|beside|near|in|before the|its? window"},
+    {Says::ByDoor, "ts", "by|at|beside|near|next to? the|its? door to the? {name}"},
+    {Says::ByDoor, "ts", "by|at|beside|near|next to? the|its? door"},
+    {Says::NextTo, "ts", "next to {name}"},
+    {Says::NextTo, "ts", "beside|near|by {name}"},
+    {Says::Outside, "d", "to? the? outside|outdoors|street"},
+    {Says::To, "d", "to|into {name}"},
+    {Says::Stairs, "r", "stairs|staircase|steps up? to {name}"},
+    {Says::Lift, "r", "lift|elevator up? to {name}"},
+    {Says::UpTo, "r", "up to {name}"},
+    {Says::Landmark, "t", "a? landmark"},
+    {Says::Clue, "t", "a? clue"},
+    {Says::Called, "dwts", "called|named {name}"},
+    {Says::Floor, "r", "a? {m} floor"},
+    {Says::Floor, "r", "with? a? floor is|of {m}"},
+    {Says::MadeOf, "t", "made? of {m}"},
+    {Says::Walls, "h", "made? of {m}"},
+    {Says::Facing, "s", "facing|looking {c}"},
+    {Says::ByItself, "d", "opens|opening by itself"},
+    {Says::ByItself, "d", "automatic"},
+    {Says::In, "s", "in|here {name}"},
+};
+
+constexpr Pattern kGerman[] = {
+    {Says::Size3, "t", "{n} {u}? mal|x|auf {n} {u}? mal|x|auf {n} {u}?"},
+    {Says::Size2, "rt", "{n} {u}? mal|x|auf {n} {u}?"},
+    {Says::High, "rtwh", "{n} {u}? hoch|hohe|hoher|hohes"},
+    {Says::Wide, "dwt", "{n} {u}? breit|breite|breiter|breites"},
+    {Says::Thick, "h", "{n} {u}? dick|stark"},
+    {Says::AboveFloor, "twh", "{n} {u}? über|ueber dem? boden|fußboden|fussboden|grund|erdboden"},
+    {Says::SideOf, "r", "{n} {u}? {c} von|vom|der|des|zu {name}"},
+    {Says::SideOf, "r", "im? {c} von|vom|der|des|zu {name}"},
+    {Says::SideOf, "r", "links|rechts von|vom|der|neben? {name}"},
+    {Says::SideOf, "r", "{n} {u}? hinter|vor {name}"},
+    {Says::SideOf, "r", "hinter|vor {name}"},
+    {Says::Above, "r", "über|ueber|oberhalb|unter|unterhalb von|vom? {name}"},
+    {Says::Further, "r", "{n} {u}? weiter|versetzt nach|im? {c}"},
+    {Says::Flush, "r", "bündig|buendig am|mit|an|im? der|dem? {c} ende|wand|seite|rand?"},
+    {Says::Flush, "r", "bündig|buendig am|mit|an|im? {w}"},
+    {Says::CornerAt, "r", "südwestecke|suedwestecke|ecke bei|an {n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
+    {Says::At, "dwts", "bei|an {n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
+    {Says::Offset, "ts", "{n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
+    {Says::CornerList, "r", "mit? ecken|ecke bei|an?"},
+    {Says::Hole, "r", "mit? loch|aussparung|innenhof bei|an?"},
+    {Says::FromWall, "dwts", "und? {n} {u}? von|vom|ab|aus {w}"},
+    {Says::Along, "dwts", "{n} {u}? entlang|an|längs|laengs|auf {w}"},
+    {Says::Along, "dwts", "{n} {u}? entlang"},
+    {Says::MiddleOf, "dwts", "in der? mitte von? {w}"},
+    {Says::MiddleOf, "dwts", "mitten in|an {w}"},
+    {Says::Middle, "dwts", "in der? mitte"},
+    {Says::InCorner, "ts", "in|an {k}"},
+    {Says::InWall, "dwts", "in|an|bei|entlang|auf {w}"},
+    {Says::ByWindow, "ts", "am|beim|unter|an|neben|vor|im dem|das? fenster"},
+    {Says::ByDoor, "ts", "neben|an|bei|hinter der? tür|tuer zu|zum|zur|nach|in|ins {name}"},
+    {Says::ByDoor, "ts", "neben|an|bei|hinter der? tür|tuer"},
+    {Says::NextTo, "ts", "neben|bei|beim|am {name}"},
+    {Says::Outside, "d", "nach|ins draußen|draussen|außen|aussen|freie"},
+    {Says::To, "d", "zu|zum|zur|nach|in|ins {name}"},
+    {Says::Stairs, "r", "treppe|stufen hinauf? zu|zum|zur|nach|in|ins {name}"},
+    {Says::Lift, "r", "aufzug|fahrstuhl|lift hinauf? zu|zum|zur|nach|in|ins {name}"},
+    {Says::UpTo, "r", "hinauf|hoch zu|zum|zur|nach|in|ins|bis {name}"},
+    {Says::Landmark, "t", "eine? landmarke|wegmarke|merkmal|orientierungspunkt"},
+    {Says::Clue, "t", "ein? hinweis"},
+    {Says::Called, "dwts", "genannt|namens|heißt|heisst {name}"},
+    {Says::Floor, "r", "mit? boden|fußboden|fussboden aus {m}"},
+    {Says::MadeOf, "t", "aus {m}"},
+    {Says::Walls, "h", "aus {m}"},
+    {Says::Facing, "s", "mit? blick|blickrichtung|schaut nach|richtung? {c}"},
+    {Says::ByItself, "d", "öffnet|oeffnet sich|von? selbst"},
+    {Says::ByItself, "d", "automatisch|selbsttätig"},
+    {Says::In, "s", "in|im|hier {name}"},
+};
+
+struct KindWord {
+    std::string_view word;
+    SentenceKind kind;
+};
+// The first words of a sentence, and of one with a colon behind.
+constexpr KindWord kEnglishHeads[] = {
+    {"door", SentenceKind::Door},           {"sliding door", SentenceKind::SlidingDoor},
+    {"automatic door", SentenceKind::Door}, {"opening", SentenceKind::Opening},
+    {"open", SentenceKind::Opening},        {"doorway", SentenceKind::Opening},
+    {"passage", SentenceKind::Opening},     {"window", SentenceKind::Window},
+    {"start", SentenceKind::Start}};
+constexpr KindWord kGermanHeads[] = {{"tür", SentenceKind::Door},
+                                     {"tuer", SentenceKind::Door},
+                                     {"schiebetür", SentenceKind::SlidingDoor},
+                                     {"automatische tür", SentenceKind::Door},
+                                     {"öffnung", SentenceKind::Opening},
+                                     {"oeffnung", SentenceKind::Opening},
+                                     {"offen", SentenceKind::Opening},
+                                     {"durchgang", SentenceKind::Opening},
+                                     {"fenster", SentenceKind::Window},
+                                     {"start", SentenceKind::Start}};
+constexpr KindWord kColons[] = {
+    {"room", SentenceKind::Room},         {"raum", SentenceKind::Room},        {"zimmer", SentenceKind::Room},
+    {"thing", SentenceKind::Thing},       {"ding", SentenceKind::Thing},       {"gegenstand", SentenceKind::Thing},
+    {"building", SentenceKind::Building}, {"world", SentenceKind::Building},   {"gebäude", SentenceKind::Building},
+    {"gebaeude", SentenceKind::Building}, {"welt", SentenceKind::Building},    {"storey", SentenceKind::Storey},
+    {"story", SentenceKind::Storey},      {"level", SentenceKind::Storey},     {"floor", SentenceKind::Storey},
+    {"stockwerk", SentenceKind::Storey},  {"geschoss", SentenceKind::Storey},  {"geschoß", SentenceKind::Storey},
+    {"etage", SentenceKind::Storey},      {"step", SentenceKind::Step},        {"schritt", SentenceKind::Step},
+    {"walls", SentenceKind::Walls},       {"wände", SentenceKind::Walls},      {"waende", SentenceKind::Walls},
+    {"language", SentenceKind::Language}, {"sprache", SentenceKind::Language},
+};
+
+constexpr std::string_view kEnglishArticles[] = {"the", "a", "an", "its", "his", "our", "my"};
+constexpr std::string_view kGermanArticles[] = {"der", "die",  "das",   "dem",    "den",   "des",
+                                                "ein", "eine", "einen", "seiner", "ihrer", "einem"};
+// Words that say nothing by themselves.
+constexpr std::string_view kNoise[] = {
+    "and",  "with", "is", "are",  "lies", "stands", "there", "und",  "mit", "ist", "sind", "liegt", "steht", "hier",
+    "here", "it",   "es", "room", "raum", "also",   "auch",  "from", "von", "at",  "bei",  "in",    "to",    "nach"};
+
+std::span<const Pattern> patterns_of(WordLanguage language) {
+    return language == WordLanguage::German ? std::span<const Pattern>(kGerman) : std::span<const Pattern>(kEnglish);
+}
+std::span<const KindWord> heads_of(WordLanguage language) {
+    return language == WordLanguage::German ? std::span<const KindWord>(kGermanHeads)
+                                            : std::span<const KindWord>(kEnglishHeads);
+}
+std::span<const std::string_view> articles_of(WordLanguage language) {
+    return language == WordLanguage::German ? std::span<const std::string_view>(kGermanArticles)
+                                            : std::span<const std::string_view>(kEnglishArticles);
+}
+
+template <class Range, class Value>
+bool has(const Range& range, const Value& value) {
+    return std::find(std::begin(range), std::end(range), value) != std::end(range);
+}
+
+// "north", "northern", "nördlichen", "Nord" -> 0; -1: none.
+int side_of(std::string_view word) {
+    static const std::map<std::string, int, std::less<>> kSides = [] {
+        std::map<std::string, int, std::less<>> sides;
+        constexpr std::array<std::string_view, 4> kEnglishSides{"north", "east", "south", "west"},
+            kGermanSides{"nord", "ost", "süd", "west"}, kPlain{"nord", "ost", "sued", "west"};
+        const auto add = [&](const std::string& name, int side) { sides.emplace(name, side); };
+        const auto add_german = [&](const std::string& stem, const std::string& soft, int side) {
+            for (const char* end : {"", "en"}) add(stem + end, side);
+            for (const char* end : {"lich", "liche", "lichen", "licher", "liches", "lichem"}) add(soft + end, side);
+        };
+        const auto softened = [](std::string stem) {  // nördlich, östlich
+            if (const std::size_t o = stem.rfind('o'); o != std::string::npos) stem.replace(o, 1, "ö");
+            return stem;
+        };
+        for (int i = 0; i < 4; ++i) {
+            const auto n = static_cast<std::size_t>(i);
+            const std::string english(kEnglishSides[n]);
+            for (const char* end : {"", "ern", "wards", "ward"}) add(english + end, 2 * i);
+            for (const auto& names : {kGermanSides, kPlain}) {
+                const std::string german(names[n]);
+                add_german(german, softened(german), 2 * i);
+                add_german(german, german, 2 * i);
+            }
+        }
+        for (const int main : {0, 2})
+            for (const int other : {1, 3}) {
+                const int side = main == 0 ? (other == 1 ? 1 : 7) : (other == 1 ? 3 : 5);
+                const auto m = static_cast<std::size_t>(main), o = static_cast<std::size_t>(other);
+                for (const char* between : {"", "-"}) {
+                    for (const char* end : {"", "ern"})
+                        add(std::string(kEnglishSides[m]) + between + std::string(kEnglishSides[o]) + end, side);
+                    for (const auto& names : {kGermanSides, kPlain}) {
+                        const std::string german = std::string(names[m]) + between + std::string(names[o]);
+                        add_german(german, std::string(names[m]) + between + softened(std::string(names[o])), side);
+                        add_german(german, german, side);
+                    }
+                }
+            }
+        for (const char* seen : {"left", "linke", "linken", "linker", "left-hand", "links"}) add(seen, kLeftSide);
+        for (const char* seen : {"right", "rechte", "rechten", "rechter", "right-hand", "rechts"})
+            add(seen, kRightSide);
+        for (const char* seen : {"front", "vordere", "vorderen", "vorderer"}) add(seen, kFrontSide);
+        for (const char* seen : {"back", "rear", "far", "hintere", "hinteren", "hinterer"}) add(seen, kBackSide);
+        return sides;
+    }();
+    const auto found = kSides.find(word);
+    return found == kSides.end() ? -1 : found->second;
+}
+
+// "Nordwand", "Nordwestecke": a side and its noun in one word.
+int compound_side(std::string_view word, bool corner) {
+    static constexpr std::string_view kWalls[] = {"wand", "seite", "ende", "mauer"}, kCorners[] = {"ecke"};
+    const auto nouns = corner ? std::span<const std::string_view>(kCorners) : std::span<const std::string_view>(kWalls);
+    for (const std::string_view noun : nouns) {
+        if (!word.ends_with(noun) || word.size() == noun.size()) continue;
+        std::string_view stem = word.substr(0, word.size() - noun.size());
+        if (stem.ends_with('-')) stem.remove_suffix(1);
+        if (const int side = side_of(stem); side >= 0) return side;
+    }
+    return -1;
+}
+
+// Metres in one of them; 0: it is no unit.
+double unit_m(std::string_view word, double step_m) {
+    static constexpr std::string_view kMetres[] = {"metre", "metres", "meter", "meters", "metern", "m"},
+                                      kCentimetres[] = {"cm",          "centimetre", "centimetres", "centimeter",
+                                                        "centimeters", "zentimeter", "zentimetern"},
+                                      kSteps[] = {"step", "steps", "pace", "paces", "schritt", "schritte", "schritten"},
+                                      kFeet[] = {"foot", "feet", "ft", "fuß", "fuss"};
+    if (has(kMetres, word)) return 1.0;
+    if (has(kCentimetres, word)) return 0.01;
+    if (has(kSteps, word)) return step_m;
+    return has(kFeet, word) ? 0.3048 : 0.0;
+}
+bool is_step(std::string_view word) { return unit_m(word, 2.0) == 2.0; }
+
+std::optional<double> number_word(std::string_view word) {
+    static constexpr std::array<std::string_view, 13> kEnglishNumbers{
+        "half", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"};
+    static constexpr std::array<std::string_view, 13> kGermanNumbers{
+        "halben", "eins", "zwei", "drei", "vier", "fünf", "sechs", "sieben", "acht", "neun", "zehn", "elf", "zwölf"};
+    for (std::size_t i = 0; i < kEnglishNumbers.size(); ++i)
+        if (word == kEnglishNumbers[i] || word == kGermanNumbers[i] || (i == 1 && word == "einen"))
+            return i == 0 ? 0.5 : static_cast<double>(i);
+    return std::nullopt;
+}
+
+class Matcher {
+public:
+    Matcher(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind)
+        : tokens_(sentence.tokens), speaker_(speaker) {
+        kind_ = kind == SentenceKind::Room     ? 'r'
+                : kind == SentenceKind::Window ? 'w'
+                : kind == SentenceKind::Start  ? 's'
+                : kind == SentenceKind::Thing  ? 't'
+                : kind == SentenceKind::Door || kind == SentenceKind::SlidingDoor || kind == SentenceKind::Opening
+                    ? 'd'
+                    : 'h';
+    }
+
+    // The longest that matches at that place, and the place behind it.
+    std::optional<std::pair<SaidPart, std::size_t>> at(std::size_t place, bool within_name = false) {
+        std::optional<std::pair<SaidPart, std::size_t>> best;
+        for (const Pattern& pattern : patterns_of(speaker_.language)) {
+            if (pattern.kinds.find(kind_) == std::string_view::npos) continue;
+            SaidPart part;
+            part.says = pattern.says;
+            std::size_t end = place;
+            if (!match(pattern.words, end, part, within_name) || end == place) continue;
+            if (!best || end > best->second) best.emplace(std::move(part), end);
+        }
+        return best;
+    }
+    bool in_steps() const { return in_steps_; }
+
+private:
+    const WordToken* token(std::size_t at) const { return at < tokens_.size() ? &tokens_[at] : nullptr; }
+
+    bool match(std::string_view pattern, std::size_t& at, SaidPart& part, bool within_name) {
+        bool steps = false;
+        std::vector<std::size_t> without_unit;  // numbers that the next unit is of too
+        while (!pattern.empty()) {
+            std::string_view item = pattern.substr(0, pattern.find(' '));
+            pattern.remove_prefix(std::min(item.size() + 1, pattern.size()));
+            const bool may_miss = item.ends_with('?');
+            if (may_miss) item.remove_suffix(1);
+            const WordToken* now = token(at);
+            bool fits = false;
+            if (item == "{u}") {
+                const double unit =
+                    now && now->kind == WordToken::Kind::Word ? unit_m(now->folded, speaker_.step_m) : 0.0;
+                if (unit > 0.0) {
+                    steps |= is_step(now->folded);
+                    for (const std::size_t n : without_unit) part.numbers[n] *= unit;
+                    without_unit.clear();
+                    ++at;
+                    fits = true;
+                }
+            } else if (item == "{n}") {
+                fits = number(at, part);
+                if (fits) without_unit.push_back(part.numbers.size() - 1);
+            } else if (item == "{c}") {
+                const int side = now && now->kind == WordToken::Kind::Word ? side_of(now->folded) : -1;
+                fits = side >= 0;
+                if (fits) part.sides.push_back(side), ++at;
+            } else if (item == "{w}" || item == "{k}") {
+                fits = side_with_noun(at, part, item == "{k}");
+            } else if (item == "{m}") {
+                fits = material(at, part);
+            } else if (item == "{name}") {
+                fits = name(at, part, within_name);
+            } else if (now && now->kind == WordToken::Kind::Word) {
+                fits = one_of(item, now->folded);
+                if (fits) side_word(now->folded, part), ++at;
+            }
+            if (!fits && !may_miss) return false;
+        }
+        if (part.says == Says::CornerList || part.says == Says::Hole) return corners(at, part);
+        in_steps_ |= steps && !within_name;
+        return true;
+    }
+
+    static bool one_of(std::string_view alternatives, std::string_view word) {
+        while (!alternatives.empty()) {
+            const std::string_view one = alternatives.substr(0, alternatives.find('|'));
+            if (one == word) return true;
+            alternatives.remove_prefix(std::min(one.size() + 1, alternatives.size()));
+        }
+        return false;
+    }
+
+    // "behind" and "links" are words of a pattern and sides at once.
+    static void side_word(std::string_view word, SaidPart& part) {
+        if (part.says == Says::SideOf && part.sides.empty()) {
+            if (word == "behind" || word == "beyond" || word == "hinter") part.sides.push_back(kBackSide);
+            if (word == "front" || word == "before" || word == "vor") part.sides.push_back(kFrontSide);
+            if (word == "links") part.sides.push_back(kLeftSide);
+            if (word == "rechts") part.sides.push_back(kRightSide);
+        }
+    }
+
+    bool number(std::size_t& at, SaidPart& part) const {
+        const WordToken* now = token(at);
+        if (!now) return false;
+        if (now->kind == WordToken::Kind::Number) {
+            part.numbers.push_back(now->number);
+        } else if (const auto value = now->kind == WordToken::Kind::Word ? number_word(now->folded) : std::nullopt) {
+            part.numbers.push_back(*value);
+        } else {
+            return false;
+        }
+        ++at;
+        return true;
+    }
+
+    bool article(std::size_t at) const {
+        const WordToken* now = token(at);
+        return now && now->kind == WordToken::Kind::Word && has(articles_of(speaker_.language), now->folded);
+    }
+
+    bool side_with_noun(std::size_t& at, SaidPart& part, bool corner) const {
+        static constexpr std::string_view kWalls[] = {"wall", "end", "side", "wand", "seite", "ende", "mauer", "edge"},
+                                          kCorners[] = {"corner", "ecke"};
+        std::size_t here = at;
+        if (article(here)) ++here;
+        const WordToken *now = token(here), *next = token(here + 1);
+        if (!now || now->kind != WordToken::Kind::Word) return false;
+        if (const int side = compound_side(now->folded, corner); side >= 0) {
+            part.sides.push_back(side);
+            at = here + 1;
+            return true;
+        }
+        const int side = side_of(now->folded);
+        if (side < 0 || !next || next->kind != WordToken::Kind::Word) return false;
+        if (!(corner ? has(kCorners, next->folded) : has(kWalls, next->folded))) return false;
+        part.sides.push_back(side);
+        at = here + 2;
+        return true;
+    }
+
+    bool material(std::size_t& at, SaidPart& part) const {
+        for (const std::size_t words : {2, 1}) {
+            std::string text;
+            for (std::size_t i = at; i < at + words && token(i); ++i)
+                text += (text.empty() ? "" : " ") + token(i)->folded;
+            if (std::string found = material_of_word(text); !found.empty() && at + words <= tokens_.size()) {
+                part.name = std::move(found);
+                at += words;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // One that is known, as long as there is one; else all up to a comma or to what a pattern begins with.
+    bool name(std::size_t& at, SaidPart& part, bool within_name) {
+        if (const WordToken* now = token(at); now && now->kind == WordToken::Kind::Name) {
+            part.name = now->text;
+            ++at;
+            return !part.name.empty();
+        }
+        const bool own = part.says == Says::Called;  // a name of its own, which may begin as a room's does
+        if (!own && known_name(at, part)) return true;
+        std::size_t here = at;
+        if (article(here) && token(here + 1) && token(here + 1)->kind != WordToken::Kind::Comma) {
+            ++here;
+            if (const WordToken* now = token(here); now->kind == WordToken::Kind::Name) {
+                part.name = now->text;
+                at = here + 1;
+                return !part.name.empty();
+            }
+            if (!own && known_name(here, part)) {
+                at = here;
+                return true;
+            }
+        }
+        std::string text;
+        std::size_t end = here;
+        for (; end < std::min(tokens_.size(), here + kMostOfName); ++end) {
+            const WordToken& now = tokens_[end];
+            if (now.kind != WordToken::Kind::Word && now.kind != WordToken::Kind::Number) break;
+            if (!within_name && end > here && this->at(end, true)) break;
+            text += (text.empty() ? "" : " ") + now.text;
+        }
+        if (text.empty()) return false;
+        part.name = text;
+        at = end;
+        return true;
+    }
+
+    bool known_name(std::size_t& at, SaidPart& part) const {
+        std::string text, key;
+        std::size_t known_end = at;
+        for (std::size_t i = at; i < std::min(tokens_.size(), at + kMostOfName); ++i) {
+            const WordToken& now = tokens_[i];
+            if (now.kind != WordToken::Kind::Word && now.kind != WordToken::Kind::Number) break;
+            text += (text.empty() ? "" : " ") + now.text;
+            key += (key.empty() ? "" : " ") + now.folded;
+            if (!speaker_.names.contains(key)) continue;
+            part.name = text;
+            known_end = i + 1;
+        }
+        if (known_end == at) return false;
+        at = known_end;
+        return true;
+    }
+
+    // Pairs of numbers, whatever commas, units and words for east and north stand between them.
+    bool corners(std::size_t& at, SaidPart& part) {
+        double unit = 1.0;
+        bool steps = false;
+        std::size_t end = at;
+        for (std::size_t i = at; i < tokens_.size() && part.numbers.size() < kMostNumbers; ++i) {
+            const WordToken& now = tokens_[i];
+            if (now.kind == WordToken::Kind::Number) {
+                part.numbers.push_back(now.number);
+                end = i + 1;
+            } else if (now.kind == WordToken::Kind::Word) {
+                const int side = side_of(now.folded);
+                if (const double found = unit_m(now.folded, speaker_.step_m); found > 0.0) {
+                    unit = found;
+                    steps = is_step(now.folded);
+                    end = i + 1;
+                } else if ((side == 4 || side == 6) && !part.numbers.empty()) {
+                    part.numbers.back() = -part.numbers.back();
+                    end = i + 1;
+                } else if (side == 0 || side == 2) {
+                    end = i + 1;
+                } else if (now.folded != "and" && now.folded != "und") {
+                    break;
+                }
+            } else if (now.kind != WordToken::Kind::Comma) {
+                break;
+            }
+        }
+        if (part.numbers.size() < 6) return false;
+        for (double& number : part.numbers) number *= unit;
+        in_steps_ |= steps;
+        at = end;
+        return true;
+    }
+
+    std::span<const WordToken> tokens_;
+    const SpeakersOf& speaker_;
+    char kind_ = 't';
+    bool in_steps_ = false;
+};
+
+std::string joined(std::span<const WordToken> tokens) {
+    std::string text;
+    for (const WordToken& token : tokens)
+        if (token.kind != WordToken::Kind::Comma && token.kind != WordToken::Kind::Colon)
+            text += (text.empty() ? "" : " ") + token.text;
+    return text;
+}
+
+}  // namespace
+
+const SaidPart* SaidSentence::find(Says says) const {
+    for (const SaidPart& part : parts)
+        if (part.says == says) return &part;
+    return nullptr;
+}
+
+WordLanguage language_of(std::span<const WordSentence> sentences) {
+    static constexpr std::string_view kEnglishWords[] = {
+        "the",  "by",       "of",   "to",    "door",  "window", "metres", "metre", "steps", "along", "high",
+        "wall", "building", "room", "north", "south", "east",   "storey", "with",  "at",    "wide"};
+    static constexpr std::string_view kGermanWords[] = {
+        "der",     "die",     "das",       "mal",  "von",      "zu",    "zum",    "zur",      "tür",
+        "tuer",    "fenster", "meter",     "hoch", "schritte", "wand",  "raum",   "nördlich", "südlich",
+        "östlich", "und",     "stockwerk", "mit",  "bei",      "breit", "gebäude"};
+    int english = 0, german = 0;
+    for (const WordSentence& sentence : sentences) {
+        const std::vector<WordToken>& tokens = sentence.tokens;
+        if (tokens.size() > 2 && tokens[1].kind == WordToken::Kind::Colon &&
+            (tokens[0].folded == "language" || tokens[0].folded == "sprache"))
+            return tokens[2].folded == "german" || tokens[2].folded == "deutsch" || tokens[2].folded == "de"
+                       ? WordLanguage::German
+                       : WordLanguage::English;
+        for (const WordToken& token : tokens) {
+            if (token.kind != WordToken::Kind::Word) continue;
+            english += has(kEnglishWords, token.folded) ? 1 : 0;
+            german += has(kGermanWords, token.folded) ? 1 : 0;
+        }
+    }
+    return german > english ? WordLanguage::German : WordLanguage::English;
+}
+
+namespace {
+
+// The kind by the first words, and the place behind them.
+std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSentence& said) {
+    const std::vector<WordToken>& tokens = sentence.tokens;
+    if (tokens.size() > 1 && tokens[1].kind == WordToken::Kind::Colon)
+        for (const KindWord& head : kColons)
+            if (tokens[0].kind == WordToken::Kind::Word && tokens[0].folded == head.word) {
+                said.kind = head.kind;
+                said.explicit_kind = true;
+                return 2;
+            }
+    std::size_t from = 0;
+    while (from + 1 < tokens.size() && tokens[from + 1].kind == WordToken::Kind::Word &&
+           has(articles_of(language), tokens[from].folded))
+        ++from;
+    for (const std::size_t words : {2, 1}) {
+        if (from + words > tokens.size()) continue;
+        std::string text;
+        bool plain = true;
+        for (std::size_t i = from; i < from + words; ++i) {
+            text += (text.empty() ? "" : " ") + tokens[i].folded;
+            plain &= tokens[i].kind == WordToken::Kind::Word;
+        }
+        for (const KindWord& head : heads_of(language))
+            if (plain && text == head.word) {
+                said.kind = head.kind;
+                if (text.starts_with("automat")) said.parts.push_back({Says::ByItself, {}, {}, {}});
+                return from + words;
+            }
+    }
+    return from;
+}
+
+// What a sentence says of its subject, with its kind taken to be that.
+std::set<Says> said_as(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind, std::size_t from) {
+    std::set<Says> says;
+    Matcher matcher(sentence, speaker, kind);
+    for (std::size_t i = from; i < std::min(sentence.tokens.size(), kMostWords); ++i)
+        if (const auto part = matcher.at(i)) {
+            says.insert(part->first.says);
+            i = part->second - 1;
+        }
+    return says;
+}
+
+// A room is told from a thing by what is said of it; what begins a paragraph and says nothing is a room, unless it is
+// called as things are.
+bool is_room(const WordSentence& sentence, const SpeakersOf& speaker, std::size_t from) {
+    const std::set<Says> as_room = said_as(sentence, speaker, SentenceKind::Room, from);
+    const auto any = [](const std::set<Says>& says, std::initializer_list<Says> of) {
+        return std::any_of(of.begin(), of.end(), [&](Says one) { return says.contains(one); });
+    };
+    const std::set<Says> as_thing = said_as(sentence, speaker, SentenceKind::Thing, from);
+    if (any(as_thing, {Says::Size3, Says::AboveFloor})) return false;
+    if (any(as_room, {Says::SideOf, Says::Above, Says::Flush, Says::Further, Says::CornerAt, Says::CornerList,
+                      Says::Stairs, Says::Lift, Says::Floor}))
+        return true;
+    if (any(as_thing, {Says::Size3, Says::At, Says::Offset, Says::Along, Says::FromWall, Says::InWall, Says::MiddleOf,
+                       Says::Middle, Says::InCorner, Says::ByWindow, Says::ByDoor, Says::NextTo, Says::Landmark,
+                       Says::Clue, Says::MadeOf}))
+        return false;
+    return as_room.contains(Says::Size2);
+}
+
+}  // namespace
+
+SaidSentence head_of(const WordSentence& sentence, const SpeakersOf& speaker) {
+    WordSentence head{sentence.line, sentence.first, sentence.paragraph, {}};
+    for (const WordToken& token : sentence.tokens) {
+        if (head.tokens.size() > 40) break;
+        head.tokens.push_back(token);
+    }
+    return understood(head, speaker);
+}
+
+SaidSentence understood(const WordSentence& sentence, const SpeakersOf& speaker) {
+    SaidSentence said;
+    std::size_t at = kind_of(sentence, speaker.language, said);
+    if (said.kind == SentenceKind::Thing && !said.explicit_kind && (sentence.first || sentence.paragraph) &&
+        is_room(sentence, speaker, at))
+        said.kind = SentenceKind::Room;
+    Matcher matcher(sentence, speaker, said.kind);
+    const std::size_t subject_from = at;
+    std::size_t subject_end = std::string::npos, lost_from = std::string::npos, looked_at = 0;
+    const auto lose = [&](std::size_t end) {
+        if (lost_from == std::string::npos) return;
+        if (std::string text = joined(std::span(sentence.tokens).subspan(lost_from, end - lost_from)); !text.empty())
+            said.not_understood.push_back(std::move(text));
+        lost_from = std::string::npos;
+    };
+    const bool has_subject = said.kind == SentenceKind::Room || said.kind == SentenceKind::Thing ||
+                             said.kind == SentenceKind::Building || said.kind == SentenceKind::Storey ||
+                             said.kind == SentenceKind::Language;
+    if (!has_subject) subject_end = at;
+    while (at < sentence.tokens.size()) {
+        const WordToken& token = sentence.tokens[at];
+        if (++looked_at > kMostWords) {
+            if (lost_from == std::string::npos) lost_from = at;
+            break;
+        }
+        // The building's name is all of it.
+        if (said.kind == SentenceKind::Building || said.kind == SentenceKind::Language) {
+            ++at;
+            continue;
+        }
+        if (token.kind == WordToken::Kind::Comma || token.kind == WordToken::Kind::Colon) {
+            if (subject_end == std::string::npos && at > subject_from) subject_end = at;
+            lose(at);
+            ++at;
+            continue;
+        }
+        const bool quoted_subject = token.kind == WordToken::Kind::Name && at == subject_from && has_subject;
+        // A number or a word at the very beginning is part of the name; "stairs to ..." is both.
+        const bool at_name = at == subject_from && has_subject;
+        if (!quoted_subject) {
+            auto part = matcher.at(at);
+            if (at_name && part && part->first.says != Says::Stairs && part->first.says != Says::Lift) part.reset();
+            if (part) {
+                if (subject_end == std::string::npos) subject_end = at_name ? at + 1 : at;
+                lose(at);
+                said.parts.push_back(std::move(part->first));
+                at = part->second;
+                continue;
+            }
+        }
+        if (quoted_subject) {
+            subject_end = at + 1;
+        } else if (subject_end != std::string::npos) {
+            const bool noise = token.kind == WordToken::Kind::Word &&
+                               (has(kNoise, token.folded) || has(articles_of(speaker.language), token.folded));
+            if (noise && lost_from == std::string::npos) {
+                ++at;
+                continue;
+            }
+            if (lost_from == std::string::npos) lost_from = at;
+        }
+        ++at;
+    }
+    lose(sentence.tokens.size());
+    if (has_subject) {
+        const std::size_t end = std::min(subject_end, sentence.tokens.size());
+        said.name = joined(std::span(sentence.tokens).subspan(subject_from, end - subject_from));
+    }
+    said.in_steps = matcher.in_steps();
+    return said;
+}
+
+std::string name_key(std::string_view name, WordLanguage language) {
+    std::string key = folded(name);
+    for (const std::string_view article : articles_of(language))
+        if (key.size() > article.size() + 1 && key.starts_with(article) && key[article.size()] == ' ')
+            return key.substr(article.size() + 1);
+    return key;
+}
+
+bool needs_quotation_marks(std::string_view name, WordLanguage language) {
+    static const auto plain_words = [](WordLanguage of) {
+        std::set<std::string, std::less<>> words;
+        for (const Pattern& pattern : patterns_of(of)) {
+            std::string word;
+            for (const char c : std::string(pattern.words) + " ") {
+                if (c == ' ' || c == '|' || c == '?' || c == '{' || c == '}') {
+                    if (!word.empty()) words.insert(word);
+                    word.clear();
+                } else {
+                    word += c;
+                }
+            }
+        }
+        for (const KindWord& head : heads_of(of)) words.emplace(head.word.substr(head.word.rfind(' ') + 1));
+        for (const KindWord& head : kColons) words.emplace(head.word);
+        for (const std::string_view article : articles_of(of)) words.emplace(article);
+        for (const std::string_view noise : kNoise) words.emplace(noise);
+        return words;
+    };
+    static const std::array kWords{plain_words(WordLanguage::English), plain_words(WordLanguage::German)};
+    const auto& words = kWords[static_cast<std::size_t>(language)];
+    const std::vector<WordSentence> sentences = sentences_of(name);
+    if (sentences.size() != 1 || sentences[0].tokens.size() > kMostOfName) return true;
+    std::string back;
+    for (std::size_t i = 0; i < sentences[0].tokens.size(); ++i) {
+        const WordToken& token = sentences[0].tokens[i];
+        if (token.kind != WordToken::Kind::Word && (token.kind != WordToken::Kind::Number || i == 0)) return true;
+        if (words.contains(token.folded) || side_of(token.folded) >= 0 || compound_side(token.folded, false) >= 0 ||
+            compound_side(token.folded, true) >= 0 || unit_m(token.folded, 1.0) > 0.0 || number_word(token.folded) ||
+            !material_of_word(token.folded).empty())
+            return true;
+        back += (back.empty() ? "" : " ") + token.text;
+    }
+    return back != name;
+}
+
+namespace {
+
+struct MaterialWord {
+    std::string_view word, name;
+};
+
+// Of each material the first word is the one that is written in German.
+std::span<const MaterialWord> material_words() {
+    static constexpr MaterialWord kRows[] = {
+        {"putz", "plaster"},
+        {"gips", "plaster"},
+        {"holz", "wood"},
+        {"parkett", "wood"},
+        {"wooden", "wood"},
+        {"kunststoff", "plastic"},
+        {"plastik", "plastic"},
+        {"ziegel", "brick"},
+        {"ziegeln", "brick"},
+        {"backstein", "brick"},
+        {"bricks", "brick"},
+        {"beton", "concrete"},
+        {"stein", "stone"},
+        {"fliesen", "tile"},
+        {"tiles", "tile"},
+        {"tiled", "tile"},
+        {"metall", "metal"},
+        {"stahl", "metal"},
+        {"steel", "metal"},
+        {"stahlgitter", "steel_grille"},
+        {"steel grille", "steel_grille"},
+        {"glas", "glass"},
+        {"eis", "ice"},
+        {"teppich", "carpet"},
+        {"erde", "earth"},
+        {"gummi", "rubber"},
+        {"stoff", "cloth"},
+        {"gras", "grass"},
+        {"rasen", "grass"},
+    };
+    return kRows;
+}
+
+}  // namespace
+
+std::string material_of_word(std::string_view word) {
+    for (const MaterialWord& row : material_words())
+        if (row.word == word) return std::string(row.name);
+    const MaterialSpec* spec = word.empty() ? nullptr : find_material(word);
+    return spec ? std::string(spec->name) : std::string();
+}
+
+std::string word_of_material(std::string_view name, WordLanguage language) {
+    for (const MaterialWord& row : material_words())
+        if (row.name == name && language == WordLanguage::German) return capitalised(row.word);
+    return name == "steel_grille" ? "steel grille" : std::string(name);
+}
+
+namespace {
+
+struct UsualSize {
+    std::string_view english, german;
+    double x, y, z;
+};
+
+const UsualSize* usual_row(std::string_view name) {
+    static constexpr UsualSize kRows[] = {
+        {"armchair", "sessel", 0.8, 0.8, 0.9},
+        {"wheelchair", "rollstuhl", 0.7, 1.1, 0.9},
+        {"chair", "stuhl", 0.45, 0.45, 0.9},
+        {"desk", "schreibtisch", 1.4, 0.7, 0.75},
+        {"table", "tisch", 1.2, 0.8, 0.75},
+        {"bed", "bett", 1.0, 2.0, 0.5},
+        {"sofa", "sofa", 1.9, 0.85, 0.85},
+        {"bench", "bank", 1.5, 0.45, 0.45},
+        {"shelf", "regal", 0.8, 0.35, 1.8},
+        {"bookcase", "bücherregal", 1.0, 0.35, 1.9},
+        {"cupboard", "schrank", 1.0, 0.6, 1.9},
+        {"wardrobe", "kleiderschrank", 1.5, 0.6, 2.0},
+        {"cabinet", "kommode", 0.8, 0.45, 0.9},
+        {"toilet", "toilette", 0.4, 0.65, 0.45},
+        {"basin", "waschbecken", 0.6, 0.45, 0.85},
+        {"sink", "spüle", 0.8, 0.6, 0.9},
+        {"stove", "herd", 0.6, 0.6, 0.9},
+        {"oven", "ofen", 0.6, 0.6, 0.9},
+        {"refrigerator", "kühlschrank", 0.6, 0.6, 1.6},
+        {"fridge", "kühlschrank", 0.6, 0.6, 1.6},
+        {"bath", "badewanne", 1.7, 0.75, 0.6},
+        {"tub", "wanne", 1.7, 0.75, 0.6},
+        {"shower", "dusche", 0.9, 0.9, 2.0},
+        {"piano", "klavier", 1.5, 0.6, 1.2},
+        {"counter", "theke", 2.0, 0.6, 1.0},
+        {"pillar", "säule", 0.4, 0.4, 2.5},
+        {"column", "pfeiler", 0.4, 0.4, 2.5},
+        {"plant", "pflanze", 0.4, 0.4, 1.2},
+        {"bin", "mülleimer", 0.35, 0.35, 0.6},
+        {"radiator", "heizkörper", 1.0, 0.12, 0.6},
+        {"machine", "automat", 0.7, 0.7, 1.8},
+    };
+    const std::string key = folded(name);
+    for (const UsualSize& row : kRows)
+        if (key.find(row.english) != std::string::npos || key.find(row.german) != std::string::npos) return &row;
+    return nullptr;
+}
+
+}  // namespace
+
+bool usually_known(std::string_view name) { return usual_row(name) != nullptr; }
+
+Vec3 usual_size_m(std::string_view name) {
+    const UsualSize* row = usual_row(name);
+    return row ? Vec3(row->x, row->y, row->z) : Vec3(0.6, 0.6, 0.8);
+}
+
+}  // namespace handrail

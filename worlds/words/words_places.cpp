@@ -1,0 +1,309 @@
+// Where the rooms of a text lie.
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/base/text.h"
+#include "worlds/words/words_plan.h"
+
+namespace handrail {
+
+Vec2 side_direction(int side) {
+    constexpr std::array<Vec2, 8> kSides{Vec2(0, 1),  Vec2(1, 1),   Vec2(1, 0),  Vec2(1, -1),
+                                         Vec2(0, -1), Vec2(-1, -1), Vec2(-1, 0), Vec2(-1, 1)};
+    constexpr std::array<int, 4> kSeen{6, 2, 4, 0};  // left, right, front, back on a page with north above
+    return kSides[static_cast<std::size_t>(side < 8 ? side : kSeen[static_cast<std::size_t>(side - 8)])];
+}
+
+Vec2 offset_of(const SaidPart& part) {
+    Vec2 offset{0.0};
+    for (std::size_t i = 0; i < std::min(part.numbers.size(), part.sides.size()); ++i)
+        offset += side_direction(part.sides[i]) * part.numbers[i];
+    return offset;
+}
+
+namespace {
+
+constexpr double kLeastSide_m = 0.2, kMostSide_m = 1000.0, kFarthest_m = 5000.0, kTouch_m = 0.3;
+constexpr std::size_t kMostCornersOfOne = 1500;
+
+// Pairs of numbers as an outline; nothing where they make none.
+std::optional<Ring> ring_of(const std::vector<double>& numbers) {
+    Ring ring;
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+        const Vec2 p(numbers[i], numbers[i + 1]);
+        if (!(std::abs(p.x) < kFarthest_m && std::abs(p.y) < kFarthest_m)) return std::nullopt;
+        if (ring.empty() || glm::length(p - ring.back()) > 1e-3) ring.push_back(p);
+    }
+    while (ring.size() > 1 && glm::length(ring.front() - ring.back()) < 1e-3) ring.pop_back();
+    if (ring.size() < 3 || ring.size() > kMostCornersOfOne || std::abs(signed_area(ring)) < 0.05) return std::nullopt;
+    return ring;
+}
+
+}  // namespace
+
+void WordsPlan::set_box(WordRoom& room, const Vec2& least) {
+    // A tenth of a millimetre: what is written comes back.
+    const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
+    Vec2 from = glm::clamp(least, Vec2(-kFarthest_m), Vec2(kFarthest_m));
+    from = {rounded(from.x), rounded(from.y)};
+    const Vec2 to = {rounded(from.x + room.size_m.x), rounded(from.y + room.size_m.y)};
+    room.rings = {{from, {to.x, from.y}, to, {from.x, to.y}}};
+    room.least = from;
+    room.most = to;
+}
+
+void WordsPlan::set_sizes() {
+    for (WordRoom& room : rooms_) {
+        const int line = room.said.line;
+        if (const SaidPart* corners = room.said.words.find(Says::CornerList)) {
+            std::vector<Ring> rings;
+            bool damaged = false;
+            for (const SaidPart& part : room.said.words.parts) {
+                if (part.says != Says::CornerList && part.says != Says::Hole) continue;
+                std::optional<Ring> ring = ring_of(part.numbers);
+                damaged |= !ring;
+                if (ring) rings.push_back(std::move(*ring));
+            }
+            if (!rings.empty() && !damaged) {
+                room.rings = std::move(rings);
+                room.least = Vec2(1e300), room.most = Vec2(-1e300);
+                for (const Vec2& p : room.rings[0])
+                    room.least = glm::min(room.least, p), room.most = glm::max(room.most, p);
+                room.size_m = room.most - room.least;
+                continue;
+            }
+            warn(line, phrase("rooms_text.odd_corners", {{"name", room_words(room)}, {"n", corners->numbers.size()}}),
+                 phrase("rooms_text.then_size"));
+            continue;
+        }
+        const SaidPart* size = room.said.words.find(Says::Size2);
+        if (!size) {
+            warn(line, phrase("rooms_text.no_size", {{"name", room_words(room)}}), phrase("rooms_text.then_size"));
+            continue;
+        }
+        const Vec2 wish(size->numbers[0], size->numbers[1]);
+        const bool fits =
+            wish.x >= kLeastSide_m && wish.y >= kLeastSide_m && wish.x <= kMostSide_m && wish.y <= kMostSide_m;
+        if (fits) room.size_m = wish;
+        else warn(line, phrase("rooms_text.odd_size", {{"name", room_words(room)}}), phrase("rooms_text.then_size"));
+    }
+}
+
+bool WordsPlan::place_against(WordRoom& room, const SaidPart& where, const WordRoom& other) {
+    if (other.rings.empty()) return false;
+    const Vec2 way = where.says == Says::Above || where.sides.empty() ? Vec2(0.0) : side_direction(where.sides[0]);
+    const double gap = where.numbers.empty() ? 0.0 : where.numbers[0];
+    const Vec2 middle = 0.5 * (other.least + other.most), half = 0.5 * room.size_m;
+    Vec2 least{0.0};
+    const SaidPart* flush = room.said.words.find(Says::Flush);
+    for (int axis = 0; axis < 2; ++axis) {
+        const double to = way[axis];
+        double from = middle[axis] - half[axis];
+        if (to > 0) from = other.most[axis] + gap;
+        else if (to < 0) from = other.least[axis] - gap - room.size_m[axis];
+        else if (flush && side_direction(flush->sides[0])[axis] > 0) from = other.most[axis] - room.size_m[axis];
+        else if (flush && side_direction(flush->sides[0])[axis] < 0) from = other.least[axis];
+        least[axis] = from;
+    }
+    for (const SaidPart& part : room.said.words.parts)
+        if (part.says == Says::Further) least += side_direction(part.sides[0]) * part.numbers[0];
+    set_box(room, least);
+    return true;
+}
+
+void WordsPlan::place_by_assumption(std::size_t r) {
+    WordRoom& room = rooms_[r];
+    // East of the one before it on its storey; the first of a storey over the first of all.
+    const WordRoom* before = nullptr;
+    for (std::size_t i = r; i-- > 0 && !before;)
+        if (rooms_[i].storey == room.storey && !rooms_[i].rings.empty()) before = &rooms_[i];
+    for (std::size_t i = 0; i < rooms_.size() && !before; ++i)
+        if (rooms_[i].storey == room.storey && !rooms_[i].rings.empty()) before = &rooms_[i];
+    if (before) {
+        SaidPart east;
+        east.says = Says::SideOf;
+        east.sides = {2};
+        warn(room.said.line, phrase("rooms_text.no_place", {{"name", room_words(room)}}),
+             phrase("rooms_text.then_east", {{"name", room_words(*before)}}));
+        place_against(room, east, *before);
+        return;
+    }
+    const bool first = r == 0 || rooms_[0].rings.empty();
+    set_box(room, first ? Vec2(0.0) : rooms_[0].least);
+    if (!first)
+        warn(room.said.line, phrase("rooms_text.no_place", {{"name", room_words(room)}}),
+             phrase("rooms_text.then_above", {{"name", room_words(rooms_[0])}}));
+}
+
+void WordsPlan::place_rooms() {
+    struct Wish {
+        const SaidPart* part = nullptr;
+        std::size_t other = kNoRoom;
+    };
+    std::vector<Wish> wishes(rooms_.size());
+    for (std::size_t r = 0; r < rooms_.size(); ++r) {
+        WordRoom& room = rooms_[r];
+        if (!room.rings.empty()) continue;
+        if (const SaidPart* corner = room.said.words.find(Says::CornerAt)) {
+            set_box(room, offset_of(*corner));
+            continue;
+        }
+        const SaidPart* where = room.said.words.find(Says::SideOf);
+        if (!where) where = room.said.words.find(Says::Above);
+        if (!where) continue;
+        // What lies above or below is of another storey.
+        std::size_t other = room_named(where->name, r);
+        if (where->says == Says::Above)
+            if (const auto same = by_name_.find(name_key(where->name, speaker_.language)); same != by_name_.end())
+                for (const std::size_t o : same->second)
+                    if (rooms_[o].storey != room.storey) other = o;
+        if (other == kNoRoom) {
+            warn(room.said.line,
+                 phrase("rooms_text.unknown_room",
+                        {{"name", one_line(where->name.substr(0, 100))}, {"near", nearest_room(where->name)}}),
+                 phrase("rooms_text.then_place_open"));
+            continue;
+        }
+        wishes[r] = {where, other};
+    }
+    if (rooms_[0].rings.empty() && !wishes[0].part) set_box(rooms_[0], Vec2(0.0));
+    for (;;) {
+        bool moved = false, open = false;
+        for (std::size_t r = 0; r < rooms_.size(); ++r) {
+            if (!rooms_[r].rings.empty()) continue;
+            ++work_;
+            const bool done = wishes[r].part && place_against(rooms_[r], *wishes[r].part, rooms_[wishes[r].other]);
+            moved |= done;
+            open |= !done;
+        }
+        if (!open) return;
+        if (moved) continue;
+        // The next that waits for nothing, else the first of a ring of rooms that wait for each other.
+        std::size_t next = kNoRoom;
+        for (std::size_t r = 0; r < rooms_.size(); ++r)
+            if (rooms_[r].rings.empty() && (next == kNoRoom || (wishes[next].part && !wishes[r].part))) next = r;
+        place_by_assumption(next);
+    }
+}
+
+void WordsPlan::find_overlaps() {
+    constexpr double kOverlap_m = 0.05;
+    std::vector<std::size_t> order(rooms_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return rooms_[a].least.x < rooms_[b].least.x; });
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (std::size_t k = i + 1; k < order.size(); ++k) {
+            ++work_;
+            const WordRoom &a = rooms_[std::min(order[i], order[k])], &b = rooms_[std::max(order[i], order[k])];
+            if (rooms_[order[k]].least.x > rooms_[order[i]].most.x - kOverlap_m) break;
+            const Vec2 common = glm::min(a.most, b.most) - glm::max(a.least, b.least);
+            const bool boxes =
+                a.rings.size() == 1 && b.rings.size() == 1 && a.rings[0].size() == 4 && b.rings[0].size() == 4;
+            if (a.storey != b.storey || !boxes || common.x < kOverlap_m || common.y < kOverlap_m) continue;
+            warn(b.said.line, phrase("rooms_text.overlap", {{"name", room_words(b)}, {"other", room_words(a)}}),
+                 phrase("rooms_text.then_overlap"));
+        }
+}
+
+int WordsPlan::wall_side(const WordRoom& room, int side) {
+    if (side < 8) return side / 2 * 2;
+    // As one goes along the longer way, to the east or to the north.
+    const bool eastwards = room.size_m.x >= room.size_m.y;
+    constexpr std::array<int, 4> kEastwards{0, 4, 2, 6}, kNorthwards{6, 2, 0, 4};  // left, right, front, back
+    return (eastwards ? kEastwards : kNorthwards)[static_cast<std::size_t>(side - 8)];
+}
+
+// Of an outline with more corners than four the longest side that looks that way.
+WordsPlan::Border WordsPlan::wall_of(const WordRoom& room, int side) {
+    const Vec2 out = side_direction(side);
+    Border best;
+    double most = -1.0;
+    const Ring& ring = room.rings[0];
+    const double turn = signed_area(ring) > 0 ? 1.0 : -1.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        const Vec2 along = b - a;
+        const double score = turn * (along.y * out.x - along.x * out.y);
+        if (score > most) most = score, best = {a, b};
+    }
+    // From the west or from the south.
+    const Vec2 way = best.to - best.from;
+    if (std::abs(way.x) >= std::abs(way.y) ? way.x < 0 : way.y < 0) std::swap(best.from, best.to);
+    return best;
+}
+
+// The longest that their outlines have in common.
+std::optional<WordsPlan::Border> WordsPlan::shared(const WordRoom& a, const WordRoom& b) {
+    if (glm::any(glm::greaterThan(a.least, b.most + kTouch_m)) ||
+        glm::any(glm::greaterThan(b.least, a.most + kTouch_m)))
+        return std::nullopt;
+    std::optional<Border> best;
+    for (const Ring& ring : a.rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 &p = ring[i], way = ring[(i + 1) % ring.size()] - p;
+            const double length = glm::length(way);
+            if (length < 1e-6) continue;
+            const Vec2 along = way / length;
+            for (const Ring& other : b.rings) {
+                work_ += other.size();
+                for (std::size_t k = 0; k < other.size(); ++k) {
+                    const Vec2 from = other[k] - p, to = other[(k + 1) % other.size()] - p;
+                    const double off_from = along.x * from.y - along.y * from.x,
+                                 off_to = along.x * to.y - along.y * to.x;
+                    if (std::abs(off_from) > kTouch_m || std::abs(off_to) > kTouch_m) continue;
+                    const double t0 = glm::dot(from, along), t1 = glm::dot(to, along);
+                    const double begin = std::max(0.0, std::min(t0, t1)), end = std::min(length, std::max(t0, t1));
+                    if (end - begin < 0.3 || (best && end - begin <= best->length())) continue;
+                    best = Border{p + along * begin, p + along * end};
+                }
+            }
+        }
+    if (!best) return std::nullopt;
+    const Vec2 way = best->to - best->from;
+    if (std::abs(way.x) >= std::abs(way.y) ? way.x < 0 : way.y < 0) std::swap(best->from, best->to);
+    return best;
+}
+
+void WordsPlan::add_spaces() {
+    for (std::size_t r = 0; r < rooms_.size(); ++r) {
+        WordRoom& room = rooms_[r];
+        const std::size_t own = level_of_[room.storey];
+        room.levels = {own};
+        const SaidPart *stairs = room.said.words.find(Says::Stairs), *lift = room.said.words.find(Says::Lift),
+                       *up = room.said.words.find(Says::UpTo);
+        PlanSpace space;
+        space.name = one_line(room.said.words.name.substr(0, 200));
+        space.id = phrase("rooms_text.line", {{"line", room.said.line}});
+        space.line = room.said.line;
+        space.rings = room.rings;
+        if (const SaidPart* part = stairs ? stairs : lift ? lift : up) {
+            const std::string key = name_key(part->name, speaker_.language), own_key = folded(space.name);
+            std::size_t to = own;
+            for (std::size_t s = 0; s < storeys_.size(); ++s)
+                if (name_key(storeys_[s].name, speaker_.language) == key) to = level_of_[s];
+            if (to == own) {
+                to = std::min(own + 1, plan_.levels.size() - 1);
+                const std::string next = to == own ? std::string() : plan_.levels[to].name;
+                warn(room.said.line, phrase("rooms_text.no_storey", {{"name", one_line(part->name.substr(0, 100))}}),
+                     next.empty() ? phrase("rooms_text.then_no_stairs")
+                                  : phrase("rooms_text.then_to_storey", {{"name", next}}));
+            }
+            const bool is_lift =
+                !stairs &&
+                (lift || own_key.find("lift") != std::string::npos || own_key.find("elevator") != std::string::npos ||
+                 own_key.find("aufzug") != std::string::npos || own_key.find("fahrstuhl") != std::string::npos);
+            if (to != own) {
+                space.kind = is_lift ? PlanSpaceKind::Lift : PlanSpaceKind::Stairs;
+                room.levels.clear();
+                for (std::size_t l = std::min(own, to); l <= std::max(own, to); ++l) room.levels.push_back(l);
+            }
+        }
+        space.levels = room.levels;
+        if (const SaidPart* high = room.said.words.find(Says::High)) space.height_m = high->numbers[0];
+        if (const SaidPart* floor = room.said.words.find(Says::Floor)) space.floor_material = floor->name;
+        plan_.spaces.push_back(std::move(space));
+    }
+}
+
+}  // namespace handrail

@@ -1,0 +1,488 @@
+// Doors, windows, things and starts of a text.
+#include <algorithm>
+#include <cmath>
+
+#include "worlds/base/text.h"
+#include "worlds/words/words_plan.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kBesideDoor_m = 0.15, kWindow_m = 1.2, kWindowHigh_m = 1.2, kSill_m = 0.9, kProud_m = 0.02;
+constexpr double kLeastThing_m = 0.05, kMostThing_m = 200.0, kOut_m = 0.4;
+constexpr std::size_t kMostThings = 30'000;
+
+// Of an outline, where it passes nearest; and between which corners that is.
+double away_from(const std::vector<Ring>& rings, const Vec2& at, std::pair<Vec2, Vec2>* side = nullptr) {
+    double least = 1e300;
+    for (const Ring& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 &a = ring[i], &b = ring[(i + 1) % ring.size()], way = b - a;
+            const double part = std::clamp(glm::dot(at - a, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
+            const double off = glm::length(at - a - way * part);
+            if (off >= least) continue;
+            least = off;
+            if (side) *side = {a, b};
+        }
+    return least;
+}
+
+std::string wall_words(int side) {
+    constexpr std::array<std::string_view, 4> kKeys{"rooms_text.wall0", "rooms_text.wall2", "rooms_text.wall4",
+                                                    "rooms_text.wall6"};
+    return phrase(kKeys[static_cast<std::size_t>(side / 2)]);
+}
+
+// Which wall of the room a border is: by the side of its middle that is farthest out.
+int side_of_border(const Vec2& from, const Vec2& to, const Vec2& least, const Vec2& most) {
+    const Vec2 middle = 0.5 * (from + to);
+    const std::array<double, 4> off{std::abs(most.y - middle.y), std::abs(most.x - middle.x),
+                                    std::abs(middle.y - least.y), std::abs(middle.x - least.x)};
+    return 2 * static_cast<int>(std::min_element(off.begin(), off.end()) - off.begin());
+}
+
+}  // namespace
+
+std::size_t WordsPlan::level_for(const WordRoom& a, const WordRoom* b) const {
+    // Stairs are on several: where the other room is, too.
+    const std::size_t own = level_of_[a.storey];
+    if (!b) return own;
+    const auto on = [](const WordRoom& room, std::size_t level) {
+        return std::find(room.levels.begin(), room.levels.end(), level) != room.levels.end();
+    };
+    if (on(*b, own)) return own;
+    for (const std::size_t level : a.levels)
+        if (on(*b, level)) return level;
+    return own;
+}
+
+// Of the rooms of that name the one with the longest border, on a storey of both; where a place is said, the one that
+// is nearest to it.
+std::size_t WordsPlan::beside(std::size_t r, const std::string& name, const SaidPart* at, Border& border) {
+    constexpr double kNear_m = 1.0;
+    const auto found = by_name_.find(name_key(name, speaker_.language));
+    if (found == by_name_.end()) return kNoRoom;
+    std::size_t best = kNoRoom;
+    double best_score = 0.0;
+    for (const std::size_t other : found->second) {
+        const WordRoom &a = rooms_[r], &b = rooms_[other];
+        const bool meet = std::any_of(a.levels.begin(), a.levels.end(), [&](std::size_t level) {
+            return std::find(b.levels.begin(), b.levels.end(), level) != b.levels.end();
+        });
+        if (other == r || !meet) continue;
+        const std::optional<Border> common = shared(a, b);
+        if (at) {
+            const Vec2 place = offset_of(*at);
+            const double off = std::max(away_from(a.rings, place), away_from(b.rings, place));
+            if (off > kNear_m || (best != kNoRoom && off >= best_score)) continue;
+            best_score = off;
+            border = common.value_or(Border{place, place});
+        } else {
+            if (!common || (best != kNoRoom && common->length() <= best_score)) continue;
+            best_score = common->length();
+            border = *common;
+        }
+        best = other;
+    }
+    return best;
+}
+
+double WordsPlan::along_wall(const Said& said, const WordRoom& room, const Border& wall, bool& placed) {
+    const SaidPart *along = said.words.find(Says::Along), *from = said.words.find(Says::FromWall);
+    placed = along || from || said.words.find(Says::MiddleOf) || said.words.find(Says::Middle);
+    double at = 0.5 * wall.length();
+    if (along) {
+        at = along->numbers[0];
+    } else if (from) {
+        const int end = wall_side(room, from->sides[0]);
+        const bool far_end = end == 0 || end == 2;
+        at = far_end ? wall.length() - from->numbers[0] : from->numbers[0];
+    }
+    if (at < -1e-6 || at > wall.length() + 1e-6) {
+        const double length = wall.length();
+        warn(said.line, phrase("rooms_text.beyond_wall", {{"length", length}}), phrase("rooms_text.then_at_end"));
+        at = std::clamp(at, 0.0, length);
+    }
+    return at;
+}
+
+bool WordsPlan::told_before(const PlanDoor& door, bool placed) const {
+    constexpr double kSame_m = 0.6;
+    for (const PlanDoor& other : plan_.doors) {
+        if (other.levels != door.levels || other.spaces != door.spaces || other.line == door.line) continue;
+        if (door.spaces[0].size() < 2) continue;
+        if (!placed || glm::length(other.at - door.at) < kSame_m) return true;
+    }
+    return false;
+}
+
+void WordsPlan::add_doors(std::size_t r) {
+    for (const Said& said : rooms_[r].doors)
+        if (plan_.doors.size() < kMostThings) add_door(r, said);
+}
+
+void WordsPlan::add_door(std::size_t r, const Said& said) {
+    const WordRoom& room = rooms_[r];
+    const SaidPart *to = said.words.find(Says::To), *wide = said.words.find(Says::Wide);
+    const SaidPart* wall_said = nullptr;
+    for (const Says says : {Says::InWall, Says::MiddleOf, Says::Along})
+        if (const SaidPart* part = said.words.find(says); part && !part->sides.empty()) wall_said = part;
+    if (wall_said && wall_said->sides[0] >= 8) left_and_right_ = true;
+    const SaidPart* at = said.words.find(Says::At);
+    PlanDoor door;
+    door.kind = said.words.kind == SentenceKind::Opening       ? PlanDoorKind::Opening
+                : said.words.kind == SentenceKind::SlidingDoor ? PlanDoorKind::Sliding
+                                                               : PlanDoorKind::Hinged;
+    door.by_itself = said.words.find(Says::ByItself) != nullptr;
+    door.line = said.line;
+    door.id = phrase("rooms_text.line", {{"line", said.line}});
+    if (const SaidPart* called = said.words.find(Says::Called)) door.name = one_line(called->name.substr(0, 200));
+    if (wide) door.width_m = std::clamp(wide->numbers[0], 0.1, 100.0);
+    Border border;
+    std::size_t other = kNoRoom;
+    bool placed = false;
+    const auto lost = [&](std::string message) {
+        warn(said.line, std::move(message), phrase("rooms_text.then_left_out"));
+    };
+    if (to && by_name_.find(name_key(to->name, speaker_.language)) == by_name_.end()) {
+        lost(phrase("rooms_text.unknown_room",
+                    {{"name", one_line(to->name.substr(0, 100))}, {"near", nearest_room(to->name)}}));
+        return;
+    }
+    if (to) {
+        other = beside(r, to->name, at, border);
+        if (other == kNoRoom) {
+            lost(phrase("rooms_text.not_beside",
+                        {{"name", room_words(room)}, {"other", one_line(to->name.substr(0, 100))}}));
+            return;
+        }
+    }
+    if (at) {
+        door.at = offset_of(*at);
+        placed = true;
+        if (!to) {
+            std::pair<Vec2, Vec2> side;
+            away_from(room.rings, door.at, &side);
+            border = {side.first, side.second};
+        }
+    } else {
+        Border wall = border;
+        if (wall_said) {
+            const int side = wall_side(room, wall_said->sides[0]);
+            wall = wall_of(room, side);
+            if (to && side != side_of_border(border.from, border.to, room.least, room.most)) {
+                warn(said.line,
+                     phrase("rooms_text.not_at_wall",
+                            {{"other", room_words(rooms_[other])}, {"wall", wall_words(side)}}),
+                     phrase("rooms_text.then_at_border"));
+                wall = border;
+                wall_said = nullptr;
+            }
+        } else if (!to) {
+            // To the outside by the first wall behind which there is no room.
+            bool found = false;
+            for (const int side : {4, 0, 6, 2}) {
+                const Border here = wall_of(room, side);
+                const Vec2 beyond = here.at(0.5 * here.length()) + side_direction(side) * kOut_m;
+                const bool free = std::none_of(rooms_.begin(), rooms_.end(), [&](const WordRoom& o) {
+                    return o.storey == room.storey && inside(o.rings, beyond);
+                });
+                work_ += rooms_.size();
+                if (!free) continue;
+                wall = here;
+                found = true;
+                break;
+            }
+            if (!found) {
+                lost(phrase("rooms_text.no_outer_wall", {{"name", room_words(room)}}));
+                return;
+            }
+        } else if (said.words.find(Says::Along) || said.words.find(Says::FromWall)) {
+            // Along the whole wall that the other room is at.
+            const Border whole = wall_of(room, side_of_border(border.from, border.to, room.least, room.most));
+            const auto off = [&](const Vec2& p) {
+                const Vec2 way = whole.to - whole.from, rel = p - whole.from;
+                return std::abs(way.x * rel.y - way.y * rel.x) / std::max(glm::length(way), 1e-9);
+            };
+            if (off(border.from) < kOut_m && off(border.to) < kOut_m) wall = whole;
+        }
+        double along = along_wall(said, room, wall, placed);
+        // Without a place on a wall that one room has only a part of: the middle of that part.
+        if (!placed && to) {
+            wall = border;
+            along = 0.5 * wall.length();
+        }
+        door.at = wall.at(along);
+        border = to ? border : wall;
+        if (!placed && door.kind != PlanDoorKind::Opening) ++middle_doors_;
+    }
+    if (door.kind == PlanDoorKind::Opening && !wide)
+        door.width_m = std::max(border.length() - plan_.wall_m - 0.04, 0.6);
+    const WordRoom* there = other == kNoRoom ? nullptr : &rooms_[other];
+    door.levels = {level_for(room, there)};
+    std::vector<std::size_t> joined{r};
+    if (there) joined.push_back(other);
+    std::sort(joined.begin(), joined.end());
+    door.spaces = {joined};
+    const auto note = [&](std::size_t of, std::size_t to_room) {
+        const WordRoom& here = rooms_[of];
+        doors_of_[of].push_back(
+            {door.at, door.width_m.value_or(0.9), side_of_border(door.at, door.at, here.least, here.most),
+             to_room == kNoRoom ? std::string() : name_key(rooms_[to_room].said.words.name, speaker_.language)});
+    };
+    // One may write a door in both of its rooms.
+    if (told_before(door, placed)) return;
+    note(r, other);
+    if (there) note(other, r);
+    plan_.doors.push_back(std::move(door));
+}
+
+void WordsPlan::add_windows(std::size_t r) {
+    const WordRoom& room = rooms_[r];
+    for (const Said& said : room.windows) {
+        if (plan_.things.size() >= kMostThings) return;
+        int side = -1;
+        for (const Says says : {Says::InWall, Says::MiddleOf, Says::Along, Says::FromWall})
+            if (const SaidPart* part = said.words.find(says); part && !part->sides.empty() && side < 0) {
+                left_and_right_ |= part->sides[0] >= 8;
+                side = wall_side(room, part->sides[0]);
+            }
+        if (side < 0) {
+            warn(said.line, phrase("rooms_text.window_without_wall", {{"name", room_words(room)}}),
+                 phrase("rooms_text.then_north_wall"));
+            side = 0;
+        }
+        const Border wall = wall_of(room, side);
+        bool placed = false;
+        const double along = along_wall(said, room, wall, placed);
+        const SaidPart *wide = said.words.find(Says::Wide), *high = said.words.find(Says::High),
+                       *sill = said.words.find(Says::AboveFloor);
+        const double width = std::clamp(wide ? wide->numbers[0] : kWindow_m, 0.2, std::max(wall.length() - 0.1, 0.2));
+        PlanThing window;
+        const SaidPart* called = said.words.find(Says::Called);
+        window.name = called ? one_line(called->name.substr(0, 200)) : phrase("rooms_text.window");
+        window.window = true;
+        window.material = "glass";
+        window.level = level_of_[room.storey];
+        window.from_m = std::clamp(sill ? sill->numbers[0] : kSill_m, 0.0, 20.0);
+        window.height_m = std::clamp(high ? high->numbers[0] : kWindowHigh_m, 0.1, 20.0);
+        window.line = said.line;
+        const double at = std::clamp(along, std::min(0.5 * width, 0.5 * wall.length()),
+                                     std::max(wall.length() - 0.5 * width, 0.5 * wall.length()));
+        const Vec2 way = (wall.to - wall.from) / std::max(wall.length(), 1e-9),
+                   across = Vec2(-way.y, way.x) * (0.5 * plan_.wall_m + kProud_m);
+        const Vec2 from = wall.at(at) - way * (0.5 * width), to = wall.at(at) + way * (0.5 * width);
+        window.parts = {{from - across, to - across, to + across, from + across}};
+        windows_here_.push_back({wall.at(at), width, side, {}});
+        plan_.things.push_back(std::move(window));
+    }
+}
+
+// Where it is out of the way: the first corner that neither a thing nor a door is near, else the middle.
+Vec2 WordsPlan::free_corner(const WordRoom& room, const Vec3& size_m) const {
+    constexpr double kBeforeDoor_m = 1.0;
+    const Vec2 half(0.5 * size_m.x, 0.5 * size_m.y), in(0.5 * plan_.wall_m);
+    const Vec2 least = room.least + in + half, most = room.most - in - half;
+    for (const Vec2& at : {Vec2(least.x, most.y), most, Vec2(most.x, least.y), least}) {
+        bool free = inside(room.rings, at);
+        for (const auto& [name, other] : placed_things_)
+            free &= glm::any(glm::lessThanEqual(other.most, at - half)) ||
+                    glm::any(glm::greaterThanEqual(other.least, at + half));
+        for (const Opening& door : doors_here_) {
+            const Vec2 off = glm::max(glm::abs(door.at - at) - half, Vec2(0.0));
+            free &= glm::length(off) > kBeforeDoor_m;
+        }
+        if (free) return at;
+    }
+    return 0.5 * (room.least + room.most);
+}
+
+Vec2 WordsPlan::place_of_thing(const Said& said, const WordRoom& room, Vec3& size_m, bool usual) {
+    const double inside_m = 0.5 * plan_.wall_m;
+    const Vec2 least = room.least + inside_m, most = room.most - inside_m, middle = 0.5 * (least + most);
+    // What is as it usually is stands with its longer side along the wall.
+    const auto turn_to = [&](int side) {
+        const bool upright = side == 2 || side == 6;
+        if (usual && (size_m.x > size_m.y) == upright && size_m.x != size_m.y) std::swap(size_m.x, size_m.y);
+    };
+    const auto against = [&](int side, double along) {
+        turn_to(side);
+        const Vec2 half(0.5 * size_m.x, 0.5 * size_m.y);
+        switch (side) {
+            case 0:
+                return Vec2(along, most.y - half.y);
+            case 2:
+                return Vec2(most.x - half.x, along);
+            case 4:
+                return Vec2(along, least.y + half.y);
+            default:
+                return Vec2(least.x + half.x, along);
+        }
+    };
+    const auto along_of = [&](int side, const Vec2& place) { return side == 0 || side == 4 ? place.x : place.y; };
+    if (const SaidPart* at = said.words.find(Says::At)) return offset_of(*at);
+    if (const SaidPart* offset = said.words.find(Says::Offset)) return room.least + offset_of(*offset);
+    if (const SaidPart* corner = said.words.find(Says::InCorner)) {
+        const int side = std::min(corner->sides[0], 7);
+        const bool north = side == 7 || side == 0 || side == 1, east = side >= 1 && side <= 3;
+        turn_to(north ? 0 : 4);
+        return {east ? most.x - 0.5 * size_m.x : least.x + 0.5 * size_m.x,
+                north ? most.y - 0.5 * size_m.y : least.y + 0.5 * size_m.y};
+    }
+    const auto no_such = [&](std::string message) {
+        warn(said.line, std::move(message), phrase("rooms_text.then_corner"));
+        return free_corner(room, size_m);
+    };
+    if (said.words.find(Says::ByWindow)) {
+        if (windows_here_.empty()) return no_such(phrase("rooms_text.no_window", {{"name", room_words(room)}}));
+        const Opening& window = windows_here_.front();
+        return against(window.side, along_of(window.side, window.at));
+    }
+    if (const SaidPart* by_door = said.words.find(Says::ByDoor)) {
+        const Opening* door = nullptr;
+        const std::string key = name_key(by_door->name, speaker_.language);
+        for (const Opening& opening : doors_here_)
+            if (!door && (by_door->name.empty() || opening.to == key)) door = &opening;
+        if (!door) return no_such(phrase("rooms_text.no_door", {{"name", room_words(room)}}));
+        turn_to(door->side);
+        const bool level = door->side == 0 || door->side == 4;
+        const double away = 0.5 * door->width_m + kBesideDoor_m + 0.5 * (level ? size_m.x : size_m.y);
+        const double at = along_of(door->side, door->at);
+        const double end = (level ? most.x : most.y) - 0.5 * (level ? size_m.x : size_m.y);
+        return against(door->side, at + away <= end ? at + away : at - away);
+    }
+    if (const SaidPart* next = said.words.find(Says::NextTo)) {
+        const auto found = placed_things_.find(name_key(next->name, speaker_.language));
+        if (found == placed_things_.end())
+            return no_such(phrase("rooms_text.no_thing",
+                                  {{"name", room_words(room)}, {"thing", one_line(next->name.substr(0, 100))}}));
+        const Placed& other = found->second;
+        const Vec2 half(0.5 * size_m.x, 0.5 * size_m.y), there = 0.5 * (other.least + other.most);
+        if (other.most.x + size_m.x <= most.x) return {other.most.x + half.x, there.y};
+        if (other.least.x - size_m.x >= least.x) return {other.least.x - half.x, there.y};
+        if (other.most.y + size_m.y <= most.y) return {there.x, other.most.y + half.y};
+        return {there.x, other.least.y - half.y};
+    }
+    int side = -1;
+    for (const Says says : {Says::InWall, Says::MiddleOf, Says::Along})
+        if (const SaidPart* part = said.words.find(says); part && !part->sides.empty() && side < 0) {
+            left_and_right_ |= part->sides[0] >= 8;
+            side = wall_side(room, part->sides[0]);
+        }
+    if (side >= 0) {
+        const Border wall = wall_of(room, side);
+        bool placed = false;
+        return against(side, along_of(side, wall.at(along_wall(said, room, wall, placed))));
+    }
+    Vec2 place = middle;
+    bool placed = said.words.find(Says::Middle) != nullptr;
+    for (const SaidPart& part : said.words.parts) {
+        if (part.says != Says::FromWall) continue;
+        placed = true;
+        const double away = part.numbers[0];
+        switch (wall_side(room, part.sides[0])) {
+            case 0:
+                place.y = most.y - away - 0.5 * size_m.y;
+                break;
+            case 2:
+                place.x = most.x - away - 0.5 * size_m.x;
+                break;
+            case 4:
+                place.y = least.y + away + 0.5 * size_m.y;
+                break;
+            default:
+                place.x = least.x + away + 0.5 * size_m.x;
+                break;
+        }
+    }
+    if (placed) return place;
+    ++without_place_;
+    return free_corner(room, size_m);
+}
+
+void WordsPlan::add_things(std::size_t r) {
+    const WordRoom& room = rooms_[r];
+    for (const Said& said : room.things) {
+        if (plan_.things.size() >= kMostThings) return;
+        if (said.words.parts.empty() && !said.words.explicit_kind && !usually_known(said.words.name)) {
+            warn(said.line, phrase("rooms_text.not_understood", {{"words", one_line(said.words.name.substr(0, 120))}}),
+                 phrase("rooms_text.then_left_out"));
+            continue;
+        }
+        const SaidPart *size3 = said.words.find(Says::Size3), *size2 = said.words.find(Says::Size2),
+                       *high = said.words.find(Says::High), *sill = said.words.find(Says::AboveFloor);
+        Vec3 size = usual_size_m(said.words.name);
+        const SaidPart* flat = size3 ? size3 : size2;
+        if (flat) size = Vec3(flat->numbers[0], flat->numbers[1], size.z);
+        if (size3) size.z = size3->numbers[2];
+        if (high) size.z = high->numbers[0];
+        if (!flat) ++usual_sizes_;
+        size = glm::clamp(size, Vec3(kLeastThing_m), Vec3(kMostThing_m));
+        Vec2 at = place_of_thing(said, room, size, !flat);
+        const double inside_m = 0.5 * plan_.wall_m;
+        const Vec2 half(0.5 * size.x, 0.5 * size.y), least = room.least + inside_m + half,
+                                                     most = room.most - inside_m - half;
+        const Vec2 within = glm::min(glm::max(at, least), glm::max(most, least));
+        if (glm::length(within - at) > 0.01 && !said.words.find(Says::At)) {
+            warn(said.line,
+                 phrase("rooms_text.does_not_fit",
+                        {{"thing", one_line(said.words.name.substr(0, 100))}, {"name", room_words(room)}}),
+                 phrase("rooms_text.then_moved_in"));
+            at = within;
+        }
+        PlanThing thing;
+        thing.name = one_line(said.words.name.substr(0, 200));
+        thing.level = level_of_[room.storey];
+        thing.height_m = size.z;
+        thing.from_m = sill ? std::clamp(sill->numbers[0], 0.0, 20.0) : 0.0;
+        thing.landmark = said.words.find(Says::Landmark) != nullptr;
+        thing.clue = said.words.find(Says::Clue) != nullptr;
+        if (const SaidPart* made = said.words.find(Says::MadeOf)) thing.material = made->name;
+        thing.line = said.line;
+        thing.parts = {{at - half, {at.x + half.x, at.y - half.y}, at + half, {at.x - half.x, at.y + half.y}}};
+        placed_things_[name_key(thing.name, speaker_.language)] = {at - half, at + half};
+        plan_.things.push_back(std::move(thing));
+    }
+}
+
+void WordsPlan::add_start(const Said& said) {
+    std::size_t r = start_rooms_[static_cast<std::size_t>(&said - starts_.data())];
+    if (const SaidPart* in = said.words.find(Says::In)) {
+        const std::size_t named = room_named(in->name);
+        if (named == kNoRoom)
+            warn(said.line,
+                 phrase("rooms_text.unknown_room",
+                        {{"name", one_line(in->name.substr(0, 100))}, {"near", nearest_room(in->name)}}),
+                 phrase("rooms_text.then_starts_in", {{"name", room_words(rooms_[r])}}));
+        else r = named;
+    }
+    const WordRoom& room = rooms_[r];
+    PlanStart start;
+    start.level = level_of_[room.storey];
+    start.line = said.line;
+    const SaidPart *called = said.words.find(Says::Called), *facing = said.words.find(Says::Facing);
+    start.name = called ? one_line(called->name.substr(0, 200)) : room_words(room);
+    if (facing) start.heading_rad = wall_side(room, facing->sides[0]) * 0.25 * kPi;
+    if (facing && facing->sides[0] < 8) start.heading_rad = facing->sides[0] * 0.25 * kPi;
+    windows_here_.clear();
+    placed_things_.clear();
+    doors_here_ = doors_of_[r];
+    Vec3 body(0.5, 0.5, 1.8);
+    const int without = without_place_;
+    start.at = place_of_thing(said, room, body, false);
+    if (without_place_ > without) start.at = 0.5 * (room.least + room.most);
+    without_place_ = without;
+    // On an outline of more corners its middle may lie outside.
+    if (!inside(room.rings, start.at)) {
+        double largest = 0.0;
+        for (const Ring& part : convex_parts(room.rings))
+            if (const double area = signed_area(part); area > largest) {
+                largest = area;
+                start.at = Vec2(0.0);
+                for (const Vec2& p : part) start.at += p / static_cast<double>(part.size());
+            }
+    }
+    plan_.starts.push_back(std::move(start));
+}
+
+}  // namespace handrail
