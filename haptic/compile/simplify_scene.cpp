@@ -53,7 +53,7 @@ struct Leaf {
         through = way;
     }
     Range range(const Vec3& way) const {
-        Range range = kNone;
+        Range range = kNoRange;
         for (const Vec3& p : points_m) include(range, glm::dot(way, p));
         return range;
     }
@@ -300,13 +300,13 @@ private:
         opening.floor_m = below.hit ? middle.z - below.hit->way_m : z[0];
         if (opening.floor_m < z[0] - kFrame_m) opening.floor_m = z[0];
         opening.top_m = above.hit ? middle.z + above.hit->way_m : -std::numeric_limits<double>::infinity();
-        Range wall = kNone;
+        Range wall = kNoRange;
         double low_room_m = gap_m_, high_room_m = gap_m_;
         for (const bool high : {false, true}) {
             const std::vector<std::uint32_t>& solids = high ? sides.high_solids : sides.low_solids;
             const Range beside =
                 high ? Range{opening.high_m, opening.high_m + 0.2} : Range{opening.low_m - 0.2, opening.low_m};
-            Range depth = kNone;
+            Range depth = kNoRange;
             for (const std::uint32_t i : solids) include(depth, depth_of(i, opening, beside, z));
             if (depth[0] <= depth[1]) depth = with_layers(opening, high, beside, depth, z);
             if (length(depth) > kDeepest_m) (high ? high_room_m : low_room_m) = 0.0;
@@ -341,7 +341,7 @@ private:
         const ConvexSolid part =
             common(scene_.solids[solid].shape,
                    {{opening.along, beside[1]}, {-opening.along, -beside[0]}, {up, z[1]}, {-up, -(z[0] + kStep_m)}});
-        return part.faces.empty() ? kNone : along(part, opening.left());
+        return part.faces.empty() ? kNoRange : along(part, opening.left());
     }
 
     // A wall may be built of layers.

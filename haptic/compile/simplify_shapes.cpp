@@ -17,7 +17,7 @@ void include(Range& range, const Range& other) {
 }
 
 Range along(const ConvexSolid& solid, const Vec3& way) {
-    Range range = kNone;
+    Range range = kNoRange;
     for (const Polygon& face : solid.faces)
         for (const Vec3& p : face.points_m) include(range, glm::dot(way, p));
     return range;

@@ -16,7 +16,7 @@ inline constexpr double kStep_m = 0.3;  // what is lower is floor, and is neithe
 inline constexpr CutTolerance kTolerance{1e-7, 1e-6};
 
 using Range = std::array<double, 2>;
-inline constexpr Range kNone{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+inline constexpr Range kNoRange{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 void include(Range& range, double value);
 void include(Range& range, const Range& other);
 inline double length(const Range& range) { return range[1] - range[0]; }

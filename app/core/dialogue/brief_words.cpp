@@ -3,19 +3,12 @@
 #include <array>
 #include <cmath>
 
+#include "app/core/dialogue/words.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/scene/surfaces.h"
 
 namespace handrail {
-namespace {
-
-long hour_of(double turn_rad) {
-    const long hour = (std::lround(turn_rad / (kPi / 6.0)) + 12) % 12;
-    return hour == 0 ? 12 : hour;
-}
-
-}  // namespace
 
 std::string brief_direction_words(double bearing_rad, double heading_rad, DirectionChoice choice) {
     contract_pre(std::isfinite(bearing_rad) && std::isfinite(heading_rad));

@@ -23,12 +23,12 @@ int whole_steps(double distance_m, double step_length_m) {
     return steps > 20 ? ((steps + 2) / 5) * 5 : steps;
 }
 
+}  // namespace
+
 long hour_of(double turn_rad) {
     const long hour = (std::lround(turn_rad / (kPi / 6.0)) + 12) % 12;
     return hour == 0 ? 12 : hour;
 }
-
-}  // namespace
 
 double wrap_angle(double radians) {
     double a = std::fmod(radians, 2.0 * kPi);

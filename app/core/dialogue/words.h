@@ -29,6 +29,9 @@ std::string direction_words(double bearing_rad, double heading_rad, DirectionCho
 // How far to turn, as it is told: degrees, positive to the right, to five or, not rounded, to one; 0 is ahead, 180
 // either way behind.
 double told_turn_deg(double bearing_rad, double heading_rad, bool rounded = true);
+// The hour of a clock lying before one that a turn of so many radians, positive to the right, points at: 1 to 12, ahead
+// is 12.
+long hour_of(double turn_rad);
 // A heading in degrees clockwise from north, 0 to 360, to the degree.
 long whole_degrees(double heading_rad);
 // "9 steps at 1 o'clock", "9 steps ahead", "9 steps, 25 degrees right", "9 steps north-east", "close by, ahead".

@@ -7,7 +7,7 @@
 namespace handrail {
 namespace {
 
-constexpr double kSamePlace_m = 0.02, kSameTurn_rad = 0.02;
+constexpr double kStands_m = 0.02, kStandsTurn_rad = 0.02;
 
 }  // namespace
 
@@ -51,8 +51,8 @@ FeatureId Visits::faced() const {
 void Visits::tick(FeatureId asked_about, double now_s) {
     const Vec3 feet_m = context_.body.feet_m();
     if (last_ && glm::length(feet_m - last_m_) >= kLeft_m) last_ = kNoFeature;
-    if (glm::length(feet_m - stands_m_) > kSamePlace_m ||
-        std::abs(wrap_angle(context_.body.heading_rad - stands_rad_)) > kSameTurn_rad) {
+    if (glm::length(feet_m - stands_m_) > kStands_m ||
+        std::abs(wrap_angle(context_.body.heading_rad - stands_rad_)) > kStandsTurn_rad) {
         stands_m_ = feet_m;
         stands_rad_ = context_.body.heading_rad;
         since_s_ = now_s;
