@@ -4,6 +4,7 @@
 
 #include "worlds/geometry/box_index.h"
 #include "worlds/geometry/clip.h"
+#include "worlds/ifc/ifc_scene.h"
 #include "worlds/ifc/ifc_spaces.h"
 
 namespace handrail {
@@ -149,6 +150,7 @@ private:
             part.frame = frame_of(instance.id);
             part.body = body_of(instance.id, part.frame);
             part.same_as = building_.parts.size();
+            if (part.body.empty()) take_prefab(part, v);
             for (const std::string& word : material_words(model_, relations_, instance.id))
                 part.words += (part.words.empty() ? "" : "; ") + word;
             if (part.role == PartRole::Door || part.role == PartRole::Window) {
@@ -190,6 +192,38 @@ private:
             return;
         }
         alike.push_back(building_.parts.size());
+    }
+
+    // Furniture that has a place and a kind but no form gets that of its kind, its front to the placement's y.
+    void take_prefab(IfcPart& part, const Values& v) {
+        if (part.role != PartRole::Furniture && part.role != PartRole::Fixture && part.role != PartRole::Lift) return;
+        if (!reference_at(v, 5) || !is_finite(part.frame.origin_m)) return;
+        part.prefab = prefab_for(kind_words(part, v));
+        if (part.prefab && (part.prefab->name == "lift_cabin") != (part.role == PartRole::Lift)) part.prefab = nullptr;
+        if (!part.prefab) return;
+        const Frame axes = upright(part.frame);
+        for (const PrefabPart& box : part.prefab->parts)
+            if (std::optional<ConvexSolid> solid = box_solid(box.box_m.min_m, box.box_m.max_m, axes))
+                part.body.solids.push_back(std::move(*solid));
+        if (const int far = drop_far(part.body); far > 0 || part.body.solids.size() != part.prefab->parts.size()) {
+            part.prefab = nullptr;
+            part.body = {};
+            building_.far += far > 0 ? 1 : 0;
+        }
+    }
+
+    // What says of which kind a part is, the surest first: predefined types, then what it, its type and the file call
+    // it.
+    std::vector<std::string> kind_words(const IfcPart& part, const Values& v) const {
+        std::vector<std::string> words;
+        const auto type = relations_.type_of.find(part.id);
+        const Values of_type = type == relations_.type_of.end() ? Values{} : model_.values(type->second);
+        for (const Values* values : {&v, &of_type})
+            for (std::size_t i = 8; i < values->size(); ++i)
+                if (const std::string_view word = word_at(*values, i); !word.empty()) words.emplace_back(word);
+        for (const std::string& text : {text_at(of_type, 2), text_at(of_type, 8), text_at(v, 4), part.name})
+            words.push_back(text);
+        return words;
     }
 
     std::string operation_of(std::uint64_t door, const Values& v) const {

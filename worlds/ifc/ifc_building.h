@@ -9,6 +9,7 @@
 #include "worlds/geometry/box_index.h"
 #include "worlds/ifc/ifc_relations.h"
 #include "worlds/ifc/ifc_shapes.h"
+#include "worlds/scene/prefab.h"
 #include "worlds/scene/stated_building.h"
 
 namespace handrail {
@@ -28,6 +29,8 @@ struct IfcPart {
     std::size_t same_as = 0;
     double width_m = 0.0, height_m = 0.0;  // of doors and windows as stated; 0: not
     std::string operation;                 // of a door: "SINGLE_SWING_LEFT"
+    // Of a part without a form of its own: what stands there in its place, its boxes in `body` in order.
+    const Prefab* prefab = nullptr;
 };
 
 // Where a door or window stands in its wall, in the axes of its placement: x along it, y through the wall, z up.

@@ -140,6 +140,7 @@ void IfcScene::join_flights() {
         portal.width_m = std::min(box.size_m().x, box.size_m().y);
         portal.height_m = box.size_m().z;
         for (const double z : {box.min_m.z + 0.1, box.max_m.z + 0.1}) {
+            if (part.prefab && z > box.max_m.z) continue;  // how high it really goes nobody knows
             std::map<std::uint32_t, int> votes;
             for (int ix = 0; ix < 7; ++ix)
                 for (int iy = 0; iy < 7; ++iy) {

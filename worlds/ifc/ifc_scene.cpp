@@ -105,7 +105,8 @@ FeatureId IfcScene::thing_of(std::size_t part) {
     const IfcPart& of = building_.parts[whole];
     const auto called =
         std::find_if(kCalled.begin(), kCalled.end(), [&](const Called& c) { return c.role == of.role; });
-    const std::string_view kind = called == kCalled.end() ? "object" : called->kind;
+    const bool of_a_kind = of.prefab && of.role != PartRole::Lift;
+    const std::string_view kind = of_a_kind ? of.prefab->name : called == kCalled.end() ? "object" : called->kind;
     const FeatureId made = add_feature(
         FeatureKind::Object, kind,
         called != kCalled.end() && called->by_own_name ? spoken_part_name(of.name) : std::string(), of.line);
@@ -152,8 +153,12 @@ void IfcScene::add_part(std::size_t i) {
     const std::string of_material = touch_material(part);
     const bool structure = is_structure(part.role) && part.whole == i;
     const FeatureId thing = structure ? kNoFeature : thing_of(i);
-    for (ConvexSolid& solid : part.body.solids)
-        add_solid(std::move(solid), SolidRole::Solid, thing, of_material, part.line);
+    if (part.prefab) ++prefabs_[std::string(part.prefab->name)];
+    for (std::size_t k = 0; k < part.body.solids.size(); ++k) {
+        const bool usual = part.prefab && of_material.empty() && k < part.prefab->parts.size();
+        add_solid(std::move(part.body.solids[k]), SolidRole::Solid, thing,
+                  usual ? std::string(part.prefab->parts[k].material) : of_material, part.line);
+    }
     if (part.body.sheets.empty()) return;
     FeatureId of_sheets = thing;
     if (!of_sheets) {
@@ -229,6 +234,15 @@ void IfcScene::write_report() {
             phrase("ifc.guessed", {{"material", spoken_material(material)},
                                    {"names", names},
                                    {"more", std::max<int>(0, static_cast<int>(words.size()) - 3)}}));
+    }
+    if (!prefabs_.empty()) {
+        int all = 0;
+        std::string names;
+        for (const auto& [name, count] : prefabs_) {
+            all += count;
+            names += (names.empty() ? "" : ", ") + spoken_kind(name);
+        }
+        report.guessed.push_back(phrase("ifc.prefabs", {{"n", all}, {"names", names}}));
     }
     if (plain_ > 0) report.simplified.push_back(phrase("ifc.plain_leaves", {{"n", plain_}}));
     if (building_.approximated > 0)

@@ -43,6 +43,7 @@ private:
     std::vector<std::vector<std::uint32_t>> looks_;
     std::map<std::size_t, FeatureId> thing_;  // of wholes
     std::map<std::string, std::set<std::string>> guessed_from_;
+    std::map<std::string, int> prefabs_;  // that stand for parts without a form
     std::map<std::size_t, std::vector<std::string>> freed_;  // what was cut to open a door, by its part
     struct OuterDoor {
         std::size_t portal = 0;  // its place in stated_->portals
@@ -55,6 +56,8 @@ private:
 
 // The touch material that a file's words for a material suggest, in English and German; empty: none.
 std::string_view material_of_words(std::string_view words);
+// The piece of furniture that words of a file mean, in English and German, the first that is known; null: none.
+const Prefab* prefab_for(const std::vector<std::string>& words);
 // "M_Chair-Breuer:M_Chair-Breuer:174845" -> "Chair-Breuer": what of a part's name can be spoken.
 std::string spoken_part_name(const std::string& name);
 

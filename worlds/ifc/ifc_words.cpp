@@ -1,4 +1,5 @@
 // What words of a file mean for hand and ear.
+#include <algorithm>
 #include <array>
 
 #include "worlds/base/text.h"
@@ -34,7 +35,87 @@ constexpr std::array kRules{
     Rule{"grass", "grass"},
 };
 
+enum class Found { Anywhere, AtStart, Alone };  // in a word, at the start of one, as all there is
+struct KindRule {
+    std::string_view part, prefab;
+    Found found = Found::Anywhere;
+};
+// Likewise of furniture.
+constexpr std::array kKindRules{
+    KindRule{"elevator", "lift_cabin"},
+    KindRule{"aufzug", "lift_cabin"},
+    KindRule{"lift", "lift_cabin", Found::Alone},
+    KindRule{"schreibtisch", "desk"},
+    KindRule{"desk", "desk", Found::AtStart},
+    KindRule{"washhandbasin", "basin"},
+    KindRule{"waschbecken", "basin"},
+    KindRule{"waschtisch", "basin"},
+    KindRule{"washbasin", "basin"},
+    KindRule{"lavatory", "basin"},
+    KindRule{"sink", "basin", Found::AtStart},
+    KindRule{"spüle", "basin"},
+    KindRule{"toilet", "toilet"},
+    KindRule{"wcseat", "toilet"},
+    KindRule{"wc", "toilet", Found::Alone},
+    KindRule{"klosett", "toilet"},
+    KindRule{"bathtub", "bathtub"},
+    KindRule{"badewanne", "bathtub"},
+    KindRule{"bath", "bathtub", Found::Alone},
+    KindRule{"fridge", "fridge"},
+    KindRule{"refrigerator", "fridge"},
+    KindRule{"kühlschrank", "fridge"},
+    KindRule{"electriccooker", "stove"},
+    KindRule{"stove", "stove"},
+    KindRule{"cooker", "stove", Found::AtStart},
+    KindRule{"herd", "stove", Found::Alone},
+    KindRule{"wardrobe", "wardrobe"},
+    KindRule{"kleiderschrank", "wardrobe"},
+    KindRule{"schrank", "wardrobe", Found::Alone},
+    KindRule{"bookcase", "shelf"},
+    KindRule{"shelf", "shelf"},
+    KindRule{"regal", "shelf"},
+    KindRule{"sofa", "sofa"},
+    KindRule{"couch", "sofa"},
+    KindRule{"bench", "bench", Found::AtStart},
+    KindRule{"sitzbank", "bench"},
+    KindRule{"counter", "counter", Found::AtStart},
+    KindRule{"theke", "counter", Found::Alone},
+    KindRule{"tresen", "counter"},
+    KindRule{"chair", "chair"},
+    KindRule{"stuhl", "chair"},
+    KindRule{"wastebin", "bin"},
+    KindRule{"mülleimer", "bin"},
+    KindRule{"papierkorb", "bin"},
+    KindRule{"table", "table", Found::AtStart},
+    KindRule{"tisch", "table"},
+    KindRule{"bett", "bed"},
+    KindRule{"bed", "bed", Found::AtStart},
+};
+// What stands on, at or beside such a thing, or is another thing altogether.
+constexpr std::array<std::string_view, 11> kNoKind{"bedroom",   "lamp",    "leuchte",   "light",
+                                                   "cloth",     "mirror",  "spiegel",   "wheelchair",
+                                                   "rollstuhl", "bedside", "nachttisch"};
+
 }  // namespace
+
+const Prefab* prefab_for(const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        const std::string text = lower_ascii(std::string_view(word).substr(0, 100));
+        const auto holds = [&](std::string_view part) { return text.find(part) != std::string::npos; };
+        const auto fits = [&](const KindRule& rule) {
+            if (rule.found == Found::Alone) return text == rule.part;
+            if (rule.found == Found::Anywhere) return holds(rule.part);
+            const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; };
+            for (std::size_t at = text.find(rule.part); at != std::string::npos; at = text.find(rule.part, at + 1))
+                if (at == 0 || !letter(text[at - 1])) return true;
+            return false;
+        };
+        if (std::any_of(kNoKind.begin(), kNoKind.end(), holds)) return nullptr;
+        for (const KindRule& rule : kKindRules)
+            if (fits(rule)) return find_prefab(rule.prefab);
+    }
+    return nullptr;
+}
 
 std::string_view material_of_words(std::string_view words) {
     const std::string all = lower_ascii(words.substr(0, 400));
