@@ -15,25 +15,29 @@ namespace {
 
 constexpr std::size_t kFew = 48;  // solids at a face: more of them are worth a grid
 
-// Does face `a` keep what it shares with the coinciding face `b`? Asked both ways round exactly one answer is yes.
+// Which of faces in one place keeps what they share: one order of all faces, so that of any number of them one is left.
+// Of one rank those that stick out farther come first, as they cover the others where they do so by more than the
+// tolerance. Heights and areas count in steps of the tolerance, so that rounding errors do not decide.
 struct FaceClaim {
     int rank;
-    double area_m2;
+    double height_steps, area_steps;
     Vec3 middle_m;
     std::uint32_t solid;
 
-    bool beats(const FaceClaim& other, double tolerance_m2) const {
+    bool beats(const FaceClaim& other) const {
         if (rank != other.rank) return rank > other.rank;
-        if (std::abs(area_m2 - other.area_m2) > tolerance_m2) return area_m2 > other.area_m2;
+        if (height_steps != other.height_steps) return height_steps > other.height_steps;
+        if (area_steps != other.area_steps) return area_steps > other.area_steps;
         for (int axis = 0; axis < 3; ++axis)
             if (middle_m[axis] != other.middle_m[axis]) return middle_m[axis] < other.middle_m[axis];
         return solid < other.solid;
     }
 };
 
-FaceClaim claim_of(const SurfaceSolid& solid, std::uint32_t index, std::size_t face) {
+FaceClaim claim_of(const SurfaceSolid& solid, std::uint32_t index, std::size_t face, double cut_m) {
     const Polygon& polygon = solid.shape->faces[face];
-    return {solid.rank, area_m2(polygon), bounds_of(polygon).centre_m(), index};
+    return {solid.rank, std::round(solid.shape->planes[face].offset_m / cut_m),
+            std::round(area_m2(polygon) / (cut_m * cut_m)), bounds_of(polygon).centre_m(), index};
 }
 
 // Cuts polygons into what a convex solid leaves of them.
@@ -56,8 +60,8 @@ public:
                 // Lying in the solid's own face: covered from outside when that looks the other way, else one of the
                 // two stays.
                 if (glm::dot(plane.normal, normal) < 0.0 || !own.covers) continue;
-                if (claim_of(solid, solid_index, p)
-                        .beats(claim_of(own, own_index, own_face), tolerance_.cut_m * tolerance_.cut_m))
+                if (claim_of(solid, solid_index, p, tolerance_.cut_m)
+                        .beats(claim_of(own, own_index, own_face, tolerance_.cut_m)))
                     continue;
                 return keep_whole(points, left, before);
             }

@@ -76,4 +76,18 @@ TextureSense MapBrushes::sense_of(const MapBrush& brush) {
     return facts_of(brush.faces.front().texture).sense;
 }
 
+int MapBrushes::repeats(const BuiltSolid& built, std::uint32_t owner, int line) {
+    std::vector<std::string> planes;
+    for (const Plane& plane : built.solid.planes) {
+        const std::array<double, 4> numbers{plane.normal.x + 0.0, plane.normal.y + 0.0, plane.normal.z + 0.0,
+                                            plane.offset_m + 0.0};  // + 0.0: never minus zero
+        planes.emplace_back(reinterpret_cast<const char*>(numbers.data()), sizeof numbers);
+    }
+    std::sort(planes.begin(), planes.end());  // in whichever order they were drawn
+    std::string key(reinterpret_cast<const char*>(&owner), sizeof owner);
+    for (const std::string& plane : planes) key += plane;
+    const auto [found, is_new] = lines_.try_emplace(std::move(key), line);
+    return is_new ? 0 : found->second;
+}
+
 }  // namespace handrail

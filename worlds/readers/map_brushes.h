@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "worlds/geometry/clip.h"
@@ -30,6 +32,10 @@ public:
     // Special only when every face is: the first face then names the kind.
     TextureSense sense_of(const MapBrush& brush);
 
+    // The line of an earlier brush of this owner, of which the one that was built last is an exact repetition; 0: it is
+    // none, and counts as an earlier one from now on. `owner`: brushes of another are never the same.
+    int repeats(const BuiltSolid& built, std::uint32_t owner, int line);
+
     void leave_out() { ++left_out_; }
     int left_out() const { return left_out_; }
     int dropped_faces() const { return dropped_faces_; }
@@ -42,6 +48,7 @@ private:
     std::vector<Plane> planes_;                 // of the brush built last
     std::vector<std::uint32_t> face_of_plane_;  // likewise
     int left_out_ = 0, dropped_faces_ = 0;
+    std::unordered_map<std::string, int> lines_;  // of brushes, by owner and planes
 };
 
 }  // namespace handrail

@@ -388,6 +388,17 @@ private:
                         origin_units = built.solid.bounds_m.centre_m() / units_;
                     continue;
             }
+            // Whoever copied it twice by mistake feels one; thousands in one place would only cost time.
+            if (const int line =
+                    solid.role == SolidRole::Solid && volume_name.empty() && !meaning.soft
+                        ? brushes_.repeats(built, meaning.structure ? 0U : 1U + static_cast<std::uint32_t>(index),
+                                           brush.place.line)
+                        : 0;
+                line > 0) {
+                ++repeated_brushes_;
+                diagnostics_.warn(brush.place, "map.then_left_out", "map.repeated_brush", {{"line", line}});
+                continue;
+            }
             if (!volume_name.empty())
                 solid.role = volume_kind == FeatureKind::Liquid     ? SolidRole::Liquid
                              : volume_kind == FeatureKind::Teleport ? SolidRole::Teleport
@@ -553,6 +564,7 @@ private:
         left_out(file_.curves_damaged + curves_.left_out(), "map.curves_left_out");
         left_out(file_.primitives, "map.forms_left_out");
         left_out(helper_brushes_, "map.helpers_left_out");
+        left_out(repeated_brushes_, "map.repeated_left_out");
         left_out(shapeless_things_, "map.things_left_out");
         if (left_out_cursor_) report.left_out.push_back(phrase("map.cursor_left_out"));
         diagnostics_.move_into(report);
@@ -580,7 +592,7 @@ private:
     std::string world_name_;
     std::optional<bool> stated_building_;
     bool saw_worldspawn_ = false, game_things_ = false, building_things_ = false, left_out_cursor_ = false;
-    int helper_brushes_ = 0, shapeless_things_ = 0;
+    int helper_brushes_ = 0, shapeless_things_ = 0, repeated_brushes_ = 0;
 };
 
 }  // namespace

@@ -286,6 +286,53 @@ TEST(ExposedSurface, shows_no_more_of_a_heap_than_is_outside) {
     EXPECT_NEAR(total_area(exposed(heap)), 6.0 * 1.002 * 1.002, 0.01);
 }
 
+// What of the tops of solids that stand in one place shows, seen from above.
+double top_area(const std::vector<ConvexSolid>& shapes, const CutTolerance& tolerance,
+                const std::vector<int>& ranks = {}) {
+    std::vector<Aabb> boxes;
+    std::vector<SurfaceSolid> solids;
+    for (const ConvexSolid& shape : shapes) {
+        boxes.push_back(shape.bounds_m);
+        solids.push_back({&shape});
+        if (!ranks.empty()) solids.back().rank = ranks[solids.size() - 1];
+    }
+    double area = 0.0;
+    for (const ExposedPiece& piece : exposed_surface(solids, BoxIndex(boxes), tolerance))
+        if (shapes[piece.solid].planes[piece.face].normal.z > 0.5) area += area_m2(piece.polygon);
+    return area;
+}
+
+TEST(ExposedSurface, keeps_one_of_faces_hardly_apart_however_they_are_set) {
+    constexpr CutTolerance kCoarse{1e-3, 1e-3};
+    // Each as large as the next by the tolerance, the third larger than the first by more; the first is the westmost.
+    EXPECT_NEAR(
+        top_area({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1 + 7e-7, 1, 1}), box({0, 0, 0}, {1 + 1.4e-6, 1, 1})},
+                 kCoarse),
+        1.0, 1e-5);
+    // The second sticks out of the first by more than the tolerance, the third lies between.
+    EXPECT_NEAR(
+        top_area({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1.0012}), box({0, 0, 0}, {1, 1, 1.0006})}, kCoarse),
+        1.0, 1e-2);
+    EXPECT_NEAR(top_area({box({0, 0, 0}, {1, 1, 1}), box({0, 0, 0}, {1, 1, 1.0012}), box({0, 0, 0}, {1, 1, 1.0006})},
+                         kCoarse, {1, 0, 1}),
+                1.0, 1e-2);
+    // Many at random, less than 1 um apart, and again over some tolerances.
+    for (int seed = 0; seed < test::scaled(40); ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(static_cast<unsigned>(seed));
+        std::uniform_real_distribution<double> apart(0.0, seed % 2 ? 1e-6 : 1e-5);
+        std::vector<ConvexSolid> heap;
+        std::vector<int> ranks;
+        for (int i = 0; i < (seed == 0 ? 1'500 : 30); ++i) {
+            const Vec3 low{apart(random), apart(random), apart(random)};
+            heap.push_back(box(low, low + Vec3(1.0 + apart(random), 1.0 + apart(random), 1.0 + apart(random))));
+            ranks.push_back(static_cast<int>(random() % 2));
+        }
+        EXPECT_NEAR(top_area(heap, kTolerance), 1.0, 1e-3);
+        EXPECT_NEAR(top_area(heap, kTolerance, ranks), 1.0, 1e-3);
+    }
+}
+
 TEST(JoinedSurfaces, joins_along_edges_and_t_junctions_but_not_at_corners) {
     using testing::ElementsAre;
     EXPECT_THAT(joined({square(0, 0, 1, 1), square(1, 0, 2, 1)}), ElementsAre(0, 0));

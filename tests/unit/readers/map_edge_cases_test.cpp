@@ -16,7 +16,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string kCube = box_brush(0, 0, 0, 64, 64, 64);
+const std::string kCube = box_brush(0, 0, 0, 64, 64, 64), kOther = box_brush(128, 0, 0, 192, 64, 64),
+                  kThird = box_brush(256, 0, 0, 320, 64, 64);
 
 Reading read(const std::string& text) { return test::reading_of(read_quake_map(text, "test.map")); }
 
@@ -53,7 +54,7 @@ TEST(MapEdgeCases, all_line_endings_tabs_and_a_byte_order_mark_count_lines_right
 TEST(MapEdgeCases, textures_may_have_any_name_up_to_white_space_or_in_quotes) {
     for (const std::string texture : {"{grille", "}odd", "*a", "+0slip", "#x", "a;b", "(paren", "!b", "a/b/c", "128",
                                       "__TB_empty", "//x", "\"with blanks\"", "\"say \\\"x\\\" y\"", "a)b", "[x"}) {
-        const Reading reading = read(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 64, texture) + kCube));
+        const Reading reading = read(entity("worldspawn", {}, box_brush(0, 0, 0, 64, 64, 64, texture) + kOther));
         EXPECT_THAT(reading.said, IsEmpty()) << texture;
         EXPECT_EQ(reading.scene.solids.size(), 2U) << texture;
         EXPECT_EQ(reading.scene.report.polygons, 12) << texture;
@@ -162,7 +163,7 @@ TEST(MapEdgeCases, damaged_forms_of_other_games_are_skipped_to_their_brace_with_
     const std::string primitive =
         "{\nbrushDef\n{\n( 0 0 0 ) ( 1 0 0 ) ( 0 1 0 ) "
         "( ( 1 0 0 ) ( 0 1 0 ) ) \"x\" 0 0 0\n}\n}\n";
-    const Reading reading = read(entity("worldspawn", {}, patch + kCube + primitive + kCube));
+    const Reading reading = read(entity("worldspawn", {}, patch + kCube + primitive + kOther));
     EXPECT_EQ(reading.scene.solids.size(), 2U);
     EXPECT_THAT(reading.said, ElementsAre(HasSubstr("as many points in a row as the size of a curved patch says"),
                                           HasSubstr("is not closed")));
@@ -174,7 +175,7 @@ TEST(MapEdgeCases, standard_and_valve_faces_mix_and_extra_numbers_are_no_error) 
     std::string brush = kCube;
     brush.replace(brush.find("plain 0 0 0 1 1"), 15, "plain [ 0 1 0 -16 ] [ 0 0 -1 8.5e0 ] 45 1 1");
     brush.replace(brush.rfind("plain 0 0 0 1 1"), 15, "plain 0 0 0 1 1 134217728 0 0");
-    const Reading reading = read(entity("worldspawn", {}, brush + replaced(kCube, "plain 0 0 0 1 1", "plain")));
+    const Reading reading = read(entity("worldspawn", {}, brush + replaced(kOther, "plain 0 0 0 1 1", "plain")));
     EXPECT_THAT(reading.said, IsEmpty());
     EXPECT_EQ(reading.scene.solids.size(), 2U);
 }
@@ -185,7 +186,7 @@ TEST(MapEdgeCases, what_misses_a_class_a_world_or_an_entity_is_taken_and_said) {
                                       "classname. Its brushes were taken")));
     EXPECT_THAT(read(entity("func_wall", {}, kCube)).said, ElementsAre(HasSubstr("this map has no worldspawn")));
     EXPECT_THAT(read("{\n" + kCube + "\"classname\" \"worldspawn\"\n}\n").said, IsEmpty()) << "brushes before keys";
-    const Reading bare = read(kCube + kCube);
+    const Reading bare = read(kCube + kOther);
     EXPECT_EQ(bare.scene.solids.size(), 2U);
     EXPECT_THAT(bare.said, testing::Contains(HasSubstr("brushes stand outside of any entity. They were "
                                                        "taken as the building itself.")));
@@ -198,7 +199,7 @@ TEST(MapEdgeCases, content_of_other_files_is_said_to_be_missing) {
 }
 
 TEST(MapEdgeCases, a_missing_brace_costs_at_most_one_brush) {
-    const std::string whole = entity("worldspawn", {}, kCube + kCube + kCube);
+    const std::string whole = entity("worldspawn", {}, kCube + kOther + kThird);
     EXPECT_THAT(read(whole.substr(0, whole.rfind('}'))).said,
                 ElementsAre(HasSubstr("the file ends inside the entity that begins in line 1. A "
                                       "closing brace is missing. What was complete was kept.")));
@@ -323,6 +324,30 @@ TEST(MapEdgeCases, guessing_can_be_switched_off_without_changing_the_walls) {
     EXPECT_EQ(guessed->materials.size(), 3U);
     EXPECT_EQ(unguessed->materials.size(), 1U);
     EXPECT_TRUE(unguessed->report.guessed.empty());
+}
+
+TEST(MapEdgeCases, feels_brushes_once_that_are_drawn_in_one_place_again_and_says_so) {
+    const std::string wall = box_brush(0, 0, 0, 128, 16, 96, "brick1"),
+                      other = box_brush(0, 0, 0, 128, 16, 97, "brick1");
+    std::string turned = wall;  // the same faces, drawn in another order and painted otherwise
+    const std::size_t first = turned.find('('), second = turned.find('\n', first) + 1;
+    turned.insert(turned.rfind('}'), turned.substr(first, second - first));
+    turned.erase(first, second - first);
+    turned.replace(turned.find("brick1"), 6, "wood1 ");
+    const std::string named = entity("func_wall", test::key("name", "panel"), wall);
+    const Result<Scene> scene =
+        read_quake_map(entity("worldspawn", {}, wall + other + wall + turned) + named + named, "test.map");
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    EXPECT_EQ(scene->solids.size(), 4U) << "two of the building, and two panels, each a thing of its own";
+    EXPECT_EQ(scene->report.warnings_in_all, 2);
+    ASSERT_EQ(scene->report.warnings.size(), 2U);
+    EXPECT_THAT(scene->report.warnings[0].sentence(), HasSubstr("the same as the one in line 3"));
+    EXPECT_THAT(scene->report.left_out, testing::Contains("2 brushes that repeat others were left out."));
+    EXPECT_EQ(scene->material(scene->solids[0].face_materials[0]).name, "brick") << "the first is the one that stays";
+    const Result<Scene> once = read_quake_map(entity("worldspawn", {}, wall + other), "test.map");
+    const Result<Scene> often = read_quake_map(entity("worldspawn", {}, wall + other + wall + turned), "test.map");
+    ASSERT_TRUE(once && often);
+    EXPECT_EQ(once->surfaces.size(), often->surfaces.size());
 }
 
 TEST(MapEdgeCases, fails_only_when_nothing_is_left_and_says_the_first_reason) {
