@@ -50,9 +50,9 @@ std::optional<FileState> state_of(const fs::path& path, const std::stop_token& s
 
 // Everything but the file that decides what becomes of it. A person's own words may change between two starts.
 std::string said_by(const ReadOptions& options, const fs::path& path) {
-    std::string said = fmt::format("{} {} {} {} {}\n{}\n{}", options.map_metres_per_unit, options.obj_metres_per_unit,
-                                   options.unit_is_known, options.guess_materials, options.building,
-                                   path.filename().string(), spoken_language());
+    std::string said = fmt::format("{} {} {} {} {} {}\n{}\n{}", options.map_metres_per_unit,
+                                   options.obj_metres_per_unit, options.unit_is_known, options.guess_materials,
+                                   options.solid_meshes, options.building, path.filename().string(), spoken_language());
     const fs::path folder = spoken_language_folder();
     std::error_code ec;
     if (!folder.empty() && fs::is_directory(folder, ec))

@@ -85,6 +85,7 @@ int reader_process(int argc, char** argv) {
     options.obj_metres_per_unit = number<double>(argv[8]);
     options.unit_is_known = argv[9][0] == '1';
     options.guess_materials = argv[9][1] == '1';
+    options.solid_meshes = argv[9][2] == '1';
     options.building = argv[10];
     std::vector<BesideFile> beside;
     options.read_beside = [&](const std::string& name) {

@@ -172,6 +172,7 @@ Result<ReadApart> read_apart(const fs::path& path, const ReadOptions& options, c
     const Descriptor ours(ends[0]);
     std::string flags = options.unit_is_known ? "1" : "0";
     flags += options.guess_materials ? '1' : '0';
+    flags += options.solid_meshes ? '1' : '0';
     const double before_s = children_cpu_s();
     pid_t process = -1;
     {

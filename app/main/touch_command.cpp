@@ -213,6 +213,7 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err)
     };
     ReadOptions options = arguments.common.read_options(arguments.world);
     options.guess_materials = false;
+    options.solid_meshes = false;
     Result<Scene> scene =
         imported(arguments.world, options).map([](ImportedWorld&& world) { return std::move(world.scene); });
     if (!scene) return refuse(scene.error());

@@ -1,5 +1,5 @@
-// Named triangle meshes to a Scene: what glTF, PLY and STL have in common. A closed convex mesh is a solid, unless
-// others lie in it, as in the shell of a room, or it is alone; all else are sheets that both sides can be touched of.
+// Named triangle meshes to a Scene: what glTF, PLY and STL have in common. A closed mesh is solid (mesh_bodies says
+// which and why not); all else are sheets that both sides can be touched of.
 #pragma once
 
 #include <array>

@@ -1,19 +1,24 @@
-// Wavefront .obj meshes: triangles as sheets, two-sided unless a comment "#touch_side front" or "back" says otherwise
-// for the faces below it. Damage is reported by line and the rest loads.
+// Wavefront .obj meshes: closed things are solid (mesh_bodies); else triangles as sheets, two-sided unless a comment
+// "#touch_side front" or "back" says otherwise for the faces below it. Damage is reported by line and the rest loads.
 #include <charconv>
 #include <map>
 
 #include "worlds/base/text.h"
+#include "worlds/geometry/clip.h"
+#include "worlds/geometry/closest_point.h"
 #include "worlds/readers/diagnostics.h"
 #include "worlds/readers/map_keys.h"
+#include "worlds/readers/mesh_bodies.h"
 #include "worlds/readers/mesh_materials.h"
 #include "worlds/readers/reader.h"
 #include "worlds/readers/spoken_text.h"
+#include "worlds/scene/surfaces.h"
 
 namespace handrail {
 namespace {
 
-constexpr std::size_t kMostCorners = 4096;  // of one polygon; splitting a larger one would take minutes
+constexpr double kObjSurfaceUnit_m = 1.0 / 32.0;  // as derive_surfaces has it for maps
+constexpr std::size_t kMostCorners = 4096;        // of one polygon; splitting a larger one would take minutes
 
 double twice_area(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -76,15 +81,18 @@ public:
         while (next_line() && !options_.stop.stop_requested()) read_line();
         if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), scene_.source_file);
         if (scene_.triangles.empty()) return nothing_to_touch(diagnostics_, scene_.source_file, "mesh");
+        name_main_materials();
+        if (options_.solid_meshes) fill_closed();
+        if (options_.stop.stop_requested()) return fail(phrase("files.stopped"), scene_.source_file);
         ReadReport& report = scene_.report;
         report.polygons_kept = report.polygons;
+        report.polygons_hidden = 0;  // what is hidden are cuts through the inside, none of the file's
         report.triangles = static_cast<int>(scene_.triangles.size());
         if (curves_ > 0) report.left_out.push_back(phrase("obj.curves_left_out", {{"n", curves_}}));
         if (faces_left_out_ > 0) report.left_out.push_back(phrase("obj.faces_left_out", {{"n", faces_left_out_}}));
         for (const auto& [material, from] : guessed_from_)
             report.guessed.push_back(
                 phrase("obj.guessed", {{"material", spoken_material(material)}, {"name", excerpt(from)}}));
-        name_main_materials();
         diagnostics_.move_into(report);
         if (options_.progress) options_.progress(1.0);
         return std::move(scene_);
@@ -264,6 +272,92 @@ private:
         }
     }
 
+    // Things whose faces all have two sides and close up become solid.
+    void fill_closed() {
+        struct Thing {
+            std::vector<Vec3> points_m;
+            std::vector<MeshCorners> corners;
+            std::vector<std::size_t> triangles;  // of the scene
+            bool two_sided = true;
+        };
+        std::vector<Thing> things(scene_.features.size());
+        for (std::size_t t = 0; t < scene_.triangles.size(); ++t) {
+            const MeshTriangle& triangle = scene_.triangles[t];
+            Thing& thing = things[triangle.feature.value];
+            const auto first = static_cast<std::uint32_t>(thing.points_m.size());
+            thing.points_m.insert(thing.points_m.end(), {triangle.a_m, triangle.b_m, triangle.c_m});
+            thing.corners.push_back({first, first + 1, first + 2});
+            thing.triangles.push_back(t);
+            thing.two_sided = thing.two_sided && triangle.side == TouchSide::Both;
+        }
+        std::vector<MeshPiece> meshes;
+        for (const Thing& thing : things) meshes.push_back({thing.points_m, thing.corners});
+        MeshBodies sorted = mesh_bodies(meshes, options_.stop);
+        std::vector<bool> within(scene_.triangles.size(), false);
+        std::size_t filled = 0, outsides = 0, all = 0;
+        for (const std::vector<std::uint32_t>& rest : sorted.rest) all += rest.empty() ? 0 : 1;
+        for (MeshBody& body : sorted.bodies) {
+            const Thing& thing = things[body.piece];
+            ++all;
+            if (!thing.two_sided) continue;
+            std::vector<std::size_t> skin;
+            for (const std::uint32_t t : body.triangles) skin.push_back(thing.triangles[t]);
+            ++(body.solids.empty() ? outsides : filled);
+            for (const std::size_t t : skin) {
+                if (body.solids.empty()) scene_.triangles[t].side = TouchSide::Front;
+                else within[t] = true;
+            }
+            for (ConvexSolid& shape : body.solids) add_solid(std::move(shape), skin);
+        }
+        if (filled > 0) {
+            drop_triangles(within);
+            scene_.report.guessed.push_back(phrase("mesh.solids", {{"solids", filled}, {"all", all}}));
+            derive_surfaces(scene_, looks_, kObjSurfaceUnit_m, options_.stop);
+        }
+        if (outsides > 0) scene_.report.simplified.push_back(phrase("mesh.outsides", {{"n", outsides}}));
+    }
+
+    // Each side is made of what the skin is made of in its middle; a side that is only a cut takes the first face's.
+    void add_solid(ConvexSolid shape, const std::vector<std::size_t>& skin) {
+        const MeshTriangle& first = scene_.triangles[skin.front()];
+        const bool alike = std::all_of(skin.begin(), skin.end(),
+                                       [&](std::size_t t) { return scene_.triangles[t].material == first.material; });
+        Solid solid;
+        solid.feature = first.feature;
+        solid.face_materials.assign(shape.planes.size(), first.material);
+        for (std::size_t f = 0; f < shape.faces.size() && !alike; ++f) {
+            const Vec3 middle = centre_of(shape.faces[f]);
+            double least_m = 1e300;
+            for (const std::size_t t : skin) {
+                const MeshTriangle& triangle = scene_.triangles[t];
+                const Vec3 area = glm::cross(triangle.b_m - triangle.a_m, triangle.c_m - triangle.a_m);
+                if (!(glm::dot(area, shape.planes[f].normal) > 0.99 * glm::length(area))) continue;
+                const double far_m = glm::length(
+                    middle - closest_point_of_triangle(triangle.a_m, triangle.b_m, triangle.c_m, middle).point_m);
+                if (far_m >= least_m) continue;
+                least_m = far_m;
+                solid.face_materials[f] = triangle.material;
+            }
+        }
+        looks_.emplace_back(solid.face_materials.begin(), solid.face_materials.end());
+        solid.shape = std::move(shape);
+        ++scene_.report.brushes;
+        scene_.solids.push_back(std::move(solid));
+    }
+
+    void drop_triangles(const std::vector<bool>& gone) {
+        std::size_t kept = 0;
+        for (std::size_t t = 0; t < scene_.triangles.size(); ++t) {
+            const MeshTriangle& triangle = scene_.triangles[t];
+            if (!gone[t]) scene_.triangles[kept++] = triangle;
+            else
+                scene_.features[triangle.feature.value].area_m2 -=
+                    0.5 * glm::length(glm::cross(triangle.b_m - triangle.a_m, triangle.c_m - triangle.a_m));
+        }
+        scene_.triangles.resize(kept);
+        for (Feature& feature : scene_.features) feature.area_m2 = std::max(0.0, feature.area_m2);
+    }
+
     struct Vertex {
         Vec3 at_m{0.0};
         bool good = false;
@@ -284,6 +378,7 @@ private:
     std::map<std::string, MaterialId> materials_;
     std::map<std::string, std::string> guessed_from_;
     std::map<std::pair<std::uint32_t, MaterialId>, double> areas_m2_;
+    std::vector<std::vector<FaceLook>> looks_;  // of the scene's solids
     int curves_ = 0, faces_left_out_ = 0;
     bool complained_unknown_ = false;
 };

@@ -19,6 +19,7 @@ struct ReadOptions {
     bool unit_is_known =
         false;  // a person said it: read_world asks no more whether a very wide or narrow world is meant so
     bool guess_materials = true;  // from texture names; exploring yes, replay no
+    bool solid_meshes = true;     // closed things of an .obj are solid; exploring yes, replay no
     std::string building;         // of a file with several, by its name or number; empty: the one with most rooms
     // Another file of the world, by its name relative to the world's own, such as a height picture; empty: there is
     // none to be had.
@@ -58,12 +59,13 @@ struct MapReader {
 // A start's origin lies 24 units above the soles; info_player_start is the base, else the first start.
 Result<Scene> read_quake_map(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 // Wavefront .obj: z up, in metres unless the options say otherwise. `o` and `g` name features, `usemtl` materials.
-// Fills Scene::triangles, not Scene::surfaces.
+// A thing that is closed is solid, as below; all else are Scene::triangles.
 Result<Scene> read_obj(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 
 // glTF 2.0 as .glb or .gltf (with its .bin beside it): in metres, y up, turned to z up; nodes are things with their
 // names. PLY and STL: one thing, or one for each solid of an STL in words, z up, in metres unless the options say
-// otherwise. A closed convex mesh is a solid unless others lie in it or it is alone; the rest are sheets.
+// otherwise. A closed mesh is solid, whatever its form, unless others lie in it, or it is convex and alone; the rest
+// are sheets.
 Result<Scene> read_gltf(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 Result<Scene> read_ply(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});
 Result<Scene> read_stl(std::string_view bytes, const std::string& file_name, const ReadOptions& options = {});

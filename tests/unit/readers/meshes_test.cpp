@@ -1,6 +1,8 @@
 // glTF, PLY and STL: axes, units, names, what is solid, and what is wrong with damaged ones.
 #include <cstring>
+#include <random>
 
+#include "tests/support/block_mesh.h"
 #include "tests/support/real_worlds.h"
 #include "tests/support/temporary_folder.h"
 #include "worlds/readers/reader.h"
@@ -94,6 +96,147 @@ TEST(ReadStl, makes_solids_of_closed_convex_meshes_and_sheets_of_what_holds_othe
     EXPECT_TRUE(alone->starts.empty());
 }
 
+bool in_a_solid(const Scene& scene, const Vec3& at_m, double grow_m = 0.0) {
+    return std::any_of(scene.solids.begin(), scene.solids.end(),
+                       [&](const Solid& solid) { return contains(solid.shape, at_m, grow_m); });
+}
+
+// A table, a horseshoe of counters and a hollow chest in a room that is seen from inside, each turned its own way.
+struct Furnished {
+    std::vector<std::pair<std::string, test::BlockMesh>> things;
+
+    Furnished() {
+        const auto at = [](double turn, const Vec3& middle, double size) {
+            return [=](const Vec3& p) {
+                return middle + size * Vec3(p.x * std::cos(turn) - p.y * std::sin(turn),
+                                            p.x * std::sin(turn) + p.y * std::cos(turn), p.z);
+            };
+        };
+        test::BlockMesh room = test::block_mesh({{0, 0, 0}}, [](const Vec3& p) { return p * Vec3(10, 8, 3); });
+        for (auto& triangle : room.triangles) std::swap(triangle[1], triangle[2]);
+        things.emplace_back("room", room);
+        things.emplace_back("table", test::block_mesh(test::table_blocks(), at(0.3, {1.5, 1, 0}, 0.2)));
+        things.emplace_back("counters", test::block_mesh(test::horseshoe_blocks(5, 2), at(-0.2, {5, 4, 0}, 0.5)));
+        things.emplace_back("chest", test::block_mesh(test::hollow_blocks(4), at(0.0, {7, 1, 0}, 0.25)));
+    }
+    std::string stl() const {
+        std::string text;
+        for (const auto& [name, mesh] : things) text += mesh.stl(name);
+        return text;
+    }
+    std::string obj() const {
+        std::string text;
+        std::size_t points = 0;
+        for (const auto& [name, mesh] : things) text += mesh.obj(name, points);
+        return text;
+    }
+};
+
+TEST(Meshes, that_are_closed_are_solid_where_a_ray_says_they_are_inside_whatever_their_form) {
+    const Furnished furnished;
+    for (const bool as_obj : {false, true}) {
+        SCOPED_TRACE(as_obj ? "obj" : "stl");
+        const Result<Scene> scene =
+            as_obj ? read_obj(furnished.obj(), "home.obj") : read_stl(furnished.stl(), "home.stl");
+        ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+        EXPECT_TRUE(validate(*scene).has_value());
+        EXPECT_EQ(scene->triangles.size(), 12U) << "the room's sides, seen from inside";
+        EXPECT_THAT(scene->report.guessed, testing::Contains(HasSubstr("3 of 4 meshes are closed")));
+        std::mt19937 random(20261125);
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        std::array<int, 4> met{};
+        for (int i = 0; i < 20'000; ++i) {
+            const Vec3 at = Vec3(10, 8, 1.2) * Vec3(unit(random), unit(random), unit(random));
+            int inside = 0;
+            bool near = false;
+            for (std::size_t t = 1; t < 4; ++t) {
+                const test::BlockMesh& mesh = furnished.things[t].second;
+                near = near || mesh.distance_m(at) < 1e-3;
+                const bool in = mesh.holds(at);
+                inside += in ? 1 : 0;
+                met[t] += in ? 1 : 0;
+            }
+            if (near) continue;
+            ASSERT_EQ(in_a_solid(*scene, at), inside == 1) << at.x << " " << at.y << " " << at.z;
+        }
+        for (std::size_t t = 1; t < 4; ++t) EXPECT_GT(met[t], 20) << furnished.things[t].first;
+        // Each thing shows as much as its skin is large: no cut through the inside is a surface.
+        for (std::size_t t = 1; t < 4; ++t) {
+            const test::BlockMesh& mesh = furnished.things[t].second;
+            double area_m2 = 0.0;
+            for (const auto& [a, b, c] : mesh.triangles)
+                area_m2 += 0.5 * glm::length(glm::cross(mesh.points_m[b] - mesh.points_m[a],
+                                                        mesh.points_m[c] - mesh.points_m[a]));
+            const auto feature = std::find_if(scene->features.begin(), scene->features.end(),
+                                              [&](const Feature& f) { return f.name == furnished.things[t].first; });
+            ASSERT_NE(feature, scene->features.end());
+            EXPECT_NEAR(feature->area_m2, area_m2, 1e-3) << feature->name;
+        }
+    }
+    ReadOptions replay;
+    replay.solid_meshes = false;
+    const Result<Scene> as_filed = read_obj(furnished.obj(), "home.obj", replay);
+    ASSERT_TRUE(as_filed.has_value());
+    EXPECT_TRUE(as_filed->solids.empty()) << "a replay touches the file's triangles";
+}
+
+TEST(ReadStl, finds_the_things_in_one_mesh_and_the_start_in_a_house_with_walls) {
+    // Walls 0.5 m thick round 6 by 4 m, with a way out, as one closed mesh: one stands between them, not in them.
+    std::set<test::Block> blocks;
+    for (int x = 0; x < 14; ++x)
+        for (int y = 0; y < 10; ++y) {
+            blocks.insert({x, y, 0});
+            for (int z = 1; z < 6; ++z)
+                if ((x == 0 || x == 13 || y == 0 || y == 9) && !(y == 0 && x >= 4 && x <= 6)) blocks.insert({x, y, z});
+        }
+    const test::BlockMesh house = test::block_mesh(blocks, [](const Vec3& p) { return 0.5 * p; });
+    const test::BlockMesh stool =
+        test::block_mesh(test::table_blocks(), [](const Vec3& p) { return Vec3(1, 1, 0.5) + 0.1 * p; });
+    std::string text = house.stl("house");
+    const std::size_t end = text.rfind("endsolid");
+    const std::string of_stool = stool.stl("house");
+    text.insert(end, of_stool.substr(of_stool.find('\n') + 1, of_stool.rfind("endsolid") - of_stool.find('\n') - 1));
+    const Result<Scene> scene = read_stl(text, "house.stl");
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    EXPECT_TRUE(scene->triangles.empty());
+    EXPECT_EQ(scene->features.size(), 1U) << "one mesh is one thing";
+    ASSERT_EQ(scene->starts.size(), 1U);
+    const Vec3 feet = scene->starts[0].feet_m;
+    EXPECT_NEAR(feet.z, 0.5, 1e-6) << "on the floor";
+    for (const double up : {0.3, 0.9, 1.7}) EXPECT_FALSE(in_a_solid(*scene, feet + Vec3(0, 0, up), 0.2));
+    EXPECT_GT(feet.x, 0.5);
+    EXPECT_LT(feet.x, 6.5);
+}
+
+TEST(Meshes, too_fine_to_be_filled_are_felt_from_outside_only) {
+    std::string text = block("table", 2.0, 3.0);
+    test::BlockMesh ball;
+    constexpr int kSides = 40;
+    for (int i = 0; i <= kSides; ++i)
+        for (int k = 0; k < 2 * kSides; ++k) {
+            const double up = kPi * i / kSides, turn = i % kSides == 0 ? 0.0 : kPi * k / kSides,
+                         round = i % kSides == 0 ? 0.0 : std::sin(up);
+            ball.points_m.emplace_back(round * std::cos(turn), round * std::sin(turn), -std::cos(up));
+        }
+    const auto at = [](int i, int k) { return static_cast<std::uint32_t>(2 * i * kSides + k % (2 * kSides)); };
+    for (int i = 0; i < kSides; ++i)
+        for (int k = 0; k < 2 * kSides; ++k) {
+            if (i < kSides - 1) ball.triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+            if (i > 0) ball.triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+        }
+    text += ball.stl("ball");
+    const Result<Scene> scene = read_stl(text, "two.stl");
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    EXPECT_EQ(scene->solids.size(), 1U) << "the table";
+    ASSERT_EQ(scene->triangles.size(), ball.triangles.size());
+    for (const MeshTriangle& triangle : scene->triangles) {
+        ASSERT_EQ(triangle.side, TouchSide::Front);
+        ASSERT_GT(glm::dot(glm::cross(triangle.b_m - triangle.a_m, triangle.c_m - triangle.a_m), triangle.a_m), 0.0)
+            << "the front looks out";
+    }
+    EXPECT_THAT(scene->report.simplified, testing::Contains(HasSubstr("felt from outside only")));
+}
+
 TEST(ReadStl, reads_binary_files_and_takes_the_unit_that_a_person_says) {
     ReadOptions millimetres;
     millimetres.obj_metres_per_unit = 0.001;
@@ -150,7 +293,7 @@ TEST(ReadGltf, reads_a_real_room_with_its_things) {
     EXPECT_EQ(scene->features.size(), 17U) << "a room and sixteen spheres";
     ASSERT_EQ(scene->starts.size(), 1U);
     const Aabb room = scene->features[0].bounds_m;
-    EXPECT_NEAR(scene->starts[0].feet_m.z, room.min_m.z, 1e-9) << "on its floor";
+    EXPECT_NEAR(scene->starts[0].feet_m.z, room.min_m.z + 0.05, 1e-6) << "on its floor, which is as thick as its walls";
     EXPECT_NEAR(room.centre_m().z, 1.0, 1.5) << "upright";
     EXPECT_THAT(scene->materials, testing::Contains(testing::Field(&Material::name, "glass")));
 }

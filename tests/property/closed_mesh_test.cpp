@@ -1,0 +1,112 @@
+// Closed meshes that are not convex, under a hand: it never enters them, and one that begins inside comes out.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "haptic/compile/compile_haptic.h"
+#include "haptic/render/touch.h"
+#include "tests/support/block_mesh.h"
+#include "tests/support/scale.h"
+#include "worlds/geometry/clip.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace closed_mesh_touch_test {
+
+TouchTuning tuning_of(double radius_m) {
+    TouchTuning tuning;
+    tuning.radius_m = radius_m;
+    tuning.rated_stiffness_n_per_m = 1000.0;
+    tuning.default_stiffness_fraction = 1.0;
+    return tuning;
+}
+
+struct Mesh {
+    test::BlockMesh mesh;
+    std::shared_ptr<const HapticScene> haptic;
+};
+
+// With a crate far away, so that neither is alone.
+Mesh touched(const std::set<test::Block>& blocks, double turn) {
+    Mesh made;
+    made.mesh = test::block_mesh(blocks, [&](const Vec3& p) {
+        return 0.1 *
+               Vec3(p.x * std::cos(turn) - p.z * std::sin(turn), p.y, p.x * std::sin(turn) + p.z * std::cos(turn));
+    });
+    const test::BlockMesh crate = test::block_mesh({{0, 0, 0}}, [](const Vec3& p) { return Vec3(20, 0, 0) + p; });
+    const Result<Scene> scene = read_stl(made.mesh.stl("thing") + crate.stl("crate"), "things.stl");
+    EXPECT_TRUE(scene.has_value());
+    if (scene) made.haptic = compile_haptic(*scene, MaterialSource::KeysOnly);
+    return made;
+}
+
+std::vector<Mesh> meshes() {
+    return {touched(test::table_blocks(), 0.0), touched(test::horseshoe_blocks(5, 3), 0.4),
+            touched(test::hollow_blocks(4), 0.2)};
+}
+
+TEST(ClosedMeshes, are_never_entered_by_a_hand_that_presses_on_them) {
+    std::mt19937 random(20261125);
+    const auto unit = [&] { return static_cast<double>(random()) / 4294967296.0; };
+    for (const Mesh& world : meshes()) {
+        Aabb box;
+        for (const Vec3& p : world.mesh.points_m) box.include(p);
+        box = grown(box, 0.1);
+        const TouchTuning tuning = tuning_of(0.005);
+        TouchState state;
+        Vec3 ball = box.min_m, hand = ball, direction{1, 0, 0}, normal{0.0};
+        int touching = 0, left = 0;
+        const int ticks = test::scaled(20'000);
+        for (int i = 0; i < ticks; ++i) {
+            if (--left <= 0) {
+                // At a place of the mesh, or along what is touched and on it.
+                const Vec3 aim = box.min_m + box.size_m() * Vec3(unit(), unit(), unit());
+                direction = glm::normalize(aim - ball + Vec3(1e-6));
+                if (normal != Vec3(0.0) && random() % 3 != 0)
+                    direction -= normal * (glm::dot(direction, normal) + 0.3 * glm::length(direction));
+                left = 100 + static_cast<int>(300 * unit());
+            }
+            hand += direction * 1e-3;
+            hand = glm::clamp(hand, box.min_m, box.max_m);
+            if (const double away = glm::length(hand - ball); away > 0.01) hand = ball + (hand - ball) * (0.01 / away);
+            const TouchResult felt = touch_tick(state, *world.haptic, tuning, hand, 1e-3);
+            ball = felt.proxy_m;
+            touching += felt.contacts.count > 0 ? 1 : 0;
+            normal = felt.contacts.count > 0 ? felt.contacts.contacts[felt.contacts.strongest].normal : Vec3(0.0);
+            ASSERT_FALSE(world.mesh.holds(ball)) << i << ": " << ball.x << " " << ball.y << " " << ball.z;
+        }
+        EXPECT_GT(touching, ticks / 10);
+    }
+}
+
+TEST(ClosedMeshes, let_a_hand_out_that_began_inside_and_not_back_in) {
+    for (const Mesh& world : meshes()) {
+        // In the middle of a first block, then out of it by the nearest side and far away.
+        const test::BlockMesh& mesh = world.mesh;
+        Vec3 within(0.0);
+        bool found = false;
+        std::mt19937 random(7);
+        Aabb box;
+        for (const Vec3& p : mesh.points_m) box.include(p);
+        while (!found) {
+            within = box.min_m + box.size_m() * Vec3(static_cast<double>(random() % 1000) / 1000.0,
+                                                     static_cast<double>(random() % 1000) / 1000.0,
+                                                     static_cast<double>(random() % 1000) / 1000.0);
+            found = mesh.holds(within) && mesh.distance_m(within) > 0.01;
+        }
+        const Vec3 away = box.max_m + Vec3(0.3);
+        TouchState state;
+        const TouchTuning tuning = tuning_of(0.005);
+        const Vec3 way = (away - within) / 2000.0;
+        Vec3 ball = within;
+        for (int i = 0; i <= 2500; ++i)
+            ball = touch_tick(state, *world.haptic, tuning, within + way * double(std::min(i, 2000)), 1e-3).proxy_m;
+        EXPECT_LT(glm::length(ball - away), 0.02) << "out";
+        for (int i = 0; i <= 2500; ++i)
+            ball = touch_tick(state, *world.haptic, tuning, away - way * double(std::min(i, 2000)), 1e-3).proxy_m;
+        EXPECT_FALSE(mesh.holds(ball)) << "not back in";
+    }
+}
+
+}  // namespace closed_mesh_touch_test
+}  // namespace handrail

@@ -1,0 +1,43 @@
+// Closed meshes that are not convex cannot be walked into, not even from a start that lies in one.
+#include <gtest/gtest.h>
+
+#include "tests/support/block_mesh.h"
+#include "worlds/navigation/walk_space.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail {
+namespace closed_mesh_walk_test {
+
+TEST(WalkSpace, has_no_place_within_a_closed_mesh_of_any_form) {
+    // A court of 12 by 12 m, in it a horseshoe of rocks 2 m thick and 3 m high, around a yard of 3 by 4 m.
+    const test::BlockMesh floor =
+        test::block_mesh({{0, 0, 0}}, [](const Vec3& p) { return Vec3(0, 0, -0.5) + p * Vec3(12, 12, 0.5); });
+    std::set<test::Block> blocks;
+    for (int x = 0; x < 7; ++x)
+        for (int y = 0; y < 6; ++y)
+            for (int z = 0; z < 3; ++z)
+                if (x < 2 || x >= 5 || y < 2) blocks.insert({x, y, z});
+    const test::BlockMesh rocks = test::block_mesh(blocks, [](const Vec3& p) { return Vec3(2, 2, 0) + p; });
+    Result<Scene> scene = read_stl(floor.stl("court") + rocks.stl("rocks"), "court.stl");
+    ASSERT_TRUE(scene.has_value()) << scene.error().sentence();
+    for (const Vec3& feet : {Vec3(1, 1, 0), Vec3(3, 3, 0), Vec3(5.5, 6, 0)}) {  // outside, in a rock, in the yard
+        Start start;
+        start.feet_m = feet;
+        scene->starts.push_back(start);
+    }
+    const Result<WalkSpace> space = make_walk_space(*scene, {});
+    ASSERT_TRUE(space.has_value()) << space.error().sentence();
+    std::size_t in_the_yard = 0, on_the_floor = 0;
+    for (std::uint32_t s = 0; s < space->spans.size(); ++s) {
+        const Vec3 feet = space->place_m(s);
+        if (feet.z > 1.0) continue;  // on the rocks
+        ++on_the_floor;
+        for (const double up : {0.3, 0.9, 1.7}) ASSERT_FALSE(rocks.holds(feet + Vec3(0.001, 0.001, up))) << feet.x;
+        in_the_yard += feet.x > 4 && feet.x < 7 && feet.y > 4 && feet.y < 8 ? 1 : 0;
+    }
+    EXPECT_GT(in_the_yard, 100U);
+    EXPECT_GT(on_the_floor, 10'000U);
+}
+
+}  // namespace closed_mesh_walk_test
+}  // namespace handrail

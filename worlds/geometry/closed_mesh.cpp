@@ -1,0 +1,336 @@
+#include "worlds/geometry/closed_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "worlds/base/contract.h"
+#include "worlds/geometry/clip.h"
+#include "worlds/geometry/exposed_surface.h"
+#include "worlds/geometry/mass_properties.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kMeshFlat = 1e-5;            // of the mesh's size: what still lies in one plane
+constexpr double kMeshSameTurn = 1.0 - 1e-4;  // of two normals in one plane, where the corners lie in it too
+constexpr double kThinnest_m = 1e-4;          // a mesh flatter than this has no inside
+constexpr std::size_t kMostFragments = 200'000;
+constexpr std::size_t kPlanesTried = 16;  // at each cut
+
+// Numbers of points of which those in exactly one place are one.
+std::vector<std::uint32_t> joined_points(std::span<const Vec3> points_m) {
+    std::vector<std::uint32_t> order(points_m.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto less = [&](std::uint32_t a, std::uint32_t b) {
+        for (int axis = 0; axis < 3; ++axis)
+            if (points_m[a][axis] != points_m[b][axis]) return points_m[a][axis] < points_m[b][axis];
+        return false;
+    };
+    std::stable_sort(order.begin(), order.end(), less);
+    std::vector<std::uint32_t> number(points_m.size());
+    for (std::size_t i = 0; i < order.size(); ++i)
+        number[order[i]] = i > 0 && !less(order[i - 1], order[i]) ? number[order[i - 1]] : order[i];
+    return number;
+}
+
+bool edges_close(std::span<const MeshCorners> triangles, std::span<const std::uint32_t> which,
+                 std::span<const std::uint32_t> joined) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    edges.reserve(3 * which.size());
+    for (const std::uint32_t t : which)
+        for (std::size_t k = 0; k < 3; ++k)
+            edges.emplace_back(joined[triangles[t][k]], joined[triangles[t][(k + 1) % 3]]);
+    std::sort(edges.begin(), edges.end());
+    if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) return false;
+    return std::all_of(edges.begin(), edges.end(), [&](const auto& edge) {
+        return edge.first != edge.second &&
+               std::binary_search(edges.begin(), edges.end(), std::pair{edge.second, edge.first});
+    });
+}
+
+double volume_within_m3(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles,
+                        std::span<const std::uint32_t> which) {
+    double six = 0.0;
+    const Vec3 from = points_m[triangles[which[0]][0]];
+    for (const std::uint32_t t : which) {
+        const auto& [a, b, c] = triangles[t];
+        six += glm::dot(points_m[a] - from, glm::cross(points_m[b] - from, points_m[c] - from));
+    }
+    return six / 6.0;
+}
+
+// Space cut by planes of faces until what is left in each part is convex.
+class SolidFiller {
+public:
+    SolidFiller(const FillLimits& limits, const Aabb& box, const std::stop_token& stop)
+        : limits_(limits), box_(box), flat_m_(kMeshFlat * longest(box)), stop_(stop) {}
+
+    bool take(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles,
+              std::span<const std::uint32_t> which) {
+        struct Sized {
+            double area_m2;
+            std::uint32_t triangle;
+        };
+        std::vector<Sized> by_size;
+        for (const std::uint32_t t : which) {
+            const auto& [a, b, c] = triangles[t];
+            by_size.push_back({0.5 * glm::length(glm::cross(points_m[b] - points_m[a], points_m[c] - points_m[a])), t});
+            area_m2_ += by_size.back().area_m2;
+        }
+        // The largest first: theirs are the truest planes.
+        std::stable_sort(by_size.begin(), by_size.end(),
+                         [](const Sized& a, const Sized& b) { return a.area_m2 > b.area_m2; });
+        for (const auto& [size_m2, t] : by_size) {
+            if (stop_.stop_requested()) return false;
+            const std::array<Vec3, 3> p{points_m[triangles[t][0]], points_m[triangles[t][1]],
+                                        points_m[triangles[t][2]]};
+            Plane plane;  // clockwise from outside is the other way round
+            if (!(size_m2 > 1e-12) || !plane_from_clockwise(p[2], p[1], p[0], plane)) continue;
+            std::uint32_t number = 0;
+            while (number < planes_.size() && !is_in(planes_[number], plane.normal, p)) ++number;
+            if (number == planes_.size()) {
+                if (planes_.size() == limits_.most_planes) return false;
+                planes_.push_back(plane);
+            }
+            whole_.facets.push_back({{p.begin(), p.end()}, number});
+        }
+        if (whole_.facets.size() < 4) return false;
+        const Vec3 room = Vec3(0.01 * longest(box_));
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 out(0.0);
+            out[axis] = 1.0;
+            whole_.planes.push_back({out, box_.max_m[axis] + room[axis]});
+            whole_.planes.push_back({-out, -(box_.min_m[axis] - room[axis])});
+        }
+        return true;
+    }
+
+    // False where it takes more than the limits allow.
+    bool fill() {
+        std::vector<Cell> open;
+        open.push_back(std::move(whole_));
+        std::size_t fragments = open.front().facets.size();
+        while (!open.empty()) {
+            if (stop_.stop_requested() || solids_.size() > limits_.most_solids || open.size() > 4 * limits_.most_solids)
+                return false;
+            Cell cell = std::move(open.back());
+            open.pop_back();
+            const std::vector<std::uint32_t> own = planes_of(cell);
+            std::vector<std::uint32_t> beyond;  // planes that have some of the cell's faces before them
+            for (const std::uint32_t number : own)
+                if (std::any_of(cell.facets.begin(), cell.facets.end(),
+                                [&](const Facet& facet) { return farthest(planes_[number], facet) > flat_m_; }))
+                    beyond.push_back(number);
+            if (beyond.empty()) {
+                fill_convex(cell, own);
+                continue;
+            }
+            const std::uint32_t number = best_cut(cell, beyond);
+            Cell front, back;
+            for (Facet& facet : cell.facets) {
+                if (facet.plane == number) continue;
+                const Side side = side_of(facet.points_m, planes_[number], flat_m_);
+                if (side == Side::Front) front.facets.push_back(std::move(facet));
+                else if (side == Side::Back) back.facets.push_back(std::move(facet));
+                else if (side == Side::Across) {
+                    if (++fragments > kMostFragments) return false;
+                    Facet before{{}, facet.plane}, behind{{}, facet.plane};
+                    split(facet.points_m, planes_[number], 0.0, behind.points_m, before.points_m);
+                    tidy(before.points_m, kMerge_m);
+                    tidy(behind.points_m, kMerge_m);
+                    if (!before.points_m.empty()) front.facets.push_back(std::move(before));
+                    if (!behind.points_m.empty()) back.facets.push_back(std::move(behind));
+                }
+            }
+            const Plane& plane = planes_[number];
+            // Where nothing is left the part is outside before a face, and inside behind it.
+            if (!front.facets.empty() && narrow(cell.planes, turned(plane), front.planes))
+                open.push_back(std::move(front));
+            if (narrow(cell.planes, plane, back.planes)) {
+                if (back.facets.empty()) add(back.planes);
+                else open.push_back(std::move(back));
+            }
+        }
+        return true;
+    }
+
+    std::vector<ConvexSolid> take_solids() { return std::move(solids_); }
+    // What the solids may hold more or less than the shells, by how exactly corners are taken.
+    double slack_m3(double volume_m3) const { return 2.0 * flat_m_ * area_m2_ + 1e-6 * volume_m3; }
+
+private:
+    static constexpr double kMerge_m = 1e-7;
+    struct Facet {
+        std::vector<Vec3> points_m;
+        std::uint32_t plane = 0;
+    };
+    struct Cell {
+        std::vector<Facet> facets;
+        std::vector<Plane> planes;
+    };
+
+    static double longest(const Aabb& box) {
+        const Vec3 size = box.size_m();
+        return std::max({size.x, size.y, size.z});
+    }
+    static Plane turned(const Plane& plane) { return {-plane.normal, -plane.offset_m}; }
+    static double farthest(const Plane& plane, const Facet& facet) {
+        double most = -1e300;
+        for (const Vec3& p : facet.points_m) most = std::max(most, signed_distance(plane, p));
+        return most;
+    }
+
+    bool is_in(const Plane& plane, const Vec3& normal, std::span<const Vec3> points_m) const {
+        return glm::dot(plane.normal, normal) > kMeshSameTurn &&
+               std::all_of(points_m.begin(), points_m.end(),
+                           [&](const Vec3& p) { return std::abs(signed_distance(plane, p)) <= flat_m_; });
+    }
+
+    std::vector<std::uint32_t> planes_of(const Cell& cell) const {
+        std::vector<std::uint32_t> own;
+        for (const Facet& facet : cell.facets) own.push_back(facet.plane);
+        std::sort(own.begin(), own.end());
+        own.erase(std::unique(own.begin(), own.end()), own.end());
+        return own;
+    }
+
+    // The plane that cuts the fewest faces and parts the others most evenly, of some.
+    std::uint32_t best_cut(const Cell& cell, const std::vector<std::uint32_t>& beyond) const {
+        std::uint32_t best = beyond.front();
+        double least = 1e300;
+        const std::size_t step = 1 + (beyond.size() - 1) / kPlanesTried;
+        for (std::size_t i = 0; i < beyond.size(); i += step) {
+            double cut = 0.0, front = 0.0, back = 0.0;
+            for (const Facet& facet : cell.facets) {
+                const Side side = side_of(facet.points_m, planes_[beyond[i]], flat_m_);
+                (side == Side::Across ? cut : side == Side::Front ? front : back) += 1.0;
+            }
+            if (const double cost = 8.0 * cut + std::abs(front - back); cost < least) {
+                least = cost;
+                best = beyond[i];
+            }
+        }
+        return best;
+    }
+
+    // The planes of what is left of a part behind one more; false where that is nothing.
+    bool narrow(const std::vector<Plane>& planes, const Plane& by, std::vector<Plane>& left) const {
+        std::vector<Plane> all = planes;
+        all.push_back(by);
+        BuiltSolid built = solid_from_planes(all, box_.centre_m(), 4.0 * glm::length(box_.size_m()) + 1.0);
+        if (built.fault != SolidFault::None || built.was_inside_out) return false;
+        left = std::move(built.solid.planes);
+        return true;
+    }
+
+    void add(const std::vector<Plane>& planes) {
+        BuiltSolid built = solid_from_planes(planes, box_.centre_m(), 4.0 * glm::length(box_.size_m()) + 1.0);
+        if (built.fault == SolidFault::None && !built.was_inside_out) solids_.push_back(std::move(built.solid));
+    }
+
+    // The part of a cell behind all of its faces, cut in two until each has few enough of them.
+    void fill_convex(const Cell& cell, const std::vector<std::uint32_t>& own) {
+        std::vector<Plane> planes = cell.planes;
+        for (const std::uint32_t number : own) planes.push_back(planes_[number]);
+        std::vector<std::vector<Plane>> open{std::move(planes)};
+        while (!open.empty() && solids_.size() <= limits_.most_solids && !stop_.stop_requested()) {
+            BuiltSolid built = solid_from_planes(open.back(), box_.centre_m(), 4.0 * glm::length(box_.size_m()) + 1.0);
+            open.pop_back();
+            if (built.fault != SolidFault::None || built.was_inside_out) continue;
+            if (built.solid.planes.size() <= limits_.most_faces) {
+                solids_.push_back(std::move(built.solid));
+                continue;
+            }
+            const Vec3 size = built.solid.bounds_m.size_m();
+            Vec3 out(0.0);
+            out[size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2] = 1.0;
+            const Plane middle{out, glm::dot(out, built.solid.bounds_m.centre_m())};
+            for (const Plane& half : {middle, turned(middle)}) {
+                open.push_back(built.solid.planes);
+                open.back().push_back(half);
+            }
+        }
+    }
+
+    const FillLimits& limits_;
+    Aabb box_;
+    double flat_m_, area_m2_ = 0.0;
+    std::stop_token stop_;
+    std::vector<Plane> planes_;
+    Cell whole_;
+    std::vector<ConvexSolid> solids_;
+};
+
+}  // namespace
+
+std::vector<MeshShell> shells_of(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles) {
+    const std::vector<std::uint32_t> joined = joined_points(points_m);
+    // By edges, since things that stand on each other may share corners.
+    std::vector<std::array<std::uint32_t, 3>> edges;  // the lower corner, the higher, the triangle
+    edges.reserve(3 * triangles.size());
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            contract_pre(triangles[t][k] < points_m.size());
+            const auto [low, high] = std::minmax(joined[triangles[t][k]], joined[triangles[t][(k + 1) % 3]]);
+            edges.push_back({low, high, t});
+        }
+    std::sort(edges.begin(), edges.end());
+    DisjointSets pieces(triangles.size());
+    for (std::size_t i = 1; i < edges.size(); ++i)
+        if (edges[i][0] == edges[i - 1][0] && edges[i][1] == edges[i - 1][1]) pieces.join(edges[i][2], edges[i - 1][2]);
+    constexpr std::uint32_t kNew = 0xffffffffU;
+    std::vector<std::uint32_t> shell_of(triangles.size(), kNew);  // by the piece's root
+    std::vector<MeshShell> shells;
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        std::uint32_t& shell = shell_of[pieces.find(t)];
+        if (shell == kNew) {
+            shell = static_cast<std::uint32_t>(shells.size());
+            shells.emplace_back();
+        }
+        shells[shell].triangles.push_back(t);
+        for (const std::uint32_t corner : triangles[t]) shells[shell].box.include(points_m[corner]);
+    }
+    for (MeshShell& shell : shells) {
+        shell.closed = edges_close(triangles, shell.triangles, joined);
+        if (shell.closed) shell.volume_m3 = volume_within_m3(points_m, triangles, shell.triangles);
+    }
+    return shells;
+}
+
+int times_around(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles,
+                 std::span<const std::uint32_t> which, const Vec3& at_m) {
+    double half = 0.0;
+    for (const std::uint32_t t : which) {
+        const Vec3 a = points_m[triangles[t][0]] - at_m, b = points_m[triangles[t][1]] - at_m,
+                   c = points_m[triangles[t][2]] - at_m;
+        const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
+        half += std::atan2(glm::dot(a, glm::cross(b, c)),
+                           la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
+    }
+    return static_cast<int>(std::lround(half / (2.0 * kPi)));
+}
+
+std::optional<std::vector<ConvexSolid>> solids_within(std::span<const Vec3> points_m,
+                                                      std::span<const MeshCorners> triangles,
+                                                      std::span<const std::uint32_t> which, const FillLimits& limits,
+                                                      const std::stop_token& stop) {
+    if (which.size() < 4 || which.size() > limits.most_triangles) return std::nullopt;
+    Aabb box;
+    for (const std::uint32_t t : which)
+        for (const std::uint32_t corner : triangles[t]) box.include(points_m[corner]);
+    const Vec3 size = box.size_m();
+    const double volume_m3 = volume_within_m3(points_m, triangles, which);
+    if (std::min({size.x, size.y, size.z}) < kThinnest_m || !(volume_m3 > 0.0)) return std::nullopt;
+    SolidFiller filler(limits, box, stop);
+    if (!filler.take(points_m, triangles, which) || !filler.fill()) return std::nullopt;
+    std::vector<ConvexSolid> solids = filler.take_solids();
+    double filled_m3 = 0.0;
+    for (const ConvexSolid& solid : solids) filled_m3 += mass_properties(solid).volume_m3;
+    if (solids.empty() || stop.stop_requested() || solids.size() > limits.most_solids ||
+        std::abs(filled_m3 - volume_m3) > filler.slack_m3(volume_m3))
+        return std::nullopt;
+    return solids;
+}
+
+}  // namespace handrail
