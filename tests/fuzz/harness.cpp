@@ -15,6 +15,7 @@ constexpr Harness kHarnesses[] = {
     {"osm", osm_fault, 800},
     {"imdf", imdf_fault, 2000},
     {"rooms", rooms_fault, 1500},
+    {"kept", kept_fault, 2000},
     {"picture", picture_fault, 4000},
     {"settings", settings_fault, 600},
     {"side_file", side_file_fault, 400},

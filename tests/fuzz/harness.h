@@ -30,6 +30,7 @@ std::string ifc_fault(std::string_view bytes);
 std::string osm_fault(std::string_view bytes);
 std::string imdf_fault(std::string_view bytes);
 std::string rooms_fault(std::string_view bytes);
+std::string kept_fault(std::string_view bytes);
 std::string picture_fault(std::string_view bytes);
 std::string settings_fault(std::string_view bytes);
 std::string side_file_fault(std::string_view bytes);

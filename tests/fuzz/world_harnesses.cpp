@@ -1,10 +1,15 @@
 // Maps, meshes and pictures: a Scene that holds together, or an error.
 #include <zlib.h>
 
+#include <cstdio>
+
+#include "app/import/kept_scene.h"
 #include "tests/fuzz/harness.h"
+#include "tests/support/temporary_folder.h"
 #include "tests/support/zip_text.h"
 #include "worlds/readers/height_picture.h"
 #include "worlds/readers/reader.h"
+#include "worlds/stored/stored_scene.h"
 
 namespace handrail::fuzz {
 namespace {
@@ -35,6 +40,36 @@ std::string with_right_checksums(std::string_view bytes) {
         at += 12 + length;
     }
     return png;
+}
+
+// A kept world that all edits begin with, so that no file of bytes goes stale where the Scene gets another member.
+const std::string& kept_scene_bytes() {
+    static const std::string bytes = [] {
+        const std::string map =
+            test::content_of(std::string(HANDRAIL_SOURCE_DIR) + "/tests/fuzz/inputs/map/seeds/room.map");
+        const Result<Scene> scene = read_quake_map(map, "room.map");
+        return scene ? stored(*scene) : std::string();
+    }();
+    return bytes;
+}
+
+// Line by line: "AT BYTE" sets a byte, "AT +BYTE" puts one in, "AT -COUNT" takes some out, "cut AT" drops what follows;
+// AT goes round at the end. Other lines say nothing.
+std::string edited(std::string kept, std::string_view edits) {
+    for (std::size_t from = 0; from < edits.size() && !kept.empty();) {
+        const std::size_t end = std::min(edits.find('\n', from), edits.size());
+        const std::string line(edits.substr(from, std::min<std::size_t>(end - from, 60)));
+        from = end + 1;
+        unsigned long at = 0, value = 0;
+        char sign = 0;
+        if (std::sscanf(line.c_str(), "cut %lu", &at) == 1) kept.resize(at % kept.size());
+        else if (std::sscanf(line.c_str(), "%lu %c%lu", &at, &sign, &value) == 3 && sign == '+')
+            kept.insert(at % kept.size(), 1, static_cast<char>(value));
+        else if (sign == '-') kept.erase(at % kept.size(), value % 4096);
+        else if (std::sscanf(line.c_str(), "%lu %lu", &at, &value) == 2)
+            kept[at % kept.size()] = static_cast<char>(value);
+    }
+    return kept;
 }
 
 std::string picture_of_fault(std::string_view bytes) {
@@ -85,6 +120,29 @@ std::string imdf_fault(std::string_view bytes) {
         at = end == bytes.size() ? end : end + 1;
     }
     return scene_fault(read_imdf(test::zipped(files), "fuzz.imdf.zip"));
+}
+
+// Edits of what is kept of a world: of the whole file, and of the scene in it, with the checksum right again.
+std::string kept_fault(std::string_view bytes) {
+    const KeptFrom from{7, 4711, 12, "said", {{"beside.png", 3}}};
+    const std::string whole = kept_file(from, kept_scene_bytes());
+    const std::string file = edited(whole, bytes);
+    for (const bool good : {true, false}) {
+        const auto scene = scene_in(file, [&](const KeptFrom&) { return good; });
+        if (!scene) {
+            if (std::string fault = words_fault(scene.error().sentence()); !fault.empty()) return fault;
+        } else if (good != scene->has_value()) {
+            return "what is out of date was taken, or what is good was not";
+        } else if (good && file != whole) {
+            return "a changed file was taken";
+        }
+    }
+    const std::string changed = kept_file(from, edited(kept_scene_bytes(), bytes));
+    const auto scene = scene_in(changed, [&](const KeptFrom& read) { return read == from; });
+    if (!scene) return words_fault(scene.error().sentence());
+    if (!*scene) return "what it was made of came back changed";
+    const Result<void> valid = validate(**scene);
+    return valid ? std::string() : valid.error().sentence();
 }
 
 std::string picture_fault(std::string_view bytes) {

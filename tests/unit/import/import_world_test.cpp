@@ -123,6 +123,33 @@ TEST(ImportedWorld, is_read_anew_where_what_was_kept_is_damaged_anywhere) {
     EXPECT_EQ(test::content_of(how.keep_in), whole) << "mended";
 }
 
+TEST(KeptScene, cut_at_every_byte_is_damaged_or_what_it_was) {
+    const Result<Scene> scene = read_ifc(test::small_house(), "house.ifc");
+    ASSERT_TRUE(scene.has_value());
+    Scene small = *scene;  // a few of its solids, so that each byte can be tried
+    small.solids.resize(3);
+    small.surfaces.clear();
+    const std::string bytes = stored(small);
+    const KeptFrom from{7, 8, 9, "said", {{"beside.bin", 10}}};
+    const std::string whole = kept_file(from, bytes);
+    int asked = 0;
+    const auto good = [&](const KeptFrom& read) {
+        ++asked;
+        EXPECT_EQ(read, from);
+        return true;
+    };
+    for (std::size_t length = 0; length < whole.size(); ++length)
+        ASSERT_FALSE(scene_in(std::string_view(whole).substr(0, length), good).has_value()) << length;
+    EXPECT_EQ(asked, 0) << "nothing is believed of what is cut";
+    const auto all = scene_in(whole, good);
+    ASSERT_TRUE(all.has_value() && all->has_value());
+    EXPECT_EQ(stored(**all), bytes);
+    EXPECT_FALSE(scene_in(whole + "x", good).has_value());
+    const auto old = scene_in(whole, [](const KeptFrom&) { return false; });
+    ASSERT_TRUE(old.has_value());
+    EXPECT_FALSE(old->has_value());
+}
+
 TEST(ImportedWorld, that_cannot_be_kept_is_read_all_the_same) {
     const test::TemporaryFolder folder;
     const fs::path path = folder.write("house.ifc", large_house());
