@@ -34,7 +34,7 @@ bool write(const fs::path& file, const std::string& content, std::ostream& err) 
 
 }  // namespace
 
-int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err) {
+int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress) {
     bench::BenchOptions options;
     options.maps = bundled_maps();
     for (const fs::path& map : arguments.maps) {
@@ -76,8 +76,12 @@ int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::o
         }
         counted = std::move(*read);
     }
-    options.progress = [&err](const std::string& sentence) { err << sentence << '\n'; };
+    if (!arguments.json)
+        options.progress = [&progress](const std::string& scene) {
+            progress.at(phrase("progress.bench", {{"scene", scene}}));
+        };
     bench::BenchReport report = bench::run_bench(options);
+    progress.done();
     bench::merge_instructions(report, counted);
     out << (arguments.json ? bench::json_of(report) : bench::text_of(report)) << std::flush;
     bool written = true;

@@ -57,23 +57,26 @@ void tell(const Scene& scene, const std::vector<WorldFault>& faults, std::ostrea
 
 }  // namespace
 
-int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err) {
-    Result<Scene> read =
-        imported(arguments.world, arguments.common.read_options(arguments.world)).map([](ImportedWorld&& world) {
-            return std::move(world.scene);
-        });
+int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err, const Progress& waiting) {
+    const Progress progress = arguments.json ? Progress() : waiting;
+    Result<Scene> read = imported(arguments.world, progress.followed(arguments.common.read_options(arguments.world)))
+                             .map([](ImportedWorld&& world) { return std::move(world.scene); });
     if (read)
         if (const Result<void> valid = validate(*read); !valid) read = tl::unexpected(valid.error());
     if (!read) {
+        progress.done();
         err << read.error().sentence() << '\n';
         return 1;
     }
     const auto scene = std::make_shared<const Scene>(std::move(*read));
+    progress.at(phrase("progress.rooms"));
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
     RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true);
     const bool found = rooms.ready() && rooms.found();
+    progress.at(phrase("progress.faults"));
     const std::vector<WorldFault> faults = found ? find_faults(*scene, &rooms.navigation().space(), &rooms.graph())
                                                  : find_faults(*scene, nullptr, nullptr);
+    progress.done();
     if (arguments.json)
         out << json_of(*scene, faults, rooms.graph()).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else tell(*scene, faults, out);

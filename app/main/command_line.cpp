@@ -362,7 +362,7 @@ std::optional<SettingsStore> load_settings(const SettingsOptions& options, First
     return settings;
 }
 
-int explore(ExploreCall& call, FirstLanguage first, std::ostream& out, std::ostream& err) {
+int explore(ExploreCall& call, FirstLanguage first, std::ostream& err, const Progress& progress) {
     if (const auto begun = begin_as_learner(call); !begun) {
         err << begun.error().sentence() << "\n";
         return 1;
@@ -374,7 +374,7 @@ int explore(ExploreCall& call, FirstLanguage first, std::ostream& out, std::ostr
         for (Diagnostic& problem : settings->load_file(
                  fs::path(*call.arguments.world).replace_extension(".settings.toml"), SettingSource::World))
             problems.push_back(std::move(problem));
-    return run_explore(call.arguments, *settings, out, err);
+    return run_explore(call.arguments, *settings, err, progress);
 }
 
 }  // namespace
@@ -432,7 +432,8 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
     return grammar.explore;
 }
 
-int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
+int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
+                     const Progress& progress) {
     std::vector<Diagnostic> problems;
     FirstLanguage first = speak_first();
     ParsedCommandLine parsed = parse_command_line(words);
@@ -443,49 +444,51 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& out, s
         return run(*settings);
     };
     return std::visit(
-        Overloaded{[&](ExploreCall& call) { return explore(call, std::move(first), out, err); },
-                   [&](const InfoArguments& arguments) { return run_info(arguments, out, err); },
-                   [&](const CheckArguments& arguments) { return run_check(arguments, out, err); },
-                   [&](LessonCall& call) {
-                       if (const auto begun = begin_as_learner(call); !begun) {
-                           err << begun.error().sentence() << "\n";
-                           return 1;
-                       }
-                       return with_settings(call.explore.settings, [&](SettingsStore& settings) {
-                           const auto done = run_lesson(call.arguments, call.explore.arguments, settings, out, err);
-                           return done ? *done : run_explore(call.explore.arguments, settings, out, err);
-                       });
-                   },
-                   [&](const ReportArguments& arguments) { return run_report(arguments, out, err); },
-                   [&](const LearnerArguments& arguments) { return run_learner(arguments, std::cin, out, err); },
-                   [&](const TouchArguments& arguments) { return run_touch(arguments, out, err); },
-                   [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err); },
-                   [&](ExportCall& call) {
-                       return with_settings(call.settings, [&](SettingsStore& settings) {
-                           call.arguments.how = distances(settings.values());
-                           return run_export(call.arguments, out, err);
-                       });
-                   },
-                   [&](const BenchArguments& arguments) { return run_bench_command(arguments, out, err); },
-                   [&](const SettingsCall& call) {
-                       return with_settings(call.settings, [&](SettingsStore& settings) {
-                           return run_settings(call.arguments, settings, out, err);
-                       });
-                   },
-                   [&](const DevicesArguments& arguments) { return run_devices(arguments, out, err); },
-                   [&](const ReplayCall& call) {
-                       return with_settings(call.settings, [&](SettingsStore& settings) {
-                           return run_replay(call.arguments, settings.values(), out, err);
-                       });
-                   },
-                   [&](const PrintedText& printed) {
-                       out << printed.text << std::flush;
-                       return 0;
-                   },
-                   [&](const UsageError& error) {
-                       err << error.sentence << "\n";
-                       return 2;
-                   }},
+        Overloaded{
+            [&](ExploreCall& call) { return explore(call, std::move(first), err, progress); },
+            [&](const InfoArguments& arguments) { return run_info(arguments, out, err, progress); },
+            [&](const CheckArguments& arguments) { return run_check(arguments, out, err, progress); },
+            [&](LessonCall& call) {
+                if (const auto begun = begin_as_learner(call); !begun) {
+                    err << begun.error().sentence() << "\n";
+                    return 1;
+                }
+                return with_settings(call.explore.settings, [&](SettingsStore& settings) {
+                    ExploreArguments& taught = call.explore.arguments;
+                    const auto done = run_lesson(call.arguments, taught, settings, out, err, progress);
+                    return done ? *done : run_explore(taught, settings, err, progress);
+                });
+            },
+            [&](const ReportArguments& arguments) { return run_report(arguments, out, err, progress); },
+            [&](const LearnerArguments& arguments) { return run_learner(arguments, std::cin, out, err, progress); },
+            [&](const TouchArguments& arguments) { return run_touch(arguments, out, err, progress); },
+            [&](const ScenarioArguments& arguments) { return run_scenarios(arguments, out, err, progress); },
+            [&](ExportCall& call) {
+                return with_settings(call.settings, [&](SettingsStore& settings) {
+                    call.arguments.how = distances(settings.values());
+                    return run_export(call.arguments, out, err, progress);
+                });
+            },
+            [&](const BenchArguments& arguments) { return run_bench_command(arguments, out, err, progress); },
+            [&](const SettingsCall& call) {
+                return with_settings(call.settings, [&](SettingsStore& settings) {
+                    return run_settings(call.arguments, settings, out, err);
+                });
+            },
+            [&](const DevicesArguments& arguments) { return run_devices(arguments, out, err); },
+            [&](const ReplayCall& call) {
+                return with_settings(call.settings, [&](SettingsStore& settings) {
+                    return run_replay(call.arguments, settings.values(), out, err, progress);
+                });
+            },
+            [&](const PrintedText& printed) {
+                out << printed.text << std::flush;
+                return 0;
+            },
+            [&](const UsageError& error) {
+                err << error.sentence << "\n";
+                return 2;
+            }},
         parsed);
 }
 

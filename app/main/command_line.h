@@ -56,6 +56,8 @@ using ParsedCommandLine = std::variant<ExploreCall, InfoArguments, CheckArgument
 ParsedCommandLine parse_command_line(const std::vector<std::string>& words);
 
 // Parses, loads the settings where they are needed, runs the command and gives the exit status.
-int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err);
+// `progress`: of what takes long, for whoever waits.
+int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
+                     const Progress& progress = {});
 
 }  // namespace handrail

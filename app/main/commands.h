@@ -1,6 +1,6 @@
 // What the command line can do, one function per subcommand. Each returns the exit status: 0 ok, 1 the thing asked for
 // failed, 2 wrong usage. Errors go to `err` as one sentence a person can act on. main.cpp only parses and dispatches;
-// tests call these directly.
+// tests call these directly. `progress` is told what takes long, but not where JSON is asked for.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/core/dialogue/words.h"
+#include "app/main/progress.h"
 #include "app/teaching/teaching_run.h"
 #include "app/wizard/wizard.h"
 #include "settings/settings.h"
@@ -47,7 +48,7 @@ struct InfoArguments {
     std::string language;   // --language: of that text; empty: the one spoken
     std::string scale;      // --scale: also what is felt otherwise at it, by its name or world metres per hand metre
 };
-int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err);
+int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
 
 // What an author or instructor should mend.
 struct CheckArguments {
@@ -56,7 +57,7 @@ struct CheckArguments {
     bool json = false;
 };
 // 1 also when a fault stops or misleads people.
-int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err);
+int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
 
 struct TouchArguments {
     CommonArguments common;
@@ -66,7 +67,7 @@ struct TouchArguments {
     std::optional<double> stiffness_n_per_m, damping_ns_per_m, friction_static, friction_kinetic;
     std::optional<std::string> device;  // --device
 };
-int run_touch(const TouchArguments& arguments, std::ostream& out, std::ostream& err);
+int run_touch(const TouchArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
 
 struct ScenarioArguments {
     CommonArguments common;
@@ -74,7 +75,8 @@ struct ScenarioArguments {
     std::optional<std::filesystem::path> junit;        // --junit
     std::optional<std::filesystem::path> transcripts;  // --transcripts: a folder; one text a scenario is written there
 };
-int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err);
+int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err,
+                  const Progress& progress = {});
 
 // A storey for the fingers.
 struct ExportArguments {
@@ -91,7 +93,7 @@ struct ExportArguments {
     bool strip = false;                               // --strip: also samples to choose from
     bool force = false;                               // --force: files that are there are replaced
 };
-int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err);
+int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
 
 // How fast and how exact the touch renderer is, beside others.
 struct BenchArguments {
@@ -103,7 +105,8 @@ struct BenchArguments {
     std::optional<std::string> count;  // --count RENDERER: its ticks on the first scene alone, for callgrind
     bool list = false;                 // --list: the scenes' names
 };
-int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err);
+int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err,
+                      const Progress& progress = {});
 
 struct SettingsArguments {
     bool explain = false;
@@ -125,7 +128,8 @@ struct ReplayArguments {
 };
 // The newest folder in there, by its name; empty: there is none.
 std::filesystem::path newest_in(const std::filesystem::path& folder);
-int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err);
+int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err,
+               const Progress& progress = {});
 
 // `handrail learner`: who learns, and what they have agreed to.
 struct LearnerArguments {
@@ -136,7 +140,8 @@ struct LearnerArguments {
     bool yes = false;                      // nothing is asked
 };
 // Asks and is answered in lines of `in`. 1: what was asked for failed, nothing was agreed to, or something is left.
-int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err);
+int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err,
+                const Progress& progress = {});
 
 // `handrail report`: what a recorded session was like.
 struct ReportArguments {
@@ -146,7 +151,7 @@ struct ReportArguments {
     bool force = false;                                    // files that are there are replaced
 };
 // 0: written. 1: the recording or its world cannot be read, or a file is there already. 2: nothing was asked for.
-int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err);
+int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
 
 // `handrail lesson`: a lesson of an instructor.
 struct LessonArguments {
@@ -179,7 +184,8 @@ struct ExploreArguments {
 };
 // See lesson_command.cpp.
 std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, SettingsStore& settings,
-                              std::ostream& out, std::ostream& err);
-int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& out, std::ostream& err);
+                              std::ostream& out, std::ostream& err, const Progress& progress = {});
+int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
+                const Progress& progress = {});
 
 }  // namespace handrail

@@ -56,9 +56,10 @@ std::string joined(const std::vector<std::string>& sentences) {
 // One session with a person: owns every part, carries values between them about sixty times a second.
 class Exploration {
 public:
-    Exploration(const ExploreArguments& arguments, SettingsStore& settings)
+    Exploration(const ExploreArguments& arguments, SettingsStore& settings, const Progress& progress)
         : arguments_(arguments),
           settings_(settings),
+          progress_(progress),
           recording_(arguments, settings.values(), clock_, news_),
           ears_(settings.values(), !arguments.no_window, clock_, contacts_, left_.contacts(), recording_, news_),
           app_(settings.values(), HandFacts{},
@@ -143,7 +144,6 @@ private:
     bool load_world(std::ostream& err) {
         const std::filesystem::path path = arguments_.world.value_or(first_world());
         WorldLoading loading(path, arguments_.common);
-        double told_s = clock_.now_s();
         while (!loading.ready()) {
             clock_.sleep_until_s(clock_.now_s() + kFrame_s);
             if (window_) window_->take(set_up_.session());
@@ -152,10 +152,8 @@ private:
             if (!hand_.look(err)) return false;
             kept_.keep_saved(clock_.now_s());
             worlds_.keep_notes(clock_.now_s());
-            if (clock_.now_s() - told_s >= kLoadingToldEvery_s) {
-                told_s = clock_.now_s();
-                say_(loading.how_far());
-            }
+            loading.tell(clock_.now_s(), [this](const std::string& words) { say_(words); });
+            draw_words();
         }
         auto world = loading.take();
         if (!world) {
@@ -217,9 +215,7 @@ private:
             set_up_.look_for_hand();
             guide(now_s);
             kept_.keep_saved(now_s);
-            ViewState view;
-            view.last_spoken = ears_.last_spoken();
-            if (window_) window_->draw(view);
+            draw_words();
             next_s = end_frame(next_s, now_s);
         }
     }
@@ -242,6 +238,15 @@ private:
         hand_over();
         ears_.note_spoken();
         set_up_.end_if_finished(now_s);
+    }
+
+    // The window where there is no world: the last words, in large letters.
+    void draw_words() {
+        ears_.note_spoken();
+        if (!window_) return;
+        ViewState view;
+        view.last_spoken = ears_.last_spoken();
+        window_->draw(view);
     }
 
     // A second hand beside the first, once it is found.
@@ -295,12 +300,15 @@ private:
         hand_over();
         kept_.save_at_the_end(err);
         ears_.sound().stop(signals_.asked() ? 0.0 : kLastWords_s);
+        progress_.at(phrase("progress.recording_end"));
         recording_.end();
+        progress_.done();
         worlds_.end();
     }
 
     const ExploreArguments& arguments_;
     SettingsStore& settings_;
+    const Progress progress_;  // of what comes after the last word
     EndSignals signals_;
     SteadyClock clock_;
     ServoSwitches switches_;
@@ -329,8 +337,9 @@ private:
 
 }  // namespace
 
-int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream&, std::ostream& err) {
-    return Exploration(arguments, settings).run(err);
+int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
+                const Progress& progress) {
+    return Exploration(arguments, settings, progress).run(err);
 }
 
 }  // namespace handrail

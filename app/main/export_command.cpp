@@ -138,20 +138,23 @@ Result<void> write_all(const std::vector<MadeFile>& files, bool force, std::ostr
 
 }  // namespace
 
-int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err) {
+int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress) {
     const auto failed = [&](const Error& error, int status) {
+        progress.done();
         err << error.sentence() << '\n';
         return status;
     };
     const Result<Wishes> wishes = wishes_of(arguments);
     if (!wishes) return failed(wishes.error(), 2);
     const fs::path world = world_by_name(arguments.world).value_or(arguments.world);
-    Result<Scene> read = imported(world, arguments.common.read_options(world)).map([](ImportedWorld&& one) {
-        return std::move(one.scene);
-    });
+    Result<Scene> read =
+        imported(world, progress.followed(arguments.common.read_options(world))).map([](ImportedWorld&& one) {
+            return std::move(one.scene);
+        });
     if (!read) return failed(read.error(), 1);
     if (const Result<void> valid = validate(*read); !valid) return failed(valid.error(), 1);
     const auto scene = std::make_shared<const Scene>(std::move(*read));
+    progress.at(phrase("progress.rooms"));
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);
     RoomsOfWorld rooms(scene, walk_body(*scene, size.radius_m, size.height_m, size.step_up_m), true);
     if (!rooms.ready() || !rooms.found())
@@ -162,6 +165,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     if (!storey) return failed(storey.error(), 1);
     std::vector<MadeFile> files;
     std::vector<std::string> simplified;
+    progress.at(phrase("progress.sheets"));
     if (arguments.swell)
         if (const Result<void> made = add_swell(*arguments.swell, *storey, *wishes, arguments.strip, files, simplified);
             !made)
@@ -170,6 +174,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
         if (const Result<void> made = add_stl(*arguments.stl, *storey, wishes->table, files, simplified); !made)
             return failed(made.error(), 1);
     if (arguments.route_card) {
+        progress.at(phrase("progress.ways"));
         const Result<CardWays> ways = card_ways(*scene, rooms.graph(), rooms.navigation(), *storey,
                                                 {arguments.from, arguments.to, arguments.how});
         if (!ways) return failed(ways.error(), 1);
@@ -178,6 +183,7 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
         if (!ways->unreached.empty())
             simplified.push_back(phrase("export.unreached", {{"names", names_list(ways->unreached)}}));
     }
+    progress.done();
     if (const Result<void> written = write_all(files, arguments.force, out); !written)
         return failed(written.error(), 1);
     for (const std::string& sentence : simplified) out << sentence << '\n';

@@ -341,27 +341,33 @@ int tell_lint(const Scene& scene, std::ostream& out) {
 }
 
 // The rooms as a text: as the file states them, else as they are found.
-int tell_as_words(const Scene& scene, const std::string& wish, std::ostream& out, std::ostream& err) {
+int tell_as_words(const Scene& scene, const std::string& wish, const Progress& progress, std::ostream& out,
+                  std::ostream& err) {
     const std::string code = wish.empty() ? spoken_language() : wish;
     const WordLanguage language = code == "de" ? WordLanguage::German : WordLanguage::English;
     if (scene.stated && !scene.stated->rooms.empty()) {
+        progress.done();
         out << text_of(stated_house(scene, language), scene, language);
         return 0;
     }
+    progress.at(phrase("progress.rooms"));
     const BodySize size = body_size(scene, Settings{}.walk.body_radius_m);
     const Result<WalkSpace> space =
         make_walk_space(scene, walk_body(scene, size.radius_m, size.height_m, size.step_up_m));
     if (!space) {
+        progress.done();
         err << space.error().sentence() << '\n';
         return 1;
     }
-    out << text_of(found_house(scene, make_rooms(scene, *space), *space, language), scene, language);
+    const std::string text = text_of(found_house(scene, make_rooms(scene, *space), *space, language), scene, language);
+    progress.done();
+    out << text;
     return 0;
 }
 
 }  // namespace
 
-int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err) {
+int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err, const Progress& waiting) {
     const ReadOptions options = arguments.common.read_options(arguments.world);
     if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0) {
         err << phrase("program.map_scale") << '\n';
@@ -369,26 +375,31 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     }
     const SteadyClock clock;
     const double begun_s = clock.now_s();
-    Result<ImportedWorld> imported_world = imported(arguments.world, options);
+    const Progress progress = arguments.json ? Progress() : waiting;
+    Result<ImportedWorld> imported_world = imported(arguments.world, progress.followed(options));
     Cost cost{clock.now_s() - begun_s, 0.0, 0, imported_world && imported_world->kept};
     Result<Scene> read = std::move(imported_world).map([](ImportedWorld&& world) { return std::move(world.scene); });
+    if (read)
+        if (const Result<void> valid = validate(*read); !valid) read = tl::unexpected(valid.error());
     if (!read) {
+        progress.done();
         err << read.error().sentence() << '\n';
         return 1;
     }
-    if (const Result<void> valid = validate(*read); !valid) {
-        err << valid.error().sentence() << '\n';
-        return 1;
+    if (arguments.lint) {
+        progress.done();
+        return tell_lint(*read, out);
     }
-    if (arguments.lint) return tell_lint(*read, out);
-    if (arguments.as_words) return tell_as_words(*read, arguments.language, out, err);
+    if (arguments.as_words) return tell_as_words(*read, arguments.language, progress, out, err);
     std::optional<double> scale;
     if (!arguments.scale.empty() && !(scale = scale_of(arguments.scale, read->bounds_m))) {
+        progress.done();
         err << phrase("program.info_scale", {{"scale", arguments.scale}}) << '\n';
         return 2;
     }
     const auto scene = std::make_shared<Scene>(std::move(*read));
     // What exploring makes of it.
+    progress.at(phrase("progress.touch"));
     CompileReport compiled;
     const Settings defaults;
     const EnteringWorld entered = make_ready(scene);
@@ -398,6 +409,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     const TouchModel touch = touch_model(*compile_haptic(*entered.scene, exploring(rounding_m), &compiled));
     for (std::string& sentence : compiled.mesh.sentences()) scene->report.simplified.push_back(std::move(sentence));
     for (std::string& sentence : compiled.rounding.sentences()) scene->report.simplified.push_back(std::move(sentence));
+    progress.at(phrase("progress.rooms"));
     std::string unreachable;
     const RoomGraph graph = rooms_of(scene, unreachable, scene->report.left_out);
     if (scale)
@@ -407,6 +419,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     if (!unreachable.empty()) scene->report.guessed.push_back(std::move(unreachable));
     cost.all_s = clock.now_s() - begun_s;
     cost.peak_memory_bytes = peak_memory_bytes();
+    progress.done();
     if (arguments.json) out << json_of(*scene, touch, cost).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else tell(*scene, touch, cost, out);
     return 0;

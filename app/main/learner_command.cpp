@@ -36,8 +36,9 @@ std::string agreed_words(const Learner& learner) {
 // One run of the command: where learners are, and who is asked and answered.
 class LearnerCommand {
 public:
-    LearnerCommand(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err)
-        : arguments_(arguments), learners_(user_data_folder()), in_(in), out_(out), err_(err) {}
+    LearnerCommand(const LearnerArguments& arguments, const Progress& progress, std::istream& in, std::ostream& out,
+                   std::ostream& err)
+        : arguments_(arguments), progress_(progress), learners_(user_data_folder()), in_(in), out_(out), err_(err) {}
 
     int run() {
         const std::string& action = arguments_.action;
@@ -204,7 +205,9 @@ private:
         std::vector<fs::path> folders = {user_data_folder(), user_settings_path().parent_path()};
         if (const fs::path sessions = sessions_folder(); !sessions.empty()) folders.push_back(sessions.parent_path());
         std::erase_if(folders, [](const fs::path& folder) { return folder.empty(); });
+        progress_.at(phrase("progress.search"));
         const Search left = search_for(words, folders);
+        progress_.done();
         for (const fs::path& file : left.unread) err_ << phrase("learner.unread", {{"file", file.string()}}) << '\n';
         if (left.hits.empty()) {
             out_ << phrase("learner.nothing_left", {{"files", left.files}}) << '\n';
@@ -216,6 +219,7 @@ private:
     }
 
     const LearnerArguments& arguments_;
+    const Progress& progress_;
     const Learners learners_;
     std::istream& in_;
     std::ostream& out_;
@@ -224,8 +228,9 @@ private:
 
 }  // namespace
 
-int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err) {
-    return LearnerCommand(arguments, in, out, err).run();
+int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err,
+                const Progress& progress) {
+    return LearnerCommand(arguments, progress, in, out, err).run();
 }
 
 }  // namespace handrail

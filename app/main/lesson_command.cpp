@@ -14,12 +14,14 @@ namespace handrail {
 namespace {
 
 // 0: every pupil's expectations hold; 1: one does not, or a script cannot be done.
-int check_lesson(const std::shared_ptr<TaughtWorld>& world, std::ostream& out) {
+int check_lesson(const std::shared_ptr<TaughtWorld>& world, const Progress& progress, std::ostream& out) {
     bool all_hold = true;
     for (const LessonPupil& pupil : world->lesson().pupils) {
         RecordingAudio audio;
         RecordingSpeech speech;
+        progress.at(phrase("progress.scenario", {{"title", pupil.name}}));
         const auto outcome = run_pupil(world, pupil, audio, speech);
+        progress.done();
         std::vector<std::string> failures =
             outcome ? outcome->failures : std::vector<std::string>{outcome.error().sentence()};
         fmt::print(out, "{}\n",
@@ -39,7 +41,7 @@ int check_lesson(const std::shared_ptr<TaughtWorld>& world, std::ostream& out) {
 // 0: done. 1: a pupil failed, or there is nothing to watch. 2: the lesson is refused. None: it is to be taught, and
 // `explore` says how.
 std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, SettingsStore& settings,
-                              std::ostream& out, std::ostream& err) {
+                              std::ostream& out, std::ostream& err, const Progress& progress) {
     std::error_code ec;
     if (arguments.file == "watch" && !std::filesystem::exists(arguments.file, ec))
         return watch_desk(desk_socket_path(), STDIN_FILENO, out, err);
@@ -54,9 +56,11 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
         out << protocol_of(*lesson, learner);
         return 0;
     }
+    progress.at(phrase("progress.lesson"));
     auto world = read_taught_world(arguments.file);
+    progress.done();
     if (!world) return refused(world.error());
-    if (arguments.check) return check_lesson(*world, out);
+    if (arguments.check) return check_lesson(*world, progress, out);
     const LessonFile& lesson = (*world)->lesson();
     if (arguments.session < 1 || arguments.session > lesson.sessions.size()) {
         fmt::print(err, "{}\n", phrase("teaching.sessions_are", {{"count", lesson.sessions.size()}}));

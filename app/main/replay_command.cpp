@@ -171,12 +171,14 @@ Result<void> write_tables(const Recording& recording, const fs::path& folder) {
 
 // ---- computed again ----
 
-int check(const Recording& recording, std::ostream& out, std::ostream& err) {
+int check(const Recording& recording, std::ostream& out, std::ostream& err, const Progress& progress) {
     if (const auto spoken = speak_language(recording.head.language, user_languages_folder()); !spoken) {
         err << spoken.error().sentence() << '\n';
         return 1;
     }
+    progress.at(phrase("progress.again"));
     const auto again = compute_again(recording);
+    progress.done();
     if (!again) {
         err << again.error().sentence() << '\n';
         return 1;
@@ -204,14 +206,17 @@ fs::path newest_in(const fs::path& folder) {
     return newest;
 }
 
-int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err) {
+int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err,
+               const Progress& progress) {
     const fs::path folder = arguments.folder.value_or(newest_in(user_data_folder() / "recordings"));
     const auto refuse = [&err](const Error& error) {
         err << error.sentence() << '\n';
         return 1;
     };
     if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
+    progress.at(phrase("progress.recording"));
     const auto recording = read_recording(folder);
+    progress.done();
     if (!recording) return refuse(recording.error());
     for (const Error& problem : recording->problems) err << problem.sentence() << '\n';
     if (!recording->ended) out << phrase("replay.ends_early") << '\n';
@@ -224,7 +229,7 @@ int run_replay(const ReplayArguments& arguments, const Settings& settings, std::
         if (const auto written = write_file_atomically(*arguments.scenario, scenario->toml); !written)
             return refuse(written.error());
     }
-    if (arguments.check) return check(*recording, out, err);
+    if (arguments.check) return check(*recording, out, err, progress);
     if (arguments.csv || arguments.scenario) return 0;
     HeardAgain(*recording, arguments.speed, settings).run();
     return 0;

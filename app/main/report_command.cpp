@@ -16,16 +16,21 @@ namespace {
 namespace fs = std::filesystem;
 
 // One recording; where it is damaged or goes on in other worlds that is told.
-Result<SessionReport> report_of_folder(const fs::path& folder, std::ostream& out, std::ostream& err) {
+Result<SessionReport> report_of_folder(const fs::path& folder, const Progress& progress, std::ostream& out,
+                                       std::ostream& err) {
+    progress.at(phrase("progress.recording"));
     const auto recording = read_recording(folder);
+    progress.done();
     if (!recording) return tl::unexpected(recording.error());
     for (const Error& problem : recording->problems) err << problem.sentence() << '\n';
     const RecordedEvents events = events_of(*recording);
     if (!events.world) return fail(phrase("report.no_world"), folder.string());
     if (events.more_worlds) out << phrase("report.first_world") << '\n';
+    progress.at(phrase("progress.measures"));
     const auto scene = read_recorded_scene(*events.world);
-    if (!scene) return tl::unexpected(scene.error());
-    return report_of(*recording, events, *scene);
+    auto report = scene ? report_of(*recording, events, *scene) : tl::unexpected(scene.error());
+    progress.done();
+    return report;
 }
 
 std::vector<fs::path> folders_in(const fs::path& folder) {
@@ -46,8 +51,8 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
 // One run of the command.
 class ReportCommand {
 public:
-    ReportCommand(const ReportArguments& arguments, std::ostream& out, std::ostream& err)
-        : arguments_(arguments), out_(out), err_(err) {}
+    ReportCommand(const ReportArguments& arguments, const Progress& progress, std::ostream& out, std::ostream& err)
+        : arguments_(arguments), progress_(progress), out_(out), err_(err) {}
 
     int run() {
         if (!arguments_.html && !arguments_.csv && !arguments_.json)
@@ -64,7 +69,7 @@ private:
     int of_session() {
         const fs::path folder = arguments_.folder.value_or(newest_in(user_data_folder() / "recordings"));
         if (folder.empty()) return refuse({{}, 0, 0, phrase("replay.none")});
-        auto report = report_of_folder(folder, out_, err_);
+        auto report = report_of_folder(folder, progress_, out_, err_);
         if (!report) return refuse(report.error());
         report->learner = arguments_.learner;
         const std::span<const SessionReport> one(&*report, 1);
@@ -85,7 +90,7 @@ private:
                 return refuse({{}, 0, 0, phrase("learner.not_shared", {{"name", learner->name}})});
         std::vector<SessionReport> reports;
         for (const fs::path& folder : folders_in(learners.recordings_of(learner->id))) {
-            auto report = report_of_folder(folder, out_, err_);
+            auto report = report_of_folder(folder, progress_, out_, err_);
             if (!report) {
                 err_ << report.error().sentence() << '\n';
                 continue;
@@ -133,6 +138,7 @@ private:
     }
 
     const ReportArguments& arguments_;
+    const Progress& progress_;
     fs::path learner_folder_;  // of whom it is; empty: of nobody by name
     std::ostream& out_;
     std::ostream& err_;
@@ -140,8 +146,8 @@ private:
 
 }  // namespace
 
-int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err) {
-    return ReportCommand(arguments, out, err).run();
+int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress) {
+    return ReportCommand(arguments, progress, out, err).run();
 }
 
 }  // namespace handrail

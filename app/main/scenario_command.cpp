@@ -131,7 +131,7 @@ std::string junit_xml(const std::vector<Outcome>& outcomes) {
 
 }  // namespace
 
-int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err) {
+int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress) {
     const auto files = scenario_files(arguments.paths);
     if (!files) {
         fmt::print(err, "{}\n", files.error().sentence());
@@ -149,7 +149,9 @@ int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::os
     }
     std::vector<Outcome> outcomes;
     for (const Scenario& scenario : scenarios) {
+        progress.at(phrase("progress.scenario", {{"title", scenario.title}}));
         outcomes.push_back(run_one(scenario, arguments));
+        progress.done();
         const Outcome& o = outcomes.back();
         fmt::print(out, "{}\n",
                    phrase(o.failures.empty() ? "program.scenario_holds" : "program.scenario_fails",

@@ -195,7 +195,7 @@ std::string replay(const std::shared_ptr<const Scene>& file, const std::vector<P
 
 }  // namespace
 
-int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err) {
+int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err, const Progress& progress) {
     const DeviceSpec* limits = nullptr;
     if (arguments.device) {
         limits = find_device_spec(*arguments.device);
@@ -207,23 +207,27 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err)
         }
         if (limits->name == ideal_device_spec().name) limits = nullptr;  // it has none
     }
-    const auto refuse = [&err](const Error& error) {
+    const auto refuse = [&](const Error& error) {
+        progress.done();
         err << error.sentence() << '\n';
         return 1;
     };
     ReadOptions options = arguments.common.read_options(arguments.world);
     options.guess_materials = false;
     options.solid_meshes = false;
-    Result<Scene> scene =
-        imported(arguments.world, options).map([](ImportedWorld&& world) { return std::move(world.scene); });
+    Result<Scene> scene = imported(arguments.world, progress.followed(options)).map([](ImportedWorld&& world) {
+        return std::move(world.scene);
+    });
     if (!scene) return refuse(scene.error());
     const Result<std::string> text = read_whole_file(arguments.path_csv);
     if (!text) return refuse(text.error());
     const Result<std::vector<PathRow>> rows = parse_path(*text, arguments.path_csv.filename().string());
     if (!rows) return refuse(rows.error());
+    progress.at(phrase("progress.path"));
     const std::string result = replay(std::make_shared<const Scene>(std::move(*scene)), *rows,
                                       tuning_of(arguments, limits ? *limits : ideal_device_spec()), limits);
     const Result<void> written = write_file_atomically(arguments.out_csv, result);
+    progress.done();
     return written ? 0 : refuse(written.error());
 }
 

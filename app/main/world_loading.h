@@ -1,16 +1,15 @@
 // A world on its way from its file to where it can be entered, read and made ready on a thread of its own. App thread.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
+#include <functional>
 #include <future>
-#include <mutex>
 #include <stop_token>
 #include <string>
-#include <string_view>
 
 #include "app/core/world/entering.h"
 #include "app/main/commands.h"
+#include "app/main/progress.h"
 
 namespace handrail {
 
@@ -24,17 +23,13 @@ public:
     WorldLoading& operator=(const WorldLoading&) = delete;
 
     bool ready() const;
-    // "Loading, 40 percent: building walls and floors.": how far the reading is, and what it is at.
-    std::string how_far() const;
+    // Gives `say` what is due: "Loading, 40 percent: building walls and floors."
+    void tell(double now_s, const std::function<void(const std::string&)>& say) const { progress_.tell(now_s, say); }
     // Once, when ready. Fails as read_world does.
     Result<EnteringWorld> take() { return result_.get(); }
 
 private:
-    void go_to(std::string_view stage);
-
-    std::atomic<int> percent_{0};
-    mutable std::mutex mutex_;  // held for the length of a copy
-    std::string stage_;         // a text's key
+    Progress progress_ = Progress::begun();
     std::stop_source stop_;
     std::future<Result<EnteringWorld>> result_;  // last: its thread uses the others, and it waits for that
 };

@@ -118,9 +118,8 @@ SideFile WorldVisits::additions_to(const std::filesystem::path& path) const {
     return SideFile::of_world(kept, arguments_.common.data_in, true);
 }
 
-void WorldVisits::begin_reading(const std::filesystem::path& path, const CommonArguments& common, double now_s) {
+void WorldVisits::begin_reading(const std::filesystem::path& path, const CommonArguments& common) {
     next_path_ = path;
-    next_told_s_ = now_s;
     next_ = std::make_unique<WorldLoading>(next_path_, common);
 }
 
@@ -130,7 +129,7 @@ void WorldVisits::change(double now_s) {
         CommonArguments common = arguments_.common;
         common.unit_m.reset();  // it was said of another world
         common.building.clear();
-        begin_reading(*wanted, common, now_s);
+        begin_reading(*wanted, common);
     }
     if (const auto last = app_.requests().take_last_place(); last && !next_) {
         std::error_code ec;
@@ -138,15 +137,11 @@ void WorldVisits::change(double now_s) {
             app_.apply(WentOnAt{*last}, now_s);
         } else {
             next_place_ = *last;
-            begin_reading(last->world, arguments_.common, now_s);
+            begin_reading(last->world, arguments_.common);
         }
     }
     if (!next_) return;
-    if (!next_->ready()) {
-        if (now_s - next_told_s_ < kLoadingToldEvery_s) return;
-        next_told_s_ = now_s;
-        return say_(next_->how_far());
-    }
+    if (!next_->ready()) return next_->tell(now_s, [this](const std::string& words) { say_(words); });
     auto world = next_->take();
     next_.reset();
     const auto place = std::exchange(next_place_, std::nullopt);

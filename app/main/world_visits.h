@@ -19,8 +19,6 @@
 
 namespace handrail {
 
-constexpr double kLoadingToldEvery_s = 2.0;  // how far the reading of a world is
-
 class WorldVisits {
 public:
     // All outlive this object.
@@ -54,7 +52,7 @@ public:
 
 private:
     SideFile additions_to(const std::filesystem::path& path) const;
-    void begin_reading(const std::filesystem::path& path, const CommonArguments& common, double now_s);
+    void begin_reading(const std::filesystem::path& path, const CommonArguments& common);
 
     const ExploreArguments& arguments_;
     Session& app_;
@@ -68,7 +66,6 @@ private:
     std::optional<LastPlace> next_place_;  // where to go on in the world that is read
     std::unique_ptr<WorldLoading> next_;
     std::filesystem::path next_path_;
-    double next_told_s_ = 0.0;
 };
 
 }  // namespace handrail

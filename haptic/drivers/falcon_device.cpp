@@ -10,6 +10,7 @@
 #include "worlds/base/contract.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
+#include "worlds/base/patience.h"
 
 namespace handrail {
 namespace fs = std::filesystem;
@@ -194,7 +195,10 @@ Result<void> FalconDevice::upload(std::span<const std::uint8_t> image) {
         link_->write(kMeasureSpeed, kLoadingDeadlineS) != 1 ||
         !echoed(kMeasureSpeed, clock_.now_s() + kLoadingDeadlineS))
         return fail(phrase("drivers.falcon_speed"));
+    Patience patience(clock_.now_s());
     for (std::size_t at = 0; at < image.size(); at += kPieceBytes) {
+        if (patience.due(clock_.now_s()))
+            tell(phrase("drivers.falcon_sending", {{"percent", static_cast<int>(100 * at / image.size())}}));
         const auto piece = image.subspan(at, std::min(kPieceBytes, image.size() - at));
         if (link_->write(piece, kLoadingDeadlineS) != static_cast<int>(piece.size()) ||
             !echoed(piece, clock_.now_s() + kLoadingDeadlineS))
@@ -208,10 +212,11 @@ Result<void> FalconDevice::upload(std::span<const std::uint8_t> image) {
     return fail(phrase("drivers.falcon_asleep"));
 }
 
+void FalconDevice::tell(const std::string& sentence) const {
+    if (options_.tell) options_.tell(sentence);
+}
+
 Result<void> FalconDevice::open() {
-    const auto tell = [this](const std::string& sentence) {
-        if (options_.tell) options_.tell(sentence);
-    };
     forget_place();
     status_ = {};
     lost_ = !link_->control(kReset, kPurgeIn);

@@ -72,6 +72,7 @@ private:
     void send(const std::array<int, 3>& motors) noexcept;
     bool says_hello() noexcept;
     Result<void> upload(std::span<const std::uint8_t> image);
+    void tell(const std::string& sentence) const;
     bool echoed(std::span<const std::uint8_t> sent, double deadline_s) noexcept;
     std::size_t take(std::span<std::uint8_t> room, double deadline_s) noexcept;
     void forget_place() noexcept;

@@ -18,6 +18,7 @@ void Rooms::enter_world(std::shared_ptr<const Scene> scene) {
     const WalkBody body = walk_body(*scene, size.radius_m, size.height_m, size.step_up_m);
     of_world_ = std::make_unique<RoomsOfWorld>(std::move(scene), body, !beside_);
     leaves_of_.reset();
+    patience_.reset();
     told_ = false;
     here_ = kNothing;
     visited_.clear();
@@ -45,6 +46,21 @@ void Rooms::tick(double now_s) {
     if (found()) say_room_names(graph());
     know_leaves();
     notice(now_s, false);
+    tell_that_it_takes_long(now_s);
+}
+
+// Once while they are looked for, and then that they are there: who explores meanwhile is not disturbed more than that.
+void Rooms::tell_that_it_takes_long(double now_s) {
+    if (!of_world_ || !beside_) return;
+    if (of_world_->told_ready()) {
+        if (patience_ && patience_->told() && found())
+            context_.say(phrase("rooms.known_now"), SpeechClass::Ambient, now_s);
+        patience_.reset();
+        return;
+    }
+    if (!patience_) patience_.emplace(now_s);
+    if (!patience_->told() && patience_->due(now_s))
+        context_.say(phrase("rooms.takes_long"), SpeechClass::Ambient, now_s);
 }
 
 // Rooms and ways are there to be used; where the same must happen in every run they are looked for now.

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "app/core/context/view.h"
 #include "app/core/kept/room_names.h"
 #include "app/core/whereabouts/rooms_of_world.h"
+#include "worlds/base/patience.h"
 
 namespace handrail {
 
@@ -74,6 +76,7 @@ public:
 
 private:
     void know_leaves();
+    void tell_that_it_takes_long(double now_s);
     void draw();
     void tell_exits(bool unvisited_only, double now_s);
     void lay_given_names(double now_s);
@@ -81,6 +84,7 @@ private:
 
     bool beside_ = false, told_ = false, drawn_ = false, refused_ = false;
     std::unique_ptr<RoomsOfWorld> of_world_;
+    std::optional<Patience> patience_;  // since the first tick in this world; none: not begun, or over
     std::uint32_t here_ = kNothing;
     std::vector<bool> visited_;  // since this world was entered
     std::vector<RoomNameGiven> names_;

@@ -25,7 +25,8 @@ public:
 
     // True when it is done, well or not; the rest is looked at only then.
     bool ready();
-    bool done() { return at_once_ ? done_.load() : ready(); }  // ready(), without making it so
+    bool done() { return at_once_ ? done_.load() : ready(); }             // ready(), without making it so
+    bool told_ready() const { return at_once_ ? done_.load() : known_; }  // ready() has said so, without asking it
     bool found() const { return navigation_ != nullptr; }
     const std::string& problem() const { return problem_; }  // a sentence; empty: none
     // See unreachable_rooms().

@@ -84,10 +84,11 @@ BenchReport run_bench(const BenchOptions& options) {
     report.quick = options.quick;
     report.machine = machine();
     report.day = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::time(nullptr)));
-    const auto say = [&](const std::string& sentence) {
-        if (options.progress) options.progress(sentence);
+    const auto at = [&](const std::string& scene) {
+        if (options.progress) options.progress(scene);
     };
     for (const Planned& planned : plan(options, report.left_out)) {
+        at(planned.name);
         const Result<BenchWorld> made = planned.make();
         if (!made) {
             report.left_out.push_back(planned.name + " is left out: " + made.error().sentence());
@@ -109,21 +110,20 @@ BenchReport run_bench(const BenchOptions& options) {
         if (world.hard_case && (options.quick || world.seed > 1))
             report.results.push_back(
                 measure(world, truth, handrail_uncapped(), options.quick ? 1 : 4, options.quick ? 1e6 : 1e8));
-        say(fmt::format("{}: {} obstacles, {} ticks, {:.0f} s so far.", world.name, world.scene->obstacles.size(),
-                        world.goals_m.size(), clock.now_s() - begun_s));
     }
     if (options.only.empty() || lower_ascii(options.only) == kWorst)
         for (int number = 0; number < test::kWorstCases; ++number) {
             // In a quick run those alone that are built at once.
             if (options.quick && number != 1) continue;
+            at(fmt::format("hard case {} of {}", number + 1, test::kWorstCases));
             report.worst.push_back(run_worst_case(number, options.quick ? 200 : 2000, options.quick ? 1 : 3));
-            say(fmt::format("{}, {:.0f} s so far.", report.worst.back().scene, clock.now_s() - begun_s));
         }
     if (options.only.empty() || lower_ascii(options.only) == kBodies) {
+        at("things that move");
         report.bodies = run_bodies();
-        say(fmt::format("Things that move, {:.0f} s so far.", clock.now_s() - begun_s));
     }
     if (options.only.empty()) {
+        at("stable walls");
         for (const std::string& wall :
              options.quick
                  ? std::vector<std::string>{"flat wall"}
@@ -132,7 +132,7 @@ BenchReport run_bench(const BenchOptions& options) {
                 report.stability.push_back(stable_stiffness(contestant, wall, options.quick ? 1.5 : 1.1));
         const double seconds = options.quick ? std::min(options.servo_s, 1.0) : options.servo_s;
         if (seconds > 0.0) {
-            say(fmt::format("The servo thread, {:g} seconds.", seconds));
+            at("the servo thread");
             report.servo.push_back(run_servo_thread(seconds));
         }
     }

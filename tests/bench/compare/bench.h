@@ -19,7 +19,7 @@ struct BenchOptions {
     bool quick = false;
     int seeds = 2;          // random lies of every family besides the scene as it stands; quick: 0
     double servo_s = 60.0;  // quick: 1; 0: leave the servo thread out
-    std::function<void(const std::string&)> progress;  // one sentence per scene; may be empty
+    std::function<void(const std::string&)> progress;  // what it is at from now on: a scene by its name; may be empty
 };
 
 struct SceneCost {

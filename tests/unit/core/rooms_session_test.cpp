@@ -171,6 +171,48 @@ TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
     EXPECT_TRUE(s.said.back().starts_with("Hall. ")) << s.said.back();
 }
 
+// In virtual time: they come with the question of a certain number, as in a recording.
+struct LateRooms {
+    explicit LateRooms(std::uint64_t come_with_question) : arrivals({come_with_question}) {
+        session.app.apply(WorldEntered{make_ready(house())}, 0.0);
+    }
+    SessionOptions options() {
+        SessionOptions beside;
+        beside.rooms_beside = true;
+        beside.arrivals = &arrivals;
+        return beside;
+    }
+    int told(const std::string& words) const {
+        return static_cast<int>(std::count(session.said.begin(), session.said.end(), words));
+    }
+    Arrivals arrivals;
+    test::AppSession session{{}, {}, options()};
+    const std::string waited_for = "Rooms and ways are still being looked for. All else works.",
+                      there = "Rooms and ways are known now.";
+};
+
+TEST(RoomsInASession, that_take_long_are_told_of_once_and_again_when_they_are_there) {
+    LateRooms late(2000);
+    late.session.run(1.9);
+    EXPECT_EQ(late.told(late.waited_for), 0);
+    late.session.run(0.2);
+    EXPECT_EQ(late.told(late.waited_for), 1);
+    EXPECT_EQ(late.told(late.there), 0);
+    for (int i = 0; i < 600 && late.told(late.there) == 0; ++i) late.session.run(0.1);
+    EXPECT_EQ(late.told(late.there), 1);
+    late.session.run(20.0);
+    EXPECT_EQ(late.told(late.waited_for), 1) << "once";
+    EXPECT_EQ(late.told(late.there), 1) << "once";
+}
+
+TEST(RoomsInASession, that_are_there_within_two_seconds_are_no_news) {
+    LateRooms soon(20);
+    soon.session.run(20.0);
+    EXPECT_EQ(soon.told(soon.waited_for), 0);
+    EXPECT_EQ(soon.told(soon.there), 0);
+    EXPECT_TRUE(soon.session.ask(Command::Exits).starts_with("Hall. ")) << soon.session.said.back();
+}
+
 TEST(RoomsInASession, are_drawn_on_the_plan_by_the_names_they_go_by_and_cost_nothing_without_it) {
     Visitor s;
     s.app.apply(WorldEntered{make_ready(house())}, 0.0);

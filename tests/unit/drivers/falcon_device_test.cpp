@@ -70,6 +70,50 @@ TEST(FalconDevice, wakes_by_sending_its_firmware_and_comparing_every_echo) {
     EXPECT_EQ(falcon.emulator.latency_ms, 1U);
 }
 
+// A wire on which each piece that is written takes a while.
+class SlowLink final : public ByteLink {
+public:
+    SlowLink(std::unique_ptr<ByteLink> wire, VirtualClock& clock, double write_s)
+        : wire_(std::move(wire)), clock_(clock), write_s_(write_s) {}
+    bool control(std::uint8_t request, std::uint16_t value) noexcept override { return wire_->control(request, value); }
+    int write(std::span<const std::uint8_t> bytes, double timeout_s) noexcept override {
+        clock_.advance_s(write_s_);
+        return wire_->write(bytes, timeout_s);
+    }
+    int read(std::span<std::uint8_t> room, double timeout_s) noexcept override { return wire_->read(room, timeout_s); }
+
+private:
+    std::unique_ptr<ByteLink> wire_;
+    VirtualClock& clock_;
+    double write_s_;
+};
+
+// A sentence after two seconds and then every five: 4000 bytes in pieces, a third of a second each.
+TEST(FalconDevice, tells_how_far_a_firmware_is_that_takes_long_to_send) {
+    VirtualClock clock;
+    FalconEmulator emulator;
+    const test::TemporaryFolder folder;
+    const auto image = test::boot_image(4000);
+    emulator.firmware_wanted = image.size();
+    std::vector<std::string> told;
+    std::vector<double> told_s;
+    FalconOptions options;
+    options.firmware_files = {folder.write("falcon.bin", std::string(image.begin(), image.end()))};
+    options.tell = [&](const std::string& sentence) {
+        if (sentence.find("percent") == std::string::npos) return;
+        told.push_back(sentence);
+        told_s.push_back(clock.now_s());
+    };
+    auto wire = std::make_unique<SlowLink>(std::make_unique<DirectFalconLink>(emulator, clock), clock, 1.0 / 3.0);
+    FalconDevice device(std::move(wire), clock, options);
+    const auto opened = device.open();
+    ASSERT_TRUE(opened) << opened.error().sentence();
+    ASSERT_GE(told.size(), 2U);
+    EXPECT_THAT(told.front(), testing::ContainsRegex("^Sending the Falcon's firmware, [0-9]+ percent\\.$"));
+    EXPECT_NE(told[0], told[1]);
+    for (std::size_t i = 1; i < told_s.size(); ++i) EXPECT_NEAR(told_s[i] - told_s[i - 1], 5.0, 0.5);
+}
+
 TEST(FalconDevice, needs_no_file_when_its_firmware_runs_since_power_on) {
     Falcon falcon;
     ASSERT_TRUE(falcon.device->open());

@@ -1,0 +1,66 @@
+// A world that takes long to read: the program beside a reader that says how far it is, and then waits.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <future>
+
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace handrail::test {
+namespace slow_reader_test {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class SlowReader : public testing::Test {
+protected:
+    static constexpr const char* kLine = "Loading, 40 percent: building walls, floors and openings.";
+
+    void SetUp() override {
+        fs::create_directories(folder_.path() / "bin");
+        fs::copy_file(HANDRAIL_PROGRAM, program());
+        // As the real reader tells of itself (reader_process), and then the real reader.
+        const fs::path reader =
+            folder_.write("bin/handrail-reader",
+                          "#!/bin/sh\nprintf 'p40\\nsimport.shapes\\n' >&4\nsleep 3\nexec '" +
+                              (fs::path(HANDRAIL_PROGRAM).parent_path() / "handrail-reader").string() + "' \"$@\"\n");
+        fs::permissions(reader, fs::perms::owner_all);
+        world_ = folder_.write("box.obj",
+                               "o floor\nv -3 -3 0\nv 3 -3 0\nv 3 3 0\nv -3 3 0\nf 1 2 3 4\n"
+                               "o wall\nv -3 3 0\nv 3 3 0\nv 3 3 2.5\nv -3 3 2.5\nf 8 7 6 5\n");
+    }
+    fs::path program() const { return folder_.path() / "bin" / "handrail"; }
+    std::future<ProgramRun> begin(std::vector<std::string> arguments, const std::string& input = {}) {
+        ProgramCall call;
+        call.program = program().string();
+        call.arguments = std::move(arguments);
+        call.environment["HANDRAIL_WORLDS"] = TEST_WORLDS;
+        call.input = input;
+        return std::async(std::launch::async, [call] { return run_program(call); });
+    }
+
+    TemporaryFolder folder_;
+    fs::path world_;
+};
+
+TEST_F(SlowReader, is_told_of_on_standard_error_by_commands_but_not_beside_json) {
+    auto info = begin({"info", world_.string()}), check = begin({"check", world_.string()}),
+         json = begin({"info", "--json", world_.string()}), quick = begin({"info", TEST_WORLDS "/first_room.map"});
+    EXPECT_THAT(info.get().err, StartsWith(std::string(kLine) + "\n"));
+    EXPECT_THAT(check.get().err, StartsWith(std::string(kLine) + "\n"));
+    const ProgramRun as_data = json.get();
+    EXPECT_EQ(as_data.exit_status, 0);
+    EXPECT_EQ(as_data.err, "");
+    EXPECT_EQ(quick.get().err, "") << "what is quick";
+}
+
+TEST_F(SlowReader, is_told_of_in_a_session_aloud_and_in_text) {
+    const ProgramRun run = begin({world_.string(), "--no-window", "--device", "none"}, "where\nquit\n").get();
+    EXPECT_EQ(run.exit_status, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr(std::string("say: ") + kLine));
+}
+
+}  // namespace slow_reader_test
+}  // namespace handrail::test

@@ -1,0 +1,183 @@
+// Who waits is told nothing of what is quick, and then a sentence every few seconds, in virtual time; and every command
+// says what it is at.
+#include "app/main/progress.h"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <sstream>
+
+#include "app/main/commands.h"
+#include "tests/support/spoken_language.h"
+#include "tests/support/temporary_folder.h"
+#include "worlds/base/language.h"
+#include "worlds/base/patience.h"
+
+namespace handrail {
+namespace progress_test {
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string kWorlds = std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/";
+
+struct Told {
+    double at_s;
+    std::string words;
+    bool operator==(const Told&) const = default;
+};
+void PrintTo(const Told& told, std::ostream* os) { *os << told.at_s << " s: " << told.words; }
+
+// What a teller that looks four times a second says from one time to another.
+std::vector<Told> told_from(const Progress& progress, double from_s, double to_s) {
+    std::vector<Told> all;
+    for (double now_s = from_s; now_s < to_s; now_s += 0.25)
+        progress.tell(now_s, [&](const std::string& words) { all.push_back({now_s, words}); });
+    return all;
+}
+
+TEST(Patience, is_over_after_two_seconds_and_then_every_five) {
+    Patience patience(10.0);
+    std::vector<double> due;
+    for (double now_s = 10.0; now_s < 30.0; now_s += 0.25)
+        if (patience.due(now_s)) due.push_back(now_s - 10.0);
+    EXPECT_THAT(due, ElementsAre(2.0, 7.0, 12.0, 17.0));
+}
+
+TEST(Progress, tells_nothing_of_what_is_over_within_two_seconds) {
+    const Progress progress = Progress::begun();
+    EXPECT_THAT(told_from(progress, 0.0, 10.0), IsEmpty()) << "there is no work";
+    progress.at("Finding rooms and ways");
+    EXPECT_THAT(told_from(progress, 10.0, 12.0), IsEmpty());
+    progress.done();
+    EXPECT_THAT(told_from(progress, 12.0, 20.0), IsEmpty());
+    progress.at("Drawing the storey");
+    EXPECT_THAT(told_from(progress, 20.0, 22.0), IsEmpty()) << "two seconds anew";
+}
+
+TEST(Progress, tells_what_takes_longer_with_the_time_so_far) {
+    const Progress progress = Progress::begun();
+    progress.at("Finding rooms and ways");
+    EXPECT_THAT(told_from(progress, 100.0, 103.0),
+                ElementsAre(Told{102.0, "Finding rooms and ways, 2 seconds so far."}));
+    progress.at("Looking for what should be mended");
+    EXPECT_THAT(told_from(progress, 103.0, 113.0),
+                ElementsAre(Told{107.0, "Looking for what should be mended, 7 seconds so far."},
+                            Told{112.0, "Looking for what should be mended, 12 seconds so far."}));
+}
+
+TEST(Progress, tells_how_far_a_file_is_read_and_what_the_reader_is_at) {
+    const Progress progress = Progress::begun();
+    const ReadOptions options = progress.followed({});
+    options.progress(0.4);
+    EXPECT_THAT(told_from(progress, 0.0, 3.0), ElementsAre(Told{2.0, "Loading, 40 percent."}));
+    options.stage("import.shapes");
+    options.progress(0.555);
+    EXPECT_THAT(told_from(progress, 3.0, 8.0),
+                ElementsAre(Told{7.0, "Loading, 55 percent: building walls, floors and openings."}));
+    const test::InLanguage german("de");
+    options.stage("import.touch");
+    EXPECT_THAT(told_from(progress, 8.0, 13.0),
+                ElementsAre(Told{12.0, "Laden, 55 Prozent: " + phrase("import.touch") + "."}));
+}
+
+TEST(Progress, of_which_nobody_wants_to_hear_costs_nothing) {
+    const Progress nobody;
+    EXPECT_FALSE(nobody.followed({}).progress);
+    nobody.at("Anything");
+    EXPECT_THAT(told_from(nobody, 0.0, 10.0), IsEmpty());
+}
+
+// What a command is at, in order, its last words told before it writes.
+std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostream&, const Progress&)>& command) {
+    std::ostringstream out, err;
+    std::vector<std::string> all;
+    const Progress progress = Progress::begun([&](const std::string& what) {
+        all.push_back(what);
+        EXPECT_EQ(out.str(), "") << what;
+    });
+    EXPECT_EQ(command(out, err, progress), 0) << err.str();
+    EXPECT_FALSE(all.empty() && out.str().empty());
+    EXPECT_THAT(told_from(progress, 0.0, 10.0), IsEmpty()) << "it is over";
+    return all;
+}
+
+TEST(CommandProgress, of_info_and_check_is_reading_rooms_and_the_rest_but_none_beside_json) {
+    const auto info = [](bool json, bool words) {
+        return stages([json, words](std::ostream& out, std::ostream& err, const Progress& progress) {
+            InfoArguments arguments;
+            arguments.world = kWorlds + "first_room.map";
+            arguments.json = json;
+            arguments.as_words = words;
+            return run_info(arguments, out, err, progress);
+        });
+    };
+    EXPECT_THAT(info(false, false),
+                ElementsAre("reading the file", "Making it ready to touch", "Finding rooms and ways", ""));
+    EXPECT_THAT(info(false, true), ElementsAre("reading the file", "Finding rooms and ways", ""));
+    EXPECT_THAT(info(true, false), IsEmpty());
+    const auto check = [](bool json) {
+        return stages([json](std::ostream& out, std::ostream& err, const Progress& progress) {
+            CheckArguments arguments;
+            arguments.world = kWorlds + "first_room.map";
+            arguments.json = json;
+            return run_check(arguments, out, err, progress);
+        });
+    };
+    EXPECT_THAT(check(false),
+                ElementsAre("reading the file", "Finding rooms and ways", "Looking for what should be mended", ""));
+    EXPECT_THAT(check(true), IsEmpty());
+}
+
+TEST(CommandProgress, of_export_and_scenario_is_each_part_of_the_work) {
+    const test::TemporaryFolder folder;
+    EXPECT_THAT(stages([&](std::ostream& out, std::ostream& err, const Progress& progress) {
+                    ExportArguments arguments;
+                    arguments.world = kWorlds + "first_room.map";
+                    arguments.swell = folder.path() / "plan.svg";
+                    return run_export(arguments, out, err, progress);
+                }),
+                ElementsAre("reading the file", "Finding rooms and ways", "Drawing the storey", ""));
+    EXPECT_THAT(stages([&](std::ostream& out, std::ostream& err, const Progress& progress) {
+                    ScenarioArguments arguments;
+                    arguments.paths = {HANDRAIL_SOURCE_DIR "/tests/scenarios/03_first_wall_keyboard.toml"};
+                    return run_scenarios(arguments, out, err, progress);
+                }),
+                Contains(HasSubstr("Playing ")));
+}
+
+TEST(CommandProgress, is_over_before_a_problem_is_told) {
+    const test::TemporaryFolder folder;
+    std::ostringstream out, err;
+    std::vector<std::string> all;
+    const Progress progress = Progress::begun([&](const std::string& what) {
+        all.push_back(what);
+        EXPECT_EQ(err.str(), "") << what;
+    });
+    InfoArguments info;
+    info.world = folder.path() / "none.map";
+    EXPECT_EQ(run_info(info, out, err, progress), 1);
+    EXPECT_EQ(all.back(), "");
+    ReplayArguments replay;
+    replay.folder = folder.path() / "none";
+    replay.check = true;
+    err.str("");
+    EXPECT_EQ(run_replay(replay, {}, out, err, progress), 1);
+    EXPECT_THAT(all, Contains("Reading the recording"));
+    EXPECT_EQ(all.back(), "");
+}
+
+// The thread that writes for a terminal: real time, so only that it ends at once, whether there is work or not.
+TEST(ProgressLines, end_at_once_with_and_without_work) {
+    std::ostringstream to;
+    const Progress progress = Progress::begun();
+    { const ProgressLines idle(progress, to); }
+    progress.at("Anything");
+    { const ProgressLines busy(progress, to); }
+    { const ProgressLines nobody({}, to); }
+    EXPECT_EQ(to.str(), "");
+}
+
+}  // namespace progress_test
+}  // namespace handrail
