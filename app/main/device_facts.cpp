@@ -30,6 +30,7 @@ std::vector<std::string> device_sentences(const FoundDevice& device) {
         line(phrase("program.device_reach", {{"reach", device.spec->workspace_radius_m * 100.0},
                                              {"force", device.spec->peak_force_n},
                                              {"stiffness", device.spec->rated_stiffness_n_per_m}}));
+    line(phrase(device.met_hardware ? "program.device_met" : "program.device_not_met"));
     if (device.rate_hz > 0.0) line(phrase("program.device_rate", {{"rate", device.rate_hz}}));
     line(device.usable ? phrase("program.device_state", {{"state", spoken_device_state(device)}})
                        : phrase("program.device_problem", {{"problem", device.problem}}));
@@ -41,6 +42,7 @@ std::vector<std::string> device_sentences(std::span<const FoundDevice> devices) 
     for (const FoundDevice& device : devices)
         for (std::string& sentence : device_sentences(device)) all.push_back(std::move(sentence));
     if (all.empty()) all.push_back(phrase("program.no_devices"));
+    all.push_back(phrase("program.simulated_devices"));
     return all;
 }
 

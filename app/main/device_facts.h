@@ -14,7 +14,7 @@ namespace handrail {
 
 // Of one device, its first sentence first.
 std::vector<std::string> device_sentences(const FoundDevice& device);
-// Of all; that there is none where there is none.
+// Of all, or that there is none; and at last the simulated ones, which are always there.
 std::vector<std::string> device_sentences(std::span<const FoundDevice> devices);
 
 // App thread; looks on a thread of its own, for up to half a second.

@@ -33,6 +33,7 @@ Json json_of(const FoundDevice& device) {
             {"stiffness_limit_n_per_m", known(device.spec ? device.spec->rated_stiffness_n_per_m : 0.0)},
             {"slowest_rate_hz", known(device.spec ? device.spec->min_rate_hz : 0.0)},
             {"rate_hz", known(device.rate_hz)},
+            {"met_hardware", device.met_hardware},
             {"state", device_state(device)},
             {"usable", device.usable},
             {"problem", known(device.problem)}};

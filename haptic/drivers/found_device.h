@@ -33,6 +33,7 @@ struct FoundDevice {
     bool needs_calibration = false;
     std::optional<DeviceSpec> spec;  // Kinesthetic: workspace, force limit, stiffness
     double rate_hz = 0.0;            // exchanges per second that the device is built for; 0: not known
+    bool met_hardware = false;       // the driver has ever met such a device, and not emulators alone: none has yet
     bool usable = true;
     std::string problem;  // why not, and what to do; one or two sentences
 };

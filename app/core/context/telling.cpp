@@ -77,6 +77,14 @@ std::string storey_words(const SessionContext& context, double floor_z_m) {
     return storey_words(rise_m, rise_m);
 }
 
+std::string hand_words(const HandsState& hands) {
+    if (!hands.right.present) return phrase("devices.none");
+    const DeviceSpec& spec = hands.right.spec;
+    return phrase(
+        hands.keys_alone ? "devices.keys_alone" : "devices.hand",
+        {{"device", spec.spoken_name()}, {"reach", 100.0 * spec.workspace_radius_m}, {"force", spec.peak_force_n}});
+}
+
 std::string how_far_words(const SessionContext& context, double way_m) {
     const std::string words = distance_words(way_m, distances(context));
     return is_close_by(way_m, distances(context)) ? words : phrase("session.away", {{"distance", words}});

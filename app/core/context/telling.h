@@ -27,6 +27,9 @@ std::string where_words_on_foot(const SessionContext& context, const Aabb& box_m
 std::string storey_words(const SessionContext& context, double floor_z_m);
 // "9 steps away", "close by".
 std::string how_far_words(const SessionContext& context, double way_m);
+// Which hand there is, in words: "Novint Falcon, reach 4 centimetres, up to 3 newtons", or that there is none, or one
+// of the keys alone.
+std::string hand_words(const HandsState& hands);
 std::string name_of(const SessionContext& context, FeatureId feature);
 // Of the hand, or of the body where there is none.
 Vec3 finding_place_m(const SessionContext& context);

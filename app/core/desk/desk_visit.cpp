@@ -123,6 +123,12 @@ void DeskVisit::furnish() {
                       {{"direction", compass_word(heading_rad)},
                        {"degrees", std::lround(std::fmod(degrees_from_radians(heading_rad) + 360.0, 360.0))}});
     });
+    button(
+        phrase("desk.device"), [this] { return hand_words(context_.hands); },
+        [this] {
+            context_.requests.devices = true;
+            return phrase("devices.looking");
+        });
     desk_ = Desk(std::move(controls));
     lay(0);
 }

@@ -94,6 +94,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::Task, "task", "Alt+F9", false},
     CommandInfo{Command::TaskDone, "done", "Alt+Enter", false},
     CommandInfo{Command::Language, "language", "", false},
+    CommandInfo{Command::Devices, "devices", "", false},
     CommandInfo{Command::NextSound, "sounds", "F11", false},
     CommandInfo{Command::LastSound, "sounds-back", "Shift+F11", false},
     CommandInfo{Command::VerbosityCycle, "verbosity", "V", false},

@@ -94,6 +94,7 @@ enum class Command : std::uint8_t {
     Task,          // of the lesson of an instructor; without one a list to begin or prepare one
     TaskDone,      // it is done, or the question is answered: by facing or pointing there
     Language,
+    Devices,  // list of what is plugged in, and what each is good for
     NextSound,
     LastSound,  // the sound dictionary: names and plays one sound after the other
     VerbosityCycle,

@@ -14,6 +14,7 @@ bool Menu::act(Command command, double now_s) {
     else if (command == Command::Help) commands_.open(false, now_s);
     else if (command == Command::InputHelp) commands_.toggle_input_help(now_s);
     else if (command == Command::Language) languages_.open(now_s);
+    else if (command == Command::Devices) reports_.ask_for_devices(now_s);
     else return false;
     return true;
 }

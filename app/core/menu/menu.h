@@ -16,7 +16,7 @@ public:
     explicit Menu(const SessionContext& context)
         : SessionPart(context), commands_(context), worlds_(context), languages_(context), reports_(context) {}
 
-    // The menu, all keys, input help and languages. False: it is another's.
+    // The menu, all keys, input help, languages and devices. False: it is another's.
     bool act(Command command, double now_s);
 
     CommandLists& commands() { return commands_; }

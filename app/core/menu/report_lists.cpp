@@ -1,5 +1,6 @@
 #include "app/core/menu/report_lists.h"
 
+#include "app/core/context/telling.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -10,7 +11,9 @@ void ReportLists::ask_for_devices(double now_s) {
 }
 
 void ReportLists::open_devices(const std::vector<std::string>& sentences, double now_s) {
-    open(phrase("devices.title"), sentences, now_s);
+    std::vector<std::string> lines{phrase("devices.in_use", {{"hand", hand_words(context_.hands)}})};
+    lines.insert(lines.end(), sentences.begin(), sentences.end());
+    open(phrase("devices.title"), lines, now_s);
 }
 
 void ReportLists::open_crash(double now_s) { open(phrase("crash_report.title"), crash_, now_s); }

@@ -16,6 +16,7 @@ public:
 
     // Looking takes a moment, so the owner of the session does it and tells open_devices().
     void ask_for_devices(double now_s);
+    // sentences: of what is plugged in. Before them stands which hand is in use.
     void open_devices(const std::vector<std::string>& sentences, double now_s);
 
     void know_crash(std::vector<std::string> lines) { crash_ = std::move(lines); }

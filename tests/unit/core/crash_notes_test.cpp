@@ -150,9 +150,45 @@ TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
     EXPECT_TRUE(session.app.requests().take_devices());
     EXPECT_FALSE(session.app.requests().take_devices());
     session.app.apply(DevicesFound{{"Novint Falcon, called falcon.", "State: ready."}}, session.now);
+    EXPECT_TRUE(session.heard("In use: no hand, all by keyboard and sound.")) << session.news();
     session.news();
     session.line("list");
     EXPECT_TRUE(session.heard("State: ready.")) << session.news();
+}
+
+// By its word, from the desk by hand or key, and with the hand there is before what is plugged in.
+TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
+    const HandFacts falcon{true, false, *find_device_spec("falcon")};
+    test::AppSession session({}, falcon);
+    session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
+    session.run(0.1);
+    EXPECT_EQ(session.ask(Command::Devices), "Looking for what is plugged in.");
+    EXPECT_TRUE(session.app.requests().take_devices());
+    session.app.apply(DevicesFound{{"Novint Falcon, called falcon."}}, session.now);
+    EXPECT_TRUE(session.heard("In use: Falcon, reach 4 centimetres, up to 3 newtons.")) << session.news();
+    session.line("escape");
+    const Desk& desk = session.app.desk_visit().desk();
+    const auto control = desk.find("Touch device");
+    ASSERT_TRUE(control);
+    EXPECT_EQ(desk.words(*control), "Touch device, Falcon, reach 4 centimetres, up to 3 newtons");
+    session.app.apply(HandChanged{{true, true, *find_device_spec("sim-t")}, {}, true}, session.now);
+    EXPECT_EQ(desk.value(*control), "a simulated hand for the keys, since no device is there");
+    session.app.apply(HandChanged{{}, {}}, session.now);
+    EXPECT_EQ(desk.value(*control), "no hand, all by keyboard and sound");
+    EXPECT_EQ(session.app.desk_visit().press(*control), "Looking for what is plugged in.");
+    EXPECT_TRUE(session.app.requests().take_devices());
+}
+
+TEST(MenuOfReports, tells_the_devices_in_german) {
+    const test::InLanguage german("de");
+    Settings settings;
+    settings.speech.language = "de";
+    test::AppSession session(settings);
+    session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
+    session.run(0.1);
+    EXPECT_EQ(session.ask(Command::Devices), phrase("devices.looking"));
+    session.app.apply(DevicesFound{{"Novint Falcon."}}, session.now);
+    EXPECT_TRUE(session.heard("In Gebrauch: keine Hand, alles mit Tastatur und Klang.")) << session.news();
 }
 
 }  // namespace crash_notes_test
