@@ -3,9 +3,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <string_view>
 
+#include "app/core/dialogue/command_words.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/spoken_language.h"
 #include "app/main/commands.h"
@@ -36,8 +38,11 @@ constexpr double kEars_m = 1.6;       // above the soles
 
 enum class Wish : std::uint8_t { None, Stop, Back, On, Leave };
 
-Wish wish_of(std::string_view word) {
-    const auto is_one_of = [word](std::initializer_list<std::string_view> words) {
+constexpr std::array<std::string_view, 4> kTypedWords{"stop", "back", "on", "leave"};
+
+Wish wish_of(std::string_view typed) {
+    const std::string word = english_word("replay_word", kTypedWords, typed);
+    const auto is_one_of = [&word](std::initializer_list<std::string_view> words) {
         return std::find(words.begin(), words.end(), word) != words.end();
     };
     if (is_one_of({"Space", " ", "", "stop"})) return Wish::Stop;

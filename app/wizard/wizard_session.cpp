@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "app/core/dialogue/command_words.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -35,6 +36,8 @@ struct HandWord {
     std::string_view word, key;
     Vec3 direction;
 };
+constexpr std::array<std::string_view, 12> kTypedWords{"enter", "repeat", "back", "leave", "left",   "right",
+                                                       "up",    "down",   "stop", "help",  "button", "wait"};
 constexpr std::array kHandWords{
     HandWord{"hand-forward", "I", {0.0, 1.0, 0.0}}, HandWord{"hand-back", "K", {0.0, -1.0, 0.0}},
     HandWord{"hand-left", "J", {-1.0, 0.0, 0.0}},   HandWord{"hand-right", "L", {1.0, 0.0, 0.0}},
@@ -58,28 +61,30 @@ Result<WizardLine> parse_wizard_line(std::string_view line) {
         return parsed;
     }
     const std::size_t blank = std::min(line.find_first_of(kBlank), line.size());
-    const std::string word = lower_ascii(line.substr(0, blank));
+    const std::string typed = lower_ascii(line.substr(0, blank));
+    std::string word = english_word("wizard_word", kTypedWords, typed);
+    if (const auto command = command_of_word(typed); command && info(*command).word.starts_with("hand-"))
+        word = info(*command).word;
     std::string_view rest = line.substr(blank);
     rest.remove_prefix(std::min(rest.find_first_not_of(kBlank), rest.size()));
     number = 1.0;
     if (!rest.empty() && !(parse_finite(rest, number) && number > 0.0 && number <= kMostTaps))
-        return fail(phrase("wizard.only_number", {{"word", word}, {"most", kMostTaps}}));
-    std::vector<std::string> known{"button", "wait", "help"};
-    for (const WordKey& row : kWordKeys) {
-        known.emplace_back(row.word);
+        return fail(phrase("wizard.only_number", {{"word", typed}, {"most", kMostTaps}}));
+    std::vector<std::string> known;
+    for (const std::string_view one : kTypedWords) known.push_back(spoken_word("wizard_word", one));
+    for (const WordKey& row : kWordKeys)
         if (row.word == word) parsed.events = {row.key};
-    }
     for (const HandWord& row : kHandWords) {
-        known.emplace_back(row.word);
+        known.push_back(spoken_word("command_word", row.word));
         if (row.word == word) parsed.hand_by_m = row.direction * (kHandTap_m * number);
     }
-    if (word == "quit" || word == "exit") parsed.events = {WizardKey::Leave, WizardKey::Leave};
+    if (is_quit_word(typed) || word == "exit") parsed.events = {WizardKey::Leave, WizardKey::Leave};
     parsed.button = word == "button";
     parsed.help = word == "help";
     if (word == "wait") parsed.wait_s = std::min(number, kLongestWait_s);
     if (parsed.events.empty() && parsed.hand_by_m == Vec3(0.0) && !parsed.button && !parsed.help &&
         parsed.wait_s == 0.0)
-        return fail(phrase("wizard.no_answer", {{"word", word}, {"nearest", nearest_name(word, known)}}));
+        return fail(phrase("wizard.no_answer", {{"word", typed}, {"nearest", nearest_name(typed, known)}}));
     return parsed;
 }
 

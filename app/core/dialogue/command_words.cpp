@@ -1,5 +1,7 @@
 #include "app/core/dialogue/command_words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -66,11 +68,19 @@ std::vector<std::string> spoken_words() {
     return words;
 }
 
-std::string list_word(std::string_view word) {
-    const std::string wanted = plain(word);
-    for (const std::string_view key : kListWords)
-        if (wanted == key || is_among(wanted, phrase("list_word." + std::string(key)))) return std::string(key);
-    return std::string(word);
+std::string list_word(std::string_view word) { return english_word("list_word", kListWords, word); }
+
+std::string english_word(std::string_view table, std::span<const std::string_view> words, std::string_view typed) {
+    const std::string wanted = plain(typed);
+    if (wanted.empty()) return std::string(typed);
+    for (const std::string_view key : words)
+        if (wanted == key || is_among(wanted, phrase(fmt::format("{}.{}", table, key)))) return std::string(key);
+    return std::string(typed);
+}
+
+std::string spoken_word(std::string_view table, std::string_view word) {
+    const std::string words = phrase(fmt::format("{}.{}", table, word));
+    return words.substr(0, words.find(' '));
 }
 
 }  // namespace handrail

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,5 +25,10 @@ std::vector<std::string> spoken_words();
 // The keys of a list that are typed as words, "down" and the like, in English or the language spoken: the English word,
 // or the word itself where it is none of them.
 std::string list_word(std::string_view word);
+
+// The same for any table of the languages ("wizard_word"): `words` are its keys, the English words.
+std::string english_word(std::string_view table, std::span<const std::string_view> words, std::string_view typed);
+// How such a word is called in the language spoken: the first that its table has for it.
+std::string spoken_word(std::string_view table, std::string_view word);
 
 }  // namespace handrail

@@ -398,16 +398,43 @@ TEST(WizardWords, have_an_explanation_of_every_part_in_every_language_and_of_not
     }
 }
 
-TEST(WizardWords, are_said_in_german_and_typed_as_ever) {
+TEST(WizardWords, are_said_and_typed_in_german_or_as_ever) {
     const InLanguage german("de");
     WizardRig rig("step");
-    rig.session.type("up");
+    rig.session.type("hoch");
     rig.session.type("leave");
     rig.run(1.0);
     EXPECT_TRUE(rig.has_said("Zentimeter lang. Enter behält das"));
     EXPECT_TRUE(rig.has_said("Hier geht es um die Länge eines Schritts"));
-    EXPECT_EQ(parse_wizard_line("lft").error().message,
-              "Die Antwort „lft“ gibt es hier nicht. War „left“ gemeint? help nennt alle.");
+    EXPECT_EQ(parse_wizard_line("lnks").error().message,
+              "Die Antwort „lnks“ gibt es hier nicht. War „links“ gemeint? „hilfe“ nennt alle.");
+    EXPECT_EQ(parse_wizard_line("verlassen")->events, parse_wizard_line("leave")->events);
+    EXPECT_EQ(parse_wizard_line("zurueck")->events, parse_wizard_line("back")->events);
+    EXPECT_EQ(parse_wizard_line("halt")->events, parse_wizard_line("stop")->events);
+    EXPECT_EQ(parse_wizard_line("hand-vor 2")->hand_by_m, parse_wizard_line("hand-forward 2")->hand_by_m);
+    EXPECT_TRUE(parse_wizard_line("hilfe")->help);
+    EXPECT_EQ(parse_wizard_line("schluss")->events.size(), 2U);
+}
+
+// What the German texts tell a person to type is understood.
+TEST(WizardWords, that_german_texts_name_are_understood) {
+    const InLanguage german("de");
+    int seen = 0;
+    for (const auto& [key, text] : bundled_texts("de")) {
+        if (!key.ends_with("_typed") || !key.starts_with("wizard.")) continue;
+        for (std::size_t at = text.find("„"); at != std::string::npos; at = text.find("„", at + 1)) {
+            const std::size_t begin = at + std::string_view("„").size();
+            const std::string word = text.substr(begin, text.find("“", begin) - begin);
+            EXPECT_TRUE(parse_wizard_line(word)) << key << ": " << word;
+            ++seen;
+        }
+    }
+    EXPECT_GT(seen, 12);
+    for (const char* word : {"nochmal", "links", "rechts", "hoch", "runter", "zurück", "verlassen", "halt"}) {
+        EXPECT_TRUE(parse_wizard_line(word)) << word;
+        EXPECT_NE(phrase("wizard.help").find(word), std::string::npos) << word;
+        EXPECT_NE(phrase("wizard.help_typed").find(word), std::string::npos) << word;
+    }
 }
 
 TEST(WizardWords, the_end_of_input_leaves_and_keeps_what_was_set) {
