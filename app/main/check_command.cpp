@@ -59,8 +59,15 @@ void tell(const Scene& scene, const std::vector<WorldFault>& faults, std::ostrea
 
 int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err, const Progress& waiting) {
     const Progress progress = arguments.json ? Progress() : waiting;
-    Result<Scene> read = imported(arguments.world, progress.followed(arguments.common.read_options(arguments.world)))
-                             .map([](ImportedWorld&& world) { return std::move(world.scene); });
+    const Result<std::filesystem::path> world = world_given(arguments.world);
+    if (!world) {
+        err << world.error().sentence() << '\n';
+        return 1;
+    }
+    Result<Scene> read =
+        imported(*world, progress.followed(arguments.common.read_options(*world))).map([](ImportedWorld&& world) {
+            return std::move(world.scene);
+        });
     if (read)
         if (const Result<void> valid = validate(*read); !valid) read = tl::unexpected(valid.error());
     if (!read) {

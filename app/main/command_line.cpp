@@ -11,8 +11,9 @@
 #include "app/main/learner_grammar.h"
 #include "app/main/learner_start.h"
 #include "app/main/lesson_grammar.h"
+#include "app/main/recorded_grammar.h"
 #include "app/main/world_files.h"
-#include "app/record/hearing.h"
+#include "app/main/wrong_usage.h"
 #include "worlds/base/language.h"
 #include "worlds/base/overloaded.h"
 #include "worlds/base/text.h"
@@ -127,9 +128,13 @@ struct Grammar {
         CLI::Option* lint = info_app->add_flag("--lint", info.lint, phrase("help.lint"))->excludes(json);
         CLI::Option* text =
             info_app->add_flag("--as-words", info.as_words, phrase("help.as_words"))->excludes(json)->excludes(lint);
-        info_app->add_option("--language", info.language, phrase("help.as_words_language"))
-            ->needs(text)
-            ->check(CLI::IsMember({"en", "de"}));
+        const auto take_language = [this](const std::string& word) {
+            if (word != "en" && word != "de")
+                throw CLI::ValidationError(phrase("help.no_text_language", {{"word", word}}));
+            info.language = word;
+        };
+        info_app->add_option_function<std::string>("--language", take_language, phrase("help.as_words_language"))
+            ->needs(text);
         add_map_scale(*info_app, info.common);
 
         check_app = app.add_subcommand("check", phrase("help.check"));
@@ -208,27 +213,9 @@ struct Grammar {
         devices_app = app.add_subcommand("devices", phrase("help.devices"));
         devices_app->add_flag("--json", devices.json, phrase("help.json"));
 
-        replay_app = app.add_subcommand("replay", phrase("help.replay"));
-        replay_app->add_option("FOLDER", recorded.replay.arguments.folder, phrase("help.replay_folder"))->type_name("");
-        CLI::Option* computed =
-            replay_app->add_flag("--check", recorded.replay.arguments.check, phrase("help.replay_check"));
-        replay_app->add_option("--speed", recorded.replay.arguments.speed, phrase("help.replay_speed"))
-            ->type_name("X")
-            ->check(CLI::Range(Hearing::kSlowest, Hearing::kFastest))
-            ->excludes(computed);
-        replay_app->add_option("--csv", recorded.replay.arguments.csv, phrase("help.replay_csv"))->type_name("FOLDER");
-        replay_app->add_option("--scenario", recorded.replay.arguments.scenario, phrase("help.replay_scenario"))
-            ->type_name("OUT.toml");
+        replay_app = add_replay_command(app, recorded.replay.arguments);
         add_settings_options(*replay_app, recorded.replay.settings);
-
-        report_app = app.add_subcommand("report", phrase("help.report"));
-        report_app->add_option("FOLDER", recorded.report.folder, phrase("help.replay_folder"))->type_name("");
-        report_app->add_option("--html", recorded.report.html, phrase("help.report_html"))->type_name("OUT.html");
-        report_app->add_option("--csv", recorded.report.csv, phrase("help.report_csv"))->type_name("OUT.csv");
-        report_app->add_option("--json", recorded.report.json, phrase("help.report_json"))->type_name("OUT.json");
-        report_app->add_option("--learner", recorded.report.learner, phrase("help.report_learner"))->type_name("NAME");
-        report_app->add_flag("--force", recorded.report.force, phrase("help.force"));
-
+        report_app = add_report_command(app, recorded.report);
         recorded.learner_app = add_learner_command(app, recorded.learner);
         recorded.lesson_app = add_lesson_command(app, recorded.lesson);
         add_settings_options(*recorded.lesson_app, recorded.lesson.explore.settings);
@@ -296,29 +283,6 @@ std::optional<UsageError> options_before_command(Grammar& grammar) {
                                      {{"option", option->get_name()}, {"command", grammar.chosen().get_name()}})};
         }
     return std::nullopt;
-}
-
-std::string first_line_as_sentence(std::string text) {
-    text = text.substr(0, text.find('\n'));
-    if (!text.empty() && text.back() != '.') text += '.';
-    return text;
-}
-
-// What the library found wrong, in the language spoken; its own words where it has more to say than these three.
-std::string what_is_wrong(const CLI::App& app, const CLI::ParseError& error) {
-    const std::string message = error.what();
-    for (const CLI::Option* option : app.get_options()) {
-        const std::string name = option->get_name();
-        if (dynamic_cast<const CLI::RequiredError*>(&error) && option->get_required() && option->count() == 0)
-            return phrase("help.required", {{"name", name}});
-        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && message.starts_with(name + ": "))
-            return phrase("help.value_missing", {{"option", name}, {"value", option->get_type_name()}});
-        if (dynamic_cast<const CLI::ExcludesError*>(&error) && option->count() > 0)
-            for (const CLI::Option* other : option->get_excludes())
-                if (other->count() > 0)
-                    return phrase("help.excludes", {{"option", name}, {"other", other->get_name()}});
-    }
-    return first_line_as_sentence(message);
 }
 
 std::optional<UsageError> check_touch(TouchArguments& touch) {

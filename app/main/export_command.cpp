@@ -146,7 +146,9 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     };
     const Result<Wishes> wishes = wishes_of(arguments);
     if (!wishes) return failed(wishes.error(), 2);
-    const fs::path world = world_by_name(arguments.world).value_or(arguments.world);
+    const Result<fs::path> given = world_given(arguments.world);
+    if (!given) return failed(given.error(), 1);
+    const fs::path& world = *given;
     Result<Scene> read =
         imported(world, progress.followed(arguments.common.read_options(world))).map([](ImportedWorld&& one) {
             return std::move(one.scene);

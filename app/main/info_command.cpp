@@ -368,7 +368,12 @@ int tell_as_words(const Scene& scene, const std::string& wish, const Progress& p
 }  // namespace
 
 int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err, const Progress& waiting) {
-    const ReadOptions options = arguments.common.read_options(arguments.world);
+    const Result<std::filesystem::path> world = world_given(arguments.world);
+    if (!world) {
+        err << world.error().sentence() << '\n';
+        return 1;
+    }
+    const ReadOptions options = arguments.common.read_options(*world);
     if (!std::isfinite(options.map_metres_per_unit) || options.map_metres_per_unit <= 0.0) {
         err << phrase("program.map_scale") << '\n';
         return 2;
@@ -376,7 +381,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     const SteadyClock clock;
     const double begun_s = clock.now_s();
     const Progress progress = arguments.json ? Progress() : waiting;
-    Result<ImportedWorld> imported_world = imported(arguments.world, progress.followed(options));
+    Result<ImportedWorld> imported_world = imported(*world, progress.followed(options));
     Cost cost{clock.now_s() - begun_s, 0.0, 0, imported_world && imported_world->kept};
     Result<Scene> read = std::move(imported_world).map([](ImportedWorld&& world) { return std::move(world.scene); });
     if (read)

@@ -212,12 +212,13 @@ int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err,
         err << error.sentence() << '\n';
         return 1;
     };
-    ReadOptions options = arguments.common.read_options(arguments.world);
+    const Result<std::filesystem::path> world = world_given(arguments.world);
+    if (!world) return refuse(world.error());
+    ReadOptions options = arguments.common.read_options(*world);
     options.guess_materials = false;
     options.solid_meshes = false;
-    Result<Scene> scene = imported(arguments.world, progress.followed(options)).map([](ImportedWorld&& world) {
-        return std::move(world.scene);
-    });
+    Result<Scene> scene =
+        imported(*world, progress.followed(options)).map([](ImportedWorld&& one) { return std::move(one.scene); });
     if (!scene) return refuse(scene.error());
     const Result<std::string> text = read_whole_file(arguments.path_csv);
     if (!text) return refuse(text.error());

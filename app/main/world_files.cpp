@@ -6,6 +6,8 @@
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
 #include "app/main/commands.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
 
 namespace handrail {
 
@@ -59,6 +61,16 @@ std::optional<fs::path> world_by_name(const fs::path& name) {
     for (const ShelvedWorld& world : worlds_in(world_folder()))
         if (world.file.stem() == name || world.name == name.string()) return world.file;
     return std::nullopt;
+}
+
+Result<fs::path> world_given(const fs::path& word) {
+    if (auto named = world_by_name(word)) return std::move(*named);
+    std::error_code ec;
+    if (word.has_parent_path() || word.has_extension() || fs::exists(word, ec)) return word;
+    std::vector<std::string> names;
+    for (const ShelvedWorld& world : worlds_in(world_folder())) names.push_back(world.file.stem().string());
+    if (names.empty()) return word;
+    return fail(phrase("program.no_world", {{"word", word.string()}, {"nearest", nearest_name(word.string(), names)}}));
 }
 
 Result<ImportedWorld> imported(const fs::path& world, const ReadOptions& options) {

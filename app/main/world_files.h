@@ -19,6 +19,9 @@ bool is_shipped(const std::filesystem::path& world);
 std::filesystem::path kept_by(const std::filesystem::path& world);
 // "house", where no file of that name is here: the world of world_folder() that is called so; none: there is none.
 std::optional<std::filesystem::path> world_by_name(const std::filesystem::path& name);
+// The world that a command was given: a file, or one of ours by its name, "house". Where there is neither and it may
+// have been meant for a name, fails with the nearest one; a file that is not there is for the reader to tell.
+Result<std::filesystem::path> world_given(const std::filesystem::path& word);
 // As import_world, with what is kept of the world lying where its side file does. Any thread but the app's.
 Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOptions& options);
 // The world that a first start explores.

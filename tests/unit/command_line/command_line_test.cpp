@@ -152,6 +152,74 @@ TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_
     EXPECT_THAT(refused({"settings", "--set", "keys.wheer=F5"}), HasSubstr("the nearest is keys.where"));
 }
 
+// One sentence each that says what to do, and nothing in the library's words.
+TEST(CommandLine, tells_what_is_wrong_with_the_commands_for_recordings_worlds_and_learners) {
+    EXPECT_THAT(refused({"report"}), HasSubstr("--html OUT.html"));
+    EXPECT_THAT(refused({"report", "--html"}), StartsWith("--html needs a value: OUT.html."));
+    EXPECT_THAT(refused({"report", "--html", "a", "--html", "b"}), StartsWith("--html is given more than once"));
+    EXPECT_THAT(refused({"report", "one", "two"}), HasSubstr("\"two\""));
+    EXPECT_THAT(refused({"report", "--htlm", "a"}), HasSubstr("the nearest is --html"));
+    EXPECT_THAT(refused({"export"}), HasSubstr("WORLD is required"));
+    EXPECT_THAT(refused({"export", "first_room"}), HasSubstr("--swell"));
+    EXPECT_THAT(refused({"export", "first_room", "--swell", "a.txt"}), HasSubstr(".svg or .pdf"));
+    EXPECT_THAT(refused({"export", "first_room", "--swell", "a.svg", "--paper", "a5"}), HasSubstr("a4 and a3"));
+    EXPECT_THAT(refused({"export", "first_room", "--swell", "a.svg", "--storey", "x"}), HasSubstr("whole number"));
+    EXPECT_THAT(refused({"export", "first_room", "--from", "Door"}), HasSubstr("--route-card"));
+    for (const char* speed : {"0.4", "9", "fast", "nan"})
+        EXPECT_THAT(refused({"replay", "--speed", speed}), StartsWith("--speed takes a number from 0.5 to 4, not"));
+    EXPECT_THAT(refused({"replay", "--speed", "2", "--check"}), HasSubstr("--check"));
+    EXPECT_THAT(refused({"learner", "shwo"}), HasSubstr("Did you mean show"));
+    EXPECT_THAT(refused({"learner", "show"}), HasSubstr("handrail learner show NAME"));
+    EXPECT_THAT(refused({"learner", "consent", "Rook"}), HasSubstr("--give"));
+    EXPECT_THAT(refused({"learner", "consent", "Rook", "--give", "everything"}), HasSubstr("remember, record"));
+    EXPECT_THAT(refused({"learner", "consent", "Rook", "--give", "record", "--until", "soon"}),
+                HasSubstr("a day like"));
+    EXPECT_THAT(refused({"check"}), HasSubstr("WORLD is required"));
+    EXPECT_THAT(refused({"check", "a.map", "--jsn"}), HasSubstr("the nearest is --json"));
+    EXPECT_THAT(refused({"check", "a.map", "--unit", "mile"}), HasSubstr("--unit"));
+    EXPECT_THAT(refused({"info", "a.map", "--language", "de"}), StartsWith("--language needs --as-words"));
+    EXPECT_THAT(refused({"info", "a.map", "--as-words", "--language", "fr"}), HasSubstr("en or de"));
+    EXPECT_THAT(refused({"lesson", "a.toml", "--session", "one"}), StartsWith("--session needs a whole number"));
+}
+
+TEST(CommandLine, takes_our_worlds_by_name_and_names_the_nearest) {
+    const test::WithEnvironment worlds("HANDRAIL_WORLDS", HANDRAIL_SOURCE_DIR "/worlds/maps");
+    for (const char* command : {"info", "check"}) {
+        std::ostringstream out, err;
+        run_command_line({command, "first_room"}, out, err);
+        EXPECT_THAT(out.str(), HasSubstr("first_room.map")) << command << err.str();
+        std::ostringstream none, told;
+        EXPECT_EQ(run_command_line({command, "first_rom"}, none, told), 1);
+        EXPECT_THAT(told.str(), HasSubstr("Did you mean first_room?")) << command;
+    }
+    std::ostringstream out, err;
+    EXPECT_EQ(run_command_line({"export", "first_rom", "--swell", "a.svg"}, out, err), 1);
+    EXPECT_THAT(err.str(), HasSubstr("Did you mean first_room?"));
+}
+
+TEST(CommandLine, says_in_one_sentence_what_is_missing_on_the_disk) {
+    const test::TemporaryFolder home;
+    const test::WithEnvironment data("XDG_DATA_HOME", home.path().c_str());
+    const std::string none = (home.path() / "none").string();
+    for (const Words& words : {Words{"replay", none},
+                               {"replay", "--check"},
+                               {"replay", none, "--check"},
+                               {"report", "--html", (home.path() / "a.html").string()},
+                               {"report", none, "--html", (home.path() / "a.html").string()},
+                               {"report", "--learner", "Rook", "--csv", "a.csv"},
+                               {"learner", "show", "Rook"},
+                               {"learner", "delete", "Rook"},
+                               {"check", none + ".map"},
+                               {"info", none + ".map"},
+                               {"export", none + ".map", "--stl", "a.stl"}}) {
+        std::ostringstream out, err;
+        EXPECT_EQ(run_command_line(words, out, err), 1) << testing::PrintToString(words);
+        EXPECT_EQ(out.str(), "") << testing::PrintToString(words);
+        const std::string text = err.str();
+        EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << testing::PrintToString(words) << text;
+    }
+}
+
 TEST(CommandLine, helps_with_every_command_and_says_its_version) {
     for (const Words& words : {Words{"--help"},
                                {"info", "--help"},
@@ -198,7 +266,7 @@ TEST(CommandLine, helps_and_refuses_in_german_while_its_words_stay) {
     EXPECT_THAT(std::get<PrintedText>(parse_command_line({"--help"})).text, HasSubstr("Befehle:\n  info "));
     const auto refusal = [](const Words& words) { return std::get<UsageError>(parse_command_line(words)).sentence; };
     EXPECT_EQ(refusal({"info"}), "WORLD fehlt. Mehr sagt --help dieses Befehls.");
-    EXPECT_EQ(refusal({"bench", "--map"}), "--map: FILE fehlt. Mehr sagt --help dieses Befehls.");
+    EXPECT_EQ(refusal({"bench", "--map"}), "--map braucht einen Wert: FILE. Mehr sagt --help dieses Befehls.");
     EXPECT_EQ(refusal({"info", "a.map", "--lint", "--json"}),
               "--json und --lint schließen einander aus. Mehr sagt --help dieses Befehls.");
     EXPECT_EQ(refusal({"info", "x.map", "--jsno"}), "Die Option --jsno gibt es nicht; am nächsten kommt --json.");

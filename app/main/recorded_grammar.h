@@ -1,0 +1,13 @@
+// The words of `handrail replay` and `handrail report`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "app/main/command_line.h"
+
+namespace handrail {
+
+CLI::App* add_replay_command(CLI::App& app, ReplayArguments& arguments);
+CLI::App* add_report_command(CLI::App& app, ReportArguments& arguments);
+
+}  // namespace handrail
