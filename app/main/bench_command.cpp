@@ -34,7 +34,7 @@ bool write(const fs::path& file, const std::string& content, std::ostream& err) 
 
 }  // namespace
 
-int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress) {
+int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress) {
     bench::BenchOptions options;
     options.maps = bundled_maps();
     for (const fs::path& map : arguments.maps) {

@@ -57,16 +57,16 @@ void tell(const Scene& scene, const std::vector<WorldFault>& faults, std::ostrea
 
 }  // namespace
 
-int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err, const Progress& waiting) {
-    const Progress progress = arguments.json ? Progress() : waiting;
+int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& waiting) {
+    const LongWork progress = arguments.json ? LongWork() : waiting;
     const Result<std::filesystem::path> world = world_given(arguments.world);
     if (!world) {
         err << world.error().sentence() << '\n';
         return 1;
     }
     Result<Scene> read =
-        imported(*world, progress.followed(arguments.common.read_options(*world))).map([](ImportedWorld&& world) {
-            return std::move(world.scene);
+        imported(*world, progress.followed(arguments.common.read_options(*world))).map([](ImportedWorld&& one) {
+            return std::move(one.scene);
         });
     if (read)
         if (const Result<void> valid = validate(*read); !valid) read = tl::unexpected(valid.error());

@@ -326,7 +326,7 @@ std::optional<SettingsStore> load_settings(const SettingsOptions& options, First
     return settings;
 }
 
-int explore(ExploreCall& call, FirstLanguage first, std::ostream& err, const Progress& progress) {
+int explore(ExploreCall& call, FirstLanguage first, std::ostream& err, const LongWork& progress) {
     if (const auto begun = begin_as_learner(call); !begun) {
         err << begun.error().sentence() << "\n";
         return 1;
@@ -397,7 +397,7 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words) {
 }
 
 int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
-                     const Progress& progress) {
+                     const LongWork& progress) {
     std::vector<Diagnostic> problems;
     FirstLanguage first = speak_first();
     ParsedCommandLine parsed = parse_command_line(words);

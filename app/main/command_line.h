@@ -58,6 +58,6 @@ ParsedCommandLine parse_command_line(const std::vector<std::string>& words);
 // Parses, loads the settings where they are needed, runs the command and gives the exit status.
 // `progress`: of what takes long, for whoever waits.
 int run_command_line(const std::vector<std::string>& words, std::ostream& out, std::ostream& err,
-                     const Progress& progress = {});
+                     const LongWork& progress = {});
 
 }  // namespace handrail

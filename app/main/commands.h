@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/core/dialogue/words.h"
-#include "app/main/progress.h"
+#include "app/main/long_work.h"
 #include "app/teaching/teaching_run.h"
 #include "app/wizard/wizard.h"
 #include "settings/settings.h"
@@ -48,7 +48,7 @@ struct InfoArguments {
     std::string language;   // --language: of that text; empty: the one spoken
     std::string scale;      // --scale: also what is felt otherwise at it, by its name or world metres per hand metre
 };
-int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
+int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
 // What an author or instructor should mend.
 struct CheckArguments {
@@ -57,7 +57,7 @@ struct CheckArguments {
     bool json = false;
 };
 // 1 also when a fault stops or misleads people.
-int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
+int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
 struct TouchArguments {
     CommonArguments common;
@@ -67,7 +67,7 @@ struct TouchArguments {
     std::optional<double> stiffness_n_per_m, damping_ns_per_m, friction_static, friction_kinetic;
     std::optional<std::string> device;  // --device
 };
-int run_touch(const TouchArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
+int run_touch(const TouchArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
 struct ScenarioArguments {
     CommonArguments common;
@@ -76,7 +76,7 @@ struct ScenarioArguments {
     std::optional<std::filesystem::path> transcripts;  // --transcripts: a folder; one text a scenario is written there
 };
 int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err,
-                  const Progress& progress = {});
+                  const LongWork& progress = {});
 
 // A storey for the fingers.
 struct ExportArguments {
@@ -93,7 +93,7 @@ struct ExportArguments {
     bool strip = false;                               // --strip: also samples to choose from
     bool force = false;                               // --force: files that are there are replaced
 };
-int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
+int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
 // How fast and how exact the touch renderer is, beside others.
 struct BenchArguments {
@@ -106,7 +106,7 @@ struct BenchArguments {
     bool list = false;                 // --list: the scenes' names
 };
 int run_bench_command(const BenchArguments& arguments, std::ostream& out, std::ostream& err,
-                      const Progress& progress = {});
+                      const LongWork& progress = {});
 
 struct SettingsArguments {
     bool explain = false;
@@ -129,7 +129,7 @@ struct ReplayArguments {
 // The newest folder in there, by its name; empty: there is none.
 std::filesystem::path newest_in(const std::filesystem::path& folder);
 int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err,
-               const Progress& progress = {});
+               const LongWork& progress = {});
 
 // `handrail learner`: who learns, and what they have agreed to.
 struct LearnerArguments {
@@ -141,7 +141,7 @@ struct LearnerArguments {
 };
 // Asks and is answered in lines of `in`. 1: what was asked for failed, nothing was agreed to, or something is left.
 int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err,
-                const Progress& progress = {});
+                const LongWork& progress = {});
 
 // `handrail report`: what a recorded session was like.
 struct ReportArguments {
@@ -151,7 +151,7 @@ struct ReportArguments {
     bool force = false;                                    // files that are there are replaced
 };
 // 0: written. 1: the recording or its world cannot be read, or a file is there already. 2: nothing was asked for.
-int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress = {});
+int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress = {});
 
 // `handrail lesson`: a lesson of an instructor.
 struct LessonArguments {
@@ -184,8 +184,8 @@ struct ExploreArguments {
 };
 // See lesson_command.cpp.
 std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, SettingsStore& settings,
-                              std::ostream& out, std::ostream& err, const Progress& progress = {});
+                              std::ostream& out, std::ostream& err, const LongWork& progress = {});
 int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
-                const Progress& progress = {});
+                const LongWork& progress = {});
 
 }  // namespace handrail

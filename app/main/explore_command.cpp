@@ -56,7 +56,7 @@ std::string joined(const std::vector<std::string>& sentences) {
 // One session with a person: owns every part, carries values between them about sixty times a second.
 class Exploration {
 public:
-    Exploration(const ExploreArguments& arguments, SettingsStore& settings, const Progress& progress)
+    Exploration(const ExploreArguments& arguments, SettingsStore& settings, const LongWork& progress)
         : arguments_(arguments),
           settings_(settings),
           progress_(progress),
@@ -308,7 +308,7 @@ private:
 
     const ExploreArguments& arguments_;
     SettingsStore& settings_;
-    const Progress progress_;  // of what comes after the last word
+    const LongWork progress_;  // of what comes after the last word
     EndSignals signals_;
     SteadyClock clock_;
     ServoSwitches switches_;
@@ -338,7 +338,7 @@ private:
 }  // namespace
 
 int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
-                const Progress& progress) {
+                const LongWork& progress) {
     return Exploration(arguments, settings, progress).run(err);
 }
 

@@ -138,7 +138,7 @@ Result<void> write_all(const std::vector<MadeFile>& files, bool force, std::ostr
 
 }  // namespace
 
-int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress) {
+int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress) {
     const auto failed = [&](const Error& error, int status) {
         progress.done();
         err << error.sentence() << '\n';

@@ -341,7 +341,7 @@ int tell_lint(const Scene& scene, std::ostream& out) {
 }
 
 // The rooms as a text: as the file states them, else as they are found.
-int tell_as_words(const Scene& scene, const std::string& wish, const Progress& progress, std::ostream& out,
+int tell_as_words(const Scene& scene, const std::string& wish, const LongWork& progress, std::ostream& out,
                   std::ostream& err) {
     const std::string code = wish.empty() ? spoken_language() : wish;
     const WordLanguage language = code == "de" ? WordLanguage::German : WordLanguage::English;
@@ -367,7 +367,7 @@ int tell_as_words(const Scene& scene, const std::string& wish, const Progress& p
 
 }  // namespace
 
-int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err, const Progress& waiting) {
+int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& waiting) {
     const Result<std::filesystem::path> world = world_given(arguments.world);
     if (!world) {
         err << world.error().sentence() << '\n';
@@ -380,10 +380,10 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     }
     const SteadyClock clock;
     const double begun_s = clock.now_s();
-    const Progress progress = arguments.json ? Progress() : waiting;
+    const LongWork progress = arguments.json ? LongWork() : waiting;
     Result<ImportedWorld> imported_world = imported(*world, progress.followed(options));
     Cost cost{clock.now_s() - begun_s, 0.0, 0, imported_world && imported_world->kept};
-    Result<Scene> read = std::move(imported_world).map([](ImportedWorld&& world) { return std::move(world.scene); });
+    Result<Scene> read = std::move(imported_world).map([](ImportedWorld&& one) { return std::move(one.scene); });
     if (read)
         if (const Result<void> valid = validate(*read); !valid) read = tl::unexpected(valid.error());
     if (!read) {

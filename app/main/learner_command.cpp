@@ -36,7 +36,7 @@ std::string agreed_words(const Learner& learner) {
 // One run of the command: where learners are, and who is asked and answered.
 class LearnerCommand {
 public:
-    LearnerCommand(const LearnerArguments& arguments, const Progress& progress, std::istream& in, std::ostream& out,
+    LearnerCommand(const LearnerArguments& arguments, const LongWork& progress, std::istream& in, std::ostream& out,
                    std::ostream& err)
         : arguments_(arguments), progress_(progress), learners_(user_data_folder()), in_(in), out_(out), err_(err) {}
 
@@ -219,7 +219,7 @@ private:
     }
 
     const LearnerArguments& arguments_;
-    const Progress& progress_;
+    const LongWork& progress_;
     const Learners learners_;
     std::istream& in_;
     std::ostream& out_;
@@ -229,7 +229,7 @@ private:
 }  // namespace
 
 int run_learner(const LearnerArguments& arguments, std::istream& in, std::ostream& out, std::ostream& err,
-                const Progress& progress) {
+                const LongWork& progress) {
     return LearnerCommand(arguments, progress, in, out, err).run();
 }
 

@@ -14,7 +14,7 @@ namespace handrail {
 namespace {
 
 // 0: every pupil's expectations hold; 1: one does not, or a script cannot be done.
-int check_lesson(const std::shared_ptr<TaughtWorld>& world, const Progress& progress, std::ostream& out) {
+int check_lesson(const std::shared_ptr<TaughtWorld>& world, const LongWork& progress, std::ostream& out) {
     bool all_hold = true;
     for (const LessonPupil& pupil : world->lesson().pupils) {
         RecordingAudio audio;
@@ -41,7 +41,7 @@ int check_lesson(const std::shared_ptr<TaughtWorld>& world, const Progress& prog
 // 0: done. 1: a pupil failed, or there is nothing to watch. 2: the lesson is refused. None: it is to be taught, and
 // `explore` says how.
 std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, SettingsStore& settings,
-                              std::ostream& out, std::ostream& err, const Progress& progress) {
+                              std::ostream& out, std::ostream& err, const LongWork& progress) {
     std::error_code ec;
     if (arguments.file == "watch" && !std::filesystem::exists(arguments.file, ec))
         return watch_desk(desk_socket_path(), STDIN_FILENO, out, err);

@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "app/main/command_line.h"
-#include "app/main/progress.h"
+#include "app/main/long_work.h"
 
 namespace {
 
@@ -21,7 +21,7 @@ void open_standard_descriptors() {
 
 int main(int argc, char** argv) {
     open_standard_descriptors();
-    const handrail::Progress progress = handrail::Progress::begun();
-    const handrail::ProgressLines lines(progress, std::cerr);
+    const handrail::LongWork progress = handrail::LongWork::begun();
+    const handrail::LongWorkLines lines(progress, std::cerr);
     return handrail::run_command_line({argv + 1, argv + argc}, std::cout, std::cerr, progress);
 }

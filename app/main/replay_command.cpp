@@ -176,7 +176,7 @@ Result<void> write_tables(const Recording& recording, const fs::path& folder) {
 
 // ---- computed again ----
 
-int check(const Recording& recording, std::ostream& out, std::ostream& err, const Progress& progress) {
+int check(const Recording& recording, std::ostream& out, std::ostream& err, const LongWork& progress) {
     if (const auto spoken = speak_language(recording.head.language, user_languages_folder()); !spoken) {
         err << spoken.error().sentence() << '\n';
         return 1;
@@ -212,7 +212,7 @@ fs::path newest_in(const fs::path& folder) {
 }
 
 int run_replay(const ReplayArguments& arguments, const Settings& settings, std::ostream& out, std::ostream& err,
-               const Progress& progress) {
+               const LongWork& progress) {
     const fs::path folder = arguments.folder.value_or(newest_in(user_data_folder() / "recordings"));
     const auto refuse = [&err](const Error& error) {
         err << error.sentence() << '\n';

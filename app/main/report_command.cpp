@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // One recording; where it is damaged or goes on in other worlds that is told.
-Result<SessionReport> report_of_folder(const fs::path& folder, const Progress& progress, std::ostream& out,
+Result<SessionReport> report_of_folder(const fs::path& folder, const LongWork& progress, std::ostream& out,
                                        std::ostream& err) {
     progress.at(phrase("progress.recording"));
     const auto recording = read_recording(folder);
@@ -51,7 +51,7 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
 // One run of the command.
 class ReportCommand {
 public:
-    ReportCommand(const ReportArguments& arguments, const Progress& progress, std::ostream& out, std::ostream& err)
+    ReportCommand(const ReportArguments& arguments, const LongWork& progress, std::ostream& out, std::ostream& err)
         : arguments_(arguments), progress_(progress), out_(out), err_(err) {}
 
     int run() {
@@ -138,7 +138,7 @@ private:
     }
 
     const ReportArguments& arguments_;
-    const Progress& progress_;
+    const LongWork& progress_;
     fs::path learner_folder_;  // of whom it is; empty: of nobody by name
     std::ostream& out_;
     std::ostream& err_;
@@ -146,7 +146,7 @@ private:
 
 }  // namespace
 
-int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress) {
+int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress) {
     return ReportCommand(arguments, progress, out, err).run();
 }
 

@@ -26,7 +26,7 @@ struct CardWays {
 
 // From there to there, or to every room of the storey, in the order of their names. Fails with one sentence where there
 // is no such name (and tells the nearest), no base, or no way at all.
-Result<CardWays> card_ways(const Scene& scene, const RoomGraph& graph, Navigation& navigation,
-                                       const Storey& storey, const CardWish& wish);
+Result<CardWays> card_ways(const Scene& scene, const RoomGraph& graph, Navigation& navigation, const Storey& storey,
+                           const CardWish& wish);
 
 }  // namespace handrail

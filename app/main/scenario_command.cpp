@@ -131,7 +131,7 @@ std::string junit_xml(const std::vector<Outcome>& outcomes) {
 
 }  // namespace
 
-int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err, const Progress& progress) {
+int run_scenarios(const ScenarioArguments& arguments, std::ostream& out, std::ostream& err, const LongWork& progress) {
     const auto files = scenario_files(arguments.paths);
     if (!files) {
         fmt::print(err, "{}\n", files.error().sentence());

@@ -195,7 +195,7 @@ std::string replay(const std::shared_ptr<const Scene>& file, const std::vector<P
 
 }  // namespace
 
-int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err, const Progress& progress) {
+int run_touch(const TouchArguments& arguments, std::ostream&, std::ostream& err, const LongWork& progress) {
     const DeviceSpec* limits = nullptr;
     if (arguments.device) {
         limits = find_device_spec(*arguments.device);

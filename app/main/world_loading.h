@@ -9,7 +9,7 @@
 
 #include "app/core/world/entering.h"
 #include "app/main/commands.h"
-#include "app/main/progress.h"
+#include "app/main/long_work.h"
 
 namespace handrail {
 
@@ -29,7 +29,7 @@ public:
     Result<EnteringWorld> take() { return result_.get(); }
 
 private:
-    Progress progress_ = Progress::begun();
+    LongWork progress_ = LongWork::begun();
     std::stop_source stop_;
     std::future<Result<EnteringWorld>> result_;  // last: its thread uses the others, and it waits for that
 };

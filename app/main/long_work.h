@@ -1,5 +1,5 @@
 // What somebody who waits for a command or a world is told: nothing within two seconds, then a sentence every few.
-// Whoever works says what it is at; whoever tells asks what is due. docs/architecture.md, "What takes long".
+// Whoever works says what it is at; whoever tells asks what is due.
 #pragma once
 
 #include <condition_variable>
@@ -15,13 +15,13 @@
 namespace handrail {
 
 // A handle on what is shared by both sides; copies are of the same work. Any thread.
-class Progress {
+class LongWork {
 public:
     // Nobody waits, and nothing is told.
-    Progress() = default;
+    LongWork() = default;
     // Somebody does. `noted`: hears at once what it is at, each time that changes, and nothing where it is done; for
     // who watches the work itself. The working thread.
-    static Progress begun(std::function<void(const std::string& what)> noted = {});
+    static LongWork begun(std::function<void(const std::string& what)> noted = {});
 
     // ---- whoever works ----
     // It is at this from now on, told with the time so far: "Finding rooms and ways". What was begun counts on.
@@ -51,16 +51,16 @@ private:
 
 // Writes what is due to a stream, a line each, on a thread of its own that sleeps while there is no work. For a
 // terminal; takes no signals.
-class ProgressLines {
+class LongWorkLines {
 public:
     // The stream outlives it.
-    ProgressLines(const Progress& progress, std::ostream& to);
-    ~ProgressLines();
-    ProgressLines(const ProgressLines&) = delete;
-    ProgressLines& operator=(const ProgressLines&) = delete;
+    LongWorkLines(const LongWork& progress, std::ostream& to);
+    ~LongWorkLines();
+    LongWorkLines(const LongWorkLines&) = delete;
+    LongWorkLines& operator=(const LongWorkLines&) = delete;
 
 private:
-    Progress progress_;
+    LongWork progress_;
     bool stop_ = false;  // guarded by what progress_ shares
     std::thread thread_;
 };

@@ -1,6 +1,6 @@
 // Who waits is told nothing of what is quick, and then a sentence every few seconds, in virtual time; and every command
 // says what it is at.
-#include "app/main/progress.h"
+#include "app/main/long_work.h"
 
 #include <gmock/gmock.h>
 
@@ -14,7 +14,7 @@
 #include "worlds/base/patience.h"
 
 namespace handrail {
-namespace progress_test {
+namespace long_work_test {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -30,7 +30,7 @@ struct Told {
 void PrintTo(const Told& told, std::ostream* os) { *os << told.at_s << " s: " << told.words; }
 
 // What a teller that looks four times a second says from one time to another.
-std::vector<Told> told_from(const Progress& progress, double from_s, double to_s) {
+std::vector<Told> told_from(const LongWork& progress, double from_s, double to_s) {
     std::vector<Told> all;
     for (double now_s = from_s; now_s < to_s; now_s += 0.25)
         progress.tell(now_s, [&](const std::string& words) { all.push_back({now_s, words}); });
@@ -45,8 +45,8 @@ TEST(Patience, is_over_after_two_seconds_and_then_every_five) {
     EXPECT_THAT(due, ElementsAre(2.0, 7.0, 12.0, 17.0));
 }
 
-TEST(Progress, tells_nothing_of_what_is_over_within_two_seconds) {
-    const Progress progress = Progress::begun();
+TEST(LongWork, tells_nothing_of_what_is_over_within_two_seconds) {
+    const LongWork progress = LongWork::begun();
     EXPECT_THAT(told_from(progress, 0.0, 10.0), IsEmpty()) << "there is no work";
     progress.at("Finding rooms and ways");
     EXPECT_THAT(told_from(progress, 10.0, 12.0), IsEmpty());
@@ -56,8 +56,8 @@ TEST(Progress, tells_nothing_of_what_is_over_within_two_seconds) {
     EXPECT_THAT(told_from(progress, 20.0, 22.0), IsEmpty()) << "two seconds anew";
 }
 
-TEST(Progress, tells_what_takes_longer_with_the_time_so_far) {
-    const Progress progress = Progress::begun();
+TEST(LongWork, tells_what_takes_longer_with_the_time_so_far) {
+    const LongWork progress = LongWork::begun();
     progress.at("Finding rooms and ways");
     EXPECT_THAT(told_from(progress, 100.0, 103.0),
                 ElementsAre(Told{102.0, "Finding rooms and ways, 2 seconds so far."}));
@@ -67,8 +67,8 @@ TEST(Progress, tells_what_takes_longer_with_the_time_so_far) {
                             Told{112.0, "Looking for what should be mended, 12 seconds so far."}));
 }
 
-TEST(Progress, tells_how_far_a_file_is_read_and_what_the_reader_is_at) {
-    const Progress progress = Progress::begun();
+TEST(LongWork, tells_how_far_a_file_is_read_and_what_the_reader_is_at) {
+    const LongWork progress = LongWork::begun();
     const ReadOptions options = progress.followed({});
     options.progress(0.4);
     EXPECT_THAT(told_from(progress, 0.0, 3.0), ElementsAre(Told{2.0, "Loading, 40 percent."}));
@@ -82,18 +82,18 @@ TEST(Progress, tells_how_far_a_file_is_read_and_what_the_reader_is_at) {
                 ElementsAre(Told{12.0, "Laden, 55 Prozent: " + phrase("import.touch") + "."}));
 }
 
-TEST(Progress, of_which_nobody_wants_to_hear_costs_nothing) {
-    const Progress nobody;
+TEST(LongWork, of_which_nobody_wants_to_hear_costs_nothing) {
+    const LongWork nobody;
     EXPECT_FALSE(nobody.followed({}).progress);
     nobody.at("Anything");
     EXPECT_THAT(told_from(nobody, 0.0, 10.0), IsEmpty());
 }
 
 // What a command is at, in order, its last words told before it writes.
-std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostream&, const Progress&)>& command) {
+std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostream&, const LongWork&)>& command) {
     std::ostringstream out, err;
     std::vector<std::string> all;
-    const Progress progress = Progress::begun([&](const std::string& what) {
+    const LongWork progress = LongWork::begun([&](const std::string& what) {
         all.push_back(what);
         EXPECT_EQ(out.str(), "") << what;
     });
@@ -103,9 +103,9 @@ std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostr
     return all;
 }
 
-TEST(CommandProgress, of_info_and_check_is_reading_rooms_and_the_rest_but_none_beside_json) {
+TEST(CommandWork, of_info_and_check_is_reading_rooms_and_the_rest_but_none_beside_json) {
     const auto info = [](bool json, bool words) {
-        return stages([json, words](std::ostream& out, std::ostream& err, const Progress& progress) {
+        return stages([json, words](std::ostream& out, std::ostream& err, const LongWork& progress) {
             InfoArguments arguments;
             arguments.world = kWorlds + "first_room.map";
             arguments.json = json;
@@ -118,7 +118,7 @@ TEST(CommandProgress, of_info_and_check_is_reading_rooms_and_the_rest_but_none_b
     EXPECT_THAT(info(false, true), ElementsAre("reading the file", "Finding rooms and ways", ""));
     EXPECT_THAT(info(true, false), IsEmpty());
     const auto check = [](bool json) {
-        return stages([json](std::ostream& out, std::ostream& err, const Progress& progress) {
+        return stages([json](std::ostream& out, std::ostream& err, const LongWork& progress) {
             CheckArguments arguments;
             arguments.world = kWorlds + "first_room.map";
             arguments.json = json;
@@ -130,16 +130,16 @@ TEST(CommandProgress, of_info_and_check_is_reading_rooms_and_the_rest_but_none_b
     EXPECT_THAT(check(true), IsEmpty());
 }
 
-TEST(CommandProgress, of_export_and_scenario_is_each_part_of_the_work) {
+TEST(CommandWork, of_export_and_scenario_is_each_part_of_the_work) {
     const test::TemporaryFolder folder;
-    EXPECT_THAT(stages([&](std::ostream& out, std::ostream& err, const Progress& progress) {
+    EXPECT_THAT(stages([&](std::ostream& out, std::ostream& err, const LongWork& progress) {
                     ExportArguments arguments;
                     arguments.world = kWorlds + "first_room.map";
                     arguments.swell = folder.path() / "plan.svg";
                     return run_export(arguments, out, err, progress);
                 }),
                 ElementsAre("reading the file", "Finding rooms and ways", "Drawing the storey", ""));
-    EXPECT_THAT(stages([&](std::ostream& out, std::ostream& err, const Progress& progress) {
+    EXPECT_THAT(stages([&](std::ostream& out, std::ostream& err, const LongWork& progress) {
                     ScenarioArguments arguments;
                     arguments.paths = {HANDRAIL_SOURCE_DIR "/tests/scenarios/03_first_wall_keyboard.toml"};
                     return run_scenarios(arguments, out, err, progress);
@@ -147,11 +147,11 @@ TEST(CommandProgress, of_export_and_scenario_is_each_part_of_the_work) {
                 Contains(HasSubstr("Playing ")));
 }
 
-TEST(CommandProgress, is_over_before_a_problem_is_told) {
+TEST(CommandWork, is_over_before_a_problem_is_told) {
     const test::TemporaryFolder folder;
     std::ostringstream out, err;
     std::vector<std::string> all;
-    const Progress progress = Progress::begun([&](const std::string& what) {
+    const LongWork progress = LongWork::begun([&](const std::string& what) {
         all.push_back(what);
         EXPECT_EQ(err.str(), "") << what;
     });
@@ -169,15 +169,15 @@ TEST(CommandProgress, is_over_before_a_problem_is_told) {
 }
 
 // The thread that writes for a terminal: real time, so only that it ends at once, whether there is work or not.
-TEST(ProgressLines, end_at_once_with_and_without_work) {
+TEST(LongWorkLines, end_at_once_with_and_without_work) {
     std::ostringstream to;
-    const Progress progress = Progress::begun();
-    { const ProgressLines idle(progress, to); }
+    const LongWork progress = LongWork::begun();
+    { const LongWorkLines idle(progress, to); }
     progress.at("Anything");
-    { const ProgressLines busy(progress, to); }
-    { const ProgressLines nobody({}, to); }
+    { const LongWorkLines busy(progress, to); }
+    { const LongWorkLines nobody({}, to); }
     EXPECT_EQ(to.str(), "");
 }
 
-}  // namespace progress_test
+}  // namespace long_work_test
 }  // namespace handrail

@@ -1,4 +1,4 @@
-#include "app/main/progress.h"
+#include "app/main/long_work.h"
 
 #include <signal.h>
 
@@ -14,7 +14,7 @@
 
 namespace handrail {
 
-struct Progress::State {
+struct LongWork::State {
     std::mutex mutex;  // held while something is told, so that nothing is once done() has returned
     std::condition_variable changed;
     bool under_way = false, reads = false;
@@ -32,14 +32,14 @@ struct Progress::State {
     }
 };
 
-Progress Progress::begun(std::function<void(const std::string&)> noted) {
-    Progress progress;
+LongWork LongWork::begun(std::function<void(const std::string&)> noted) {
+    LongWork progress;
     progress.state_ = std::make_shared<State>();
     progress.state_->noted = std::move(noted);
     return progress;
 }
 
-void Progress::at(std::string what) const {
+void LongWork::at(std::string what) const {
     if (!state_) return;
     if (state_->noted) state_->noted(what);
     const std::lock_guard lock(state_->mutex);
@@ -49,7 +49,7 @@ void Progress::at(std::string what) const {
     state_->changed.notify_all();
 }
 
-void Progress::reading(std::string_view stage) const {
+void LongWork::reading(std::string_view stage) const {
     if (!state_) return;
     std::string what = stage.empty() ? std::string() : phrase(stage);
     if (state_->noted) state_->noted(what.empty() ? phrase("import.file") : what);
@@ -60,13 +60,13 @@ void Progress::reading(std::string_view stage) const {
     state_->changed.notify_all();
 }
 
-void Progress::read(double fraction) const {
+void LongWork::read(double fraction) const {
     if (!state_) return;
     const std::lock_guard lock(state_->mutex);
     state_->percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
 }
 
-ReadOptions Progress::followed(ReadOptions options) const {
+ReadOptions LongWork::followed(ReadOptions options) const {
     if (!state_) return options;
     reading();
     options.progress = [to = *this](double fraction) { to.read(fraction); };
@@ -74,7 +74,7 @@ ReadOptions Progress::followed(ReadOptions options) const {
     return options;
 }
 
-void Progress::done() const {
+void LongWork::done() const {
     if (!state_) return;
     if (state_->noted) state_->noted({});
     const std::lock_guard lock(state_->mutex);
@@ -83,7 +83,7 @@ void Progress::done() const {
     state_->changed.notify_all();
 }
 
-void Progress::tell(double now_s, const std::function<void(const std::string&)>& say) const {
+void LongWork::tell(double now_s, const std::function<void(const std::string&)>& say) const {
     if (!state_) return;
     const std::lock_guard lock(state_->mutex);
     if (!state_->under_way) return;
@@ -91,27 +91,27 @@ void Progress::tell(double now_s, const std::function<void(const std::string&)>&
     if (state_->patience->due(now_s)) say(state_->words(now_s));
 }
 
-bool Progress::wait_for_work(const bool& stop) const {
+bool LongWork::wait_for_work(const bool& stop) const {
     if (!state_) return false;
     std::unique_lock lock(state_->mutex);
     state_->changed.wait(lock, [&] { return stop || state_->under_way; });
     return !stop;
 }
 
-void Progress::wait_s(double seconds, const bool& stop) const {
+void LongWork::wait_s(double seconds, const bool& stop) const {
     if (!state_) return;
     std::unique_lock lock(state_->mutex);
     state_->changed.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return stop || !state_->under_way; });
 }
 
-void Progress::end_waiting(bool& stop) const {
+void LongWork::end_waiting(bool& stop) const {
     if (!state_) return;
     const std::lock_guard lock(state_->mutex);
     stop = true;
     state_->changed.notify_all();
 }
 
-ProgressLines::ProgressLines(const Progress& progress, std::ostream& to) : progress_(progress) {
+LongWorkLines::LongWorkLines(const LongWork& progress, std::ostream& to) : progress_(progress) {
     constexpr double kLook_s = 0.25;
     sigset_t all, before;
     sigfillset(&all);
@@ -126,7 +126,7 @@ ProgressLines::ProgressLines(const Progress& progress, std::ostream& to) : progr
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
-ProgressLines::~ProgressLines() {
+LongWorkLines::~LongWorkLines() {
     progress_.end_waiting(stop_);
     thread_.join();
 }
