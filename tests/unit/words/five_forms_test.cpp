@@ -3,12 +3,11 @@
 #include <gmock/gmock.h>
 
 #include <fmt/format.h>
-#include <cstring>
 
 #include "tests/support/map_text.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/words/other_forms.h"
 #include "tests/unit/words/words_text.h"
-#include "worlds/drawn/local_plane.h"
 #include "worlds/exports/as_words.h"
 #include "worlds/navigation/navigation.h"
 
@@ -48,122 +47,6 @@ std::string map_of(const Scene& scene) {
                                                                               room.at_m.y * kUnits, 16)));
     rest += test::entity("info_player_start", test::key("origin", fmt::format("{} {} 24", 2 * kUnits, 2 * kUnits)));
     return test::entity("worldspawn", test::key("message", "House") + test::key("building", "1"), walls) + rest;
-}
-
-template <class Value>
-void append(std::string& bytes, Value value) {
-    std::array<char, sizeof(Value)> raw{};
-    std::memcpy(raw.data(), &value, sizeof(Value));
-    bytes.append(raw.data(), raw.size());
-}
-
-// Boxes as meshes of twelve triangles, y up; a mesh knows no doors, so leaves are left out.
-std::string glb_of(const Scene& scene) {
-    std::string points, nodes, meshes, accessors, views;
-    int count = 0;
-    for (const Solid& solid : scene.solids) {
-        if (solid.role != SolidRole::Solid) continue;
-        const std::size_t from = points.size();
-        std::size_t corners = 0;
-        for (std::size_t f = 0; f < solid.shape.faces.size(); ++f) {
-            std::vector<Vec3> face = solid.shape.faces[f].points_m;
-            if (glm::dot(glm::cross(face[1] - face[0], face[2] - face[0]), solid.shape.planes[f].normal) < 0)
-                std::reverse(face.begin(), face.end());
-            for (std::size_t i = 2; i < face.size(); ++i)
-                for (const Vec3& p : {face[0], face[i - 1], face[i]}) {
-                    append(points, static_cast<float>(p.x));
-                    append(points, static_cast<float>(p.z));
-                    append(points, static_cast<float>(-p.y));
-                    ++corners;
-                }
-        }
-        const std::string comma = count > 0 ? "," : "";
-        views +=
-            fmt::format("{}{{\"buffer\":0,\"byteOffset\":{},\"byteLength\":{}}}", comma, from, points.size() - from);
-        accessors += fmt::format("{}{{\"bufferView\":{},\"componentType\":5126,\"count\":{},\"type\":\"VEC3\"}}", comma,
-                                 count, corners);
-        meshes += fmt::format("{}{{\"primitives\":[{{\"attributes\":{{\"POSITION\":{}}}}}]}}", comma, count);
-        nodes += fmt::format("{}{{\"name\":\"part {}\",\"mesh\":{}}}", comma, count, count);
-        ++count;
-    }
-    std::string roots;
-    for (int i = 0; i < count; ++i) roots += (i > 0 ? "," : "") + std::to_string(i);
-    std::string json = fmt::format(
-        "{{\"asset\":{{\"version\":\"2.0\"}},\"scene\":0,\"scenes\":[{{\"nodes\":[{}]}}],\"nodes\":[{}],\"meshes\":[{}]"
-        ","
-        "\"accessors\":[{}],\"bufferViews\":[{}],\"buffers\":[{{\"byteLength\":{}}}]}}",
-        roots, nodes, meshes, accessors, views, points.size());
-    while (json.size() % 4 != 0) json += ' ';
-    std::string glb = "glTF";
-    append(glb, std::uint32_t{2});
-    append(glb, static_cast<std::uint32_t>(28 + json.size() + points.size()));
-    append(glb, static_cast<std::uint32_t>(json.size()));
-    glb += "JSON" + json;
-    append(glb, static_cast<std::uint32_t>(points.size()));
-    glb += std::string("BIN\0", 4) + points;
-    return glb;
-}
-
-// Rooms as far as the middle of walls: half of what is between two of them, else half an outer wall.
-WordsHouse to_the_middle_of_walls(WordsHouse house) {
-    constexpr double kOuterWall_m = 0.2, kThickest_m = 0.5;
-    const WordsHouse before = house;
-    for (std::size_t r = 0; r < house.rooms.size(); ++r)
-        for (Vec2& corner : house.rooms[r].rings[0]) {
-            Vec2 middle(0.0);
-            for (const Vec2& p : before.rooms[r].rings[0]) middle += p * 0.25;
-            for (int axis = 0; axis < 2; ++axis) {
-                double gap = kOuterWall_m;
-                for (std::size_t o = 0; o < house.rooms.size(); ++o)
-                    for (const Vec2& p : before.rooms[o].rings[0])
-                        if (const double far = (p[axis] - corner[axis]) * (corner[axis] > middle[axis] ? 1.0 : -1.0);
-                            o != r && far > 0.01 && far < kThickest_m)
-                            gap = std::min(gap, far);
-                corner[axis] += (corner[axis] > middle[axis] ? 0.5 : -0.5) * gap;
-            }
-        }
-    return house;
-}
-
-std::string osm_of(const WordsHouse& house) {
-    const Vec2 origin(13.0, 51.0);
-    const Vec2 a_degree = LocalPlane(origin).place_m(origin + 1.0);
-    std::string nodes, ways;
-    int number = 0;
-    std::vector<int> door_nodes;
-    const auto node = [&](const Vec2& at, const std::string& tags = {}) {
-        nodes += fmt::format("<node id='{}' lat='{:.11f}' lon='{:.11f}'>{}</node>\n", ++number,
-                             origin.y + at.y / a_degree.y, origin.x + at.x / a_degree.x, tags);
-        return number;
-    };
-    for (const WordsHouse::Door& door : house.doors)
-        door_nodes.push_back(
-            node(door.at_m, fmt::format("<tag k='door' v='hinged'/><tag k='width' v='{}'/>{}", door.width_m,
-                                        door.rooms.size() == 1 ? "<tag k='entrance' v='main'/>" : "")));
-    for (std::size_t r = 0; r < house.rooms.size(); ++r) {
-        const std::vector<Vec2>& ring = house.rooms[r].rings[0];
-        std::string refs;
-        int first = 0;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Vec2 from = ring[i], way = ring[(i + 1) % ring.size()] - from;
-            const int corner = node(from);
-            if (i == 0) first = corner;
-            refs += fmt::format("<nd ref='{}'/>", corner);
-            for (std::size_t d = 0; d < house.doors.size(); ++d) {
-                const Vec2 off = house.doors[d].at_m - from;
-                const double along = glm::dot(off, way) / glm::dot(way, way);
-                const std::vector<std::size_t>& rooms = house.doors[d].rooms;
-                if (std::find(rooms.begin(), rooms.end(), r) != rooms.end() && along > 0 && along < 1 &&
-                    glm::length(off - way * along) < 0.15)
-                    refs += fmt::format("<nd ref='{}'/>", door_nodes[d]);
-            }
-        }
-        ways += fmt::format(
-            "<way id='{}'>{}<nd ref='{}'/><tag k='indoor' v='room'/><tag k='level' v='0'/><tag k='name' "
-            "v='{}'/></way>\n",
-            1000 + r, refs, first, house.rooms[r].name);
-    }
-    return "<osm version='0.6'>\n" + nodes + ways + "</osm>\n";
 }
 
 // What joins two of the places, in order of these.
@@ -228,7 +111,7 @@ Vec2 least_corner(const std::vector<Vec2>& ring) {
 
 TEST(FiveForms, of_one_house_have_the_same_rooms_doors_ways_and_distances) {
     const Scene ifc = world_of(read_ifc(ifc_text("small_house.ifc"), "house.ifc"));
-    const WordsHouse house = to_the_middle_of_walls(stated_house(ifc, WordLanguage::English));
+    const WordsHouse house = test::to_the_middle_of_walls(stated_house(ifc, WordLanguage::English));
     const Seen model = seen_in(ifc);
     ASSERT_EQ(model.in_all, 3U);
     ASSERT_EQ(model.rooms[1], "Küche");
@@ -238,7 +121,7 @@ TEST(FiveForms, of_one_house_have_the_same_rooms_doors_ways_and_distances) {
     ASSERT_EQ(model.joins[1].places, std::pair(1, 2));
     ASSERT_GT(model.way_m[1], 6.0);
 
-    const Scene osm = world_of(read_osm(osm_of(house), "house.osm"));
+    const Scene osm = world_of(read_osm(test::osm_of(house), "house.osm"));
     ASSERT_EQ(house.rooms[0].name, "Küche");
     const Vec2 corner = test::box_of(*test::room_of(osm, "Küche")).first;
     struct Form {
@@ -253,7 +136,7 @@ TEST(FiveForms, of_one_house_have_the_same_rooms_doors_ways_and_distances) {
     forms.push_back({"map", world_of(read_quake_map(map_of(ifc), "house.map"))});
     forms.push_back(
         {"OpenStreetMap", osm, true, Vec3(corner - least_corner(house.rooms[0].rings[0]), 0.0), kThinWalls_m});
-    forms.push_back({"mesh", world_of(read_gltf(glb_of(ifc), "house.glb")), false});
+    forms.push_back({"mesh", world_of(read_gltf(test::glb_of(ifc), "house.glb")), false});
     forms.push_back({"words", test::read_rooms(text_of(house, ifc, WordLanguage::English))});
     forms.push_back({"German words", test::read_rooms(text_of(house, ifc, WordLanguage::German))});
     for (const Form& form : forms) {

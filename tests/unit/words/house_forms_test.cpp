@@ -1,0 +1,223 @@
+// The bundled house in five forms: what of its rooms, doors and distances each of them carries, to 5 cm.
+#include <gmock/gmock.h>
+
+#include <fmt/format.h>
+
+#include "tests/unit/words/other_forms.h"
+#include "tests/unit/words/words_text.h"
+#include "worlds/exports/as_words.h"
+#include "worlds/navigation/navigation.h"
+
+namespace handrail {
+namespace words_house_forms_test {
+
+constexpr double kSame_m = 0.05 + 1e-9, kHalfWall_m = 0.1;
+
+struct Seen {
+    std::shared_ptr<Navigation> ways;
+    RoomGraph graph;
+    Vec3 shift_m{0.0};  // of the form against the house
+
+    std::string room_at_m(const Vec3& place) const {
+        const std::optional<Vec3> feet = ways->nearest_place(place + shift_m);
+        const std::uint32_t room = feet ? room_at(graph, ways->space(), *feet) : kNothing;
+        return room == kNothing ? "nowhere" : graph.rooms[room].name;
+    }
+    std::optional<double> way_m(const Vec3& from, const Vec3& to) const {
+        const Route route = ways->plan(from + shift_m, to + shift_m, RouteWish::Shortest);
+        if (route.points_m.empty() || glm::length(route.points_m.back() - to - shift_m) > 0.3) return std::nullopt;
+        double length = 0.0;
+        for (std::size_t p = 1; p < route.points_m.size(); ++p)
+            length += glm::length(route.points_m[p] - route.points_m[p - 1]);
+        return length;
+    }
+    std::pair<std::string, std::string> names(const Portal& portal) const {
+        return std::minmax(graph.rooms[portal.rooms[0]].name, graph.rooms[portal.rooms[1]].name);
+    }
+};
+
+Seen seen_in(const Scene& scene) {
+    Seen seen;
+    auto ways = Navigation::make(scene, walk_body(scene, 0.25, 1.8, 0.25));
+    EXPECT_TRUE(ways.has_value()) << ways.error().sentence();
+    if (!ways) return seen;
+    seen.ways = *ways;
+    seen.graph = make_rooms(scene, seen.ways->space());
+    return seen;
+}
+
+// Of what there is in the house, how much a form has too, and by how much the rest is off at most.
+struct Carried {
+    int rooms = 0, all_rooms = 0;                         // that lie where they lay and are called as they were
+    int doors = 0, all_doors = 0;                         // between the same two
+    double along_m = 0.0, across_m = 0.0, width_m = 0.0;  // places of doors: along their walls, and through them
+    int ways = 0, all_ways = 0;  // between middles of rooms of one storey, within 5 cm; then from one to another
+    int far = 0, all_far = 0;
+    double longer_m = 0.0, shorter_m = 0.0;  // ways on one storey, at most
+};
+
+Carried carried(const Seen& house, const Seen& form) {
+    Carried found;
+    std::vector<const Room*> rooms;
+    for (const Room& room : house.graph.rooms) {
+        if (room.kind == RoomKind::Stairs) continue;
+        rooms.push_back(&room);
+        ++found.all_rooms;
+        found.rooms += form.room_at_m(room.middle_m) == room.name ? 1 : 0;
+    }
+    for (const Portal& portal : house.graph.portals) {
+        if (portal.kind != PassageKind::Door) continue;
+        ++found.all_doors;
+        const Portal* best = nullptr;
+        double least = 0.5;
+        for (const Portal& other : form.graph.portals) {
+            const double off = glm::length(other.place_m - form.shift_m - portal.place_m);
+            if (other.kind == PassageKind::Door && form.names(other) == house.names(portal) && off < least)
+                least = off, best = &other;
+        }
+        if (!best) continue;
+        ++found.doors;
+        const Vec3 off = glm::abs(best->place_m - form.shift_m - portal.place_m);
+        found.along_m = std::max(found.along_m, std::min(off.x, off.y));
+        found.across_m = std::max(found.across_m, std::max(off.x, off.y));
+        found.width_m = std::max(found.width_m, std::abs(best->width_m - portal.width_m));
+    }
+    for (std::size_t a = 0; a < rooms.size(); ++a)
+        for (std::size_t b = a + 1; b < rooms.size(); ++b) {
+            const auto meant = house.way_m(rooms[a]->middle_m, rooms[b]->middle_m);
+            if (!meant) continue;
+            const auto is = form.way_m(rooms[a]->middle_m, rooms[b]->middle_m);
+            const bool level = rooms[a]->level == rooms[b]->level;
+            const bool same = is && std::abs(*is - *meant) <= kSame_m;
+            ++(level ? found.all_ways : found.all_far);
+            (level ? found.ways : found.far) += same ? 1 : 0;
+            if (!is || !level) continue;
+            found.longer_m = std::max(found.longer_m, *is - *meant);
+            found.shorter_m = std::max(found.shorter_m, *meant - *is);
+        }
+    return found;
+}
+
+// Outlines that were found to 5 cm, put where walls have their middles.
+WordsHouse on_the_middles_of_walls(WordsHouse house, const Scene& scene) {
+    std::array<std::vector<double>, 2> middles;
+    for (const Solid& solid : scene.solids) {
+        const Vec3 size = solid.shape.bounds_m.size_m();
+        if (solid.role != SolidRole::Solid || solid.feature || size.z < 1.5) continue;
+        for (int axis = 0; axis < 2; ++axis)
+            if (size[axis] < 0.5)
+                middles[static_cast<std::size_t>(axis)].push_back(solid.shape.bounds_m.centre_m()[axis]);
+    }
+    for (WordsHouse::Room& room : house.rooms)
+        for (std::vector<Vec2>& ring : room.rings)
+            for (Vec2& p : ring)
+                for (int axis = 0; axis < 2; ++axis) {
+                    const double before = p[axis];
+                    double least = 0.2;
+                    for (const double middle : middles[static_cast<std::size_t>(axis)])
+                        if (std::abs(middle - before) < least) least = std::abs(middle - before), p[axis] = middle;
+                }
+    // Leaves hang to one side in their walls, where other forms know a wall's middle alone.
+    for (WordsHouse::Door& door : house.doors) {
+        const std::vector<Vec2>& ring = house.rooms[door.rooms[0]].rings[0];
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Vec2 way = ring[(i + 1) % ring.size()] - ring[i], off = door.at_m - ring[i];
+            const double along = glm::dot(off, way) / glm::dot(way, way);
+            if (!(along > 0.0 && along < 1.0) || glm::length(off - way * along) > 0.15) continue;
+            door.at_m = ring[i] + way * along;
+            break;
+        }
+    }
+    return house;
+}
+
+// The house without what stands in it: things that are no water.
+std::string bare_house() {
+    const std::string text = test::content_of(std::string(HANDRAIL_SOURCE_DIR) + "/worlds/maps/house.map");
+    std::string kept, entity;
+    int depth = 0;
+    for (std::size_t from = 0; from < text.size();) {
+        const std::size_t end = std::min(text.find('\n', from), text.size());
+        const std::string line = text.substr(from, end - from + 1);
+        from = end + 1;
+        entity += line;
+        depth += line[0] == '{' ? 1 : line[0] == '}' ? -1 : 0;
+        if (depth > 0) continue;
+        const auto has = [&](const char* words) { return entity.find(words) != std::string::npos; };
+        if (!has("\"classname\" \"thing\"") || has("\"cs_name\"")) kept += entity;
+        entity.clear();
+    }
+    return kept;
+}
+
+TEST(HouseForms, carry_what_each_can) {
+    const Result<Scene> scene = read_quake_map(bare_house(), "house.map");
+    ASSERT_TRUE(scene.has_value());
+    const Seen house = seen_in(*scene);
+    const WordsHouse drawn =
+        on_the_middles_of_walls(found_house(*scene, house.graph, house.ways->space(), WordLanguage::English), *scene);
+    const auto tell = [&](const char* name, Result<Scene> read) {
+        EXPECT_TRUE(read.has_value()) << name << ": " << (read ? "" : read.error().sentence());
+        if (!read) return Carried{};
+        EXPECT_TRUE(validate(*read).has_value());
+        Seen form = seen_in(*read);
+        if (std::string_view(name) == "OpenStreetMap") {
+            const auto room = test::room_of(*read, drawn.rooms[0].name);
+            Vec2 least(1e300);
+            for (const Vec2& p : drawn.rooms[0].rings[0]) least = glm::min(least, p);
+            form.shift_m = Vec3(test::box_of(*room).first - least, 0.0);
+        }
+        const Carried c = carried(house, form);
+        fmt::print(
+            "{}: {} of {} rooms, {} of {} doors, off {:.3f} m along and {:.3f} m through the wall, width {:.3f} m, "
+            "{} of {} ways on a storey, {:.3f} m longer and {:.3f} m shorter at most, {} of {} from storey to storey\n",
+            name, c.rooms, c.all_rooms, c.doors, c.all_doors, c.along_m, c.across_m, c.width_m, c.ways, c.all_ways,
+            c.longer_m, c.shorter_m, c.far, c.all_far);
+        // Whatever doors a form has are where they were, and no way is shorter than it was.
+        EXPECT_LE(c.along_m, kSame_m) << name;
+        EXPECT_LE(c.width_m, kSame_m) << name;
+        EXPECT_LE(c.shorter_m, kSame_m) << name;
+        return c;
+    };
+    const Carried itself = tell("itself", *scene);
+    ASSERT_EQ(itself.all_rooms, 14);
+    ASSERT_EQ(itself.all_doors, 11);
+    ASSERT_GT(itself.all_ways, 40);
+    ASSERT_GT(itself.all_far, 40);
+    EXPECT_EQ(itself.rooms + itself.doors + itself.ways + itself.far,
+              itself.all_rooms + itself.all_doors + itself.all_ways + itself.all_far);
+
+    // An architect's model carries all, but that a pond is no space with a floor: it is told as the steps into it.
+    for (const bool millimetres : {false, true}) {
+        const Carried ifc = tell(millimetres ? "IFC in millimetres" : "IFC",
+                                 read_ifc(test::IfcOf(*scene, drawn, millimetres).text(), "house.ifc"));
+        EXPECT_GE(ifc.rooms, ifc.all_rooms - 1);
+        EXPECT_EQ(ifc.doors, ifc.all_doors);
+        EXPECT_LE(ifc.across_m, kSame_m);
+        EXPECT_EQ(ifc.ways, ifc.all_ways);
+        EXPECT_EQ(ifc.far, ifc.all_far);
+    }
+    // A mesh names nothing and has no doors; all distances are there.
+    const Carried mesh = tell("mesh", read_gltf(test::glb_of(*scene), "house.glb"));
+    EXPECT_EQ(mesh.rooms, 0);
+    EXPECT_EQ(mesh.doors, 0);
+    EXPECT_EQ(mesh.ways, mesh.all_ways);
+    EXPECT_EQ(mesh.far, mesh.all_far);
+    // Plans and words shut stairs into a room of their own, so that ways beside them lead round it, and make new ones,
+    // so that no way from storey to storey is as long as it was; nobody gets into their pond. Their doors are in the
+    // middle of walls, where leaves hang to one side.
+    const Carried words = tell("words", read_words(text_of(drawn, *scene, WordLanguage::English), "house.rooms"));
+    EXPECT_EQ(words.rooms, words.all_rooms);
+    EXPECT_EQ(words.doors, words.all_doors);
+    EXPECT_LE(words.across_m, kSame_m + kHalfWall_m);
+    EXPECT_GE(words.ways, 24);
+    // Of a garden that is drawn round the house the two doors into it are set aside by the reader.
+    const Carried osm = tell("OpenStreetMap", read_osm(test::osm_of(drawn), "house.osm"));
+    EXPECT_EQ(osm.rooms, osm.all_rooms);
+    EXPECT_GE(osm.doors, osm.all_doors - 2);
+    EXPECT_LE(osm.across_m, kSame_m + kHalfWall_m);
+    EXPECT_GE(osm.ways, 20);
+}
+
+}  // namespace words_house_forms_test
+}  // namespace handrail
