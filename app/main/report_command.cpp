@@ -57,6 +57,11 @@ public:
     int run() {
         if (!arguments_.html && !arguments_.csv && !arguments_.json)
             return refuse({{}, 0, 0, phrase("report.nothing_asked")}, 2);
+        // Before anything is read or measured.
+        std::error_code ec;
+        for (const auto& file : {arguments_.html, arguments_.csv, arguments_.json})
+            if (file && !arguments_.force && fs::exists(fs::symlink_status(*file, ec)))
+                return refuse({{}, 0, 0, phrase("export.exists", {{"file", file->string()}})});
         return arguments_.learner.empty() || arguments_.folder ? of_session() : of_learner();
     }
 

@@ -27,9 +27,8 @@ protected:
                           "#!/bin/sh\nprintf 'p40\\nsimport.shapes\\n' >&4\nsleep 3\nexec '" +
                               (fs::path(HANDRAIL_PROGRAM).parent_path() / "handrail-reader").string() + "' \"$@\"\n");
         fs::permissions(reader, fs::perms::owner_all);
-        world_ = folder_.write("box.obj",
-                               "o floor\nv -3 -3 0\nv 3 -3 0\nv 3 3 0\nv -3 3 0\nf 1 2 3 4\n"
-                               "o wall\nv -3 3 0\nv 3 3 0\nv 3 3 2.5\nv -3 3 2.5\nf 8 7 6 5\n");
+        world_ = folder_.write("hall.rooms",
+                               "Building: Slow hall.\nHall, 8 by 6 metres.\nDoor outside in the south wall.\n");
     }
     fs::path program() const { return folder_.path() / "bin" / "handrail"; }
     std::future<ProgramRun> begin(std::vector<std::string> arguments, const std::string& input = {}) {

@@ -172,6 +172,7 @@ std::string Labyrinth::corridor_words(const Corridor& corridor) const {
 void Labyrinth::list_corridors(double now_s) {
     const auto corridors = corridors_of(*context_.world.scene, ball_m(), radius_m_);
     if (!corridors) return context_.answer(corridors.error().sentence(), now_s);
+    if (corridors->empty()) return context_.answer(phrase("labyrinth.no_corridors"), now_s);
     ListSpec list;
     list.title = phrase("labyrinth.corridors", {{"count", corridors->size()}});
     for (std::size_t i = 0; i < corridors->size(); ++i) {

@@ -23,6 +23,7 @@ public:
     WorldLists& worlds() { return worlds_; }
     LanguageList& languages() { return languages_; }
     ReportLists& reports() { return reports_; }
+    const ReportLists& reports() const { return reports_; }
 
 private:
     void open(double now_s);

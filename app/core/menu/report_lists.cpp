@@ -7,12 +7,14 @@ namespace handrail {
 
 void ReportLists::ask_for_devices(double now_s) {
     context_.requests.devices = true;
+    asked_s_ = now_s;
     context_.answer(phrase("devices.looking"), now_s);
 }
 
 void ReportLists::open_devices(const std::vector<std::string>& sentences, double now_s) {
     std::vector<std::string> lines{phrase("devices.in_use", {{"hand", hand_words(context_.hands)}})};
     lines.insert(lines.end(), sentences.begin(), sentences.end());
+    asked_s_ = -1e9;
     open(phrase("devices.title"), lines, now_s);
 }
 
@@ -22,7 +24,8 @@ void ReportLists::open(std::string title, const std::vector<std::string>& lines,
     ListSpec list;
     list.title = std::move(title);
     list.stays_open = true;
-    for (const std::string& line : lines) list.items.push_back({line, {}, false});
+    for (const std::string& line : lines)
+        list.items.push_back({line.ends_with('.') ? line.substr(0, line.size() - 1) : line, {}, false});
     list.chosen = [this, lines](std::size_t i) { context_.answer(lines[i], context_.tick_s); };
     context_.open_list(std::move(list), now_s);
 }

@@ -18,16 +18,21 @@ public:
     void ask_for_devices(double now_s);
     // sentences: of what is plugged in. Before them stands which hand is in use.
     void open_devices(const std::vector<std::string>& sentences, double now_s);
+    // Nobody waits for what is plugged in: it has been told, or its owner tells nothing.
+    bool idle(double now_s) const { return now_s - asked_s_ > kAnswered_s; }
 
     void know_crash(std::vector<std::string> lines) { crash_ = std::move(lines); }
     bool has_crash() const { return !crash_.empty(); }
     void open_crash(double now_s);
 
 private:
-    // Enter says a line again.
+    // Enter says a line again. A list ends no item with a stop of its own.
     void open(std::string title, const std::vector<std::string>& lines, double now_s);
 
+    static constexpr double kAnswered_s = 3.0;
+
     std::vector<std::string> crash_;
+    double asked_s_ = -1e9;  // for devices that have not been told yet
 };
 
 }  // namespace handrail

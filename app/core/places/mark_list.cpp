@@ -77,9 +77,10 @@ void MarkList::tick_button(double now_s) {
 void MarkList::drop(bool by_button, double now_s) {
     Vec3 place = context_.body.feet_m();
     if (context_.hands.right.present && context_.hands.tool.ticks > 0) {
-        if (is_gone(context_.hands.tool.fault) || context_.hands.tool.workspace_jump != context_.hands.pose.jump)
-            return context_.answer(phrase("guide.hand_unknown"), now_s);
-        place = context_.hands.tool.proxy_m;
+        // A hand of the keys alone, on its way to where one stands, is no reason to have no mark.
+        if (!is_gone(context_.hands.tool.fault) && context_.hands.tool.workspace_jump == context_.hands.pose.jump)
+            place = context_.hands.tool.proxy_m;
+        else if (!context_.hands.keys_alone) return context_.answer(phrase("guide.hand_unknown"), now_s);
     }
     Mark mark = new_mark(*context_.world.scene, context_.additions, marks_, place);
     const std::string name = mark.name;

@@ -34,7 +34,7 @@ std::string refused(const Words& words) {
     EXPECT_EQ(out.str(), "");
     const std::string text = err.str();
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
-    EXPECT_TRUE(text.ends_with(".\n")) << text;
+    EXPECT_TRUE(text.ends_with(".\n") || text.ends_with("?\n") || text.ends_with(" NAME\n")) << text;
     return text;
 }
 
@@ -173,7 +173,7 @@ TEST(CommandLine, tells_what_is_wrong_with_the_commands_for_recordings_worlds_an
     EXPECT_THAT(refused({"learner", "consent", "Rook"}), HasSubstr("--give"));
     EXPECT_THAT(refused({"learner", "consent", "Rook", "--give", "everything"}), HasSubstr("remember, record"));
     EXPECT_THAT(refused({"learner", "consent", "Rook", "--give", "record", "--until", "soon"}),
-                HasSubstr("a day like"));
+                HasSubstr("a day such as"));
     EXPECT_THAT(refused({"check"}), HasSubstr("WORLD is required"));
     EXPECT_THAT(refused({"check", "a.map", "--jsn"}), HasSubstr("the nearest is --json"));
     EXPECT_THAT(refused({"check", "a.map", "--unit", "mile"}), HasSubstr("--unit"));

@@ -39,7 +39,7 @@ TEST(DeviceFacts, tell_what_a_device_is_good_for_its_reach_and_force_and_whether
     pad.kind = DeviceKind::Cues;
     EXPECT_THAT(device_sentences(pad), Contains(HasSubstr("it cannot stop the hand")));
     const test::InLanguage german("de");
-    EXPECT_THAT(device_sentences(falcon()), Contains(HasSubstr("noch kein solches Gerät getroffen")));
+    EXPECT_THAT(device_sentences(falcon()), Contains(HasSubstr("noch nicht an einem solchen Gerät")));
 }
 
 TEST(DeviceFacts, of_all_end_with_those_that_are_always_there) {

@@ -97,7 +97,8 @@ std::vector<std::string> stages(const std::function<int(std::ostream&, std::ostr
         all.push_back(what);
         EXPECT_EQ(out.str(), "") << what;
     });
-    EXPECT_EQ(command(out, err, progress), 0) << err.str();
+    EXPECT_LE(command(out, err, progress), 1) << "1 is for faults of the world";
+    EXPECT_EQ(err.str(), "");
     EXPECT_FALSE(all.empty() && out.str().empty());
     EXPECT_THAT(told_from(progress, 0.0, 10.0), IsEmpty()) << "it is over";
     return all;

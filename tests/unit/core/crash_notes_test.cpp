@@ -10,6 +10,7 @@
 
 #include "app/core/kept/last_place.h"
 #include "tests/support/child_process.h"
+#include "tests/support/spoken_language.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/core/app_session.h"
 
@@ -142,7 +143,7 @@ TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
     session.run(0.1);
     EXPECT_TRUE(session.heard("Report of a session that broke off")) << session.news();
     session.line("list");
-    EXPECT_TRUE(session.heard("forward: 0.0 seconds.")) << session.news();
+    EXPECT_TRUE(session.heard("forward: 0.0 seconds")) << session.news();
     session.line("escape");
     session.ask(Command::Menu);
     session.line("Touch devices: what is plugged in");
@@ -150,10 +151,10 @@ TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
     EXPECT_TRUE(session.app.requests().take_devices());
     EXPECT_FALSE(session.app.requests().take_devices());
     session.app.apply(DevicesFound{{"Novint Falcon, called falcon.", "State: ready."}}, session.now);
-    EXPECT_TRUE(session.heard("In use: no hand, all by keyboard and sound.")) << session.news();
+    EXPECT_TRUE(session.heard("In use: no hand, all by keyboard and sound, 1 of 3")) << session.news();
     session.news();
     session.line("list");
-    EXPECT_TRUE(session.heard("State: ready.")) << session.news();
+    EXPECT_TRUE(session.heard("State: ready")) << session.news();
 }
 
 // By its word, from the desk by hand or key, and with the hand there is before what is plugged in.
@@ -163,10 +164,12 @@ TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
     session.app.apply(WorldEntered{make_ready(test::our_world("first_room.map"))}, 0.0);
     session.run(0.1);
     EXPECT_EQ(session.ask(Command::Devices), "Looking for what is plugged in.");
+    EXPECT_FALSE(session.app.idle()) << "what is typed next waits for the list";
     EXPECT_TRUE(session.app.requests().take_devices());
     session.app.apply(DevicesFound{{"Novint Falcon, called falcon."}}, session.now);
-    EXPECT_TRUE(session.heard("In use: Falcon, reach 4 centimetres, up to 3 newtons.")) << session.news();
+    EXPECT_TRUE(session.heard("In use: Falcon, reach 4 centimetres, up to 3 newtons, 1 of 2")) << session.news();
     session.line("escape");
+    EXPECT_TRUE(session.app.idle());
     const Desk& desk = session.app.desk_visit().desk();
     const auto control = desk.find("Touch device");
     ASSERT_TRUE(control);
@@ -188,7 +191,7 @@ TEST(MenuOfReports, tells_the_devices_in_german) {
     session.run(0.1);
     EXPECT_EQ(session.ask(Command::Devices), phrase("devices.looking"));
     session.app.apply(DevicesFound{{"Novint Falcon."}}, session.now);
-    EXPECT_TRUE(session.heard("In Gebrauch: keine Hand, alles mit Tastatur und Klang.")) << session.news();
+    EXPECT_TRUE(session.heard("In Gebrauch: keine Hand, alles mit Tastatur und Klang, 1 von 2")) << session.news();
 }
 
 }  // namespace crash_notes_test

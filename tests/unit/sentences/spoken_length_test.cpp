@@ -102,11 +102,11 @@ int syllables(const std::string& word, bool german) {
     // A silent e: "gate", "times", "placed".
     if (!german && count > 1) {
         const auto ends = [&](std::string_view end) { return word.ends_with(end); };
-        const bool spoken_s =
-            ends("ses") || ends("ces") || ends("xes") || ends("zes") || ends("shes") || ends("ches") || ends("ges");
+        const bool spoken_s = ends("ses") || ends("ces") || ends("xes") || ends("zes") || ends("shes") ||
+                              ends("ches") || ends("ges") || ends("les") || ends("tres");
         const std::size_t e = word.size() - (ends("e") ? 1 : 2);
         const char before = e > 0 && e <= word.size() ? word[e - 1] : 'a';
-        const bool silent = ends("e")    ? !is_vowel(before) && before != 'l'
+        const bool silent = ends("e")    ? !is_vowel(before) && before != 'l' && !ends("tre")
                             : ends("es") ? !is_vowel(before) && !spoken_s
                             : ends("ed") ? !is_vowel(before) && before != 't' && before != 'd'
                                          : false;
@@ -246,6 +246,7 @@ TEST(SpokenLength, says_patterns_as_they_are_said_at_their_longest) {
     EXPECT_EQ(count("table", false), 2);
     EXPECT_EQ(count("placed", false), 1);
     EXPECT_EQ(count("metres", false), 2);
+    EXPECT_EQ(count("times", false), 1);
     EXPECT_EQ(count("Türöffnung", true), 3);
     EXPECT_EQ(count("Gebäude", true), 3);
     EXPECT_EQ(count("Treppe", true), 2);

@@ -154,6 +154,8 @@ const std::vector<std::string> kMadeOfNames{
     // tests/unit/terminal/command_words_test.cpp,
     "command_word.",
     "list_word.",
+    "wizard_word.",
+    "replay_word.",
     // tests/unit/settings/setting_texts_test.cpp,
     "setting.",
     "setting_name.",
