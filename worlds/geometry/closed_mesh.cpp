@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "worlds/base/contract.h"
 #include "worlds/geometry/clip.h"
@@ -17,6 +18,7 @@ constexpr double kMeshSameTurn = 1.0 - 1e-4;  // of two normals in one plane, wh
 constexpr double kThinnest_m = 1e-4;          // a mesh flatter than this has no inside
 constexpr std::size_t kMostFragments = 200'000;
 constexpr std::size_t kPlanesTried = 16;  // at each cut
+constexpr std::size_t kFewFaces = 8;      // of a convex part: it is not halved on
 
 // Numbers of points of which those in exactly one place are one.
 std::vector<std::uint32_t> joined_points(std::span<const Vec3> points_m) {
@@ -87,6 +89,7 @@ public:
                                         points_m[triangles[t][2]]};
             Plane plane;  // clockwise from outside is the other way round
             if (!(size_m2 > 1e-12) || !plane_from_clockwise(p[2], p[1], p[0], plane)) continue;
+            if (!look(planes_.size())) return false;
             std::uint32_t number = 0;
             while (number < planes_.size() && !is_in(planes_[number], plane.normal, p)) ++number;
             if (number == planes_.size()) {
@@ -96,6 +99,7 @@ public:
             whole_.facets.push_back({{p.begin(), p.end()}, number});
         }
         if (whole_.facets.size() < 4) return false;
+        whole_.convex = is_convex(points_m, triangles, which);
         const Vec3 room = Vec3(0.01 * longest(box_));
         for (int axis = 0; axis < 3; ++axis) {
             Vec3 out(0.0);
@@ -118,14 +122,24 @@ public:
             open.pop_back();
             const std::vector<std::uint32_t> own = planes_of(cell);
             std::vector<std::uint32_t> beyond;  // planes that have some of the cell's faces before them
+            if (!cell.convex && !look(own.size() * cell.facets.size())) return false;
             for (const std::uint32_t number : own)
-                if (std::any_of(cell.facets.begin(), cell.facets.end(),
-                                [&](const Facet& facet) { return farthest(planes_[number], facet) > flat_m_; }))
+                if (!cell.convex && std::any_of(cell.facets.begin(), cell.facets.end(), [&](const Facet& facet) {
+                        return farthest(planes_[number], facet) > flat_m_;
+                    }))
                     beyond.push_back(number);
             if (beyond.empty()) {
-                fill_convex(cell, own);
+                // Convex: what lies behind all of its faces, in halves where those are many.
+                if (own.size() > kFewFaces && own.size() + cell.planes.size() > limits_.most_faces) {
+                    if (!halve(cell, own, open, fragments)) return false;
+                    continue;
+                }
+                std::vector<Plane> planes = cell.planes;
+                for (const std::uint32_t number : own) planes.push_back(planes_[number]);
+                add(planes);
                 continue;
             }
+            if (!look(std::min(beyond.size(), kPlanesTried) * cell.facets.size())) return false;
             const std::uint32_t number = best_cut(cell, beyond);
             Cell front, back;
             for (Facet& facet : cell.facets) {
@@ -168,6 +182,7 @@ private:
     struct Cell {
         std::vector<Facet> facets;
         std::vector<Plane> planes;
+        bool convex = false;  // known to be
     };
 
     static double longest(const Aabb& box) {
@@ -179,6 +194,29 @@ private:
         double most = -1e300;
         for (const Vec3& p : facet.points_m) most = std::max(most, signed_distance(plane, p));
         return most;
+    }
+
+    bool look(std::size_t times) {
+        if (!limits_.looks_left) return true;
+        const bool enough = *limits_.looks_left >= times;
+        *limits_.looks_left -= enough ? times : *limits_.looks_left;
+        return enough;
+    }
+
+    // No corner lies before any plane. By corners alone, of which there are fewer than faces have.
+    bool is_convex(std::span<const Vec3> points_m, std::span<const MeshCorners> triangles,
+                   std::span<const std::uint32_t> which) {
+        std::vector<Vec3> corners;
+        for (const std::uint32_t t : which)
+            for (const std::uint32_t corner : triangles[t]) corners.push_back(points_m[corner]);
+        std::sort(corners.begin(), corners.end(),
+                  [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        return std::all_of(planes_.begin(), planes_.end(), [&](const Plane& plane) {
+            return look(corners.size() / 3 + 1) && std::all_of(corners.begin(), corners.end(), [&](const Vec3& p) {
+                       return signed_distance(plane, p) <= flat_m_;
+                   });
+        });
     }
 
     bool is_in(const Plane& plane, const Vec3& normal, std::span<const Vec3> points_m) const {
@@ -215,11 +253,17 @@ private:
     }
 
     // The planes of what is left of a part behind one more; false where that is nothing.
-    bool narrow(const std::vector<Plane>& planes, const Plane& by, std::vector<Plane>& left) const {
+    bool narrow(const std::vector<Plane>& planes, const Plane& by, std::vector<Plane>& left,
+                Vec3* middle_m = nullptr) const {
         std::vector<Plane> all = planes;
         all.push_back(by);
         BuiltSolid built = solid_from_planes(all, box_.centre_m(), 4.0 * glm::length(box_.size_m()) + 1.0);
         if (built.fault != SolidFault::None || built.was_inside_out) return false;
+        if (middle_m) {
+            *middle_m = Vec3(0.0);
+            for (const Polygon& face : built.solid.faces)
+                *middle_m += centre_of(face) / static_cast<double>(built.solid.faces.size());
+        }
         left = std::move(built.solid.planes);
         return true;
     }
@@ -229,28 +273,36 @@ private:
         if (built.fault == SolidFault::None && !built.was_inside_out) solids_.push_back(std::move(built.solid));
     }
 
-    // The part of a cell behind all of its faces, cut in two until each has few enough of them.
-    void fill_convex(const Cell& cell, const std::vector<std::uint32_t>& own) {
-        std::vector<Plane> planes = cell.planes;
-        for (const std::uint32_t number : own) planes.push_back(planes_[number]);
-        std::vector<std::vector<Plane>> open{std::move(planes)};
-        while (!open.empty() && solids_.size() <= limits_.most_solids && !stop_.stop_requested()) {
-            BuiltSolid built = solid_from_planes(open.back(), box_.centre_m(), 4.0 * glm::length(box_.size_m()) + 1.0);
-            open.pop_back();
-            if (built.fault != SolidFault::None || built.was_inside_out) continue;
-            if (built.solid.planes.size() <= limits_.most_faces) {
-                solids_.push_back(std::move(built.solid));
-                continue;
+    // Across the middle of its faces.
+    bool halve(const Cell& cell, const std::vector<std::uint32_t>& own, std::vector<Cell>& open,
+               std::size_t& fragments) {
+        Aabb box;
+        for (const Facet& facet : cell.facets)
+            for (const Vec3& p : facet.points_m) box.include(p);
+        const Vec3 size = box.size_m();
+        Vec3 out(0.0);
+        out[size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2] = 1.0;
+        const Plane middle{out, glm::dot(out, box.centre_m())};
+        for (const Plane& half : {middle, turned(middle)}) {
+            Cell part;
+            part.convex = true;
+            for (const Facet& facet : cell.facets) {
+                Facet kept{facet.points_m, facet.plane};
+                std::vector<Vec3> scratch;
+                keep_back(kept.points_m, half, 0.0, scratch);
+                tidy(kept.points_m, kMerge_m);
+                if (kept.points_m.empty()) continue;
+                part.facets.push_back(std::move(kept));
+                if (++fragments > kMostFragments) return false;
             }
-            const Vec3 size = built.solid.bounds_m.size_m();
-            Vec3 out(0.0);
-            out[size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2] = 1.0;
-            const Plane middle{out, glm::dot(out, built.solid.bounds_m.centre_m())};
-            for (const Plane& half : {middle, turned(middle)}) {
-                open.push_back(built.solid.planes);
-                open.back().push_back(half);
-            }
+            Vec3 within(0.0);
+            if (!narrow(cell.planes, half, part.planes, &within)) continue;
+            if (!part.facets.empty()) open.push_back(std::move(part));
+            else if (std::all_of(own.begin(), own.end(),
+                                 [&](std::uint32_t number) { return signed_distance(planes_[number], within) <= 0.0; }))
+                add(part.planes);
         }
+        return true;
     }
 
     const FillLimits& limits_;

@@ -35,7 +35,8 @@ int times_around(std::span<const Vec3> points_m, std::span<const MeshCorners> tr
 
 struct FillLimits {
     std::size_t most_triangles = 100'000, most_planes = 1'000, most_solids = 2'000;
-    std::size_t most_faces = 64;  // of one solid; rounder ones are cut in two
+    std::size_t most_faces = 64;        // of one solid; rounder ones are cut in two
+    std::size_t* looks_left = nullptr;  // of faces at planes, shared by several meshes; some 5 ns each
 };
 
 // Convex solids without gaps and overlaps that together hold what closed shells enclose: the space is cut by the planes

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kBarelyIn_m = 1e-4;
 constexpr std::size_t kMostBodySolids = 20'000;
-constexpr std::size_t kMostLooks = 50'000'000;  // triangles looked at to see what lies in what
+constexpr std::size_t kMostLooks = 50'000'000;       // triangles looked at to see what lies in what
+constexpr std::size_t kMostFilling = 1'000'000'000;  // faces looked at to fill bodies: some seconds
 
 struct ShellPlace {
     std::size_t piece = 0;
@@ -114,6 +115,7 @@ private:
             body.triangles.insert(body.triangles.end(), shells_[hollow].shell.triangles.begin(),
                                   shells_[hollow].shell.triangles.end());
         FillLimits limits;
+        limits.looks_left = &filling_left_;
         limits.most_solids = std::min(limits.most_solids, kMostBodySolids - std::min(solids, kMostBodySolids));
         if (auto filled = solids_within(mesh.points_m, mesh.triangles, body.triangles, limits, stop_))
             body.solids = std::move(*filled);
@@ -152,7 +154,7 @@ private:
     std::vector<std::vector<std::size_t>> hollows_;  // of each shell
     std::vector<std::size_t> holders_;
     std::vector<std::uint32_t> near_;
-    std::size_t looks_ = 0;
+    std::size_t looks_ = 0, filling_left_ = kMostFilling;
 };
 
 }  // namespace

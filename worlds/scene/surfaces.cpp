@@ -159,7 +159,7 @@ private:
         }
         outside_.assign(pieces_.size(), false);
         for (std::size_t i = 0; i < pieces_.size() && !stop_.stop_requested(); ++i) {
-            if (!is_touchable(scene_.solids[pieces_[i].solid].role)) continue;
+            if (!is_building(pieces_[i].solid)) continue;  // nobody asks it of things
             const Vec3& normal = plane_of(pieces_[i]).normal;
             const Vec3 middle_m = centre_of(pieces_[i].polygon);
             const auto looks_out = [&](const Vec3& p) {

@@ -162,6 +162,15 @@ TEST(SolidsWithin, are_refused_where_the_limits_are_reached_or_a_skin_goes_throu
     few = {};
     few.most_triangles = 11;
     EXPECT_FALSE(filled(table, few).has_value());
+    few = {};
+    std::size_t looks = 1'000'000, little = 500;
+    few.looks_left = &looks;
+    EXPECT_TRUE(filled(table, few).has_value());
+    EXPECT_LT(looks, 1'000'000U) << "counted";
+    EXPECT_GT(looks, 500'000U);
+    few.looks_left = &little;
+    EXPECT_FALSE(filled(table, few).has_value());
+    EXPECT_EQ(little, 0U);
     // One leg pulled up through the top.
     BlockMesh through = table;
     for (Vec3& p : through.points_m)
