@@ -256,7 +256,9 @@ bool is_misspelt_command(const fs::path& world) {
 }
 
 UsageError no_such_command(Grammar& grammar, const std::string& word) {
-    return {phrase("help.no_such_command", {{"word", word}, {"nearest", nearest_name(word, grammar.command_names())}})};
+    std::vector<std::string> names = grammar.command_names();
+    for (std::string& world : world_names()) names.push_back(std::move(world));
+    return {phrase("help.no_such_command", {{"word", word}, {"nearest", nearest_name(word, names)}})};
 }
 
 // A word that nothing took: an unknown option, or one name too many.

@@ -63,12 +63,17 @@ std::optional<fs::path> world_by_name(const fs::path& name) {
     return std::nullopt;
 }
 
+std::vector<std::string> world_names() {
+    std::vector<std::string> names;
+    for (const ShelvedWorld& world : worlds_in(world_folder())) names.push_back(world.file.stem().string());
+    return names;
+}
+
 Result<fs::path> world_given(const fs::path& word) {
     if (auto named = world_by_name(word)) return std::move(*named);
     std::error_code ec;
     if (word.has_parent_path() || word.has_extension() || fs::exists(word, ec)) return word;
-    std::vector<std::string> names;
-    for (const ShelvedWorld& world : worlds_in(world_folder())) names.push_back(world.file.stem().string());
+    const std::vector<std::string> names = world_names();
     if (names.empty()) return word;
     return fail(phrase("program.no_world", {{"word", word.string()}, {"nearest", nearest_name(word.string(), names)}}));
 }

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/import/import_world.h"
 
@@ -19,6 +21,8 @@ bool is_shipped(const std::filesystem::path& world);
 std::filesystem::path kept_by(const std::filesystem::path& world);
 // "house", where no file of that name is here: the world of world_folder() that is called so; none: there is none.
 std::optional<std::filesystem::path> world_by_name(const std::filesystem::path& name);
+// What those are called: "house".
+std::vector<std::string> world_names();
 // The world that a command was given: a file, or one of ours by its name, "house". Where there is neither and it may
 // have been meant for a name, fails with the nearest one; a file that is not there is for the reader to tell.
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);

@@ -170,7 +170,9 @@ std::string Labyrinth::corridor_words(const Corridor& corridor) const {
 }
 
 void Labyrinth::list_corridors(double now_s) {
-    const auto corridors = corridors_of(*context_.world.scene, ball_m(), radius_m_);
+    auto corridors = corridors_of(*context_.world.scene, ball_m(), radius_m_);
+    // Where it was rolled against a wall the ball may lie a hair's breadth off the board it is looked for on.
+    if (corridors && corridors->empty()) corridors = corridors_of(*context_.world.scene, start_m_, radius_m_);
     if (!corridors) return context_.answer(corridors.error().sentence(), now_s);
     if (corridors->empty()) return context_.answer(phrase("labyrinth.no_corridors"), now_s);
     ListSpec list;

@@ -142,7 +142,7 @@ TEST(CommandLine, refuses_numbers_that_are_negative_or_not_finite_or_no_numbers)
 TEST(CommandLine, names_the_nearest_option_or_command_in_one_sentence_and_exits_with_2) {
     EXPECT_THAT(refused({"info", "x.map", "--jsno"}), HasSubstr("the nearest is --json"));
     EXPECT_THAT(refused({"x.map", "--no-windoe"}), HasSubstr("the nearest is --no-window"));
-    EXPECT_THAT(refused({"inof"}), HasSubstr("the nearest command is info"));
+    EXPECT_THAT(refused({"inof"}), HasSubstr("the nearest is info"));
     EXPECT_THAT(refused({"tuoch", "a.map", "--path", "x"}), HasSubstr("touch"));
     EXPECT_THAT(refused({"x.map", "y.map"}), HasSubstr("\"y.map\""));
     EXPECT_THAT(refused({"info"}), HasSubstr("WORLD"));

@@ -126,6 +126,18 @@ TEST(Labyrinth, corridors_are_a_list_with_what_lies_in_them_and_where_they_lead)
                      "after 7 rolls"));
 }
 
+TEST(Labyrinth, corridors_are_there_too_where_the_ball_was_rolled_against_a_wall) {
+    for (const char* world : {"labyrinth1.map", "labyrinth2.map"}) {
+        Player player(world);
+        player.tap(Command::Use, 0.5);
+        player.taps(Command::Forward, 3);
+        player.taps(Command::TurnRight, 1);
+        player.tap(Command::Use, 1.0);
+        player.tap(Command::Overview, 0.5);
+        EXPECT_TRUE(player.heard("corridors. Corridor 1, ")) << world << ": " << player.news();
+    }
+}
+
 TEST(Labyrinth, the_border_thuds_when_the_ball_meets_it) {
     Player player("labyrinth1.map");
     const auto thuds = [&] { return std::count(player.sounds.begin(), player.sounds.end(), SoundKind::Border); };

@@ -173,7 +173,9 @@ TEST(RoomsInASession, are_found_on_a_thread_while_everything_goes_on) {
 
 // In virtual time: they come with the question of a certain number, as in a recording.
 struct LateRooms {
-    explicit LateRooms(std::uint64_t come_with_question) : arrivals({come_with_question}) {
+    // What else is made beside asks too, so a few in a row.
+    explicit LateRooms(std::uint64_t come_with_question)
+        : arrivals({come_with_question, come_with_question + 1, come_with_question + 2, come_with_question + 3}) {
         session.app.apply(WorldEntered{make_ready(house())}, 0.0);
     }
     SessionOptions options() {

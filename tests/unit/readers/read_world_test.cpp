@@ -32,8 +32,8 @@ TEST(ReadWorld, chooses_the_reader_by_the_files_ending) {
     EXPECT_EQ(sentence_for("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), "read as obj");
     EXPECT_EQ(
         sentence_for("a.txt", "hello"),
-        "a.txt: Handrail reads worlds from .map, .ifc, .ifczip, .osm, .imdf.zip, .rooms, .obj, .glb, .gltf, .ply and "
-        ".stl files, told by the file's ending. This file has another.");
+        "a.txt: Handrail reads .map, .ifc, .ifczip, .osm, .imdf.zip, .rooms, .obj, .glb, .gltf, .ply and .stl files, "
+        "told by their ending. This file has another.");
 }
 
 TEST(ReadWorld, recognises_files_given_by_mistake_and_says_what_to_do) {
