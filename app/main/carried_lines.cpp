@@ -19,6 +19,13 @@ bool counts_by_itself(Command command) {
     return is_one_of(command, {Command::TrailLeft, Command::TrailRight, Command::Retrace}) || steps_or_turns(command);
 }
 
+// Where else what is not in the list of that command may be.
+std::optional<Command> other_list(Command command) {
+    if (command == Command::Find) return Command::Routes;
+    if (command == Command::Routes) return Command::Find;
+    return std::nullopt;
+}
+
 }  // namespace
 
 void CarriedLines::drop() {
@@ -45,6 +52,16 @@ bool CarriedLines::take(double now_s, WizardSession* wizard) {
         return true;
     }
     if (const std::string choice = std::exchange(choice_, {}); !choice.empty() && app_.dialogue().is_open()) {
+        const auto other = other_list(repeat_command_);
+        if (other && !looked_elsewhere_ && !app_.dialogue().holds(choice)) {
+            // A room is no thing, and a thing no room: in the other list, which tells what is in none.
+            looked_elsewhere_ = true;
+            app_.apply(KeyTapped{"Escape"}, now_s);
+            repeat_command_ = *other;
+            choice_ = choice;
+            tap(*other, 1, now_s);
+            return true;
+        }
         app_.apply(LineTyped{choice}, now_s);
         return true;
     }
@@ -78,6 +95,7 @@ void CarriedLines::carry_out(const std::string& line, double now_s) {
     } else if (parsed->command) {
         repeat_command_ = *parsed->command;
         choice_ = parsed->choice;
+        looked_elsewhere_ = false;
         const bool counts = counts_by_itself(repeat_command_);
         repeat_left_ = counts ? 0 : parsed->times - 1;
         tap(repeat_command_, counts ? parsed->times : 1, now_s);

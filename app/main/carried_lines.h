@@ -41,7 +41,8 @@ private:
     std::deque<std::string> lines_;
     Command repeat_command_ = Command::Forward;
     int repeat_left_ = 0;
-    std::string choice_;  // to be made in the list that the last command opens
+    std::string choice_;             // to be made in the list that the last command opens
+    bool looked_elsewhere_ = false;  // for what was to be chosen: in the other list too
     double settle_until_s_ = 0.0;
     bool left_ = false;
 };

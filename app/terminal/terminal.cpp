@@ -12,6 +12,7 @@
 #include <charconv>
 
 #include "app/core/dialogue/command_words.h"
+#include "app/core/dialogue/typed_sentences.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -19,7 +20,6 @@ namespace handrail {
 namespace {
 
 constexpr std::size_t kLongestLine = 4096;
-constexpr int kMostTimes = 1000;
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view kBlank = " \t\r\n";
@@ -28,17 +28,8 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-// Whose list one chooses from by name.
-bool takes_choice(Command command) {
-    return command == Command::Describe || command == Command::Routes || command == Command::Find ||
-           command == Command::Ways || command == Command::LearntRooms;
-}
-
-}  // namespace
-
-Result<TerminalLine> parse_terminal_line(std::string_view line) {
-    line = trimmed(line);
-    if (line.empty()) return TerminalLine{};
+// A word of a command with what may stand after it.
+Result<TerminalLine> command_line_of(std::string_view line) {
     const std::size_t blank = line.find_first_of(" \t");
     const std::string word = lower_ascii(line.substr(0, blank));
     const std::string_view rest = blank == std::string_view::npos ? std::string_view{} : trimmed(line.substr(blank));
@@ -54,6 +45,31 @@ Result<TerminalLine> parse_terminal_line(std::string_view line) {
         const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), parsed.times);
         if (error != std::errc{} || end != rest.data() + rest.size() || parsed.times < 1 || parsed.times > kMostTimes)
             return fail(phrase("terminal.only_count", {{"word", word}, {"most", kMostTimes}}));
+    }
+    return parsed;
+}
+
+// Of several words, of which none is a number: what is wrong is no count.
+bool is_sentence(std::string_view line) {
+    return line.find_first_of(" \t") != std::string_view::npos &&
+           line.find_first_of("0123456789") == std::string_view::npos;
+}
+
+}  // namespace
+
+Result<TerminalLine> parse_terminal_line(std::string_view line) {
+    line = trimmed(line);
+    if (line.empty()) return TerminalLine{};
+    Result<TerminalLine> parsed = command_line_of(line);
+    // "find my way to the kitchen" looks for no thing of that name.
+    if (!parsed || !parsed->choice.empty())
+        if (auto said = typed_sentence(line)) return TerminalLine{said->command, said->times, std::move(said->choice)};
+    if (parsed) return parsed;
+    if (is_sentence(line)) {
+        const std::string_view first = line.substr(0, line.find_first_of(" \t"));
+        const auto command = command_of_word(first);
+        return fail(command ? phrase("terminal.no_sentence_word", {{"line", line}, {"word", spoken_word(*command)}})
+                            : phrase("terminal.no_sentence", {{"line", line}}));
     }
     return parsed;
 }

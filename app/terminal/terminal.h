@@ -27,7 +27,8 @@ struct TerminalLine {
 };
 
 // Understands "word", "word count" or, of a command that opens a list of places, "word choice", the word in English or
-// the language spoken; an unknown word fails naming the nearest of the latter, a bad count says what it takes.
+// the language spoken, and whole sentences (typed_sentences.h); an unknown word fails naming the nearest of the latter,
+// a bad count says what it takes, a sentence that is not known that it is none.
 Result<TerminalLine> parse_terminal_line(std::string_view line);
 
 // Lines from a file descriptor without ever blocking. Owns nothing.

@@ -47,6 +47,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::Lost, "lost", "Shift+F2", false},
     CommandInfo{Command::Describe, "describe", "Shift+F3", false},
     CommandInfo{Command::Overview, "overview", "Shift+F5", false},
+    CommandInfo{Command::Storeys, "storeys", "Shift+F6", false},
     CommandInfo{Command::LookNext, "look", "5", false},
     CommandInfo{Command::LookBefore, "look-back", "Shift+5", false},
     CommandInfo{Command::ScaleBar, "scale-bar", "6", false},

@@ -47,6 +47,7 @@ enum class Command : std::uint8_t {
     Lost,       // turns to the nearest wall; the room, and the way back to the last known place
     Describe,   // a list of rooms; the chosen one: size, exits, things by wall
     Overview,   // the building in three sentences
+    Storeys,    // a list of storeys; the lift or the way to the chosen one
     LookNext,   // along the next of 16 directions, or where the hand points
     LookBefore,
     ScaleBar,     // and north

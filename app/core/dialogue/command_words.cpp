@@ -18,7 +18,6 @@ constexpr std::array kWrittenOut{WrittenOut{"ä", "ae"}, WrittenOut{"ö", "oe"},
                                  WrittenOut{"Ä", "ae"}, WrittenOut{"Ö", "oe"}, WrittenOut{"Ü", "ue"},
                                  WrittenOut{"ß", "ss"}};
 
-// As words are compared.
 std::string plain(std::string_view word) {
     std::string text = lower_ascii(word);
     for (const WrittenOut& row : kWrittenOut)
@@ -43,6 +42,8 @@ constexpr std::array<std::string_view, 10> kListWords{"down",   "up",   "home", 
                                                       "escape", "left", "right", "list", "space"};
 
 }  // namespace
+
+std::string plain_word(std::string_view word) { return plain(word); }
 
 std::optional<Command> command_of_word(std::string_view word) {
     if (const CommandInfo* row = find_command(word)) return row->command;

@@ -13,6 +13,8 @@
 
 namespace handrail {
 
+// As words are compared: in lower case, umlauts written out.
+std::string plain_word(std::string_view word);
 // Whatever its case; umlauts may be written out ("zurueck"). Every word means one command at most.
 std::optional<Command> command_of_word(std::string_view word);
 // How it is called in the language spoken: the first of its words there.

@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "app/core/dialogue/command_words.h"
+#include "app/core/dialogue/typed_sentences.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 
@@ -31,6 +32,21 @@ bool holds_word(const std::string& name, const std::string& begin) {
     for (std::size_t at = lower.find(begin); at != std::string::npos; at = lower.find(begin, at + 1))
         if (at > 0 && (lower[at - 1] == ' ' || lower[at - 1] == '-')) return true;
     return false;
+}
+
+// The item of that number, or whose name is or begins so, or has a word that does; as many as there are: none. "To the
+// kitchen", where nothing is called so, is the kitchen; umlauts may be written out.
+std::size_t item_called(const ListSpec& list, std::string_view typed) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
+    const bool is_number = error == std::errc{} && end == typed.data() + typed.size();
+    if (is_number && number >= 1 && number <= list.items.size()) return number - 1;
+    const auto is = [](const std::string& name, const std::string& all) { return name == all; };
+    for (const std::string& wanted : {plain_word(typed), plain_word(without_fillers(typed))})
+        for (const auto fits : {+is, begins_with, holds_word})
+            for (std::size_t i = 0; i < list.items.size() && !wanted.empty(); ++i)
+                if (fits(plain_word(list.items[i].name), wanted)) return i;
+    return list.items.size();
 }
 
 // Two sentences, one after the other.
@@ -234,15 +250,7 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
         return DialogueReply{true, false, std::move(all)};
     };
     if (auto done = as_key(word)) return *done;
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    const bool is_number = error == std::errc{} && end == word.data() + word.size();
-    std::size_t found = list->items.size();
-    if (is_number && number >= 1 && number <= list->items.size()) found = number - 1;
-    const auto is = [](const std::string& name, const std::string& all) { return lower_ascii(name) == all; };
-    for (const auto fits : {+is, begins_with, holds_word})
-        for (std::size_t i = 0; i < list->items.size() && found == list->items.size(); ++i)
-            if (fits(list->items[i].name, word)) found = i;
+    const std::size_t found = item_called(*list, text);
     if (found == list->items.size()) {
         // Other words for the keys give way to names, which may begin like them.
         if (auto done = as_key(list_word(text))) return *done;
@@ -250,6 +258,11 @@ DialogueReply Dialogue::line(std::string_view text, double now_s) {
     }
     list->at = found;
     return choose(*list);
+}
+
+bool Dialogue::holds(std::string_view typed) const {
+    const auto* list = is_open() ? std::get_if<ListSpec>(stack_.back().get()) : nullptr;
+    return list && item_called(*list, without_blanks(typed)) < list->items.size();
 }
 
 DialogueReply Dialogue::act(const ItemAct& act, double now_s) {

@@ -99,6 +99,9 @@ public:
     // all items, an item's number or the begin of its name; for a question the text itself.
     DialogueReply line(std::string_view line, double now_s);
 
+    // Whether such a line would choose an item of the open list by its number or name.
+    bool holds(std::string_view typed) const;
+
     DialogueReply act(const ItemAct& act, double now_s);
 
     // What stands in the open list is other now; `at` stays where it is, as far as there is one. Nothing without an

@@ -141,6 +141,33 @@ int Doors::lift_under_body() const {
     return -1;
 }
 
+bool Doors::ride_to(double floor_m, const std::string& storey, double now_s) {
+    constexpr double kSameFloor_m = 0.3;
+    contract_pre(std::isfinite(floor_m));
+    const int lift = lift_under_body();
+    if (lift < 0) return false;
+    const auto mover = static_cast<std::uint32_t>(lift);
+    const Mover& is = world_.scene->movers[mover];
+    const double top_m =
+        world_.scene->placed[static_cast<std::size_t>(world_.thing_of_mover[mover])].model->bounds_m.max_m.z;
+    const auto there = [&](const Placement& at) { return std::abs(at.position_m.z + top_m - floor_m) < kSameFloor_m; };
+    const std::vector<double> ends{0.0, 1.0};
+    const std::vector<double>& stops = is.halts.empty() ? ends : is.halts;
+    const auto stop = std::find_if(stops.begin(), stops.end(), [&](double part) { return there(is.at(part)); });
+    if (stop == stops.end() || (there(world_.movers.at(mover)) && there(world_.movers.at_goal(mover)))) return false;
+    context_.events.tell(DoorUsed{is.feature}, now_s);
+    if (blocked(mover)) {
+        context_.answer(shut_words(mover), now_s);
+        return true;
+    }
+    world_.movers.ride(mover, *stop);
+    context_.answer(
+        phrase("movers.rides",
+               {{"name", sentence_case(spoken_name(world_.scene->features[is.feature.value]))}, {"storey", storey}}),
+        now_s);
+    return true;
+}
+
 // What the hand touches counts first, then a lift that one stands on, then a shut door that was told on a way that is
 // gone and from which the hand has hardly come away, then what stands straight ahead, then the nearest.
 void Doors::use(double now_s) {

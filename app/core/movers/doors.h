@@ -25,6 +25,10 @@ public:
     // By hand or by walking against it. back_again: one that is open goes back.
     void press(std::uint32_t mover, bool back_again, double now_s);
 
+    // Whoever stands on a lift rides to where its floor is at that height, told as `storey`. False: on no lift, or on
+    // one that stands there or does not stop there.
+    bool ride_to(double floor_m, const std::string& storey, double now_s);
+
     // Shut, and not to be opened, whatever else would open it; or as before. False: that feature is none.
     bool block(FeatureId feature, bool blocked);
     bool blocked(std::uint32_t mover) const { return world_.movers.held_shut(mover); }

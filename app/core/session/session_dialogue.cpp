@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/core/dialogue/command_words.h"
+#include "app/core/dialogue/typed_sentences.h"
 #include "app/core/session/session.h"
 #include "worlds/base/language.h"
 
@@ -70,7 +71,12 @@ bool Session::take_line(std::string_view line, double now_s) {
         return false;
     quiet(now_s);
     DialogueReply said = state_.lists.dialogue.line(line, now_s);
-    if (const auto command = command_of_word(bare); said.denied && command && !state_.lists.dialogue.typing()) {
+    const auto asked = [&]() -> std::optional<Command> {
+        if (const auto command = command_of_word(bare)) return command;
+        const auto sentence = typed_sentence(bare);
+        return sentence && sentence->choice.empty() ? std::optional(sentence->command) : std::nullopt;
+    };
+    if (const auto command = said.denied ? asked() : std::nullopt; command && !state_.lists.dialogue.typing()) {
         if (only_asks(*command)) {
             act(*command, now_s);
             return true;

@@ -6,6 +6,7 @@
 #include "app/core/context/telling.h"
 #include "app/core/wayfinding/find_list.h"
 #include "app/core/wayfinding/hand_way.h"
+#include "app/core/wayfinding/storey_list.h"
 #include "app/core/world/body_heights.h"
 #include "app/core/world/questions.h"
 #include "audio-cues/plan/speakable.h"
@@ -57,6 +58,7 @@ bool Guide::act(Command command, double now_s) {
     else if (command == Command::Find) open_find(now_s);
     else if (command == Command::CrossLines) toggle_lines(now_s);
     else if (command == Command::Routes) list_routes(now_s);
+    else if (command == Command::Storeys) list_storeys(now_s);
     else if (command == Command::RepeatLeg) ear_.tell_leg(now_s);
     else if (command == Command::NextLeg) ear_.tell_next_leg(now_s);
     else if (command == Command::RestOfWay) ear_.tell_rest(now_s);
@@ -198,6 +200,11 @@ void Guide::list_routes(double now_s) {
         go_to_room(rooms[at], context_.tick_s);
     };
     context_.open_list(std::move(list), now_s);
+}
+
+void Guide::list_storeys(double now_s) {
+    open_storey_list(
+        context_, rooms_, doors_, [this](std::uint32_t room, double then_s) { go_to_room(room, then_s); }, now_s);
 }
 
 void Guide::go_to_room(std::uint32_t room, double now_s) {

@@ -30,7 +30,8 @@ public:
           seek_(context, rooms, plans_, doors) {}
 
     void enter_world();
-    // SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, the legs of a way and FaceWay. False: it is another's.
+    // SetBeacon, MuteBeacon, TakeMe, Find, CrossLines, Routes, Storeys, the legs of a way and FaceWay. False: it is
+    // another's.
     bool act(Command command, double now_s);
     // The three of a tick, in this order: the way that is followed by ear, the hand's, and the sounds of what is
     // sought.
@@ -80,6 +81,7 @@ public:
 
 private:
     void list_routes(double now_s);
+    void list_storeys(double now_s);
     void open_find(double now_s);
     void set_beacon(const Goal& goal, double now_s);
     void beacon_here(double now_s);

@@ -9,6 +9,7 @@
 #include "app/core/context/telling.h"
 #include "app/core/dialogue/brief_words.h"
 #include "app/core/whereabouts/room_things.h"
+#include "app/core/whereabouts/storeys.h"
 #include "app/core/world/questions.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
@@ -101,22 +102,17 @@ std::string exits_words(const SessionContext& context, const RoomGraph& graph, s
                          : phrase("describe.exits", {{"count", exits.size()}, {"exits", list}});
 }
 
-int storeys_of(const RoomGraph& graph) {
-    int highest = 0;
-    for (const Room& room : graph.rooms) highest = std::max(highest, room.level);
-    return highest + 1;
-}
-
 std::string storeys_sentence(const SessionContext& context, const RoomGraph& graph) {
-    std::vector<int> rooms(static_cast<std::size_t>(storeys_of(graph)), 0);
-    for (const Room& room : graph.rooms)
-        if (room.kind == RoomKind::Room) ++rooms[static_cast<std::size_t>(std::max(0, room.level))];
+    const std::vector<StoreyOfRooms> storeys = storeys_of(*context.world.scene, graph);
     const std::string world = sentence_case(spoken_name(*context.world.scene));
-    if (rooms.size() == 1) return phrase("overview.one_storey", {{"world", world}, {"rooms", rooms.front()}});
+    if (storeys.size() < 2)
+        return phrase("overview.one_storey",
+                      {{"world", world}, {"rooms", storeys.empty() ? 0 : storeys.front().rooms.size()}});
     std::vector<std::string> told;
-    for (const int count : rooms) told.push_back(phrase("overview.rooms", {{"rooms", count}}));
+    for (const StoreyOfRooms& storey : storeys)
+        told.push_back(phrase("overview.rooms", {{"rooms", storey.rooms.size()}}));
     return phrase("overview.storeys",
-                  {{"world", world}, {"storeys", rooms.size()}, {"rooms", fmt::format("{}", fmt::join(told, ", "))}});
+                  {{"world", world}, {"storeys", storeys.size()}, {"rooms", fmt::format("{}", fmt::join(told, ", "))}});
 }
 
 std::string shape_sentence(const SessionContext& context, const RoomGraph& graph) {
@@ -206,7 +202,9 @@ std::string room_words(const SessionContext& context, const Rooms& rooms, std::u
     std::string text =
         by_size ? name + "."
                 : phrase("describe.room", {{"room", name}, {"size", size_words(size.x, size.y, distances(context))}});
-    if (storeys_of(graph) > 1) text += " " + phrase("describe.storey", {{"storey", told.level + 1}});
+    const std::vector<StoreyOfRooms> storeys = storeys_of(*context.world.scene, graph);
+    if (const std::size_t on = storey_of_room(storeys, graph, room); storeys.size() > 1 && on < storeys.size())
+        text += " " + phrase("describe.storey", {{"storey", on + 1}});
     text += " " + exits_words(context, graph, room);
     std::array<std::vector<std::pair<double, std::string>>, kMiddle + 1> things;
     for (const Feature& feature : context.world.scene->features) {

@@ -6,6 +6,7 @@
 
 #include "app/core/context/telling.h"
 #include "app/core/whereabouts/exit_words.h"
+#include "app/core/whereabouts/storeys.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
 #include "worlds/navigation/reach.h"
@@ -21,6 +22,7 @@ void Rooms::enter_world(std::shared_ptr<const Scene> scene) {
     patience_.reset();
     told_ = false;
     here_ = kNothing;
+    storey_.reset();
     visited_.clear();
     drawing_.reset();
 }
@@ -126,8 +128,21 @@ void Rooms::notice(double now_s, bool quietly) {
     here_ = now_in;
     visited_[here_] = true;
     context_.events.tell(RoomEntered{here_, graph.rooms[here_].name}, now_s);
+    const std::string storey = storey_news(!quietly);
     if (!quietly && context_.settings.speech.rooms)
-        context_.say(sentence_case(graph.rooms[here_].name), SpeechClass::Ambient, now_s);
+        context_.say(storey + sentence_case(graph.rooms[here_].name), SpeechClass::Ambient, now_s);
+}
+
+// "House, storey 2 of 2, 5 rooms. " in the first room that one comes into of another storey, where that may be told.
+std::string Rooms::storey_news(bool told) {
+    const std::vector<StoreyOfRooms> storeys = storeys_of(*file_scene(), graph());
+    const std::size_t now_on = storey_of_room(storeys, graph(), here_);
+    const bool room = now_on < storeys.size() && std::find(storeys[now_on].rooms.begin(), storeys[now_on].rooms.end(),
+                                                           here_) != storeys[now_on].rooms.end();
+    if (!room || storey_ == now_on) return {};
+    const bool first = !storey_;
+    if (first || told) storey_ = now_on;
+    return first || !told ? std::string() : storey_sentence(*file_scene(), storeys, now_on) + " ";
 }
 
 // For the plan: once, and again where a name has changed.

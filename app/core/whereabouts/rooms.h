@@ -78,6 +78,7 @@ private:
     void know_leaves();
     void tell_that_it_takes_long(double now_s);
     void draw();
+    std::string storey_news(bool told);
     void tell_exits(bool unvisited_only, double now_s);
     void lay_given_names(double now_s);
     void give_name(std::uint32_t room, const std::string& typed, double now_s);
@@ -86,7 +87,8 @@ private:
     std::unique_ptr<RoomsOfWorld> of_world_;
     std::optional<Patience> patience_;  // since the first tick in this world; none: not begun, or over
     std::uint32_t here_ = kNothing;
-    std::vector<bool> visited_;  // since this world was entered
+    std::optional<std::size_t> storey_;  // the last one that the body was in a room of
+    std::vector<bool> visited_;          // since this world was entered
     std::vector<RoomNameGiven> names_;
     std::shared_ptr<const std::vector<DrawnRoom>> drawing_;  // for the plan
     std::string drawn_language_;

@@ -130,6 +130,11 @@ void MoverPlay::set_going(std::uint32_t mover) {
     send(movers_[mover].group, true);
 }
 
+void MoverPlay::ride(std::uint32_t lift, double part) {
+    contract_pre(lift < parts_.size() && part >= 0.0 && part <= 1.0);
+    send_lift(lift, part);
+}
+
 bool MoverPlay::any_moving() const {
     return std::any_of(parts_.begin(), parts_.end(), [](const Part& part) { return part.part != part.goal; });
 }

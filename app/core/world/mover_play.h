@@ -39,6 +39,8 @@ public:
     // other end. A lift's door and a lift's button bring the lift, or open its door where it is there. A lift with
     // halts goes to the next one above, and from the highest to the lowest.
     void set_going(std::uint32_t mover);
+    // Sends a lift to one of its stops, a part of its way from 0 to 1; where it stands there its doors open.
+    void ride(std::uint32_t lift, double part);
     // Sends it, and its group, to the other end, or keeps it there longer; what it sets going likewise.
     void call(std::uint32_t mover);
     // Somebody has come near one that goes by itself then, or stays there: like call, but a lift's door only keeps open

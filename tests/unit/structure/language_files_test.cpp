@@ -156,6 +156,8 @@ const std::vector<std::string> kMadeOfNames{
     "list_word.",
     "wizard_word.",
     "replay_word.",
+    // tests/unit/terminal/typed_sentences_test.cpp,
+    "typed_sentence.",
     // tests/unit/settings/setting_texts_test.cpp,
     "setting.",
     "setting_name.",

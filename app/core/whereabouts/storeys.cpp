@@ -1,0 +1,81 @@
+#include "app/core/whereabouts/storeys.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "app/core/dialogue/words.h"
+#include "worlds/base/contract.h"
+#include "worlds/base/language.h"
+#include "worlds/base/text.h"
+#include "worlds/scene/stated_building.h"
+#include "worlds/scene/surfaces.h"
+
+namespace handrail {
+namespace {
+
+constexpr double kSameFloor_m = 0.6;  // steps between the rooms of one storey
+
+bool is_room_of_storey(const Scene& scene, const Room& room) {
+    if (scene.stated && !scene.stated->rooms.empty()) return !room.map_name.empty();
+    return room.kind == RoomKind::Room;
+}
+
+std::string stated_name_at(const Scene& scene, double floor_m) {
+    std::string name;
+    double nearest_m = kSameFloor_m;
+    if (!scene.stated) return name;
+    for (const StatedStorey& storey : scene.stated->storeys)
+        if (const double off_m = std::abs(storey.floor_m - floor_m); storey.rooms > 0 && off_m < nearest_m) {
+            nearest_m = off_m;
+            name = one_line(storey.name);
+        }
+    return name;
+}
+
+}  // namespace
+
+std::vector<StoreyOfRooms> storeys_of(const Scene& scene, const RoomGraph& graph) {
+    std::map<int, StoreyOfRooms> by_level;
+    for (std::uint32_t r = 0; r < graph.rooms.size(); ++r)
+        if (is_room_of_storey(scene, graph.rooms[r])) by_level[graph.rooms[r].level].rooms.push_back(r);
+    std::vector<StoreyOfRooms> storeys;
+    for (auto& [level, storey] : by_level) {
+        std::vector<double> floors;
+        for (const std::uint32_t r : storey.rooms) floors.push_back(graph.rooms[r].floor_m);
+        const auto middle = floors.begin() + static_cast<std::ptrdiff_t>(floors.size() / 2);
+        std::nth_element(floors.begin(), middle, floors.end());
+        storey.level = level;
+        storey.floor_m = *middle;
+        storey.file_name = stated_name_at(scene, storey.floor_m);
+        storeys.push_back(std::move(storey));
+    }
+    return storeys;
+}
+
+std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const RoomGraph& graph, std::uint32_t room) {
+    if (room >= graph.rooms.size()) return storeys.size();
+    const auto found = std::find_if(storeys.begin(), storeys.end(), [&](const StoreyOfRooms& storey) {
+        return storey.level == graph.rooms[room].level;
+    });
+    return static_cast<std::size_t>(found - storeys.begin());
+}
+
+std::string storey_name(const std::vector<StoreyOfRooms>& storeys, std::size_t which) {
+    contract_pre(which < storeys.size());
+    if (!storeys[which].file_name.empty()) return sentence_case(storeys[which].file_name);
+    return phrase("storeys.numbered", {{"number", which + 1}});
+}
+
+std::string storey_sentence(const Scene& scene, const std::vector<StoreyOfRooms>& storeys, std::size_t which) {
+    contract_pre(which < storeys.size());
+    const StoreyOfRooms& storey = storeys[which];
+    return phrase("storeys.entered", {{"world", sentence_case(spoken_name(scene))},
+                                      {"named", storey.file_name.empty() ? "no" : "yes"},
+                                      {"storey", storey.file_name},
+                                      {"number", which + 1},
+                                      {"count", storeys.size()},
+                                      {"rooms", storey.rooms.size()}});
+}
+
+}  // namespace handrail
