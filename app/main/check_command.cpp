@@ -65,8 +65,8 @@ int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& 
         return 1;
     }
     Result<Scene> read =
-        imported(*world, progress.followed(arguments.common.read_options(*world))).map([](ImportedWorld&& one) {
-            return std::move(one.scene);
+        imported(*world, progress.followed(arguments.common.read_options(*world))).map([&](ImportedWorld&& one) {
+            return mended(std::move(one.scene), *world, arguments.common);
         });
     if (read)
         if (const Result<void> valid = validate(*read); !valid) read = tl::unexpected(valid.error());

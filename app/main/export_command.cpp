@@ -150,8 +150,8 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     if (!given) return failed(given.error(), 1);
     const fs::path& world = *given;
     Result<Scene> read =
-        imported(world, progress.followed(arguments.common.read_options(world))).map([](ImportedWorld&& one) {
-            return std::move(one.scene);
+        imported(world, progress.followed(arguments.common.read_options(world))).map([&](ImportedWorld&& one) {
+            return mended(std::move(one.scene), world, arguments.common);
         });
     if (!read) return failed(read.error(), 1);
     if (const Result<void> valid = validate(*read); !valid) return failed(valid.error(), 1);

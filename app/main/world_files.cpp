@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "app/core/kept/kept_unit.h"
+#include "app/core/kept/made_doors.h"
 #include "app/core/kept/side_file.h"
 #include "app/core/kept/world_shelf.h"
 #include "app/main/commands.h"
@@ -82,6 +83,12 @@ Result<ImportedWorld> imported(const fs::path& world, const ReadOptions& options
     ImportHow how;
     how.keep_in = kept_beside(kept_by(world), user_data_folder(), is_shipped(world), ".handrail.scene");
     return import_world(world, options, how);
+}
+
+Scene mended(Scene scene, const fs::path& world, const CommonArguments& common) {
+    const std::vector<MadeDoor> doors =
+        kept_doors(kept_by(world), common.data_folder(), !common.data_in.empty() || is_shipped(world));
+    return doors.empty() ? std::move(scene) : with_made_doors(std::move(scene), doors);
 }
 
 fs::path first_world() { return world_folder() / "first_room.map"; }

@@ -11,6 +11,8 @@
 
 namespace handrail {
 
+struct CommonArguments;
+
 // HANDRAIL_WORLDS when set, else ../share/handrail/worlds from the program's own place, else the source tree's
 // worlds/maps.
 std::filesystem::path world_folder();
@@ -28,6 +30,9 @@ std::vector<std::string> world_names();
 Result<std::filesystem::path> world_given(const std::filesystem::path& word);
 // As import_world, with what is kept of the world lying where its side file does. Any thread but the app's.
 Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOptions& options);
+// With the doors that a person has said to be missing in it: of whoever keeps what they add in that folder. The same
+// where there are none. Any thread.
+Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);
 // The world that a first start explores.
 std::filesystem::path first_world();
 

@@ -13,7 +13,8 @@ WorldLoading::WorldLoading(const std::filesystem::path& path, const CommonArgume
           Result<ImportedWorld> world = imported(path, options);
           if (!world) return tl::unexpected(world.error());
           progress_.reading("import.touch");
-          return make_ready_to_touch(std::make_shared<const Scene>(std::move(world->scene)), stop_.get_token());
+          return make_ready_to_touch(std::make_shared<const Scene>(mended(std::move(world->scene), path, common)),
+                                     stop_.get_token());
       })) {}
 
 WorldLoading::~WorldLoading() { stop_.request_stop(); }

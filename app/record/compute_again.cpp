@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "app/core/kept/made_doors.h"
 #include "app/core/kept/side_file.h"
 #include "app/record/json_fields.h"
 #include "app/record/played_ears.h"
@@ -248,7 +249,7 @@ Result<std::shared_ptr<const Scene>> read_recorded_scene(const RecordedWorld& wo
     if (!scene) return tl::unexpected(scene.error());
     if (!world.checksum.empty() && SideFile::of_world(world.source.file, {}).world_checksum() != world.checksum)
         return fail(phrase("replay.other_world"), name);
-    return std::make_shared<const Scene>(std::move(*scene));
+    return std::make_shared<const Scene>(with_made_doors(std::move(*scene), made_doors_in(world.additions)));
 }
 
 Result<EnteringWorld> read_recorded_world(const RecordedWorld& world) {

@@ -22,12 +22,15 @@ struct OwnerRequests {
     bool take_devices() { return std::exchange(devices, false); }
     // To be read and entered.
     std::optional<std::filesystem::path> take_world() { return std::exchange(world, std::nullopt); }
+    // The world one is in, which a person has mended: to be read again and gone on in at the same place.
+    bool take_read_again() { return std::exchange(read_again, false); }
     // To be gone on at: the owner reads that world where it is another one.
     std::optional<LastPlace> take_last_place() { return std::exchange(last_place, std::nullopt); }
 
     std::optional<std::size_t> take_lesson() { return std::exchange(lesson, std::nullopt); }
     std::optional<LessonDraft> take_lesson_draft() { return std::exchange(lesson_draft, std::nullopt); }
 
+    bool read_again = false;
     bool set_up = false, first_set_up = false, offered_hand = false, devices = false;
     std::optional<std::filesystem::path> world;
     std::optional<LastPlace> last_place;

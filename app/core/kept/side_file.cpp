@@ -406,17 +406,17 @@ SideEntry SideFile::peek(const fs::path& world, const fs::path& data_folder, boo
     const fs::path near = beside(world), far = data_folder.empty() ? fs::path() : in_data_folder(world, data_folder);
     for (const fs::path& from : {shipped ? far : near, shipped ? near : far}) {
         if (from.empty() || !is_there(from)) continue;
-        const auto text = read_whole_file(from, kLongestFile_bytes);
-        if (!text) return {};
-        try {
-            const toml::table root = toml::parse(*text, from.string());
-            const toml::table* table = root[name].as_table();
-            return table ? entry_from(*table) : SideEntry{};
-        } catch (const toml::parse_error&) {
-            return {};  // of_world says so
-        }
+        return table_of_text(read_whole_file(from, kLongestFile_bytes).value_or(""), name);
     }
     return {};
+}
+
+SideEntry SideFile::table_of_text(std::string_view text, const std::string& name) {
+    try {
+        return table_in(toml::parse(text).get(name));
+    } catch (const toml::parse_error&) {
+        return {};  // of_world says so
+    }
 }
 
 const std::vector<std::string>& SideFile::news() const { return content_->news; }

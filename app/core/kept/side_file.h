@@ -80,6 +80,9 @@ public:
     static SideEntry peek(const std::filesystem::path& world, const std::filesystem::path& data_folder, bool shipped,
                           const std::string& name);
 
+    // The table [name] of such a file's text; none, or nothing to be understood: empty. Any thread.
+    static SideEntry table_of_text(std::string_view text, const std::string& name);
+
     // One sentence each about what could not be read; fit to be spoken.
     const std::vector<std::string>& news() const;
     // Where save() writes; empty: in memory.

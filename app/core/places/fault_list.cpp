@@ -5,6 +5,7 @@
 #include "app/core/context/telling.h"
 #include "app/core/dialogue/words.h"
 #include "app/core/kept/landmarks.h"
+#include "app/core/kept/made_doors.h"
 #include "worlds/base/contract.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
@@ -56,10 +57,16 @@ void FaultList::open(double now_s) {
     for (const Feature& feature : world_.scene->features) landmarks.push_back(feature.landmark);
     Beside<std::shared_ptr<const Found>>::Work work = [file = rooms_.file_scene(),
                                                        navigation = rooms_.navigation_kept(), graph = rooms_.graph(),
-                                                       landmarks = std::move(landmarks)](const std::stop_token&) {
+                                                       landmarks = std::move(landmarks),
+                                                       feet_m = context_.body.feet_m()](const std::stop_token&) {
         auto found = std::make_shared<Found>();
         found->scene = with_landmarks_of(file, landmarks);
         found->faults = find_faults(*found->scene, &navigation->space(), &graph);
+        for (const WorldFault& fault : found->faults) {
+            const bool no_way = fault.kind == FaultKind::RoomOutOfReach && fault.room < graph.rooms.size();
+            found->doors.push_back(no_way ? missing_doors(*found->scene, navigation->space(), graph, fault.room, feet_m)
+                                          : std::vector<MissingDoor>{});
+        }
         return std::shared_ptr<const Found>(std::move(found));
     };
     if (!rooms_.beside()) return show(work({}), now_s);
@@ -72,14 +79,21 @@ void FaultList::tick(double now_s) {
 }
 
 void FaultList::show(const std::shared_ptr<const Found>& found, double now_s) {
-    if (found->faults.empty()) return context_.answer(phrase("faults.none"), now_s);
+    const std::vector<MadeDoor> made = read_made_doors(context_.additions);
+    if (found->faults.empty() && made.empty()) return context_.answer(phrase("faults.none"), now_s);
     ListSpec list;
     list.title = phrase("faults.title");
     for (const WorldFault& fault : found->faults)
         list.items.push_back({unstopped(fault_words(*found->scene, fault)),
                               has_place(fault) ? where_words(context_, point_box(fault.at_m)) : std::string()});
+    for (const MadeDoor& door : made)
+        list.items.push_back({phrase("faults.made_door", {{"between", one_line(door.name)}}),
+                              where_words(context_, point_box(door.place_m))});
     list.stays_open = true;  // one goes from one to the next
-    list.chosen = [this, found](std::size_t i) { show_one(found, i, context_.tick_s); };
+    list.chosen = [this, found, made](std::size_t i) {
+        if (i < found->faults.size()) show_one(found, i, context_.tick_s);
+        else show_made_door(made[i - found->faults.size()], context_.tick_s);
+    };
     context_.open_list(std::move(list), now_s);
 }
 
@@ -102,12 +116,47 @@ void FaultList::show_one(const std::shared_ptr<const Found>& found, std::size_t 
     for (const FeatureId id : fault.candidates)
         add(phrase("faults.mark", {{"name", one_line(spoken_name(found->scene->features[id.value]))}}),
             [this, id](double then_s) { mark_landmark(id, then_s); });
+    const RoomGraph& graph = rooms_.graph();
+    for (const MissingDoor& missing : found->doors[which]) {
+        if (missing.to >= graph.rooms.size() || fault.room >= graph.rooms.size()) continue;
+        MadeDoor door = missing.door;
+        door.name = joined(graph.rooms[fault.room].name, graph.rooms[missing.to].name);
+        add(phrase("faults.make_door", {{"room", graph.rooms[missing.to].name}}),
+            [this, door](double then_s) { make_door(door, then_s); });
+    }
     if (has_place(fault))
         add(phrase("faults.find"),
             [this, goal = Goal{unstopped(what), point_box(fault.at_m)}](double then_s) { on_find(goal, then_s); });
     if (list.items.empty()) return context_.answer(advice, now_s);
     list.chosen = [this, acts](std::size_t i) { acts[i](context_.tick_s); };
     context_.open_list(std::move(list), now_s);
+}
+
+void FaultList::show_made_door(const MadeDoor& door, double now_s) {
+    const std::string what = phrase("faults.made_door", {{"between", one_line(door.name)}});
+    ListSpec list;
+    list.title = what;
+    list.items = {{phrase("faults.take_door_away"), {}}, {phrase("faults.find"), {}}};
+    list.chosen = [this, door, what](std::size_t i) {
+        if (i == 0) take_door_away(door, context_.tick_s);
+        else on_find(Goal{what, point_box(door.place_m)}, context_.tick_s);
+    };
+    context_.open_list(std::move(list), now_s);
+}
+
+// Walls are cut where the world is read: whoever owns the session does that again, and the person stays in place.
+void FaultList::make_door(MadeDoor door, double now_s) {
+    keep_made_door(context_.additions, door);
+    context_.asks.save_additions(now_s);
+    context_.requests.read_again = true;
+    context_.answer(phrase("faults.door_made", {{"between", one_line(door.name)}}), now_s);
+}
+
+void FaultList::take_door_away(const MadeDoor& door, double now_s) {
+    drop_made_door(context_.additions, door.place_m);
+    context_.asks.save_additions(now_s);
+    context_.requests.read_again = true;
+    context_.answer(phrase("faults.door_gone", {{"between", one_line(door.name)}}), now_s);
 }
 
 void FaultList::mark_landmark(FeatureId id, double now_s) {

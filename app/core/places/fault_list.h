@@ -1,6 +1,7 @@
 // What should be mended in the world one is in (worlds/check), as a list: from one fault to the next, to its place, and
-// mended there where a name or a landmark is all that is missing. Found on a thread beside everything else where rooms
-// are; what is mended is kept in the side file. App thread only.
+// mended there where a name, a landmark or a door is all that is missing. Found on a thread beside everything else
+// where rooms are; what is mended is kept in the side file, and doors that were made can be taken away again in the
+// list. App thread only.
 #pragma once
 
 #include <functional>
@@ -12,6 +13,7 @@
 #include "app/core/whereabouts/rooms.h"
 #include "app/core/world/beside.h"
 #include "worlds/check/faults.h"
+#include "worlds/check/missing_doors.h"
 
 namespace handrail {
 
@@ -35,10 +37,14 @@ private:
     struct Found {
         std::shared_ptr<const Scene> scene;  // as its file has it, with the landmarks of now
         std::vector<WorldFault> faults;
+        std::vector<std::vector<MissingDoor>> doors;  // of each fault: where a door would mend it
     };
     void show(const std::shared_ptr<const Found>& found, double now_s);
     void show_one(const std::shared_ptr<const Found>& found, std::size_t which, double now_s);
+    void show_made_door(const MadeDoor& door, double now_s);
     void mark_landmark(FeatureId feature, double now_s);
+    void make_door(MadeDoor door, double now_s);
+    void take_door_away(const MadeDoor& door, double now_s);
 
     WorldState& world_;
     Rooms& rooms_;

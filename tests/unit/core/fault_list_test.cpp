@@ -64,6 +64,41 @@ TEST(FaultList, mends_a_missing_name_and_a_missing_landmark_in_place) {
     EXPECT_TRUE(p.heard("Nothing is to be mended here.")) << p.all_heard(0);
 }
 
+// Of two rooms the second has no door.
+std::shared_ptr<const Scene> shut_kitchen() {
+    Result<Scene> scene = read_words(
+        "Building: Two rooms.\n\nRoom: Hall, 4 by 6 metres. Door outside in the south wall.\n\n"
+        "Room: Kitchen, 4 by 4 metres, east of Hall. Stove in the north-east corner, landmark.\n",
+        "two.rooms");
+    EXPECT_TRUE(scene.has_value());
+    return std::make_shared<const Scene>(std::move(*scene));
+}
+
+TEST(FaultList, makes_a_missing_door_that_is_kept_and_takes_it_away_again) {
+    Explorer p(shut_kitchen(), nullptr);
+    p.tap(Command::Faults);
+    ASSERT_TRUE(p.app().dialogue().is_open());
+    p.line("Kitchen cannot be reached");
+    const std::vector<std::string> acts = names_of(p.app().dialogue().view());
+    ASSERT_FALSE(acts.empty());
+    EXPECT_EQ(acts[0], "A door is missing here: make it, to Hall");
+    p.line("1");
+    EXPECT_TRUE(p.heard("There is a door now between Kitchen, Hall. The world is read again.")) << p.all_heard(0);
+    EXPECT_TRUE(p.app().requests().take_read_again()) << "its owner is to read it again";
+    EXPECT_FALSE(p.app().requests().take_read_again());
+    p.tap(Command::Faults);
+    const std::vector<std::string> now = names_of(p.app().dialogue().view());
+    ASSERT_FALSE(now.empty());
+    EXPECT_EQ(now.back(), "Door made between Kitchen, Hall");
+    p.line(std::to_string(now.size()));
+    p.line("Take this door away");
+    EXPECT_TRUE(p.heard("The door between Kitchen, Hall is a wall again.")) << p.all_heard(0);
+    EXPECT_TRUE(p.app().requests().take_read_again());
+    p.tap(Command::Faults);
+    for (const std::string& name : names_of(p.app().dialogue().view()))
+        EXPECT_EQ(name.find("Door made"), std::string::npos);
+}
+
 TEST(FaultList, finds_nothing_in_the_school) {
     Explorer p(test::our_world("school.map"), nullptr);
     p.tap(Command::Faults);
