@@ -41,8 +41,11 @@ void twice(const Examined& world, const std::vector<FeatureId>& things, std::vec
     }
 }
 
-// All of it lies within what the building is made of.
+// All of it lies within what the building is made of, and nothing of it looks out: a gate that is flush with its wall
+// does.
 bool is_within_walls(const Examined& world, FeatureId id) {
+    constexpr double kLooksOut_m2 = 1e-3;
+    if (world.scene.features[id.value].area_m2 > kLooksOut_m2) return false;
     const Aabb& box = world.scene.features[id.value].bounds_m;
     const Vec3 middle = box.centre_m(), half = 0.5 * box.size_m() - Vec3(1e-3);
     for (int place = 0; place < 27; ++place) {
