@@ -30,6 +30,7 @@ struct PlanSpace {
     std::vector<std::size_t> levels;  // places in FloorPlan::levels, rising; stairs and lifts join them
     std::vector<std::string> facts;   // sentences about it, in the language spoken
     std::optional<double> height_m;   // from floor to ceiling, where the file says it
+    double raised_m = 0.0;            // its floor over that of its level, where it is on one alone; negative: below it
     std::string floor_material;       // a name of the material library; may be empty
     int line = 0;                     // of the file; 0: unknown
 };
@@ -84,6 +85,16 @@ struct PlanStart {
     double heading_rad = 0.0;
     std::string name;
     int line = 0;
+    double raised_m = 0.0;  // over the floor of the level
+};
+
+// A platform without walls and doors that goes up from one space to another, through the floors between.
+struct PlanLift {
+    std::string name;
+    Ring ring;                      // convex, counter-clockwise
+    std::size_t from = 0, to = 0;   // places in FloorPlan::spaces
+    std::size_t low = 0, high = 0;  // places in FloorPlan::levels, of those spaces
+    int line = 0;
 };
 
 // A way that one walks along outside rooms: a floor of its own, level or from level to level.
@@ -117,6 +128,7 @@ struct FloorPlan {
     std::vector<PlanDoor> doors;
     std::vector<PlanWall> walls;
     std::vector<PlanThing> things;
+    std::vector<PlanLift> lifts;
     std::vector<PlanWay> ways;
     std::vector<PlanBlock> blocks;
     std::vector<PlanStart> starts;

@@ -23,8 +23,14 @@ private:
     void state_rooms();
     std::string room_name(const PlanSpace& space, std::size_t level, bool with_level) const;
     double storey_of(std::size_t level) const;
+    double floor_of(std::size_t space, std::size_t level) const;
+    double highest_raise(const std::vector<std::size_t>& spaces, std::size_t level) const;
+    std::vector<Ring> platforms_in(std::size_t space, std::size_t level, bool ceiling) const;
     void plan_vertical_spaces();
     void add_lifts();
+    void add_platforms();
+    FeatureId add_cabin(const Ring& floor, double low_m, double way_m, const std::string& name,
+                        std::vector<double> halts);
     void add_floors(std::size_t space, std::size_t level);
     void add_facts(const std::vector<Ring>& parts, double floor_m, const std::vector<std::string>& facts);
     void add_walls(std::size_t level, const LevelWalls& walls);
@@ -46,7 +52,7 @@ private:
     void add_solid(std::optional<ConvexSolid> shape, SolidRole role, FeatureId feature,
                    MaterialId material = kDefaultMaterial);
     MaterialId material_named(const std::string& name);  // of the library; the default wall where it has none
-    double room_height(const PlanSpace& space, std::size_t level) const;
+    double room_height(std::size_t space, std::size_t level) const;
     void warn(std::string message, std::string action);
     std::uint32_t room_at(std::size_t space, std::size_t level) const;
     std::vector<std::uint32_t> rooms_at(const std::vector<std::size_t>& spaces, std::size_t level) const;
@@ -58,10 +64,11 @@ private:
     std::shared_ptr<StatedBuilding> stated_;
     std::vector<std::vector<std::uint32_t>> looks_;
     std::vector<std::vector<std::uint32_t>> room_of_;  // of each space and each of its levels
-    std::vector<std::optional<StairWell>> wells_;      // of each space
-    std::vector<Ring> cabins_;                         // of each space; empty: it is no lift
-    std::vector<std::uint32_t> lifts_;                 // of each space, the place in Scene::movers
-    std::vector<FeatureId> vertical_;                  // of each space, what leads up and down in it
+    std::vector<double> lowest_raise_;  // of each level: how far its lowest floor lies below it, negative or 0
+    std::vector<std::optional<StairWell>> wells_;  // of each space
+    std::vector<Ring> cabins_;                     // of each space; empty: it is no lift
+    std::vector<std::uint32_t> lifts_;             // of each space, the place in Scene::movers
+    std::vector<FeatureId> vertical_;              // of each space, what leads up and down in it
     struct OuterDoor {
         PlanEntrance entrance = PlanEntrance::Plain;
         Vec3 at_m{0.0};

@@ -30,6 +30,10 @@ PlanBuilder::PlanBuilder(FloorPlan plan, const PlanOptions& options)
     cabins_.resize(plan_.spaces.size());
     lifts_.assign(plan_.spaces.size(), kNoLift);
     vertical_.assign(plan_.spaces.size(), kNoFeature);
+    lowest_raise_.assign(plan_.levels.size(), 0.0);
+    for (const PlanSpace& space : plan_.spaces)
+        if (space.levels.size() == 1)
+            lowest_raise_[space.levels[0]] = std::min(lowest_raise_[space.levels[0]], space.raised_m);
 }
 
 bool PlanBuilder::too_large() const { return scene_.solids.size() > kMostSolids; }
@@ -46,6 +50,7 @@ Result<Scene> PlanBuilder::build(const std::string& file_name) {
     state_rooms();
     plan_vertical_spaces();
     add_lifts();
+    add_platforms();
     std::vector<std::vector<std::size_t>> here(plan_.levels.size());
     for (std::size_t s = 0; s < plan_.spaces.size(); ++s)
         for (const std::size_t level : plan_.spaces[s].levels) here[level].push_back(s);
@@ -117,6 +122,30 @@ double PlanBuilder::storey_of(std::size_t level) const {
     return plan_.storey_m;
 }
 
+double PlanBuilder::floor_of(std::size_t space, std::size_t level) const {
+    const PlanSpace& of = plan_.spaces[space];
+    return plan_.levels[level].floor_m + (of.levels.size() == 1 ? of.raised_m : 0.0);
+}
+
+double PlanBuilder::highest_raise(const std::vector<std::size_t>& spaces, std::size_t level) const {
+    double most = -1e300;
+    for (const std::size_t s : spaces)
+        if (s < plan_.spaces.size()) most = std::max(most, floor_of(s, level) - plan_.levels[level].floor_m);
+    return most < -1e299 ? 0.0 : most;
+}
+
+// Platforms that go through the floor of a space, or through its ceiling.
+std::vector<Ring> PlanBuilder::platforms_in(std::size_t space, std::size_t level, bool ceiling) const {
+    std::vector<Ring> rings;
+    for (const PlanLift& lift : plan_.lifts) {
+        if (level < lift.low || level > lift.high || (ceiling && level == lift.high)) continue;
+        if (std::all_of(lift.ring.begin(), lift.ring.end(),
+                        [&](const Vec2& p) { return inside(plan_.spaces[space].rings, p); }))
+            rings.push_back(lift.ring);
+    }
+    return rings;
+}
+
 // "Toilets F03, level 2": the level where rooms of several have one name.
 std::string PlanBuilder::room_name(const PlanSpace& space, std::size_t level, bool with_level) const {
     const std::string name = space.name.empty() ? space.number : space.name;
@@ -134,7 +163,8 @@ void PlanBuilder::state_rooms() {
             if (!is_new && at->second != level) several[name] = true;
         }
     for (const PlanLevel& level : plan_.levels) stated_->storeys.push_back({level.name, level.floor_m, 0});
-    for (const PlanSpace& space : plan_.spaces) {
+    for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
+        const PlanSpace& space = plan_.spaces[s];
         room_of_.emplace_back();
         const std::vector<Ring> parts = convex_parts(space.rings);
         const Ring* largest = nullptr;
@@ -150,8 +180,8 @@ void PlanBuilder::state_rooms() {
             room.guid = space.id;
             room.storey = static_cast<std::uint32_t>(level);
             room.rings = space.rings;
-            room.floor_m = plan_.levels[level].floor_m;
-            room.height_m = room_height(space, level);
+            room.floor_m = floor_of(s, level);
+            room.height_m = room_height(s, level);
             room.source.line = space.line;
             room.area_m2 = area_m2;
             room.holds_stairs = space.kind == PlanSpaceKind::Stairs || space.kind == PlanSpaceKind::Escalator;
@@ -168,9 +198,11 @@ void PlanBuilder::state_rooms() {
 }
 
 // From floor to ceiling, which never comes through the slab above.
-double PlanBuilder::room_height(const PlanSpace& space, std::size_t level) const {
+double PlanBuilder::room_height(std::size_t s, std::size_t level) const {
     constexpr double kLeast_m = 1.9;
-    const double most_m = storey_of(level) - kSlab_m - kCeiling_m;
+    const PlanSpace& space = plan_.spaces[s];
+    const double raised_m = floor_of(s, level) - plan_.levels[level].floor_m;
+    const double most_m = storey_of(level) - kSlab_m - kCeiling_m - raised_m;
     return space.height_m ? std::clamp(*space.height_m, std::min(kLeast_m, most_m), most_m) : most_m;
 }
 
@@ -192,18 +224,23 @@ std::vector<std::uint32_t> PlanBuilder::rooms_at(const std::vector<std::size_t>&
 // A room's floor and ceiling; round stairs and lifts the floor of each level, and a ceiling over the highest only.
 void PlanBuilder::add_floors(std::size_t s, std::size_t level) {
     const PlanSpace& space = plan_.spaces[s];
-    const double floor_m = plan_.levels[level].floor_m, ceiling_m = floor_m + room_height(space, level) + kCeiling_m;
+    const double floor_m = floor_of(s, level), ceiling_m = floor_m + room_height(s, level) + kCeiling_m;
+    // Down to what lies lower beside it.
+    const double under_m = std::min(floor_m, plan_.levels[level].floor_m + lowest_raise_[level]) - kSlab_m;
     const MaterialId ground = material_named(space.floor_material);
     std::vector<Ring> rings = space.rings;
     const bool lowest = level == space.levels.front(), highest = level == space.levels.back();
     if (wells_[s] && !lowest)
         rings.push_back(wells_[s]->box(0.0, wells_[s]->length_m, -0.5 * wells_[s]->width_m, 0.5 * wells_[s]->width_m));
     if (!cabins_[s].empty()) rings.push_back(cabins_[s]);
+    for (Ring& hole : platforms_in(s, level, false)) rings.push_back(std::move(hole));
     for (const Ring& part : convex_parts(rings))
-        add_solid(upright(part, floor_m - kSlab_m, floor_m), SolidRole::Solid, kNoFeature, ground);
+        add_solid(upright(part, under_m, floor_m), SolidRole::Solid, kNoFeature, ground);
     const std::vector<Ring> parts = convex_parts(space.rings);
+    std::vector<Ring> above = space.rings;
+    for (Ring& hole : platforms_in(s, level, true)) above.push_back(std::move(hole));
     if (highest || (!wells_[s] && cabins_[s].empty()))
-        for (const Ring& part : parts)
+        for (const Ring& part : convex_parts(above))
             add_solid(upright(part, ceiling_m - kCeiling_m, ceiling_m), SolidRole::Solid, kNoFeature);
     add_facts(parts, floor_m, space.facts);
 }
@@ -218,7 +255,8 @@ void PlanBuilder::add_facts(const std::vector<Ring>& parts, double floor_m, cons
 }
 
 void PlanBuilder::add_walls(std::size_t level, const LevelWalls& walls) {
-    const double floor_m = plan_.levels[level].floor_m, top_m = floor_m + storey_of(level);
+    const double floor_m = plan_.levels[level].floor_m, top_m = floor_m + storey_of(level),
+                 under_m = floor_m + lowest_raise_[level];
     const MaterialId material = material_named(plan_.wall_material);
     for (const WallRun& run : walls.runs) {
         const double length = glm::length(run.to - run.from);
@@ -231,11 +269,13 @@ void PlanBuilder::add_walls(std::size_t level, const LevelWalls& walls) {
         };
         double from = -0.5 * plan_.wall_m;
         for (const WallRun::Gap& gap : run.gaps) {
-            piece(from, gap.from_m, floor_m, top_m);
-            piece(gap.from_m, gap.to_m, floor_m + gap.height_m, top_m);
+            piece(from, gap.from_m, under_m, top_m);
+            const double sill_m = floor_m + gap.sill_m;
+            if (sill_m > under_m + 1e-6) piece(gap.from_m, gap.to_m, under_m, sill_m);
+            piece(gap.from_m, gap.to_m, sill_m + gap.height_m, top_m);
             from = gap.to_m;
         }
-        piece(from, length + 0.5 * plan_.wall_m, floor_m, top_m);
+        piece(from, length + 0.5 * plan_.wall_m, under_m, top_m);
     }
 }
 
@@ -244,7 +284,7 @@ void PlanBuilder::add_openings(std::size_t level, const LevelWalls& walls) {
         StatedPortal portal;
         portal.kind = StatedPortalKind::Opening;
         portal.rooms = rooms_at({pair.first, pair.second}, level);
-        portal.place_m = Vec3(open.at, plan_.levels[level].floor_m);
+        portal.place_m = Vec3(open.at, plan_.levels[level].floor_m + highest_raise({pair.first, pair.second}, level));
         portal.width_m = open.width_m;
         portal.height_m = storey_of(level);
         portal.by_boundaries = true;
@@ -297,9 +337,10 @@ void PlanBuilder::add_ground() {
     // Not through stairs and lifts that come up from below, nor through what stands half out of the ground.
     for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
         const PlanSpace& space = plan_.spaces[s];
-        const double lowest_m = plan_.levels[space.levels.front()].floor_m,
+        const double lowest_m = floor_of(s, space.levels.front()),
                      highest_m = plan_.levels[space.levels.back()].floor_m + plan_.storey_m - kSlab_m;
-        if (lowest_m > level_m - kSlab_m || highest_m < level_m - kSlab_m) continue;
+        const bool sunk = space.raised_m < 0.0 && lowest_m < level_m;
+        if ((lowest_m > level_m - kSlab_m && !sunk) || highest_m < level_m - kSlab_m) continue;
         for (const Ring& part : convex_parts(space.rings)) cut(part);
     }
     for (const PlanWay& way : plan_.ways)
@@ -320,7 +361,7 @@ void PlanBuilder::add_ground() {
 // ground.
 void PlanBuilder::add_starts() {
     for (const PlanStart& start : plan_.starts) {
-        const double floor_m = plan_.levels[start.level].floor_m;
+        const double floor_m = plan_.levels[start.level].floor_m + start.raised_m;
         scene_.starts.push_back({Vec3(start.at, floor_m), start.heading_rad, false, start.name, {start.line, 0}});
     }
     std::stable_sort(outer_.begin(), outer_.end(),

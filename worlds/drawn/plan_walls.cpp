@@ -271,6 +271,14 @@ private:
         }
     }
 
+    double sill_of(const DoorGap& gap) const {
+        if (gap.spaces.empty()) return 0.0;
+        double most = -1e300;
+        for (const std::size_t s : gap.spaces)
+            most = std::max(most, plan_.spaces[s].levels.size() == 1 ? plan_.spaces[s].raised_m : 0.0);
+        return most;
+    }
+
     // Through the door's own wall and those that lie on it.
     void cut_gaps() {
         std::vector<Aabb> run_boxes;
@@ -291,7 +299,7 @@ private:
                 if (std::abs(cross(along, gap.along)) > 0.17 || std::abs(cross(along, off)) > kNearWall_m) continue;
                 const double t = glm::dot(off, along), from = std::max(t - 0.5 * gap.width_m, 0.0),
                              to = std::min(t + 0.5 * gap.width_m, length);
-                if (to - from > 1e-3) run.gaps.push_back({from, to, kDoorHigh_m});
+                if (to - from > 1e-3) run.gaps.push_back({from, to, kDoorHigh_m, sill_of(gap)});
             }
         }
         for (WallRun& run : made_.runs) {
@@ -300,7 +308,8 @@ private:
             std::vector<WallRun::Gap> joined;
             for (const WallRun::Gap& gap : run.gaps)
                 if (!joined.empty() && gap.from_m <= joined.back().to_m + 0.02)
-                    joined.back().to_m = std::max(joined.back().to_m, gap.to_m);
+                    joined.back().to_m = std::max(joined.back().to_m, gap.to_m),
+                    joined.back().sill_m = std::max(joined.back().sill_m, gap.sill_m);
                 else joined.push_back(gap);
             run.gaps = std::move(joined);
         }

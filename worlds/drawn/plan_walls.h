@@ -14,6 +14,7 @@ struct WallRun {
     Vec2 from{0.0}, to{0.0};
     struct Gap {
         double from_m = 0.0, to_m = 0.0, height_m = 0.0;  // along the wall; a height of 0: as high as the wall
+        double sill_m = 0.0;  // where the higher of the two floors is, over that of the level; `height_m` begins there
     };
     std::vector<Gap> gaps;
 };

@@ -82,6 +82,23 @@ void PlanBuilder::plan_vertical_spaces() {
     }
 }
 
+// A floor that goes up and down, as a feature; it is the last mover then.
+FeatureId PlanBuilder::add_cabin(const Ring& floor, double low_m, double way_m, const std::string& name,
+                                 std::vector<double> halts) {
+    const FeatureId feature = add_feature(FeatureKind::Lift, "lift", name);
+    add_solid(upright(floor, low_m - kFloorThick_m, low_m), SolidRole::Mover, feature);
+    Mover mover;
+    mover.feature = feature;
+    mover.pivot_m = scene_.features[feature.value].bounds_m.centre_m();
+    mover.slide_m = {0.0, 0.0, way_m};
+    mover.travel_s = std::max(1.0, way_m / kLiftSpeed_m_per_s);
+    mover.wait_s = -1.0;
+    mover.halts = std::move(halts);
+    mover.group = static_cast<std::uint32_t>(scene_.movers.size());
+    scene_.movers.push_back(std::move(mover));
+    return feature;
+}
+
 // The floors of cabins, below; each rides to all levels of its space.
 void PlanBuilder::add_lifts() {
     for (std::size_t s = 0; s < plan_.spaces.size(); ++s) {
@@ -97,26 +114,38 @@ void PlanBuilder::add_lifts() {
         portal.by_boundaries = true;
         portal.passable = !cabins_[s].empty();
         if (portal.passable) {
-            const FeatureId feature = add_feature(FeatureKind::Lift, "lift", portal.name);
-            add_solid(upright(cabins_[s], low_m - kFloorThick_m, low_m), SolidRole::Mover, feature);
-            const Aabb box = scene_.features[feature.value].bounds_m;
-            Mover mover;
-            mover.feature = feature;
-            mover.pivot_m = box.centre_m();
-            mover.slide_m = {0.0, 0.0, way_m};
-            mover.travel_s = std::max(1.0, way_m / kLiftSpeed_m_per_s);
-            mover.wait_s = -1.0;
-            for (const std::size_t level : space.levels)
-                mover.halts.push_back((plan_.levels[level].floor_m - low_m) / way_m);
-            mover.group = static_cast<std::uint32_t>(scene_.movers.size());
-            lifts_[s] = mover.group;
-            vertical_[s] = feature;
-            scene_.movers.push_back(std::move(mover));
-            portal.feature = feature;
+            std::vector<double> halts;
+            for (const std::size_t level : space.levels) halts.push_back((plan_.levels[level].floor_m - low_m) / way_m);
+            lifts_[s] = static_cast<std::uint32_t>(scene_.movers.size());
+            portal.feature = vertical_[s] = add_cabin(cabins_[s], low_m, way_m, portal.name, std::move(halts));
+            const Aabb box = scene_.features[portal.feature.value].bounds_m;
             portal.place_m = {box.centre_m().x, box.centre_m().y, low_m};
             portal.width_m = std::min(box.size_m().x, box.size_m().y);
             portal.height_m = way_m;
         }
+        stated_->portals.push_back(std::move(portal));
+    }
+}
+
+// Lifts without a shaft, which stand in the lower of the two rooms that they join.
+void PlanBuilder::add_platforms() {
+    for (const PlanLift& lift : plan_.lifts) {
+        const double low_m = floor_of(lift.from, lift.low), way_m = floor_of(lift.to, lift.high) - low_m;
+        if (way_m < kLeastRise_m) continue;
+        StatedPortal portal;
+        portal.kind = StatedPortalKind::Lift;
+        portal.name = lift.name;
+        portal.source.line = lift.line;
+        portal.rooms = {room_at(lift.from, lift.low), room_at(lift.to, lift.high)};
+        std::erase(portal.rooms, kNotStated);
+        std::sort(portal.rooms.begin(), portal.rooms.end());
+        portal.by_boundaries = true;
+        portal.feature = add_cabin(lift.ring, low_m, way_m, lift.name, {0.0, 1.0});
+        const Aabb box = scene_.features[portal.feature.value].bounds_m;
+        portal.place_m = {box.centre_m().x, box.centre_m().y, low_m};
+        portal.width_m = std::min(box.size_m().x, box.size_m().y);
+        portal.height_m = way_m;
+        ++stated_->lifts;
         stated_->portals.push_back(std::move(portal));
     }
 }
@@ -165,11 +194,11 @@ void PlanBuilder::add_leaf(const PlanDoor& door, const DoorGap& gap, double floo
 }
 
 void PlanBuilder::add_doors(std::size_t level, const LevelWalls& walls) {
-    const double floor_m = plan_.levels[level].floor_m;
-    const bool at_ground = std::abs(floor_m - ground_m_) < kAtGround_m;
+    const bool at_ground = std::abs(plan_.levels[level].floor_m - ground_m_) < kAtGround_m;
     for (const DoorGap& gap : walls.doors) {
         if (stopped()) return;
         const PlanDoor& door = plan_.doors[gap.door];
+        const double floor_m = plan_.levels[level].floor_m + highest_raise(gap.spaces, level);
         StatedPortal portal;
         portal.kind = door.kind == PlanDoorKind::Opening ? StatedPortalKind::Opening : StatedPortalKind::Door;
         portal.name = door.name;

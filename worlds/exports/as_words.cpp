@@ -15,6 +15,9 @@ namespace handrail {
 namespace {
 
 constexpr double kFinest_m = 1e-4, kSlabs_m = 0.3, kLeastStorey_m = 2.3, kMostStorey_m = 12.0;
+constexpr double kLevel_m = 0.02;     // floors that are that near are level
+constexpr double kStepDown_m = 0.3;   // from there on an opening is a drop
+constexpr double kMostRaise_m = 1.5;  // of what is said to be raised or sunk
 
 bool on_grid(double value) { return std::abs(value / kFinest_m - std::round(value / kFinest_m)) < 1e-3; }
 
@@ -182,6 +185,11 @@ private:
                                  room.kind == WordsHouse::Kind::Stairs ? words("stairs to", "Treppe nach")
                                                                        : words("lift to", "Aufzug nach"),
                                  quoted(house_.storeys[room.to_storey].name));
+        if (std::abs(room.raised_m) > kLevel_m)
+            text_ += german_ ? fmt::format(", um {} {}", metres(std::abs(room.raised_m)),
+                                           room.raised_m > 0.0 ? "erhöht" : "vertieft")
+                             : fmt::format(", {} by {}", room.raised_m > 0.0 ? "raised" : "sunk",
+                                           metres(std::abs(room.raised_m)));
         if (room.height_m > 0.0) text_ += fmt::format(", {} {}", metres(room.height_m), words("high", "hoch"));
         if (!room.floor_material.empty())
             text_ += german_ ? fmt::format(", Boden aus {}", material(room.floor_material))
@@ -196,12 +204,29 @@ private:
         text_ += ".\n";
         for (const WordsHouse::Door& door : house_.doors)
             if (!door.rooms.empty() && door.rooms[0] == r) write_door(door);
+        for (const WordsHouse::Lift& lift : house_.lifts)
+            if (lift.from == r) write_lift(lift);
         things(r);
     }
 
     std::string material(const std::string& name) const { return word_of_material(name, language_); }
 
+    void write_lift(const WordsHouse::Lift& lift) {
+        text_ += fmt::format("{} {} {} {}, {}, {} {} {}", words("Lift from", "Aufzug von"), quoted(names_[lift.from]),
+                             words("to", "zu"), quoted(names_[lift.to]), at(lift.at_m), number(lift.size_m.x),
+                             words("by", "mal"), metres(lift.size_m.y));
+        if (!lift.name.empty()) text_ += fmt::format(", {} {}", words("called", "genannt"), quoted(lift.name));
+        text_ += ".\n";
+    }
+
     void write_door(const WordsHouse::Door& door) {
+        if (door.drop_m > 0.0 && door.rooms.size() > 1) {
+            text_ +=
+                fmt::format("{} {} {} {} {} {}, {}, {} {}.\n", words("Drop of", "Kante von"), metres(door.drop_m),
+                            words("from", "von"), quoted(names_[door.rooms[0]]), words("to", "zu"),
+                            quoted(names_[door.rooms[1]]), at(door.at_m), metres(door.width_m), words("wide", "breit"));
+            return;
+        }
         text_ += door.opening   ? words("Opening", "Öffnung")
                  : door.sliding ? words("Sliding door", "Schiebetür")
                                 : words("Door", "Tür");
@@ -216,11 +241,12 @@ private:
     void things(std::size_t r) {
         const WordsHouse::Room& room = house_.rooms[r];
         const WordsHouse::Storey& storey = house_.storeys[room.storey];
+        const double floor_m = storey.floor_m + room.raised_m;
         if (things_.empty()) find_things();
         for (std::size_t f = 0; f < scene_.features.size(); ++f) {
             const Aabb& box = scene_.features[f].bounds_m;
-            if (!things_[f] || box.min_m.z < storey.floor_m - 0.1 ||
-                box.min_m.z > storey.floor_m + storey.height_m - 0.2 || !inside(room.rings, Vec2(box.centre_m())))
+            if (!things_[f] || box.min_m.z < floor_m - 0.1 || box.min_m.z > floor_m + storey.height_m - 0.2 ||
+                !inside(room.rings, Vec2(box.centre_m())))
                 continue;
             const Vec3 size = box.size_m();
             if (size.x > boxes_[r].most.x - boxes_[r].least.x || size.y > boxes_[r].most.y - boxes_[r].least.y)
@@ -229,9 +255,9 @@ private:
             text_ += fmt::format("{}: {}, {} {} {} {} {}, {}", words("Thing", "Ding"), quoted(spoken_name(feature)),
                                  number(size.x), words("by", "mal"), number(size.y), words("by", "mal"), metres(size.z),
                                  at(Vec2(box.centre_m())));
-            if (box.min_m.z - storey.floor_m > 0.01)
-                text_ += fmt::format(", {} {}", metres(box.min_m.z - storey.floor_m),
-                                     words("above the floor", "über dem Boden"));
+            if (box.min_m.z - floor_m > 0.01)
+                text_ +=
+                    fmt::format(", {} {}", metres(box.min_m.z - floor_m), words("above the floor", "über dem Boden"));
             if (const Material& made = scene_.material(feature.material);
                 !made.name.empty() && !material_of_word(made.name).empty())
                 text_ += fmt::format(", {} {}", words("made of", "aus"), material(made.name));
@@ -241,7 +267,7 @@ private:
             things_[f] = false;
         }
         for (const Start& start : scene_.starts)
-            if (start.base && !base_written_ && std::abs(start.feet_m.z - storey.floor_m) < 0.5 &&
+            if (start.base && !base_written_ && std::abs(start.feet_m.z - floor_m) < 0.5 &&
                 inside(room.rings, Vec2(start.feet_m))) {
                 const int side_of = static_cast<int>(std::lround(start.heading_rad / (0.25 * kPi)) % 8 + 8) % 8;
                 text_ += fmt::format("Start, {}, {} {}", at(Vec2(start.feet_m)), words("facing", "Blick nach"),
@@ -292,6 +318,24 @@ bool same_outline(const StatedRoom& a, const StatedRoom& b) {
             if (glm::length(a.rings[i][k] - b.rings[i][k]) > 0.01) return false;
     }
     return true;
+}
+
+// A lift without a shaft, which the file states by itself: one with a shaft has the name of that.
+bool is_platform(const Scene& scene, const StatedPortal& portal) {
+    const Feature* feature = scene.find(portal.feature);
+    if (!feature || feature->bounds_m.empty() || portal.rooms.size() != 2 || !portal.guid.empty()) return false;
+    return scene.stated->rooms[portal.rooms[0]].storey != scene.stated->rooms[portal.rooms[1]].storey;
+}
+
+// An opening between floors of which one lies a step below the other.
+void note_drop(const WordsHouse& house, WordsHouse::Door& door) {
+    const WordsHouse::Room &one = house.rooms[door.rooms[0]], &other = house.rooms[door.rooms[1]];
+    if (one.kind != WordsHouse::Kind::Room || other.kind != WordsHouse::Kind::Room || one.storey != other.storey)
+        return;
+    const double down_m = one.raised_m - other.raised_m;
+    if (std::abs(down_m) < kStepDown_m) return;
+    if (down_m < 0.0) std::swap(door.rooms[0], door.rooms[1]);
+    door.drop_m = std::abs(down_m);
 }
 
 std::string floor_material(const Scene& scene, const StatedRoom& room) {
@@ -351,8 +395,13 @@ WordsHouse stated_house(const Scene& scene, WordLanguage language) {
         return r;
     };
     std::map<std::size_t, WordsHouse::Kind> kinds;
+    std::vector<const StatedPortal*> platforms;
     for (const StatedPortal& portal : stated.portals) {
         if (portal.kind != StatedPortalKind::Stairs && portal.kind != StatedPortalKind::Lift) continue;
+        if (portal.kind == StatedPortalKind::Lift && is_platform(scene, portal)) {
+            platforms.push_back(&portal);
+            continue;
+        }
         bool one = portal.rooms.size() > 1;
         for (const std::uint32_t r : portal.rooms) one &= same_outline(stated.rooms[r], stated.rooms[portal.rooms[0]]);
         if (!one) {
@@ -384,10 +433,14 @@ WordsHouse stated_house(const Scene& scene, WordLanguage language) {
         room.storey = room.to_storey = storey;
         room.rings = from.rings;
         room.floor_material = floor_material(scene, from);
+        if (const double raised_m = from.floor_m - house.storeys[storey].floor_m;
+            std::abs(raised_m) > kLevel_m && std::abs(raised_m) <= kMostRaise_m && !kinds.contains(top))
+            room.raised_m = std::round(raised_m / kFinest_m) * kFinest_m;
         if (const auto kind = kinds.find(top); kind != kinds.end()) {
             room.kind = kind->second;
             room.name = without_level(room.name, house.storeys[storey].name);
-        } else if (from.height_m > 0.0 && from.height_m < house.storeys[storey].height_m - kSlabs_m - 0.01) {
+        } else if (from.height_m > 0.0 &&
+                   from.height_m < house.storeys[storey].height_m - kSlabs_m - room.raised_m - 0.01) {
             room.height_m = from.height_m;
         }
         room_of[r] = room_of_root[top] = house.rooms.size();
@@ -402,6 +455,7 @@ WordsHouse stated_house(const Scene& scene, WordLanguage language) {
         // Of stairs and a room the room tells the storey.
         if (door.rooms.size() > 1 && house.rooms[door.rooms[0]].kind != WordsHouse::Kind::Room)
             std::swap(door.rooms[0], door.rooms[1]);
+        if (door.opening && door.rooms.size() > 1) note_drop(house, door);
         door.at_m = Vec2(portal.place_m);
         door.width_m = std::max(portal.width_m, 0.1);
         if (const Feature* feature = scene.find(portal.feature)) {
@@ -418,6 +472,14 @@ WordsHouse stated_house(const Scene& scene, WordLanguage language) {
             continue;
         }
         house.doors.push_back(std::move(door));
+    }
+    for (const StatedPortal* portal : platforms) {
+        WordsHouse::Lift lift{one_line(portal->name), room_of[portal->rooms[0]], room_of[portal->rooms[1]]};
+        if (house.rooms[lift.from].storey > house.rooms[lift.to].storey) std::swap(lift.from, lift.to);
+        const Aabb& box = scene.find(portal->feature)->bounds_m;
+        lift.at_m = Vec2(box.centre_m());
+        lift.size_m = Vec2(box.size_m());
+        house.lifts.push_back(std::move(lift));
     }
     return house;
 }

@@ -23,6 +23,7 @@ struct WordsHouse {
         std::string name, floor_material;
         std::size_t storey = 0, to_storey = 0;  // of stairs and lifts the highest
         double height_m = 0.0;                  // 0: as the storey is
+        double raised_m = 0.0;                  // its floor, over that of its storey
         std::vector<std::vector<Vec2>> rings;
     };
     struct Door {
@@ -31,12 +32,20 @@ struct WordsHouse {
         std::vector<std::size_t> rooms;  // one: it leads outside
         Vec2 at_m{0.0};
         double width_m = 0.9;
+        double drop_m = 0.0;  // of an opening: so far down from the first room to the second
+    };
+    // A platform without a shaft.
+    struct Lift {
+        std::string name;
+        std::size_t from = 0, to = 0;  // rooms, the lower first
+        Vec2 at_m{0.0}, size_m{1.4};
     };
     std::string name;
     double wall_m = 0.0;  // 0: not known
     std::vector<Storey> storeys;
     std::vector<Room> rooms;
     std::vector<Door> doors;
+    std::vector<Lift> lifts;
     std::vector<std::string> lost;  // sentences on what words cannot say, in the language written
 };
 

@@ -234,6 +234,41 @@ private:
     std::vector<std::uint32_t> room_;
 };
 
+struct DropFound {
+    std::uint32_t from = 0, to = 0;
+    Vec3 place_m{0.0};
+};
+
+// Where one steps down: the lower rooms lie so far below their storey, and the edges are said. Between rooms that an
+// opening on one level joins too, floors cannot be told apart so: there the drop is lost.
+void lay_drops(WordsHouse& house, const RoomGraph& graph, const std::vector<DropFound>& drops, bool german) {
+    constexpr double kLeastDrop_m = 0.3, kMostDrop_m = 1.2;
+    const auto level = [&](std::uint32_t room) {
+        return graph.rooms[room].floor_m - house.storeys[house.rooms[room].storey].floor_m;
+    };
+    for (const DropFound& drop : drops) {
+        const double down_m =
+            std::round((graph.rooms[drop.from].floor_m - graph.rooms[drop.to].floor_m) * 100.0) * 0.01;
+        if (down_m < kLeastDrop_m || down_m > kMostDrop_m) continue;
+        for (const std::uint32_t room : {drop.from, drop.to})
+            if (std::abs(level(room)) > 0.05) house.rooms[room].raised_m = std::round(level(room) * 100.0) * 0.01;
+    }
+    for (const DropFound& drop : drops) {
+        WordsHouse::Door door;
+        door.opening = true;
+        door.rooms = {drop.from, drop.to};
+        door.at_m = Vec2(drop.place_m);
+        door.width_m = 1.0;
+        door.drop_m = house.rooms[drop.from].raised_m - house.rooms[drop.to].raised_m;
+        if (door.drop_m >= kLeastDrop_m) house.doors.push_back(std::move(door));
+        else
+            house.lost.push_back(german ? fmt::format("Hinab geht es von {} nach {}.", house.rooms[drop.from].name,
+                                                      house.rooms[drop.to].name)
+                                        : fmt::format("One drops from {} to {}.", house.rooms[drop.from].name,
+                                                      house.rooms[drop.to].name));
+    }
+}
+
 }  // namespace
 
 WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpace& space, WordLanguage language) {
@@ -321,6 +356,7 @@ WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpa
                       std::round(graph.rooms[r].middle_m.y * 100.0) * 0.01);
         house.rooms[r].rings = {{at - 0.5, Vec2(at.x + 0.5, at.y - 0.5), at + 0.5, Vec2(at.x - 0.5, at.y + 0.5)}};
     }
+    std::vector<DropFound> drops;
     for (const Portal& portal : graph.portals) {
         const std::uint32_t a = portal.rooms[0], b = portal.rooms[1];
         if (portal.kind == PassageKind::Door || portal.kind == PassageKind::Opening ||
@@ -336,6 +372,21 @@ WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpa
             house.doors.push_back(std::move(door));
             continue;
         }
+        if (portal.kind == PassageKind::Drop && storey_of[a] == storey_of[b] &&
+            house.rooms[a].kind == WordsHouse::Kind::Room && house.rooms[b].kind == WordsHouse::Kind::Room) {
+            drops.push_back({a, b, portal.place_m});
+            continue;
+        }
+        if (const Feature* lift = scene.find(portal.feature);
+            portal.kind == PassageKind::Lift && lift && storey_of[a] != storey_of[b] &&
+            house.rooms[a].kind == WordsHouse::Kind::Room && house.rooms[b].kind == WordsHouse::Kind::Room) {
+            const bool up = storey_of[a] < storey_of[b];
+            const auto fine = [](double value) { return std::round(value * 1e3) * 1e-3; };
+            const Vec3 at = lift->bounds_m.centre_m(), size = lift->bounds_m.size_m();
+            house.lifts.push_back({lift->made_name ? std::string() : one_line(spoken_name(*lift)), up ? a : b,
+                                   up ? b : a, Vec2(fine(at.x), fine(at.y)), Vec2(fine(size.x), fine(size.y))});
+            continue;
+        }
         const char* kind = portal.kind == PassageKind::Lift ? (german ? "Ein Aufzug fährt" : "A lift goes")
                            : portal.kind == PassageKind::Drop
                                ? (german ? "Hinab geht es" : "One drops")
@@ -343,6 +394,7 @@ WordsHouse found_house(const Scene& scene, const RoomGraph& graph, const WalkSpa
         house.lost.push_back(german ? fmt::format("{} von {} nach {}.", kind, house.rooms[a].name, house.rooms[b].name)
                                     : fmt::format("{} from {} to {}.", kind, house.rooms[a].name, house.rooms[b].name));
     }
+    lay_drops(house, graph, drops, german);
     return house;
 }
 

@@ -16,8 +16,8 @@ constexpr std::size_t kMostWords = 120, kMostNumbers = 4000, kMostOfName = 12;
 
 // A pattern: words with alternatives ("by|x"), a question mark behind what may be missing, and in braces a number {n},
 // a unit {u}, a side of the compass {c}, a wall {w} or a corner {k} with its noun, a material {m}, a name {name}. Kinds
-// of sentence that it is looked for in: r room, d door or opening, w window, t thing, s start, h heads of storeys and
-// buildings.
+// of sentence that it is looked for in: r room, d door or opening, l lift or drop, w window, t thing, s start, h heads
+// of storeys and buildings.
 struct Pattern {
     Says says;
     std::string_view kinds, words;
@@ -25,9 +25,9 @@ struct Pattern {
 
 constexpr Pattern kEnglish[] = {
     {Says::Size3, "t", "{n} {u}? by|x|times {n} {u}? by|x|times {n} {u}?"},
-    {Says::Size2, "rt", "{n} {u}? by|x|times {n} {u}?"},
+    {Says::Size2, "rtl", "{n} {u}? by|x|times {n} {u}?"},
     {Says::High, "rtwh", "{n} {u}? high|tall"},
-    {Says::Wide, "dwt", "{n} {u}? wide"},
+    {Says::Wide, "dwtl", "{n} {u}? wide"},
     {Says::Thick, "h", "{n} {u}? thick"},
     {Says::AboveFloor, "twh", "{n} {u}? above|over the? floor|ground"},
     {Says::SideOf, "r", "{n} {u}? to? the? {c} of {name}"},
@@ -39,7 +39,7 @@ constexpr Pattern kEnglish[] = {
     {Says::Flush, "r", "flush|aligned with|at|to|in? the|its? {c} end|wall|side|edge?"},
     {Says::Flush, "r", "flush|aligned with|at|to|in? {w}"},
     {Says::CornerAt, "r", "its|the|south-west|southwest? corner at {n} {u}? {c} and? {n} {u}? {c}"},
-    {Says::At, "dwts", "at {n} {u}? {c} and? {n} {u}? {c}"},
+    {Says::At, "dwtsl", "at {n} {u}? {c} and? {n} {u}? {c}"},
     {Says::Offset, "ts", "{n} {u}? {c} and? {n} {u}? {c}"},
     {Says::CornerList, "r", "with? corners|corner at|are?"},
     {Says::Hole, "r", "with? a? hole|courtyard at?"},
@@ -56,13 +56,17 @@ constexpr Pattern kEnglish[] = {
     {Says::NextTo, "ts", "next to {name}"},
     {Says::NextTo, "ts", "beside|near|by {name}"},
     {Says::Outside, "d", "to? the? outside|outdoors|street"},
-    {Says::To, "d", "to|into {name}"},
+    {Says::To, "dl", "to|into {name}"},
+    {Says::DropOf, "l", "of {n} {u}?"},
+    {Says::FromRoom, "l", "from {name}"},
+    {Says::Raised, "r", "raised by {n} {u}?"},
+    {Says::Sunk, "r", "sunk|lowered by {n} {u}?"},
     {Says::Stairs, "r", "stairs|staircase|steps up? to {name}"},
     {Says::Lift, "r", "lift|elevator up? to {name}"},
     {Says::UpTo, "r", "up to {name}"},
     {Says::Landmark, "t", "a? landmark"},
     {Says::Clue, "t", "a? clue"},
-    {Says::Called, "dwts", "called|named {name}"},
+    {Says::Called, "dwtsl", "called|named {name}"},
     {Says::Floor, "r", "a? {m} floor"},
     {Says::Floor, "r", "with? a? floor is|of {m}"},
     {Says::MadeOf, "t", "made? of {m}"},
@@ -75,9 +79,9 @@ constexpr Pattern kEnglish[] = {
 
 constexpr Pattern kGerman[] = {
     {Says::Size3, "t", "{n} {u}? mal|x|auf {n} {u}? mal|x|auf {n} {u}?"},
-    {Says::Size2, "rt", "{n} {u}? mal|x|auf {n} {u}?"},
+    {Says::Size2, "rtl", "{n} {u}? mal|x|auf {n} {u}?"},
     {Says::High, "rtwh", "{n} {u}? hoch|hohe|hoher|hohes"},
-    {Says::Wide, "dwt", "{n} {u}? breit|breite|breiter|breites"},
+    {Says::Wide, "dwtl", "{n} {u}? breit|breite|breiter|breites"},
     {Says::Thick, "h", "{n} {u}? dick|stark"},
     {Says::AboveFloor, "twh", "{n} {u}? über|ueber dem? boden|fußboden|fussboden|grund|erdboden"},
     {Says::SideOf, "r", "{n} {u}? {c} von|vom|der|des|zu {name}"},
@@ -90,7 +94,7 @@ constexpr Pattern kGerman[] = {
     {Says::Flush, "r", "bündig|buendig am|mit|an|im? der|dem? {c} ende|wand|seite|rand?"},
     {Says::Flush, "r", "bündig|buendig am|mit|an|im? {w}"},
     {Says::CornerAt, "r", "südwestecke|suedwestecke|ecke bei|an {n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
-    {Says::At, "dwts", "bei|an {n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
+    {Says::At, "dwtsl", "bei|an {n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
     {Says::Offset, "ts", "{n} {u}? nach? {c} und? {n} {u}? nach? {c}"},
     {Says::CornerList, "r", "mit? ecken|ecke bei|an?"},
     {Says::Hole, "r", "mit? loch|aussparung|innenhof bei|an?"},
@@ -107,13 +111,17 @@ constexpr Pattern kGerman[] = {
     {Says::ByDoor, "ts", "neben|an|bei|hinter der? tür|tuer"},
     {Says::NextTo, "ts", "neben|bei|beim|am {name}"},
     {Says::Outside, "d", "nach|ins draußen|draussen|außen|aussen|freie"},
-    {Says::To, "d", "zu|zum|zur|nach|in|ins {name}"},
+    {Says::To, "dl", "zu|zum|zur|nach|in|ins {name}"},
+    {Says::DropOf, "l", "von {n} {u}?"},
+    {Says::FromRoom, "l", "von|vom {name}"},
+    {Says::Raised, "r", "um? {n} {u}? erhöht|erhoeht|höher|hoeher"},
+    {Says::Sunk, "r", "um? {n} {u}? vertieft|tiefer"},
     {Says::Stairs, "r", "treppe|stufen hinauf? zu|zum|zur|nach|in|ins {name}"},
     {Says::Lift, "r", "aufzug|fahrstuhl|lift hinauf? zu|zum|zur|nach|in|ins {name}"},
     {Says::UpTo, "r", "hinauf|hoch zu|zum|zur|nach|in|ins|bis {name}"},
     {Says::Landmark, "t", "eine? landmarke|wegmarke|merkmal|orientierungspunkt"},
     {Says::Clue, "t", "ein? hinweis"},
-    {Says::Called, "dwts", "genannt|namens|heißt|heisst {name}"},
+    {Says::Called, "dwtsl", "genannt|namens|heißt|heisst {name}"},
     {Says::Floor, "r", "mit? boden|fußboden|fussboden aus {m}"},
     {Says::MadeOf, "t", "aus {m}"},
     {Says::Walls, "h", "aus {m}"},
@@ -133,6 +141,8 @@ constexpr KindWord kEnglishHeads[] = {
     {"automatic door", SentenceKind::Door}, {"opening", SentenceKind::Opening},
     {"open", SentenceKind::Opening},        {"doorway", SentenceKind::Opening},
     {"passage", SentenceKind::Opening},     {"window", SentenceKind::Window},
+    {"lift from", SentenceKind::Lift},      {"elevator from", SentenceKind::Lift},
+    {"drop of", SentenceKind::Drop},        {"drop from", SentenceKind::Drop},
     {"start", SentenceKind::Start}};
 constexpr KindWord kGermanHeads[] = {{"tür", SentenceKind::Door},
                                      {"tuer", SentenceKind::Door},
@@ -143,6 +153,10 @@ constexpr KindWord kGermanHeads[] = {{"tür", SentenceKind::Door},
                                      {"offen", SentenceKind::Opening},
                                      {"durchgang", SentenceKind::Opening},
                                      {"fenster", SentenceKind::Window},
+                                     {"aufzug von", SentenceKind::Lift},
+                                     {"fahrstuhl von", SentenceKind::Lift},
+                                     {"lift von", SentenceKind::Lift},
+                                     {"kante von", SentenceKind::Drop},
                                      {"start", SentenceKind::Start}};
 constexpr KindWord kColons[] = {
     {"room", SentenceKind::Room},         {"raum", SentenceKind::Room},        {"zimmer", SentenceKind::Room},
@@ -273,10 +287,11 @@ class Matcher {
 public:
     Matcher(const WordSentence& sentence, const SpeakersOf& speaker, SentenceKind kind)
         : tokens_(sentence.tokens), speaker_(speaker) {
-        kind_ = kind == SentenceKind::Room     ? 'r'
-                : kind == SentenceKind::Window ? 'w'
-                : kind == SentenceKind::Start  ? 's'
-                : kind == SentenceKind::Thing  ? 't'
+        kind_ = kind == SentenceKind::Room                                 ? 'r'
+                : kind == SentenceKind::Window                             ? 'w'
+                : kind == SentenceKind::Start                              ? 's'
+                : kind == SentenceKind::Thing                              ? 't'
+                : kind == SentenceKind::Lift || kind == SentenceKind::Drop ? 'l'
                 : kind == SentenceKind::Door || kind == SentenceKind::SlidingDoor || kind == SentenceKind::Opening
                     ? 'd'
                     : 'h';
@@ -579,7 +594,8 @@ std::size_t kind_of(const WordSentence& sentence, WordLanguage language, SaidSen
             if (plain && text == head.word) {
                 said.kind = head.kind;
                 if (text.starts_with("automat")) said.parts.push_back({Says::ByItself, {}, {}, {}});
-                return from + words;
+                // "from" and "of" begin what is said of it.
+                return said.kind == SentenceKind::Lift || said.kind == SentenceKind::Drop ? from + 1 : from + words;
             }
     }
     return from;
@@ -607,7 +623,7 @@ bool is_room(const WordSentence& sentence, const SpeakersOf& speaker, std::size_
     const std::set<Says> as_thing = said_as(sentence, speaker, SentenceKind::Thing, from);
     if (any(as_thing, {Says::Size3, Says::AboveFloor})) return false;
     if (any(as_room, {Says::SideOf, Says::Above, Says::Flush, Says::Further, Says::CornerAt, Says::CornerList,
-                      Says::Stairs, Says::Lift, Says::Floor}))
+                      Says::Stairs, Says::Lift, Says::Floor, Says::Raised, Says::Sunk}))
         return true;
     if (any(as_thing, {Says::Size3, Says::At, Says::Offset, Says::Along, Says::FromWall, Says::InWall, Says::MiddleOf,
                        Says::Middle, Says::InCorner, Says::ByWindow, Says::ByDoor, Says::NextTo, Says::Landmark,
@@ -721,7 +737,11 @@ bool needs_quotation_marks(std::string_view name, WordLanguage language) {
                 }
             }
         }
-        for (const KindWord& head : heads_of(of)) words.emplace(head.word.substr(head.word.rfind(' ') + 1));
+        for (const KindWord& head : heads_of(of)) {
+            words.emplace(head.word.substr(head.word.rfind(' ') + 1));
+            if (head.kind == SentenceKind::Lift || head.kind == SentenceKind::Drop)
+                words.emplace(head.word.substr(0, head.word.find(' ')));
+        }
         for (const KindWord& head : kColons) words.emplace(head.word);
         for (const std::string_view article : articles_of(of)) words.emplace(article);
         for (const std::string_view noise : kNoise) words.emplace(noise);

@@ -44,13 +44,17 @@ enum class Says {
     UpTo,    // `name`
     Landmark,
     Clue,
-    Called,   // `name`
-    MadeOf,   // `name` is a material of the library
-    Floor,    // likewise
-    Walls,    // likewise
-    Thick,    // numbers[0]
-    Facing,   // sides[0]
-    ByItself  // a door that opens as one comes near
+    Called,    // `name`
+    MadeOf,    // `name` is a material of the library
+    Floor,     // likewise
+    Walls,     // likewise
+    Thick,     // numbers[0]
+    Facing,    // sides[0]
+    ByItself,  // a door that opens as one comes near
+    Raised,    // the floor of a room by numbers[0] over that of its storey
+    Sunk,      // or under it
+    FromRoom,  // `name`, where a lift or drop begins
+    DropOf     // numbers[0] down
 };
 
 // Sides: 0 north, 1 north-east, ... 7 north-west; and as one looks or goes.
@@ -69,6 +73,8 @@ enum class SentenceKind {
     Door,
     SlidingDoor,
     Opening,
+    Lift,  // a platform from one room to another
+    Drop,  // an open place to step down from one room to another
     Window,
     Start,
     Thing,

@@ -265,6 +265,38 @@ std::optional<WordsPlan::Border> WordsPlan::shared(const WordRoom& a, const Word
     return best;
 }
 
+// The room that a lift or drop begins in: the one that is named, else that of the paragraph.
+std::size_t WordsPlan::room_from(std::size_t room, const Said& said) const {
+    const SaidPart* from = said.words.find(Says::FromRoom);
+    if (!from || name_key(from->name, speaker_.language) == name_key(rooms_[room].said.words.name, speaker_.language))
+        return room;
+    const std::size_t named = room_named(from->name);
+    return named == kNoRoom ? room : named;
+}
+
+// As it is said; and where a drop leads to a room of which nothing is said, so far down.
+void WordsPlan::set_raises() {
+    constexpr double kMostRaise_m = 1.5;
+    for (WordRoom& room : rooms_) {
+        const SaidPart *raised = room.said.words.find(Says::Raised), *sunk = room.said.words.find(Says::Sunk);
+        if (!raised && !sunk) continue;
+        const double wish_m = raised ? raised->numbers[0] : -sunk->numbers[0];
+        room.raised_m = std::clamp(wish_m, -kMostRaise_m, kMostRaise_m);
+        if (*room.raised_m != wish_m)
+            warn(room.said.line, phrase("rooms_text.odd_raise", {{"name", room_words(room)}}),
+                 phrase("rooms_text.then_raise", {{"metres", std::abs(*room.raised_m)}}));
+    }
+    for (std::size_t r = 0; r < rooms_.size(); ++r)
+        for (const Said& said : rooms_[r].doors) {
+            const SaidPart *drop = said.words.find(Says::DropOf), *to = said.words.find(Says::To);
+            if (said.words.kind != SentenceKind::Drop || !drop || !to) continue;
+            const std::size_t from = room_from(r, said), other = room_named(to->name, from);
+            if (other == kNoRoom || rooms_[other].storey != rooms_[from].storey || rooms_[other].raised_m) continue;
+            rooms_[other].raised_m =
+                std::clamp(rooms_[from].raised_m.value_or(0.0) - drop->numbers[0], -kMostRaise_m, kMostRaise_m);
+        }
+}
+
 void WordsPlan::add_spaces() {
     for (std::size_t r = 0; r < rooms_.size(); ++r) {
         WordRoom& room = rooms_[r];
@@ -300,6 +332,7 @@ void WordsPlan::add_spaces() {
             }
         }
         space.levels = room.levels;
+        if (room.levels.size() == 1) space.raised_m = room.raised_m.value_or(0.0);
         if (const SaidPart* high = room.said.words.find(Says::High)) space.height_m = high->numbers[0];
         if (const SaidPart* floor = room.said.words.find(Says::Floor)) space.floor_material = floor->name;
         plan_.spaces.push_back(std::move(space));

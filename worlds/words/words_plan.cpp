@@ -66,6 +66,7 @@ Result<FloorPlan> WordsPlan::build(std::string_view bytes) {
     set_sizes();
     place_rooms();
     find_overlaps();
+    set_raises();
     add_spaces();
     doors_of_.resize(rooms_.size());
     for (std::size_t r = 0; r < rooms_.size(); ++r) add_doors(r);
@@ -146,6 +147,8 @@ void WordsPlan::take(SaidSentence said, int line) {
         case SentenceKind::Door:
         case SentenceKind::SlidingDoor:
         case SentenceKind::Opening:
+        case SentenceKind::Lift:
+        case SentenceKind::Drop:
             if (!needs_room()) rooms_.back().doors.push_back({std::move(said), line});
             break;
         case SentenceKind::Window:

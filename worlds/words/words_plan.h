@@ -43,6 +43,7 @@ private:
         std::vector<Said> doors, windows, things;
         std::vector<Ring> rings;  // empty: not yet placed
         Vec2 least{0.0}, most{0.0}, size_m{4.0};
+        std::optional<double> raised_m;   // its floor, over that of its storey
         std::vector<std::size_t> levels;  // places in FloorPlan::levels
     };
     // A straight part of an outline: a wall, or what two rooms share.
@@ -69,6 +70,9 @@ private:
     void add_spaces();
     void add_doors(std::size_t room);
     void add_door(std::size_t room, const Said& said);
+    void add_lift(std::size_t room, const Said& said);
+    void set_raises();
+    std::size_t room_from(std::size_t room, const Said& said) const;
     bool told_before(const PlanDoor& door, bool placed) const;
     void add_windows(std::size_t room);
     void add_things(std::size_t room);

@@ -117,8 +117,46 @@ bool WordsPlan::told_before(const PlanDoor& door, bool placed) const {
 }
 
 void WordsPlan::add_doors(std::size_t r) {
-    for (const Said& said : rooms_[r].doors)
-        if (plan_.doors.size() < kMostThings) add_door(r, said);
+    for (const Said& said : rooms_[r].doors) {
+        if (plan_.doors.size() >= kMostThings) return;
+        if (said.words.kind == SentenceKind::Lift) add_lift(r, said);
+        else add_door(said.words.kind == SentenceKind::Drop ? room_from(r, said) : r, said);
+    }
+}
+
+// To the room of that name on another storey that has the platform in it, else to the nearest.
+void WordsPlan::add_lift(std::size_t paragraph, const Said& said) {
+    constexpr double kPlatform_m = 1.4, kLeastPlatform_m = 0.8, kMostPlatform_m = 20.0;
+    const std::size_t r = room_from(paragraph, said);
+    const WordRoom& room = rooms_[r];
+    const SaidPart *to = said.words.find(Says::To), *at = said.words.find(Says::At),
+                   *size = said.words.find(Says::Size2), *called = said.words.find(Says::Called);
+    const Vec2 place = at ? offset_of(*at) : 0.5 * (room.least + room.most);
+    std::size_t other = kNoRoom;
+    double nearest_m = 1e300;
+    const auto named = to ? by_name_.find(name_key(to->name, speaker_.language)) : by_name_.end();
+    if (named != by_name_.end())
+        for (const std::size_t o : named->second) {
+            if (o == r || rooms_[o].storey == room.storey || rooms_[o].levels.size() != 1) continue;
+            const double off_m = inside(rooms_[o].rings, place) ? 0.0 : away_from(rooms_[o].rings, place);
+            if (off_m < nearest_m) nearest_m = off_m, other = o;
+        }
+    if (other == kNoRoom || room.levels.size() != 1) {
+        const std::string name = to ? one_line(to->name.substr(0, 100)) : std::string();
+        warn(said.line, phrase("rooms_text.lift_to_nowhere", {{"name", name}}), phrase("rooms_text.then_left_out"));
+        return;
+    }
+    Vec2 wide = size ? Vec2(size->numbers[0], size->numbers[1]) : Vec2(kPlatform_m);
+    wide = glm::clamp(wide, Vec2(kLeastPlatform_m), Vec2(kMostPlatform_m));
+    PlanLift lift;
+    lift.name = called ? one_line(called->name.substr(0, 200)) : std::string();
+    lift.ring = {place - 0.5 * wide, place + Vec2(0.5, -0.5) * wide, place + 0.5 * wide,
+                 place + Vec2(-0.5, 0.5) * wide};
+    lift.line = said.line;
+    const bool up = room.levels[0] < rooms_[other].levels[0];
+    lift.from = up ? r : other, lift.to = up ? other : r;
+    lift.low = rooms_[lift.from].levels[0], lift.high = rooms_[lift.to].levels[0];
+    plan_.lifts.push_back(std::move(lift));
 }
 
 void WordsPlan::add_door(std::size_t r, const Said& said) {
@@ -130,7 +168,8 @@ void WordsPlan::add_door(std::size_t r, const Said& said) {
     if (wall_said && wall_said->sides[0] >= 8) left_and_right_ = true;
     const SaidPart* at = said.words.find(Says::At);
     PlanDoor door;
-    door.kind = said.words.kind == SentenceKind::Opening       ? PlanDoorKind::Opening
+    door.kind = said.words.kind == SentenceKind::Opening || said.words.kind == SentenceKind::Drop
+                    ? PlanDoorKind::Opening
                 : said.words.kind == SentenceKind::SlidingDoor ? PlanDoorKind::Sliding
                                                                : PlanDoorKind::Hinged;
     door.by_itself = said.words.find(Says::ByItself) != nullptr;
@@ -264,7 +303,7 @@ void WordsPlan::add_windows(std::size_t r) {
         window.window = true;
         window.material = "glass";
         window.level = level_of_[room.storey];
-        window.from_m = std::clamp(sill ? sill->numbers[0] : kSill_m, 0.0, 20.0);
+        window.from_m = std::clamp(sill ? sill->numbers[0] : kSill_m, 0.0, 20.0) + room.raised_m.value_or(0.0);
         window.height_m = std::clamp(high ? high->numbers[0] : kWindowHigh_m, 0.1, 20.0);
         window.line = said.line;
         const double at = std::clamp(along, std::min(0.5 * width, 0.5 * wall.length()),
@@ -434,7 +473,7 @@ void WordsPlan::add_things(std::size_t r) {
         thing.name = one_line(said.words.name.substr(0, 200));
         thing.level = level_of_[room.storey];
         thing.height_m = size.z;
-        thing.from_m = sill ? std::clamp(sill->numbers[0], 0.0, 20.0) : 0.0;
+        thing.from_m = (sill ? std::clamp(sill->numbers[0], 0.0, 20.0) : 0.0) + room.raised_m.value_or(0.0);
         thing.landmark = said.words.find(Says::Landmark) != nullptr;
         thing.clue = said.words.find(Says::Clue) != nullptr;
         if (const SaidPart* made = said.words.find(Says::MadeOf)) thing.material = made->name;
@@ -459,6 +498,7 @@ void WordsPlan::add_start(const Said& said) {
     const WordRoom& room = rooms_[r];
     PlanStart start;
     start.level = level_of_[room.storey];
+    start.raised_m = room.raised_m.value_or(0.0);
     start.line = said.line;
     const SaidPart *called = said.words.find(Says::Called), *facing = said.words.find(Says::Facing);
     start.name = called ? one_line(called->name.substr(0, 200)) : room_words(room);

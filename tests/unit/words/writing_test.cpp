@@ -57,7 +57,15 @@ std::string random_building(std::mt19937& random) {
                 else
                     text += ", " + number(w) + " by " + number(d) + " metres, corner at " + east(x_cm) + " and " +
                             north(y_cm);
+                if (upto(7) == 0) text += upto(2) == 0 ? ", raised by 35 centimetres" : ", sunk by 0.5 metres";
                 text += upto(3) == 0 ? ", wooden floor.\n" : ".\n";
+                // Edges to step down, also in rooms of which nothing is said, and platforms to the storey above.
+                if (x + 1 < columns && upto(6) == 0)
+                    text += "Drop of 0.4 metres from " + name(s, x, y) + " to " + name(s, x + 1, y) + ".\n";
+                if (s + 1 < storeys && upto(4) == 0)
+                    text += "Lift from " + name(s, x, y) + " to " + name(s + 1, x, y) + ", at " + east(x_cm + w / 2) +
+                            " and " + north(y_cm + d / 2) + ", 1.2 by 1.4 metres" +
+                            (upto(2) == 0 ? ", called \"Lift, small\".\n" : ".\n");
                 const bool opening = upto(4) == 0;
                 if (x + 1 < columns && upto(5) > 0)
                     text += std::string(opening ? "Opening" : "Door") + " to " + name(s, x + 1, y) + ", " +
@@ -137,6 +145,8 @@ Graph graph_of(const WordsHouse& house) {
         for (const std::string& name : names) text += " | " + name;
         graph.joins.insert(text);
     }
+    for (const WordsHouse::Lift& lift : house.lifts)
+        graph.joins.insert("lift | " + house.rooms[lift.from].name + " | " + house.rooms[lift.to].name);
     return graph;
 }
 
@@ -158,6 +168,80 @@ void expect_map_comes_back(const std::string& map) {
         EXPECT_EQ(after.rooms, before.rooms);
         EXPECT_EQ(after.joins, before.joins);
     }
+}
+
+// What is read of a drop and a lift is walked: down and not up again, and up and down by the platform.
+TEST(WrittenInWords, a_drop_and_a_lift_are_ways_in_both_languages) {
+    const char* texts[] = {
+        "Building: Stage.\n\nStorey: Ground, 3 metres high.\n\n"
+        "Room: Stage, 5 by 4 metres. Door outside in the south wall. "
+        "Drop of 0.5 metres from Stage to Pit, 3 metres wide.\n"
+        "Lift from Stage to Loft, at 1 metre east and 3 metres north, 1.2 by 1.2 metres, called Platform.\n\n"
+        "Room: Pit, 5 by 4 metres, east of Stage.\n\nStorey: Above, 3 metres high.\n\nRoom: Loft, 5 by 4 metres, "
+        "corner at 0 metres east and 0 metres north.\n",
+        "Gebäude: Stage.\nSprache: Deutsch.\n\nStockwerk: Unten, 3 Meter hoch.\n\n"
+        "Raum: Stage, 5 mal 4 Meter. Tür nach draußen in der Südwand. "
+        "Kante von 0,5 Metern von Stage zu Pit, 3 Meter breit.\n"
+        "Aufzug von Stage zu Loft, bei 1 Meter nach Osten und 3 Meter nach Norden, 1,2 mal 1,2 Meter, genannt "
+        "Platform.\n\nRaum: Pit, 5 mal 4 Meter, östlich von Stage.\n\nStockwerk: Oben, 3 Meter hoch.\n\n"
+        "Raum: Loft, 5 mal 4 Meter, Ecke bei 0 Meter nach Osten und 0 Meter nach Norden.\n"};
+    for (const char* text : texts) {
+        const Scene scene = test::read_rooms(text);
+        for (const Diagnostic& warning : scene.report.warnings)
+            if (warning.line > 0) ADD_FAILURE() << warning.sentence();
+        EXPECT_NEAR(test::room_of(scene, "Pit")->floor_m, -0.5, 1e-9);
+        const Result<WalkSpace> space = make_walk_space(scene, walk_body(scene, 0.25, 1.8, 0.25));
+        ASSERT_TRUE(space.has_value()) << space.error().sentence();
+        const RoomGraph graph = make_rooms(scene, *space);
+        int lifts = 0, openings = 0;
+        for (const Portal& portal : graph.portals) {
+            const std::string from = graph.rooms[portal.rooms[0]].name, to = graph.rooms[portal.rooms[1]].name;
+            if (portal.kind == PassageKind::Lift) {
+                ++lifts;
+                EXPECT_EQ(std::set<std::string>({from, to}), std::set<std::string>({"Stage", "Loft"}));
+                EXPECT_FALSE(portal.one_way);
+                EXPECT_EQ(scene.find(portal.feature)->name, "Platform");
+            }
+            openings += portal.kind == PassageKind::Opening ? 1 : 0;
+        }
+        EXPECT_EQ(lifts, 1) << text;
+        EXPECT_EQ(openings, 1) << "where the edge is";
+        // Half a metre down, and nobody walks up again there.
+        int drops = 0;
+        for (const WalkLink& link : space->links)
+            if (link.kind == PassageKind::Drop) {
+                ++drops;
+                EXPECT_FALSE(link.both_ways);
+                EXPECT_NEAR(space->place_m(link.from).z - space->place_m(link.to).z, 0.5, 0.01);
+                EXPECT_NEAR(space->place_m(link.from).x, 5.0, 0.4);
+            }
+        EXPECT_GT(drops, 0) << text;
+        const Vec3 above(4.0, 2.0, 0.0), below(6.0, 2.0, -0.5);
+        EXPECT_FALSE(space->straight(above, below));
+        EXPECT_FALSE(space->straight(below, above));
+        // And both are written again.
+        for (const WordLanguage language : {WordLanguage::English, WordLanguage::German}) {
+            const bool german = language == WordLanguage::German;
+            const std::string written = text_of(stated_house(scene, language), scene, language);
+            EXPECT_NE(
+                written.find(german ? "Kante von 0,5 Meter von Stage zu Pit" : "Drop of 0.5 metres from Stage to Pit"),
+                std::string::npos)
+                << written;
+            EXPECT_NE(written.find(german ? "Aufzug von Stage zu Loft" : "Lift from Stage to Loft"), std::string::npos)
+                << written;
+            const Scene again = test::read_rooms(written);
+            ASSERT_NO_FATAL_FAILURE(expect_same_building(scene, again, "\n" + written));
+        }
+    }
+}
+
+TEST(WrittenInWords, that_lead_nowhere_are_told_with_their_line) {
+    const Scene scene = test::read_rooms(
+        "Building: One.\n\nRoom: Hall, 4 by 4 metres. Door outside.\nLift from Hall to Attic.\n"
+        "Drop of 0.5 metres from Hall to Cellar.\n");
+    std::set<int> lines;
+    for (const Diagnostic& warning : scene.report.warnings) lines.insert(warning.line);
+    EXPECT_TRUE(lines.contains(4) && lines.contains(5));
 }
 
 TEST(WrittenInWords, the_house_comes_back_with_the_same_rooms_and_doors) { expect_map_comes_back("house.map"); }
