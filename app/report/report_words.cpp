@@ -17,7 +17,8 @@ constexpr std::array kMeasures{
     ReportMeasureInfo{"exits_percent", "%", 0},   ReportMeasureInfo{"help_asked", "1", 0},
     ReportMeasureInfo{"led_time", "s", 0},        ReportMeasureInfo{"detour_time", "s", 0},
     ReportMeasureInfo{"pointing_off", "deg", 0},  ReportMeasureInfo{"pointing_side", "deg", 0},
-    ReportMeasureInfo{"distance_judged", "1", 2}, ReportMeasureInfo{"order_kept", "1", 2},
+    ReportMeasureInfo{"pointing_passed", "%", 0}, ReportMeasureInfo{"distance_judged", "1", 2},
+    ReportMeasureInfo{"order_kept", "1", 2},
 };
 
 std::optional<double> value_of(const ReportTask& task, std::string_view key) {
@@ -63,6 +64,9 @@ public:
             say(*off < 20.0 ? "report.points_well" : "report.points_off", {{"degrees", std::lround(*off)}});
         if (const auto side = value("pointing_side"); side && std::abs(*side) >= 10.0)
             say(*side > 0.0 ? "report.points_right" : "report.points_left", {});
+        if (const auto passed = value("pointing_passed"))
+            say(*passed > 99.5 ? "report.points_all_count" : "report.points_count",
+                {{"percent", std::lround(*passed)}});
     }
 
     void distance() {

@@ -55,6 +55,12 @@ double way_walked_m(std::span<const WayPoint> walk) {
     return way_m;
 }
 
+double level_way_m(std::span<const Vec3> route_m) {
+    double way_m = 0.0;
+    for (std::size_t i = 1; i < route_m.size(); ++i) way_m += flat_distance(route_m[i - 1], route_m[i]);
+    return way_m;
+}
+
 std::optional<double> path_ratio(double walked_m, double shortest_m, bool reached) {
     if (!reached || !(shortest_m >= 1.0)) return std::nullopt;
     return walked_m / shortest_m;

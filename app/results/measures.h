@@ -22,6 +22,8 @@ struct WayPoint {
 inline constexpr double kWaySpacing_m = 0.25;
 // The way walked, over places at least kWaySpacing_m apart, so that swaying on the spot is none. Leaps are left out.
 double way_walked_m(std::span<const WayPoint> walk);
+// Of a route, measured likewise: on the level, whatever it rises.
+double level_way_m(std::span<const Vec3> route_m);
 // Over the shortest way; none where that is under a metre or the goal was not reached.
 std::optional<double> path_ratio(double walked_m, double shortest_m, bool reached);
 

@@ -55,7 +55,7 @@ struct TaughtStep {
     std::string from;                         // Point, Distance: "base" or a place
     std::vector<std::string> to;              // Point, Distance; Order: in what order is right
     bool along_way = false;                   // Distance: along the way, else straight
-    std::optional<double> pass_deg;           // Point: for who teaches and for tests
+    std::optional<double> pass_deg;           // Point: an answer passes that is off by no more
     std::optional<std::array<int, 2>> scale;  // Ask: answers are whole numbers; else words
     int line = 0;
 };

@@ -28,6 +28,18 @@ std::vector<std::string> TaughtWorld::names() const {
     return names;
 }
 
+std::vector<std::string> TaughtWorld::door_names() const {
+    std::vector<std::string> names;
+    for (const Mover& mover : scene_->movers)
+        if (const Feature& feature = scene_->features[mover.feature.value]; feature.kind == FeatureKind::Door)
+            names.push_back(feature.name.empty() ? spoken_name(feature) : feature.name);
+    return names;
+}
+
+std::string TaughtWorld::nearest(std::string_view name) const { return nearest_name(name, names()); }
+
+std::string TaughtWorld::nearest_door(std::string_view name) const { return nearest_name(name, door_names()); }
+
 const TaughtPlace* TaughtWorld::place(std::string_view name) const {
     if (same_name(name, "base") || (!lesson_.base_name.empty() && same_name(name, lesson_.base_name))) return &base_;
     const auto found = places_.find(lower_ascii(name));
@@ -117,13 +129,7 @@ Result<void> TaughtWorld::check_step(const TaughtStep& step) {
     std::vector<FeatureId> blocked;
     for (const std::string& name : step.block) {
         const auto found = door(name);
-        if (!found) {
-            std::vector<std::string> doors;
-            for (const Mover& mover : scene_->movers)
-                if (scene_->features[mover.feature.value].kind == FeatureKind::Door)
-                    doors.push_back(scene_->features[mover.feature.value].name);
-            return bad(step.line, "teaching.no_door", name, doors);
-        }
+        if (!found) return bad(step.line, "teaching.no_door", name, door_names());
         blocked.push_back(*found);
     }
     if (step.kind != StepKind::Go) return {};

@@ -37,6 +37,9 @@ public:
     // Its stops.
     std::vector<TaughtPlace> stops_of(const LessonRoute& route) const;
     std::optional<FeatureId> door(std::string_view name) const;
+    // What is called most like it, of all that place() knows, and of the doors.
+    std::string nearest(std::string_view name) const;
+    std::string nearest_door(std::string_view name) const;
     // On foot through all of these, with doors blocked.
     Route way(const Vec3& from_m, const std::vector<TaughtPlace>& stops, const std::vector<FeatureId>& blocked = {});
     // A sentence on what is not as it was when the lesson was written; empty: nothing.
@@ -48,6 +51,7 @@ private:
     Result<void> know(const LessonPlace& place);
     Result<void> check_step(const TaughtStep& step);
     std::vector<std::string> names() const;
+    std::vector<std::string> door_names() const;
     tl::unexpected<Error> bad(int line, const char* key, const std::string& name,
                               const std::vector<std::string>& known) const;
 

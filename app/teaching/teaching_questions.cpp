@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kAway_m = 1.0;  // farther from where a question is asked one is put there
 
+// Whole hundredths of a degree, as answers come.
+bool passes(double error_rad, double pass_deg) { return std::abs(degrees_from_radians(error_rad)) <= pass_deg + 0.005; }
+
 }  // namespace
 
 void TeachingRun::ask() {
@@ -117,6 +120,10 @@ void TeachingRun::answered(const std::string& text) {
                        : error > 0.0 ? "teaching.pointed_right"
                                      : "teaching.pointed_left",
                        {{"degrees", degrees}});
+        const bool passed = now.pass_deg && passes(error, *now.pass_deg);
+        if (now.pass_deg && !(passed && degrees < 5))  // who points well knows it
+            words = one_after(words, phrase(passed ? "teaching.point_passes" : "teaching.point_passes_not",
+                                            {{"degrees", *now.pass_deg}}));
     } else {
         if (!take_number(text, number)) return again("teaching.not_a_distance");
         const Vec3 way = to.middle_m - from.stand_m;
@@ -132,6 +139,12 @@ void TeachingRun::answered(const std::string& text) {
     if (const auto off = pointing(asked_.errors_rad)) {
         result.measures["pointing_off"] = degrees_from_radians(off->absolute_rad);
         if (off->biased) result.measures["pointing_side"] = degrees_from_radians(off->signed_rad);
+        if (now.pass_deg) {
+            const auto passed = std::count_if(asked_.errors_rad.begin(), asked_.errors_rad.end(),
+                                              [&](double error) { return passes(error, *now.pass_deg); });
+            result.measures["pointing_passed"] =
+                100.0 * static_cast<double>(passed) / static_cast<double>(asked_.errors_rad.size());
+        }
     }
     if (const auto ratio = distance_ratio(asked_.judged)) result.measures["distance_judged"] = *ratio;
     keep(std::move(result));

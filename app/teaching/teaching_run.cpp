@@ -80,6 +80,7 @@ void TeachingRun::place(const TaughtPlace& at, std::optional<double> heading_rad
 }
 
 void TeachingRun::keep(TaskResult result) {
+    result.ended_s = now_s_;
     acts_.emplace_back(result_act(result));
     results_.push_back(std::move(result));
 }
@@ -222,8 +223,10 @@ void TeachingRun::begin_go() {
     laps_ = {};
     const TaughtStep& now = step();
     laps_.stops = world_->stops_of(*world_->lesson().route(now.route));
+    laps_.blocked = shut_;
     for (const std::string& name : now.block)
         if (const auto door = world_->door(name)) {
+            std::erase(laps_.blocked, *door);
             laps_.blocked.push_back(*door);
             act(TeacherActed::Kind::Block, name, static_cast<double>(door->value));
         }
@@ -244,9 +247,7 @@ void TeachingRun::begin_lap() {
     laps_.met_s = laps_.left_s = std::nullopt;
     task_ = {.begun_s = now_s_, .walk = {}, .touches = {}, .led_since_s = {}};
     place(world_->base(), world_->base_heading_rad());
-    const std::vector<TaughtPlace> stops =
-        laps_.blocked.empty() ? laps_.stops : std::vector<TaughtPlace>{laps_.stops.back()};
-    laps_.shortest = world_->way(world_->base().stand_m, stops, laps_.blocked);
+    plan_lap();
     std::string words = laps_.lap == 0 ? now.say.spoken() : std::string();
     if (laps > 1) words = one_after(words, phrase("teaching.lap", {{"lap", laps_.lap + 1}, {"count", laps}}));
     words = one_after(words, phrase("teaching.go", {{"name", laps_.stops.back().name}}));
@@ -255,9 +256,16 @@ void TeachingRun::begin_lap() {
     lead();
 }
 
+// What lies behind a blocked door is not gone past: then the last stop alone counts.
+std::vector<TaughtPlace> TeachingRun::led_stops() const {
+    return laps_.blocked.empty() ? laps_.stops : std::vector{laps_.stops.back()};
+}
+
+void TeachingRun::plan_lap() { laps_.shortest = world_->way(world_->base().stand_m, led_stops(), laps_.blocked); }
+
 void TeachingRun::lead() {
     TeacherActed lead{TeacherActed::Kind::Lead, {}, {}, {}, level()};
-    for (const TaughtPlace& stop : laps_.blocked.empty() ? laps_.stops : std::vector{laps_.stops.back()}) {
+    for (const TaughtPlace& stop : led_stops()) {
         lead.items.push_back(stop.name);
         lead.places_m.push_back(stop.stand_m);
     }
@@ -266,7 +274,7 @@ void TeachingRun::lead() {
 }
 
 TaskResult TeachingRun::measured(std::string name) const {
-    TaskResult result{step().kind, order_[at_], laps_.lap, std::move(name), {}};
+    TaskResult result{step().kind, order_[at_], laps_.lap, std::move(name), {}, 0.0};
     if (step().kind != StepKind::Go) result.lap = 0;
     result.measures["time"] = now_s_ - task_.begun_s;
     const Hesitations pauses = hesitations(task_.walk);
@@ -283,8 +291,14 @@ void TeachingRun::end_lap(bool reached) {
     result.measures["reached"] = reached ? 1.0 : 0.0;
     // Where the lap was begun, the body was put: what it walked counts from there.
     int errors = times_off(laps_.shortest.points_m, task_.walk, step().off_route_m);
-    if (const auto ratio = path_ratio(way_walked_m(task_.walk), laps_.shortest.length_m, reached))
-        result.measures["path_ratio"] = *ratio;
+    if (reached) {
+        // Up to where one counts as arrived, which is a little before the stop itself.
+        std::vector<TaughtPlace> stops = led_stops();
+        stops.back().stand_m = view_.feet_m;
+        const Route shortest = world_->way(world_->base().stand_m, stops, laps_.blocked);
+        if (const auto ratio = path_ratio(way_walked_m(task_.walk), level_way_m(shortest.points_m), shortest.reaches))
+            result.measures["path_ratio"] = *ratio;
+    }
     const TurnsMet turns = turns_met(laps_.shortest.points_m, task_.walk);
     result.measures["turns_missed"] = turns.missed;
     result.measures["turns_early"] = turns.early;
@@ -303,8 +317,9 @@ void TeachingRun::end_lap(bool reached) {
     laps_.errors_before = errors;
     if (++laps_.lap < static_cast<int>(step().help_percent.size())) return begin_lap();
     for (const FeatureId door : laps_.blocked)
-        act(TeacherActed::Kind::Open, spoken_name(world_->scene()->features[door.value]),
-            static_cast<double>(door.value));
+        if (std::find(shut_.begin(), shut_.end(), door) == shut_.end())
+            act(TeacherActed::Kind::Open, spoken_name(world_->scene()->features[door.value]),
+                static_cast<double>(door.value));
     laps_ = {};
     end_step();
 }
@@ -318,6 +333,7 @@ void TeachingRun::end_step() {
 void TeachingRun::finish(bool all) {
     if (over_) return;
     over_ = true;
+    finished_ = all;
     act(TeacherActed::Kind::Summary, summary());
     act(TeacherActed::Kind::End);
     const std::size_t next = start_.session + 1;
@@ -363,15 +379,27 @@ void TeachingRun::change_help(int by) {
 
 std::string TeachingRun::lead_to(const std::string& name) {
     const TaughtPlace* to = world_->place(name);
-    if (!to) return phrase("teaching.no_name", {{"name", name}, {"nearest", nearest_name(name, {})}});
+    if (!to) return phrase("teaching.no_name", {{"name", name}, {"nearest", world_->nearest(name)}});
     acts_.emplace_back(TeacherActed{TeacherActed::Kind::Lead, {}, {to->name}, {to->stand_m}, 1.0});
     return {};
 }
 
 std::string TeachingRun::block(const std::string& name, bool blocked) {
     const auto door = world_->door(name);
-    if (!door) return phrase("teaching.no_door", {{"name", name}, {"nearest", nearest_name(name, {})}});
+    if (!door) return phrase("teaching.no_door", {{"name", name}, {"nearest", world_->nearest_door(name)}});
+    const bool on_way = begun_ && !over_ && !laps_.stops.empty();
+    std::vector<FeatureId> doors = laps_.blocked;
+    std::erase(doors, *door);
+    if (blocked) doors.push_back(*door);
+    if (blocked && on_way && !world_->way(view_.feet_m, {laps_.stops.back()}, doors).reaches)
+        return phrase("teaching.no_way_round", {{"name", laps_.stops.back().name}});
+    std::erase(shut_, *door);
+    if (blocked) shut_.push_back(*door);
     act(blocked ? TeacherActed::Kind::Block : TeacherActed::Kind::Open, name, static_cast<double>(door->value));
+    if (!on_way) return {};
+    laps_.blocked = std::move(doors);
+    plan_lap();
+    lead();
     return {};
 }
 

@@ -31,6 +31,7 @@ struct TaskResult {
     int lap = 0;           // from 0
     std::string name;
     std::map<std::string, double> measures;
+    double ended_s = 0.0;  // in the session's clock
 };
 // As a recording holds it.
 TeacherActed result_act(const TaskResult& result);
@@ -53,8 +54,11 @@ public:
     // What is to reach the session now, in order.
     std::vector<SessionInput> take_acts() { return std::exchange(acts_, {}); }
     bool over() const { return over_; }
+    // Over, with all of its steps behind one: nobody left it before.
+    bool finished() const { return finished_; }
 
-    // By whoever teaches. Where it cannot be, says why.
+    // By whoever teaches. Where it cannot be, says why. On a way that is being learnt, a door that is blocked counts as
+    // one that the lesson itself blocks: the way round is what the lap is measured against.
     void next(double now_s);
     void repeat();
     void change_help(int by);  // 1 more, -1 less
@@ -83,6 +87,8 @@ private:
     void finish(bool all);
     void follow_walk();
     void lead();
+    std::vector<TaughtPlace> led_stops() const;
+    void plan_lap();
     double level() const;
     void act(TeacherActed::Kind kind, std::string text = {}, double number = 0.0);
     void task(std::string text);
@@ -95,7 +101,8 @@ private:
     Start start_;
     std::vector<std::size_t> order_;
     std::size_t at_ = 0;
-    bool begun_ = false, over_ = false;
+    bool begun_ = false, over_ = false, finished_ = false;
+    std::vector<FeatureId> shut_;  // doors, by whoever teaches
     std::vector<SessionInput> acts_;
     std::vector<TaskResult> results_;
     LessonView view_;
