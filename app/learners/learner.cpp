@@ -111,6 +111,17 @@ bool Learner::allows(Purpose purpose, std::string_view day) const {
     return given && (given->until.empty() || day <= given->until);
 }
 
+std::string agreed_words(const Learner& learner, std::string_view day) {
+    constexpr std::array<const char*, kPurposes.size()> kKeys = {"learner.remember", "learner.record", "learner.share"};
+    std::string words;
+    for (const Purpose purpose : kPurposes) {
+        if (!learner.allows(purpose, day)) continue;
+        const std::string one = phrase(kKeys.at(static_cast<std::size_t>(purpose)));
+        words = words.empty() ? one : phrase("learner.and", {{"one", words}, {"other", one}});
+    }
+    return words.empty() ? phrase("learner.agreed_to_nothing") : words;
+}
+
 Result<Learner> read_learner(const std::string& text, const std::string& file) {
     const auto table = parsed(text, file);
     if (!table) return tl::unexpected(table.error());

@@ -43,6 +43,9 @@ struct Learner {
     bool allows(Purpose purpose, std::string_view day) const;
 };
 
+// "is remembered and is recorded", of what holds on that day; that there is nothing, in words, too.
+std::string agreed_words(const Learner& learner, std::string_view day);
+
 // Of a file's text, without the id. Fails with file and line; never half a learner.
 Result<Learner> read_learner(const std::string& text, const std::string& file);
 // As a file has it, with everything of `before`, the text of an earlier one, that nobody here knows. Fails where that

@@ -1,5 +1,6 @@
 #include "app/main/carried_lines.h"
 
+#include <iterator>
 #include <utility>
 
 #include "app/terminal/terminal.h"
@@ -32,6 +33,12 @@ void CarriedLines::drop() {
     lines_.clear();
     repeat_left_ = 0;
     choice_.clear();
+}
+
+std::vector<std::string> CarriedLines::take_rest() {
+    std::vector<std::string> rest(std::make_move_iterator(lines_.begin()), std::make_move_iterator(lines_.end()));
+    drop();
+    return rest;
 }
 
 bool CarriedLines::take(double now_s, WizardSession* wizard) {

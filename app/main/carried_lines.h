@@ -5,6 +5,7 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/core/session/session.h"
 #include "app/main/session_voice.h"
@@ -23,6 +24,8 @@ public:
     std::size_t waiting() const { return lines_.size(); }
     // What has not been done yet is not to be done any more.
     void drop();
+    // The same, for somebody else to do.
+    std::vector<std::string> take_rest();
     // Once a frame: does what is next, for the wizard where there is one. Nothing but leaving is done while a world is
     // read. False when there was nothing to do and nothing is waited for.
     bool take(double now_s, WizardSession* wizard);

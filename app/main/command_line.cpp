@@ -328,19 +328,24 @@ std::optional<SettingsStore> load_settings(const SettingsOptions& options, First
     return settings;
 }
 
-int explore(ExploreCall& call, FirstLanguage first, std::ostream& err, const LongWork& progress) {
-    if (const auto begun = begin_as_learner(call); !begun) {
-        err << begun.error().sentence() << "\n";
-        return 1;
+int refused(std::ostream& err, const Error& error) { return err << error.sentence() << "\n", 1; }
+
+// One after the other, while somebody else is chosen to be here.
+int explore(ExploreCall call, FirstLanguage first, std::ostream& err, const LongWork& progress) {
+    for (;; first = speak_first()) {
+        const ExploreCall asked = call;
+        if (const auto begun = begin_as_learner(call); !begun) return refused(err, begun.error());
+        std::vector<Diagnostic>& problems = call.arguments.settings_problems;
+        std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
+        if (!settings) return 2;
+        if (call.arguments.world)  // house.settings.toml beside house.map
+            for (Diagnostic& problem : settings->load_file(
+                     fs::path(*call.arguments.world).replace_extension(".settings.toml"), SettingSource::World))
+                problems.push_back(std::move(problem));
+        ExploreEnd end = run_explore(call.arguments, *settings, err, progress);
+        if (!end.learner) return end.status;
+        call = as_somebody_else(asked, std::move(end));
     }
-    std::vector<Diagnostic>& problems = call.arguments.settings_problems;
-    std::optional<SettingsStore> settings = load_settings(call.settings, std::move(first), problems, err);
-    if (!settings) return 2;
-    if (call.arguments.world)  // house.settings.toml beside house.map
-        for (Diagnostic& problem : settings->load_file(
-                 fs::path(*call.arguments.world).replace_extension(".settings.toml"), SettingSource::World))
-            problems.push_back(std::move(problem));
-    return run_explore(call.arguments, *settings, err, progress);
 }
 
 }  // namespace
@@ -411,19 +416,21 @@ int run_command_line(const std::vector<std::string>& words, std::ostream& out, s
     };
     return std::visit(
         Overloaded{
-            [&](ExploreCall& call) { return explore(call, std::move(first), err, progress); },
+            [&](ExploreCall& call) { return explore(std::move(call), std::move(first), err, progress); },
             [&](const InfoArguments& arguments) { return run_info(arguments, out, err, progress); },
             [&](const CheckArguments& arguments) { return run_check(arguments, out, err, progress); },
             [&](LessonCall& call) {
-                if (const auto begun = begin_as_learner(call); !begun) {
-                    err << begun.error().sentence() << "\n";
-                    return 1;
-                }
-                return with_settings(call.explore.settings, [&](SettingsStore& settings) {
+                const ExploreCall asked = call.explore;
+                if (const auto begun = begin_as_learner(call); !begun) return refused(err, begun.error());
+                ExploreEnd end;
+                const int status = with_settings(call.explore.settings, [&](SettingsStore& settings) {
                     ExploreArguments& taught = call.explore.arguments;
                     const auto done = run_lesson(call.arguments, taught, settings, out, err, progress);
-                    return done ? *done : run_explore(taught, settings, err, progress);
+                    if (!done) end = run_explore(taught, settings, err, progress);
+                    return done.value_or(end.status);
                 });
+                if (!end.learner) return status;
+                return explore(as_somebody_else(asked, std::move(end)), speak_first(), err, progress);
             },
             [&](const ReportArguments& arguments) { return run_report(arguments, out, err, progress); },
             [&](const LearnerArguments& arguments) { return run_learner(arguments, std::cin, out, err, progress); },

@@ -155,11 +155,11 @@ int run_report(const ReportArguments& arguments, std::ostream& out, std::ostream
 
 // `handrail lesson`: a lesson of an instructor.
 struct LessonArguments {
-    std::filesystem::path file;  // "watch": the desk
-    std::size_t session = 1;     // --session
-    std::string learner;         // --learner
-    bool check = false;          // --check
-    bool protocol = false;       // --protocol
+    std::filesystem::path file;          // "watch": the desk
+    std::optional<std::size_t> session;  // --session, from 1; none: what comes next for the learner, else the first
+    std::string learner;                 // --learner
+    bool check = false;                  // --check
+    bool protocol = false;               // --protocol
 };
 // In its world, for who learns.
 struct LessonToTeach {
@@ -178,6 +178,7 @@ struct ExploreArguments {
     std::optional<std::filesystem::path> record_in;    // --record, --record-in: where recordings lie
     std::string learner;                               // --learner: chosen name or id; empty: nobody by name
     bool remember = false;                             // the learner wants what was learnt to be kept
+    std::vector<std::string> lines;                    // to be done before those of standard input
     std::string program_version;
     std::vector<std::string> news;              // to be said with the welcome
     std::vector<Diagnostic> settings_problems;  // met while reading the settings; to be spoken, not only printed
@@ -185,7 +186,14 @@ struct ExploreArguments {
 // See lesson_command.cpp.
 std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments& explore, SettingsStore& settings,
                               std::ostream& out, std::ostream& err, const LongWork& progress = {});
-int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
-                const LongWork& progress = {});
+// How it ended: for good, or because somebody else is to be here.
+struct ExploreEnd {
+    int status = 0;
+    std::optional<std::string> learner;  // who, by id; empty: nobody by name. None: it ended for good
+    std::filesystem::path world;         // that one was in
+    std::vector<std::string> lines;      // that were read and not done yet
+};
+ExploreEnd run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
+                       const LongWork& progress = {});
 
 }  // namespace handrail

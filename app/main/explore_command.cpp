@@ -15,6 +15,7 @@
 #include "app/main/guided_set_up.h"
 #include "app/main/hand_in_use.h"
 #include "app/main/kept_settings.h"
+#include "app/main/learners_here.h"
 #include "app/main/left_hand.h"
 #include "app/main/lesson_here.h"
 #include "app/main/session_recording.h"
@@ -72,21 +73,23 @@ public:
         recording_.listen_to(app_);
     }
 
-    // Exit status. Problems that keep it from starting go to `err` too.
-    int run(std::ostream& err) {
+    // Problems that keep it from starting go to `err` too.
+    ExploreEnd run(std::ostream& err) {
         begin();
         if (arguments_.calibrate) {
             set_up_.begin(*arguments_.calibrate);
             calibrate();
             finish(err);
-            return 0;
+            return {};
         }
         hand_.begin(asked_s_);
         if (settings_.values().pads.use) companions_.emplace(clock_);
         left_.look_for(arguments_.left_device.value_or(settings_.values().haptic.left_device));
         const int status = load_world(err) ? explore(err) : ended() ? 0 : 1;
         finish(err);
-        return status;
+        ExploreEnd end{status, learners_.next(), worlds_.path(), {}};
+        if (lines_) end.lines = lines_->take_rest();
+        return end;
     }
 
 private:
@@ -135,7 +138,7 @@ private:
     }
 
     void watch_lines() {
-        if (!window_ && !keys_) lines_.emplace(app_, worlds_, switches_, say_);
+        if (!window_ && !keys_) lines_.emplace(app_, worlds_, switches_, say_, arguments_.lines);
     }
 
     // ---- the three loops: while the first world is read, in a world, and in a set-up without one ----
@@ -170,7 +173,7 @@ private:
     int explore(std::ostream& err) {
         double next_s = clock_.now_s();
         watch_lines();
-        while (!ended() && !app_.requests().leave) {
+        while (!ended() && !app_.requests().leave && !learners_.next()) {
             const double now_s = in_whole_microseconds(clock_.now_s());
             app_.apply(Stopped{switches_.stops}, now_s);
             take_input(now_s);
@@ -185,6 +188,7 @@ private:
             recording_.set_up(set_up_.under_way());
             if (auto ended = recording_.take_problem()) say_(std::move(*ended));
             worlds_.change(now_s);
+            learners_.turn(now_s);
             if (set_up_.under_way()) {
                 guide(now_s);
             } else {
@@ -296,6 +300,7 @@ private:
         hand_.stop_looking();
         left_.stop();
         hand_.let_go();
+        lesson_.end(clock_.now_s());
         if (!arguments_.calibrate) app_.keep_learnt(in_whole_microseconds(clock_.now_s()));
         hand_over();
         kept_.save_at_the_end(err);
@@ -327,7 +332,8 @@ private:
     GuidedSetUp set_up_{{settings_, switches_, app_, hand_, ears_, kept_, say_, arguments_.calibrate.has_value()}};
     WorldVisits worlds_{arguments_, app_, say_};
     DeviceFacts device_facts_;
-    LessonHere lesson_{arguments_.lesson, arguments_.learner, app_, say_};
+    LessonHere lesson_{arguments_, app_, say_};
+    LearnersHere learners_{arguments_, app_, recording_, say_};
     std::optional<WindowInput> window_;  // one of the three
     std::unique_ptr<TypedKeys> keys_;
     std::optional<TypedLines> lines_;
@@ -337,8 +343,8 @@ private:
 
 }  // namespace
 
-int run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
-                const LongWork& progress) {
+ExploreEnd run_explore(const ExploreArguments& arguments, SettingsStore& settings, std::ostream& err,
+                       const LongWork& progress) {
     return Exploration(arguments, settings, progress).run(err);
 }
 

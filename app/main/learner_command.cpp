@@ -22,17 +22,6 @@ std::string purpose_words(Purpose purpose) {
     return phrase(purpose == Purpose::Record ? "learner.record" : "learner.share");
 }
 
-// "is remembered and is recorded"; what holds today.
-std::string agreed_words(const Learner& learner) {
-    std::string words;
-    for (const Purpose purpose : kPurposes) {
-        if (!learner.allows(purpose, today())) continue;
-        const std::string one = purpose_words(purpose);
-        words = words.empty() ? one : phrase("learner.and", {{"one", words}, {"other", one}});
-    }
-    return words.empty() ? phrase("learner.agreed_to_nothing") : words;
-}
-
 // One run of the command: where learners are, and who is asked and answered.
 class LearnerCommand {
 public:
@@ -77,7 +66,7 @@ private:
         if (found.learners.empty()) out_ << phrase("learner.none") << '\n';
         for (const Learner& one : found.learners)
             out_ << phrase("learner.listed", {{"name", one.name},
-                                              {"purposes", agreed_words(one)},
+                                              {"purposes", agreed_words(one, today())},
                                               {"recordings", holdings_of(learners_.folder_of(one.id)).recordings}})
                  << '\n';
         return found.faults.empty() ? 0 : 1;

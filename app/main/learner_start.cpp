@@ -2,6 +2,7 @@
 
 #include "app/core/kept/side_file.h"
 #include "app/learners/learners.h"
+#include "app/learners/lesson_progress.h"
 #include "worlds/base/language.h"
 
 namespace handrail {
@@ -20,6 +21,8 @@ Result<void> begin_as_learner(ExploreCall& call) {
     if (!call.settings.file) call.settings.file = learners.settings_of(learner->id);
     arguments.common.data_in = learners.folder_of(learner->id);
     arguments.remember = learner->allows(Purpose::Remember, today());
+    if (!arguments.remember)  // what was kept before it was withdrawn goes
+        if (const auto forgotten = forget_lessons(arguments.common.data_in); !forgotten) return forgotten;
     arguments.learner = learner->name;
     arguments.news.push_back(phrase("learner.welcome", {{"name", learner->name}}));
     return {};
@@ -39,6 +42,17 @@ Result<void> begin_as_learner(LessonCall& call) {
     if (auto begun = begin_as_learner(call.explore); !begun) return begun;
     arguments.learner = call.explore.arguments.learner;
     return {};
+}
+
+ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end) {
+    ExploreArguments& arguments = asked.arguments;
+    arguments.learner = end.learner.value_or(std::string());
+    if (!arguments.learner.empty()) arguments.record_in.reset();  // as they have agreed
+    arguments.world = std::move(end.world);
+    arguments.lines = std::move(end.lines);
+    arguments.lesson.reset();
+    arguments.news = {phrase(arguments.learner.empty() ? "learner.nobody_here" : "learner.changes")};
+    return asked;
 }
 
 }  // namespace handrail

@@ -12,4 +12,8 @@ Result<void> begin_as_learner(ExploreCall& call);
 // yet, as order and protocol are drawn from the name as the learner has it.
 Result<void> begin_as_learner(LessonCall& call);
 
+// The call that goes on with who was chosen in the session that ended so, in the world one was in. asked: as it was
+// before it became that of a learner.
+ExploreCall as_somebody_else(ExploreCall asked, ExploreEnd end);
+
 }  // namespace handrail

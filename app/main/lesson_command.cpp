@@ -62,11 +62,16 @@ std::optional<int> run_lesson(const LessonArguments& arguments, ExploreArguments
     if (!world) return refused(world.error());
     if (arguments.check) return check_lesson(*world, progress, out);
     const LessonFile& lesson = (*world)->lesson();
-    if (arguments.session < 1 || arguments.session > lesson.sessions.size()) {
+    if (arguments.session && (*arguments.session < 1 || *arguments.session > lesson.sessions.size())) {
         fmt::print(err, "{}\n", phrase("teaching.sessions_are", {{"count", lesson.sessions.size()}}));
         return 2;
     }
-    const std::size_t session = arguments.session - 1;
+    std::size_t session = arguments.session.value_or(1) - 1;
+    if (!arguments.session && explore.remember) {
+        session = next_session(explore, lesson, explore.news);
+        explore.news.push_back(
+            phrase("teaching.session_is_next", {{"number", session + 1}, {"count", lesson.sessions.size()}}));
+    }
     for (const auto* conditions : {&lesson.settings, &lesson.sessions[session].settings})
         for (const auto& [key, value] : *conditions)
             if (const auto set = settings.set(key, value, SettingSource::World); !set) return refused(set.error());

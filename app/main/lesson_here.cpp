@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/core/kept/side_file.h"
+#include "app/learners/kept_results.h"
+#include "app/learners/lesson_progress.h"
 #include "app/main/world_files.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
@@ -47,13 +49,31 @@ void LessonHere::offer(const fs::path& world, double now_s) {
             if (!lesson || !fs::equivalent(lesson->world, world, ec)) continue;
             if (std::find(offered_.begin(), offered_.end(), file) != offered_.end()) continue;
             offered_.push_back(file);
-            act.items.push_back(lesson->title.spoken());
+            std::vector<std::string> news;
+            std::string title = lesson->title.spoken();
+            if (arguments_.remember)
+                title = phrase("teaching.offer_goes_on", {{"title", title},
+                                                          {"number", next_session(arguments_, *lesson, news) + 1},
+                                                          {"count", lesson->sessions.size()}});
+            for (std::string& words : news) say_(std::move(words));
+            act.items.push_back(std::move(title));
         }
     }
     app_.apply(std::move(act), now_s);
 }
 
-void LessonHere::begin(const LessonToTeach& lesson) {
+std::size_t next_session(const ExploreArguments& arguments, const LessonFile& lesson, std::vector<std::string>& news) {
+    if (!arguments.remember || arguments.common.data_in.empty()) return 0;
+    const auto taught = session_taught(arguments.common.data_in, lesson.file);
+    if (!taught) news.push_back(taught.error().sentence());
+    return taught ? session_behind(*taught, lesson.sessions.size()) : 0;
+}
+
+void LessonHere::begin(const LessonToTeach& lesson, double now_s) {
+    close(now_s);
+    taught_ = lesson;
+    begun_s_ = now_s;
+    begun_utc_ = now_utc();
     run_.emplace(begin_lesson(lesson.world, lesson.session, lesson.learner, app_));
     if (auto desk = DeskServer::open(desk_socket_path())) desk_ = std::move(*desk);
     else say_(desk.error().sentence());
@@ -90,8 +110,11 @@ void LessonHere::begin_chosen(double now_s) {
         looked_for_ = std::async(std::launch::async, read_taught_world, offered_[*chosen]);
     if (!looked_for_.valid() || looked_for_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     auto found = looked_for_.get();
-    if (found) begin({std::move(*found), 0, learner_named(learner_)});
-    else app_.apply(Told{found.error().sentence(), SpeechClass::Answer}, now_s);
+    if (found) {
+        std::vector<std::string> news;  // told when it was offered
+        const std::size_t session = next_session(arguments_, (*found)->lesson(), news);
+        begin({std::move(*found), session, learner_named(arguments_.learner)}, now_s);
+    } else app_.apply(Told{found.error().sentence(), SpeechClass::Answer}, now_s);
 }
 
 void LessonHere::listen_to_desk(double now_s) {
@@ -106,10 +129,9 @@ void LessonHere::turn(const fs::path& world, double now_s) {
     if (app_.world().entered == 0) return;
     if (world_ != app_.world().entered) {
         world_ = app_.world().entered;
-        run_.reset();
-        desk_.reset();
+        close(now_s);
         offer(world, now_s);
-        if (wanted_ && !began_) begin(*wanted_);
+        if (arguments_.lesson && !began_) begin(*arguments_.lesson, now_s);
         began_ = true;
     }
     write_draft(world, now_s);
@@ -119,9 +141,32 @@ void LessonHere::turn(const fs::path& world, double now_s) {
     listen_to_desk(now_s);
     teach_on(*run_, app_, std::exchange(events_, {}), now_s);
     if (!run_->over()) return;
+    close(now_s);
+    offer(world, now_s);
+}
+
+// A recording holds the results by itself.
+void LessonHere::close(double now_s) {
+    if (run_ && arguments_.remember && !arguments_.common.data_in.empty()) {
+        const std::filesystem::path& folder = arguments_.common.data_in;
+        const LessonFile& lesson = taught_.world->lesson();
+        if (run_->finished())
+            if (const auto noted = note_session_taught(folder, lesson.file, taught_.session + 1); !noted)
+                say_(noted.error().sentence());
+        if (!arguments_.record_in && !run_->results().empty()) {
+            KeptResults results{
+                begun_utc_, lesson.title.spoken(), spoken_name(*taught_.world->scene()), now_s - begun_s_, {}};
+            for (const TaskResult& one : run_->results())
+                results.tasks.push_back({one.ended_s - begun_s_, kStepWords.at(static_cast<std::size_t>(one.kind)),
+                                         one.name, one.measures});
+            if (const auto kept = keep_results(folder, results); !kept) say_(kept.error().sentence());
+        }
+    }
     run_.reset();
     desk_.reset();
 }
+
+void LessonHere::end(double now_s) { close(now_s); }
 
 void LessonHere::see(const std::vector<SessionEvent>& events) {
     if (run_) events_.insert(events_.end(), events.begin(), events.end());

@@ -19,26 +19,26 @@ namespace handrail {
 
 class LessonHere {
 public:
-    // All outlive this object.
-    // learner: whose session it is, for lessons chosen in it; empty: nobody's by name.
-    LessonHere(const std::optional<LessonToTeach>& wanted, const std::string& learner, Session& app,
-               const SessionVoice& say)
-        : wanted_(wanted), learner_(learner), app_(app), say_(say) {}
+    // All outlive this object. The arguments say which lesson is to be taught and to whom.
+    LessonHere(const ExploreArguments& arguments, Session& app, const SessionVoice& say)
+        : arguments_(arguments), app_(app), say_(say) {}
 
     // Before the session's tick. world: the file one is in.
     void turn(const std::filesystem::path& world, double now_s);
     // After it: what happened in it.
     void see(const std::vector<SessionEvent>& events);
+    // The session ends: what was measured until now is kept where that is agreed.
+    void end(double now_s);
 
 private:
     void offer(const std::filesystem::path& world, double now_s);
     void begin_chosen(double now_s);
-    void begin(const LessonToTeach& lesson);
+    void begin(const LessonToTeach& lesson, double now_s);
+    void close(double now_s);
     void write_draft(const std::filesystem::path& world, double now_s);
     void listen_to_desk(double now_s);
 
-    const std::optional<LessonToTeach>& wanted_;
-    const std::string& learner_;
+    const ExploreArguments& arguments_;
     Session& app_;
     const SessionVoice& say_;
     int world_ = 0;  // Session::worlds_entered()
@@ -46,6 +46,9 @@ private:
     std::vector<std::filesystem::path> offered_;
     std::future<Result<std::shared_ptr<TaughtWorld>>> looked_for_;
     std::optional<TeachingRun> run_;
+    LessonToTeach taught_;  // while it runs
+    double begun_s_ = 0.0;
+    std::string begun_utc_;
     std::unique_ptr<DeskServer> desk_;
     std::vector<SessionEvent> events_;
     double turned_s_ = -1e9, told_s_ = -1e9;
@@ -53,6 +56,9 @@ private:
 
 // A lesson in its world, both read. Fails with file and line.
 Result<std::shared_ptr<TaughtWorld>> read_taught_world(const std::filesystem::path& file);
+// The session of that lesson, from 0, which comes next for the learner of these arguments; the first one where nothing
+// is remembered. What is wrong with the file of it is added to `news`.
+std::size_t next_session(const ExploreArguments& arguments, const LessonFile& lesson, std::vector<std::string>& news);
 // Lessons of the person's own.
 std::filesystem::path lessons_folder();
 

@@ -100,10 +100,18 @@ private:
                 err_ << report.error().sentence() << '\n';
                 continue;
             }
-            report->learner = learner->name;
-            report->learner_id = learner->id;
-            report->session = fmt::format("{}", reports.size() + 1);
             reports.push_back(std::move(*report));
+        }
+        // Sessions of which no more than that was agreed to be kept.
+        std::vector<Error> faults;
+        for (const KeptResults& kept : kept_results(learner_folder_, faults)) reports.push_back(report_of(kept));
+        for (const Error& fault : faults) err_ << fault.sentence() << '\n';
+        std::stable_sort(reports.begin(), reports.end(),
+                         [](const SessionReport& a, const SessionReport& b) { return a.started_utc < b.started_utc; });
+        for (std::size_t i = 0; i < reports.size(); ++i) {
+            reports[i].learner = learner->name;
+            reports[i].learner_id = learner->id;
+            reports[i].session = fmt::format("{}", i + 1);
         }
         if (reports.empty()) return refuse({{}, 0, 0, phrase("learner.no_sessions", {{"name", learner->name}})});
         if (const int status = write(arguments_.html ? learner_page(reports) : std::string(), reports); status != 0)

@@ -56,6 +56,13 @@ std::vector<SessionEvent> SessionRecording::ticked(Session& app, double now_s, c
     return events;
 }
 
+bool SessionRecording::leave_off() {
+    if (!recorder_ || std::exchange(left_off_, true)) return false;
+    note("left_off");
+    recorder_->end(clock_.now_s());
+    return true;
+}
+
 void SessionRecording::set_up(bool under_way) {
     if (std::exchange(set_up_, under_way) != under_way && under_way) note("set_up");
 }

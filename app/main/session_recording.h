@@ -41,6 +41,8 @@ public:
     void note(const char* is, std::uint64_t number = 0) {
         if (recorder_) recorder_->note(is, clock_.now_s(), number);
     }
+    // Nothing is recorded from here on, as what follows concerns others. False: nothing was.
+    bool leave_off();
     // Each frame: a set-up leads the person, beside the session. Said once where it begins.
     void set_up(bool under_way);
     // It ended before its time; told once.
@@ -55,7 +57,7 @@ private:
     std::unique_ptr<Recorder> recorder_;
     std::optional<Arrivals> arrivals_;
     std::shared_ptr<StepNotes> steps_ = std::make_shared<StepNotes>();
-    bool set_up_ = false;
+    bool set_up_ = false, left_off_ = false;
 };
 
 }  // namespace handrail

@@ -136,7 +136,7 @@ ReportTask task_of(const RecordedWay& way, double to_s, std::span<const WayPoint
     if (!walk.empty() && task.reached == true) {
         const Route shortest = navigation.plan(walk.front().place_m, walk.back().place_m);
         if (shortest.reaches) {
-            if (const auto ratio = path_ratio(way_walked_m(walk), shortest.length_m, true))
+            if (const auto ratio = path_ratio(way_walked_m(walk), level_way_m(shortest.points_m), true))
                 task.measures.push_back({"path_ratio", *ratio});
             const TurnsMet turns = turns_met(shortest.points_m, walk);
             task.measures.push_back({"turns_missed", static_cast<double>(turns.missed)});
@@ -211,6 +211,16 @@ Result<SessionReport> report_of(const Recording& recording, const RecordedEvents
     const WalkSpace& space = rooms.navigation().space();
     if (auto storey = storey_of(*scene, rooms.graph(), space, storey_of_start(*scene, rooms.graph(), space)))
         report.storey = std::move(*storey);
+    return report;
+}
+
+SessionReport report_of(const KeptResults& results) {
+    SessionReport report;
+    report.started_utc = results.begun_utc;
+    report.lesson = results.lesson;
+    report.world = results.world;
+    report.seconds = results.seconds;
+    for (const RecordedTask& task : results.tasks) report.tasks.push_back(task_of(task));
     return report;
 }
 

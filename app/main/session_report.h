@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "app/learners/kept_results.h"
 #include "app/record/recorded_events.h"
 #include "app/report/report_page.h"
 
@@ -12,5 +13,8 @@ namespace handrail {
 // Fails with a sentence where the rooms of the world cannot be found. scene: that of events.world.
 Result<SessionReport> report_of(const Recording& recording, const RecordedEvents& events,
                                 const std::shared_ptr<const Scene>& scene);
+
+// Of a session whose results alone were kept: its tasks, and neither way nor course.
+SessionReport report_of(const KeptResults& results);
 
 }  // namespace handrail

@@ -3,19 +3,32 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace handrail {
 
-TypedLines::TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches, const SessionVoice& say)
+TypedLines::TypedLines(Session& app, WorldVisits& worlds, ServoSwitches& switches, const SessionVoice& say,
+                       const std::vector<std::string>& before)
     : app_(app),
       switches_(switches),
       typed_(::isatty(STDIN_FILENO) == 1),
       lines_(app, worlds, say, typed_),
       watch_(STDIN_FILENO, typed_ ? LineWatch::WhenFull::Loses : LineWatch::WhenFull::Waits,
-             [this](std::string_view line) { return stops_at_once(line); }) {}
+             [this](std::string_view line) { return stops_at_once(line); }) {
+    for (const std::string& line : before) lines_.add(line);
+}
+
+std::vector<std::string> TypedLines::take_rest() {
+    bool emptied = false;
+    std::vector<std::string> read = watch_.take(emptied);
+    if (emptied) lines_.drop();
+    std::vector<std::string> rest = lines_.take_rest();
+    rest.insert(rest.end(), std::make_move_iterator(read.begin()), std::make_move_iterator(read.end()));
+    return rest;
+}
 
 // The word for the stop key, typed at a terminal, does not wait for its turn. In a file or a pipe it does: there it is
 // a line of a script. On the line watch's thread.

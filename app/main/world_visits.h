@@ -51,14 +51,16 @@ public:
     }
 
 private:
+    bool of_learner() const { return !arguments_.common.data_in.empty(); }
     SideFile additions_to(const std::filesystem::path& path) const;
     void begin_reading(const std::filesystem::path& path, const CommonArguments& common);
 
     const ExploreArguments& arguments_;
     Session& app_;
     const SessionVoice& say_;
-    RecentWorlds recent_{recent_worlds_path()};
-    SessionTrace trace_{sessions_folder()};
+    // A learner has both in the learner's own folder, so that nothing of them is left elsewhere.
+    RecentWorlds recent_{of_learner() ? arguments_.common.data_in / "recent-worlds.txt" : recent_worlds_path()};
+    SessionTrace trace_{of_learner() ? arguments_.common.data_in / "sessions" : sessions_folder()};
     std::optional<CrashSignal> crash_signal_;
     std::optional<CrashNotes> notes_;
     std::uint64_t notes_kept_ = 0;

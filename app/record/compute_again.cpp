@@ -123,7 +123,8 @@ private:
     // False where it cannot go on.
     Result<bool> take(const RecordedLine& line) {
         const bool of_ears = line.is == "ears_settings" || line.is == "ears_two_hands" || line.is == "ears_stand_in";
-        const bool is_one = is_input(line.is) || of_ears || line.is == "handed_over" || line.is == "set_up";
+        const bool is_one =
+            is_input(line.is) || of_ears || line.is == "handed_over" || line.is == "set_up" || line.is == "left_off";
         if (line.is == "acts_by") {
             const auto who = field<std::uint64_t>(Json::parse(line.json, nullptr, false), "number", 0);
             speak_to(who == 1 ? ActsBy::TerminalKeys : who == 2 ? ActsBy::Lines : ActsBy::WindowKeys);
@@ -141,8 +142,8 @@ private:
             stopped_ = true;
             return false;
         }
-        if (line.is == "set_up") {
-            again_.remarks.push_back(phrase("replay.set_up"));
+        if (line.is == "set_up" || line.is == "left_off") {
+            if (line.is == "set_up") again_.remarks.push_back(phrase("replay.set_up"));
             again_.cut = true;
             stopped_ = true;
             return false;

@@ -13,8 +13,9 @@ namespace {
 
 constexpr std::array<const char*, 5> kActs = {"go_to", "choose", "less", "more", "put"};
 
-constexpr std::array<const char*, 14> kTeacherActs = {"begin", "offer", "task", "ask",  "order",  "point",   "lead",
-                                                      "leave", "block", "open", "note", "result", "summary", "end"};
+constexpr std::array<const char*, 15> kTeacherActs = {"begin", "offer",  "task",    "ask",   "order",
+                                                      "point", "lead",   "leave",   "block", "open",
+                                                      "note",  "result", "summary", "end",   "learners"};
 
 template <std::size_t N>
 std::size_t place_in(const std::array<const char*, N>& words, const Json& word) {

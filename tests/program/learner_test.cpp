@@ -70,6 +70,88 @@ TEST_F(LearnerProgram, keeps_marks_and_settings_of_each_apart_records_who_agreed
     EXPECT_EQ(recordings(), 0U);
 }
 
+TEST_F(LearnerProgram, is_chosen_in_the_program_and_named_in_nobody_elses_recording) {
+    for (const char* name : {"Fig Finch", "Oak Owl"})
+        EXPECT_EQ(run({"learner", "new", name, "--give", "remember,record"}).exit_status, 0);
+    EXPECT_EQ(run({"learner", "consent", "Fig Finch", "--withdraw", "record"}).exit_status, 0);
+    const ProgramRun all = explore("Oak Owl",
+                                   "mark\nmine\nlearners\n2\nmarks\nescape\nlearners\n2\nlearners fig finch\n"
+                                   "learners oak owl\nmarks\nescape\nlearners\n1\nwhere\n");
+    EXPECT_EQ(all.exit_status, 0) << all.err;
+    std::size_t at = 0;
+    for (const char* words : {
+             "Oak Owl learns.",
+             "Oak Owl is here.",  // the list, at its entry
+             "Oak Owl, is remembered and is recorded, 3 of 3",
+             "Fig Finch learns.",
+             "1 of 2",  // marks; the other's is not among them
+             "Fig Finch is here.",
+             "Fig Finch, is remembered, 2 of 3",
+             "Fig Finch: is remembered. No recordings.",  // who is here already is told of
+             "Oak Owl learns.",
+             "1 of 3",
+             "Nobody by name is here.",
+             "facing",
+         }) {
+        const std::size_t found = all.out.find(words, at);
+        ASSERT_NE(found, std::string::npos) << words << "\n" << all.out;
+        at = found;
+    }
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::recursive_directory_iterator(home_.path() / "data"))
+        if (entry.path().filename() == "events.jsonl") folders.push_back(entry.path().parent_path());
+    EXPECT_EQ(folders.size(), 2U) << "Oak Owl was here twice";
+    for (const fs::path& folder : folders) {
+        EXPECT_THAT(content_of(folder / "events.jsonl"), Not(HasSubstr("Fig Finch")));
+        const ProgramRun again = run({"replay", folder.string(), "--check"});
+        EXPECT_EQ(again.exit_status, 0) << again.out << again.err;
+    }
+    EXPECT_THAT(run({"learner", "delete", "Fig Finch", "--yes"}).out, HasSubstr("0 hits"));
+}
+
+TEST_F(LearnerProgram, is_recorded_in_no_folder_but_the_learners_own) {
+    EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "record"}).exit_status, 0);
+    const std::string elsewhere = (home_.path() / "elsewhere").string();
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{TEST_WORLDS "/house.map"}, {"lesson", TEST_WORLDS "/school.lesson.toml"}}) {
+        std::vector<std::string> all = words;
+        all.insert(all.end(), {"--no-window", "--device", "none", "--learner", "Oak Owl", "--record-in", elsewhere});
+        const ProgramRun refused = run(all);
+        EXPECT_EQ(refused.exit_status, 2) << refused.out;
+        EXPECT_THAT(refused.err, HasSubstr("--record-in"));
+        EXPECT_FALSE(fs::exists(elsewhere));
+    }
+    EXPECT_EQ(recordings(), 0U);
+}
+
+TEST_F(LearnerProgram, leaves_no_world_where_the_last_ones_of_all_are_kept) {
+    EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "remember"}).exit_status, 0);
+    const fs::path own = home_.path() / "worlds/owls_very_own.map";
+    fs::create_directories(own.parent_path());
+    fs::copy_file(TEST_WORLDS "/first_room.map", own);
+    const auto files_that_say = [this](const std::string& words) {
+        std::vector<std::string> files;
+        fs::create_directories(home_.path() / "state");
+        for (const char* folder : {"data", "state"})
+            for (const auto& entry : fs::recursive_directory_iterator(home_.path() / folder))
+                if (entry.path().string().find(words) != std::string::npos ||
+                    (entry.is_regular_file() && content_of(entry.path()).find(words) != std::string::npos))
+                    files.push_back(entry.path().filename().string());
+        return files;
+    };
+    const std::vector<std::string> here = {own.string(), "--no-window", "--device", "none", "--learner", "Oak Owl"};
+    EXPECT_EQ(run(here, "forward 2\n").exit_status, 0);
+    EXPECT_THAT(files_that_say("owls_very_own"), testing::Contains("recent-worlds.txt"));
+    EXPECT_FALSE(fs::exists(home_.path() / "state/handrail/recent-worlds.txt"));
+    // And the learner finds it there again.
+    EXPECT_THAT(
+        run({TEST_WORLDS "/house.map", "--no-window", "--device", "none", "--learner", "Oak Owl"}, "menu\n2\n2\n").out,
+        HasSubstr("6 by 4 metres"));
+    const ProgramRun deleted = run({"learner", "delete", "Oak Owl", "--yes"});
+    EXPECT_EQ(deleted.exit_status, 0) << deleted.out << deleted.err;
+    EXPECT_THAT(files_that_say("owls_very_own"), testing::IsEmpty());
+}
+
 TEST_F(LearnerProgram, goes_on_learning_where_it_ended_as_long_as_that_is_agreed) {
     EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
     const auto rooms_learnt = [this] {  // what the list of rooms begins with

@@ -92,6 +92,7 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_
     ASSERT_TRUE(first.hears("Get to know Entrance hall")) << first.all();
     first.type("mark");
     first.type("door");
+    desk.type("summary");  // a line comes every ten seconds by itself
     ASSERT_TRUE(desk.hears("walls done")) << desk.all();
     first.type("done");
     ASSERT_TRUE(first.hears("Face Trophy case")) << first.all();
@@ -147,6 +148,91 @@ TEST_F(TaughtByTheProgram, keeps_marks_and_recordings_of_its_learner_is_watched_
     EXPECT_EQ(deleted.exit_status, 0) << deleted.out << deleted.err;
     EXPECT_THAT(deleted.out, HasSubstr("0 hits"));
     EXPECT_FALSE(fs::exists(page) || fs::exists(table) || fs::exists(json));
+}
+
+TEST_F(TaughtByTheProgram, goes_on_with_the_next_session_and_keeps_results_of_who_is_remembered_alone) {
+    EXPECT_EQ(run({"learner", "new", "Oak Owl", "--give", "remember,share"}).exit_status, 0);
+    const std::vector<std::string> words = {
+        "lesson", TEST_WORLDS "/school.lesson.toml", "--learner", "oak owl", "--no-window", "--device", "none"};
+    Pupil first(*this, "first", words);
+    ASSERT_TRUE(first.hears("Session 1 of 3 is next.")) << first.all();
+    ASSERT_TRUE(first.hears("Get to know Entrance hall")) << first.all();
+    for (const char* asked : {"Face Trophy case", "Face Drinking fountain", "Walls is over."}) {
+        first.type("done");
+        ASSERT_TRUE(first.hears(asked)) << first.all();
+    }
+    // The list of lessons knows it at once.
+    first.type("task");
+    ASSERT_TRUE(first.hears("Begin From the main door to the library, session 2 of 3")) << first.all();
+    first.type("1");
+    ASSERT_TRUE(first.hears("Way with help, 1 task.")) << first.all();
+    EXPECT_EQ(first.leave(), 0);  // in the middle of it: it is next again
+    EXPECT_TRUE(recordings().empty());
+
+    // Of what was measured there is a report, also of the session that was left; of what was said there is nothing.
+    const std::string table = (home_.path() / "results.csv").string(), page = (home_.path() / "page.html").string();
+    const ProgramRun report = run({"report", "--learner", "Oak Owl", "--csv", table, "--html", page});
+    EXPECT_EQ(report.exit_status, 0) << report.err;
+    const auto rows = read_results_csv(content_of(table), table);
+    ASSERT_TRUE(rows);
+    std::string measured;
+    for (const ResultRow& row : *rows) measured += row.session + " " + row.task + " " + row.measure + "\n";
+    for (const char* one : {"1 1 learn Entrance hall time", "1 2 point pointing_off", "pointing_passed"})
+        EXPECT_THAT(measured, HasSubstr(one));
+    EXPECT_THAT(measured, Not(HasSubstr("strategy"))) << "where one went is not kept";
+    EXPECT_THAT(content_of(page), Not(HasSubstr("Face Trophy case")));
+
+    Pupil second(*this, "second", words);
+    ASSERT_TRUE(second.hears("Session 2 of 3 is next.")) << second.all();
+    ASSERT_TRUE(second.hears("Lap 1 of 4.")) << second.all();
+    second.type("learners");
+    ASSERT_TRUE(second.hears("Oak Owl is here.")) << second.all();
+    second.type("2");
+    ASSERT_TRUE(second.hears("From the main door to the library: session 2 of 3 is next.")) << second.all();
+    EXPECT_EQ(second.leave(), 0);
+
+    // Who is not remembered any more begins anew, and what was kept is gone.
+    EXPECT_EQ(run({"learner", "consent", "Oak Owl", "--withdraw", "remember"}).exit_status, 0);
+    Pupil third(*this, "third", words);
+    ASSERT_TRUE(third.hears("Walls, 2 tasks.")) << third.all();
+    EXPECT_EQ(third.leave(), 0);
+    EXPECT_THAT(third.all(), Not(HasSubstr("is next.")));
+    EXPECT_EQ(run({"report", "--learner", "Oak Owl", "--csv", table, "--force"}).exit_status, 1);
+    for (const auto& entry : fs::recursive_directory_iterator(home_.path() / "data"))
+        for (const char* gone : {"lessons.toml", "results.jsonl"}) EXPECT_NE(entry.path().filename(), gone);
+}
+
+TEST_F(TaughtByTheProgram, draws_the_order_of_a_lesson_from_the_learner_whether_it_is_named_or_chosen) {
+    EXPECT_EQ(run({"learner", "new", "Oak Owl"}).exit_status, 0);
+    fs::create_directories(home_.path() / "data/handrail/lessons");
+    std::string text =
+        "handrail_lesson = 1\ntitle = \"Questions\"\nworld = \"first_room.map\"\n[[landmark]]\nname = \"Here\"\n"
+        "place_m = [0.0, 0.0, 0.0]\n[[session]]\nname = \"All\"\norder = \"shuffle\"\n";
+    const std::vector<std::string> names = {"Ash", "Birch", "Cedar", "Dogwood", "Elm", "Fir"};
+    for (const std::string& name : names)
+        text += "[[session.step]]\ndo = \"ask\"\nsay = \"What is " + name + "?\"\nscale = [1, 7]\n";
+    const std::string file = (home_.path() / "data/handrail/lessons/questions.lesson.toml").string();
+    std::filesystem::copy_file(home_.write("questions.lesson.toml", text), file);
+    const std::string protocol = run({"lesson", file, "--protocol", "--learner", "Oak Owl"}).out;
+    std::vector<std::string> order = names;
+    std::sort(order.begin(), order.end(), [&](const std::string& a, const std::string& b) {
+        return protocol.find("What is " + a) < protocol.find("What is " + b);
+    });
+    EXPECT_NE(order, names) << protocol;
+    Pupil pupil(*this, "pupil",
+                {TEST_WORLDS "/first_room.map", "--learner", "oak owl", "--no-window", "--device", "none"});
+    ASSERT_TRUE(pupil.hears("Oak Owl learns.")) << pupil.all();
+    ASSERT_TRUE(pupil.hears("First room")) << pupil.all();
+    pupil.type("task");
+    ASSERT_TRUE(pupil.hears("Begin Questions")) << pupil.all();
+    pupil.type("1");
+    for (const std::string& name : order) {
+        ASSERT_TRUE(pupil.hears("What is ")) << pupil.all();
+        ASSERT_TRUE(pupil.hears(name + "?")) << name << protocol << pupil.all();
+        pupil.type("4");
+    }
+    ASSERT_TRUE(pupil.hears("All is over.")) << pupil.all();
+    EXPECT_EQ(pupil.leave(), 0);
 }
 
 TEST_F(TaughtByTheProgram, is_neither_recorded_without_consent_nor_taught_to_who_is_not_there) {

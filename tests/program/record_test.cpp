@@ -48,6 +48,9 @@ constexpr const char* kBusy[] = {
     "hand-left\nfind\nstairs\ntake-me\nleft 3\nforward 12\nname-room\nMy "
     "hall\nwhere\nlost\n"
     "desk\nescape\nhelp\nescape\n",
+    // With a device in each hand.
+    "forward 3\nwhat\nhand-forward 8\nhand-left 12\nscale-down\nroom\nframe\nhand-right 20\nwhere\nfind\nkitchen\n"
+    "take-me\nforward 4\nright 3\nforces\nforces\nhand-back 6\ndetail\nhand-left 9\nexits\nescape\n",
 };
 
 class RecordedUnderLoad : public testing::TestWithParam<int> {};
@@ -62,6 +65,7 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
                       "sim-t",
                       "--record-in",
                       folder.path().string()};
+    if (GetParam() == 3) call.arguments.insert(call.arguments.end(), {"--device", "sim-f"});
     call.input = kBusy[GetParam()];
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
@@ -75,9 +79,10 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
     const auto difference = first_difference(*read, *again);
     EXPECT_FALSE(difference) << difference->line << "\n" << difference->recorded << "\n" << difference->computed;
     EXPECT_GT(again->said.size(), 12U) << run.out;
+    EXPECT_EQ(read->hands[1].size() > 300U, GetParam() == 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Sessions, RecordedUnderLoad, testing::Range(0, 3));
+INSTANTIATE_TEST_SUITE_P(Sessions, RecordedUnderLoad, testing::Range(0, 4));
 
 TEST(RecordedSession, becomes_a_scenario_that_holds) {
     const TemporaryFolder folder;

@@ -28,6 +28,9 @@ struct OwnerRequests {
     std::optional<LastPlace> take_last_place() { return std::exchange(last_place, std::nullopt); }
 
     std::optional<std::size_t> take_lesson() { return std::exchange(lesson, std::nullopt); }
+    // Who can be here, to be answered by TeacherActed::Kind::Learners; and who of those is to be here instead.
+    bool take_learners() { return std::exchange(learners, false); }
+    std::optional<std::size_t> take_learner() { return std::exchange(learner, std::nullopt); }
     std::optional<LessonDraft> take_lesson_draft() { return std::exchange(lesson_draft, std::nullopt); }
 
     bool read_again = false;
@@ -36,7 +39,9 @@ struct OwnerRequests {
     std::optional<LastPlace> last_place;
     std::optional<LessonDraft> lesson_draft;  // to be written
     std::optional<std::size_t> lesson;        // to be begun: of those that were offered, by number
-    bool leave = false;                       // the session is to end
+    std::optional<std::size_t> learner;       // likewise: of those that were listed
+    bool learners = false;
+    bool leave = false;  // the session is to end
 };
 
 }  // namespace handrail

@@ -94,6 +94,7 @@ constexpr std::array kCommands{
     CommandInfo{Command::FirstMinutes, "welcome", "", false},
     CommandInfo{Command::Task, "task", "Alt+F9", false},
     CommandInfo{Command::TaskDone, "done", "Alt+Enter", false},
+    CommandInfo{Command::Learners, "learners", "", false},
     CommandInfo{Command::Language, "language", "", false},
     CommandInfo{Command::Devices, "devices", "", false},
     CommandInfo{Command::NextSound, "sounds", "F11", false},

@@ -94,6 +94,7 @@ enum class Command : std::uint8_t {
     FirstMinutes,  // as at the first start
     Task,          // of the lesson of an instructor; without one a list to begin or prepare one
     TaskDone,      // it is done, or the question is answered: by facing or pointing there
+    Learners,      // list of who can be here, to be asked of whoever owns the session
     Language,
     Devices,  // list of what is plugged in, and what each is good for
     NextSound,

@@ -118,7 +118,7 @@ std::optional<Command> command_apart(const std::vector<TypedWord>& words) {
 
 bool takes_choice(Command command) {
     return is_one_of(command, {Command::Describe, Command::Routes, Command::Find, Command::Ways, Command::LearntRooms,
-                               Command::Storeys});
+                               Command::Storeys, Command::Learners});
 }
 
 std::string without_fillers(std::string_view typed) { return name_from(typed_words(typed), 0, {}); }

@@ -1,5 +1,6 @@
 #include "app/core/lessons/exercise.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -44,6 +45,9 @@ void Exercise::take(const TeacherActed& act, double now_s) {
         case Kind::End:
             enter_world();
             break;
+        case Kind::Learners:
+            open_learners(act, now_s);
+            break;
         case Kind::Lead:
         case Kind::Leave:
         case Kind::Block:
@@ -56,6 +60,10 @@ void Exercise::take(const TeacherActed& act, double now_s) {
 }
 
 bool Exercise::act(Command command, double now_s) {
+    if (command == Command::Learners) {
+        context_.requests.learners = true;
+        return true;
+    }
     if (command == Command::Task) {
         if (under_way_) open_list(now_s);
         else open_offers(now_s);
@@ -148,6 +156,17 @@ void Exercise::open_list(double now_s) {
     rows.push_back({"exercise.leave", [this](double then_s) { wish(LessonWish::Leave, then_s); }});
     for (const Row& row : rows) list.items.push_back({phrase(row.name), {}, false});
     list.chosen = [this, rows](std::size_t at) { rows[at].act(context_.tick_s); };
+    context_.open_list(std::move(list), now_s);
+}
+
+void Exercise::open_learners(const TeacherActed& act, double now_s) {
+    ListSpec list;
+    list.title = act.text;
+    for (std::size_t i = 0; i + 1 < act.items.size(); i += 2)
+        list.items.push_back({act.items[i], act.items[i + 1], false});
+    list.at = static_cast<std::size_t>(std::clamp(act.number, 0.0, 1e6));
+    if (list.at >= list.items.size()) list.at = 0;
+    list.chosen = [this](std::size_t at) { context_.requests.learner = at; };
     context_.open_list(std::move(list), now_s);
 }
 

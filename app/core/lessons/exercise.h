@@ -25,7 +25,7 @@ public:
     void enter_world();
     // All but Lead, Leave, Block and Open, which concern others.
     void take(const TeacherActed& act, double now_s);
-    // Task and TaskDone. False: it is another's.
+    // Task, TaskDone and Learners. False: it is another's.
     bool act(Command command, double now_s);
     bool under_way() const { return under_way_; }
 
@@ -38,6 +38,7 @@ private:
     void point(double now_s);
     void open_list(double now_s);
     void open_offers(double now_s);
+    void open_learners(const TeacherActed& act, double now_s);
     void wish(LessonWish wish, double now_s) const;
     double hand_scale() const;
 

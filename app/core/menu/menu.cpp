@@ -37,8 +37,8 @@ void Menu::open(double now_s) {
     add(phrase("menu.devices"), [this] { reports_.ask_for_devices(context_.tick_s); });
     if (reports_.has_crash()) add(phrase("menu.crash_report"), [this] { reports_.open_crash(context_.tick_s); });
     for (const auto& [key, command] :
-         {std::pair{"menu.input_help", Command::InputHelp}, std::pair{"menu.set_up", Command::Calibrate},
-          std::pair{"menu.leave", Command::Leave}})
+         {std::pair{"menu.learners", Command::Learners}, std::pair{"menu.input_help", Command::InputHelp},
+          std::pair{"menu.set_up", Command::Calibrate}, std::pair{"menu.leave", Command::Leave}})
         add(phrase(key), [this, command = command] {
             context_.lists.dialogue.close_all();
             context_.asks.perform(command, context_.tick_s);

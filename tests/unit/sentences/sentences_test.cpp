@@ -39,7 +39,7 @@ TEST(SentenceRules, find_what_they_are_for) {
 // Commands after which nothing of the world is there to be asked any more, or whose lists change what is spoken.
 bool stays_out(Command command) {
     return command == Command::Leave || command == Command::Calibrate || command == Command::Language ||
-           command == Command::FirstMinutes;
+           command == Command::FirstMinutes || command == Command::Learners;
 }
 
 class Talk {
