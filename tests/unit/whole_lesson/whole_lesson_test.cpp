@@ -1,0 +1,404 @@
+// A lesson in our school from its making to the last trace of it: an instructor prepares it by keys, a pupil takes its
+// three sessions, walks of three kinds are called by their names, the report reads back, the recordings say the same
+// lines again, and the pupil is forgotten. Scenario 20 of the design.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+#include "app/core/kept/side_file.h"
+#include "app/learners/forget.h"
+#include "app/learners/learners.h"
+#include "app/main/learner_start.h"
+#include "app/main/world_files.h"
+#include "app/record/compute_again.h"
+#include "app/report/report_page.h"
+#include "tests/support/environment.h"
+#include "tests/support/scale.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/whole_lesson/sitting.h"
+#include "worlds/readers/reader.h"
+
+namespace handrail::test {
+namespace whole_lesson_test {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr const char* kPupil = "Oak Owl";
+
+// Orders to the desk of the lesson that goes on, as `handrail lesson watch` sends them.
+class DeskLine {
+public:
+    DeskLine() : socket_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        const std::string path = desk_socket_path().string();
+        std::strncpy(static_cast<char*>(address.sun_path), path.c_str(), sizeof address.sun_path - 1);
+        connected_ = ::connect(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+    }
+    ~DeskLine() { ::close(socket_); }
+    DeskLine(const DeskLine&) = delete;
+    DeskLine& operator=(const DeskLine&) = delete;
+    bool connected() const { return connected_; }
+    // What the desk has told since the last time, with the answer to this order.
+    std::string order(Sitting& sitting, const std::string& words) const {
+        const std::string line = words + "\n";
+        if (::send(socket_, line.data(), line.size(), MSG_NOSIGNAL) != static_cast<ssize_t>(line.size())) return {};
+        sitting.live(0.5);
+        std::string told(4096, '\0');
+        const ssize_t got = ::recv(socket_, told.data(), told.size(), MSG_DONTWAIT);
+        told.resize(got > 0 ? static_cast<std::size_t>(got) : 0);
+        return told;
+    }
+
+private:
+    int socket_;
+    bool connected_ = false;
+};
+
+class WholeLesson : public testing::Test {
+protected:
+    void SetUp() override {
+        for (const char* name : {"data", "state", "config", "run"}) fs::create_directories(home_.path() / name);
+        fs::permissions(home_.path() / "run", fs::perms::owner_all);
+    }
+    fs::path school() const { return world_folder() / "school.map"; }
+
+    // An instructor at the keys; the file that was saved.
+    fs::path prepared() {
+        ExploreArguments arguments;
+        arguments.world = school();
+        Sitting sitting(std::move(arguments));
+        EXPECT_TRUE(sitting.know_rooms());
+        sitting.hurry(false);
+        const double begun_s = sitting.now_s();
+        for (const char* stop : {"lower c", "lib"}) {
+            sitting.key("Shift+4");
+            sitting.type(stop);
+            sitting.key("Enter");
+        }
+        for (const char* key : {"Alt+F9", "End", "Enter", "Enter"}) sitting.key(key);
+        for (const char* landmark : {"trop", "drin", "libr"}) {
+            sitting.key("Enter");
+            sitting.type(landmark);
+            sitting.key("Enter");
+        }
+        for (const char* key : {"Enter", "Enter", "Enter", "Enter"}) sitting.key(key);
+        EXPECT_TRUE(sitting.hears("is saved as")) << sitting.all();
+        EXPECT_LT(sitting.keys(), 60);
+        EXPECT_LT(sitting.now_s() - begun_s, 300.0);
+        RecordProperty("keys", sitting.keys());
+        RecordProperty("seconds", static_cast<int>(sitting.now_s() - begun_s));
+        const fs::path lessons = lessons_folder();
+        std::vector<fs::path> files;
+        for (const auto& entry : fs::directory_iterator(lessons)) files.push_back(entry.path());
+        EXPECT_EQ(files.size(), 1U);
+        return files.empty() ? fs::path() : files[0];
+    }
+
+    // `handrail lesson FILE --learner NAME --session N`.
+    ExploreArguments taught(const fs::path& file, std::size_t session) {
+        LessonCall call;
+        call.arguments.file = file;
+        call.arguments.session = session;
+        call.arguments.learner = kPupil;
+        call.explore.arguments.program_version = "1.0";
+        if (const auto begun = begin_as_learner(call); !begun) ADD_FAILURE() << begun.error().sentence();
+        SettingsStore settings;
+        std::ostringstream out, err;
+        EXPECT_FALSE(run_lesson(call.arguments, call.explore.arguments, settings, out, err)) << err.str();
+        return call.explore.arguments;
+    }
+
+    // Follows the walls, then points at each landmark.
+    void first_session(const fs::path& file) {
+        const ExploreArguments arguments = taught(file, 1);
+        const TaughtWorld& world = *arguments.lesson->world;
+        Sitting sitting(arguments);
+        ASSERT_TRUE(sitting.know_rooms());
+        ASSERT_TRUE(sitting.hears("This session is recorded.")) << sitting.all();
+        ASSERT_TRUE(sitting.hears("Walls, 2 tasks.")) << sitting.all();
+        ASSERT_TRUE(sitting.hears("Get to know")) << sitting.all();
+        // Not out of the hall, where the wall leads on.
+        const std::string hall = sitting.app().lesson_view().room;
+        for (int i = 0; i < 14 && sitting.app().lesson_view().room == hall; ++i) sitting.hold(Command::TrailRight, 2.0);
+        if (sitting.app().lesson_view().room != hall) sitting.key("Home");
+        EXPECT_EQ(sitting.app().lesson_view().room, hall);
+        sitting.key("Alt+Enter");
+        for (const LessonPlace& landmark : world.lesson().landmarks) {
+            ASSERT_TRUE(sitting.hears("Face " + landmark.name)) << sitting.all();
+            sitting.face(world.place(landmark.name)->middle_m);
+            sitting.key("Alt+Enter");
+            ASSERT_TRUE(sitting.hears("That is the way.")) << sitting.all();
+        }
+        ASSERT_TRUE(sitting.hears("Walls is over.")) << sitting.all();
+        sitting.live(3.0);
+    }
+
+    // The way four times, with less help each time.
+    void second_session(const fs::path& file) {
+        const ExploreArguments arguments = taught(file, 2);
+        TaughtWorld& world = *arguments.lesson->world;
+        Sitting sitting(arguments);
+        ASSERT_TRUE(sitting.know_rooms());
+        // By the stairs, which are as good a way as the lift that the pupil is told of.
+        const Route way = world.way(world.base().stand_m, {*world.place("Library")}, {*world.door("Lift door")});
+        ASSERT_TRUE(way.reaches);
+        for (const char* help : {"Help: 100 percent", "Help: 60 percent", "Help: 30 percent", "Without help"}) {
+            ASSERT_TRUE(sitting.hears(help)) << help << "\n" << sitting.all();
+            ASSERT_TRUE(sitting.walk(way.points_m)) << sitting.all();
+        }
+        ASSERT_TRUE(sitting.hears("Way with help is over.")) << sitting.all();
+        sitting.live(3.0);
+    }
+
+    // Alone, with the lift's door blocked by the instructor; then the questions.
+    void third_session(const fs::path& file) {
+        const ExploreArguments arguments = taught(file, 3);
+        TaughtWorld& world = *arguments.lesson->world;
+        Sitting sitting(arguments);
+        ASSERT_TRUE(sitting.know_rooms());
+        ASSERT_TRUE(sitting.hears("Without help")) << sitting.all();
+        const DeskLine desk;
+        ASSERT_TRUE(desk.connected());
+        EXPECT_THAT(desk.order(sitting, "block Lift dor"), HasSubstr("Did you mean \"Lift door\"?"));
+        EXPECT_THAT(desk.order(sitting, "block Lift door"), HasSubstr("Done."));
+        EXPECT_THAT(desk.order(sitting, "summary"), HasSubstr("contact"));
+        const TaughtPlace lift{"lift", {14.1, 9.8, 0.0}, {}};
+        ASSERT_TRUE(sitting.walk(world.way(world.base().stand_m, {lift}).points_m)) << sitting.all();
+        sitting.hold(Command::Forward, 0.1);
+        const Route round = world.way(sitting.app().feet_m(), {*world.place("Library")}, {*world.door("Lift door")});
+        ASSERT_TRUE(round.reaches);
+        ASSERT_TRUE(sitting.walk(round.points_m)) << sitting.all();
+        ASSERT_TRUE(sitting.hears("You reached Library.")) << sitting.all();
+        for (int i = 0; i < 3; ++i) {
+            ASSERT_TRUE(sitting.hears("How far is it to")) << sitting.all();
+            sitting.type("20");
+            sitting.key("Enter");
+        }
+        ASSERT_TRUE(sitting.hears("Put 3 places in order")) << sitting.all();
+        for (int i = 0; i < 2; ++i)
+            for (const char* key : {"Home", "Enter"}) sitting.key(key);
+        ASSERT_TRUE(sitting.hears("How sure were you of the way?")) << sitting.all();
+        sitting.type("6");
+        sitting.key("Enter");
+        ASSERT_TRUE(sitting.hears("Alone is over.")) << sitting.all();
+        sitting.live(3.0);
+    }
+
+    TemporaryFolder home_;
+    WithEnvironment data_{"XDG_DATA_HOME", (home_.path() / "data").c_str()},
+        state_{"XDG_STATE_HOME", (home_.path() / "state").c_str()},
+        config_{"XDG_CONFIG_HOME", (home_.path() / "config").c_str()},
+        run_{"XDG_RUNTIME_DIR", (home_.path() / "run").c_str()};
+};
+
+// ---- walks of one kind, by somebody who sways ----
+
+// Along both walls of the west of the lower corridor, which have doors and no windows, and across at the ends.
+void along_walls(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
+    for (int lap = 0; lap < 6; ++lap)
+        ASSERT_TRUE(sitting.walk({{4.2, 10.62, 0.0}, {11.6, 10.62, 0.0}, {11.6, 8.4, 0.0}, {4.2, 8.4, 0.0}}, &sway));
+}
+
+// The free half of the assembly hall in lanes a metre apart, there and back.
+void in_lanes(Sitting& sitting, TaughtWorld&, Sway& sway, std::uint64_t) {
+    bool up = true;
+    for (const int lane : {0, 1, 2, 3, 4, 5, 4, 3, 2, 1, 0, 1, 2, 3, 4, 5, 4, 3, 2, 1, 0}) {
+        ASSERT_TRUE(sitting.walk({{29.9 + lane, up ? 11.7 : 15.8, 0.0}, {29.9 + lane, up ? 15.8 : 11.7, 0.0}}, &sway));
+        up = !up;
+    }
+}
+
+// From one thing of the library to another, as chance has it.
+void from_thing_to_thing(Sitting& sitting, TaughtWorld& world, Sway& sway, std::uint64_t seed) {
+    const std::vector<std::pair<Vec3, Vec3>> things = {{{16.0, 2.5, 3.4}, {15.3, 2.5, 3.4}},   // shelves
+                                                       {{20.0, 2.55, 3.4}, {20.0, 1.6, 3.4}},  // the librarian's desk
+                                                       {{18.0, 5.15, 3.4}, {18.0, 4.0, 3.4}},  // the reading table
+                                                       {{19.7, 6.1, 3.4}, {20.5, 6.1, 3.4}}};  // cushions
+    std::mt19937_64 draw(seed);
+    std::size_t at = 0;
+    for (int visit = 0; visit < 14; ++visit) {
+        at = (at + 1 + draw() % (things.size() - 1)) % things.size();
+        const Route way = world.way(sitting.app().feet_m(), {{"", things[at].first, things[at].second}});
+        ASSERT_TRUE(way.reaches);
+        ASSERT_TRUE(sitting.walk(way.points_m, &sway));
+        sitting.face(things[at].second);
+        sitting.live(2.0);
+    }
+}
+
+struct WalkOfAKind {
+    Strategy kind;
+    Vec3 from_m;
+    void (*walk)(Sitting&, TaughtWorld&, Sway&, std::uint64_t seed);
+};
+
+// Of all windows of such walks inside a lesson, how many are called right.
+void expect_right_names(const fs::path& lesson_file, const fs::path& world_file) {
+    constexpr double kSway_m = 0.05;
+    LessonFile lesson = *read_lesson(lesson_file, {world_file.parent_path()});
+    TaughtStep free;
+    free.kind = StepKind::Free;
+    lesson.sessions = {{"Free", 0, false, {}, {free}, 1}};
+    const auto found = TaughtWorld::find(lesson, std::make_shared<const Scene>(*read_world(world_file)));
+    ASSERT_TRUE(found) << found.error().sentence();
+    ExploreArguments arguments;
+    arguments.world = world_file;
+    Sitting sitting(std::move(arguments));
+    ASSERT_TRUE(sitting.know_rooms());
+    for (const WalkOfAKind& one : {WalkOfAKind{Strategy::Perimeter, {4.2, 8.4, 0.0}, along_walls},
+                                   WalkOfAKind{Strategy::Grid, {29.9, 11.7, 0.0}, in_lanes},
+                                   WalkOfAKind{Strategy::ObjectToObject, {18.0, 2.6, 3.4}, from_thing_to_thing}}) {
+        double right = 0.0;
+        const int seeds = scaled(2);
+        for (int seed = 1; seed <= seeds; ++seed) {
+            sitting.app().apply(Placed{one.from_m, 0.0}, sitting.now_s());
+            sitting.live(1.0);
+            TeachingRun run = begin_lesson(*found, 0, {}, sitting.app());
+            sitting.teach(&run);
+            sitting.live(0.5);
+            Sway sway(kSway_m, static_cast<std::uint64_t>(seed));
+            one.walk(sitting, **found, sway, static_cast<std::uint64_t>(seed));
+            sitting.teach(nullptr);
+            ASSERT_FALSE(testing::Test::HasFatalFailure()) << "kind " << static_cast<int>(one.kind);
+            right += run.share_of(one.kind) / seeds;
+        }
+        std::printf("kind %d: %.1f %% of windows right\n", static_cast<int>(one.kind), 100.0 * right);
+        EXPECT_GE(right, 0.9) << static_cast<int>(one.kind);
+    }
+    double square = 0.0;
+    for (const double aside_m : sitting.aside_m()) square += aside_m * aside_m;
+    const double sway_m = std::sqrt(square / static_cast<double>(sitting.aside_m().size()));
+    std::printf("sway: %.3f m\n", sway_m);
+    EXPECT_GT(sway_m, 0.8 * kSway_m);
+}
+
+// ---- what is left of it ----
+
+double value_of(const std::vector<ResultRow>& rows, const std::string& session, const std::string& task,
+                const std::string& measure) {
+    for (const ResultRow& row : rows)
+        if (row.session == session && row.task.find(task) != std::string::npos && row.measure == measure)
+            return row.value;
+    ADD_FAILURE() << "session " << session << " has no " << measure << " of " << task;
+    return std::nan("");
+}
+
+// The line of how it stands every ten seconds, in words.
+void expect_summaries(const Recording& recording, const std::string& words) {
+    double last_s = -1.0;
+    int count = 0;
+    bool heard = false;
+    for (const RecordedLine& line : recording.lines) {
+        if (line.json.find("\"act\":\"summary\"") == std::string::npos) continue;
+        if (last_s >= 0.0) {
+            EXPECT_LE(line.t_s - last_s, 10.0 + 0.2);
+        }
+        last_s = line.t_s;
+        ++count;
+        EXPECT_NE(line.json.find("contact"), std::string::npos) << line.json;
+        heard = heard || line.json.find(words) != std::string::npos;
+    }
+    EXPECT_GE(count, 4);
+    EXPECT_TRUE(heard) << words;
+}
+
+TEST_F(WholeLesson, is_prepared_taught_measured_played_again_and_forgotten) {
+    const fs::path file = prepared();
+    ASSERT_FALSE(file.empty());
+    Learners learners(user_data_folder());
+    const auto pupil = learners.make(kPupil, {});
+    ASSERT_TRUE(pupil) << pupil.error().sentence();
+    ASSERT_TRUE(learners.change(pupil->id, [](Learner& one) {
+        for (const Purpose purpose : kPurposes) one.consent(purpose) = Consent{today(), {}, {}};
+    }));
+
+    first_session(file);
+    ASSERT_FALSE(HasFatalFailure());
+    second_session(file);
+    ASSERT_FALSE(HasFatalFailure());
+    third_session(file);
+    ASSERT_FALSE(HasFatalFailure());
+
+    expect_right_names(file, school());
+    ASSERT_FALSE(HasFatalFailure());
+
+    // The same lines in the same order.
+    std::vector<fs::path> folders;
+    for (const auto& entry : fs::directory_iterator(learners.recordings_of(pupil->id))) folders.push_back(entry.path());
+    ASSERT_EQ(folders.size(), 3U);
+    for (const fs::path& folder : folders) {
+        const auto recording = read_recording(folder);
+        ASSERT_TRUE(recording) << recording.error().sentence();
+        EXPECT_TRUE(recording->ended && recording->problems.empty());
+        const auto again = compute_again(*recording);
+        ASSERT_TRUE(again) << again.error().sentence();
+        EXPECT_THAT(again->remarks, testing::IsEmpty());
+        EXPECT_GT(again->said.size(), 20U);
+        const auto differs = first_difference(*recording, *again);
+        EXPECT_FALSE(differs) << differs->line << "\n" << differs->recorded << "\n" << differs->computed;
+        const bool walls = recording->lines.end() !=
+                           std::find_if(recording->lines.begin(), recording->lines.end(), [](const RecordedLine& line) {
+                               return line.json.find("Walls, 2 tasks.") != std::string::npos;
+                           });
+        expect_summaries(*recording, walls ? "Along the walls." : "contact");
+    }
+
+    // The report, and both tables read back the same.
+    const fs::path page = home_.path() / "page.html", csv = home_.path() / "results.csv",
+                   json = home_.path() / "results.json";
+    ReportArguments report;
+    report.learner = kPupil;
+    report.html = page;
+    report.csv = csv;
+    report.json = json;
+    std::ostringstream out, err;
+    ASSERT_EQ(run_report(report, out, err), 0) << err.str();
+    const auto rows = read_results_csv(content_of(csv), csv.string()),
+               same = read_results_json(content_of(json), json.string());
+    ASSERT_TRUE(rows && same);
+    EXPECT_EQ(*rows, *same);
+    EXPECT_EQ(content_of(csv), results_csv(*rows));
+    EXPECT_EQ(content_of(json), results_json(*same));
+    EXPECT_GT(value_of(*rows, "1", "learn", "walls_percent"), 30.0);
+    EXPECT_LT(value_of(*rows, "1", "point", "pointing_off"), 5.0);
+    EXPECT_GE(value_of(*rows, "1", "session", "strategy_perimeter"), 20.0);  // of 28 s along the walls
+    EXPECT_GT(value_of(*rows, "2", "2 go Library", "led_time"), 5.0);
+    EXPECT_EQ(value_of(*rows, "2", "5 go Library", "led_time"), 0.0);
+    for (const char* lap : {"2 go", "3 go", "4 go", "5 go"}) {
+        EXPECT_EQ(value_of(*rows, "2", lap, "reached"), 1.0);
+        EXPECT_GE(value_of(*rows, "2", lap, "turns_missed"), 0.0);
+        EXPECT_GT(value_of(*rows, "2", lap, "path_ratio"), 0.95);
+        EXPECT_LT(value_of(*rows, "2", lap, "path_ratio"), 1.5);
+    }
+    EXPECT_EQ(value_of(*rows, "3", "go Library", "reached"), 1.0);
+    EXPECT_EQ(value_of(*rows, "3", "go Library", "detour"), 1.0);
+    EXPECT_GT(value_of(*rows, "3", "go Library", "detour_time"), 0.0);
+    EXPECT_EQ(value_of(*rows, "3", "free How sure", "answer"), 6.0);
+    for (const char* measure : {"time", "contacts_hand", "help_asked", "pauses", "path_ratio", "turns_missed"})
+        value_of(*rows, "3", "go Library", measure);
+    EXPECT_THAT(content_of(page), HasSubstr("A door was blocked, and you found another way."));
+
+    // Nothing of the pupil is left, and the instructor's lesson is.
+    std::istringstream nobody;
+    std::ostringstream deleted;
+    EXPECT_EQ(run_learner({.action = "delete", .name = kPupil, .yes = true}, nobody, deleted, err), 0) << err.str();
+    EXPECT_THAT(deleted.str(), HasSubstr("0 hits"));
+    EXPECT_FALSE(fs::exists(page) || fs::exists(csv) || fs::exists(json));
+    const std::vector<std::string> words = {kPupil, pupil->id};
+    const std::vector<fs::path> everywhere = {home_.path()};
+    const Search search = search_for(words, everywhere);
+    EXPECT_THAT(search.hits, testing::IsEmpty());
+    EXPECT_GT(search.files, 0U);
+    EXPECT_TRUE(fs::exists(file));
+}
+
+}  // namespace whole_lesson_test
+}  // namespace handrail::test
