@@ -46,8 +46,8 @@ std::optional<Direction> direction_in(const std::string& text) {
     return direction;
 }
 
-Newcomer::Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records) {
-    session_ = std::make_unique<HeadlessSession>(Settings{}, HandFacts{}, audio_, speech_,
+Newcomer::Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records, const HandFacts& hand) {
+    session_ = std::make_unique<HeadlessSession>(Settings{}, hand, audio_, speech_,
                                                  SessionOptions{.records_in = records});
     session_->app().apply(WorldEntered{make_ready(std::move(world))}, 0.0);
     wait(1.0);

@@ -16,7 +16,9 @@ namespace handrail::test {
 
 class Newcomer {
 public:
-    explicit Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records = {});
+    // hand: none, or the simulated hand of a device; it rests where it is.
+    explicit Newcomer(std::shared_ptr<const Scene> world, const std::filesystem::path& records = {},
+                      const HandFacts& hand = {});
 
     void wait(double seconds);
     void tap(const std::string& key, double then_s = 0.4);

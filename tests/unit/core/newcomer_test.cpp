@@ -168,5 +168,51 @@ TEST(ANewcomer, walks_in_the_university_to_three_rooms_on_two_storeys_and_out_ag
     std::cout << "outside after " << n.now_s() << " s\n";
 }
 
+// From the outer door at which it begins to a room of the same storey and two of the one above, each chosen from the
+// list of ways by where it is told to be, and back to the ground outside: by what is spoken alone.
+void walks_to_three_rooms_on_two_storeys_and_out_again(const char* building, const char* device) {
+    const auto world = real(building);
+    if (!world) GTEST_SKIP() << building << " is not here";
+    if (test::kSanitizerScale < 1.0) GTEST_SKIP() << "takes minutes under a sanitizer";
+    HandFacts hand;
+    if (device) {
+        hand.present = hand.simulated = true;
+        hand.spec = *find_device_spec(device);
+    }
+    Newcomer n(world, {}, hand);
+    const Vec3 begun_m = n.feet_m();
+    (void)n.entries("Shift+4");
+    std::vector<std::string> here, above;
+    std::string outside;
+    for (const std::string& entry : n.entries("Shift+4")) {
+        const std::string room = entry.substr(0, entry.find_first_of(",;"));
+        if (room.find("round outside") != std::string::npos || room.find("tair") != std::string::npos) continue;
+        if (room.find("Room,") == 0 || room == "Room" || room.find("iche") != std::string::npos) continue;  // unnamed
+        if (entry.find("storey below") != std::string::npos || entry.find("storeys") != std::string::npos) continue;
+        (entry.find("one storey above") != std::string::npos ? above : here).push_back(room);
+    }
+    ASSERT_GE(here.size(), 1U) << n.last_lines(20);
+    ASSERT_GE(above.size(), 2U) << n.last_lines(20);
+    for (const std::string& room : {here[0], above[0], above[1]}) {
+        EXPECT_TRUE(n.go_to_room(room)) << room << ": " << n.last_lines(60);
+        const bool up = room != here[0];
+        if (up) EXPECT_GT(n.feet_m().z, begun_m.z + 2.0) << room;
+        else EXPECT_LT(std::abs(n.feet_m().z - begun_m.z), 1.0) << room;
+        std::cout << building << (device ? " with " : " without ") << (device ? device : "a device") << ": " << room
+                  << " after " << n.now_s() << " s\n";
+    }
+    EXPECT_TRUE(n.go_to_room("Ground outside")) << n.last_lines(60);
+    EXPECT_NE(n.ask("1").find("Ground outside"), std::string::npos) << n.last_lines(10);
+    EXPECT_LT(std::abs(n.feet_m().z - begun_m.z), 1.0);
+    std::cout << "outside after " << n.now_s() << " s\n";
+}
+
+TEST(ANewcomer, walks_in_the_institute_to_three_rooms_on_two_storeys_and_out_again) {
+    walks_to_three_rooms_on_two_storeys_and_out_again("institute.ifczip", nullptr);
+}
+TEST(ANewcomer, walks_in_the_institute_with_a_simulated_device_to_three_rooms_on_two_storeys_and_out_again) {
+    walks_to_three_rooms_on_two_storeys_and_out_again("institute.ifczip", "SIM-T");
+}
+
 }  // namespace newcomer_test
 }  // namespace handrail
