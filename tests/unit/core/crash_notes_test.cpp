@@ -151,6 +151,7 @@ TEST(MenuOfReports, reads_a_crash_report_and_the_devices_line_by_line) {
     EXPECT_TRUE(session.app.requests().take_devices());
     EXPECT_FALSE(session.app.requests().take_devices());
     session.app.apply(DevicesFound{{"Novint Falcon, called falcon.", "State: ready."}}, session.now);
+    session.listen();
     EXPECT_TRUE(session.heard("In use: no hand, all by keyboard and sound, 1 of 3")) << session.news();
     session.news();
     session.line("list");
@@ -167,6 +168,7 @@ TEST(MenuOfReports, opens_the_devices_by_their_word_and_from_the_desk) {
     EXPECT_FALSE(session.app.idle()) << "what is typed next waits for the list";
     EXPECT_TRUE(session.app.requests().take_devices());
     session.app.apply(DevicesFound{{"Novint Falcon, called falcon."}}, session.now);
+    session.listen();
     EXPECT_TRUE(session.heard("In use: Falcon, reach 4 centimetres, up to 3 newtons, 1 of 2")) << session.news();
     session.line("escape");
     EXPECT_TRUE(session.app.idle());
@@ -191,6 +193,7 @@ TEST(MenuOfReports, tells_the_devices_in_german) {
     session.run(0.1);
     EXPECT_EQ(session.ask(Command::Devices), phrase("devices.looking"));
     session.app.apply(DevicesFound{{"Novint Falcon."}}, session.now);
+    session.listen();
     EXPECT_TRUE(session.heard("In Gebrauch: keine Hand, alles mit Tastatur und Klang, 1 von 2")) << session.news();
 }
 

@@ -189,6 +189,8 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
         for (std::size_t i = 0; i < desk.controls().size(); ++i) {
             const DeskControl control = desk.controls()[i];
             SCOPED_TRACE(fmt::format("{}, {}", device, control.name));
+            // Tells the one that there is; pressed, that what is plugged in is looked for.
+            const bool of_hand = control.name == "Touch device";
             EXPECT_EQ(by_keys.app().desk_visit().desk().controls()[i].name, control.name);
             // Read.
             by_hand.find(control.name);
@@ -201,7 +203,9 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
             ASSERT_EQ(view.at, i);
             EXPECT_EQ(view.items[i].name, control.name);
             EXPECT_EQ(view.items[i].value, by_keys.app().desk_visit().desk().value(i));
-            EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
+            if (!of_hand) {
+                EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
+            }
             // Change.
             from = by_hand.lines();
             const int before = control.count() > 0 ? control.position() : 0;
@@ -266,9 +270,12 @@ TEST(Desk, every_control_is_read_and_changed_by_hand_and_by_keys_alike) {
             if (control.count() > 0) {
                 EXPECT_EQ(control.position(), before + step);
             }
-            EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
+            if (!of_hand) {
+                EXPECT_EQ(by_keys.app().desk_visit().desk().value(i), desk.value(i));
+            }
             if (control.kind != DeskKind::Indicator && control.kind != DeskKind::Knob) {
-                EXPECT_TRUE(by_hand.heard(desk.value(i), from)) << by_hand.all_heard(from);
+                EXPECT_TRUE(by_hand.heard(of_hand ? "Looking for what is plugged in." : desk.value(i), from))
+                    << by_hand.all_heard(from);
             }
             for (const DeskSetting& row : desk_settings()) {
                 if (row.key == "workspace.scale") continue;
