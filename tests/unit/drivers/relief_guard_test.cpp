@@ -138,7 +138,7 @@ TEST(GuardedDevice, says_on_closing_that_it_may_push_where_zero_was_not_confirme
     EXPECT_EQ(device.read(0.0).loss, DeviceLoss::MayPush);
     device.close();
     EXPECT_TRUE(device.may_push());
-    EXPECT_THAT(device.take_news(), testing::Contains("Let go of the grip and switch the Falcon off: its force could "
+    EXPECT_THAT(device.take_news(), testing::Contains("Let go of the grip and switch the Falcon off. Its force could "
                                                       "not be taken away. The Falcon is not plugged in."));
 }
 

@@ -145,7 +145,7 @@ TEST(Settings, tell_in_german_what_is_wrong_with_a_file) {
                                                  "workspace.scael gibt es nicht; am ähnlichsten ist "
                                                  "workspace.scale. Sie gilt nicht; der Rest schon."));
     EXPECT_EQ(store.set("speech.rate_wpm", "200", SettingSource::World).error().message,
-              "Eine Welt darf speech.rate_wpm nicht setzen: Über Kräfte, Sprache, Ton und Tasten bestimmt nur der "
+              "Eine Welt darf speech.rate_wpm nicht setzen: Über Kräfte, Sprache, Klang und Tasten bestimmt nur der "
               "Mensch selbst.");
     EXPECT_EQ(source_name(SettingSource::UserFile), "eigene Einstellungsdatei");
 }
