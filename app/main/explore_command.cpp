@@ -75,14 +75,14 @@ public:
 
     // Problems that keep it from starting go to `err` too.
     ExploreEnd run(std::ostream& err) {
-        begin();
+        const double asked_s = begin();
         if (arguments_.calibrate) {
             set_up_.begin(*arguments_.calibrate);
             calibrate();
             finish(err);
             return {};
         }
-        hand_.begin(asked_s_);
+        hand_.begin(asked_s);
         if (settings_.values().pads.use) companions_.emplace(clock_);
         left_.look_for(arguments_.left_device.value_or(settings_.values().haptic.left_device));
         const int status = load_world(err) ? explore(err) : ended() ? 0 : 1;
@@ -95,8 +95,8 @@ public:
 private:
     // ---- the start ----
 
-    // From what is there to the welcome.
-    void begin() {
+    // From what is there to the welcome. When that was asked for.
+    double begin() {
         news_.insert(news_.begin(), arguments_.news.begin(), arguments_.news.end());
         for (const Diagnostic& problem : arguments_.settings_problems) news_.push_back(problem.sentence());
         open_window();
@@ -107,12 +107,13 @@ private:
         worlds_.begin_notes(settings_, clock_.now_s());
         const bool first = !settings_.values().welcome.done && !arguments_.world && !arguments_.calibrate;
         const std::string voice = first ? ears_.voice_that_speaks() : std::string{};
-        asked_s_ = clock_.now_s();
+        const double asked_s = clock_.now_s();
         if (first)
-            app_.apply(FirstMinutesBegun{voice, ears_.has_sound()}, asked_s_);  // without, there is nothing to set up
+            app_.apply(FirstMinutesBegun{voice, ears_.has_sound()}, asked_s);  // without, there is nothing to set up
         news_.push_back(worlds_.take_news());
-        news_.push_back(worlds_.crash_words(!speaks_to_typist(), asked_s_));
-        say_(first ? joined(news_) : phrase("program.welcome", {{"news", joined(news_)}}), asked_s_);
+        news_.push_back(worlds_.crash_words(!speaks_to_typist(), asked_s));
+        say_(first ? joined(news_) : phrase("program.welcome", {{"news", joined(news_)}}), asked_s);
+        return asked_s;
     }
 
     void open_window() {
@@ -338,7 +339,6 @@ private:
     std::unique_ptr<TypedKeys> keys_;
     std::optional<TypedLines> lines_;
     std::optional<CompanionSession> companions_;
-    double asked_s_ = 0.0;  // of the welcome
 };
 
 }  // namespace

@@ -133,7 +133,7 @@ void WorldVisits::change(double now_s) {
     }
     if (app_.requests().take_read_again() && !next_ && !path_.empty()) {
         next_place_ = LastPlace{path_, app_.feet_m(), app_.heading_rad()};
-        begin_reading(path_, arguments_.common, now_s);
+        begin_reading(path_, arguments_.common);
     }
     if (const auto last = app_.requests().take_last_place(); last && !next_) {
         std::error_code ec;

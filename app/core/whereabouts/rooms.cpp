@@ -133,7 +133,7 @@ void Rooms::notice(double now_s, bool quietly) {
         context_.say(storey + sentence_case(graph.rooms[here_].name), SpeechClass::Ambient, now_s);
 }
 
-// "House, storey 2 of 2, 5 rooms. " in the first room that one comes into of another storey, where that may be told.
+// "House, storey 2 of 2: 5 rooms. " in the first room that one comes into of another storey, where that may be told.
 std::string Rooms::storey_news(bool told) {
     const std::vector<StoreyOfRooms> storeys = storeys_of(*file_scene(), graph());
     const std::size_t now_on = storey_of_room(storeys, graph(), here_);

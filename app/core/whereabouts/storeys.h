@@ -27,7 +27,7 @@ std::size_t storey_of_room(const std::vector<StoreyOfRooms>& storeys, const Room
 
 // "Level 1", as the file calls it, else "Storey 1", counted from below.
 std::string storey_name(const std::vector<StoreyOfRooms>& storeys, std::size_t which);
-// "Duplex, Level 1, storey 1 of 2, 11 rooms."
+// "Duplex, Level 1, storey 1 of 2: 11 rooms."
 std::string storey_sentence(const Scene& scene, const std::vector<StoreyOfRooms>& storeys, std::size_t which);
 
 }  // namespace handrail

@@ -83,13 +83,13 @@ TEST(Storeys, that_one_comes_to_are_said_with_the_first_room_there_and_not_again
     s.app.apply(Placed{s.room_above(2.0), 0.0}, s.now);
     s.run(0.5);
     const std::string up = s.news();
-    EXPECT_THAT(up, HasSubstr("House with a garden, storey 2 of 2, ")) << up;
+    EXPECT_THAT(up, HasSubstr("House with a garden, storey 2 of 2: ")) << up;
     s.app.apply(Placed{s.app.feet_m(), 1.0}, s.now);
     s.run(0.5);
     EXPECT_THAT(s.news(), testing::Not(HasSubstr("storey 2 of 2")));
     s.ask(Command::Home);
     s.run(0.5);
-    EXPECT_THAT(s.news(), HasSubstr("House with a garden, storey 1 of 2, "));
+    EXPECT_THAT(s.news(), HasSubstr("House with a garden, storey 1 of 2: "));
 }
 
 // A hall on three storeys, and north of it a lift with a door on each.
