@@ -378,7 +378,8 @@ void Monkey::check_places() {
 void Monkey::expect_an_answer() {
     session_->set_focus(true);
     for (int i = 0; i < 120 && app().dialogue().is_open(); ++i) {  // lists lie as deep as they were opened
-        if (i == 15) session_->press(Command::InputHelp);  // while keys are explained, Escape is too
+        // While keys are explained, Escape is too; whether they are is not asked: one way, then the other.
+        if (i % 45 == 15) session_->press(Command::InputHelp);
         session_->tap_key("Escape");
         run(0.02);
     }

@@ -192,6 +192,9 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
     before = name(i)
     actions = desk.getChildAtIndex(i).queryAction()
     names = [actions.getName(n) for n in range(actions.nActions)]
+    if before.startswith('Touch device'):  # its list would lie over the desk
+        print(i, '|', before, '|', ' '.join(names), '|', before, '|', 'none')
+        continue
     for act in (['decrease', 'increase'] if 'decrease' in names else ['press']):
         actions.doAction(names.index(act))
         until = time.time() + (3 if act != 'press' else 0.5)
@@ -203,9 +206,9 @@ for i in [i for i in range(desk.childCount) if i not in last] + last:
     Session app(Settings{}, HandFacts{});
     std::size_t worked = 0, changed = 0;
     for (std::vector<std::string>& parts : work_at_desk(kWork, 5)) {
+        ASSERT_EQ(parts.size(), 5U);
         SCOPED_TRACE(parts[1]);
         ++worked;
-        ASSERT_EQ(parts.size(), 5U);
         const std::size_t i = std::stoul(parts[0]);
         parts.erase(parts.begin());
         parts[0].erase(0, 1);
