@@ -51,7 +51,11 @@ constexpr const char* kBusy[] = {
     // With a device in each hand.
     "forward 3\nwhat\nhand-forward 8\nhand-left 12\nscale-down\nroom\nframe\nhand-right 20\nwhere\nfind\nkitchen\n"
     "take-me\nforward 4\nright 3\nforces\nforces\nhand-back 6\ndetail\nhand-left 9\nexits\nescape\n",
+    // With a device that is pulled out while one walks, is found again, and is pulled out again.
+    "forward 3\nwhere\nexits\nescape\nforward 6\nleft 2\nfind\nkitchen\nforward 4\nforces\nwhat\nbackward 9\n"
+    "around\nforward 9\nwhere\nforces\nforward 5\nahead\nbackward 5\nmark\nmine\n",
 };
+constexpr int kTwoHands = 3, kPulledOut = 4;
 
 class RecordedUnderLoad : public testing::TestWithParam<int> {};
 
@@ -65,7 +69,14 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
                       "sim-t",
                       "--record-in",
                       folder.path().string()};
-    if (GetParam() == 3) call.arguments.insert(call.arguments.end(), {"--device", "sim-f"});
+    if (GetParam() == kTwoHands) call.arguments.insert(call.arguments.end(), {"--device", "sim-f"});
+    const TemporaryFolder library;
+    if (GetParam() == kPulledOut) {
+        std::filesystem::create_symlink(STANDIN_HD, library.path() / "libHD.so");
+        call.arguments[3] = "omni";
+        call.environment["LD_LIBRARY_PATH"] = library.path().string();
+        call.environment["HANDRAIL_STANDIN_GOES_AFTER"] = "4000";
+    }
     call.input = kBusy[GetParam()];
     const ProgramRun run = run_program(call);
     EXPECT_EQ(run.exit_status, 0) << run.err;
@@ -79,10 +90,11 @@ TEST_P(RecordedUnderLoad, is_computed_again_to_the_same_lines_in_the_same_order)
     const auto difference = first_difference(*read, *again);
     EXPECT_FALSE(difference) << difference->line << "\n" << difference->recorded << "\n" << difference->computed;
     EXPECT_GT(again->said.size(), 12U) << run.out;
-    EXPECT_EQ(read->hands[1].size() > 300U, GetParam() == 3);
+    EXPECT_EQ(read->hands[1].size() > 300U, GetParam() == kTwoHands);
+    EXPECT_EQ(run.out.find("unplugged") != std::string::npos, GetParam() == kPulledOut) << run.out;
 }
 
-INSTANTIATE_TEST_SUITE_P(Sessions, RecordedUnderLoad, testing::Range(0, 4));
+INSTANTIATE_TEST_SUITE_P(Sessions, RecordedUnderLoad, testing::Range(0, 5));
 
 TEST(RecordedSession, becomes_a_scenario_that_holds) {
     const TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <mutex>
@@ -21,6 +22,11 @@ struct State {
 };
 std::mutex mutex;
 State state;
+// Pulled out after so many ticks of a process; 0: it stays.
+const int goes_after = [] {
+    const char* ticks = std::getenv("HANDRAIL_STANDIN_GOES_AFTER");
+    return ticks ? std::atoi(ticks) : 0;
+}();
 std::atomic<bool> blocks{false};
 std::atomic<bool> running{false};
 std::thread scheduler;
@@ -60,7 +66,8 @@ void hdEndFrame(unsigned int) {
     }
     if (state.calibration != 0x5000 && square > 0.0) ++state.uncalibrated_with_force;
     if (!(std::sqrt(square) <= state.largest)) state.largest = std::sqrt(square);
-    ++state.ticks;
+    if (++state.ticks == goes_after) state.present = false;
+    if (!state.present) state.error = 0x0302;
 }
 void hdEnable(unsigned int what) {
     if (what == 0x4000) state.output = true;
