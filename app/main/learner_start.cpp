@@ -22,7 +22,7 @@ Result<void> begin_as_learner(ExploreCall& call) {
     arguments.common.data_in = learners.folder_of(learner->id);
     arguments.remember = learner->allows(Purpose::Remember, today());
     if (!arguments.remember)  // what was kept before it was withdrawn goes
-        if (const auto forgotten = forget_lessons(arguments.common.data_in); !forgotten) return forgotten;
+        if (auto forgotten = forget_lessons(arguments.common.data_in); !forgotten) return forgotten;
     arguments.learner = learner->name;
     arguments.news.push_back(phrase("learner.welcome", {{"name", learner->name}}));
     return {};

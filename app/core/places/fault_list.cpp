@@ -145,7 +145,7 @@ void FaultList::show_made_door(const MadeDoor& door, double now_s) {
 }
 
 // Walls are cut where the world is read: whoever owns the session does that again, and the person stays in place.
-void FaultList::make_door(MadeDoor door, double now_s) {
+void FaultList::make_door(const MadeDoor& door, double now_s) {
     keep_made_door(context_.additions, door);
     context_.asks.save_additions(now_s);
     context_.requests.read_again = true;

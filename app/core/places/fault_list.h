@@ -43,7 +43,7 @@ private:
     void show_one(const std::shared_ptr<const Found>& found, std::size_t which, double now_s);
     void show_made_door(const MadeDoor& door, double now_s);
     void mark_landmark(FeatureId feature, double now_s);
-    void make_door(MadeDoor door, double now_s);
+    void make_door(const MadeDoor& door, double now_s);
     void take_door_away(const MadeDoor& door, double now_s);
 
     WorldState& world_;
