@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "app/core/kept/folder_lock.h"
+#include "app/learners/kept_lines.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 
@@ -53,29 +54,16 @@ Result<void> note_exported(const fs::path& learner_folder, const fs::path& file)
 
 std::vector<Exported> exported_of(const fs::path& learner_folder, std::vector<Error>& faults) {
     std::vector<Exported> all;
-    std::error_code ec;
     const fs::path path = list_in(learner_folder);
-    if (!fs::exists(path, ec)) return all;
-    const auto text = read_whole_file(path, kLongestList_bytes);
-    if (!text) {
-        faults.push_back(text.error());
-        return all;
-    }
-    int number = 0;
-    for (std::size_t at = 0; at < text->size();) {
-        const std::size_t end = std::min(text->find('\n', at), text->size());
-        const nlohmann::json line = nlohmann::json::parse(text->substr(at, end - at), nullptr, false);
-        at = end + 1;
-        ++number;
+    each_kept_line(path, kLongestList_bytes, faults, [&](std::string_view text, int number) {
+        const nlohmann::json line = nlohmann::json::parse(text, nullptr, false);
         if (!line.is_object() || !line.contains("file") || !line["file"].is_string() || !line.contains("crc32") ||
-            !line["crc32"].is_string()) {
-            faults.push_back({path.string(), number, 0, phrase("learner.no_export")});
-            continue;
-        }
+            !line["crc32"].is_string())
+            return faults.push_back({path.string(), number, 0, phrase("learner.no_export")});
         const Exported one{line["file"].get<std::string>(), line["crc32"]};
         std::erase_if(all, [&](const Exported& before) { return before.file == one.file; });  // written over
         all.push_back(one);
-    }
+    });
     return all;
 }
 

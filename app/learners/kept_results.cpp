@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "app/core/kept/folder_lock.h"
+#include "app/learners/kept_lines.h"
 #include "worlds/base/files.h"
 #include "worlds/base/language.h"
 
@@ -39,7 +40,7 @@ std::string line_of(const KeptResults& results) {
     return line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::optional<KeptResults> results_of(const std::string& text) {
+std::optional<KeptResults> results_of(std::string_view text) {
     const Json line = Json::parse(text, nullptr, false);
     if (!line.is_object()) return std::nullopt;
     try {
@@ -86,21 +87,10 @@ Result<void> keep_results(const fs::path& learner_folder, const KeptResults& res
 std::vector<KeptResults> kept_results(const fs::path& learner_folder, std::vector<Error>& faults) {
     std::vector<KeptResults> all;
     const fs::path file = results_in(learner_folder);
-    std::error_code ec;
-    if (!fs::exists(file, ec)) return all;
-    const auto text = read_whole_file(file, kMostResults_bytes);
-    if (!text) {
-        faults.push_back(text.error());
-        return all;
-    }
-    int number = 0;
-    for (std::size_t at = 0; at < text->size();) {
-        const std::size_t end = std::min(text->find('\n', at), text->size());
-        ++number;
-        if (auto one = results_of(text->substr(at, end - at))) all.push_back(std::move(*one));
+    each_kept_line(file, kMostResults_bytes, faults, [&](std::string_view line, int number) {
+        if (auto one = results_of(line)) all.push_back(std::move(*one));
         else faults.push_back({file.string(), number, 0, phrase("learner.no_results")});
-        at = end + 1;
-    }
+    });
     return all;
 }
 
