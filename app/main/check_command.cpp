@@ -64,12 +64,8 @@ int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& 
         err << world.error().sentence() << '\n';
         return 1;
     }
-    Result<Scene> read =
-        imported(*world, progress.followed(arguments.common.read_options(*world))).map([&](ImportedWorld&& one) {
-            return mended(std::move(one.scene), *world, arguments.common);
-        });
-    if (read)
-        if (const Result<void> valid = validate(*read); !valid) read = tl::unexpected(valid.error());
+    Result<Scene> read = mended_and_valid(imported(*world, progress.followed(arguments.common.read_options(*world))),
+                                          *world, arguments.common);
     if (!read) {
         progress.done();
         err << read.error().sentence() << '\n';

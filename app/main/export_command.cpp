@@ -150,11 +150,9 @@ int run_export(const ExportArguments& arguments, std::ostream& out, std::ostream
     if (!given) return failed(given.error(), 1);
     const fs::path& world = *given;
     Result<Scene> read =
-        imported(world, progress.followed(arguments.common.read_options(world))).map([&](ImportedWorld&& one) {
-            return mended(std::move(one.scene), world, arguments.common);
-        });
+        mended_and_valid(imported(world, progress.followed(arguments.common.read_options(world))), world,
+                         arguments.common);
     if (!read) return failed(read.error(), 1);
-    if (const Result<void> valid = validate(*read); !valid) return failed(valid.error(), 1);
     const auto scene = std::make_shared<const Scene>(std::move(*read));
     progress.at(phrase("progress.rooms"));
     const BodySize size = body_size(*scene, Settings{}.walk.body_radius_m);

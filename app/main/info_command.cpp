@@ -383,11 +383,7 @@ int run_info(const InfoArguments& arguments, std::ostream& out, std::ostream& er
     const LongWork progress = arguments.json ? LongWork() : waiting;
     Result<ImportedWorld> imported_world = imported(*world, progress.followed(options));
     Cost cost{clock.now_s() - begun_s, 0.0, 0, imported_world && imported_world->kept};
-    Result<Scene> read = std::move(imported_world).map([&](ImportedWorld&& one) {
-        return mended(std::move(one.scene), *world, arguments.common);
-    });
-    if (read)
-        if (const Result<void> valid = validate(*read); !valid) read = tl::unexpected(valid.error());
+    Result<Scene> read = mended_and_valid(std::move(imported_world), *world, arguments.common);
     if (!read) {
         progress.done();
         err << read.error().sentence() << '\n';

@@ -9,6 +9,7 @@
 #include "app/main/commands.h"
 #include "worlds/base/language.h"
 #include "worlds/base/text.h"
+#include "worlds/scene/scene.h"
 
 namespace handrail {
 
@@ -89,6 +90,13 @@ Scene mended(Scene scene, const fs::path& world, const CommonArguments& common) 
     const std::vector<MadeDoor> doors =
         kept_doors(kept_by(world), common.data_folder(), !common.data_in.empty() || is_shipped(world));
     return doors.empty() ? std::move(scene) : with_made_doors(std::move(scene), doors);
+}
+
+Result<Scene> mended_and_valid(Result<ImportedWorld> read, const fs::path& world, const CommonArguments& common) {
+    if (!read) return tl::unexpected(std::move(read.error()));
+    Scene scene = mended(std::move(read->scene), world, common);
+    if (const Result<void> valid = validate(scene); !valid) return tl::unexpected(valid.error());
+    return scene;
 }
 
 fs::path first_world() { return world_folder() / "first_room.map"; }

@@ -33,6 +33,9 @@ Result<ImportedWorld> imported(const std::filesystem::path& world, const ReadOpt
 // With the doors that a person has said to be missing in it: of whoever keeps what they add in that folder. The same
 // where there are none. Any thread.
 Scene mended(Scene scene, const std::filesystem::path& world, const CommonArguments& common);
+// What was imported as commands look at it: mended, and whole by validate(). Any thread.
+Result<Scene> mended_and_valid(Result<ImportedWorld> read, const std::filesystem::path& world,
+                               const CommonArguments& common);
 // The world that a first start explores.
 std::filesystem::path first_world();
 
