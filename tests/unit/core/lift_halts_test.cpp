@@ -3,44 +3,17 @@
 
 #include "app/core/world/mover_play.h"
 #include "tests/unit/core/app_session.h"
-#include "worlds/drawn/plan_scene.h"
+#include "tests/unit/core/hall_with_lift.h"
 
 namespace handrail {
 namespace lift_halts_test {
-
-// A hall on three storeys, and north of it a lift with a door on each.
-std::shared_ptr<const Scene> hall_with_lift() {
-    FloorPlan plan;
-    plan.name = "Hall";
-    plan.format = "osm";
-    for (const int level : {0, 1, 2})
-        plan.levels.push_back({static_cast<double>(level), "Level " + std::to_string(level), 3.0 * level});
-    PlanSpace hall;
-    hall.name = "Hall";
-    hall.rings = {{{0, 0}, {6, 0}, {6, 6}, {4, 6}, {3, 6}, {2, 6}, {0, 6}}};
-    hall.levels = {0, 1, 2};
-    PlanSpace lift;
-    lift.kind = PlanSpaceKind::Lift;
-    lift.name = "Lift";
-    lift.rings = {{{2, 6}, {3, 6}, {4, 6}, {4, 8}, {2, 8}}};
-    lift.levels = {0, 1, 2};
-    plan.spaces = {hall, lift};
-    PlanDoor door;
-    door.at = {3, 6};
-    door.levels = {0, 1, 2};
-    door.spaces = {{0, 1}, {0, 1}, {0, 1}};
-    plan.doors = {door};
-    Result<Scene> scene = scene_of_plan(plan, "hall.osm", {});
-    EXPECT_TRUE(scene) << scene.error().sentence();
-    return std::make_shared<const Scene>(std::move(*scene));
-}
 
 struct Ride : test::AppSession {
     explicit Ride(std::shared_ptr<const Scene> scene) { app.apply(WorldEntered{make_ready(std::move(scene))}, 0.0); }
 };
 
 TEST(LiftHalts, the_lift_comes_to_a_door_between_its_ends_and_opens_it) {
-    const auto scene = hall_with_lift();
+    const auto scene = test::hall_with_lift();
     MoverPlay play;
     play.enter(scene->movers);
     std::uint32_t middle = 0;
@@ -75,7 +48,7 @@ TEST(LiftHalts, the_lift_comes_to_a_door_between_its_ends_and_opens_it) {
 }
 
 TEST(LiftHalts, one_rides_to_the_storey_that_is_told_and_chosen_by_the_key_again) {
-    Ride ride(hall_with_lift());
+    Ride ride(test::hall_with_lift());
     ride.walk(4.0);  // up to its door
     ride.tap(Command::Use);
     ride.run(1.5);

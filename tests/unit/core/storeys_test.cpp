@@ -5,7 +5,7 @@
 #include "tests/support/real_worlds.h"
 #include "tests/support/spoken_language.h"
 #include "tests/unit/core/app_session.h"
-#include "worlds/drawn/plan_scene.h"
+#include "tests/unit/core/hall_with_lift.h"
 #include "worlds/navigation/navigation.h"
 
 namespace handrail {
@@ -92,35 +92,8 @@ TEST(Storeys, that_one_comes_to_are_said_with_the_first_room_there_and_not_again
     EXPECT_THAT(s.news(), HasSubstr("House with a garden, storey 1 of 2: "));
 }
 
-// A hall on three storeys, and north of it a lift with a door on each.
-std::shared_ptr<const Scene> hall_with_lift() {
-    FloorPlan plan;
-    plan.name = "Hall";
-    plan.format = "osm";
-    for (const int level : {0, 1, 2})
-        plan.levels.push_back({static_cast<double>(level), "Level " + std::to_string(level), 3.0 * level});
-    PlanSpace hall;
-    hall.name = "Hall";
-    hall.rings = {{{0, 0}, {6, 0}, {6, 6}, {4, 6}, {3, 6}, {2, 6}, {0, 6}}};
-    hall.levels = {0, 1, 2};
-    PlanSpace lift;
-    lift.kind = PlanSpaceKind::Lift;
-    lift.name = "Lift";
-    lift.rings = {{{2, 6}, {3, 6}, {4, 6}, {4, 8}, {2, 8}}};
-    lift.levels = {0, 1, 2};
-    plan.spaces = {hall, lift};
-    PlanDoor door;
-    door.at = {3, 6};
-    door.levels = {0, 1, 2};
-    door.spaces = {{0, 1}, {0, 1}, {0, 1}};
-    plan.doors = {door};
-    Result<Scene> scene = scene_of_plan(plan, "hall.osm", {});
-    EXPECT_TRUE(scene) << scene.error().sentence();
-    return std::make_shared<const Scene>(std::move(*scene));
-}
-
 TEST(Storeys, are_called_as_the_file_calls_them_and_a_lift_that_one_stands_on_rides_to_the_chosen_one) {
-    Visitor s(hall_with_lift());
+    Visitor s(test::hall_with_lift());
     s.walk(4.0);
     s.tap(Command::Use);
     s.run(1.5);
